@@ -1,0 +1,118 @@
+#pragma once
+
+// Elementary functions of real balls.
+//
+// A ball kept by midpoint and radius is evaluated at its midpoint by MPFR, correctly rounded, and its
+// radius is carried through a bound of the function's change stated beside the code; a wide ball is
+// evaluated at its end points and extrema, each rounded outward, so that the answer is the range
+// itself but for one rounding at each end. Where a function is not defined on the whole of its
+// operand the result is undefined; it is never a NaN passed on as a number.
+//
+//   function            domain            range                 IEEE 1788 name
+//   exp                 R                 (0, inf)              exp
+//   log                 (0, inf)          R                     log
+//   sin, cos            R                 [-1, 1]               sin, cos
+//   tan                 no odd pi/2       R                     tan
+//   asin                [-1, 1]           [-pi/2, pi/2]         asin
+//   acos                [-1, 1]           [0, pi]               acos
+//   atan                R                 (-pi/2, pi/2)         atan
+//   sinh, asinh         R                 R                     sinh, asinh
+//   cosh                R                 [1, inf)              cosh
+//   acosh               [1, inf)          [0, inf)              acosh
+//   tanh                R                 (-1, 1)               tanh
+//   atanh               (-1, 1)           R                     atanh
+//   sqrt                [0, inf)          [0, inf)              sqrt
+//   pow(x, n)           R; R\{0}, n < 0   -                     pown
+//   hypot               R^2               [0, inf)              hypot
+//   agm                 [0, inf)^2        [0, inf)              -
+
+#include <utility>
+
+#include "polhode/arithmetic/ball.hpp"
+
+namespace polhode {
+
+[[nodiscard]] inline ball sqrt(const ball& x) {
+  ball r;
+  sqrt(r, x);
+  return r;
+}
+[[nodiscard]] inline ball square(const ball& x) {
+  ball r;
+  square(r, x);
+  return r;
+}
+[[nodiscard]] inline ball scale(const ball& x, long n) {
+  ball r;
+  scale(r, x, n);
+  return r;
+}
+/// |x|.
+[[nodiscard]] ball abs(const ball& x);
+/// x^n; x^0 = 1 everywhere.
+[[nodiscard]] ball pow(const ball& x, long n);
+/// sqrt(x^2 + y^2), without overflow on the way.
+[[nodiscard]] ball hypot(const ball& x, const ball& y);
+
+// In three-address form, as in ball.hpp.
+void exp(ball& result, const ball& x);
+void log(ball& result, const ball& x);
+/// For |x| of more bits before the point than max(2^20, 4 * precision) the answer is [-1, 1]:
+/// its reduction modulo pi would need pi to that many bits.
+void sin(ball& result, const ball& x);
+void cos(ball& result, const ball& x);
+/// Both at once, for little more than the price of one.
+void sin_cos(ball& sine, ball& cosine, const ball& x);
+void tan(ball& result, const ball& x);
+void asin(ball& result, const ball& x);
+void acos(ball& result, const ball& x);
+void atan(ball& result, const ball& x);
+void sinh(ball& result, const ball& x);
+void cosh(ball& result, const ball& x);
+void tanh(ball& result, const ball& x);
+void asinh(ball& result, const ball& x);
+void acosh(ball& result, const ball& x);
+void atanh(ball& result, const ball& x);
+/// The arithmetic-geometric mean of two numbers >= 0.
+void agm(ball& result, const ball& x, const ball& y);
+
+// The same, as expressions.
+#define POLHODE_AS_EXPRESSION(f)               \
+  [[nodiscard]] inline ball f(const ball& x) { \
+    ball r;                                    \
+    f(r, x);                                   \
+    return r;                                  \
+  }
+POLHODE_AS_EXPRESSION(exp)
+POLHODE_AS_EXPRESSION(log)
+POLHODE_AS_EXPRESSION(sin)
+POLHODE_AS_EXPRESSION(cos)
+POLHODE_AS_EXPRESSION(tan)
+POLHODE_AS_EXPRESSION(asin)
+POLHODE_AS_EXPRESSION(acos)
+POLHODE_AS_EXPRESSION(atan)
+POLHODE_AS_EXPRESSION(sinh)
+POLHODE_AS_EXPRESSION(cosh)
+POLHODE_AS_EXPRESSION(tanh)
+POLHODE_AS_EXPRESSION(asinh)
+POLHODE_AS_EXPRESSION(acosh)
+POLHODE_AS_EXPRESSION(atanh)
+#undef POLHODE_AS_EXPRESSION
+
+/// {sin x, cos x}.
+[[nodiscard]] inline std::pair<ball, ball> sin_cos(const ball& x) {
+  std::pair<ball, ball> r;
+  sin_cos(r.first, r.second, x);
+  return r;
+}
+[[nodiscard]] inline ball agm(const ball& x, const ball& y) {
+  ball r;
+  agm(r, x, y);
+  return r;
+}
+
+// Constants to p bits: the error is half a unit in the last place.
+[[nodiscard]] ball pi(precision p);
+[[nodiscard]] ball log_2(precision p);
+
+}  // namespace polhode

@@ -1,0 +1,47 @@
+#pragma once
+
+// Exact integers and rationals, and reading them from text.
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <boost/multiprecision/gmp.hpp>
+
+#include "polhode/arithmetic/ball.hpp"
+
+namespace polhode {
+
+/// Without expression templates: `auto x = a + b` is a number, as it reads.
+using integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                               boost::multiprecision::et_off>;
+
+/// What a user gave cannot be used; what() says what was given and what would be right.
+class input_error : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Limits of a number given as text: they keep a short text from asking for gigabytes.
+inline constexpr std::size_t longest_number_text = 200'000;
+inline constexpr long greatest_decimal_exponent = 200'000;
+
+/// Reads a decimal ("0.0629", "-1e-300", "18.125") or a quotient of two ("1/4", "-2.5e3/7") exactly.
+/// Throws input_error for anything else ("nan", "1e", "", "0x1", "1/0"), for texts longer than
+/// longest_number_text and exponents beyond greatest_decimal_exponent.
+[[nodiscard]] rational parse_rational(std::string_view text);
+
+/// Reads a decimal or rational text to its enclosure with p bits.
+[[nodiscard]] ball parse_ball(std::string_view text, precision p);
+
+/// The rational as text: "629/10000", or "3" where it is an integer.
+[[nodiscard]] std::string to_text(const rational& q);
+
+/// The end points of a bounded ball as rationals: both are dyadic numbers, so nothing is lost.
+/// Throws std::domain_error where the ball is not bounded.
+[[nodiscard]] rational lower_rational(const ball& x);
+[[nodiscard]] rational upper_rational(const ball& x);
+
+}  // namespace polhode

@@ -1,0 +1,34 @@
+#pragma once
+
+// Balls as decimal text. Every decimal printed by this library comes from here.
+
+#include <string>
+
+#include "polhode/arithmetic/ball.hpp"
+
+namespace polhode {
+
+/// Bits that hold `digits` significant decimal digits: ceil(digits * log2(10)), rounded up.
+[[nodiscard]] precision bits_for_digits(long digits);
+
+/// A bounded ball in decimals.
+struct decimal_enclosure {
+  std::string lower;  // a decimal <= every member, rounded downward
+  std::string upper;  // a decimal >= every member, rounded upward
+  /// The leading digits that all members share, cut off (never rounded): each of them is a digit
+  /// of the true value's decimal expansion. Empty where they share none.
+  std::string value;
+  long digits = 0;     // how many significant digits `value` has
+  bool exact = false;  // the ball is one number and `value` is all of it
+};
+
+/// `value` has at most `most_digits` significant digits, and fewer where the ball is wider;
+/// `lower` and `upper` have three more than that. Throws std::domain_error where x is not bounded,
+/// std::invalid_argument where most_digits < 1.
+[[nodiscard]] decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits);
+
+/// For reading: the certain digits, at most so many, followed by "..." where more would follow
+/// ("1.41421..."); "[lower, upper]" where the members share no digit; "undefined".
+[[nodiscard]] std::string to_decimal(const ball& x, long most_digits);
+
+}  // namespace polhode

@@ -1,0 +1,109 @@
+#include "polhode/arithmetic/exact.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "ball_access.hpp"
+
+namespace polhode {
+namespace {
+
+/// A text for an error message: whole where short, else its beginning.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t most = 40;
+  if (text.size() <= most) return '"' + std::string(text) + '"';
+  return '"' + std::string(text.substr(0, most)) + "...\" (" + std::to_string(text.size()) +
+         " characters)";
+}
+
+[[noreturn]] void not_a_number(std::string_view text) {
+  throw input_error(quoted(text) +
+                    " is not a number: give a decimal such as 0.0629 or 1e-12, or a quotient such "
+                    "as 1/4");
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+rational ten_to_the(unsigned long n) {
+  integer power;
+  mpz_ui_pow_ui(power.backend().data(), 10, n);
+  return rational(power);
+}
+
+rational parse_decimal(std::string_view text, std::string_view whole) {
+  std::size_t i = 0;
+  const bool negative = !text.empty() && text.front() == '-';
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) ++i;
+  std::string digits;
+  long decimals = 0;
+  while (i < text.size() && is_digit(text[i])) digits += text[i++];
+  if (i < text.size() && text[i] == '.') {
+    ++i;
+    while (i < text.size() && is_digit(text[i])) {
+      digits += text[i++];
+      ++decimals;
+    }
+  }
+  if (digits.empty()) not_a_number(whole);
+  long exponent = 0;
+  if (i < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+    ++i;
+    if (i < text.size() && text[i] == '+') ++i;
+    const bool sign_twice = i < text.size() && text[i] == '-' && text[i - 1] == '+';
+    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), exponent);
+    if (error == std::errc::invalid_argument || sign_twice) not_a_number(whole);
+    i = static_cast<std::size_t>(end - text.data());
+    if (error == std::errc::result_out_of_range || exponent > greatest_decimal_exponent ||
+        exponent < -greatest_decimal_exponent) {
+      throw input_error("the exponent in " + quoted(whole) + " is beyond +-" +
+                        std::to_string(greatest_decimal_exponent));
+    }
+  }
+  if (i != text.size()) not_a_number(whole);
+  integer mantissa;
+  mpz_set_str(mantissa.backend().data(), digits.c_str(), 10);
+  if (negative) mantissa = -mantissa;
+  const long shift = exponent - decimals;
+  return shift >= 0 ? rational(mantissa) * ten_to_the(static_cast<unsigned long>(shift))
+                    : rational(mantissa) / ten_to_the(static_cast<unsigned long>(-shift));
+}
+
+rational end_point(const ball& x, void (ball::*end)(mpfr_ptr) const, bool upwards) {
+  if (!x.is_bounded()) throw std::domain_error("the end points of an unbounded ball");
+  rational result;
+  if (ball_access::form_of(x) == ball_access::form::end_points) {
+    mpfr_get_q(result.backend().data(), upwards ? ball_access::second(x) : ball_access::first(x));
+    return result;
+  }
+  // 64 bits more than the midpoint has hold any end but the very distant ones, which are rounded
+  // outward.
+  detail::mpfr_cell value(x.precision() + 64);
+  (x.*end)(value.get());
+  mpfr_get_q(result.backend().data(), value.get());
+  return result;
+}
+
+}  // namespace
+
+rational parse_rational(std::string_view text) {
+  if (text.size() > longest_number_text) {
+    throw input_error("a number of " + std::to_string(text.size()) + " characters: at most " +
+                      std::to_string(longest_number_text) + " are read");
+  }
+  const auto slash = text.find('/');
+  if (slash == std::string_view::npos) return parse_decimal(text, text);
+  const rational numerator = parse_decimal(text.substr(0, slash), text);
+  const rational denominator = parse_decimal(text.substr(slash + 1), text);
+  if (denominator == 0) throw input_error(quoted(text) + " divides by zero");
+  return numerator / denominator;
+}
+
+ball parse_ball(std::string_view text, precision p) { return {parse_rational(text), p}; }
+
+std::string to_text(const rational& q) { return q.str(); }
+
+rational lower_rational(const ball& x) { return end_point(x, &ball::lower, false); }
+rational upper_rational(const ball& x) { return end_point(x, &ball::upper, true); }
+
+}  // namespace polhode

@@ -1,0 +1,35 @@
+# Installs BUILD_DIR to an empty prefix, builds the consumer project beside this file against that
+# prefix alone, runs it, and looks for the first 49 decimals of sqrt(2) in what it prints.
+
+set(work "${BUILD_DIR}/consumer")
+set(prefix "${work}/prefix")
+file(REMOVE_RECURSE "${work}")
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "${command}\nended with ${status}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${work}/build" -G "${GENERATOR}"
+  "-DCMAKE_PREFIX_PATH=${prefix}"
+  "-DCMAKE_BUILD_TYPE=Release"
+  "-DCMAKE_CXX_COMPILER=${COMPILER}"
+  "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+  "-DCMAKE_CXX_FLAGS=${FLAGS} -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror")
+run("${CMAKE_COMMAND}" --build "${work}/build")
+
+run("${work}/build/consumer")
+if(NOT output MATCHES "1\\.4142135623730950488016887242096980785696718753769")
+  message(FATAL_ERROR "the consumer printed:\n${output}")
+endif()
+message("${output}")
+
+run("${prefix}/bin/polhode" --version)
+if(NOT output MATCHES "${VERSION}")
+  message(FATAL_ERROR "the installed program's --version printed:\n${output}")
+endif()
