@@ -28,7 +28,7 @@ mpfr_cell& mpfr_cell::operator=(const mpfr_cell& other) {
   if (this == &other) return *this;
   if (other.is_empty()) {
     release();
-    value_->_mpfr_d = nullptr;
+    value_[0] = other.value_[0];
     return *this;
   }
   reset(mpfr_get_prec(other.value_));
@@ -59,7 +59,9 @@ void mpfr_cell::steal(mpfr_cell& other) noexcept {
   value_[0] = other.value_[0];
   storage_ = other.storage_;
   if (!other.is_empty() && !other.on_heap()) value_->_mpfr_d = storage_.limbs;
+  // An empty cell has precision 0, which is nobody's: a result is never computed into it as it is.
   other.value_->_mpfr_d = nullptr;
+  other.value_->_mpfr_prec = 0;
 }
 
 }  // namespace detail

@@ -1,0 +1,66 @@
+#pragma once
+
+// A certificate is data: what was claimed, of which inputs, what was proved, and what a checker needs
+// to repeat the argument. docs/certificates.md describes its JSON form.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/verdict.hpp"
+
+namespace polhode {
+
+/// Keys keep the order in which they were written.
+using json = nlohmann::ordered_json;
+
+/// A number and the enclosure that was proved for it.
+struct enclosed_number {
+  std::string name;
+  ball enclosure;
+  long digits = 0;  // how many significant digits were asked for
+};
+
+/// One condition that the proof rests on and that was decided, in words.
+struct checked_fact {
+  std::string statement;
+  bool holds = false;
+};
+
+struct certificate {
+  std::string claim;      // its name, "beta"
+  std::string statement;  // in words
+  std::string formula;    // what is enclosed, or the identity or inequality
+  std::string reference;  // where the paper says it
+  std::vector<std::pair<std::string, rational>> inputs;
+  std::vector<enclosed_number> numbers;
+  std::vector<checked_fact> facts;
+  std::string method;  // the argument, in words
+  json witness = json::object();
+  status verdict = status::not_certified;
+  reason why = reason::none;
+
+  /// Certified if every fact holds and every number has the digits that were asked for (a number
+  /// that is exact has them all); otherwise not, with `otherwise` as the reason.
+  void conclude(reason otherwise = reason::precision_limit);
+};
+
+/// {"value": decimals that both ends share, "digits": their number, "lower": ..., "upper": ...}, ends
+/// rounded outward. An unbounded or undefined ball gives nulls in place of decimals.
+[[nodiscard]] json to_json(const ball& x, long digits);
+
+/// The exact ends: {"lower": {"mantissa": "...", "exponent": e}, "upper": ...}, mantissa * 2^exponent with
+/// decimal integers in strings. Null for an unbounded or undefined ball.
+[[nodiscard]] json to_dyadic_json(const ball& x);
+
+/// The certificate's JSON form, versions included.
+[[nodiscard]] json to_json(const certificate& c);
+
+/// The certificate as text for a terminal of 100 columns.
+[[nodiscard]] std::string to_text(const certificate& c);
+
+}  // namespace polhode

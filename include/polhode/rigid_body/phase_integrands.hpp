@@ -1,0 +1,105 @@
+#pragma once
+
+// The Montgomery phase of oscillating motion as periodic quadrature.
+//
+// For a > 0, 0 < b < 1, 0 < u <= 1 (mathematics of the paper's section 4 and appendix A): with
+// x(t) = ((1 + u) + (1 - u) cos t) / 2, which runs from 1 to u as t runs from 0 to pi,
+//
+//   G(u) = F(-b u, u) = b^(-1/2) integral from 0 to pi of (1 - b x) / sqrt(x (a + b x)) dt,
+//   dG/du = -(1/2) b^(-1/2) integral from 0 to pi of
+//               ((1 + cos t)/2) (a + (a + 2) b X) / (X (a + b X))^(3/2) dt,   X = x(pi - t).
+//
+// The first is the paper's eq. (mon5) under its substitution x = cos^2 + u sin^2; the second its eq. (con4)
+// with y = sin(t/2), where X = u + (1 - u) y^2. Half the Montgomery phase is G.
+
+#include <optional>
+
+#include "polhode/arithmetic/scalar.hpp"
+#include "polhode/quadrature/error_bounds.hpp"
+
+namespace polhode {
+
+/// Parameters of a body and a motion on the curve S, exact.
+struct oscillating_motion {
+  rational a;  // I_y/I_z - 1 > 0
+  rational b;  // 1 - I_y/I_x, in (0, 1)
+  rational u;  // -c/b, in (0, 1]
+};
+
+/// Throws input_error, which names the parameter, where one is out of its range.
+void check(const oscillating_motion& motion);
+
+namespace detail {
+/// Bounds of x(t) for |Im t| <= H: |x| <= above and Re x >= below.
+/// Proof: |cos t| <= cosh H and Re cos t >= -cosh H there.
+struct strip_range {
+  ball above;
+  ball below;
+};
+[[nodiscard]] strip_range range_on_strip(const ball& u, const ball& half_width);
+}  // namespace detail
+
+/// The integrand of G(u), for integrate_periodic.
+class half_phase_integrand {
+ public:
+  explicit half_phase_integrand(oscillating_motion motion) : motion_(std::move(motion)) {}
+
+  template <scalar T>
+  [[nodiscard]] auto evaluator(precision p) const {
+    const T a = scalar_from<T>(motion_.a, p);
+    const T b = scalar_from<T>(motion_.b, p);
+    const T mean = scalar_from<T>(rational((1 + motion_.u) / 2), p);
+    const T half = scalar_from<T>(rational((1 - motion_.u) / 2), p);
+    const T root_b = sqrt(b);
+    return [=](const T& cosine) -> T {
+      const T x = mean + half * cosine;
+      const T bx = b * x;
+      return (1 - bx) / (root_b * sqrt(T(x * (a + bx))));
+    };
+  }
+
+  /// |integrand| <= (1 + b above) / sqrt(b below (a + b below)), where below > 0 is checked: then x and
+  /// a + b x have positive real parts, so that sqrt(x) sqrt(a + b x) is analytic, equals sqrt(x (a + b x))
+  /// on the real line, and |x| >= Re x >= below, |a + b x| >= a + b below.
+  [[nodiscard]] std::optional<strip_bound> bound_on_strip(const ball& half_width) const;
+
+ private:
+  oscillating_motion motion_;
+};
+
+/// The integrand of dG/du.
+class half_phase_slope_integrand {
+ public:
+  explicit half_phase_slope_integrand(oscillating_motion motion) : motion_(std::move(motion)) {}
+
+  template <scalar T>
+  [[nodiscard]] auto evaluator(precision p) const {
+    const T a = scalar_from<T>(motion_.a, p);
+    const T b = scalar_from<T>(motion_.b, p);
+    const T mean = scalar_from<T>(rational((1 + motion_.u) / 2), p);
+    const T half = scalar_from<T>(rational((1 - motion_.u) / 2), p);
+    const T slope = scalar_from<T>(rational((motion_.a + 2) * motion_.b), p);
+    const T minus_four_root_b = -4 * sqrt(b);
+    return [=](const T& cosine) -> T {
+      const T x = mean - half * cosine;
+      const T product = x * (a + b * x);
+      return (1 + cosine) * (a + slope * x) / T(minus_four_root_b * T(product * sqrt(product)));
+    };
+  }
+
+  /// |integrand| <= (1 + cosh H) (a + (a + 2) b above) / (4 sqrt(b) (below (a + b below))^(3/2)), under the
+  /// condition and by the argument of half_phase_integrand.
+  [[nodiscard]] std::optional<strip_bound> bound_on_strip(const ball& half_width) const;
+
+ private:
+  oscillating_motion motion_;
+};
+
+/// dG/du by complete elliptic integrals (AGM), to about p bits:
+///   dG/du = -[(a + b) R_D(0, v, u) + b (1 + a) R_D(0, u, v)] / (3 sqrt(b) (a + b)^(3/2)),
+/// v = (a + b u)/(a + b), where 1 - u/v = a (1 - u)/(a + b u) is formed exactly. Derivation: G(u) in Carlson's
+/// form is 2 sqrt((1-u)/((a+b) b (1-u))) [(1-b) R_F(0,u,v) + (b(1-u)/3) R_J(0,u,v,1)]; the stated form of its
+/// derivative is checked against the quadrature of eq. (con4) by the claim sign_dF_du and by the tests.
+[[nodiscard]] ball half_phase_slope(const oscillating_motion& motion, precision p);
+
+}  // namespace polhode

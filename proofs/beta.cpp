@@ -1,0 +1,180 @@
+#include "proofs/beta.hpp"
+
+#include <cmath>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/complete.hpp"
+#include "polhode/quadrature/periodic_trapezoid.hpp"
+#include "proofs/claims.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+/// f(x) = M(sqrt(1+x), sqrt(x)) - 1/2.
+ball mean_equation(const ball& x) { return agm(sqrt(1 + x), sqrt(x)) - rational(1, 2); }
+
+/// f'(x) = M (x + 1/2 - S) / (2 x (1 + x)), S the sum of 2^(n-1) c_n^2 over n >= 1.
+///
+/// Proof. With I = integral over (0, pi/2) of (x + cos^2 t)^(-1/2) dt = pi / (2 M) (Gauss) and
+/// J = integral of (x + cos^2 t)^(-3/2) dt, I' = -J/2 and M' = (M^2 / pi) J. With m = 1/(1+x):
+/// I = K(m)/sqrt(1+x) and J = (1+x)^(-3/2) E(m)/(1-m) (DLMF 19.2(ii), integral of Delta^-3), so
+/// J = I (E/K)/x and M' = (M/(2x)) E/K. Last, E/K = 1 - sum over n >= 0 of 2^(n-1) c_n^2/a_0^2, with
+/// a_0^2 = 1 + x and c_0^2 = a_0^2 - b_0^2 = 1.
+ball mean_equation_slope(const ball& x) {
+  const agm_sums m = agm_with_sum(sqrt(1 + x), sqrt(x));
+  return m.mean * (x + rational(1, 2) - m.sum) / (2 * x * (1 + x));
+}
+
+/// A root near enough for interval Newton to start with, by the secant method in hardware
+/// arithmetic. A bad value would be noticed, not believed.
+double approximate_root() {
+  const auto f = [](double x) {
+    double a = std::sqrt(1 + x);
+    double b = std::sqrt(x);
+    for (int i = 0; i < 6; ++i) {
+      const double mean = (a + b) / 2;
+      b = std::sqrt(a * b);
+      a = mean;
+    }
+    return a - 0.5;
+  };
+  double x = 0.02;
+  double y = 0.04;
+  double fx = f(x);
+  for (int i = 0; i < 12 && x != y; ++i) {
+    const double fy = f(y);
+    if (fx == fy) break;
+    const double next = y - fy * (y - x) / (fy - fx);
+    x = y;
+    fx = fy;
+    y = next;
+  }
+  return y;
+}
+
+/// 1/sqrt(x + cos^2(t/2)) at the cosine of t: the integral over (0, pi) is 2 I, so that the
+/// equation K(1/(1+x)) = pi sqrt(1+x) reads: this integral is 2 pi.
+class inverse_root_integrand {
+ public:
+  explicit inverse_root_integrand(rational x) : x_(std::move(x)) {}
+
+  template <scalar T>
+  [[nodiscard]] auto evaluator(precision p) const {
+    const T shift = scalar_from<T>(rational(x_ + rational(1, 2)), p);
+    return [=](const T& cosine) -> T { return 1 / sqrt(T(shift + cosine / 2)); };
+  }
+
+  /// Re(x + (1 + cos t)/2) >= x + (1 - cosh H)/2 for |Im t| <= H: where that is positive the root is
+  /// analytic and |integrand| <= (x + (1 - cosh H)/2)^(-1/2).
+  [[nodiscard]] std::optional<strip_bound> bound_on_strip(const ball& half_width) const {
+    const ball least = x_ + scale(1 - cosh(half_width), -1);
+    if (!certainly_positive(half_width) || !certainly_positive(least)) return std::nullopt;
+    return strip_bound{half_width, 1 / sqrt(least)};
+  }
+
+ private:
+  rational x_;
+};
+
+/// The sign of (integral - 2 pi) at x, by certified quadrature to a radius of 2^-bits.
+struct sign_by_quadrature {
+  sign value = sign::unknown;
+  periodic_integral integral;
+};
+sign_by_quadrature sign_at(const rational& x, long bits) {
+  sign_by_quadrature result;
+  result.integral = integrate_periodic(inverse_root_integrand(x), bits);
+  if (result.integral.verdict == status::certified) {
+    result.value = sign_of(result.integral.enclosure - 2 * pi(bits + 64));
+  }
+  return result;
+}
+
+/// The decimals of x cut off after `digits` digits, as a rational, and one unit of their last place.
+struct decimal_bracket {
+  rational below;
+  rational above;
+};
+decimal_bracket bracket_of(const ball& x, long digits) {
+  const std::string text = to_decimal_enclosure(x, digits).value;
+  const rational below = parse_rational(text);
+  const auto decimals = static_cast<long>(text.size() - text.find('.') - 1);
+  return {below, below + parse_rational("1e-" + std::to_string(decimals))};
+}
+
+/// The independent route: no AGM, no derivative. The integral decreases in x (its integrand does), so
+/// signs + and - at two points enclose its only root.
+void add_quadrature_route(certificate& c, const ball& root, long digits) {
+  const decimal_bracket bracket = bracket_of(root, digits);
+  const long bits = bits_for_digits(digits) + 16;
+  const sign_by_quadrature below = sign_at(bracket.below, bits);
+  const sign_by_quadrature above = sign_at(bracket.above, bits);
+  c.facts.push_back(
+      {"by certified quadrature, which uses no AGM: the integral over (0, pi/2) of "
+       "(x + cos^2 t)^(-1/2) exceeds pi at the first " +
+           std::to_string(digits) +
+           " digits of beta and is below pi one unit of the last place higher",
+       below.value == sign::positive && above.value == sign::negative});
+  const auto side = [](const rational& x, const sign_by_quadrature& s) {
+    return json{{"x", to_text(x)},
+                {"nodes", s.integral.plan.nodes},
+                {"strip_half_width", to_json(s.integral.plan.strip.half_width, 17)},
+                {"supremum", to_json(s.integral.plan.strip.supremum, 10)},
+                {"truncation_error", to_json(s.integral.plan.truncation_error, 5)},
+                {"integral", to_json(s.integral.enclosure, 20)}};
+  };
+  c.witness["quadrature"] = json{{"rule", "periodic trapezoid, 2n nodes (2k+1) pi/(2n)"},
+                                 {"below", side(bracket.below, below)},
+                                 {"above", side(bracket.above, above)}};
+}
+
+certificate prove_beta(const request& wanted) {
+  constexpr long most_quadrature_digits = 100;
+  certificate c;
+  const root_enclosure root = enclose_beta(bits_for_digits(wanted.digits) + 32);
+  c.formula = "agm(sqrt(1+beta), sqrt(beta)) = 1/2, equivalent to K(1/(1+beta)) = pi sqrt(1+beta)";
+  c.method =
+      "K(1/(1+x)) = sqrt(1+x) I(x) with I(x) the integral over (0, pi/2) of (x + cos^2 t)^(-1/2), "
+      "and "
+      "I(x) = pi/(2 agm(sqrt(1+x), sqrt(x))) by Gauss: pi cancels. The mean increases strictly in "
+      "x > 0 from 0 "
+      "without bound, so there is exactly one root; interval Newton with f' from the same AGM "
+      "steps proves it "
+      "in its box and encloses it.";
+  c.numbers.push_back({"beta", root.root, wanted.digits});
+  c.facts.push_back(
+      {"interval Newton maps its box into itself with a derivative that is not 0: "
+       "exactly one root in the box",
+       root.verdict == root_verdict::unique && !contains_zero(root.derivative)});
+  c.witness["newton"] = json{{"box", to_dyadic_json(root.box)},
+                             {"derivative", to_json(root.derivative, 17)},
+                             {"image", to_dyadic_json(root.image)},
+                             {"evaluations", root.evaluations_of_f}};
+  if (root.verdict == root_verdict::unique) {
+    add_quadrature_route(c, root.root, std::min(wanted.digits, most_quadrature_digits));
+  }
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+root_enclosure enclose_beta(precision p) {
+  const ball start = ball::exactly(approximate_root(), 64);
+  return refine_root(mean_equation, mean_equation_slope,
+                     start.enlarged(magnitude::power_of_two(-48)), p);
+}
+
+claim beta_claim() {
+  return {"beta",
+          "eq. (twis5): beta = 0.028973",
+          "The perfect twist of the best physical body in the limit a -> inf, b -> 0 lies at c/b = "
+          "beta, "
+          "the one positive root of K(1/(1+beta)) = pi sqrt(1+beta).",
+          "interval Newton on the AGM; signs by certified quadrature as an independent route",
+          false,
+          prove_beta};
+}
+
+}  // namespace polhode::proofs

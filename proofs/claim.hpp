@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "polhode/certificate/certificate.hpp"
+#include "polhode/rigid_body/phase_integrands.hpp"
+
+namespace polhode::proofs {
+
+/// What a claim is asked for.
+struct request {
+  long digits = 50;  // significant digits of every number in the claim
+  oscillating_motion motion{rational(1265, 100), rational(629, 10000), rational(1, 4)};
+};
+
+/// One statement of the paper and what proves it.
+struct claim {
+  std::string name;
+  std::string reference;     // where the paper says it
+  std::string statement;     // one line
+  std::string method;        // one line
+  bool uses_motion = false;  // the numbers asked for depend on request.motion
+  std::function<certificate(const request&)> prove;
+};
+
+/// All claims, in the order of the paper.
+[[nodiscard]] const std::vector<claim>& all_claims();
+
+/// The claim of that name, or nullptr.
+[[nodiscard]] const claim* find_claim(const std::string& name);
+
+/// A constant of the paper, to any number of digits.
+struct constant {
+  std::string name;
+  std::string description;  // with its formula
+  /// An enclosure computed with about p bits; its radius shrinks like 2^-p.
+  std::function<ball(precision p)> enclose;
+  /// Numbers of full length held at once, for estimating memory.
+  int live_numbers = 0;
+};
+
+[[nodiscard]] const std::vector<constant>& all_constants();
+[[nodiscard]] const constant* find_constant(const std::string& name);
+
+/// An enclosure of the constant with at least `digits` certain significant digits: working precision is
+/// raised until they are certain. Undefined if they are not at a precision of 16 times that many bits.
+[[nodiscard]] ball enclose_to_digits(const constant& c, long digits);
+
+/// Bytes needed at most, about, to enclose the constant to that many digits. Measured, not proved.
+[[nodiscard]] double estimated_memory(const constant& c, long digits);
+
+}  // namespace polhode::proofs

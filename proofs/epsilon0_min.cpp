@@ -1,0 +1,82 @@
+// epsilon0_min = pi - 2 arctan(e^pi), and delta_psi_max = pi - 2 epsilon0_min.
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/roots/newton.hpp"
+#include "proofs/claims.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+/// The root of log(tan(x/2)) + pi near x = 0.086: the same number through log and tan in place of exp
+/// and arctan. Its derivative is 1/sin x.
+root_enclosure by_logarithm(precision p) {
+  const ball box = hull(ball(rational(86, 1000), 64), ball(rational(87, 1000), 64));
+  const auto f = [](const ball& x) { return log(tan(x / 2)) + pi(x.precision()); };
+  const auto derivative = [](const ball& x) { return 1 / sin(x); };
+  return refine_root(f, derivative, box, p);
+}
+
+/// The two routes' enclosures of epsilon0_min and the facts that tie them.
+certificate prove_epsilon0_min(const request& wanted) {
+  certificate c;
+  const ball x = enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits);
+  const root_enclosure other = by_logarithm(x.precision());
+  c.formula = "epsilon0_min = pi - 2 arctan(e^pi) = 2 arctan(e^-pi)";
+  c.method =
+      "On the separatrix of the limit the amplitude is the Gudermannian, am(pi|1) = 2 arctan(e^pi) "
+      "- pi/2, so "
+      "that pi/2 - am(pi|1) is the formula above; it is evaluated in ball arithmetic. The second "
+      "route "
+      "encloses the one root of log(tan(x/2)) + pi in [0.086, 0.087] by interval Newton.";
+  c.numbers.push_back({"epsilon0_min", x, wanted.digits});
+  c.facts.push_back(
+      {"log(tan(x/2)) + pi has exactly one root in [0.086, 0.087] (interval Newton), and its "
+       "enclosure overlaps the one by the formula",
+       other.verdict == root_verdict::unique && overlaps(other.root, x)});
+  c.witness["second_route"] = to_json(other.root, wanted.digits);
+  c.conclude();
+  return c;
+}
+
+certificate prove_delta_psi_max(const request& wanted) {
+  certificate c;
+  const ball x = enclose_to_digits(*find_constant("delta_psi_max"), wanted.digits);
+  const root_enclosure epsilon = by_logarithm(x.precision());
+  const ball second = pi(x.precision()) - 2 * epsilon.root;
+  c.formula = "delta_psi_max = pi - 2 epsilon0_min = 4 arctan(e^pi) - pi";
+  c.method =
+      "The formula in ball arithmetic; the second route takes epsilon0_min from interval Newton on "
+      "log(tan(x/2)) + pi.";
+  c.numbers.push_back({"delta_psi_max", x, wanted.digits});
+  c.facts.push_back(
+      {"pi - 2 epsilon0_min with epsilon0_min from log and tan overlaps the formula in "
+       "exp and arctan",
+       epsilon.verdict == root_verdict::unique && overlaps(second, x)});
+  c.witness["second_route"] = to_json(second, wanted.digits);
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+claim epsilon0_min_claim() {
+  return {"epsilon0_min",
+          "eq. (twis4): epsilon_0,min = 0.086374",
+          "The least twist defect on the separatrix that a physical body can have, approached as "
+          "a -> inf, b -> 0 with ab -> 1.",
+          "ball arithmetic; interval Newton on log tan as a second route",
+          false,
+          prove_epsilon0_min};
+}
+
+claim delta_psi_max_claim() {
+  return {"delta_psi_max",
+          "section 7, after eq. (twis5): Delta psi = 2.96884",
+          "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min.",
+          "ball arithmetic; interval Newton on log tan as a second route",
+          false,
+          prove_delta_psi_max};
+}
+
+}  // namespace polhode::proofs

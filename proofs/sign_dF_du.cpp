@@ -1,0 +1,129 @@
+// The sign of dF(-bu,u)/du: the paper's lemma in appendix A, on which both theorems rest.
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/periodic_trapezoid.hpp"
+#include "proofs/claims.hpp"
+#include "proofs/derivative_identity.hpp"
+#include "proofs/slope_sweep.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+/// dG/du by AGM with the digits that are asked for, or as many as 4 raises of the precision give.
+ball slope_to_digits(const oscillating_motion& motion, long digits) {
+  ball x;
+  precision p = bits_for_digits(digits) + 64;
+  for (int i = 0; i < 4; ++i, p *= 2) {
+    x = half_phase_slope(motion, p);
+    if (x.is_bounded() && to_decimal_enclosure(x, digits).digits >= digits) break;
+  }
+  return x;
+}
+
+void add_value(certificate& c, const request& wanted) {
+  constexpr long most_quadrature_digits = 1000;
+  constexpr long most_nodes = 200'000;
+  const oscillating_motion& motion = wanted.motion;
+  c.inputs = {{"a", motion.a}, {"b", motion.b}, {"u", motion.u}};
+  const ball value = slope_to_digits(motion, wanted.digits);
+  c.numbers.push_back({"dF_du", value, wanted.digits});
+  c.facts.push_back(
+      {"at the given a, b, u: dF(-bu,u)/du < 0 (Carlson's R_D by AGM)", certainly_negative(value)});
+
+  // The quadrature's goal is absolute; the size of the value turns it into digits.
+  const long digits = std::min(wanted.digits, most_quadrature_digits);
+  const auto size = value.is_bounded() ? value.magnitude_upper().log2_floor() : 0;
+  const long bits = bits_for_digits(digits) + 8 - static_cast<long>(size);
+  periodic_options options;
+  options.most_nodes = most_nodes;
+  const periodic_integral q = integrate_periodic(half_phase_slope_integrand(motion), bits, options);
+  c.witness["quadrature"] = json{{"verdict", to_text(q.verdict)},
+                                 {"reason", to_text(q.why)},
+                                 {"rule", "periodic trapezoid, 2n nodes (2k+1) pi/(2n)"},
+                                 {"nodes", q.plan.nodes},
+                                 {"evaluations", q.evaluations},
+                                 {"strip_half_width", to_json(q.plan.strip.half_width, 17)},
+                                 {"supremum", to_json(q.plan.strip.supremum, 10)},
+                                 {"truncation_error", to_json(q.plan.truncation_error, 5)},
+                                 {"value", to_json(q.enclosure, digits)}};
+  if (q.why == reason::evaluation_limit) {
+    c.witness["quadrature"]["note"] = "u is so near 0 that the rule would need more than " +
+                                      std::to_string(most_nodes) +
+                                      " nodes: this route is left out, and the AGM stands alone";
+    return;
+  }
+  c.facts.push_back({"the paper's eq. (con4) by certified quadrature, to " +
+                         std::to_string(digits) +
+                         " digits, overlaps the value by AGM and is negative",
+                     q.verdict == status::certified && overlaps(q.enclosure, value) &&
+                         certainly_negative(q.enclosure)});
+}
+
+void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
+  const identity_check identity = check_derivative_identity();
+  c.facts.push_back({identity.statement, identity.holds});
+  c.witness["identity"] = json{{"points", identity.points}, {"degrees", identity.degrees}};
+  c.facts.push_back(
+      {"for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
+       "(con4) is "
+       "positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
+       identity.holds});
+
+  const sweep_result sweep = sweep_slope();
+  c.facts.push_back(
+      {"interval sweep: -u sqrt(b(a+b)) dF/du > 3/4 on all of [0,1]^3 in the variables a/(a+b), "
+       "b(1+a)/(a+b), u (" +
+           std::to_string(sweep.boxes) + " boxes)",
+       sweep.holds});
+  const precision p = 64;
+  const ball factor =
+      -ball(motion.u, p) * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p));
+  c.facts.push_back(
+      {"the sweep's integral at the given a, b, u holds the value above",
+       overlaps(slope_enclosure(point_of(motion, p)), factor * c.numbers[0].enclosure)});
+  c.witness["sweep"] = json{{"bound", to_text(sweep.bound)},
+                            {"boxes", sweep.boxes},
+                            {"evaluations", sweep.evaluations},
+                            {"deepest", sweep.deepest},
+                            {"least_lower_bound", to_json(ball(sweep.least, 64), 6)}};
+}
+
+certificate prove_sign(const request& wanted) {
+  check(wanted.motion);
+  certificate c;
+  c.formula =
+      "dF(-bu,u)/du = -(b/(ab)^(3/2)) integral over (0,1) of sqrt(1-y^2) (a + (a+2) b X)/(X (1 + "
+      "bX/a))^(3/2) dy "
+      "< 0, X = u + (1-u) y^2";
+  c.method =
+      "At the given a, b, u the value is enclosed by two routes that share no formula. For all a, "
+      "b, u: after "
+      "y = sin s the integrand of eq. (con3) and its u-derivative are continuous in (s, u) on [0, "
+      "pi/2] x [u_0, 1] "
+      "for every u_0 > 0, so differentiation under the integral is allowed; the derivative of the "
+      "integrand is "
+      "the paper's, an exact identity of rational functions; its sign is read off its factors. The "
+      "sweep bounds "
+      "the same quantity over the whole compactified box of parameters in interval arithmetic.";
+  add_value(c, wanted);
+  add_sign_for_all(c, wanted.motion);
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+claim sign_dF_du_claim() {
+  return {
+      "sign_dF_du",
+      "appendix A, lemma 6 and eq. (con4)",
+      "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its derivative "
+      "is "
+      "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
+      "two enclosures of the value; exact identity and signs; interval sweep over all parameters",
+      true,
+      prove_sign};
+}
+
+}  // namespace polhode::proofs

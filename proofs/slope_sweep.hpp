@@ -1,0 +1,48 @@
+#pragma once
+
+// The sign of dF(-bu,u)/du for all bodies and motions at once, by interval arithmetic: the numerical
+// companion of the exact proof.
+
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/rigid_body/phase_integrands.hpp"
+
+namespace polhode::proofs {
+
+/// W = -u sqrt(b (a + b)) dF(-bu,u)/du as an integral without singularities, over a compact box.
+///
+/// In eq. (con4) put y = sin s and tan s = sqrt(u) tan t. With q = cos^2 t + u sin^2 t:
+/// cos^2 s = cos^2 t / q, X = u + (1-u) sin^2 s = u / q, ds = sqrt(u) / q dt, and so
+///   W = sqrt(a + b) integral over (0, pi/2) of cos^2 t (a q + (a + 2) b u) / (a q + b u)^(3/2) dt.
+/// Divide by the scale: sigma = (a q + b u)/(a + b) = u + p (1 - u) cos^2 t with p = a/(a + b), and
+/// a q + (a+2) b u = (a q + b u) + (a + 1) b u, so with r = b (1 + a)/(a + b)
+///   W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt.
+/// For a > 0, 0 < b < 1 both p and r lie in (0, 1) (r < 1 since b + ab < a + b). So every body and
+/// motion is a point (p, r, u) of the box [0,1]^3, and W > 0 there shows dF/du < 0.
+struct sweep_point {
+  ball p, r, u;  // interval parameters, within [0, 1]
+};
+
+/// A lower bound of W over a box of parameters: the integrand is bounded over 64 equal cells of t. The
+/// lower ends are used: cos^2 decreases over each cell, and sigma^(-1/2) and sigma^(-3/2) decrease in sigma.
+[[nodiscard]] ball slope_lower_bound(const sweep_point& box);
+
+/// An enclosure of W for parameters with sigma certainly positive, from the same cells (its width is
+/// that of the cells: a few hundredths).
+[[nodiscard]] ball slope_enclosure(const sweep_point& box);
+
+/// The point (p, r, u) of a motion.
+[[nodiscard]] sweep_point point_of(const oscillating_motion& motion, precision bits);
+
+struct sweep_result {
+  bool holds = false;    // W > bound on every box
+  rational bound;        // 3/4 (the infimum is pi/4 = 0.785..., at u = 1, r = 0)
+  long boxes = 0;        // boxes on which it was shown
+  long evaluations = 0;  // boxes looked at, those that were split included
+  int deepest = 0;       // halvings that led to the smallest box
+  rational least;        // the least lower bound found, cut off to a decimal
+};
+
+/// Bisects [0,1]^3 until W > 3/4 is shown on every box, or gives up at most_boxes evaluations.
+[[nodiscard]] sweep_result sweep_slope(long most_evaluations = 200'000);
+
+}  // namespace polhode::proofs

@@ -1,0 +1,150 @@
+#include "polhode/certificate/certificate.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <gmp.h>
+#include <mpfr.h>
+#include <boost/version.hpp>
+
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode {
+namespace {
+
+/// q = mantissa * 2^exponent with an odd mantissa (0 is 0 * 2^0). Hypothesis: q is dyadic.
+json dyadic(const rational& q) {
+  integer mantissa = numerator(q);
+  long exponent = -static_cast<long>(msb(integer(denominator(q))));
+  if (mantissa != 0) {
+    const auto twos = lsb(integer(abs(mantissa)));
+    mantissa >>= twos;
+    exponent += static_cast<long>(twos);
+  } else {
+    exponent = 0;
+  }
+  return json{{"mantissa", mantissa.str()}, {"exponent", exponent}};
+}
+
+bool has_digits(const enclosed_number& n) {
+  if (!n.enclosure.is_bounded()) return false;
+  const decimal_enclosure d = to_decimal_enclosure(n.enclosure, n.digits);
+  return d.exact || d.digits >= n.digits;
+}
+
+/// Text in lines of at most `width` columns, broken at spaces, each indented.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width = 100) {
+  std::string result;
+  std::string line(indent, ' ');
+  const std::string margin = line;
+  std::size_t start = 0;
+  while (start < text.size()) {
+    auto end = text.find(' ', start);
+    if (end == std::string::npos) end = text.size();
+    const std::string word = text.substr(start, end - start);
+    if (line.size() > indent && line.size() + 1 + word.size() > width) {
+      result += line + '\n';
+      line = margin;
+    }
+    if (line.size() > indent) line += ' ';
+    line += word;
+    start = end + 1;
+  }
+  if (line.size() > indent) result += line + '\n';
+  return result;
+}
+
+/// A long decimal in rows of 90 characters.
+std::string rows(const std::string& digits, std::size_t indent) {
+  constexpr std::size_t width = 90;
+  std::string result;
+  for (std::size_t i = 0; i < digits.size(); i += width) {
+    result += std::string(indent, ' ') + digits.substr(i, width) + '\n';
+  }
+  return result;
+}
+
+}  // namespace
+
+void certificate::conclude(reason otherwise) {
+  const bool facts_hold =
+      std::all_of(facts.begin(), facts.end(), [](const checked_fact& f) { return f.holds; });
+  const bool digits_reached = std::all_of(numbers.begin(), numbers.end(), has_digits);
+  if (facts_hold && digits_reached) {
+    verdict = status::certified;
+    why = reason::none;
+  } else {
+    verdict = status::not_certified;
+    why = otherwise;
+  }
+}
+
+json to_json(const ball& x, long digits) {
+  if (!x.is_bounded()) {
+    return json{{"value", nullptr}, {"digits", 0}, {"lower", nullptr}, {"upper", nullptr}};
+  }
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  json result{{"value", d.value}, {"digits", d.digits}, {"lower", d.lower}, {"upper", d.upper}};
+  if (d.digits == 0 && !d.exact) result["value"] = nullptr;
+  if (d.exact) result["exact"] = true;
+  return result;
+}
+
+json to_dyadic_json(const ball& x) {
+  if (!x.is_bounded()) return nullptr;
+  return json{{"lower", dyadic(lower_rational(x))}, {"upper", dyadic(upper_rational(x))}};
+}
+
+json to_json(const certificate& c) {
+  json result;
+  result["format"] = "polhode certificate";
+  result["version"] = 1;
+  result["claim"] = c.claim;
+  result["statement"] = c.statement;
+  result["formula"] = c.formula;
+  result["reference"] = c.reference;
+  result["verdict"] = to_text(c.verdict);
+  if (c.verdict != status::certified) result["reason"] = to_text(c.why);
+  result["inputs"] = json::object();
+  for (const auto& [name, value] : c.inputs) result["inputs"][name] = to_text(value);
+  result["numbers"] = json::object();
+  for (const auto& n : c.numbers) {
+    json number = to_json(n.enclosure, n.digits);
+    number["digits_asked"] = n.digits;
+    number["dyadic"] = to_dyadic_json(n.enclosure);
+    result["numbers"][n.name] = std::move(number);
+  }
+  result["facts"] = json::array();
+  for (const auto& f : c.facts) {
+    result["facts"].push_back(json{{"statement", f.statement}, {"holds", f.holds}});
+  }
+  result["method"] = c.method;
+  result["witness"] = c.witness;
+  result["software"] =
+      json{{"polhode", POLHODE_VERSION},
+           {"mpfr", mpfr_get_version()},
+           {"gmp", gmp_version},
+           {"boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
+                                 BOOST_VERSION % 100)}};
+  return result;
+}
+
+std::string to_text(const certificate& c) {
+  std::string result = c.claim + ": " + to_text(c.verdict);
+  if (c.verdict != status::certified) result += " (" + to_text(c.why) + ")";
+  result += '\n' + wrapped(c.statement, 2) + wrapped(c.formula, 4) + wrapped(c.reference, 4);
+  for (const auto& [name, value] : c.inputs) {
+    result += fmt::format("    {} = {}\n", name, to_text(value));
+  }
+  for (const auto& n : c.numbers) {
+    result += "  " + n.name + " =\n" + rows(to_decimal(n.enclosure, n.digits), 4);
+  }
+  for (const auto& f : c.facts) {
+    std::string lines = wrapped(f.statement, 10);
+    lines.replace(0, 10, f.holds ? "  [holds] " : "  [FAILS] ");
+    result += lines;
+  }
+  return result + "  method:\n" + wrapped(c.method, 4);
+}
+
+}  // namespace polhode

@@ -1,0 +1,96 @@
+#include "polhode/quadrature/periodic_trapezoid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/arithmetic/elementary.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr precision bound_precision = 64;
+
+/// An estimate of log2 of a magnitude, for the search only.
+double estimated_log2(const magnitude& x) {
+  if (x.is_zero()) return -std::numeric_limits<double>::infinity();
+  if (x.is_infinite()) return std::numeric_limits<double>::infinity();
+  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
+}
+
+ball from_estimate(double x) { return ball::exactly(x, bound_precision); }
+
+/// A strip and an estimate of the nodes it asks for.
+struct candidate {
+  double half_width = 0;
+  double nodes = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+periodic_plan plan_periodic_trapezoid(
+    const std::function<std::optional<strip_bound>(const ball& half_width)>& bound_on_strip,
+    long bits, long most_nodes) {
+  periodic_plan plan;
+  plan.truncation_error = ball::undefined(bound_precision);
+
+  // Search. The bound 2 pi M / (e^(2 n H) - 1) falls below 2^-bits at about
+  // n = (bits + log2(2 pi M)) log 2 / (2 H).
+  const auto evaluate = [&](double half_width) {
+    candidate c;
+    c.half_width = half_width;
+    const auto bound = bound_on_strip(from_estimate(half_width));
+    if (bound.has_value() && bound->supremum.is_bounded()) {
+      const double log2_bound = estimated_log2(bound->supremum.magnitude_upper());
+      const double needed = static_cast<double>(bits) + std::max(log2_bound, -1e9) + 2.7;
+      c.nodes = std::max(needed, 1.0) * 0.34657359 / half_width;
+    }
+    return c;
+  };
+  // From wide to narrow in factors of sqrt 2 until the strip is proved, then a few more: M falls as the
+  // strip shrinks, so the best is near the widest that can be proved.
+  candidate best;
+  int since_best = 0;
+  for (double half_width = 64; half_width > 1e-300 && since_best < 6; half_width *= 0.70710678) {
+    const candidate c = evaluate(half_width);
+    if (c.nodes < best.nodes) {
+      best = c;
+      since_best = 0;
+    } else if (std::isfinite(best.nodes)) {
+      ++since_best;
+    }
+  }
+  if (!std::isfinite(best.nodes)) {
+    plan.why = reason::not_analytic;
+    return plan;
+  }
+  for (double factor = 1.19; factor > 1.0005; factor = 1 + (factor - 1) * 0.6) {
+    for (const double half_width : {best.half_width * factor, best.half_width / factor}) {
+      const candidate c = evaluate(half_width);
+      if (c.nodes < best.nodes) best = c;
+    }
+  }
+  if (best.nodes > static_cast<double>(most_nodes)) {
+    plan.why = reason::evaluation_limit;
+    return plan;
+  }
+
+  // Proof. The error over (0, pi) is half of that over the circle with 2n nodes.
+  const auto bound = bound_on_strip(from_estimate(best.half_width));
+  const magnitude goal = magnitude::power_of_two(-bits);
+  auto nodes = static_cast<long>(best.nodes) + 1;
+  while (nodes <= most_nodes) {
+    const ball error = scale(periodic_trapezoid_error(*bound, 2 * nodes), -1);
+    if (!error.is_undefined() && error.magnitude_upper() <= goal) {
+      plan.nodes = nodes;
+      plan.strip = *bound;
+      plan.truncation_error = error;
+      return plan;
+    }
+    nodes += nodes / 64 + 1;
+  }
+  plan.why = reason::evaluation_limit;
+  return plan;
+}
+
+}  // namespace polhode

@@ -1,0 +1,67 @@
+#include "polhode/rigid_body/phase_integrands.hpp"
+
+#include "polhode/elliptic/complete.hpp"
+
+namespace polhode {
+
+void check(const oscillating_motion& motion) {
+  const auto out_of_range = [](const char* name, const rational& given, const char* range) {
+    throw input_error(std::string(name) + " = " + to_text(given) + ": it must be " + range);
+  };
+  if (motion.a <= 0) out_of_range("a", motion.a, "positive");
+  if (motion.b <= 0 || motion.b >= 1) out_of_range("b", motion.b, "between 0 and 1, ends excluded");
+  if (motion.u <= 0 || motion.u > 1) out_of_range("u", motion.u, "above 0 and at most 1");
+}
+
+detail::strip_range detail::range_on_strip(const ball& u, const ball& half_width) {
+  const ball hyperbolic = (1 - u) * cosh(half_width);
+  return {scale(1 + u + hyperbolic, -1), scale(1 + u - hyperbolic, -1)};
+}
+
+namespace {
+/// |x (a + b x)| >= below (a + b below) on the strip; nothing where below > 0 is not proved.
+struct bounded_product {
+  ball least;
+  ball above;
+};
+std::optional<bounded_product> product_on_strip(const oscillating_motion& motion,
+                                                const ball& half_width) {
+  const precision p = half_width.precision();
+  const detail::strip_range x = detail::range_on_strip(ball(motion.u, p), half_width);
+  if (!certainly_positive(half_width) || !certainly_positive(x.below)) return std::nullopt;
+  return bounded_product{x.below * (motion.a + motion.b * x.below), x.above};
+}
+}  // namespace
+
+std::optional<strip_bound> half_phase_integrand::bound_on_strip(const ball& half_width) const {
+  const auto product = product_on_strip(motion_, half_width);
+  if (!product) return std::nullopt;
+  return strip_bound{half_width,
+                     (1 + motion_.b * product->above) / sqrt(motion_.b * product->least)};
+}
+
+std::optional<strip_bound> half_phase_slope_integrand::bound_on_strip(
+    const ball& half_width) const {
+  const auto product = product_on_strip(motion_, half_width);
+  if (!product) return std::nullopt;
+  const rational slope((motion_.a + 2) * motion_.b);
+  const ball numerator = (1 + cosh(half_width)) * (motion_.a + slope * product->above);
+  const ball root_b = sqrt(ball(motion_.b, half_width.precision()));
+  return strip_bound{half_width, numerator / (4 * root_b * product->least * sqrt(product->least))};
+}
+
+ball half_phase_slope(const oscillating_motion& motion, precision p) {
+  const rational& a = motion.a;
+  const rational& b = motion.b;
+  const rational& u = motion.u;
+  const rational v((a + b * u) / (a + b));
+  const ball one_minus_ratio(rational(a * (1 - u) / (a + b * u)), p);
+  const ball u_ball(u, p);
+  const ball v_ball(v, p);
+  const ball sum = rational(a + b) * complete_rd(v_ball, u_ball, one_minus_ratio) +
+                   rational(b * (1 + a)) * complete_rd(u_ball, v_ball, one_minus_ratio);
+  const ball total(rational(a + b), p);
+  return -sum / (3 * sqrt(ball(b, p)) * total * sqrt(total));
+}
+
+}  // namespace polhode

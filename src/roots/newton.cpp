@@ -1,0 +1,89 @@
+#include "polhode/roots/newton.hpp"
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+
+namespace polhode {
+
+std::string to_text(root_verdict v) {
+  switch (v) {
+    case root_verdict::unique:
+      return "unique";
+    case root_verdict::none:
+      return "none";
+    case root_verdict::unresolved:
+      return "unresolved";
+  }
+  return "unresolved";
+}
+
+namespace {
+
+/// The sign of f at a point, at the first precision that decides it.
+class sign_at {
+ public:
+  sign_at(const std::function<ball(const ball&, precision)>& f, precision most_precision)
+      : f_(f), most_precision_(most_precision) {}
+
+  sign operator()(const ball& x) {
+    for (precision p = 64; p <= most_precision_; p *= 2) {
+      ++evaluations;
+      const sign s = sign_of(f_(x, p));
+      if (s != sign::unknown) return s;
+    }
+    return sign::unknown;
+  }
+
+  int evaluations = 0;
+
+ private:
+  const std::function<ball(const ball&, precision)>& f_;
+  precision most_precision_;
+};
+
+bool opposite(sign s, sign t) {
+  return (s == sign::negative && t == sign::positive) ||
+         (s == sign::positive && t == sign::negative);
+}
+
+}  // namespace
+
+sign_bracket bracket_by_sign(const std::function<ball(const ball& x, precision p)>& f,
+                             const ball& interval, long bits, precision most_precision) {
+  sign_bracket result;
+  result.interval = interval;
+  if (!interval.is_bounded()) {
+    result.why = reason::not_defined;
+    return result;
+  }
+  sign_at f_sign(f, most_precision);
+  // Bisection needs a bit of the end points for each halving.
+  const precision p = interval.precision() + bits + 2;
+  ball low(interval.is_exact() ? midpoint(interval) : lower(interval));
+  ball high(interval.is_exact() ? midpoint(interval) : upper(interval));
+  low = low.with_precision(p);
+  high = high.with_precision(p);
+  const sign low_sign = f_sign(low);
+  const sign high_sign = f_sign(high);
+  result.evaluations = f_sign.evaluations;
+  if (!opposite(low_sign, high_sign)) {
+    result.why = low_sign == sign::unknown || high_sign == sign::unknown ? reason::not_defined
+                                                                         : reason::refuted;
+    return result;
+  }
+  result.verdict = status::certified;
+  for (long i = 0; i < bits; ++i) {
+    const ball middle = hull(low, high).middle();
+    const sign s = f_sign(middle);
+    if (s == sign::zero) {
+      low = high = middle;
+      break;
+    }
+    if (s == sign::unknown) break;
+    (s == low_sign ? low : high) = middle;
+  }
+  result.evaluations = f_sign.evaluations;
+  result.interval = hull(low, high);
+  return result;
+}
+
+}  // namespace polhode
