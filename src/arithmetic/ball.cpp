@@ -27,28 +27,6 @@ bool both_by_midpoint(const ball& x, const ball& y) {
   return ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y);
 }
 
-/// a * b + c * d, rounded up, for finite magnitudes.
-magnitude sum_of_products_up(const magnitude& a, const magnitude& b, const magnitude& c,
-                             const magnitude& d) {
-  if (b.is_zero() || a.is_zero()) return multiply_up(c, d);
-  if (d.is_zero() || c.is_zero()) return multiply_up(a, b);
-  if (a.is_infinite() || b.is_infinite() || c.is_infinite() || d.is_infinite()) {
-    return magnitude::infinity();
-  }
-  std::uint64_t large = std::uint64_t{a.fraction()} * b.fraction();
-  std::uint64_t small = std::uint64_t{c.fraction()} * d.fraction();
-  std::int64_t large_exponent = a.exponent() + b.exponent();
-  std::int64_t small_exponent = c.exponent() + d.exponent();
-  if (large_exponent < small_exponent) {
-    std::swap(large, small);
-    std::swap(large_exponent, small_exponent);
-  }
-  const std::int64_t gap = large_exponent - small_exponent;
-  // Both products are below 2^62; the shifted one is rounded up.
-  const std::uint64_t shifted = gap == 0 ? small : (gap >= 62 ? 1 : (small >> gap) + 1);
-  return magnitude::from_bits_up(large + shifted, large_exponent);
-}
-
 int sign_of_number(mpfr_srcptr x) { return mpfr_sgn(x); }
 
 /// A product with the convention of interval arithmetic, 0 * infinity = 0: an infinite end is a
@@ -121,29 +99,132 @@ void divide_ends(ball& result, const end_points& x, const end_points& y, precisi
   ball_access::set_ends(result, lower, upper);
 }
 
-/// The error of x * y for |x - mx| <= rx, |y - my| <= ry: |mx| ry + (|my| + ry) rx.
-magnitude product_error(const ball& x, const ball& y) {
+// ---------------------------------------------------------------------------------------------
+// The hot path: sums, products, quotients and roots of balls by midpoint. At small precisions an MPFR
+// operation takes some 10 ns, so the error is kept as bare integers until it is normalised, once.
+
+/// A bound bits * 2^exponent with bits < 2^62; exact zero where bits == 0.
+struct raw_error {
+  std::uint64_t bits = 0;
+  std::int64_t exponent = 0;
+};
+
+/// x + y, rounded up.
+inline raw_error raw_sum(const raw_error& x, const raw_error& y) {
+  if (y.bits == 0) return x;
+  if (x.bits == 0) return y;
+  const bool x_leads = x.exponent >= y.exponent;
+  const raw_error& lead = x_leads ? x : y;
+  const raw_error& rest = x_leads ? y : x;
+  const std::int64_t gap = lead.exponent - rest.exponent;
+  return {lead.bits + (gap < 64 ? rest.bits >> gap : 0) + 1, lead.exponent};
+}
+
+/// A finite magnitude with 30 zero bits behind it, so that sums lose little.
+inline raw_error raw(const magnitude& x) {
+  return {std::uint64_t{x.fraction()} << 30, x.exponent() - 30};
+}
+
+/// factor * x, rounded up, for factor below 2^31.
+inline raw_error raw_product(std::uint64_t factor, std::int64_t factor_exponent,
+                             const magnitude& x) {
+  return {factor * x.fraction(), factor_exponent + x.exponent()};
+}
+
+/// |x| < (top bits + 1) * 2^(exp - 30) for a regular number: 30 bits of it.
+struct leading_bits {
+  explicit leading_bits(mpfr_srcptr x)
+      : bits(static_cast<const mp_limb_t*>(
+                 mpfr_custom_get_significand(x))[(mpfr_get_prec(x) - 1) / GMP_NUMB_BITS] >>
+             34),
+        exponent(std::int64_t{mpfr_get_exp(x)} - 30) {}
+  std::uint64_t bits;
+  std::int64_t exponent;
+};
+
+bool is_wide(mpfr_srcptr midpoint, const magnitude& radius);
+void pass_to_end_points(ball& r);
+
+/// ball_access::finish for a midpoint that is a regular number and an error from above.
+inline void finish_regular(ball& r, mpfr_srcptr midpoint, int ternary, raw_error error) {
+  if (mpfr_regular_p(midpoint) == 0) {
+    ball_access::finish(
+        r, ternary,
+        error.bits == 0 ? magnitude{} : magnitude::from_bits_up(error.bits, error.exponent));
+    return;
+  }
+  if (ternary != 0) {
+    const mpfr_prec_t p = mpfr_get_prec(midpoint);
+    const auto* significand = static_cast<const mp_limb_t*>(mpfr_custom_get_significand(midpoint));
+    if (significand[(p - 1) / GMP_NUMB_BITS] == mp_limb_t{1} << (GMP_NUMB_BITS - 1)) {
+      // A bare top bit: perhaps an underflow, which detail::rounding_error knows about.
+      error = raw_sum(error, raw(detail::rounding_error(midpoint)));
+    } else {
+      error =
+          raw_sum(error, {std::uint64_t{1} << 60, std::int64_t{mpfr_get_exp(midpoint)} - p - 61});
+    }
+  }
+  if (error.bits == 0) {
+    ball_access::set_thin(r, {});
+    return;
+  }
+  ball_access::set_thin(r, magnitude::from_many_bits_up(error.bits, error.exponent));
+  if (is_wide(midpoint, ball_access::radius(r))) pass_to_end_points(r);
+}
+
+/// Sets r to the number f computes at p bits, within `error`; f may read balls that alias r.
+template <class F>
+inline void set_regular(ball& r, precision p, const raw_error& error, F&& f) {
+  mpfr_cell& cell = ball_access::first(r);
+  if (mpfr_get_prec(cell.get()) == p) {
+    const int ternary = f(cell.get());
+    finish_regular(r, cell.get(), ternary, error);
+  } else {
+    mpfr_cell fresh(p);
+    const int ternary = f(fresh.get());
+    cell = std::move(fresh);
+    finish_regular(r, cell.get(), ternary, error);
+  }
+}
+
+/// The error of x * y for |x - mx| <= rx, |y - my| <= ry: |mx| ry + (|my| + ry) rx. For a ball by
+/// midpoint ry < 2^-23 |my|, so |my| + ry < |my| + 2^(7) units of its 30 leading bits.
+inline raw_error product_error(const ball& x, const ball& y) {
   const magnitude& rx = ball_access::radius(x);
   const magnitude& ry = ball_access::radius(y);
-  if (rx.is_zero() && ry.is_zero()) return {};
-  const magnitude my = magnitude::abs_up(ball_access::first(y));
-  if (ry.is_zero()) return multiply_up(my, rx);
-  const magnitude mx = magnitude::abs_up(ball_access::first(x));
-  if (rx.is_zero()) return multiply_up(mx, ry);
-  return sum_of_products_up(mx, ry, add_up(my, ry), rx);
+  raw_error error;
+  if (!ry.is_zero()) {
+    if (mpfr_regular_p(ball_access::first(x)) == 0) return error;  // x is 0: the product is exact
+    const leading_bits mx(ball_access::first(x));
+    error = raw_product(mx.bits + 1, mx.exponent, ry);
+  }
+  if (!rx.is_zero()) {
+    if (mpfr_regular_p(ball_access::first(y)) == 0) return {};
+    const leading_bits my(ball_access::first(y));
+    error = raw_sum(error, raw_product(my.bits + 129, my.exponent, rx));
+  }
+  return error;
 }
 
 /// The error of x / y for balls by midpoint with |my| > ry, bounded through
-/// |x/y - mx/my| = |my dx - mx dy| / |my (my + dy)| <= (rx + |mx/my| ry) / (|my| - ry).
-magnitude quotient_error(const ball& x, const ball& y) {
+/// |x/y - mx/my| = |my dx - mx dy| / |my (my + dy)| <= (rx + |mx/my| ry) / (|my| - ry),
+/// where ry < 2^-23 |my|: |my| - ry > |my| - 2^7 units of its 30 leading bits.
+raw_error quotient_error(const ball& x, const ball& y) {
   const magnitude& rx = ball_access::radius(x);
   const magnitude& ry = ball_access::radius(y);
   if (rx.is_zero() && ry.is_zero()) return {};
-  const magnitude my = magnitude::abs_down(ball_access::first(y));
-  if (ry.is_zero()) return divide_up(rx, my);
-  const magnitude mx = magnitude::abs_up(ball_access::first(x));
-  const magnitude numerator = add_up(rx, multiply_up(divide_up(mx, my), ry));
-  return divide_up(numerator, subtract_down(my, ry));
+  const leading_bits my(ball_access::first(y));
+  const std::uint64_t divisor = my.bits - 129;
+  raw_error numerator = raw(rx);  // below 2^61
+  if (!ry.is_zero() && mpfr_regular_p(ball_access::first(x)) != 0) {
+    const leading_bits mx(ball_access::first(x));
+    const std::uint64_t ratio =
+        ((mx.bits + 1) << 30) / my.bits + 1;  // |mx/my| 2^30, at most 2^31 + 1
+    numerator = raw_sum(numerator, raw_product(ratio, mx.exponent - my.exponent - 30, ry));
+  }
+  // At most 2^62 / 2^28, and one for the rounding; 28 bits are kept at least.
+  const std::uint64_t quotient = numerator.bits / divisor + 1;
+  return {quotient << 24, numerator.exponent - my.exponent - 24};
 }
 
 }  // namespace
@@ -335,8 +416,6 @@ ball ball::entire(polhode::precision p) {
 // ---------------------------------------------------------------------------------------------
 // Queries.
 
-polhode::precision ball::precision() const { return mpfr_get_prec(first_.get()); }
-
 bool ball::is_bounded() const {
   switch (form_) {
     case form::midpoint_radius:
@@ -526,9 +605,8 @@ ball ball::enlarged(const magnitude& error) const {
 void add(ball& result, const ball& x, const ball& y) {
   const precision p = common_precision(x, y);
   if (both_by_midpoint(x, y)) {
-    set_midpoint(result, p, add_up(x.radius_, y.radius_), [&](mpfr_ptr r) {
-      return mpfr_add(r, x.first_.get(), y.first_.get(), MPFR_RNDN);
-    });
+    set_regular(result, p, raw_sum(raw(x.radius_), raw(y.radius_)),
+                [&](mpfr_ptr r) { return mpfr_add(r, x.first_.get(), y.first_.get(), MPFR_RNDN); });
     return;
   }
   if (x.is_undefined() || y.is_undefined()) return ball_access::set_undefined(result, p);
@@ -544,9 +622,8 @@ void add(ball& result, const ball& x, const ball& y) {
 void subtract(ball& result, const ball& x, const ball& y) {
   const precision p = common_precision(x, y);
   if (both_by_midpoint(x, y)) {
-    set_midpoint(result, p, add_up(x.radius_, y.radius_), [&](mpfr_ptr r) {
-      return mpfr_sub(r, x.first_.get(), y.first_.get(), MPFR_RNDN);
-    });
+    set_regular(result, p, raw_sum(raw(x.radius_), raw(y.radius_)),
+                [&](mpfr_ptr r) { return mpfr_sub(r, x.first_.get(), y.first_.get(), MPFR_RNDN); });
     return;
   }
   if (x.is_undefined() || y.is_undefined()) return ball_access::set_undefined(result, p);
@@ -562,9 +639,8 @@ void subtract(ball& result, const ball& x, const ball& y) {
 void multiply(ball& result, const ball& x, const ball& y) {
   const precision p = common_precision(x, y);
   if (both_by_midpoint(x, y)) {
-    set_midpoint(result, p, product_error(x, y), [&](mpfr_ptr r) {
-      return mpfr_mul(r, x.first_.get(), y.first_.get(), MPFR_RNDN);
-    });
+    set_regular(result, p, product_error(x, y),
+                [&](mpfr_ptr r) { return mpfr_mul(r, x.first_.get(), y.first_.get(), MPFR_RNDN); });
     return;
   }
   if (x.is_undefined() || y.is_undefined()) return ball_access::set_undefined(result, p);
@@ -577,12 +653,24 @@ void divide(ball& result, const ball& x, const ball& y) {
     return ball_access::set_undefined(result, p);
   }
   if (both_by_midpoint(x, y)) {
-    set_midpoint(result, p, quotient_error(x, y), [&](mpfr_ptr r) {
-      return mpfr_div(r, x.first_.get(), y.first_.get(), MPFR_RNDN);
-    });
+    set_regular(result, p, quotient_error(x, y),
+                [&](mpfr_ptr r) { return mpfr_div(r, x.first_.get(), y.first_.get(), MPFR_RNDN); });
     return;
   }
   divide_ends(result, end_points(x, p), end_points(y, p), p);
+}
+
+void fma(ball& result, const ball& x, const ball& y, const ball& z) {
+  const precision p = std::max(common_precision(x, y), z.precision());
+  if (both_by_midpoint(x, y) && ball_access::is_midpoint_radius(z)) {
+    set_regular(result, p, raw_sum(product_error(x, y), raw(z.radius_)), [&](mpfr_ptr r) {
+      return mpfr_fma(r, x.first_.get(), y.first_.get(), z.first_.get(), MPFR_RNDN);
+    });
+    return;
+  }
+  const ball addend = z;  // z may be the result
+  multiply(result, x, y);
+  add(result, result, addend);
 }
 
 void add(ball& result, const ball& x, long y) {
@@ -634,14 +722,14 @@ void divide(ball& result, const ball& x, long y) {
 void square(ball& result, const ball& x) {
   const precision p = x.precision();
   if (ball_access::is_midpoint_radius(x)) {
-    // |x^2 - m^2| <= (2|m| + r) r
-    const magnitude error =
-        x.radius_.is_zero()
-            ? magnitude{}
-            : multiply_up(add_up(scale(magnitude::abs_up(x.first_.get()), 1), x.radius_),
-                          x.radius_);
-    set_midpoint(result, p, error,
-                 [&](mpfr_ptr r) { return mpfr_sqr(r, x.first_.get(), MPFR_RNDN); });
+    // |x^2 - m^2| <= (2|m| + r) r, and r is below 64 units of m's 30 leading bits.
+    raw_error error;
+    if (!x.radius_.is_zero()) {
+      const leading_bits m(x.first_.get());
+      error = raw_product(m.bits + 33, m.exponent + 1, x.radius_);
+    }
+    set_regular(result, p, error,
+                [&](mpfr_ptr r) { return mpfr_sqr(r, x.first_.get(), MPFR_RNDN); });
     return;
   }
   if (x.is_undefined()) return ball_access::set_undefined(result, p);
@@ -664,17 +752,33 @@ void square(ball& result, const ball& x) {
 
 void sqrt(ball& result, const ball& x) {
   const precision p = x.precision();
-  const sign s = sign_of(x);
-  if (x.is_undefined() || s == sign::negative) return ball_access::set_undefined(result, p);
+  if (x.is_undefined() || sign_of(x) == sign::negative) {
+    return ball_access::set_undefined(result, p);
+  }
   if (ball_access::is_midpoint_radius(x)) {  // m > r, or exactly 0
-    // |sqrt(m + d) - sqrt(m)| = |d| / (sqrt(m + d) + sqrt(m)) <= r / (sqrt(m - r) + sqrt(m))
-    magnitude error;
-    if (!x.radius_.is_zero()) {
-      const magnitude m = magnitude::abs_down(x.first_.get());
-      error = divide_up(x.radius_, add_down(sqrt_down(subtract_down(m, x.radius_)), sqrt_down(m)));
+    const magnitude radius = x.radius_;
+    mpfr_cell fresh;
+    mpfr_cell& own = result.first_;
+    const bool in_place = mpfr_get_prec(own.get()) == p && &result != &x;
+    if (!in_place) fresh.reset(p);
+    mpfr_cell& target = in_place ? own : fresh;
+    const int ternary = mpfr_sqrt(target.get(), x.first_.get(), MPFR_RNDN);
+    // |sqrt(m + d) - sqrt(m)| = |d| / (sqrt(m + d) + sqrt(m)) <= r / (2 sqrt(m - r)), and for p >= 32
+    // sqrt(m - r) > s - 129 units of the 30 leading bits of s = sqrt(m) rounded: half a unit of the last
+    // place is less than one of these, and sqrt(m) - sqrt(m - r) < 2^-23 sqrt(m).
+    raw_error error;
+    if (!radius.is_zero()) {
+      const leading_bits s(target.get());
+      if (p >= 32) {
+        error = {(raw(radius).bits / (s.bits - 129) + 1) << 24,
+                 radius.exponent() - s.exponent - 55};
+      } else {
+        const magnitude m = magnitude::abs_down(x.first_.get());
+        error = raw(divide_up(scale(radius, -1), sqrt_down(subtract_down(m, radius))));
+      }
     }
-    set_midpoint(result, p, error,
-                 [&](mpfr_ptr r) { return mpfr_sqrt(r, x.first_.get(), MPFR_RNDN); });
+    if (!in_place) own = std::move(fresh);
+    finish_regular(result, own.get(), ternary, error);
     return;
   }
   mpfr_cell lower(p);

@@ -22,7 +22,10 @@ struct ball_access {
     r.form_ = form::undefined;
   }
   static void set_form(ball& r, form f) { r.form_ = f; }
-  static void set_radius(ball& r, const magnitude& radius) { r.radius_ = radius; }
+  static void set_thin(ball& r, const magnitude& radius) {
+    r.radius_ = radius;
+    r.form_ = form::midpoint_radius;
+  }
 
   /// r's midpoint was just set by an MPFR function in round-to-nearest, which returned `ternary`.
   /// Makes r the ball of that midpoint whose radius is `error` plus the rounding error.

@@ -27,6 +27,8 @@
 #include <concepts>
 #include <cstdint>
 #include <iosfwd>
+#include <type_traits>
+#include <utility>
 
 #include <gmp.h>
 #include <mpfr.h>
@@ -53,10 +55,20 @@ concept mpfr_like = requires(const N& n) {
 template <class N>
 concept machine_integer = std::integral<N> && !std::same_as<N, bool> && sizeof(N) <= sizeof(long);
 
+class ball;
+namespace detail {
+/// A precision that was checked when the balls it comes from were made.
+struct room {
+  precision bits;
+};
+[[nodiscard]] inline room room_for(const ball& x, const ball& y);
+}  // namespace detail
+
 class ball {
  public:
   /// Exactly 0, at 64 bits.
   ball() noexcept : first_(64) {}
+  explicit ball(detail::room r) : first_(r.bits) {}
 
   /// The integer n; where it has more than p bits, the enclosure of it with p bits.
   template <machine_integer N>
@@ -97,7 +109,7 @@ class ball {
   /// All reals.
   static ball entire(precision p);
 
-  [[nodiscard]] polhode::precision precision() const;
+  [[nodiscard]] polhode::precision precision() const { return mpfr_get_prec(first_.get()); }
   [[nodiscard]] bool is_undefined() const { return form_ == form::undefined; }
   /// Defined, and both ends finite.
   [[nodiscard]] bool is_bounded() const;
@@ -138,6 +150,8 @@ class ball {
   friend void multiply(ball& result, const ball& x, const ball& y);
   /// Undefined where y holds 0.
   friend void divide(ball& result, const ball& x, const ball& y);
+  /// x * y + z, rounded once.
+  friend void fma(ball& result, const ball& x, const ball& y, const ball& z);
   friend void add(ball& result, const ball& x, long y);
   friend void subtract(ball& result, long x, const ball& y);
   friend void multiply(ball& result, const ball& x, long y);
@@ -163,28 +177,57 @@ class ball {
   form form_ = form::midpoint_radius;
 };
 
+[[nodiscard]] inline detail::room detail::room_for(const ball& x, const ball& y) {
+  return {x.precision() < y.precision() ? y.precision() : x.precision()};
+}
+
 // ---------------------------------------------------------------------------------------------
 // Operators. Mixed with machine integers, and with Boost's integers and rationals, all exact.
 
-[[nodiscard]] inline ball operator+(const ball& x, const ball& y) {
-  ball r;
-  add(r, x, y);
-  return r;
+namespace detail {
+template <class X>
+concept ball_operand = std::same_as<std::remove_cvref_t<X>, ball>;
+
+/// op(r, x, y) in the storage of an operand that is about to end, or else in a new ball.
+template <auto op, ball_operand X, ball_operand Y>
+[[nodiscard]] ball combined(X&& x, Y&& y) {
+  if constexpr (!std::is_lvalue_reference_v<X> && !std::is_const_v<X>) {
+    op(x, x, y);
+    return std::move(x);
+  } else if constexpr (!std::is_lvalue_reference_v<Y> && !std::is_const_v<Y>) {
+    op(y, x, y);
+    return std::move(y);
+  } else {
+    ball r(room_for(x, y));
+    op(r, x, y);
+    return r;
+  }
 }
-[[nodiscard]] inline ball operator-(const ball& x, const ball& y) {
-  ball r;
+inline constexpr auto add_balls = [](ball& r, const ball& x, const ball& y) { add(r, x, y); };
+inline constexpr auto subtract_balls = [](ball& r, const ball& x, const ball& y) {
   subtract(r, x, y);
-  return r;
-}
-[[nodiscard]] inline ball operator*(const ball& x, const ball& y) {
-  ball r;
+};
+inline constexpr auto multiply_balls = [](ball& r, const ball& x, const ball& y) {
   multiply(r, x, y);
-  return r;
+};
+inline constexpr auto divide_balls = [](ball& r, const ball& x, const ball& y) { divide(r, x, y); };
+}  // namespace detail
+
+template <detail::ball_operand X, detail::ball_operand Y>
+[[nodiscard]] ball operator+(X&& x, Y&& y) {
+  return detail::combined<detail::add_balls>(std::forward<X>(x), std::forward<Y>(y));
 }
-[[nodiscard]] inline ball operator/(const ball& x, const ball& y) {
-  ball r;
-  divide(r, x, y);
-  return r;
+template <detail::ball_operand X, detail::ball_operand Y>
+[[nodiscard]] ball operator-(X&& x, Y&& y) {
+  return detail::combined<detail::subtract_balls>(std::forward<X>(x), std::forward<Y>(y));
+}
+template <detail::ball_operand X, detail::ball_operand Y>
+[[nodiscard]] ball operator*(X&& x, Y&& y) {
+  return detail::combined<detail::multiply_balls>(std::forward<X>(x), std::forward<Y>(y));
+}
+template <detail::ball_operand X, detail::ball_operand Y>
+[[nodiscard]] ball operator/(X&& x, Y&& y) {
+  return detail::combined<detail::divide_balls>(std::forward<X>(x), std::forward<Y>(y));
 }
 [[nodiscard]] inline ball operator-(const ball& x) {
   ball r;
@@ -203,7 +246,7 @@ concept fits_long = machine_integer<N> &&(std::is_signed_v<N> || sizeof(N) < siz
 
 template <exact_number N>
 [[nodiscard]] ball operator+(const ball& x, const N& y) {
-  ball r;
+  ball r(detail::room{x.precision()});
   if constexpr (detail::fits_long<N>) {
     add(r, x, static_cast<long>(y));
   } else {
@@ -217,7 +260,7 @@ template <exact_number N>
 }
 template <exact_number N>
 [[nodiscard]] ball operator-(const N& x, const ball& y) {
-  ball r;
+  ball r(detail::room{y.precision()});
   if constexpr (detail::fits_long<N>) {
     subtract(r, static_cast<long>(x), y);
   } else {
@@ -233,7 +276,7 @@ template <exact_number N>
 }
 template <exact_number N>
 [[nodiscard]] ball operator*(const ball& x, const N& y) {
-  ball r;
+  ball r(detail::room{x.precision()});
   if constexpr (detail::fits_long<N>) {
     multiply(r, x, static_cast<long>(y));
   } else {
@@ -247,7 +290,7 @@ template <exact_number N>
 }
 template <exact_number N>
 [[nodiscard]] ball operator/(const ball& x, const N& y) {
-  ball r;
+  ball r(detail::room{x.precision()});
   if constexpr (detail::fits_long<N>) {
     divide(r, x, static_cast<long>(y));
   } else {
@@ -257,7 +300,7 @@ template <exact_number N>
 }
 template <exact_number N>
 [[nodiscard]] ball operator/(const N& x, const ball& y) {
-  ball r;
+  ball r(detail::room{y.precision()});
   divide(r, ball(x, y.precision()), y);
   return r;
 }

@@ -33,17 +33,17 @@
 namespace polhode {
 
 [[nodiscard]] inline ball sqrt(const ball& x) {
-  ball r;
+  ball r(detail::room{x.precision()});
   sqrt(r, x);
   return r;
 }
 [[nodiscard]] inline ball square(const ball& x) {
-  ball r;
+  ball r(detail::room{x.precision()});
   square(r, x);
   return r;
 }
 [[nodiscard]] inline ball scale(const ball& x, long n) {
-  ball r;
+  ball r(detail::room{x.precision()});
   scale(r, x, n);
   return r;
 }
@@ -79,7 +79,7 @@ void agm(ball& result, const ball& x, const ball& y);
 // The same, as expressions.
 #define POLHODE_AS_EXPRESSION(f)               \
   [[nodiscard]] inline ball f(const ball& x) { \
-    ball r;                                    \
+    ball r(detail::room{x.precision()});       \
     f(r, x);                                   \
     return r;                                  \
   }
@@ -106,7 +106,7 @@ POLHODE_AS_EXPRESSION(atanh)
   return r;
 }
 [[nodiscard]] inline ball agm(const ball& x, const ball& y) {
-  ball r;
+  ball r(detail::room_for(x, y));
   agm(r, x, y);
   return r;
 }
