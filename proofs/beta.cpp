@@ -168,7 +168,7 @@ root_enclosure enclose_beta(precision p) {
 
 claim beta_claim() {
   return {"beta",
-          "eq. (twis5): beta = 0.028973",
+          "eq. (40): beta = 0.028973",
           "The perfect twist of the best physical body in the limit a -> inf, b -> 0 lies at c/b = "
           "beta, "
           "the one positive root of K(1/(1+beta)) = pi sqrt(1+beta).",

@@ -40,7 +40,7 @@ dual squared_integrand(const rational& a, const rational& b, const dual& u, cons
          (constant(1 - y * y) * x * (constant(a) + constant(b) * x));
 }
 
-/// The numerator of eq. (con4).
+/// The numerator of eq. (44).
 rational numerator(const rational& a, const rational& b, const rational& x) {
   return a + (a + 2) * b * x;
 }
@@ -61,7 +61,7 @@ identity_check check_derivative_identity() {
   constexpr long y_points = 11;
   identity_check result;
   result.statement =
-      "the u-derivative of the integrand of eq. (con3) is the integrand of eq. (con4): "
+      "the u-derivative of the integrand of eq. (43) is the integrand of eq. (44): "
       "d(h^2)/du = -a (1 - bX)(a + (a+2) b X)/(X (a + bX))^2, equal in exact rationals at " +
       std::to_string(a_points * b_points * u_points * y_points) + " points";
   result.degrees =

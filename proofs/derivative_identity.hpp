@@ -1,7 +1,7 @@
 #pragma once
 
 // The exact identity behind the paper's formula for the derivative of F(-bu, u) in u (appendix A,
-// eq. (con4)).
+// eq. (44)).
 
 #include <string>
 
@@ -14,9 +14,9 @@ struct identity_check {
   std::string degrees;    // why the grid suffices
 };
 
-/// With X = u + (1-u) y^2, the integrand of eq. (con3) is (2/sqrt(ab)) h with
+/// With X = u + (1-u) y^2, the integrand of eq. (43) is (2/sqrt(ab)) h with
 ///   h^2 = a (1 - bX)^2 / ((1 - y^2) X (a + bX)),
-/// and eq. (con4) says that its derivative in u is (2/sqrt(ab)) g with
+/// and eq. (44) says that its derivative in u is (2/sqrt(ab)) g with
 ///   g = -(1/2) (1 - y^2) a^(1/2) (a + (a+2) b X) / ((1 - y^2)^(1/2) (X (a + bX))^(3/2)).
 /// Since h > 0 where 1 - bX > 0, g = dh/du exactly when d(h^2)/du = 2 h g, that is, when
 ///   d(h^2)/du = -a (1 - bX) (a + (a+2) b X) / (X (a + bX))^2,
@@ -33,7 +33,7 @@ struct identity_check {
 /// exact differentiation (numbers p + q e with e^2 = 0) at grid points where the denominators are not 0.
 [[nodiscard]] identity_check check_derivative_identity();
 
-/// Whether the numerator a + (a+2) b X of eq. (con4) is a polynomial in a, b, X with no negative
+/// Whether the numerator a + (a+2) b X of eq. (44) is a polynomial in a, b, X with no negative
 /// coefficient and not all of them 0: then it is positive for a, b, X > 0. It is of degree 1 in each
 /// variable, so its coefficients are the alternating sums of its values at {0,1}^3, in exact rationals.
 [[nodiscard]] bool numerator_is_positive();

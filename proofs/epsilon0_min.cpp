@@ -62,7 +62,7 @@ certificate prove_delta_psi_max(const request& wanted) {
 
 claim epsilon0_min_claim() {
   return {"epsilon0_min",
-          "eq. (twis4): epsilon_0,min = 0.086374",
+          "eq. (39): epsilon_0,min = 0.086374",
           "The least twist defect on the separatrix that a physical body can have, approached as "
           "a -> inf, b -> 0 with ab -> 1.",
           "ball arithmetic; interval Newton on log tan as a second route",
@@ -72,7 +72,7 @@ claim epsilon0_min_claim() {
 
 claim delta_psi_max_claim() {
   return {"delta_psi_max",
-          "section 7, after eq. (twis5): Delta psi = 2.96884",
+          "section 7, after eq. (40): Delta psi = 2.96884",
           "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min.",
           "ball arithmetic; interval Newton on log tan as a second route",
           false,

@@ -53,8 +53,7 @@ void add_value(certificate& c, const request& wanted) {
                                       " nodes: this route is left out, and the AGM stands alone";
     return;
   }
-  c.facts.push_back({"the paper's eq. (con4) by certified quadrature, to " +
-                         std::to_string(digits) +
+  c.facts.push_back({"the paper's eq. (44) by certified quadrature, to " + std::to_string(digits) +
                          " digits, overlaps the value by AGM and is negative",
                      q.verdict == status::certified && overlaps(q.enclosure, value) &&
                          certainly_negative(q.enclosure)});
@@ -66,7 +65,7 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
   c.witness["identity"] = json{{"points", identity.points}, {"degrees", identity.degrees}};
   c.facts.push_back(
       {"for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
-       "(con4) is "
+       "(44) is "
        "positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
        identity.holds});
 
@@ -99,7 +98,7 @@ certificate prove_sign(const request& wanted) {
   c.method =
       "At the given a, b, u the value is enclosed by two routes that share no formula. For all a, "
       "b, u: after "
-      "y = sin s the integrand of eq. (con3) and its u-derivative are continuous in (s, u) on [0, "
+      "y = sin s the integrand of eq. (43) and its u-derivative are continuous in (s, u) on [0, "
       "pi/2] x [u_0, 1] "
       "for every u_0 > 0, so differentiation under the integral is allowed; the derivative of the "
       "integrand is "
@@ -117,7 +116,7 @@ certificate prove_sign(const request& wanted) {
 claim sign_dF_du_claim() {
   return {
       "sign_dF_du",
-      "appendix A, lemma 6 and eq. (con4)",
+      "appendix A, lemma 6 and eq. (44)",
       "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its derivative "
       "is "
       "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",

@@ -10,7 +10,7 @@ namespace polhode::proofs {
 
 /// W = -u sqrt(b (a + b)) dF(-bu,u)/du as an integral without singularities, over a compact box.
 ///
-/// In eq. (con4) put y = sin s and tan s = sqrt(u) tan t. With q = cos^2 t + u sin^2 t:
+/// In eq. (44) put y = sin s and tan s = sqrt(u) tan t. With q = cos^2 t + u sin^2 t:
 /// cos^2 s = cos^2 t / q, X = u + (1-u) sin^2 s = u / q, ds = sqrt(u) / q dt, and so
 ///   W = sqrt(a + b) integral over (0, pi/2) of cos^2 t (a q + (a + 2) b u) / (a q + b u)^(3/2) dt.
 /// Divide by the scale: sigma = (a q + b u)/(a + b) = u + p (1 - u) cos^2 t with p = a/(a + b), and

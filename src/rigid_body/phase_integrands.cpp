@@ -55,13 +55,12 @@ ball half_phase_slope(const oscillating_motion& motion, precision p) {
   const rational& b = motion.b;
   const rational& u = motion.u;
   const rational v((a + b * u) / (a + b));
-  const ball one_minus_ratio(rational(a * (1 - u) / (a + b * u)), p);
-  const ball u_ball(u, p);
-  const ball v_ball(v, p);
-  const ball sum = rational(a + b) * complete_rd(v_ball, u_ball, one_minus_ratio) +
-                   rational(b * (1 + a)) * complete_rd(u_ball, v_ball, one_minus_ratio);
-  const ball total(rational(a + b), p);
-  return -sum / (3 * sqrt(ball(b, p)) * total * sqrt(total));
+  const rational ratio(u / v);
+  const rational r(b * (1 + a) / (a + b));
+  const rational m(a * (1 - u) / (a + b * u));
+  const complete_integrals integrals = complete_legendre(ball(m, p), ball(ratio, p));
+  const ball sum = integrals.b + rational(r * ratio) * integrals.d;
+  return -sum / (u * sqrt(ball(rational(b * (a + b) * v), p)));
 }
 
 }  // namespace polhode

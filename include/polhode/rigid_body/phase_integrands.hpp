@@ -9,7 +9,7 @@
 //   dG/du = -(1/2) b^(-1/2) integral from 0 to pi of
 //               ((1 + cos t)/2) (a + (a + 2) b X) / (X (a + b X))^(3/2) dt,   X = x(pi - t).
 //
-// The first is the paper's eq. (mon5) under its substitution x = cos^2 + u sin^2; the second its eq. (con4)
+// The first is the paper's eq. (14) under its substitution x = cos^2 + u sin^2; the second its eq. (44)
 // with y = sin(t/2), where X = u + (1 - u) y^2. Half the Montgomery phase is G.
 
 #include <optional>
@@ -95,11 +95,18 @@ class half_phase_slope_integrand {
   oscillating_motion motion_;
 };
 
-/// dG/du by complete elliptic integrals (AGM), to about p bits:
-///   dG/du = -[(a + b) R_D(0, v, u) + b (1 + a) R_D(0, u, v)] / (3 sqrt(b) (a + b)^(3/2)),
-/// v = (a + b u)/(a + b), where 1 - u/v = a (1 - u)/(a + b u) is formed exactly. Derivation: G(u) in Carlson's
-/// form is 2 sqrt((1-u)/((a+b) b (1-u))) [(1-b) R_F(0,u,v) + (b(1-u)/3) R_J(0,u,v,1)]; the stated form of its
-/// derivative is checked against the quadrature of eq. (con4) by the claim sign_dF_du and by the tests.
+/// dG/du by complete elliptic integrals (AGM), to about p bits: with v = (a + b u)/(a + b), m = 1 - u/v and
+/// r = b (1 + a)/(a + b),
+///   dG/du = -(B(m) + r (u/v) D(m)) / (u sqrt(b (a + b) v)).
+/// Here 1 - u/v = a (1 - u)/(a + b u) and u/v are formed exactly, and both terms are positive. (It equals
+/// Carlson's -[(a + b) R_D(0, v, u) + b (1 + a) R_D(0, u, v)] / (3 sqrt(b) (a + b)^(3/2)).)
+///
+/// Proof. In eq. (44) put y = sin s, tan s = sqrt(u) tan t, and q = cos^2 t + u sin^2 t, so that
+/// cos^2 s = cos^2 t / q, X = u/q, ds = sqrt(u)/q dt. Then a q + b u = (a + b) sigma with
+/// sigma = v cos^2 t + u sin^2 t = v (1 - m sin^2 t), and -u sqrt(b (a + b)) dG/du is the integral over (0, pi/2)
+/// of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)). The first term gives v^(-1/2) B(m). For the second, with
+/// Delta^2 = 1 - m sin^2 t, the integral of cos^2 t / Delta^3 is D(m), that of sin^2 t / Delta, because
+/// d/dt (sin t cos t / Delta) = cos^2 t / Delta^3 - sin^2 t / Delta.
 [[nodiscard]] ball half_phase_slope(const oscillating_motion& motion, precision p);
 
 }  // namespace polhode
