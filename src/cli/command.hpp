@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "errors.hpp"
+
+namespace polhode::cli {
+
+/// A subcommand.
+struct command {
+  std::string name;
+  std::string summary;   // one line, for the list of subcommands
+  std::string examples;  // the end of its help
+  /// Declares its arguments and options, and returns what it does once they have been read: it
+  /// checks all that was given before it starts work, and prints its output in the end or throws.
+  std::function<std::function<exit_status()>(CLI::App&)> declare;
+};
+
+}  // namespace polhode::cli

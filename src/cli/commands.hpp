@@ -1,0 +1,19 @@
+#pragma once
+
+// The subcommands, each defined in a file of its own name.
+
+#include <vector>
+
+#include "command.hpp"
+
+namespace polhode::cli {
+
+[[nodiscard]] command certify_command();
+[[nodiscard]] command constants_command();
+
+/// In the order of the help.
+[[nodiscard]] inline std::vector<command> all_commands() {
+  return {certify_command(), constants_command()};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,137 @@
+// polhode certify: what it prints and the files it writes.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "enclosure.hpp"
+#include "program.hpp"
+#include "proofs/claim.hpp"
+
+namespace polhode::test {
+namespace {
+
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const auto& c : proofs::all_claims()) names.push_back(c.name);
+  return names;
+}
+
+std::vector<std::string> claims_in(const json& certificates) {
+  std::vector<std::string> names;
+  for (const json& c : certificates) names.push_back(c.at("claim").get<std::string>());
+  return names;
+}
+
+TEST(Certify, EveryClaimIsCertified) {
+  const outcome result = run({"certify"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  for (const std::string& name : all_names()) {
+    EXPECT_NE(result.out.find(name + ": certified\n"), std::string::npos) << name;
+  }
+  const auto lines = lines_of(result.out);
+  const std::string count = std::to_string(all_names().size());
+  EXPECT_EQ(lines.back(), count + " claims: " + count + " certified");
+  for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(Certify, JsonIsAnArrayOfCertificatesWithConsistentEnclosures) {
+  const outcome result = run({"certify", "--format", "json", "--digits", "30"});
+  EXPECT_EQ(result.status, 0);
+  const json certificates = json::parse(result.out);
+  EXPECT_EQ(claims_in(certificates), all_names());
+  for (const json& c : certificates) {
+    EXPECT_EQ(c.at("verdict"), "certified");
+    for (const json& number : c.at("numbers")) expect_enclosure(number, 30);
+  }
+}
+
+TEST(Certify, NamesRunOnceInTheOrderGiven) {
+  const outcome result = run({"certify", "beta", "epsilon0_min", "beta", "--format", "json"});
+  EXPECT_EQ(claims_in(json::parse(result.out)), (std::vector<std::string>{"beta", "epsilon0_min"}));
+  const outcome all = run({"certify", "beta", "--all", "--format", "json"});
+  EXPECT_EQ(claims_in(json::parse(all.out)), all_names());
+  EXPECT_EQ(lines_of(run({"certify", "beta"}).out).back(), "1 claim: 1 certified");
+}
+
+TEST(Certify, TheMotionIsReadExactly) {
+  const outcome result =
+      run({"certify", "sign_dF_du", "--ab", "1.5,1e-1", "--u", "1/3", "--format", "json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json inputs = json::parse(result.out).at(0).at("inputs");
+  EXPECT_EQ(inputs.at("a"), "3/2");
+  EXPECT_EQ(inputs.at("b"), "1/10");
+  EXPECT_EQ(inputs.at("u"), "1/3");
+}
+
+TEST(Certify, FilesAreTheCertificatesThatAreForStandardOutput) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("new/and/below/");
+  const outcome result = run({"certify", "--out", directory, "--format", "json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  std::vector<std::string> expected;
+  for (const json& c : json::parse(result.out)) {
+    const std::string name = c.at("claim").get<std::string>() + ".json";
+    EXPECT_EQ(json::parse(contents(directory + name)), c);
+    expected.push_back(name);
+  }
+  std::vector<std::string> names = names_in(directory);
+  std::sort(names.begin(), names.end());
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(names, expected);
+}
+
+TEST(Certify, AnOldFileIsReplacedOnlyByAWholeOne) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path("beta.json");
+  std::ofstream(file) << "old";
+  const outcome refused =
+      run_script("ulimit -f 1; exec polhode certify beta --out . > /dev/null", scratch.path());
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(contents(file), "old");
+  EXPECT_EQ(run({"certify", "beta", "--out", scratch.path()}).status, 0);
+  EXPECT_EQ(json::parse(contents(file)).at("claim"), "beta");
+  EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{"beta.json"});
+}
+
+TEST(Certify, TheListFitsTheTerminal) {
+  const outcome result = run({"certify", "--list"});
+  EXPECT_EQ(result.status, 0);
+  for (const std::string& line : lines_of(result.out)) EXPECT_LE(line.size(), 100U) << line;
+  for (const std::string& name : all_names()) {
+    EXPECT_NE(result.out.find('\n' + name + ' '), std::string::npos) << name;
+  }
+  const json list = json::parse(run({"certify", "--list", "--format", "json"}).out);
+  EXPECT_EQ(claims_in(list), all_names());
+  for (const json& entry : list) {
+    for (const char* key : {"reference", "statement", "method"}) EXPECT_NE(entry.at(key), "");
+  }
+}
+
+TEST(Help, FitsTheTerminalAndEndsWithExamples) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"--help"}, {"certify", "--help"}, {"constants", "--help"}, {"certify", "-h"}}) {
+    const outcome result = run(arguments);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_EQ(result.err, "");
+    const auto examples = result.out.find("\nExamples:\n  polhode ");
+    EXPECT_NE(examples, std::string::npos);
+    EXPECT_EQ(result.out.find("Options:", examples), std::string::npos);
+    for (const std::string& line : lines_of(result.out)) EXPECT_LE(line.size(), 100U) << line;
+  }
+}
+
+TEST(Version, NamesTheLibraries) {
+  const auto lines = lines_of(run({"--version"}).out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0], "polhode " POLHODE_VERSION);
+  EXPECT_EQ(lines[1].rfind("MPFR ", 0), 0U);
+  EXPECT_EQ(lines[2].rfind("GMP ", 0), 0U);
+  EXPECT_EQ(lines[3].rfind("Boost ", 0), 0U);
+}
+
+}  // namespace
+}  // namespace polhode::test
