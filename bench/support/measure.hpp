@@ -1,0 +1,275 @@
+#pragma once
+
+// The measuring core of bench/: contestants that do the same work are run in turns, batch by batch,
+// and compared by medians, so that a drift of the machine falls on all of them alike.
+//
+// A program declares tables of rows. Each row is registered with Google Benchmark (whose
+// --benchmark_filter, --benchmark_list_tests and --benchmark_out serve as usual; --json FILE is
+// short for the last), and printed as one line: the median time of a call for each contestant, then
+// the ratios of two contestants that the table is about, "/Arb" for the first one's time over
+// Arb's. A ratio is the median of the rounds' ratios; where it misses the limit printed beside it,
+// it is marked with an exclamation mark.
+
+#include <algorithm>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "environment.hpp"
+#include "stopwatch.hpp"
+
+namespace polhode::bench {
+
+/// Something that is timed: `batch(calls)` makes that many calls and returns the seconds they took.
+struct contestant {
+  std::function<double(long calls)> batch;
+  bool repeatable = true;  // false where a batch is to be one call: the first one of a process
+};
+
+/// Calls of f in this process, after a first one that is not counted.
+template <class F>
+[[nodiscard]] contestant warm(F f) {
+  f();
+  return {[f](long calls) mutable { return seconds_of(f, calls); }};
+}
+
+/// The first call of f in a process that has called nothing before: a child of its own each time.
+/// What is in this process when its children are made is theirs too, so no row of such a program
+/// may compute outside its children.
+template <class F>
+[[nodiscard]] contestant cold(F f) {
+  return {[f](long) { return in_child([f]() mutable { return seconds_of(f, 1); }); }, false};
+}
+
+/// Later calls of f in a child process, which makes one call first.
+template <class F>
+[[nodiscard]] contestant warm_in_child(F f) {
+  return {[f](long calls) {
+    return in_child([f, calls]() mutable {
+      f();
+      return seconds_of(f, calls);
+    });
+  }};
+}
+
+struct limit {
+  enum class kind { at_most, at_least } direction;
+  double value;
+};
+[[nodiscard]] inline limit at_most(double x) { return {limit::kind::at_most, x}; }
+[[nodiscard]] inline limit at_least(double x) { return {limit::kind::at_least, x}; }
+
+/// The quotient of two contestants' times.
+struct ratio {
+  std::size_t numerator;
+  std::size_t denominator;
+  std::optional<limit> bound = std::nullopt;
+};
+
+struct table {
+  std::string name;   // the first part of its rows' names
+  std::string about;  // printed above it
+  std::vector<std::string> contestants;
+  std::vector<std::string> ratios;
+};
+
+/// What a row measures, made when its turn comes.
+struct row {
+  std::vector<contestant> contestants;
+  std::vector<ratio> ratios;
+};
+
+namespace detail {
+
+inline constexpr double least_batch_seconds = 1e-3;
+inline constexpr double row_seconds = 0.4;
+inline constexpr int least_rounds = 7;
+inline constexpr int most_rounds = 151;
+inline constexpr int limit_width = 6;
+
+[[nodiscard]] inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Calls in a batch, and the seconds the batch takes.
+struct batch_size {
+  long calls = 1;
+  double seconds = 0;
+};
+[[nodiscard]] inline batch_size calibrate(const contestant& c) {
+  batch_size size;
+  while (true) {
+    size.seconds = c.batch(size.calls);
+    if (!c.repeatable || size.seconds >= least_batch_seconds) return size;
+    const double growth = 1.2 * least_batch_seconds / std::max(size.seconds, 1e-9);
+    size.calls = static_cast<long>(static_cast<double>(size.calls) * std::min(growth, 100.0)) + 1;
+  }
+}
+
+/// The results of one row.
+struct outcome {
+  std::string name;
+  std::vector<double> seconds;  // a call of each contestant, median
+  std::vector<double> ratios;
+  std::vector<std::optional<limit>> bounds;
+};
+
+[[nodiscard]] inline outcome measure(const row& r) {
+  std::vector<batch_size> sizes;
+  double round_seconds = 0;
+  for (const contestant& c : r.contestants) {
+    sizes.push_back(calibrate(c));
+    round_seconds += sizes.back().seconds;
+  }
+  const int rounds =
+      std::clamp(static_cast<int>(row_seconds / round_seconds), least_rounds, most_rounds);
+  std::vector<std::vector<double>> seconds(r.contestants.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < r.contestants.size(); ++i) {
+      const double total = r.contestants[i].batch(sizes[i].calls);
+      seconds[i].push_back(total / static_cast<double>(sizes[i].calls));
+    }
+  }
+  outcome result;
+  for (const auto& of_one : seconds) result.seconds.push_back(median(of_one));
+  for (const ratio& q : r.ratios) {
+    std::vector<double> of_rounds;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rounds); ++i) {
+      of_rounds.push_back(seconds[q.numerator][i] / seconds[q.denominator][i]);
+    }
+    result.ratios.push_back(median(of_rounds));
+    result.bounds.push_back(q.bound);
+  }
+  return result;
+}
+
+[[nodiscard]] inline std::string time_text(double seconds) {
+  const char* unit = "s ";
+  if (seconds < 1e-6) {
+    unit = "ns";
+    seconds *= 1e9;
+  } else if (seconds < 1e-3) {
+    unit = "us";
+    seconds *= 1e6;
+  } else if (seconds < 1) {
+    unit = "ms";
+    seconds *= 1e3;
+  }
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(seconds < 10 ? 2 : (seconds < 100 ? 1 : 0)) << seconds
+      << ' ' << unit;
+  return out.str();
+}
+
+[[nodiscard]] inline std::string ratio_text(double value, const std::optional<limit>& bound) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(value < 100 ? 2 : 0) << value;
+  if (!bound) return out.str() + std::string(2 + limit_width, ' ');
+  const bool at_most = bound->direction == limit::kind::at_most;
+  const bool missed = at_most ? value > bound->value : value < bound->value;
+  std::ostringstream wanted;
+  wanted << (at_most ? "<=" : ">=") << std::defaultfloat << bound->value;
+  std::string text = wanted.str();
+  text.resize(limit_width, ' ');
+  return out.str() + (missed ? "! " : "  ") + text;
+}
+
+}  // namespace detail
+
+/// The tables of a program, in the order in which their first rows are added.
+class suite {
+ public:
+  /// `make` is called when the row is measured.
+  void add(const table& of, const std::string& label, std::function<row()> make) {
+    const std::string name = of.name + '/' + label;
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [this, of, label, make = std::move(make)](
+                                     benchmark::State& state) { run(of, label, make(), state); })
+        ->Iterations(1)
+        ->UseManualTime();
+  }
+
+  /// Runs the rows that --benchmark_filter asks for. Returns the exit status.
+  int main(int argc, char** argv) {
+    std::vector<std::string> texts = with_json_as_output(argc, argv);
+    std::vector<char*> arguments;
+    for (std::string& text : texts) arguments.push_back(text.data());
+    int count = static_cast<int>(arguments.size());
+    arguments.push_back(nullptr);
+    for (const auto& [name, value] : environment()) benchmark::AddCustomContext(name, value);
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+    silent_reporter silent;
+    benchmark::RunSpecifiedBenchmarks(&silent);
+    benchmark::Shutdown();
+    return 0;
+  }
+
+ private:
+  class silent_reporter : public benchmark::BenchmarkReporter {
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>&) override {}
+  };
+
+  static std::vector<std::string> with_json_as_output(int argc, char** argv) {
+    std::vector<std::string> result;
+    for (int i = 0; i < argc; ++i) {
+      if (std::string(argv[i]) == "--json" && i + 1 < argc) {
+        result.push_back(std::string("--benchmark_out=") + argv[++i]);
+        result.emplace_back("--benchmark_out_format=json");
+      } else {
+        result.emplace_back(argv[i]);
+      }
+    }
+    return result;
+  }
+
+  void run(const table& of, const std::string& label, const row& what, benchmark::State& state) {
+    const detail::outcome result = detail::measure(what);
+    for ([[maybe_unused]] auto _ : state) state.SetIterationTime(result.seconds.front());
+    for (std::size_t i = 0; i < result.seconds.size(); ++i) {
+      state.counters["seconds, " + of.contestants[i]] = result.seconds[i];
+    }
+    for (std::size_t i = 0; i < result.ratios.size(); ++i) {
+      state.counters["ratio, " + of.ratios[i]] = result.ratios[i];
+    }
+    if (open_table_ != of.name) print_head(of);
+    open_table_ = of.name;
+    std::cout << std::left << std::setw(label_width) << label << std::right;
+    for (const double seconds : result.seconds) {
+      std::cout << std::setw(time_width) << detail::time_text(seconds);
+    }
+    for (std::size_t i = 0; i < result.ratios.size(); ++i) {
+      std::cout << std::setw(ratio_width) << detail::ratio_text(result.ratios[i], result.bounds[i]);
+    }
+    std::cout << std::endl;
+  }
+
+  static void print_head(const table& of) {
+    std::cout << '\n' << of.about << '\n';
+    for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
+    std::cout << '\n' << std::setw(label_width) << "";
+    for (const std::string& name : of.contestants) std::cout << std::setw(time_width) << name;
+    for (const std::string& name : of.ratios) {
+      std::cout << std::setw(ratio_width - detail::limit_width - 2) << name << "  limit  ";
+    }
+    std::cout << '\n';
+  }
+
+  // 100 columns hold four contestants and three ratios.
+  static constexpr int label_width = 11;
+  static constexpr int time_width = 10;
+  static constexpr int ratio_width = 16;
+
+  std::string open_table_;
+};
+
+}  // namespace polhode::bench
