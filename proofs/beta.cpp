@@ -12,7 +12,7 @@ namespace polhode::proofs {
 namespace {
 
 /// f(x) = M(sqrt(1+x), sqrt(x)) - 1/2.
-ball mean_equation(const ball& x) { return agm(sqrt(1 + x), sqrt(x)) - rational(1, 2); }
+ball mean_equation(const ball& x) { return (2 * agm(sqrt(1 + x), sqrt(x)) - 1) / 2; }
 
 /// f'(x) = M (x + 1/2 - S) / (2 x (1 + x)), S the sum of 2^(n-1) c_n^2 over n >= 1.
 ///
@@ -28,29 +28,38 @@ ball mean_equation_slope(const ball& x) {
 
 /// A root near enough for interval Newton to start with, by the secant method in hardware
 /// arithmetic. A bad value would be noticed, not believed.
-double approximate_root() {
-  const auto f = [](double x) {
-    double a = std::sqrt(1 + x);
-    double b = std::sqrt(x);
+long double approximate_root() {
+  const auto f = [](long double x) {
+    long double a = std::sqrt(1 + x);
+    long double b = std::sqrt(x);
     for (int i = 0; i < 6; ++i) {
-      const double mean = (a + b) / 2;
+      const long double mean = (a + b) / 2;
       b = std::sqrt(a * b);
       a = mean;
     }
-    return a - 0.5;
+    return a - 0.5L;
   };
-  double x = 0.02;
-  double y = 0.04;
-  double fx = f(x);
+  long double x = 0.02L;
+  long double y = 0.04L;
+  long double fx = f(x);
   for (int i = 0; i < 12 && x != y; ++i) {
-    const double fy = f(y);
+    const long double fy = f(y);
     if (fx == fy) break;
-    const double next = y - fy * (y - x) / (fy - fx);
+    const long double next = y - fy * (y - x) / (fy - fx);
     x = y;
     fx = fy;
     y = next;
   }
   return y;
+}
+
+/// A box of relative radius 2^-bits around the approximate root.
+ball start_box(int bits) {
+  const long double root = approximate_root();
+  const auto high = static_cast<double>(root);
+  const auto low = static_cast<double>(root - high);
+  const ball centre = ball::exactly(high, 80) + ball::exactly(low, 80);
+  return centre.enlarged(scale(centre.magnitude_upper(), -bits));
 }
 
 /// 1/sqrt(x + cos^2(t/2)) at the cosine of t: the integral over (0, pi) is 2 I, so that the
@@ -161,17 +170,21 @@ certificate prove_beta(const request& wanted) {
 }  // namespace
 
 root_enclosure enclose_beta(precision p) {
-  const ball start = ball::exactly(approximate_root(), 64);
-  return refine_root(mean_equation, mean_equation_slope,
-                     start.enlarged(magnitude::power_of_two(-48)), p);
+  root_enclosure root;
+  // The first box is right where long double has 64 bits; the others serve where it has fewer.
+  for (const int bits : {54, 44, 20}) {
+    root = refine_root(mean_equation, mean_equation_slope, start_box(bits), p);
+    if (root.verdict == root_verdict::unique) break;
+  }
+  return root;
 }
 
 claim beta_claim() {
   return {"beta",
-          "eq. (40): beta = 0.028973",
+          "eq. (40)",
           "The perfect twist of the best physical body in the limit a -> inf, b -> 0 lies at c/b = "
           "beta, "
-          "the one positive root of K(1/(1+beta)) = pi sqrt(1+beta).",
+          "the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). The paper prints 0.028973.",
           "interval Newton on the AGM; signs by certified quadrature as an independent route",
           false,
           prove_beta};

@@ -18,10 +18,15 @@ ball delta_psi_max(precision p) { return 4 * atan(exp(pi(p))) - pi(p); }
 const std::vector<constant>& all_constants() {
   static const std::vector<constant> constants{
       {"epsilon0_min", "least twist defect on the separatrix, pi - 2 arctan(e^pi)", epsilon0_min,
-       20},
-      {"delta_psi_max", "best twist on the separatrix, pi - 2 epsilon0_min", delta_psi_max, 20},
+       100},
+      {"delta_psi_max", "best twist on the separatrix, pi - 2 epsilon0_min", delta_psi_max, 100},
       {"beta", "root of K(1/(1+beta)) = pi sqrt(1+beta), i.e. agm(sqrt(1+beta), sqrt(beta)) = 1/2",
-       [](precision p) { return enclose_beta(p).root; }, 20},
+       [](precision p) {
+         const root_enclosure root = enclose_beta(p);
+         // Without existence, what is left of the box encloses nothing.
+         return root.verdict == root_verdict::unique ? root.root : ball::undefined(p);
+       },
+       36},
   };
   return constants;
 }

@@ -40,13 +40,9 @@ dual squared_integrand(const rational& a, const rational& b, const dual& u, cons
          (constant(1 - y * y) * x * (constant(a) + constant(b) * x));
 }
 
-/// The numerator of eq. (44).
-rational numerator(const rational& a, const rational& b, const rational& x) {
-  return a + (a + 2) * b * x;
-}
-
 /// The right side: twice h times the paper's derivative.
-rational paper_side(const rational& a, const rational& b, const rational& u, const rational& y) {
+rational paper_side(const numerator_polynomial& numerator, const rational& a, const rational& b,
+                    const rational& u, const rational& y) {
   const rational x = u + (1 - u) * y * y;
   const rational product = x * (a + b * x);
   return -a * (1 - b * x) * numerator(a, b, x) / (product * product);
@@ -54,7 +50,11 @@ rational paper_side(const rational& a, const rational& b, const rational& u, con
 
 }  // namespace
 
-identity_check check_derivative_identity() {
+rational derivative_numerator(const rational& a, const rational& b, const rational& x) {
+  return a + (a + 2) * b * x;
+}
+
+identity_check check_derivative_identity(const numerator_polynomial& numerator) {
   constexpr long a_points = 3;
   constexpr long b_points = 4;
   constexpr long u_points = 4;
@@ -78,7 +78,7 @@ identity_check check_derivative_identity() {
           const rational u(k, u_points);
           const rational y(l, y_points);
           const rational derivative = squared_integrand(a, b, {u, 1}, y).derivative;
-          result.holds = result.holds && derivative == paper_side(a, b, u, y);
+          result.holds = result.holds && derivative == paper_side(numerator, a, b, u, y);
           ++result.points;
         }
       }
@@ -87,7 +87,7 @@ identity_check check_derivative_identity() {
   return result;
 }
 
-bool numerator_is_positive() {
+bool numerator_is_positive(const numerator_polynomial& numerator) {
   bool some_positive = false;
   for (unsigned monomial = 0; monomial < 8; ++monomial) {  // bits: a, b, X
     rational coefficient = 0;

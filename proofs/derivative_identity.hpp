@@ -3,7 +3,10 @@
 // The exact identity behind the paper's formula for the derivative of F(-bu, u) in u (appendix A,
 // eq. (44)).
 
+#include <functional>
 #include <string>
+
+#include "polhode/arithmetic/exact.hpp"
 
 namespace polhode::proofs {
 
@@ -31,11 +34,21 @@ struct identity_check {
 /// a grid of 3 x 4 x 4 x 11 points proves the identity.
 /// The left side is not taken from its expansion: d(h^2)/du is computed from the definition of h^2 by
 /// exact differentiation (numbers p + q e with e^2 = 0) at grid points where the denominators are not 0.
-[[nodiscard]] identity_check check_derivative_identity();
+///
+/// The polynomial a + (a+2) b X is a parameter, so that tests can see a wrong one fail. Hypothesis: it
+/// is a polynomial of degree at most 1 in each of a, b and X.
+using numerator_polynomial =
+    std::function<rational(const rational& a, const rational& b, const rational& x)>;
+/// a + (a+2) b X.
+[[nodiscard]] rational derivative_numerator(const rational& a, const rational& b,
+                                            const rational& x);
+[[nodiscard]] identity_check check_derivative_identity(
+    const numerator_polynomial& numerator = derivative_numerator);
 
 /// Whether the numerator a + (a+2) b X of eq. (44) is a polynomial in a, b, X with no negative
 /// coefficient and not all of them 0: then it is positive for a, b, X > 0. It is of degree 1 in each
 /// variable, so its coefficients are the alternating sums of its values at {0,1}^3, in exact rationals.
-[[nodiscard]] bool numerator_is_positive();
+[[nodiscard]] bool numerator_is_positive(
+    const numerator_polynomial& numerator = derivative_numerator);
 
 }  // namespace polhode::proofs

@@ -62,9 +62,9 @@ certificate prove_delta_psi_max(const request& wanted) {
 
 claim epsilon0_min_claim() {
   return {"epsilon0_min",
-          "eq. (39): epsilon_0,min = 0.086374",
+          "eq. (39)",
           "The least twist defect on the separatrix that a physical body can have, approached as "
-          "a -> inf, b -> 0 with ab -> 1.",
+          "a -> inf, b -> 0 with ab -> 1. The paper prints 0.086374.",
           "ball arithmetic; interval Newton on log tan as a second route",
           false,
           prove_epsilon0_min};
@@ -72,8 +72,9 @@ claim epsilon0_min_claim() {
 
 claim delta_psi_max_claim() {
   return {"delta_psi_max",
-          "section 7, after eq. (40): Delta psi = 2.96884",
-          "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min.",
+          "section 7, after eq. (40)",
+          "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min. The paper prints "
+          "2.96884.",
           "ball arithmetic; interval Newton on log tan as a second route",
           false,
           prove_delta_psi_max};

@@ -28,8 +28,8 @@ void add_value(certificate& c, const request& wanted) {
   c.inputs = {{"a", motion.a}, {"b", motion.b}, {"u", motion.u}};
   const ball value = slope_to_digits(motion, wanted.digits);
   c.numbers.push_back({"dF_du", value, wanted.digits});
-  c.facts.push_back(
-      {"at the given a, b, u: dF(-bu,u)/du < 0 (Carlson's R_D by AGM)", certainly_negative(value)});
+  c.facts.push_back({"at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)",
+                     certainly_negative(value)});
 
   // The quadrature's goal is absolute; the size of the value turns it into digits.
   const long digits = std::min(wanted.digits, most_quadrature_digits);
@@ -47,7 +47,8 @@ void add_value(certificate& c, const request& wanted) {
                                  {"supremum", to_json(q.plan.strip.supremum, 10)},
                                  {"truncation_error", to_json(q.plan.truncation_error, 5)},
                                  {"value", to_json(q.enclosure, digits)}};
-  if (q.why == reason::evaluation_limit) {
+  // (A strip exists for every u > 0; one narrower than the search goes is of no use either.)
+  if (q.why == reason::evaluation_limit || q.why == reason::not_analytic) {
     c.witness["quadrature"]["note"] = "u is so near 0 that the rule would need more than " +
                                       std::to_string(most_nodes) +
                                       " nodes: this route is left out, and the AGM stands alone";
@@ -67,7 +68,7 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
       {"for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
        "(44) is "
        "positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
-       identity.holds});
+       identity.holds && numerator_is_positive()});
 
   const sweep_result sweep = sweep_slope();
   c.facts.push_back(
@@ -76,11 +77,11 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
            std::to_string(sweep.boxes) + " boxes)",
        sweep.holds});
   const precision p = 64;
+  const ball integral = slope_enclosure(point_of(motion, p));
   const ball factor =
       -ball(motion.u, p) * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p));
-  c.facts.push_back(
-      {"the sweep's integral at the given a, b, u holds the value above",
-       overlaps(slope_enclosure(point_of(motion, p)), factor * c.numbers[0].enclosure)});
+  c.facts.push_back({"the sweep's integral at the given a, b, u holds the value above",
+                     integral.is_bounded() && overlaps(integral, factor * c.numbers[0].enclosure)});
   c.witness["sweep"] = json{{"bound", to_text(sweep.bound)},
                             {"boxes", sweep.boxes},
                             {"evaluations", sweep.evaluations},
@@ -116,7 +117,7 @@ certificate prove_sign(const request& wanted) {
 claim sign_dF_du_claim() {
   return {
       "sign_dF_du",
-      "appendix A, lemma 6 and eq. (44)",
+      "appendix A, lemma 6, eq. (44)",
       "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its derivative "
       "is "
       "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",

@@ -84,10 +84,10 @@ sweep_point point_of(const oscillating_motion& motion, precision p) {
           ball(motion.u, p)};
 }
 
-sweep_result sweep_slope(long most_evaluations) {
+sweep_result sweep_slope(long most_evaluations, const rational& wanted) {
   sweep_result result;
-  result.bound = rational(3, 4);
-  const ball bound(result.bound, bits);
+  result.bound = wanted;
+  const ball bound(wanted, bits);
   ball least = ball::undefined(bits);
   std::vector<work_item> work{{{0, 0, 0}, {1, 1, 1}, 0}};
   while (!work.empty()) {

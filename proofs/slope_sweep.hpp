@@ -35,14 +35,16 @@ struct sweep_point {
 
 struct sweep_result {
   bool holds = false;    // W > bound on every box
-  rational bound;        // 3/4 (the infimum is pi/4 = 0.785..., at u = 1, r = 0)
+  rational bound;        // as given
   long boxes = 0;        // boxes on which it was shown
   long evaluations = 0;  // boxes looked at, those that were split included
   int deepest = 0;       // halvings that led to the smallest box
   rational least;        // the least lower bound found, cut off to a decimal
 };
 
-/// Bisects [0,1]^3 until W > 3/4 is shown on every box, or gives up at most_boxes evaluations.
-[[nodiscard]] sweep_result sweep_slope(long most_evaluations = 200'000);
+/// Bisects [0,1]^3 until W > bound is shown on every box, or gives up at most_evaluations. (The
+/// infimum of W is pi/4 = 0.785..., at u = 1, r = 0.)
+[[nodiscard]] sweep_result sweep_slope(long most_evaluations = 200'000,
+                                       const rational& bound = rational(3, 4));
 
 }  // namespace polhode::proofs

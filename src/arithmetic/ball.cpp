@@ -1,6 +1,7 @@
 #include "polhode/arithmetic/ball.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -222,6 +223,7 @@ raw_error quotient_error(const ball& x, const ball& y) {
         ((mx.bits + 1) << 30) / my.bits + 1;  // |mx/my| 2^30, at most 2^31 + 1
     numerator = raw_sum(numerator, raw_product(ratio, mx.exponent - my.exponent - 30, ry));
   }
+  if (numerator.bits == 0) return {};  // x is exactly 0
   // At most 2^62 / 2^28, and one for the rounding; 28 bits are kept at least.
   const std::uint64_t quotient = numerator.bits / divisor + 1;
   return {quotient << 24, numerator.exponent - my.exponent - 24};
@@ -259,6 +261,19 @@ void pass_to_end_points(ball& r) {
   ball_access::first(r).swap(lower);
   ball_access::second(r).swap(upper);
   ball_access::set_form(r, form::end_points);
+}
+
+/// The middle of two finite numbers, low <= high; between them where r has no fewer bits than they.
+void set_middle(mpfr_ptr r, mpfr_srcptr low, mpfr_srcptr high) {
+  mpfr_add(r, low, high, MPFR_RNDN);
+  if (mpfr_inf_p(r) == 0) {
+    mpfr_div_2ui(r, r, 1, MPFR_RNDN);
+    return;
+  }
+  mpfr_cell half(mpfr_get_prec(low));  // the sum overflowed: the sum of the halves does not
+  mpfr_div_2ui(half.get(), low, 1, MPFR_RNDN);
+  mpfr_div_2ui(r, high, 1, MPFR_RNDN);
+  mpfr_add(r, half.get(), r, MPFR_RNDN);
 }
 
 bool is_wide(mpfr_srcptr midpoint, const magnitude& radius) {
@@ -303,8 +318,7 @@ void ball_access::set_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper) {
     mpfr_sub(width.get(), upper.get(), lower.get(), MPFR_RNDU);
     if (mpfr_get_exp(width.get()) <= mpfr_get_exp(lower.get()) - std::max<precision>(p / 2, 32)) {
       mpfr_cell middle(p);
-      mpfr_add(middle.get(), lower.get(), upper.get(), MPFR_RNDN);
-      mpfr_div_2ui(middle.get(), middle.get(), 1, MPFR_RNDN);
+      set_middle(middle.get(), lower.get(), upper.get());
       mpfr_sub(width.get(), upper.get(), middle.get(), MPFR_RNDU);
       const magnitude above = magnitude::abs_up(width.get());
       mpfr_sub(width.get(), middle.get(), lower.get(), MPFR_RNDU);
@@ -359,7 +373,7 @@ ball::ball(mpq_srcptr q, polhode::precision p) : first_(checked_precision(p)) {
   const int ternary = mpfr_set_q(first_.get(), q, MPFR_RNDN);
   ball_access::finish(*this, ternary, {});
 }
-ball::ball(mpfr_srcptr x) : first_(mpfr_get_prec(x)) {
+ball::ball(mpfr_srcptr x) : first_(std::max(mpfr_get_prec(x), least_precision)) {
   mpfr_set(first_.get(), x, MPFR_RNDN);
   if (mpfr_number_p(x) == 0) form_ = form::undefined;
 }
@@ -367,8 +381,13 @@ ball::ball(mpfr_srcptr x) : first_(mpfr_get_prec(x)) {
 ball ball::exactly(double x, polhode::precision p) {
   ball r;
   r.first_.reset(std::max<polhode::precision>(checked_precision(p), 53));
-  mpfr_set_d(r.first_.get(), x, MPFR_RNDN);
-  if (mpfr_number_p(r.first_.get()) == 0) r.form_ = form::undefined;
+  // Inexact only where the caller has narrowed MPFR's range of exponents.
+  const int ternary = mpfr_set_d(r.first_.get(), x, MPFR_RNDN);
+  if (std::isfinite(x)) {
+    ball_access::finish(r, ternary, {});
+  } else {
+    r.form_ = form::undefined;
+  }
   return r;
 }
 
@@ -493,10 +512,7 @@ void ball::midpoint(mpfr_ptr r) const {
           mpfr_set(r, lower_infinite ? second_.get() : first_.get(), MPFR_RNDN);
         }
       } else {
-        mpfr_cell half(precision());  // halves first: the sum of two ends may overflow
-        mpfr_div_2ui(half.get(), first_.get(), 1, MPFR_RNDN);
-        mpfr_div_2ui(r, second_.get(), 1, MPFR_RNDN);
-        mpfr_add(r, half.get(), r, MPFR_RNDN);
+        set_middle(r, first_.get(), second_.get());
       }
       break;
     case form::undefined:
@@ -657,7 +673,12 @@ void divide(ball& result, const ball& x, const ball& y) {
                 [&](mpfr_ptr r) { return mpfr_div(r, x.first_.get(), y.first_.get(), MPFR_RNDN); });
     return;
   }
-  divide_ends(result, end_points(x, p), end_points(y, p), p);
+  const end_points ey(y, p);
+  // A radius below the least positive number is rounded up to it: an end may come to 0 only here.
+  if (mpfr_zero_p(ey.lower()) != 0 || mpfr_zero_p(ey.upper()) != 0) {
+    return ball_access::set_undefined(result, p);
+  }
+  divide_ends(result, end_points(x, p), ey, p);
 }
 
 void fma(ball& result, const ball& x, const ball& y, const ball& z) {
@@ -673,13 +694,23 @@ void fma(ball& result, const ball& x, const ball& y, const ball& z) {
   add(result, result, addend);
 }
 
+namespace {
+/// f(result, x, the integer y), with x's precision: an integer has none of its own.
+template <class F>
+void with_exact_integer(ball& result, const ball& x, long y, F&& f) {
+  const precision p = x.precision();  // x may be the result
+  f(result, x, ball(y, 64));
+  if (result.precision() != p) result = result.with_precision(p);
+}
+}  // namespace
+
 void add(ball& result, const ball& x, long y) {
   if (ball_access::is_midpoint_radius(x)) {
     set_midpoint(result, x.precision(), x.radius_,
                  [&](mpfr_ptr r) { return mpfr_add_si(r, x.first_.get(), y, MPFR_RNDN); });
     return;
   }
-  add(result, x, ball(y, 64));
+  with_exact_integer(result, x, y, [](ball& r, const ball& a, const ball& n) { add(r, a, n); });
 }
 
 void subtract(ball& result, long x, const ball& y) {
@@ -688,7 +719,8 @@ void subtract(ball& result, long x, const ball& y) {
                  [&](mpfr_ptr r) { return mpfr_si_sub(r, x, y.first_.get(), MPFR_RNDN); });
     return;
   }
-  subtract(result, ball(x, 64), y);
+  with_exact_integer(result, y, x,
+                     [](ball& r, const ball& a, const ball& n) { subtract(r, n, a); });
 }
 
 void multiply(ball& result, const ball& x, long y) {
@@ -702,7 +734,8 @@ void multiply(ball& result, const ball& x, long y) {
                  [&](mpfr_ptr r) { return mpfr_mul_si(r, x.first_.get(), y, MPFR_RNDN); });
     return;
   }
-  multiply(result, x, ball(y, 64));
+  with_exact_integer(result, x, y,
+                     [](ball& r, const ball& a, const ball& n) { multiply(r, a, n); });
 }
 
 void divide(ball& result, const ball& x, long y) {
@@ -716,7 +749,7 @@ void divide(ball& result, const ball& x, long y) {
                  [&](mpfr_ptr r) { return mpfr_div_si(r, x.first_.get(), y, MPFR_RNDN); });
     return;
   }
-  divide(result, x, ball(y, 64));
+  with_exact_integer(result, x, y, [](ball& r, const ball& a, const ball& n) { divide(r, a, n); });
 }
 
 void square(ball& result, const ball& x) {
@@ -887,13 +920,23 @@ bool contains(const ball& x, mpq_srcptr y) {
   mpq_sub(difference, y, difference);
   mpq_abs(difference, difference);
   const magnitude& r = ball_access::radius(x);
-  mpq_set_ui(radius, r.fraction(), 1);
-  if (r.exponent() >= 0) {
-    mpq_mul_2exp(radius, radius, static_cast<mp_bitcnt_t>(r.exponent()));
-  } else {
-    mpq_div_2exp(radius, radius, static_cast<mp_bitcnt_t>(-r.exponent()));
+  bool inside = mpq_sgn(difference) == 0;
+  if (!inside && !r.is_zero()) {
+    // 2^(bits - 1) < |y - m| < 2^(bits + 1): where that decides, no power of two is written out.
+    const auto bits = static_cast<std::int64_t>(mpz_sizeinbase(mpq_numref(difference), 2)) -
+                      static_cast<std::int64_t>(mpz_sizeinbase(mpq_denref(difference), 2));
+    if (r.log2_floor() >= bits + 1) {
+      inside = true;
+    } else if (r.log2_floor() + 1 > bits - 1) {
+      mpq_set_ui(radius, r.fraction(), 1);
+      if (r.exponent() >= 0) {
+        mpq_mul_2exp(radius, radius, static_cast<mp_bitcnt_t>(r.exponent()));
+      } else {
+        mpq_div_2exp(radius, radius, static_cast<mp_bitcnt_t>(-r.exponent()));
+      }
+      inside = mpq_cmp(difference, radius) <= 0;
+    }
   }
-  const bool inside = mpq_cmp(difference, radius) <= 0;
   mpq_clear(radius);
   mpq_clear(difference);
   return inside;

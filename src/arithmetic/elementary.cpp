@@ -18,6 +18,10 @@ using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 const magnitude one = magnitude::power_of_two(0);
 // Radii up to this are carried through a bound of first order; wider balls by their end points.
 const magnitude small_radius = magnitude::power_of_two(-10);
+// The ends of a ball by midpoint and radius are computed to so many bits beyond the result's: a
+// radius far below the midpoint's last place is not lost in them, and a steep function does not
+// magnify their rounding into sight.
+constexpr precision guard_bits = 64;
 
 /// f at the midpoint. error(value) bounds |f(x) - f(midpoint)| over the ball, given an MPFR number
 /// within half a unit in the last place of f(midpoint); it is not asked when x is exact.
@@ -68,7 +72,7 @@ void monotone(ball& result, const ball& x, mpfr_function f, bool increasing, Err
     ball_access::set_undefined(result, x.precision());
   } else {
     const precision p = x.precision();
-    at_ends(result, end_points(x, p), p, f, increasing);
+    at_ends(result, end_points(x, p + guard_bits), p, f, increasing);
   }
 }
 
@@ -119,8 +123,8 @@ magnitude plus_square_up(const magnitude& q) { return multiply_up(q, add_up(one,
 /// floor(2 x / pi) for a number x. 2 x / pi is irrational for x != 0, so raising the precision
 /// of pi always decides it in the end.
 void quadrant(mpz_ptr result, mpfr_srcptr x) {
-  if (mpfr_zero_p(x) != 0) {
-    mpz_set_ui(result, 0);
+  if (mpfr_zero_p(x) != 0 || mpfr_get_exp(x) <= 0) {  // |x| < 1: also where x / pi underflows
+    mpz_set_si(result, mpfr_sgn(x) < 0 ? -1 : 0);
     return;
   }
   mpz_t other;
@@ -188,10 +192,42 @@ void set_unit_interval(ball& result, precision p) {
   ball_access::set_ends(result, lower, upper);
 }
 
+/// The same for arguments counted in half circles: quarter turns lie at multiples of 1/2.
+quarter_turns turns_of_half_circles(const end_points& x) {
+  quarter_turns result;
+  mpfr_cell width(32);
+  mpfr_sub(width.get(), x.upper(), x.lower(), MPFR_RNDU);
+  const auto too_large = [](mpfr_srcptr end) {
+    return mpfr_regular_p(end) != 0 && mpfr_get_exp(end) > (mpfr_exp_t{1} << 24);
+  };
+  if (mpfr_cmp_ui(width.get(), 2) >= 0 || too_large(x.lower()) || too_large(x.upper())) {
+    result.whole_circle = true;
+    return result;
+  }
+  mpz_t first;
+  mpz_t last;
+  mpz_init(first);
+  mpz_init(last);
+  const auto floor_of_double = [](mpz_ptr r, mpfr_srcptr end) {
+    mpfr_cell twice(mpfr_get_prec(end));
+    mpfr_mul_2ui(twice.get(), end, 1, MPFR_RNDN);
+    mpfr_get_z(r, twice.get(), MPFR_RNDD);
+  };
+  floor_of_double(first, x.lower());
+  floor_of_double(last, x.upper());
+  const auto start = mpz_fdiv_ui(first, 4);
+  mpz_sub(last, last, first);  // at most 4, since the width is below 2
+  const auto count = mpz_get_ui(last);
+  for (unsigned long j = 1; j <= count; ++j) result.passed[(start + j) % 4] = true;
+  mpz_clear(last);
+  mpz_clear(first);
+  return result;
+}
+
 /// sin or cos of a set: 1 where it passes the quarter turn `top`, -1 half a circle later, and at
 /// other places between the values at its ends.
-void circular_range(ball& result, const end_points& x, precision p, mpfr_function f, unsigned top) {
-  const quarter_turns turns = turns_inside(x, p);
+void circular_range(ball& result, const end_points& x, precision p, mpfr_function f, unsigned top,
+                    const quarter_turns& turns) {
   if (turns.whole_circle) return set_unit_interval(result, p);
   mpfr_cell lower(p);
   mpfr_cell upper(p);
@@ -227,7 +263,23 @@ void circular(ball& result, const ball& x, mpfr_function f, unsigned top) {
     at_midpoint(result, x, f, [&](mpfr_srcptr value) { return circular_error(value, radius); });
     return;
   }
-  circular_range(result, end_points(x, p), p, f, top);
+  const end_points e(x, p + guard_bits);
+  circular_range(result, e, p, f, top, turns_inside(e, p));
+}
+
+/// sin(pi x) or cos(pi x): the same with the slope pi < 355/113, and arguments reduced exactly.
+void circular_of_half_circles(ball& result, const ball& x, mpfr_function f, unsigned top) {
+  const precision p = x.precision();
+  if (x.is_undefined()) return ball_access::set_undefined(result, p);
+  if (is_thin(x)) {
+    const magnitude radius =
+        divide_up(multiply_up(magnitude::from_integer_up(355), ball_access::radius(x)),
+                  magnitude::from_integer_down(113));
+    at_midpoint(result, x, f, [&](mpfr_srcptr value) { return circular_error(value, radius); });
+    return;
+  }
+  const end_points e(x, p + guard_bits);
+  circular_range(result, e, p, f, top, turns_of_half_circles(e));
 }
 
 }  // namespace
@@ -239,7 +291,7 @@ ball abs(const ball& x) {
   if (x.is_undefined() || s == sign::positive || s == sign::zero) return x;
   if (s == sign::negative) return -x;
   const precision p = x.precision();
-  const end_points e(x, p);
+  const end_points e(x, p + guard_bits);
   mpfr_cell lower(p);
   mpfr_cell upper(p);
   mpfr_abs(upper.get(), mpfr_cmpabs(e.lower(), e.upper()) <= 0 ? e.upper() : e.lower(), MPFR_RNDU);
@@ -256,11 +308,41 @@ void exp(ball& result, const ball& x) {
   });
 }
 
+void expm1(ball& result, const ball& x) {
+  const magnitude radius = ball_access::radius(x);
+  // |e^(m+h) - e^m| <= e^m (r + r^2), and e^m = 1 + v.
+  monotone(result, x, mpfr_expm1, true, [&](mpfr_srcptr value) {
+    const magnitude exp_m =
+        mpfr_sgn(value) < 0 ? one_minus_abs_up(value) : add_up(one, true_value_up(value));
+    return multiply_up(exp_m, plus_square_up(radius));
+  });
+}
+
+void log1p(ball& result, const ball& x) {
+  const precision p = x.precision();
+  if (x.is_undefined()) return ball_access::set_undefined(result, p);
+  if (is_thin(x)) {
+    // As log, with the argument 1 + m: q = r / (1 + m).
+    const magnitude radius = ball_access::radius(x);
+    mpfr_cell sum(64);
+    mpfr_add_ui(sum.get(), ball_access::first(x), 1, MPFR_RNDD);
+    if (mpfr_sgn(sum.get()) > 0) {
+      const magnitude q = divide_up(radius, magnitude::abs_down(sum.get()));
+      if (q <= small_radius) {
+        return at_midpoint(result, x, mpfr_log1p, [&](mpfr_srcptr) { return plus_square_up(q); });
+      }
+    }
+  }
+  const end_points e(x, p + guard_bits);
+  if (mpfr_cmp_si(e.lower(), -1) <= 0) return ball_access::set_undefined(result, p);
+  at_ends(result, e, p, mpfr_log1p, true);
+}
+
 void log(ball& result, const ball& x) {
   if (sign_of(x) != sign::positive) return ball_access::set_undefined(result, x.precision());
   if (!ball_access::is_midpoint_radius(x)) {
     const precision p = x.precision();
-    return at_ends(result, end_points(x, p), p, mpfr_log, true);
+    return at_ends(result, end_points(x, p + guard_bits), p, mpfr_log, true);
   }
   // |log(m+h) - log(m)| <= -log(1 - q) <= q + q^2 for q = r / m <= 1/2 (here q < 2^-22).
   const magnitude q = divide_up(ball_access::radius(x), magnitude::abs_down(ball_access::first(x)));
@@ -269,6 +351,9 @@ void log(ball& result, const ball& x) {
 
 void sin(ball& result, const ball& x) { circular(result, x, mpfr_sin, 1); }
 void cos(ball& result, const ball& x) { circular(result, x, mpfr_cos, 0); }
+
+void sinpi(ball& result, const ball& x) { circular_of_half_circles(result, x, mpfr_sinpi, 1); }
+void cospi(ball& result, const ball& x) { circular_of_half_circles(result, x, mpfr_cospi, 0); }
 
 void sin_cos(ball& sine, ball& cosine, const ball& x) {
   const precision p = x.precision();
@@ -316,7 +401,7 @@ void tan(ball& result, const ball& x) {
       return ball_access::finish(result, ternary, error);
     }
   }
-  const end_points e(x, p);
+  const end_points e(x, p + guard_bits);
   const quarter_turns turns = turns_inside(e, p);
   if (turns.whole_circle || turns.passed[1] || turns.passed[3]) {
     return ball_access::set_undefined(result, p);
@@ -351,7 +436,7 @@ void inverse_circular(ball& result, const ball& x, mpfr_function f, bool increas
       return;
     }
   }
-  at_ends(result, end_points(x, p), p, f, increasing);
+  at_ends(result, end_points(x, p + guard_bits), p, f, increasing);
 }
 }  // namespace
 
@@ -388,7 +473,7 @@ void cosh(ball& result, const ball& x) {
     return;
   }
   const ball size = abs(x);  // cosh is even, and increasing on [0, inf)
-  at_ends(result, end_points(size, p), p, mpfr_cosh, true);
+  at_ends(result, end_points(size, p + guard_bits), p, mpfr_cosh, true);
 }
 
 void tanh(ball& result, const ball& x) {
@@ -428,7 +513,7 @@ void acosh(ball& result, const ball& x) {
       return;
     }
   }
-  at_ends(result, end_points(x, p), p, mpfr_acosh, true);
+  at_ends(result, end_points(x, p + guard_bits), p, mpfr_acosh, true);
 }
 
 void atanh(ball& result, const ball& x) {
@@ -448,7 +533,7 @@ void atanh(ball& result, const ball& x) {
       return;
     }
   }
-  const end_points e(x, p);
+  const end_points e(x, p + guard_bits);
   if (mpfr_cmp_si(e.lower(), -1) <= 0 || mpfr_cmp_si(e.upper(), 1) >= 0) {
     return ball_access::set_undefined(result, p);
   }
@@ -460,8 +545,8 @@ ball hypot(const ball& x, const ball& y) {
   if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
   const ball ax = abs(x);
   const ball ay = abs(y);
-  const end_points ex(ax, p);
-  const end_points ey(ay, p);
+  const end_points ex(ax, p + guard_bits);
+  const end_points ey(ay, p + guard_bits);
   mpfr_cell lower(p);
   mpfr_cell upper(p);
   mpfr_hypot(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);
@@ -501,7 +586,11 @@ ball pow(const ball& x, long n) {
   }
   // An even power is a power of |x|; x^n is then monotone on each side of 0, decreasing for n < 0.
   const ball base = n % 2 == 0 ? abs(x) : x;
-  const end_points e(base, p);
+  const end_points e(base, p + guard_bits);
+  // A radius below the least positive number is rounded up to it: an end may come to 0 only here.
+  if (n < 0 && (mpfr_zero_p(e.lower()) != 0 || mpfr_zero_p(e.upper()) != 0)) {
+    return ball::undefined(p);
+  }
   mpfr_cell lower(p);
   mpfr_cell upper(p);
   mpfr_pow_si(lower.get(), n > 0 ? e.lower() : e.upper(), n, MPFR_RNDD);
@@ -510,23 +599,158 @@ ball pow(const ball& x, long n) {
   return r;
 }
 
+ball root(const ball& x, unsigned long n) {
+  const precision p = x.precision();
+  if (n == 0) return ball::undefined(p);
+  if (n == 1) return x;
+  if (n == 2) return sqrt(x);
+  if (x.is_undefined()) return x;
+  const end_points e(
+      x, p + guard_bits);  // increasing; MPFR answers a NaN for even roots of negative numbers
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  mpfr_rootn_ui(lower.get(), e.lower(), n, MPFR_RNDD);
+  mpfr_rootn_ui(upper.get(), e.upper(), n, MPFR_RNDU);
+  ball r;
+  ball_access::set_ends(r, lower, upper);
+  return r;
+}
+
+namespace {
+/// The integer that an exact ball is, where it is one that fits.
+bool is_machine_integer(const ball& y, long& n) {
+  if (!y.is_exact()) return false;
+  const mpfr_srcptr m = ball_access::first(y);
+  if (mpfr_integer_p(m) == 0 || mpfr_fits_slong_p(m, MPFR_RNDN) == 0) return false;
+  n = mpfr_get_si(m, MPFR_RNDN);
+  return true;
+}
+
+/// x^y over a rectangle with x >= 0. d/dx has the sign of y and d/dy that of log x, constant along each
+/// side, so the extremes lie at the corners and, where the rectangle crosses x = 1 or y = 0, the
+/// values there are 1, which lies between corner values on both sides.
+ball power_at_corners(const end_points& x, const end_points& y, precision p) {
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  mpfr_cell other(p);
+  bool first = true;
+  for (const mpfr_srcptr base : {x.lower(), x.upper()}) {
+    for (const mpfr_srcptr exponent : {y.lower(), y.upper()}) {
+      mpfr_pow(other.get(), base, exponent, MPFR_RNDD);
+      if (first || mpfr_less_p(other.get(), lower.get()) != 0) {
+        mpfr_set(lower.get(), other.get(), MPFR_RNDD);
+      }
+      mpfr_pow(other.get(), base, exponent, MPFR_RNDU);
+      if (first || mpfr_greater_p(other.get(), upper.get()) != 0) {
+        mpfr_set(upper.get(), other.get(), MPFR_RNDU);
+      }
+      first = false;
+    }
+  }
+  ball r;
+  ball_access::set_ends(r, lower, upper);
+  return r;
+}
+}  // namespace
+
+ball pow(const ball& x, const ball& y) {
+  const precision p = std::max(x.precision(), y.precision());
+  if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
+  long n = 0;
+  if (is_machine_integer(y, n)) return pow(x.with_precision(p), n);
+  const end_points ex(x, p + guard_bits);
+  const end_points ey(y, p + guard_bits);
+  const bool zero_base = mpfr_zero_p(ex.lower()) != 0;
+  if (mpfr_sgn(ex.lower()) < 0 || (zero_base && mpfr_sgn(ey.lower()) <= 0) || !x.is_bounded() ||
+      !y.is_bounded()) {
+    return ball::undefined(p);
+  }
+  if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y) && !zero_base) {
+    // The exponent y log x changes by at most d = |y| (q + q^2) + ry |log x|, q = rx / mx, and the power
+    // by a factor within e^(+-d): |change| <= value (d + d^2) for d <= 1.
+    const mpfr_srcptr mx = ball_access::first(x);
+    const mpfr_srcptr my = ball_access::first(y);
+    const magnitude q = divide_up(ball_access::radius(x), magnitude::abs_down(mx));
+    const magnitude drift = plus_square_up(q);
+    magnitude change = multiply_up(magnitude::abs_up(my), drift);
+    if (!ball_access::radius(y).is_zero()) {
+      mpfr_cell logarithm(32);
+      mpfr_log(logarithm.get(), mx, MPFR_RNDA);
+      change = add_up(change, multiply_up(ball_access::radius(y),
+                                          add_up(magnitude::abs_up(logarithm.get()), drift)));
+    }
+    if (change <= small_radius) {
+      mpfr_cell value(p);
+      const int ternary = mpfr_pow(value.get(), mx, my, MPFR_RNDN);
+      if (mpfr_regular_p(value.get()) != 0) {
+        const magnitude error =
+            change.is_zero() ? magnitude{}
+                             : multiply_up(true_value_up(value.get()), plus_square_up(change));
+        ball r;
+        ball_access::first(r) = std::move(value);
+        ball_access::finish(r, ternary, error);
+        return r;
+      }
+    }
+  }
+  return power_at_corners(ex, ey, p);
+}
+
+namespace {
+ball step_function(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)) {
+  const precision p = x.precision();
+  if (x.is_undefined()) return x;
+  const end_points e(x, p + guard_bits);
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  f(lower.get(), e.lower(), MPFR_RNDD);
+  f(upper.get(), e.upper(), MPFR_RNDU);
+  ball r;
+  ball_access::set_ends(r, lower, upper);
+  return r;
+}
+
+ball lattice_operation(const ball& x, const ball& y,
+                       int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t)) {
+  const precision p = std::max(x.precision(), y.precision());
+  if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
+  const end_points ex(x, p + guard_bits);
+  const end_points ey(y, p + guard_bits);
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  f(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);
+  f(upper.get(), ex.upper(), ey.upper(), MPFR_RNDU);
+  ball r;
+  ball_access::set_ends(r, lower, upper);
+  return r;
+}
+}  // namespace
+
+ball floor(const ball& x) { return step_function(x, mpfr_rint_floor); }
+ball ceil(const ball& x) { return step_function(x, mpfr_rint_ceil); }
+ball min(const ball& x, const ball& y) { return lattice_operation(x, y, mpfr_min); }
+ball max(const ball& x, const ball& y) { return lattice_operation(x, y, mpfr_max); }
+
 void agm(ball& result, const ball& x, const ball& y) {
   const precision p = std::max(x.precision(), y.precision());
   const sign sx = sign_of(x);
   const sign sy = sign_of(y);
-  if (x.is_undefined() || y.is_undefined() || sx == sign::negative || sy == sign::negative) {
+  // In either form a set has a negative member where its first number is negative.
+  if (x.is_undefined() || y.is_undefined() || mpfr_sgn(ball_access::first(x)) < 0 ||
+      mpfr_sgn(ball_access::first(y)) < 0) {
     return ball_access::set_undefined(result, p);
+  }
+  if (sx == sign::zero || sy == sign::zero) {  // the mean with 0 is 0, however great the other is
+    result = ball(0, p);
+    return;
   }
   if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y)) {
     // The mean M is increasing in both arguments and homogeneous: for x = mx (1 + s),
     // y = my (1 + t) with |s|, |t| <= q, (1 - q) M(mx, my) <= M(x, y) <= (1 + q) M(mx, my).
-    // A zero argument is exact here, and so is the mean 0.
-    const auto relative = [](const ball& z, sign s) {
-      return s == sign::zero
-                 ? magnitude{}
-                 : divide_up(ball_access::radius(z), magnitude::abs_down(ball_access::first(z)));
+    const auto relative = [](const ball& z) {
+      return divide_up(ball_access::radius(z), magnitude::abs_down(ball_access::first(z)));
     };
-    const magnitude q = max(relative(x, sx), relative(y, sy));
+    const magnitude q = max(relative(x), relative(y));
     mpfr_cell value(p);
     const int ternary =
         mpfr_agm(value.get(), ball_access::first(x), ball_access::first(y), MPFR_RNDN);
@@ -537,11 +761,11 @@ void agm(ball& result, const ball& x, const ball& y) {
     ball_access::first(result) = std::move(value);
     return ball_access::finish(result, ternary, error);
   }
-  const end_points ex(x, p);
-  const end_points ey(y, p);
+  const end_points ex(x, p + guard_bits);
+  const end_points ey(y, p + guard_bits);
   mpfr_cell lower(p);
   mpfr_cell upper(p);
-  mpfr_agm(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);  // a NaN where an end is negative
+  mpfr_agm(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);
   mpfr_agm(upper.get(), ex.upper(), ey.upper(), MPFR_RNDU);
   ball_access::set_ends(result, lower, upper);
 }

@@ -69,19 +69,28 @@ rational parse_decimal(std::string_view text, std::string_view whole) {
                     : rational(mantissa) / ten_to_the(static_cast<unsigned long>(-shift));
 }
 
-rational end_point(const ball& x, void (ball::*end)(mpfr_ptr) const, bool upwards) {
+rational end_point(const ball& x, bool upwards) {
   if (!x.is_bounded()) throw std::domain_error("the end points of an unbounded ball");
   rational result;
   if (ball_access::form_of(x) == ball_access::form::end_points) {
     mpfr_get_q(result.backend().data(), upwards ? ball_access::second(x) : ball_access::first(x));
     return result;
   }
-  // 64 bits more than the midpoint has hold any end but the very distant ones, which are rounded
-  // outward.
-  detail::mpfr_cell value(x.precision() + 64);
-  (x.*end)(value.get());
-  mpfr_get_q(result.backend().data(), value.get());
-  return result;
+  mpfr_get_q(result.backend().data(), ball_access::first(x));
+  if (x.is_exact()) return result;
+  // In rationals, where no exponent overflows. A radius below 2^-64 of the midpoint's last place
+  // counts as so much: a short ball does not give a rational of gigabytes.
+  const magnitude radius =
+      max(ball_access::radius(x),
+          magnitude::power_of_two(mpfr_get_exp(ball_access::first(x)) - x.precision() - 64));
+  rational offset(radius.fraction());
+  mpq_ptr q = offset.backend().data();
+  if (radius.exponent() >= 0) {
+    mpq_mul_2exp(q, q, static_cast<mp_bitcnt_t>(radius.exponent()));
+  } else {
+    mpq_div_2exp(q, q, static_cast<mp_bitcnt_t>(-radius.exponent()));
+  }
+  return upwards ? result + offset : result - offset;
 }
 
 }  // namespace
@@ -103,7 +112,7 @@ ball parse_ball(std::string_view text, precision p) { return {parse_rational(tex
 
 std::string to_text(const rational& q) { return q.str(); }
 
-rational lower_rational(const ball& x) { return end_point(x, &ball::lower, false); }
-rational upper_rational(const ball& x) { return end_point(x, &ball::upper, true); }
+rational lower_rational(const ball& x) { return end_point(x, false); }
+rational upper_rational(const ball& x) { return end_point(x, true); }
 
 }  // namespace polhode

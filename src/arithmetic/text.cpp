@@ -1,6 +1,8 @@
 #include "polhode/arithmetic/text.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 
@@ -75,6 +77,73 @@ void fill_to_units(decimal& x) {
   if (x.digits.size() < units && units <= 25) x.digits.append(units - x.digits.size(), '0');
 }
 
+/// digits + n as a decimal numeral; false where it would need one digit more.
+bool add_to_numeral(std::string& digits, unsigned long n) {
+  for (std::size_t i = digits.size(); n != 0; n /= 10) {
+    if (i == 0) return false;
+    unsigned long sum = static_cast<unsigned long>(digits[--i] - '0') + n % 10;
+    if (sum > 9) {
+      sum -= 10;
+      n += 10;
+    }
+    digits[i] = static_cast<char>('0' + sum);
+  }
+  return true;
+}
+
+/// ceil(width / 10^exponent), or 0 where that is beyond 10^6.
+unsigned long width_in_units(mpfr_srcptr width, long exponent) {
+  constexpr unsigned long most = 1'000'000;
+  mpfr_cell unit(64);
+  mpfr_cell quotient(64);
+  mpfr_ui_pow_ui(unit.get(), 10, static_cast<unsigned long>(std::abs(exponent)),
+                 exponent < 0 ? MPFR_RNDU : MPFR_RNDD);
+  if (exponent < 0) {
+    mpfr_mul(quotient.get(), width, unit.get(), MPFR_RNDU);
+  } else {
+    mpfr_div(quotient.get(), width, unit.get(), MPFR_RNDU);
+  }
+  if (!(mpfr_cmp_ui(quotient.get(), most) < 0)) return 0;
+  return mpfr_get_ui(quotient.get(), MPFR_RNDU) + 1;
+}
+
+/// The enclosure of a narrow set of one sign from a single conversion to decimals, which is most of the
+/// cost at many digits: of |x|'s lower end, cut off after 8 digits more than asked for. Every member's
+/// size then lies between that numeral and the numeral plus the width in units of its last digit plus 1.
+std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most_digits) {
+  const int sign = mpfr_sgn(e.lower());
+  if (sign == 0 || sign != mpfr_sgn(e.upper())) return std::nullopt;
+  decimal low = rounded(sign > 0 ? e.lower() : e.upper(), most_digits + 8, MPFR_RNDZ);
+  low.negative = sign < 0;
+  mpfr_cell width(64);
+  mpfr_sub(width.get(), e.upper(), e.lower(), MPFR_RNDU);
+  const unsigned long units = width_in_units(width.get(), low.exponent - (most_digits + 8));
+  decimal high = low;
+  if (units == 0 || !add_to_numeral(high.digits, units + 1)) return std::nullopt;
+
+  const auto wanted = low.digits.begin() + most_digits;
+  const auto shared = std::mismatch(low.digits.begin(), wanted, high.digits.begin()).first;
+  const auto digits = static_cast<std::size_t>(shared - low.digits.begin());
+  // A set this narrow changes a wanted digit only by a carry through a run of nines, which may be the
+  // numerals' and not the ends': the ends decide.
+  if (shared != wanted) return std::nullopt;
+  decimal_enclosure result;
+  result.digits = static_cast<long>(digits);
+  decimal value = low;
+  value.digits.resize(digits);
+  result.value = written(value);
+  low.digits.resize(digits + 3);
+  high.digits.resize(digits + 3);
+  if (!add_to_numeral(high.digits, 1)) return std::nullopt;
+  for (decimal* end : {&low, &high}) {
+    drop_trailing_zeros(*end);
+    fill_to_units(*end);
+  }
+  result.lower = written(sign > 0 ? low : high);
+  result.upper = written(sign > 0 ? high : low);
+  return result;
+}
+
 }  // namespace
 
 decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
@@ -83,6 +152,12 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
   }
   if (!x.is_bounded()) throw std::domain_error("an unbounded ball has no decimals");
   const end_points e(x, x.precision() + 32);
+  if (mpfr_number_p(e.lower()) == 0 || mpfr_number_p(e.upper()) == 0) {
+    throw std::domain_error("a ball beyond the greatest exponent has no decimals");
+  }
+  if (!x.is_exact()) {
+    if (auto narrow = narrow_enclosure(e, most_digits)) return *std::move(narrow);
+  }
   decimal_enclosure result;
 
   decimal low = rounded(e.lower(), most_digits, MPFR_RNDZ);
@@ -105,6 +180,7 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
     if (result.exact) {
       drop_trailing_zeros(shared);
       fill_to_units(shared);
+      result.digits = static_cast<long>(shared.digits.size());
     }
   }
   if (result.digits > 0 || result.exact) result.value = written(shared);
@@ -122,15 +198,18 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
 }
 
 std::string to_decimal(const ball& x, long most_digits) {
+  if (most_digits < 1) {
+    throw std::invalid_argument(std::to_string(most_digits) + " digits: it must be at least 1");
+  }
   if (x.is_undefined()) return "undefined";
-  if (!x.is_bounded()) {
+  const end_points ends(x, x.precision() + 32);
+  if (mpfr_inf_p(ends.lower()) != 0 || mpfr_inf_p(ends.upper()) != 0) {
     // At least one end is infinite; the other is printed outward.
-    const end_points e(x, x.precision());
     const auto end = [&](mpfr_srcptr value, mpfr_rnd_t rounding) -> std::string {
       if (mpfr_inf_p(value) != 0) return mpfr_sgn(value) < 0 ? "-inf" : "inf";
       return written(rounded(value, most_digits, rounding));
     };
-    return '[' + end(e.lower(), MPFR_RNDD) + ", " + end(e.upper(), MPFR_RNDU) + ']';
+    return '[' + end(ends.lower(), MPFR_RNDD) + ", " + end(ends.upper(), MPFR_RNDU) + ']';
   }
   const decimal_enclosure d = to_decimal_enclosure(x, most_digits);
   if (d.exact) return d.value;

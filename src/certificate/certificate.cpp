@@ -70,7 +70,8 @@ void certificate::conclude(reason otherwise) {
   const bool facts_hold =
       std::all_of(facts.begin(), facts.end(), [](const checked_fact& f) { return f.holds; });
   const bool digits_reached = std::all_of(numbers.begin(), numbers.end(), has_digits);
-  if (facts_hold && digits_reached) {
+  const bool says_something = !facts.empty() || !numbers.empty();
+  if (says_something && facts_hold && digits_reached) {
     verdict = status::certified;
     why = reason::none;
   } else {

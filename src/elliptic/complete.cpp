@@ -1,6 +1,7 @@
 #include "polhode/elliptic/complete.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
 
@@ -19,17 +20,15 @@ magnitude tail_bound(const magnitude& term, const magnitude& c, const magnitude&
   return multiply_up(term, divide_up(q, subtract_down(magnitude::power_of_two(0), q)));
 }
 
-/// The steps common to the functions of this file. visit(n, c_n, a_n) is called for n = 1, 2, ...
-/// and returns the current relative size it still cares for.
+/// The steps with c_n to full relative accuracy, from the recurrence.
 struct agm_state {
   ball a, b;  // a_n, b_n
   ball c;     // c_n, n >= 1
   int n = 0;
 
   void step() {
-    // c from the recurrence where it loses nothing; the first one by its definition.
     const ball mean = scale(a + b, -1);
-    c = n == 0 ? scale(a - b, -1) : square(c) / (4 * mean);
+    if (n > 0) c = square(c) / (4 * mean);  // the caller knows c_1
     b = sqrt(a * b);
     a = mean;
     ++n;
@@ -37,16 +36,13 @@ struct agm_state {
 };
 
 /// c_n is so small that c_{n+1}, of the order of c_n^2, is below the last place of the mean.
-bool is_last(const agm_state& s, precision p) {
-  const magnitude c = s.c.magnitude_upper();
-  return c.is_zero() || c <= scale(s.a.magnitude_lower(), -(static_cast<std::int64_t>(p) / 2 + 2));
+bool is_last(const magnitude& c, const magnitude& mean_down, precision p) {
+  return c.is_zero() || c <= scale(mean_down, -(static_cast<std::int64_t>(p) / 2 + 2));
 }
 
-/// M in [b_n, a_n], and a_n - b_n = 2 c_{n+1} <= c_n^2 / (2 M): the mean from a_n by its error.
-ball mean_from(const agm_state& s) {
-  const magnitude c = s.c.magnitude_upper();
-  const magnitude width = divide_up(scale(multiply_up(c, c), -1), s.b.magnitude_lower());
-  return s.a.enlarged(width);
+/// M in [b_n, a_n], and a_n - b_n = 2 c_{n+1} = c_n^2 / (2 a_{n+1}) <= c_n^2 / (2 M): the mean from a_n.
+ball mean_from(const ball& a, const magnitude& c, const magnitude& mean_down) {
+  return a.enlarged(divide_up(scale(multiply_up(c, c), -1), mean_down));
 }
 
 }  // namespace
@@ -55,21 +51,46 @@ agm_sums agm_with_sum(const ball& a, const ball& b) {
   const precision p = std::max(a.precision(), b.precision());
   agm_sums result{ball::undefined(p), ball::undefined(p), 0};
   if (!certainly_positive(a) || !certainly_positive(b)) return result;
-  agm_state s{a, b, ball(0, p), 0};
+  // c from its definition: its absolute error is all that matters here, and a subtraction costs less than
+  // the recurrence's division. The mean is at least b_(n-1), so the last square root is not needed.
+  ball upper = a;
+  ball lower = b;
+  ball next(0, p);
+  ball c(0, p);
+  magnitude last_c;
   ball sum(0, p);
-  while (s.n < most_steps) {
-    s.step();
-    const ball term = scale(square(s.c), s.n - 1);
-    sum += term;
-    if (is_last(s, p)) {
-      const magnitude tail =
-          tail_bound(term.magnitude_upper(), s.c.magnitude_upper(), s.b.magnitude_lower());
-      if (tail.is_infinite()) continue;
-      result.mean = mean_from(s);
-      result.sum = sum.enlarged(tail);
-      result.steps = s.n;
-      return result;
+  for (int n = 1; n <= most_steps; ++n) {
+    subtract(c, upper, lower);
+    scale(c, c, -1);
+    add(next, upper, lower);
+    scale(next, next, -1);
+    const magnitude mean_down =
+        n == 1 ? min(lower, upper).magnitude_lower() : lower.magnitude_lower();
+    magnitude c_up = c.magnitude_upper();
+    if (n > 1) {
+      // |c_n| = c_(n-1)^2 / (4 a_n) too: where wide operands hide that c_n falls, it bounds c_n.
+      const magnitude by_recurrence = divide_up(scale(multiply_up(last_c, last_c), -2), mean_down);
+      if (scale(by_recurrence, 1) < c_up) {
+        c = ball(0, p).enlarged(by_recurrence);
+        c_up = by_recurrence;
+      }
     }
+    last_c = c_up;
+    square(c, c);
+    scale(c, c, n - 1);  // the term 2^(n-1) c_n^2
+    add(sum, sum, c);
+    if (is_last(c_up, mean_down, p)) {
+      const magnitude tail = tail_bound(c.magnitude_upper(), c_up, mean_down);
+      if (!tail.is_infinite()) {
+        result.mean = mean_from(next, c_up, mean_down);
+        result.sum = sum.enlarged(tail);
+        result.steps = n;
+        return result;
+      }
+    }
+    multiply(lower, upper, lower);
+    sqrt(lower, lower);
+    std::swap(upper, next);
   }
   return result;
 }
@@ -79,6 +100,7 @@ complete_integrals complete_legendre(const ball& m, const ball& m1) {
   complete_integrals result{ball::undefined(p), ball::undefined(p), ball::undefined(p),
                             ball::undefined(p)};
   if (!certainly_positive(m1) || certainly_negative(m) || m.is_undefined()) return result;
+  if (!overlaps(m + m1, ball(1, p))) return result;
   agm_state s{ball(1, p), sqrt(m1), ball(0, p), 0};
   ball ratio(0, p);  // c_n^2 / m
   ball sum(0, p);    // of 2^(n-1) c_n^2 / m
@@ -96,11 +118,12 @@ complete_integrals complete_legendre(const ball& m, const ball& m1) {
     }
     const ball term = scale(ratio, s.n - 1);
     sum += term;
-    if (is_last(s, p)) {
-      const magnitude tail =
-          tail_bound(term.magnitude_upper(), s.c.magnitude_upper(), s.b.magnitude_lower());
+    const magnitude c = s.c.magnitude_upper();
+    const magnitude mean_down = s.b.magnitude_lower();
+    if (is_last(c, mean_down, p)) {
+      const magnitude tail = tail_bound(term.magnitude_upper(), c, mean_down);
       if (tail.is_infinite()) continue;
-      result.k = pi(p) / scale(mean_from(s), 1);
+      result.k = pi(p) / scale(mean_from(s.a, c, mean_down), 1);
       result.d = result.k * (scale(ball(1, p), -1) + sum.enlarged(tail));
       result.b = result.k - result.d;
       result.e = result.b + m1 * result.d;
@@ -113,13 +136,11 @@ complete_integrals complete_legendre(const ball& m, const ball& m1) {
 ball complete_rd(const ball& y, const ball& z, const ball& one_minus_ratio) {
   const precision p = std::max(y.precision(), z.precision());
   if (!certainly_positive(y) || !certainly_positive(z)) return ball::undefined(p);
-  if (certainly_less_equal(y, z)) {
-    return 3 * complete_legendre(one_minus_ratio, y / z).d / (z * sqrt(z));
-  }
-  if (certainly_less_equal(z, y)) {
-    return 3 * complete_legendre(one_minus_ratio, z / y).b / (sqrt(y) * z);
-  }
-  return ball::undefined(p);
+  const auto by_d = [&] { return 3 * complete_legendre(one_minus_ratio, y / z).d / (z * sqrt(z)); };
+  const auto by_b = [&] { return 3 * complete_legendre(one_minus_ratio, z / y).b / (sqrt(y) * z); };
+  if (certainly_less_equal(y, z)) return by_d();
+  if (certainly_less_equal(z, y)) return by_b();
+  return hull(by_d(), by_b());
 }
 
 }  // namespace polhode

@@ -47,26 +47,27 @@ periodic_plan plan_periodic_trapezoid(
     }
     return c;
   };
-  // From wide to narrow in factors of sqrt 2 until the strip is proved, then a few more: M falls as the
-  // strip shrinks, so the best is near the widest that can be proved.
+  // From wide to narrow in factors of 2 until a strip is proved, and while it gets better: M falls as the
+  // strip shrinks, so the best is near the widest that can be proved. Then between the neighbours.
   candidate best;
-  int since_best = 0;
-  for (double half_width = 64; half_width > 1e-300 && since_best < 6; half_width *= 0.70710678) {
+  double half_width = 32;
+  for (; half_width > 1e-300; half_width /= 2) {
     const candidate c = evaluate(half_width);
     if (c.nodes < best.nodes) {
       best = c;
-      since_best = 0;
     } else if (std::isfinite(best.nodes)) {
-      ++since_best;
+      break;
     }
   }
   if (!std::isfinite(best.nodes)) {
     plan.why = reason::not_analytic;
     return plan;
   }
-  for (double factor = 1.19; factor > 1.0005; factor = 1 + (factor - 1) * 0.6) {
-    for (const double half_width : {best.half_width * factor, best.half_width / factor}) {
-      const candidate c = evaluate(half_width);
+  for (const double factor : {1.4, 1.18, 1.09, 1.04, 1.02}) {
+    const candidate wider = evaluate(best.half_width * factor);
+    const candidate narrower =
+        wider.nodes < best.nodes ? candidate{} : evaluate(best.half_width / factor);
+    for (const candidate& c : {wider, narrower}) {
       if (c.nodes < best.nodes) best = c;
     }
   }

@@ -1,5 +1,6 @@
 #include "polhode/rigid_body/phase_integrands.hpp"
 
+#include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/complete.hpp"
 
 namespace polhode {
@@ -14,8 +15,8 @@ void check(const oscillating_motion& motion) {
 }
 
 detail::strip_range detail::range_on_strip(const ball& u, const ball& half_width) {
-  const ball hyperbolic = (1 - u) * cosh(half_width);
-  return {scale(1 + u + hyperbolic, -1), scale(1 + u - hyperbolic, -1)};
+  const ball spread = (1 - u) * square(sinh(scale(half_width, -1)));
+  return {1 + spread, u - spread};
 }
 
 namespace {
@@ -51,6 +52,7 @@ std::optional<strip_bound> half_phase_slope_integrand::bound_on_strip(
 }
 
 ball half_phase_slope(const oscillating_motion& motion, precision p) {
+  check(motion);
   const rational& a = motion.a;
   const rational& b = motion.b;
   const rational& u = motion.u;

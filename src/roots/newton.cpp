@@ -65,6 +65,11 @@ sign_bracket bracket_by_sign(const std::function<ball(const ball& x, precision p
   const sign low_sign = f_sign(low);
   const sign high_sign = f_sign(high);
   result.evaluations = f_sign.evaluations;
+  if (low_sign == sign::zero || high_sign == sign::zero) {
+    result.verdict = status::certified;
+    result.interval = low_sign == sign::zero ? low : high;
+    return result;
+  }
   if (!opposite(low_sign, high_sign)) {
     result.why = low_sign == sign::unknown || high_sign == sign::unknown ? reason::not_defined
                                                                          : reason::refuted;

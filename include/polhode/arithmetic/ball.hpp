@@ -193,10 +193,10 @@ template <auto op, ball_operand X, ball_operand Y>
 [[nodiscard]] ball combined(X&& x, Y&& y) {
   if constexpr (!std::is_lvalue_reference_v<X> && !std::is_const_v<X>) {
     op(x, x, y);
-    return std::move(x);
+    return std::forward<X>(x);
   } else if constexpr (!std::is_lvalue_reference_v<Y> && !std::is_const_v<Y>) {
     op(y, x, y);
-    return std::move(y);
+    return std::forward<Y>(y);
   } else {
     ball r(room_for(x, y));
     op(r, x, y);

@@ -23,6 +23,13 @@
 //   atanh               (-1, 1)           R                     atanh
 //   sqrt                [0, inf)          [0, inf)              sqrt
 //   pow(x, n)           R; R\{0}, n < 0   -                     pown
+//   pow(x, y)           (0, inf) x R, and {0} x (0, inf)        pow
+//   root(x, n)          [0, inf); R, n odd                      rootn
+//   expm1               R                 (-1, inf)             expm1
+//   log1p               (-1, inf)         R                     logp1
+//   sinpi, cospi        R                 [-1, 1]               sinPi, cosPi
+//   floor, ceil         R                 integers              floor, ceil
+//   min, max            R^2               -                     min, max
 //   hypot               R^2               [0, inf)              hypot
 //   agm                 [0, inf)^2        [0, inf)              -
 
@@ -51,6 +58,15 @@ namespace polhode {
 [[nodiscard]] ball abs(const ball& x);
 /// x^n; x^0 = 1 everywhere.
 [[nodiscard]] ball pow(const ball& x, long n);
+/// x^y = exp(y log x) for x > 0, and 0^y = 0 for y > 0; an exact integer y is taken as such, for every x.
+[[nodiscard]] ball pow(const ball& x, const ball& y);
+/// The real n-th root, n >= 1; of negative x too where n is odd.
+[[nodiscard]] ball root(const ball& x, unsigned long n);
+/// The greatest integer <= x, the least one >= x: exact single integers where the set has no jump inside.
+[[nodiscard]] ball floor(const ball& x);
+[[nodiscard]] ball ceil(const ball& x);
+[[nodiscard]] ball min(const ball& x, const ball& y);
+[[nodiscard]] ball max(const ball& x, const ball& y);
 /// sqrt(x^2 + y^2), without overflow on the way.
 [[nodiscard]] ball hypot(const ball& x, const ball& y);
 
@@ -73,6 +89,12 @@ void tanh(ball& result, const ball& x);
 void asinh(ball& result, const ball& x);
 void acosh(ball& result, const ball& x);
 void atanh(ball& result, const ball& x);
+/// e^x - 1 and log(1 + x), without cancellation near 0.
+void expm1(ball& result, const ball& x);
+void log1p(ball& result, const ball& x);
+/// sin(pi x) and cos(pi x), reduced exactly however large x is.
+void sinpi(ball& result, const ball& x);
+void cospi(ball& result, const ball& x);
 /// The arithmetic-geometric mean of two numbers >= 0.
 void agm(ball& result, const ball& x, const ball& y);
 
@@ -97,6 +119,10 @@ POLHODE_AS_EXPRESSION(tanh)
 POLHODE_AS_EXPRESSION(asinh)
 POLHODE_AS_EXPRESSION(acosh)
 POLHODE_AS_EXPRESSION(atanh)
+POLHODE_AS_EXPRESSION(expm1)
+POLHODE_AS_EXPRESSION(log1p)
+POLHODE_AS_EXPRESSION(sinpi)
+POLHODE_AS_EXPRESSION(cospi)
 #undef POLHODE_AS_EXPRESSION
 
 /// {sin x, cos x}.

@@ -39,7 +39,8 @@ inline constexpr long greatest_decimal_exponent = 200'000;
 /// The rational as text: "629/10000", or "3" where it is an integer.
 [[nodiscard]] std::string to_text(const rational& q);
 
-/// The end points of a bounded ball as rationals: both are dyadic numbers, so nothing is lost.
+/// The end points of a bounded ball as rationals: both are dyadic numbers, so nothing is lost (but
+/// that a radius below 2^-64 of the midpoint's last place counts as so much, outward).
 /// Throws std::domain_error where the ball is not bounded.
 [[nodiscard]] rational lower_rational(const ball& x);
 [[nodiscard]] rational upper_rational(const ball& x);

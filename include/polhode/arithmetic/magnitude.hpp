@@ -33,7 +33,7 @@ class magnitude {
 
   /// 2^exponent, exactly.
   static constexpr magnitude power_of_two(std::int64_t exponent) {
-    return normalised_up(least_fraction, exponent - (fraction_bits - 1));
+    return normalised_up(least_fraction, saturated(exponent) - (fraction_bits - 1));
   }
 
   /// The integer n, rounded up to 31 bits.
@@ -171,7 +171,7 @@ class magnitude {
   /// x * 2^n, exactly (but for saturation).
   friend constexpr magnitude scale(const magnitude& x, std::int64_t n) {
     if (x.is_zero() || x.is_infinite()) return x;
-    return normalised_up(x.fraction_, x.exponent_ + n);
+    return normalised_up(x.fraction_, x.exponent_ + saturated(n));
   }
 
   friend constexpr magnitude max(const magnitude& x, const magnitude& y) { return x < y ? y : x; }
@@ -184,6 +184,11 @@ class magnitude {
   // Two exponents within the limit can be added and offset without overflow.
   static constexpr std::int64_t exponent_limit = std::int64_t{1} << 60;
 
+  /// n, or the nearest number that can be added to an exponent without overflow.
+  static constexpr std::int64_t saturated(std::int64_t n) {
+    constexpr std::int64_t most = std::int64_t{1} << 62;
+    return n > most ? most : (n < -most ? -most : n);
+  }
   /// fraction in [2^30, 2^31].
   static constexpr magnitude normalised_up(std::uint64_t fraction, std::int64_t exponent) {
     if (fraction == std::uint64_t{least_fraction} * 2) {

@@ -3,6 +3,7 @@
 // Balls as decimal text. Every decimal printed by this library comes from here.
 
 #include <string>
+#include <string_view>
 
 #include "polhode/arithmetic/ball.hpp"
 
@@ -30,5 +31,15 @@ struct decimal_enclosure {
 /// For reading: the certain digits, at most so many, followed by "..." where more would follow
 /// ("1.41421..."); "[lower, upper]" where the members share no digit; "undefined".
 [[nodiscard]] std::string to_decimal(const ball& x, long most_digits);
+
+/// The ball itself as text, without loss: its precision, its form, and hexadecimal integers with a power
+/// of two, "128:0x5a8279p-22+-0x1p-130", "64:[0x1p+0, inf]", "64:undefined".
+[[nodiscard]] std::string to_exact_text(const ball& x);
+
+/// Reads what to_exact_text wrote: the same set, at the same precision, in the same form. Throws
+/// input_error, which says what is accepted, for anything else: a precision outside 2 ... 2^26, a mantissa
+/// of more bits than the precision (or than 31 for a radius), ends in the wrong order, a NaN, an infinite end
+/// on the wrong side.
+[[nodiscard]] ball parse_exact_text(std::string_view text);
 
 }  // namespace polhode

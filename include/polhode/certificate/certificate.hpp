@@ -45,7 +45,8 @@ struct certificate {
   reason why = reason::none;
 
   /// Certified if every fact holds and every number has the digits that were asked for (a number
-  /// that is exact has them all); otherwise not, with `otherwise` as the reason.
+  /// that is exact has them all), and there is at least one of either; otherwise not, with
+  /// `otherwise` as the reason.
   void conclude(reason otherwise = reason::precision_limit);
 };
 

@@ -16,7 +16,8 @@ struct agm_sums {
   int steps = 0;
 };
 
-/// Hypothesis: a and b are certainly positive; otherwise mean and sum are undefined.
+/// Hypothesis: a and b are certainly positive; otherwise mean and sum are undefined. They also are where
+/// the balls are so wide (by a factor of 4 or more) that nothing contracts.
 ///
 /// What is left out after c_N (N >= 1) is at most 2^(N-1) c_N^2 q / (1 - q) with
 /// q = 2 (c_N / (4 M))^2, where q <= 1/2 is checked. Proof: a_n - b_n = 2 c_{n+1} and
@@ -36,13 +37,15 @@ struct complete_integrals {
 };
 
 /// Hypotheses: m1 is certainly positive, and m = 1 - m1 is given beside it so that neither end of
-/// [0, 1] loses digits; m >= 0. Where they fail, all are undefined.
+/// [0, 1] loses digits; m >= 0. Where they certainly fail (m + m1 holds no 1), all are undefined; for
+/// members m < 0 of a ball that reaches below 0 the formulas hold too.
 [[nodiscard]] complete_integrals complete_legendre(const ball& m, const ball& m1);
 
 /// Carlson's complete R_D(0, y, z) = (3/2) integral over t >= 0 of dt / (sqrt(t (t + y)) (t + z)^(3/2)), for
 /// y, z certainly positive, else undefined:
 ///   y <= z:  R_D(0, y, z) = 3 z^(-3/2) D(1 - y/z)       (DLMF 19.25.1),
 ///   y >= z:  R_D(0, y, z) = 3 y^(-1/2) B(1 - z/y) / z   (from y R_D(0,z,y) + z R_D(0,y,z) = 3 R_F(0,y,z)).
+/// Where the balls leave the order open the result is the hull of both: each holds for its own members.
 /// one_minus_ratio is 1 - min(y,z)/max(y,z), given by the caller who has it without cancellation.
 [[nodiscard]] ball complete_rd(const ball& y, const ball& z, const ball& one_minus_ratio);
 

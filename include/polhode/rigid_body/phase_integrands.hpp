@@ -30,8 +30,10 @@ struct oscillating_motion {
 void check(const oscillating_motion& motion);
 
 namespace detail {
-/// Bounds of x(t) for |Im t| <= H: |x| <= above and Re x >= below.
-/// Proof: |cos t| <= cosh H and Re cos t >= -cosh H there.
+/// Bounds of x(t) for |Im t| <= H: |x| <= above = ((1 + u) + (1 - u) cosh H) / 2 and
+/// Re x >= below = ((1 + u) - (1 - u) cosh H) / 2.
+/// Proof: |cos t| <= cosh H and Re cos t >= -cosh H there, and 1 - u >= 0. Both are formed with
+/// cosh H = 1 + 2 sinh^2(H/2), which loses no digits where u and H are small.
 struct strip_range {
   ball above;
   ball below;
@@ -39,10 +41,13 @@ struct strip_range {
 [[nodiscard]] strip_range range_on_strip(const ball& u, const ball& half_width);
 }  // namespace detail
 
-/// The integrand of G(u), for integrate_periodic.
+/// The integrand of G(u), for integrate_periodic. The constructor calls check: the bound on the strip
+/// is false for u > 1.
 class half_phase_integrand {
  public:
-  explicit half_phase_integrand(oscillating_motion motion) : motion_(std::move(motion)) {}
+  explicit half_phase_integrand(oscillating_motion motion) : motion_(std::move(motion)) {
+    check(motion_);
+  }
 
   template <scalar T>
   [[nodiscard]] auto evaluator(precision p) const {
@@ -67,10 +72,12 @@ class half_phase_integrand {
   oscillating_motion motion_;
 };
 
-/// The integrand of dG/du.
+/// The integrand of dG/du. The constructor calls check.
 class half_phase_slope_integrand {
  public:
-  explicit half_phase_slope_integrand(oscillating_motion motion) : motion_(std::move(motion)) {}
+  explicit half_phase_slope_integrand(oscillating_motion motion) : motion_(std::move(motion)) {
+    check(motion_);
+  }
 
   template <scalar T>
   [[nodiscard]] auto evaluator(precision p) const {
@@ -95,7 +102,7 @@ class half_phase_slope_integrand {
   oscillating_motion motion_;
 };
 
-/// dG/du by complete elliptic integrals (AGM), to about p bits: with v = (a + b u)/(a + b), m = 1 - u/v and
+/// dG/du by complete elliptic integrals (AGM), to about p bits; calls check. With v = (a + b u)/(a + b), m = 1 - u/v and
 /// r = b (1 + a)/(a + b),
 ///   dG/du = -(B(m) + r (u/v) D(m)) / (u sqrt(b (a + b) v)).
 /// Here 1 - u/v = a (1 - u)/(a + b u) and u/v are formed exactly, and both terms are positive. (It equals

@@ -59,13 +59,17 @@ template <class F, class Derivative>
 }
 
 /// Refines a simple root of f that is believed to lie in `box` to a radius of about 2^-(p-4) of its
-/// size, and proves on the way that it exists and is the only one there.
+/// size (of the box's size where the root is so near 0 that the enclosure holds 0), and proves on the
+/// way that it exists and is the only one there.
 ///
 /// f(x) and derivative(x) are function objects ball -> ball that obey the inclusion principle,
-/// derivative(x) an enclosure of f' over the whole of x; f must be continuously differentiable
-/// wherever both are defined. f is called with exact arguments.
+/// derivative(x) an enclosure of f' over the whole of x; f must be continuously differentiable on every
+/// x on which f(x) and derivative(x) are both defined. That they are is checked on the whole box: where
+/// f has a jump, its derivative alone may have a continuation (2x + arctan(1/x) at 0), and the theorem
+/// says nothing.
 /// Cost: the precision doubles from step to step along a chain that ends at p, so that f is called once
-/// with p bits and once with each of about p/2, p/4, ... bits, and the derivative with half of those.
+/// with p bits and once with each of about p/2, p/4, ... bits, and the derivative with half of those;
+/// and once with the box itself.
 /// Verdict unique: root holds the only root in the given box. Verdict none: the box holds no root.
 /// Verdict unresolved: the first steps did not contract (the box is too wide, the root is multiple, or f
 /// is not defined on it); root is then what is left of the box.
@@ -77,10 +81,11 @@ template <class F, class Derivative>
   root_enclosure result;
   result.root = box;
   const std::int64_t goal = -(static_cast<std::int64_t>(p) - 4);
+  ball domain = ball::undefined(p);  // where f is known to be defined
   int stalls = 0;
   while (true) {
     const magnitude radius = result.root.radius();
-    const magnitude size = result.root.magnitude_upper();
+    const magnitude size = (contains_zero(result.root) ? box : result.root).magnitude_upper();
     const bool narrow_enough = radius.is_zero() || radius <= scale(size, goal);
     if (!result.root.is_bounded()) break;
     if (narrow_enough && result.verdict == root_verdict::unique) break;
@@ -88,15 +93,23 @@ template <class F, class Derivative>
     // chain p, p/2, p/4, ... that these can reach.
     const std::int64_t bits =
         radius.is_zero() ? p : std::max<std::int64_t>(size.log2_floor() - radius.log2_floor(), 1);
-    precision next = p + guard;
+    // A proof needs more bits than the box has, be they more than p.
+    const bool proved = result.verdict == root_verdict::unique;
+    precision next = (proved ? p : std::max<precision>(p, bits)) + guard;
     while (next > 64 && next > 2 * bits + 2 * guard) next = next / 2 + guard;
     // The derivative is needed to the bits that the step gains only.
     const ball current = result.root.with_precision(std::max<precision>(next / 2 + guard, 53));
+    if (!contains(domain, current)) {
+      ++result.evaluations_of_f;
+      if (f(current).is_undefined()) break;
+      domain = current;
+    }
     const newton_step step = interval_newton_step(f, derivative, current, next);
     ++result.evaluations_of_f;
     ++result.evaluations_of_derivative;
     if (step.image.is_undefined()) break;
-    if (!overlaps(step.image, current)) {
+    // Every root in the box lies in root, hence in current, hence in the image.
+    if (!overlaps(step.image, result.root)) {
       if (result.verdict == root_verdict::unique) {
         throw std::logic_error("refine_root: the enclosures of f and its derivative contradict");
       }
@@ -110,9 +123,11 @@ template <class F, class Derivative>
       result.derivative = step.derivative;
       result.image = step.image;
     }
-    result.root = intersection(step.image, current.with_precision(next));
-    if (result.root.radius() > scale(radius, -1) && (narrow_enough || ++stalls >= most_stalls))
-      break;
+    result.root = intersection(step.image, result.root.with_precision(next));
+    // A few steps may pass without halving the box, or below the goal without a proof.
+    const bool stalled = radius.is_zero() || result.root.radius() > scale(radius, -1);
+    if (stalled && narrow_enough) break;
+    if ((stalled || narrow_enough) && ++stalls >= most_stalls) break;
   }
   return result;
 }
@@ -148,8 +163,8 @@ template <class F, class Derivative>
 /// its width is at most 2^-bits of the interval it started with, or until f's sign at a middle is not
 /// decided at any precision up to most_precision (the bracket reached is returned).
 /// Verdict certified: f(lower) and f(upper) have certainly opposite signs, so that a continuous f has a
-/// root between them; or the interval is a single point, at which f is exactly 0. Not certified, not_defined or refuted: the signs at the given ends are unknown, or
-/// equal.
+/// root between them; or the interval is a single point, at which f is exactly 0. Not certified,
+/// not_defined or refuted: the signs at the given ends are unknown, or equal and not 0.
 struct sign_bracket {
   ball interval;
   status verdict = status::not_certified;

@@ -1,0 +1,24 @@
+#pragma once
+
+// erf, gamma and zeta of real balls. Values at points are MPFR's, correctly rounded; ranges follow from
+// monotonicity and convexity, stated beside each function.
+
+#include "polhode/arithmetic/ball.hpp"
+
+namespace polhode {
+
+/// (2/sqrt(pi)) integral from 0 to x of e^(-t^2) dt, and 1 minus it. Monotone on R.
+[[nodiscard]] ball erf(const ball& x);
+[[nodiscard]] ball erfc(const ball& x);
+
+/// Gamma(x), for sets without a pole (0, -1, -2, ...), else undefined; log|Gamma(x)| likewise.
+/// Between two poles log|Gamma| is convex (its second derivative is the sum of (x+k)^-2 > 0), so |Gamma| and
+/// log|Gamma| decrease where the digamma function is negative and increase where it is positive; where
+/// it changes sign inside the set, the minimum is bounded below by a tangent of the convex function.
+[[nodiscard]] ball gamma(const ball& x);
+[[nodiscard]] ball log_gamma(const ball& x);
+
+/// The Riemann zeta function at an integer n >= 2, with p bits; undefined at 0 and 1.
+[[nodiscard]] ball zeta(unsigned long n, precision p);
+
+}  // namespace polhode

@@ -1,0 +1,509 @@
+#include "polhode/arithmetic/complex_ball.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <ostream>
+
+#include "ball_access.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode {
+
+using detail::mpfr_cell;
+using form = ball_access::form;
+
+// ---------------------------------------------------------------------------------------------
+// What rectangle.hpp needs.
+
+bool real_set<ball>::is_machine_integer(const ball& x, long& n) {
+  if (!x.is_exact()) return false;
+  const mpfr_srcptr m = ball_access::first(x);
+  if (mpfr_integer_p(m) == 0 || mpfr_fits_slong_p(m, MPFR_RNDN) == 0) return false;
+  n = mpfr_get_si(m, MPFR_RNDN);
+  return true;
+}
+
+bool real_set<ball>::not_negative(const ball& x) {
+  // In both forms: a radius is far below its midpoint.
+  return !x.is_undefined() && mpfr_sgn(ball_access::first(x)) >= 0;
+}
+
+bool real_set<ball>::is_narrow(const ball& x) { return ball_access::is_midpoint_radius(x); }
+
+namespace {
+// The ends of a narrow ball are computed to so many bits more: see guard_bits in elementary.cpp.
+constexpr precision end_bits = 64;
+
+/// An end as a point; the numbers beyond the greatest finite one where it is infinite.
+ball end_of(const ball& x, int side) {
+  const precision p = x.precision() + (ball_access::is_midpoint_radius(x) ? end_bits : 0);
+  if (x.is_undefined() || x.is_exact()) return x;
+  mpfr_cell end(p);
+  if (side < 0) {
+    x.lower(end.get());
+  } else {
+    x.upper(end.get());
+  }
+  if (mpfr_inf_p(end.get()) == 0) return ball(end.get());
+  mpfr_cell greatest(p);
+  mpfr_set_inf(greatest.get(), side);
+  mpfr_nexttoward(greatest.get(), mpfr_cell(p).get());
+  return side < 0 ? ball::from_end_points(end.get(), greatest.get(), p)
+                  : ball::from_end_points(greatest.get(), end.get(), p);
+}
+}  // namespace
+
+ball real_set<ball>::lower_end(const ball& x) { return end_of(x, -1); }
+ball real_set<ball>::upper_end(const ball& x) { return end_of(x, 1); }
+
+namespace {
+// Squares and products of numbers with exponents below this stay far from the ends of MPFR's range, and
+// magnitudes far from those of theirs.
+constexpr std::int64_t moderate_exponent = std::int64_t{1} << 58;
+
+bool is_moderate(mpfr_srcptr x) {
+  return mpfr_regular_p(x) == 0 || std::abs(std::int64_t{mpfr_get_exp(x)}) < moderate_exponent;
+}
+/// By midpoint and radius, and not near the ends of the range of exponents.
+bool is_moderate(const ball& x) {
+  return ball_access::is_midpoint_radius(x) && is_moderate(ball_access::first(x));
+}
+/// The same for a bounded ball in either form.
+bool has_moderate_ends(const ball& x) {
+  if (ball_access::is_midpoint_radius(x)) return is_moderate(x);
+  return x.is_bounded() && is_moderate(ball_access::first(x)) &&
+         is_moderate(ball_access::second(x));
+}
+}  // namespace
+
+ball real_set<ball>::modulus(const ball& x, const ball& y) {
+  if (!is_moderate(x) || !is_moderate(y)) return hypot(x, y);
+  if (is_zero(y)) return abs(x);
+  if (is_zero(x)) return abs(y);
+  return sqrt(square(x) + square(y));
+}
+
+long real_set<ball>::bits_before_point(const ball& x) {
+  const magnitude size = x.magnitude_upper();
+  if (size.is_zero()) return 0;
+  // Beyond this nothing is gained: the result overflows, or its angle is not reduced.
+  const std::int64_t most = std::int64_t{x.precision()} + 1024;
+  return static_cast<long>(
+      size.is_infinite() ? 0 : std::clamp<std::int64_t>(size.log2_floor() + 1, 0, most));
+}
+
+bool real_set<ball>::is_steady(const rectangle<ball>& z) {
+  if (!z.re.is_bounded() || !z.im.is_bounded()) return false;
+  return scale(max(z.re.radius(), z.im.radius()), 5) <=
+         max(z.re.magnitude_lower(), z.im.magnitude_lower());
+}
+
+bool real_set<ball>::enlarge(ball& value, const ball& s, const ball& x, const ball& t,
+                             const ball& y) {
+  const magnitude error = add_up(multiply_up(s.magnitude_upper(), x.radius()),
+                                 multiply_up(t.magnitude_upper(), y.radius()));
+  if (error.is_infinite()) return false;
+  value = value.enlarged(error);
+  return true;
+}
+
+namespace {
+
+/// The midpoint and the radius of a bounded ball in either form.
+class centred {
+ public:
+  explicit centred(const ball& x) {
+    if (!ball_access::is_midpoint_radius(x)) {
+      middle_ = x.middle();
+      radius_ = x.radius();
+      midpoint_ = ball_access::first(std::as_const(middle_));
+    } else {
+      midpoint_ = ball_access::first(x);
+      radius_ = ball_access::radius(x);
+    }
+  }
+  centred(const centred&) = delete;
+  centred& operator=(const centred&) = delete;
+  ~centred() = default;
+  [[nodiscard]] mpfr_srcptr midpoint() const { return midpoint_; }
+  [[nodiscard]] const magnitude& radius() const { return radius_; }
+  /// An upper bound over the set.
+  [[nodiscard]] magnitude most() const { return add_up(magnitude::abs_up(midpoint_), radius_); }
+
+ private:
+  ball middle_;
+  mpfr_srcptr midpoint_;
+  magnitude radius_;
+};
+
+/// The midpoints and the radii of both parts of a bounded complex ball.
+struct centred_rectangle {
+  explicit centred_rectangle(const rectangle<ball>& z)
+      : x(z.re),
+        y(z.im),
+        re(x.midpoint()),
+        im(y.midpoint()),
+        re_radius(x.radius()),
+        im_radius(y.radius()) {}
+  [[nodiscard]] bool is_exact() const { return re_radius.is_zero() && im_radius.is_zero(); }
+
+  centred x;
+  centred y;
+  mpfr_srcptr re;
+  mpfr_srcptr im;
+  const magnitude& re_radius;
+  const magnitude& im_radius;
+};
+
+bool is_narrow_and_moderate(const rectangle<ball>& z) {
+  return is_moderate(z.re) && is_moderate(z.im);
+}
+
+precision common_precision(const rectangle<ball>& z, const rectangle<ball>& w) {
+  return std::max({z.re.precision(), z.im.precision(), w.re.precision(), w.im.precision()});
+}
+
+/// a b + c d, rounded up.
+magnitude sum_of_products_up(const magnitude& a, const magnitude& b, const magnitude& c,
+                             const magnitude& d) {
+  return add_up(multiply_up(a, b), multiply_up(c, d));
+}
+
+/// Bounds of the sizes of the members of a set; they have the midpoint's sign where least > 0.
+struct range_of_size {
+  magnitude least;
+  magnitude most;
+};
+range_of_size size_of(mpfr_srcptr midpoint, const magnitude& radius) {
+  return {subtract_down(magnitude::abs_down(midpoint), radius),
+          add_up(magnitude::abs_up(midpoint), radius)};
+}
+range_of_size product(const range_of_size& x, const range_of_size& y) {
+  return {multiply_down(x.least, y.least), multiply_up(x.most, y.most)};
+}
+/// The greatest |x + y| for two such sets of one sign, or of two; a set about 0 may have either.
+magnitude size_of_sum(const range_of_size& x, const range_of_size& y, bool same_sign) {
+  return same_sign || x.least.is_zero() || y.least.is_zero()
+             ? add_up(x.most, y.most)
+             : max(subtract_up(x.most, y.least), subtract_up(y.most, x.least));
+}
+
+/// Makes r the ball about `value`, rounded to r's precision, with that error and the rounding's.
+void set_rounded(ball& r, mpfr_srcptr value, precision p, const magnitude& error) {
+  detail::set_midpoint(r, p, error, [&](mpfr_ptr m) { return mpfr_set(m, value, MPFR_RNDN); });
+}
+
+/// z w, each part rounded once. With z = m + s, w = n + t: z w - m n = s w + m t, so that the parts' errors are at
+/// most |Re w| rs_re + |Im w| rs_im + |Re m| rt_re + |Im m| rt_im and the same with w's or m's parts exchanged.
+rectangle<ball> narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) {
+  const precision p = common_precision(z, w);
+  const centred_rectangle a(z);
+  const centred_rectangle b(w);
+  magnitude re_error;
+  magnitude im_error;
+  if (!a.is_exact()) {
+    const magnitude x = b.x.most();
+    const magnitude y = b.y.most();
+    re_error = sum_of_products_up(x, a.re_radius, y, a.im_radius);
+    im_error = sum_of_products_up(y, a.re_radius, x, a.im_radius);
+  }
+  if (!b.is_exact()) {
+    const magnitude x = magnitude::abs_up(a.re);
+    const magnitude y = magnitude::abs_up(a.im);
+    re_error = add_up(re_error, sum_of_products_up(x, b.re_radius, y, b.im_radius));
+    im_error = add_up(im_error, sum_of_products_up(y, b.re_radius, x, b.im_radius));
+  }
+  rectangle<ball> r{ball(detail::room{p}), ball(detail::room{p})};
+  detail::set_midpoint(r.re, p, re_error,
+                       [&](mpfr_ptr m) { return mpfr_fmms(m, a.re, b.re, a.im, b.im, MPFR_RNDN); });
+  detail::set_midpoint(r.im, p, im_error,
+                       [&](mpfr_ptr m) { return mpfr_fmma(m, a.re, b.im, a.im, b.re, MPFR_RNDN); });
+  return r;
+}
+
+}  // namespace
+
+rectangle<ball> real_set<ball>::quotient(const rectangle<ball>& z, const rectangle<ball>& w) {
+  const precision p = common_precision(z, w);
+  if (!has_moderate_ends(z.re) || !has_moderate_ends(z.im) || !has_moderate_ends(w.re) ||
+      !has_moderate_ends(w.im)) {
+    const ball norm = square(hypot(w.re, w.im)).with_precision(p);
+    return {(z.re * w.re + z.im * w.im) / norm, (z.im * w.re - z.re * w.im) / norm};
+  }
+  // m / n at the midpoints: numerators and |n|^2 are rounded once each, to p + 8 bits, and so is their
+  // quotient: a relative error of each part below 3.1 * 2^-(p+8), below 2^-(p+6).
+  const centred_rectangle a(z);
+  const centred_rectangle b(w);
+  const precision wp = p + 8;
+  mpfr_cell norm(wp);
+  mpfr_cell re(wp);
+  mpfr_cell im(wp);
+  const bool inexact_norm = mpfr_fmma(norm.get(), b.re, b.re, b.im, b.im, MPFR_RNDN) != 0;
+  bool inexact_re = mpfr_fmma(re.get(), a.re, b.re, a.im, b.im, MPFR_RNDN) != 0 || inexact_norm;
+  bool inexact_im = mpfr_fmms(im.get(), a.im, b.re, a.re, b.im, MPFR_RNDN) != 0 || inexact_norm;
+  inexact_re = mpfr_div(re.get(), re.get(), norm.get(), MPFR_RNDN) != 0 || inexact_re;
+  inexact_im = mpfr_div(im.get(), im.get(), norm.get(), MPFR_RNDN) != 0 || inexact_im;
+  const magnitude re_up = magnitude::abs_up(re.get());
+  const magnitude im_up = magnitude::abs_up(im.get());
+  magnitude re_error;
+  magnitude im_error;
+  if (inexact_re) re_error = scale(re_up, -(std::int64_t{p} + 6));
+  if (inexact_im) im_error = scale(im_up, -(std::int64_t{p} + 6));
+  if (!a.is_exact() || !b.is_exact()) {
+    // With z = m + s, w = n + t, q = m/n: z/w - q = (s conj(w) - t q conj(w)) / |w|^2.
+    const range_of_size x = size_of(b.re, b.re_radius);
+    const range_of_size y = size_of(b.im, b.im_radius);
+    const range_of_size qx = size_of(re.get(), re_error);
+    const range_of_size qy = size_of(im.get(), im_error);
+    const bool agree = (mpfr_sgn(re.get()) < 0) == (mpfr_sgn(b.re) < 0);
+    const bool im_agree = (mpfr_sgn(im.get()) < 0) == (mpfr_sgn(b.im) < 0);
+    const bool crosswise = (mpfr_sgn(im.get()) < 0) == (mpfr_sgn(b.re) < 0);
+    const bool im_crosswise = (mpfr_sgn(re.get()) < 0) == (mpfr_sgn(b.im) < 0);
+    const magnitude slope_re = size_of_sum(product(qx, x), product(qy, y), agree == im_agree);
+    const magnitude slope_im =
+        size_of_sum(product(qy, x), product(qx, y), crosswise != im_crosswise);
+    const magnitude least =
+        add_down(multiply_down(x.least, x.least), multiply_down(y.least, y.least));
+    const magnitude re_sum =
+        add_up(sum_of_products_up(x.most, a.re_radius, y.most, a.im_radius),
+               sum_of_products_up(slope_re, b.re_radius, slope_im, b.im_radius));
+    const magnitude im_sum =
+        add_up(sum_of_products_up(y.most, a.re_radius, x.most, a.im_radius),
+               sum_of_products_up(slope_im, b.re_radius, slope_re, b.im_radius));
+    re_error = add_up(re_error, divide_up(re_sum, least));
+    im_error = add_up(im_error, divide_up(im_sum, least));
+  }
+  rectangle<ball> r{ball(detail::room{p}), ball(detail::room{p})};
+  set_rounded(r.re, re.get(), p, re_error);
+  set_rounded(r.im, im.get(), p, im_error);
+  return r;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The class.
+
+complex_ball::complex_ball(ball real_part, ball imaginary_part)
+    : rectangle<ball>{std::move(real_part), std::move(imaginary_part)} {
+  const polhode::precision p = std::max(re.precision(), im.precision());
+  if (re.is_undefined() != im.is_undefined()) {
+    re = ball::undefined(p);
+    im = ball::undefined(p);
+  }
+  if (re.precision() != p) re = re.with_precision(p);
+  if (im.precision() != p) im = im.with_precision(p);
+}
+
+complex_ball::complex_ball(ball real_part)
+    : rectangle<ball>{std::move(real_part), ball(detail::room{64})} {
+  im = re.is_undefined() ? re : ball(0, re.precision());
+}
+
+magnitude complex_ball::magnitude_upper() const {
+  const magnitude x = re.magnitude_upper();
+  const magnitude y = im.magnitude_upper();
+  if (x.is_zero()) return y;
+  if (y.is_zero()) return x;
+  return sqrt_up(add_up(multiply_up(x, x), multiply_up(y, y)));
+}
+magnitude complex_ball::magnitude_lower() const {
+  const magnitude x = re.magnitude_lower();
+  const magnitude y = im.magnitude_lower();
+  if (x.is_zero()) return y;
+  if (y.is_zero()) return x;
+  return sqrt_down(add_down(multiply_down(x, x), multiply_down(y, y)));
+}
+
+namespace {
+const rectangle<ball>& base(const complex_ball& z) { return z; }
+
+/// z, w with both raised to the greater precision, where they differ.
+template <class F>
+complex_ball at_common_precision(const complex_ball& z, const complex_ball& w, F&& f) {
+  const precision p = std::max(z.precision(), w.precision());
+  if (z.precision() != p) return f(base(z.with_precision(p)), base(w));
+  if (w.precision() != p) return f(base(z), base(w.with_precision(p)));
+  return f(base(z), base(w));
+}
+}  // namespace
+
+complex_ball operator+(const complex_ball& z, const complex_ball& w) { return base(z) + base(w); }
+complex_ball operator-(const complex_ball& z, const complex_ball& w) { return base(z) - base(w); }
+complex_ball operator*(const complex_ball& z, const complex_ball& w) {
+  if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w)) return narrow_product(z, w);
+  return base(z) * base(w);
+}
+complex_ball operator/(const complex_ball& z, const complex_ball& w) {
+  return at_common_precision(
+      z, w, [](const rectangle<ball>& s, const rectangle<ball>& t) { return s / t; });
+}
+
+ball abs(const complex_ball& z) { return abs(base(z)); }
+ball arg(const complex_ball& z) { return arg(base(z)); }
+complex_ball square(const complex_ball& z) {
+  if (is_narrow_and_moderate(z)) return narrow_product(z, z);
+  return square(base(z));
+}
+complex_ball reciprocal(const complex_ball& z) { return reciprocal(base(z)); }
+complex_ball sqrt(const complex_ball& z) { return sqrt(base(z)); }
+complex_ball exp(const complex_ball& z) { return exp(base(z)); }
+complex_ball log(const complex_ball& z) { return log(base(z)); }
+complex_ball sin(const complex_ball& z) { return sin(base(z)); }
+complex_ball cos(const complex_ball& z) { return cos(base(z)); }
+complex_ball tan(const complex_ball& z) { return tan(base(z)); }
+complex_ball sinh(const complex_ball& z) { return sinh(base(z)); }
+complex_ball cosh(const complex_ball& z) { return cosh(base(z)); }
+complex_ball tanh(const complex_ball& z) { return tanh(base(z)); }
+complex_ball asin(const complex_ball& z) { return asin(base(z)); }
+complex_ball acos(const complex_ball& z) { return acos(base(z)); }
+complex_ball atan(const complex_ball& z) { return atan(base(z)); }
+complex_ball asinh(const complex_ball& z) { return asinh(base(z)); }
+complex_ball acosh(const complex_ball& z) { return acosh(base(z)); }
+complex_ball atanh(const complex_ball& z) { return atanh(base(z)); }
+complex_ball pow(const complex_ball& z, long n) { return pow(base(z), n); }
+complex_ball pow(const complex_ball& z, const complex_ball& w) {
+  return at_common_precision(
+      z, w, [](const rectangle<ball>& s, const rectangle<ball>& t) { return pow(s, t); });
+}
+
+// ---------------------------------------------------------------------------------------------
+// The arithmetic-geometric mean.
+
+namespace {
+
+// The ratio's logarithm halves with each step until it is of order 1 (63 steps at most in MPFR's range of
+// exponents), then digits double.
+constexpr int most_agm_steps = 140;
+
+/// The square of half side m: it holds every number of size up to m.
+complex_ball square_of_half_side(const magnitude& m, precision p) {
+  const ball side = ball(0, p).enlarged(m);
+  return {side, side};
+}
+
+bool is_exactly_zero(const complex_ball& z) {
+  return sign_of(z.re) == sign::zero && sign_of(z.im) == sign::zero;
+}
+
+ball without_negatives(const ball& x) {
+  if (real_set<ball>::not_negative(x) || x.is_undefined()) return x;
+  return intersection(x, hull(ball(0, x.precision()), abs(x)));
+}
+
+/// The mean of members a, b with arguments in [-pi/2, pi/2] that differ by less than pi. Then the root of
+/// a b whose argument is half the sum of theirs, sqrt(a) sqrt(b), lies with (a + b) / 2 in the convex cone
+/// between a and b, at its half angle: the two differ in argument by less than pi/2, which makes it the right
+/// choice, and the hypothesis holds for the next pair. It is the principal root of a b.
+///
+/// The error. For right choices, with roots so taken that b_{n+1} = sqrt(a_n) sqrt(b_n):
+/// a_{n+1} - b_{n+1} = (sqrt a_n - sqrt b_n)^2 / 2, a_{n+1} + b_{n+1} = (sqrt a_n + sqrt b_n)^2 / 2, and the right
+/// choice says |sqrt a_n - sqrt b_n| <= |sqrt a_n + sqrt b_n|. So
+///   (1) |a_{n+1} - b_{n+1}| <= |a_n - b_n| / 2 (Cox 1984, eq. (2.2)), and as |a_{n+1} - a_n| = |a_n - b_n| / 2,
+///       |M - a_n| <= |a_n - b_n|;
+///   (2) |sqrt a_n + sqrt b_n|^2 >= |a_n| + |b_n| (the parallelogram law), hence
+///       |M - a_{n+1}| <= |a_{n+1} - b_{n+1}| = |a_n - b_n|^2 / (2 |sqrt a_n + sqrt b_n|^2)
+///                     <= |a_n - b_n|^2 / (2 (|a_n| + |b_n|));
+///   (3) |M| <= max(|a_n|, |b_n|), as that maximum does not increase.
+complex_ball mean_in_right_half_plane(complex_ball a, complex_ball b, precision p) {
+  if (is_exactly_zero(a) || is_exactly_zero(b)) return {0, a.precision()};
+  magnitude last = magnitude::infinity();
+  for (int step = 0;; ++step) {
+    a.re = without_negatives(a.re);
+    b.re = without_negatives(b.re);
+    const magnitude distance = (a - b).magnitude_upper();
+    const magnitude size = add_down(a.magnitude_lower(), b.magnitude_lower());
+    const magnitude error =
+        divide_up(scale(multiply_up(distance, distance), -1), size);  // infinite for size 0
+    const bool is_last = error <= scale(size, -(std::int64_t{p} + 1));
+    // Where the distance of the sets hardly falls any more, it is that of members of wide sets.
+    const bool stalls = scale(distance, 4) >= multiply_up(last, magnitude::from_integer_up(15));
+    const complex_ball next = scale(a + b, -1);
+    if (is_last || stalls || step == most_agm_steps) {
+      complex_ball r =
+          square_of_half_side(max(a.magnitude_upper(), b.magnitude_upper()), a.precision());
+      const complex_ball by_distance = a.enlarged(distance);
+      if (!distance.is_infinite()) r = intersection(r, by_distance);
+      if (!error.is_infinite()) r = intersection(r, next.enlarged(error));
+      return r;
+    }
+    last = distance;
+    const complex_ball product = a * b;
+    b = possibly_singular::sqrt(product) ? sqrt(a) * sqrt(b) : sqrt(product);
+    a = next;
+  }
+}
+
+/// agm(z) for im z >= 0, as a limit from above where im z = 0.
+complex_ball agm_above(const complex_ball& z, precision p) {
+  const complex_ball one(1, z.precision());
+  if (real_set<ball>::not_negative(z.re)) return mean_in_right_half_plane(one, z, p);
+  // After one step, with the root in the closed first quadrant: it is the right choice, or the limit of it, since
+  // sqrt(z) / ((1 + z) / 2) = 2 / (s + 1/s) with s = sqrt(z), re s > 0 off the cut. Both means lie in the closed
+  // upper half plane, and the geometric one on its edge only for z >= 0; times -i they satisfy the hypothesis.
+  const complex_ball arithmetic = scale(one + z, -1);
+  const complex_ball geometric = sqrt(z);
+  const auto turned = [](const complex_ball& w) { return complex_ball(w.im, -w.re); };
+  return times_i(mean_in_right_half_plane(turned(arithmetic), turned(geometric), p));
+}
+
+}  // namespace
+
+complex_ball agm(const complex_ball& z) {
+  const precision p = z.precision();
+  if (z.is_undefined()) return z;
+  if (real_set<ball>::is_zero(z.im) && real_set<ball>::not_negative(z.re)) {
+    return complex_ball(agm(ball(1, p), z.re));
+  }
+  // Each of some log2(p) + 70 steps adds a few roundings.
+  const complex_ball w = z.with_precision(p + 12);
+  if (certainly_positive(w.re)) {
+    return mean_in_right_half_plane(complex_ball(1, w.precision()), w, p + 4).with_precision(p);
+  }
+  if (real_set<ball>::not_negative(w.im)) return agm_above(w, p + 4).with_precision(p);
+  if (certainly_negative(w.im)) return conj(agm_above(conj(w), p + 4)).with_precision(p);
+  const ball zero(0, w.precision());
+  const complex_ball above(w.re, hull(zero, real_set<ball>::upper_end(w.im)));
+  const complex_ball below(w.re, hull(zero, -real_set<ball>::lower_end(w.im)));
+  return hull(agm_above(above, p + 4), conj(agm_above(below, p + 4))).with_precision(p);
+}
+
+complex_ball agm(const complex_ball& z, const complex_ball& w) {
+  const precision p = std::max(z.precision(), w.precision());
+  if (z.is_undefined() || w.is_undefined()) return complex_ball::undefined(p);
+  if (is_exactly_zero(z) || is_exactly_zero(w)) return {0, p};
+  const complex_ball a = z.with_precision(p + 8);
+  const complex_ball b = w.with_precision(p + 8);
+  if (!contains_zero(a)) return (a * agm(b / a)).with_precision(p);
+  // The limit for im(w / z) from above is that for im(z / w) from below.
+  if (!contains_zero(b)) return (b * conj(agm(conj(a / b)))).with_precision(p);
+  return square_of_half_side(max(a.magnitude_upper(), b.magnitude_upper()), p);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Sets and text.
+
+bool contains(const complex_ball& z, const complex_ball& w) {
+  return contains(z.re, w.re) && contains(z.im, w.im);
+}
+bool overlaps(const complex_ball& z, const complex_ball& w) {
+  return overlaps(z.re, w.re) && overlaps(z.im, w.im);
+}
+complex_ball hull(const complex_ball& z, const complex_ball& w) {
+  return {hull(z.re, w.re), hull(z.im, w.im)};
+}
+complex_ball intersection(const complex_ball& z, const complex_ball& w) {
+  return {intersection(z.re, w.re), intersection(z.im, w.im)};
+}
+
+std::string to_decimal(const complex_ball& z, long most_digits) {
+  if (z.is_undefined()) return "undefined";
+  const std::string re = to_decimal(z.re, most_digits);
+  const std::string im = to_decimal(z.im, most_digits);
+  if (im.front() == '-') return re + " - " + im.substr(1) + "*I";
+  return re + " + " + im + "*I";
+}
+
+std::ostream& operator<<(std::ostream& out, const complex_ball& z) {
+  return out << to_decimal(z, std::max<long>(out.precision(), 1));
+}
+
+}  // namespace polhode
