@@ -1,0 +1,130 @@
+// The same call gives the same bits on every thread, whatever that thread's defaults are.
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "support/exact_set.hpp"
+#include "support/functions.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace {
+
+using support::identical;
+using support::random_source;
+
+struct record {
+  std::vector<ball> balls;
+  std::vector<std::string> texts;
+};
+
+/// Every operation, on operands that are drawn the same way each time.
+record compute() {
+  record r;
+  random_source random(1000);
+  for (int i = 0; i < 150; ++i) {
+    const ball x = random.any_ball();
+    const ball y = random.any_ball();
+    for (const ball& z : {x + y,
+                          x - y,
+                          x * y,
+                          x / y,
+                          x + 3L,
+                          5L - x,
+                          x * 7L,
+                          x / 9L,
+                          x * rational(1, 7),
+                          -x,
+                          square(x),
+                          sqrt(x),
+                          abs(x),
+                          scale(x, 5),
+                          pow(x, 5),
+                          pow(x, -3),
+                          hypot(x, y),
+                          agm(x, y),
+                          hull(x, y),
+                          intersection(x, y),
+                          x.with_precision(70),
+                          x.middle(),
+                          sin_cos(x).first,
+                          sin_cos(x).second}) {
+      r.balls.push_back(z);
+    }
+    for (const support::elementary_function& f : support::elementary_functions()) {
+      r.balls.push_back(f.of(x));
+    }
+    if (x.is_bounded()) {
+      r.balls.emplace_back(midpoint(x));
+      r.balls.emplace_back(lower(x));
+      r.texts.push_back(to_decimal(x, 20));
+      r.texts.push_back(to_text(lower_rational(x)));
+    }
+    r.balls.push_back(parse_ball("-12.0625e-3", random.any_precision()));
+    r.balls.push_back(pi(random.any_precision()));
+    r.balls.push_back(log_2(random.any_precision()));
+  }
+  return r;
+}
+
+void expect_same(const record& one, const record& other) {
+  ASSERT_EQ(one.balls.size(), other.balls.size());
+  for (std::size_t i = 0; i < one.balls.size(); ++i) {
+    ASSERT_TRUE(identical(one.balls[i], other.balls[i])) << i;
+  }
+  EXPECT_EQ(one.texts, other.texts);
+}
+
+TEST(Threads, DefaultsOfAThreadDoNotChangeABit) {
+  const record expected = compute();
+  record plain;
+  record changed;
+  std::thread one([&] { plain = compute(); });
+  std::thread other([&] {
+    mpfr_float::thread_default_precision(7);
+    mpfr_set_default_prec(11);
+    mpfr_set_default_rounding_mode(MPFR_RNDU);
+    changed = compute();
+    mpfr_free_cache();
+  });
+  one.join();
+  other.join();
+  expect_same(expected, plain);
+  expect_same(expected, changed);
+}
+
+TEST(Threads, DefaultsOfThisThreadNeither) {
+  const record expected = compute();
+  const unsigned digits = mpfr_float::thread_default_precision();
+  const mpfr_prec_t bits = mpfr_get_default_prec();
+  for (const mpfr_rnd_t rounding : {MPFR_RNDU, MPFR_RNDD, MPFR_RNDZ, MPFR_RNDA}) {
+    mpfr_float::thread_default_precision(3 + static_cast<unsigned>(rounding));
+    mpfr_set_default_prec(5);
+    mpfr_set_default_rounding_mode(rounding);
+    expect_same(expected, compute());
+  }
+  mpfr_set_default_rounding_mode(MPFR_RNDN);
+  mpfr_set_default_prec(bits);
+  mpfr_float::thread_default_precision(digits);
+}
+
+TEST(Threads, ManyAtOnce) {
+  const record expected = compute();
+  std::vector<record> records(4);
+  std::vector<std::thread> threads;
+  threads.reserve(records.size());
+  for (record& r : records) threads.emplace_back([&r] { r = compute(); });
+  for (std::thread& t : threads) t.join();
+  for (const record& r : records) expect_same(expected, r);
+}
+
+}  // namespace
+}  // namespace polhode

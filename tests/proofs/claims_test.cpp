@@ -1,0 +1,160 @@
+// Every claim, at every length, and what it must not say.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "polhode/arithmetic/text.hpp"
+#include "proofs/claim.hpp"
+#include "support/random.hpp"
+#include "support/reference.hpp"
+#include "support/thousand_digits.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+certificate prove(const std::string& name, long digits) {
+  request wanted;
+  wanted.digits = digits;
+  return find_claim(name)->prove(wanted);
+}
+
+::testing::AssertionResult is_certified(const certificate& c) {
+  if (c.verdict == status::certified) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << to_text(c);
+}
+
+TEST(Claims, AreListed) {
+  ASSERT_EQ(all_claims().size(), 4U);
+  for (const char* name : {"epsilon0_min", "delta_psi_max", "beta", "sign_dF_du"}) {
+    ASSERT_NE(find_claim(name), nullptr) << name;
+    EXPECT_EQ(find_claim(name)->name, name);
+    EXPECT_EQ(find_claim(name)->uses_motion, std::string(name) == "sign_dF_du");
+  }
+  EXPECT_EQ(find_claim("gamma"), nullptr);
+  EXPECT_EQ(find_claim(""), nullptr);
+}
+
+TEST(Claims, AreCertifiedAtEveryLength) {
+  for (const claim& c : all_claims()) {
+    for (const long digits : {1L, 2L, 10L, 50L, 200L, 1000L}) {
+      const certificate result = prove(c.name, digits);
+      EXPECT_TRUE(is_certified(result)) << digits;
+      EXPECT_EQ(result.claim, c.name);
+      EXPECT_EQ(result.statement, c.statement);
+      EXPECT_EQ(result.reference, c.reference);
+      EXPECT_FALSE(result.facts.empty());
+      ASSERT_EQ(result.numbers.size(), 1U);
+      EXPECT_EQ(result.numbers[0].digits, digits);
+      EXPECT_GE(to_decimal_enclosure(result.numbers[0].enclosure, digits).digits, digits);
+      EXPECT_EQ(json::parse(to_json(result).dump()).at("verdict"), "certified");
+    }
+  }
+}
+
+TEST(Claims, GiveTheNumbersOfMpmath) {
+  for (const long digits : {10L, 1000L}) {
+    EXPECT_TRUE(support::agrees(prove("beta", digits).numbers[0].enclosure, support::beta_1000,
+                                digits - 1));
+    EXPECT_TRUE(support::agrees(prove("epsilon0_min", digits).numbers[0].enclosure,
+                                support::epsilon0_min_1000, digits - 1));
+    EXPECT_TRUE(support::agrees(prove("delta_psi_max", digits).numbers[0].enclosure,
+                                support::delta_psi_max_1000, digits - 1));
+  }
+  // mpmath 1.3.0: Carlson's form of dG/du at a = 12.65, b = 0.0629, u = 1/4.
+  EXPECT_TRUE(support::agrees(prove("sign_dF_du", 55).numbers[0].enclosure,
+                              "-4.10957116620648290635581535933359655217305123632116739122251",
+                              54));
+}
+
+TEST(Claims, RefuseBadRequests) {
+  for (const claim& c : all_claims()) {
+    EXPECT_THROW((void)prove(c.name, 0), input_error) << c.name;
+    EXPECT_THROW((void)prove(c.name, -50), input_error) << c.name;
+  }
+  const auto with = [](rational a, rational b, rational u) {
+    request wanted;
+    wanted.motion = {std::move(a), std::move(b), std::move(u)};
+    return find_claim("sign_dF_du")->prove(wanted);
+  };
+  EXPECT_THROW((void)with(0, rational(1, 2), rational(1, 2)), input_error);
+  EXPECT_THROW((void)with(-1, rational(1, 2), rational(1, 2)), input_error);
+  EXPECT_THROW((void)with(1, 1, rational(1, 2)), input_error);
+  EXPECT_THROW((void)with(1, 0, rational(1, 2)), input_error);
+  EXPECT_THROW((void)with(1, rational(1, 2), 0), input_error);
+  EXPECT_THROW((void)with(1, rational(1, 2), rational(1001, 1000)), input_error);
+}
+
+TEST(Beta, HasASecondRouteAtEveryLength) {
+  // A run of 0s or 9s in beta's digits would leave the signs at its last digit undecided.
+  for (long digits = 1; digits <= 101; ++digits) {
+    const certificate c = prove("beta", digits);
+    EXPECT_TRUE(is_certified(c)) << digits;
+    EXPECT_EQ(c.facts.size(), 2U) << digits;
+    EXPECT_EQ(c.witness.at("newton").at("box").is_null(), false);
+    EXPECT_GT(c.witness.at("quadrature").at("below").at("nodes").get<long>(), 0);
+  }
+}
+
+TEST(SignOfSlope, IsCertifiedForAnyMotion) {
+  struct row {
+    const char* a;
+    const char* b;
+    const char* u;
+    bool by_quadrature;
+  };
+  const auto number = [](std::string text) {
+    return text.rfind("1-", 0) == 0 ? rational(1 - parse_rational(text.substr(2)))
+                                    : parse_rational(text);
+  };
+  for (const row& r : {row{"12.65", "0.0629", "1/4", true}, row{"1e-40", "1/2", "1/4", true},
+                       row{"1e40", "1/2", "1/4", true}, row{"2", "1e-40", "1/4", true},
+                       row{"2", "1-1e-40", "1/4", true}, row{"2", "1/2", "1", true},
+                       row{"2", "1/2", "1-1e-100", true}, row{"1e-40", "1-1e-40", "1-1e-300", true},
+                       row{"2", "1/2", "1e-5", true}, row{"2", "1/2", "1e-15", false},
+                       row{"2", "1/2", "3e-30", false}, row{"2", "1/2", "3e-300", false},
+                       row{"1e40", "1e-40", "3e-1000", false}}) {
+    for (const long digits : {1L, 30L}) {
+      request wanted;
+      wanted.digits = digits;
+      wanted.motion = {number(r.a), number(r.b), number(r.u)};
+      const certificate c = find_claim("sign_dF_du")->prove(wanted);
+      EXPECT_TRUE(is_certified(c)) << r.a << " " << r.b << " " << r.u;
+      EXPECT_TRUE(certainly_negative(c.numbers[0].enclosure));
+      // Where the second route is left out the certificate says so.
+      EXPECT_EQ(c.facts.size(), r.by_quadrature ? 6U : 5U) << r.a << " " << r.b << " " << r.u;
+      EXPECT_EQ(c.witness.at("quadrature").contains("note"), !r.by_quadrature);
+      EXPECT_EQ(c.witness.at("quadrature").at("verdict"),
+                r.by_quadrature ? "certified" : "not certified");
+    }
+  }
+}
+
+TEST(SignOfSlope, RestsOnAllItsParts) {
+  const certificate c = prove("sign_dF_du", 20);
+  EXPECT_EQ(c.inputs.size(), 3U);
+  EXPECT_EQ(c.witness.at("identity").at("points"), 528);
+  EXPECT_EQ(c.witness.at("sweep").at("bound"), "3/4");
+  const auto mentions = [&](const char* words) {
+    return std::count_if(c.facts.begin(), c.facts.end(), [&](const checked_fact& f) {
+      return f.holds && f.statement.find(words) != std::string::npos;
+    });
+  };
+  EXPECT_EQ(mentions("equal in exact rationals at 528 points"), 1);
+  EXPECT_EQ(mentions("interval sweep"), 1);
+  EXPECT_EQ(mentions("by certified quadrature"), 1);
+  EXPECT_EQ(mentions("AGM)"), 1);
+  EXPECT_EQ(mentions("its sign is minus"), 1);
+  EXPECT_EQ(mentions("holds the value above"), 1);
+  // Without any one of them it is not certified.
+  for (std::size_t i = 0; i < c.facts.size(); ++i) {
+    certificate sabotaged = c;
+    sabotaged.facts[i].holds = false;
+    sabotaged.conclude();
+    EXPECT_EQ(sabotaged.verdict, status::not_certified) << c.facts[i].statement;
+  }
+}
+
+}  // namespace
+}  // namespace polhode::proofs
