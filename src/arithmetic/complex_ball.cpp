@@ -57,8 +57,8 @@ ball real_set<ball>::lower_end(const ball& x) { return end_of(x, -1); }
 ball real_set<ball>::upper_end(const ball& x) { return end_of(x, 1); }
 
 namespace {
-// Squares and products of numbers with exponents below this stay far from the ends of MPFR's range, and
-// magnitudes far from those of theirs.
+// Squares and products of numbers with exponents below this stay far from the ends of MPFR's
+// range, and magnitudes far from those of theirs.
 constexpr std::int64_t moderate_exponent = std::int64_t{1} << 58;
 
 bool is_moderate(mpfr_srcptr x) {
@@ -107,52 +107,83 @@ bool real_set<ball>::enlarge(ball& value, const ball& s, const ball& x, const ba
   return true;
 }
 
+std::pair<ball, ball> real_set<ball>::sinh_cosh(const ball& x) {
+  constexpr mpfr_exp_t moderate = 20;  // e^|x| is far from overflow
+  const bool is_thin =
+      ball_access::is_midpoint_radius(x) && ball_access::radius(x) <= magnitude::power_of_two(-10);
+  const mpfr_srcptr m = ball_access::first(x);
+  if (!is_thin || (mpfr_regular_p(m) != 0 && mpfr_get_exp(m) > moderate)) {
+    return {sinh(x), cosh(x)};
+  }
+  const precision p = x.precision();
+  mpfr_cell s(p);
+  mpfr_cell c(p);
+  // The ternary values are packed as mpfr_sin_cos packs them.
+  const int inexact = mpfr_sinh_cosh(s.get(), c.get(), m, MPFR_RNDN);
+  const int sinh_ternary = inexact & 3;
+  const int cosh_ternary = inexact >> 2;
+  magnitude sinh_error;
+  magnitude cosh_error;
+  if (const magnitude& radius = ball_access::radius(x); !radius.is_zero()) {
+    // sinh(m+h) - s = s (cosh h - 1) + c sinh h and cosh(m+h) - c = c (cosh h - 1) + s sinh h, with
+    // cosh r - 1 <= r^2 and sinh r <= r + r^3 for r <= 1.
+    const auto true_size = [](mpfr_srcptr v) {
+      return add_up(magnitude::abs_up(v), detail::rounding_error(v));
+    };
+    const magnitude s_up = true_size(s.get());
+    const magnitude c_up = true_size(c.get());
+    const magnitude r2 = multiply_up(radius, radius);
+    const magnitude sinh_r = multiply_up(radius, add_up(magnitude::power_of_two(0), r2));
+    sinh_error = add_up(multiply_up(s_up, r2), multiply_up(c_up, sinh_r));
+    cosh_error = add_up(multiply_up(c_up, r2), multiply_up(s_up, sinh_r));
+  }
+  std::pair<ball, ball> r;
+  ball_access::first(r.first) = std::move(s);
+  ball_access::finish(r.first, sinh_ternary, sinh_error);
+  ball_access::first(r.second) = std::move(c);
+  ball_access::finish(r.second, cosh_ternary, cosh_error);
+  return r;
+}
+
 namespace {
 
-/// The midpoint and the radius of a bounded ball in either form.
-class centred {
- public:
-  explicit centred(const ball& x) {
-    if (!ball_access::is_midpoint_radius(x)) {
-      middle_ = x.middle();
-      radius_ = x.radius();
-      midpoint_ = ball_access::first(std::as_const(middle_));
-    } else {
-      midpoint_ = ball_access::first(x);
-      radius_ = ball_access::radius(x);
-    }
-  }
-  centred(const centred&) = delete;
-  centred& operator=(const centred&) = delete;
-  ~centred() = default;
-  [[nodiscard]] mpfr_srcptr midpoint() const { return midpoint_; }
-  [[nodiscard]] const magnitude& radius() const { return radius_; }
-  /// An upper bound over the set.
-  [[nodiscard]] magnitude most() const { return add_up(magnitude::abs_up(midpoint_), radius_); }
-
- private:
-  ball middle_;
-  mpfr_srcptr midpoint_;
-  magnitude radius_;
-};
-
-/// The midpoints and the radii of both parts of a bounded complex ball.
-struct centred_rectangle {
-  explicit centred_rectangle(const rectangle<ball>& z)
-      : x(z.re),
-        y(z.im),
-        re(x.midpoint()),
-        im(y.midpoint()),
-        re_radius(x.radius()),
-        im_radius(y.radius()) {}
+/// The midpoints and the radii of both parts of a complex ball.
+struct centred {
+  /// Of narrow sets.
+  explicit centred(const rectangle<ball>& z)
+      : re(ball_access::first(z.re)),
+        im(ball_access::first(z.im)),
+        re_radius(ball_access::radius(z.re)),
+        im_radius(ball_access::radius(z.im)) {}
+  centred(mpfr_srcptr x, const magnitude& rx, mpfr_srcptr y, const magnitude& ry)
+      : re(x), im(y), re_radius(rx), im_radius(ry) {}
   [[nodiscard]] bool is_exact() const { return re_radius.is_zero() && im_radius.is_zero(); }
 
-  centred x;
-  centred y;
   mpfr_srcptr re;
   mpfr_srcptr im;
-  const magnitude& re_radius;
-  const magnitude& im_radius;
+  magnitude re_radius;
+  magnitude im_radius;
+};
+
+/// The same of any bounded sets.
+class centred_copy {
+ public:
+  explicit centred_copy(const rectangle<ball>& z)
+      : x_(z.re.middle()),
+        y_(z.im.middle()),
+        view_(ball_access::first(std::as_const(x_)), z.re.radius(),
+              ball_access::first(std::as_const(y_)), z.im.radius()) {}
+  centred_copy(const centred_copy&) = delete;
+  centred_copy(centred_copy&&) = delete;
+  centred_copy& operator=(const centred_copy&) = delete;
+  centred_copy& operator=(centred_copy&&) = delete;
+  ~centred_copy() = default;
+  [[nodiscard]] const centred& view() const { return view_; }
+
+ private:
+  ball x_;
+  ball y_;
+  centred view_;
 };
 
 bool is_narrow_and_moderate(const rectangle<ball>& z) {
@@ -193,17 +224,18 @@ void set_rounded(ball& r, mpfr_srcptr value, precision p, const magnitude& error
   detail::set_midpoint(r, p, error, [&](mpfr_ptr m) { return mpfr_set(m, value, MPFR_RNDN); });
 }
 
-/// z w, each part rounded once. With z = m + s, w = n + t: z w - m n = s w + m t, so that the parts' errors are at
-/// most |Re w| rs_re + |Im w| rs_im + |Re m| rt_re + |Im m| rt_im and the same with w's or m's parts exchanged.
-rectangle<ball> narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) {
+/// z w, each part rounded once. With z = m + s, w = n + t: z w - m n = s w + m t, so that the
+/// parts' errors are at most |Re w| rs_re + |Im w| rs_im + |Re m| rt_re + |Im m| rt_im and the
+/// same with w's or m's parts exchanged.
+complex_ball narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) {
   const precision p = common_precision(z, w);
-  const centred_rectangle a(z);
-  const centred_rectangle b(w);
+  const centred a(z);
+  const centred b(w);
   magnitude re_error;
   magnitude im_error;
   if (!a.is_exact()) {
-    const magnitude x = b.x.most();
-    const magnitude y = b.y.most();
+    const magnitude x = add_up(magnitude::abs_up(b.re), b.re_radius);
+    const magnitude y = add_up(magnitude::abs_up(b.im), b.im_radius);
     re_error = sum_of_products_up(x, a.re_radius, y, a.im_radius);
     im_error = sum_of_products_up(y, a.re_radius, x, a.im_radius);
   }
@@ -213,7 +245,7 @@ rectangle<ball> narrow_product(const rectangle<ball>& z, const rectangle<ball>& 
     re_error = add_up(re_error, sum_of_products_up(x, b.re_radius, y, b.im_radius));
     im_error = add_up(im_error, sum_of_products_up(y, b.re_radius, x, b.im_radius));
   }
-  rectangle<ball> r{ball(detail::room{p}), ball(detail::room{p})};
+  complex_ball r(detail::room{p});
   detail::set_midpoint(r.re, p, re_error,
                        [&](mpfr_ptr m) { return mpfr_fmms(m, a.re, b.re, a.im, b.im, MPFR_RNDN); });
   detail::set_midpoint(r.im, p, im_error,
@@ -221,19 +253,30 @@ rectangle<ball> narrow_product(const rectangle<ball>& z, const rectangle<ball>& 
   return r;
 }
 
-}  // namespace
-
-rectangle<ball> real_set<ball>::quotient(const rectangle<ball>& z, const rectangle<ball>& w) {
-  const precision p = common_precision(z, w);
-  if (!has_moderate_ends(z.re) || !has_moderate_ends(z.im) || !has_moderate_ends(w.re) ||
-      !has_moderate_ends(w.im)) {
-    const ball norm = square(hypot(w.re, w.im)).with_precision(p);
-    return {(z.re * w.re + z.im * w.im) / norm, (z.im * w.re - z.re * w.im) / norm};
+/// z^2, each part rounded once: with z = m + s, z^2 - m^2 = (z + m) s.
+complex_ball narrow_square(const rectangle<ball>& z) {
+  const precision p = common_precision(z, z);
+  const centred a(z);
+  magnitude re_error;
+  magnitude im_error;
+  if (!a.is_exact()) {
+    const magnitude x = scale(add_up(magnitude::abs_up(a.re), a.re_radius), 1);
+    const magnitude y = scale(add_up(magnitude::abs_up(a.im), a.im_radius), 1);
+    re_error = sum_of_products_up(x, a.re_radius, y, a.im_radius);
+    im_error = sum_of_products_up(y, a.re_radius, x, a.im_radius);
   }
-  // m / n at the midpoints: numerators and |n|^2 are rounded once each, to p + 8 bits, and so is their
-  // quotient: a relative error of each part below 3.1 * 2^-(p+8), below 2^-(p+6).
-  const centred_rectangle a(z);
-  const centred_rectangle b(w);
+  complex_ball r(detail::room{p});
+  detail::set_midpoint(r.re, p, re_error,
+                       [&](mpfr_ptr m) { return mpfr_fmms(m, a.re, a.re, a.im, a.im, MPFR_RNDN); });
+  detail::set_midpoint(r.im, p, scale(im_error, -1),
+                       [&](mpfr_ptr m) { return mpfr_mul(m, a.re, a.im, MPFR_RNDN); });
+  scale(r.im, r.im, 1);
+  return r;
+}
+
+complex_ball centred_quotient(const centred& a, const centred& b, precision p) {
+  // m / n at the midpoints: numerators and |n|^2 are rounded once each, to p + 8 bits, and so is
+  // their quotient: a relative error of each part below 3.1 * 2^-(p+8), below 2^-(p+6).
   const precision wp = p + 8;
   mpfr_cell norm(wp);
   mpfr_cell re(wp);
@@ -273,10 +316,25 @@ rectangle<ball> real_set<ball>::quotient(const rectangle<ball>& z, const rectang
     re_error = add_up(re_error, divide_up(re_sum, least));
     im_error = add_up(im_error, divide_up(im_sum, least));
   }
-  rectangle<ball> r{ball(detail::room{p}), ball(detail::room{p})};
+  complex_ball r(detail::room{p});
   set_rounded(r.re, re.get(), p, re_error);
   set_rounded(r.im, im.get(), p, im_error);
   return r;
+}
+
+}  // namespace
+
+rectangle<ball> real_set<ball>::quotient(const rectangle<ball>& z, const rectangle<ball>& w) {
+  const precision p = common_precision(z, w);
+  if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w)) {
+    return centred_quotient(centred(z), centred(w), p);
+  }
+  if (has_moderate_ends(z.re) && has_moderate_ends(z.im) && has_moderate_ends(w.re) &&
+      has_moderate_ends(w.im)) {
+    return centred_quotient(centred_copy(z).view(), centred_copy(w).view(), p);
+  }
+  const ball norm = square(hypot(w.re, w.im)).with_precision(p);
+  return {(z.re * w.re + z.im * w.im) / norm, (z.im * w.re - z.re * w.im) / norm};
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -326,13 +384,26 @@ complex_ball at_common_precision(const complex_ball& z, const complex_ball& w, F
 }
 }  // namespace
 
-complex_ball operator+(const complex_ball& z, const complex_ball& w) { return base(z) + base(w); }
-complex_ball operator-(const complex_ball& z, const complex_ball& w) { return base(z) - base(w); }
+complex_ball operator+(const complex_ball& z, const complex_ball& w) {
+  complex_ball r(detail::room_for(z.re, w.re));
+  add(r.re, z.re, w.re);
+  add(r.im, z.im, w.im);
+  return r;
+}
+complex_ball operator-(const complex_ball& z, const complex_ball& w) {
+  complex_ball r(detail::room_for(z.re, w.re));
+  subtract(r.re, z.re, w.re);
+  subtract(r.im, z.im, w.im);
+  return r;
+}
 complex_ball operator*(const complex_ball& z, const complex_ball& w) {
   if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w)) return narrow_product(z, w);
   return base(z) * base(w);
 }
 complex_ball operator/(const complex_ball& z, const complex_ball& w) {
+  if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w) && !contains_zero(base(w))) {
+    return centred_quotient(centred(z), centred(w), std::max(z.precision(), w.precision()));
+  }
   return at_common_precision(
       z, w, [](const rectangle<ball>& s, const rectangle<ball>& t) { return s / t; });
 }
@@ -340,7 +411,7 @@ complex_ball operator/(const complex_ball& z, const complex_ball& w) {
 ball abs(const complex_ball& z) { return abs(base(z)); }
 ball arg(const complex_ball& z) { return arg(base(z)); }
 complex_ball square(const complex_ball& z) {
-  if (is_narrow_and_moderate(z)) return narrow_product(z, z);
+  if (is_narrow_and_moderate(z)) return narrow_square(z);
   return square(base(z));
 }
 complex_ball reciprocal(const complex_ball& z) { return reciprocal(base(z)); }
@@ -370,8 +441,8 @@ complex_ball pow(const complex_ball& z, const complex_ball& w) {
 
 namespace {
 
-// The ratio's logarithm halves with each step until it is of order 1 (63 steps at most in MPFR's range of
-// exponents), then digits double.
+// The ratio's logarithm halves with each step until it is of order 1 (63 steps at most in MPFR's
+// range of exponents), then digits double.
 constexpr int most_agm_steps = 140;
 
 /// The square of half side m: it holds every number of size up to m.
@@ -389,16 +460,18 @@ ball without_negatives(const ball& x) {
   return intersection(x, hull(ball(0, x.precision()), abs(x)));
 }
 
-/// The mean of members a, b with arguments in [-pi/2, pi/2] that differ by less than pi. Then the root of
-/// a b whose argument is half the sum of theirs, sqrt(a) sqrt(b), lies with (a + b) / 2 in the convex cone
-/// between a and b, at its half angle: the two differ in argument by less than pi/2, which makes it the right
-/// choice, and the hypothesis holds for the next pair. It is the principal root of a b.
+/// The mean of members a, b with arguments in [-pi/2, pi/2] that differ by less than pi. Then the
+/// root of a b whose argument is half the sum of theirs, sqrt(a) sqrt(b), lies with (a + b) / 2 in
+/// the convex cone between a and b, at its half angle: the two differ in argument by less than
+/// pi/2, which makes it the right choice, and the hypothesis holds for the next pair. It is the
+/// principal root of a b.
 ///
 /// The error. For right choices, with roots so taken that b_{n+1} = sqrt(a_n) sqrt(b_n):
-/// a_{n+1} - b_{n+1} = (sqrt a_n - sqrt b_n)^2 / 2, a_{n+1} + b_{n+1} = (sqrt a_n + sqrt b_n)^2 / 2, and the right
-/// choice says |sqrt a_n - sqrt b_n| <= |sqrt a_n + sqrt b_n|. So
-///   (1) |a_{n+1} - b_{n+1}| <= |a_n - b_n| / 2 (Cox 1984, eq. (2.2)), and as |a_{n+1} - a_n| = |a_n - b_n| / 2,
-///       |M - a_n| <= |a_n - b_n|;
+///     a_{n+1} - b_{n+1} = (sqrt a_n - sqrt b_n)^2 / 2,
+///     a_{n+1} + b_{n+1} = (sqrt a_n + sqrt b_n)^2 / 2,
+/// and the right choice says |sqrt a_n - sqrt b_n| <= |sqrt a_n + sqrt b_n|. So
+///   (1) |a_{n+1} - b_{n+1}| <= |a_n - b_n| / 2 (Cox 1984, section 2), and as
+///       |a_{n+1} - a_n| = |a_n - b_n| / 2, |M - a_n| <= |a_n - b_n|;
 ///   (2) |sqrt a_n + sqrt b_n|^2 >= |a_n| + |b_n| (the parallelogram law), hence
 ///       |M - a_{n+1}| <= |a_{n+1} - b_{n+1}| = |a_n - b_n|^2 / (2 |sqrt a_n + sqrt b_n|^2)
 ///                     <= |a_n - b_n|^2 / (2 (|a_n| + |b_n|));
@@ -436,9 +509,10 @@ complex_ball mean_in_right_half_plane(complex_ball a, complex_ball b, precision 
 complex_ball agm_above(const complex_ball& z, precision p) {
   const complex_ball one(1, z.precision());
   if (real_set<ball>::not_negative(z.re)) return mean_in_right_half_plane(one, z, p);
-  // After one step, with the root in the closed first quadrant: it is the right choice, or the limit of it, since
-  // sqrt(z) / ((1 + z) / 2) = 2 / (s + 1/s) with s = sqrt(z), re s > 0 off the cut. Both means lie in the closed
-  // upper half plane, and the geometric one on its edge only for z >= 0; times -i they satisfy the hypothesis.
+  // After one step, with the root in the closed first quadrant: it is the right choice, or the
+  // limit of it, since sqrt(z) / ((1 + z) / 2) = 2 / (s + 1/s) with s = sqrt(z), re s > 0 off the
+  // cut. Both means lie in the closed upper half plane, and the geometric one on its edge only for
+  // z >= 0; times -i they satisfy the hypothesis.
   const complex_ball arithmetic = scale(one + z, -1);
   const complex_ball geometric = sqrt(z);
   const auto turned = [](const complex_ball& w) { return complex_ball(w.im, -w.re); };

@@ -535,9 +535,8 @@ double_interval circular_range(const circular_end& x, const circular_end& y, dou
 
 constexpr double_interval unit_interval(detail::unchecked{}, -1, 1);
 
-/// Not so for infinite ends, and for widths of more than a circle.
 bool is_reducible(double_interval x) {
-  return x.lower() >= -widest_reduced && x.upper() <= widest_reduced && x.upper() - x.lower() < 7;
+  return x.lower() >= -widest_reduced && x.upper() <= widest_reduced;
 }
 
 /// x^n for n >= 1 and an end x >= 0.
@@ -756,9 +755,9 @@ double_interval atan(double_interval x) {
   return limited(increasing(x, f, point::angle_bound), half_pi_up);
 }
 
-// The least and the greatest angle are at corners: which ones, the side of the axes decides on
-// which the rectangle is seen from 0. An infinite corner is the limit along the side that it ends,
-// for the other coordinate of a corner that is chosen here is finite, or else gives way to it.
+// The least and the greatest angle are at corners, and the side of the axes on which they lie decides
+// at which. Where left > 0 does not hold, the left corners have left <= 0. An infinite corner is a
+// limit: the corners chosen here are infinite in one coordinate at most.
 double_interval atan2(double_interval y, double_interval x) {
   if (x.is_undefined() || y.is_undefined()) return double_interval::undefined();
   const double left = x.lower();
@@ -771,13 +770,11 @@ double_interval atan2(double_interval y, double_interval x) {
                    half_pi_up);
   }
   if (bottom > 0) {
-    return limited(from_ends(angle_down(right >= 0 ? bottom : top, right),
-                             angle_up(left >= 0 ? top : bottom, left)),
+    return limited(from_ends(angle_down(right >= 0 ? bottom : top, right), angle_up(bottom, left)),
                    pi_up);
   }
   if (top < 0) {
-    return limited(from_ends(angle_down(left >= 0 ? bottom : top, left),
-                             angle_up(right >= 0 ? top : bottom, right)),
+    return limited(from_ends(angle_down(top, left), angle_up(right >= 0 ? top : bottom, right)),
                    pi_up);
   }
   return double_interval::undefined();

@@ -12,12 +12,21 @@ using detail::mpfr_cell;
 
 namespace {
 
+// The ends of a thin ball, computed, must not add to its width.
+constexpr precision guard_bits = 64;
+
 /// A monotone function on R: thin balls by the values at their ends too, for these functions' slopes
 /// would cost as much as a second value.
 ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), bool increasing) {
   const precision p = x.precision();
   if (x.is_undefined()) return x;
-  const end_points e(x, p + 8);
+  if (x.is_exact()) {
+    ball r;
+    detail::set_midpoint(
+        r, p, {}, [&](mpfr_ptr value) { return f(value, ball_access::first(x), MPFR_RNDN); });
+    return r;
+  }
+  const end_points e(x, p + guard_bits);
   mpfr_cell lower(p);
   mpfr_cell upper(p);
   f(lower.get(), increasing ? e.lower() : e.upper(), MPFR_RNDD);
@@ -116,7 +125,7 @@ ball convex_range(const end_points& x, precision p, convex_function f, bool loga
 ball convex_over(const ball& x, convex_function f, bool logarithm) {
   const precision p = x.precision();
   if (!x.is_bounded()) return ball::undefined(p);
-  const end_points e(x, p + 8);
+  const end_points e(x, p + guard_bits);
   if (has_pole(e)) return ball::undefined(p);
   return convex_range(e, p, f, logarithm);
 }
@@ -130,7 +139,7 @@ ball gamma(const ball& x) {
   const ball size = convex_over(x, abs_gamma, false);
   if (size.is_undefined() || certainly_positive(x)) return size;
   // Gamma is negative between -1 and 0, -3 and -2, ...: where the floor of x is odd.
-  const end_points e(x, x.precision() + 8);
+  const end_points e(x, x.precision() + guard_bits);
   mpz_t floor;
   mpz_init(floor);
   mpfr_get_z(floor, e.lower(), MPFR_RNDD);

@@ -1,6 +1,7 @@
-// Complex balls: the inclusion principle against an oracle that shares no formula with the code (Arb, and real
-// MPFR functions on the cuts) and, without oracles, through identities whose members are exact; tightness,
-// monotonicity of inclusion, sides of the cuts, and analyticity decided by exact geometry.
+// Complex balls: the inclusion principle against an oracle that shares no formula with the code
+// (Arb, and real MPFR functions on the cuts) and, without oracles, through identities whose
+// members are exact; tightness, monotonicity of inclusion, sides of the cuts, and analyticity
+// decided by exact geometry.
 
 #include <array>
 #include <cmath>
@@ -60,8 +61,8 @@ complex_ball exact_ball(const point& z, precision p) {
   return ::testing::AssertionFailure() << described(w) << " is not in " << described(z);
 }
 
-/// small lies in large, both being enclosures of the same number and small the far narrower one: its
-/// radius is allowed for.
+/// small lies in large, both being enclosures of the same number and small the far narrower one:
+/// its radius is allowed for.
 ::testing::AssertionResult agrees(const complex_ball& large, const complex_ball& small) {
   if (large.is_undefined() || small.is_undefined()) {
     return ::testing::AssertionFailure() << "undefined";
@@ -163,16 +164,8 @@ bool is_on_cut(cut where, const point& z) {
   }
   return false;
 }
-/// The function has no value there.
-bool is_pole(const entry& e, const point& z) {
-  const std::string name = e.name;
-  if (name == "log" || name == "reciprocal") return z.re == 0 && z.im == 0;
-  if (name == "atanh") return z.im == 0 && abs(z.re) == 1;
-  if (name == "atan") return z.re == 0 && abs(z.im) == 1;
-  return false;
-}
-
-/// A set of a kind that touches what matters: rectangles near the axes, the cuts and the special points.
+/// A set of a kind that touches what matters: rectangles near the axes, the cuts and the special
+/// points.
 class complex_source : public random_source {
  public:
   explicit complex_source(std::uint64_t seed) : random_source(seed) {}
@@ -275,8 +268,17 @@ class arb_complex {
   acb_t value_;
 };
 
-/// An enclosure by Arb of which each part is known to `bits` bits, or at all events to 2^-bits of the whole;
-/// unbounded where that is not reached.
+/// The function has no value there.
+bool is_pole(const entry& e, const point& z) {
+  const std::string name = e.name;
+  if (name == "log" || name == "reciprocal") return z.re == 0 && z.im == 0;
+  if (name == "atanh") return z.im == 0 && abs(z.re) == 1;
+  if (name == "atan") return z.re == 0 && abs(z.im) == 1;
+  return false;
+}
+
+/// An enclosure by Arb of which each part is known to `bits` bits, or at all events to 2^-bits of
+/// the whole; unbounded where that is not reached.
 template <class F>
 complex_ball by_arb(precision bits, F&& f) {
   for (precision p = 2 * bits + 128; p < 20000; p *= 2) {
@@ -535,7 +537,10 @@ TEST(ComplexValues, UndefinedAtPolesAndWhatIsUndefinedSpreads) {
   EXPECT_TRUE(reciprocal(box(0, 1, -1, 0)).is_undefined());
   EXPECT_TRUE((complex_ball(1, p) / box(-1, 1, 0, 0)).is_undefined());
   EXPECT_TRUE(atanh(box(0, 1, 0, 1)).is_undefined());
+  EXPECT_TRUE(atanh(box(-2, -0.5, -1, 1)).is_undefined());
+  EXPECT_TRUE(atanh(box(-1, 0, 0, 0.5)).is_undefined());
   EXPECT_TRUE(atanh(complex_ball(-1, p)).is_undefined());
+  EXPECT_TRUE(atan(box(-1, 1, -2, -0.5)).is_undefined());
   EXPECT_TRUE(atan(box(-1, 1, 0.5, 2)).is_undefined());
   EXPECT_TRUE(tan(box(1, 2, -1, 1)).is_undefined());
   EXPECT_FALSE(tan(box(1, 2, 0.125, 1)).is_undefined());
@@ -597,7 +602,8 @@ TEST(ComplexValues, OnTheCutsTheSideIsAboveOrRight) {
 // ---------------------------------------------------------------------------------------------
 // Tightness.
 
-/// x does not exceed [low, high] by more than `part` of that width and four units of x's last place.
+/// x does not exceed [low, high] by more than `part` of that width and four units of x's last
+/// place.
 ::testing::AssertionResult tight(const ball& x, const ball& low, const ball& high,
                                  const rational& part) {
   const exact_set set = exact(x);
@@ -611,8 +617,9 @@ TEST(ComplexValues, OnTheCutsTheSideIsAboveOrRight) {
          << support::described(b) << "]";
 }
 
-/// The extremes of a part of f along an edge of the rectangle, by sampling and then closing in from every
-/// sample that is better than its neighbours. Parts of analytic functions have their extremes on the edges.
+/// The extremes of a part of f along an edge of the rectangle, by sampling and then closing in
+/// from every sample that is better than its neighbours. Parts of analytic functions have their
+/// extremes on the edges.
 class edge_search {
  public:
   edge_search(complex_function f, const point& from, const point& to)
@@ -663,8 +670,8 @@ class edge_search {
 
 TEST(ComplexTightness, RangesAreThoseOfTheEdges) {
   complex_source random(2300);
-  // Where the search above ends a share 2^-20 of the edge from an extreme of the second order or at a
-  // kink of a first one, it is this close.
+  // Where the search above ends a share 2^-20 of the edge from an extreme of the second order or
+  // at a kink of a first one, it is this close.
   const rational share = power_of_two(-12);
   for (repeat trial(14); trial.again();) {
     const auto end = [&] { return rational(random.between(-48, 48)) / 16; };
@@ -732,7 +739,8 @@ TEST(ComplexTightness, AcrossTheCut) {
       const auto over_part = [&](const ball& part) {
         return imaginary_axis ? complex_ball(part, along) : complex_ball(along, part);
       };
-      // The closed lower side's values are those of its mirror image, except for what is on the cut.
+      // The closed lower side's values are those of its mirror image, except for what is on the
+      // cut.
       const auto mirrored = [&](const complex_ball& z) {
         return imaginary_axis ? -conj(z) : conj(z);
       };
@@ -795,8 +803,28 @@ TEST(ComplexTightness, OfAnExactNumberIsWithinAUnitOfEachPart) {
   }
 }
 
-/// For a thin operand the radius of a part is the propagated one, by the part's own derivatives, but for a
-/// quarter of it, 2^-20 of what |f'| would give, and two units in the last place of |f|.
+/// The same for powers, normwise, also for results with a great exponent.
+TEST(ComplexTightness, PowersOfExactNumbers) {
+  complex_source random(2305);
+  for (repeat trial(400); trial.again();) {
+    const precision p = random.between(30, 300);
+    const auto number = [&](long least, long most) {
+      return complex_ball(ball(random.any_real(p, least, most).get()),
+                          ball(random.any_real(p, least, most).get()));
+    };
+    const complex_ball z = number(-8, 8);
+    const complex_ball w = number(4, 14);
+    const long n = random.between(-100000, 100000);
+    SCOPED_TRACE(described(z) + " to the " + described(w) + " or " + std::to_string(n));
+    for (const complex_ball& value : {pow(z, w), pow(z, n)}) {
+      const magnitude unit = scale(value.magnitude_upper(), 1 - std::int64_t{p});
+      EXPECT_TRUE(max(value.re.radius(), value.im.radius()) <= unit) << described(value);
+    }
+  }
+}
+
+/// For a thin operand the radius of a part is the propagated one, by the part's own derivatives,
+/// but for a quarter of it, 2^-20 of what |f'| would give, and two units in the last place of |f|.
 TEST(ComplexTightness, OfAThinNumberIsThePropagatedRadius) {
   complex_source random(2304);
   for (repeat trial(600); trial.again();) {
@@ -827,9 +855,10 @@ TEST(ComplexTightness, OfAThinNumberIsThePropagatedRadius) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Monotonicity of inclusion (see monotonicity_test.cpp): f(x) lies in f(y) after each end of f(y) is moved outward
-// by three units in the last place, a quarter of the part's radius, and, as the mean value theorem bounds the change
-// of the greater part of f' and not of each, a sixteenth of the other part's.
+// Monotonicity of inclusion (see monotonicity_test.cpp): f(x) lies in f(y) after each end of f(y)
+// is moved outward by three units in the last place, a quarter of the part's radius, and, as the
+// mean value theorem bounds the change of the greater part of f' and not of each, a sixteenth of
+// the other part's.
 
 bool in(const ball& small, const ball& large, const magnitude& other_radius = {}) {
   exact_set outer = exact(large);

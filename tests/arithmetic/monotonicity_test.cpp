@@ -1,7 +1,7 @@
 // The monotonicity of inclusion: x in y gives f(x) in f(y). Two results are rounded on their own, and
 // a thin ball goes through a bound of first order where a wide one goes through its ends, so what is
 // tested is: f(x) lies in f(y) after each end of f(y) is moved outward by two units in the last place
-// of f(x)'s greatest member, plus 2^-8 of f(x)'s radius (a quarter of it for sin and cos: see
+// of f(x)'s greatest member, plus 2^-8 of f(x)'s radius (3/8 of it for sin and cos: see
 // tightness_test.cpp; all of it for the agm). Where f(x) is undefined, so is f(y).
 
 #include <gtest/gtest.h>
@@ -52,8 +52,8 @@ TEST(Monotonicity, OfElementaryFunctions) {
     for (const support::elementary_function& f : support::elementary_functions()) {
       const std::string name = f.name;
       if (f.grows && !is_moderate(y)) continue;
-      const bool circular = name == "sin" || name == "cos";
-      EXPECT_TRUE(in(f.of(x), f.of(y), circular ? rational(1, 4) : support::power_of_two(-8)))
+      const bool circular = support::is_circular(name);
+      EXPECT_TRUE(in(f.of(x), f.of(y), circular ? rational(3, 8) : support::power_of_two(-8)))
           << name;
     }
     const long n = random.between(-6, 6);

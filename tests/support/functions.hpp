@@ -9,6 +9,7 @@
 
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
 #include "support/exact_set.hpp"
 #include "support/real.hpp"
 
@@ -39,12 +40,19 @@ inline std::ostream& operator<<(std::ostream& out, const elementary_function& f)
   return out << f.name;
 }
 
+/// sin, cos and their kin, whose thin results are looser where the slope is near 0.
+inline bool is_circular(std::string_view name) {
+  return name == "sin" || name == "cos" || name == "sinpi" || name == "cospi";
+}
+
 namespace detail {
 inline bool grows(std::string_view name) {
-  return name == "exp" || name == "sinh" || name == "cosh";
+  return name == "exp" || name == "sinh" || name == "cosh" || name == "expm1" ||
+         name == "erfc";  // which falls as fast
 }
 inline bool everywhere(const exact_set&) { return true; }
 inline bool above_zero(const exact_set& x) { return x.lower && *x.lower > 0; }
+inline bool above_minus_one(const exact_set& x) { return x.lower && *x.lower > -1; }
 inline bool from_zero(const exact_set& x) { return x.lower && *x.lower >= 0; }
 inline bool from_one(const exact_set& x) { return x.lower && *x.lower >= 1; }
 inline bool in_closed_unit(const exact_set& x) {
@@ -73,13 +81,19 @@ inline bool between_poles(const exact_set& x) {
 
 #ifdef POLHODE_HAVE_MPFI
 #define POLHODE_MPFI_OF(f) , mpfi_##f
+#define POLHODE_NO_MPFI , nullptr
 #else
 #define POLHODE_MPFI_OF(f)
+#define POLHODE_NO_MPFI
 #endif
 // clang-format off
 #define POLHODE_FUNCTION(f, shape, domain)                                                        \
   {#f, [](ball& r, const ball& x) { f(r, x); }, [](const ball& x) { return f(x); }, mpfr_##f,     \
    shape, detail::domain, detail::grows(#f) POLHODE_MPFI_OF(f)}
+// A function that MPFI does not have.
+#define POLHODE_OTHER_FUNCTION(f, shape, domain)                                                  \
+  {#f, [](ball& r, const ball& x) { r = f(x); }, [](const ball& x) { return f(x); }, mpfr_##f,    \
+   shape, detail::domain, detail::grows(#f) POLHODE_NO_MPFI}
 // clang-format on
 
 inline const std::vector<elementary_function>& elementary_functions() {
@@ -99,11 +113,19 @@ inline const std::vector<elementary_function>& elementary_functions() {
       POLHODE_FUNCTION(asinh, shape::increasing, everywhere),
       POLHODE_FUNCTION(acosh, shape::increasing, from_one),
       POLHODE_FUNCTION(atanh, shape::increasing, in_open_unit),
+      POLHODE_FUNCTION(expm1, shape::increasing, everywhere),
+      POLHODE_FUNCTION(log1p, shape::increasing, above_minus_one),
+      POLHODE_OTHER_FUNCTION(sinpi, shape::other, everywhere),
+      POLHODE_OTHER_FUNCTION(cospi, shape::other, everywhere),
+      POLHODE_OTHER_FUNCTION(erf, shape::increasing, everywhere),
+      POLHODE_OTHER_FUNCTION(erfc, shape::decreasing, everywhere),
   };
   return all;
 }
 #undef POLHODE_FUNCTION
+#undef POLHODE_OTHER_FUNCTION
 #undef POLHODE_MPFI_OF
+#undef POLHODE_NO_MPFI
 
 /// Two MPFR numbers with the value between them.
 struct enclosure {

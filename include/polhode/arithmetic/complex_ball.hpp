@@ -3,13 +3,13 @@
 // The complex ball: a rectangle re + im*I of two real balls, known to hold a complex number.
 //
 // The inclusion principle (ball.hpp) holds for every operation. Branch cuts, and on which side of
-// them a value on the cut lies, are those of the table in rectangle.hpp, where the functions are also
-// written and proved; possibly_singular::f(z) there tells whether a cut or pole of f touches z.
-// Both parts have the same precision, that of the ball; it is undefined where a part is.
+// them a value on the cut lies, are those of the table in rectangle.hpp, where the functions are
+// also written and proved; possibly_singular::f(z) there tells whether a cut or pole of f touches
+// z. Both parts have the same precision, that of the ball; it is undefined where a part is.
 //
-// For an exact operand each part of a result is within one unit in the last place (its own, not that of
-// |f(z)|) of the value for sqrt, log, exp, sin, cos, sinh, cosh, asin, acos, atan, asinh, acosh, atanh, tan,
-// tanh, and for *, / within one of the last place.
+// For an exact operand each part of a result is within one unit in the last place (its own, not
+// that of |f(z)|) of the value for sqrt, log, exp, sin, cos, sinh, cosh, asin, acos, atan, asinh,
+// acosh, atanh, tan, tanh, and for *, / within one of the last place.
 
 #include <iosfwd>
 #include <string>
@@ -57,8 +57,9 @@ struct real_set<ball> {
   /// sqrt(x^2 + y^2) for narrow sets or points.
   static ball modulus(const ball& x, const ball& y);
   static std::pair<ball, ball> sin_cos(const ball& x) { return polhode::sin_cos(x); }
-  static std::pair<ball, ball> sinh_cosh(const ball& x) { return {sinh(x), cosh(x)}; }
-  /// At least log2 of the greatest |x|, at least 0, and at most so much that it can be added to a precision.
+  static std::pair<ball, ball> sinh_cosh(const ball& x);
+  /// At least log2 of the greatest |x|, at least 0, and at most so much that it can be added to a
+  /// precision.
   static long bits_before_point(const ball& x);
 
   // For narrow sets.
@@ -70,7 +71,8 @@ struct real_set<ball> {
   static bool is_steady(const rectangle<ball>& z);
   /// Grows value by |s| radius(x) + |t| radius(y); false where that is infinite.
   static bool enlarge(ball& value, const ball& s, const ball& x, const ball& t, const ball& y);
-  /// z / w for w that does not hold 0, to first order about the midpoints; for wide sets also undefined.
+  /// z / w for w that does not hold 0, to first order about the midpoints; for wide sets also
+  /// undefined.
   static rectangle<ball> quotient(const rectangle<ball>& z, const rectangle<ball>& w);
 };
 
@@ -80,6 +82,7 @@ class complex_ball : public rectangle<ball> {
   complex_ball() = default;
   complex_ball(ball real_part, ball imaginary_part);
   explicit complex_ball(ball real_part);
+  explicit complex_ball(detail::room r) : rectangle<ball>{ball(r), ball(r)} {}
   complex_ball(rectangle<ball> z)  // NOLINT(google-explicit-constructor): the same set
       : complex_ball(std::move(z.re), std::move(z.im)) {}
   template <exact_number N>
@@ -213,13 +216,13 @@ complex_ball& operator/=(complex_ball& z, const X& x) {
 [[nodiscard]] complex_ball pow(const complex_ball& z, long n);
 [[nodiscard]] complex_ball pow(const complex_ball& z, const complex_ball& w);
 
-/// The arithmetic-geometric mean of 1 and z with the right choice of every square root, that is with
-/// |a - b| <= |a + b| (D. A. Cox, The arithmetic-geometric mean of Gauss, L'Enseignement Math. 30 (1984),
-/// section 2): Cox's simplest value, analytic off (-inf, 0]. On that cut it is the limit from above;
-/// the mean of 1 with 0 or with -1 is 0.
+/// The arithmetic-geometric mean of 1 and z with the right choice of every square root, that is
+/// with |a - b| <= |a + b| (D. A. Cox, The arithmetic-geometric mean of Gauss, L'Enseignement
+/// Math. 30 (1984), section 2): Cox's simplest value, analytic off (-inf, 0]. On that cut it is
+/// the limit from above; the mean of 1 with 0 or with -1 is 0.
 [[nodiscard]] complex_ball agm(const complex_ball& z);
-/// z agm(w / z), the limit for im(w / z) from above where w / z is negative; 0 where z or w is 0. A set z and a
-/// set w that both hold 0 and more give the square of half side max(|z|, |w|).
+/// z agm(w / z), the limit for im(w / z) from above where w / z is negative; 0 where z or w is 0.
+/// A set z and a set w that both hold 0 and more give the square of half side max(|z|, |w|).
 [[nodiscard]] complex_ball agm(const complex_ball& z, const complex_ball& w);
 
 // ---------------------------------------------------------------------------------------------

@@ -1,48 +1,52 @@
 #pragma once
 
-// Complex functions of rectangles: z = re + i im, where re and im run over two sets of reals on their
-// own. The set formulas are written here once, over the type R of these sets: `ball` (complex_ball.hpp)
-// or an interval of hardware doubles. The inclusion principle of ball.hpp holds throughout: f(z) lies
-// in the result for every member z of the operand at which f is defined.
+// Complex functions of rectangles: z = re + i im, where re and im run over two sets of reals on
+// their own. The set formulas are written here once, over the type R of these sets: `ball`
+// (complex_ball.hpp) or an interval of hardware doubles. The inclusion principle of ball.hpp holds
+// throughout: f(z) lies in the result for every member z of the operand at which f is defined.
 //
-// How a range is found. Where each of x = re and y = im occurs once in a formula, interval evaluation
-// gives the range itself (exp, log, arg, sin, cos, sinh, cosh, square, products). Elsewhere the parts
-// of f are monotone in x and in |y|, or have one extremum whose place and value are known, and the
-// range is that of a few corners, each evaluated at a point (sqrt, reciprocal, asin, acos, atan and
-// their hyperbolic kin, tan, tanh). The lines above each function prove it, mostly from the
-// Cauchy-Riemann equations: with f' = p + i q, df = p dx - q dy + i (q dx + p dy).
-// A narrow operand (a ball by midpoint and radius in both parts) goes by the mean value theorem, at its
-// midpoint m: f(z) - f(m) is in the convex hull of f' over the operand, times (z - m).
+// How a range is found. Where each of x = re and y = im occurs once in a formula, interval
+// evaluation gives the range itself (exp, log, arg, sin, cos, sinh, cosh, square, products).
+// Elsewhere the parts of f are monotone in x and in |y|, or have one extremum whose place and
+// value are known, and the range is that of a few corners, each evaluated at a point (sqrt,
+// reciprocal, asin, acos, atan and their hyperbolic kin, tan, tanh). The lines above each function
+// prove it, mostly from the Cauchy-Riemann equations: with f' = p + i q,
+// df = (p dx - q dy) + i (q dx + p dy).
+// A narrow operand (a ball by midpoint and radius in both parts) goes by the mean value theorem, at
+// its midpoint m: f(z) - f(m) is in the convex hull of f' over the operand, times (z - m).
 //
 // BRANCH CUTS. A function with cuts encloses the principal value at every member. On a cut itself a
-// part that is 0 counts as +0, as in C99 annex G and Boost: the value is the limit from above, or, for cuts
-// on the imaginary axis, from the right. So an operand with im in [0, y] has the values of the upper side
-// only, one with im < 0 those of the lower side only, and one across the cut has the hull of both.
+// part that is 0 counts as +0, as in C99 annex G and Boost: the value is the limit from above, or,
+// for cuts on the imaginary axis, from the right. So an operand with im in [0, y] has the values
+// of the upper side only, one with im < 0 those of the lower side only, and one across the cut has
+// the hull of both.
 //
-//   function               cut                                continuous from   undefined at (poles, 0)
-//   sqrt                   (-inf, 0)                          above             -
-//   log, arg               (-inf, 0)                          above             0
-//   pow(z, w)              (-inf, 0) unless w is an integer   above             0 unless z = 0, re w > 0
-//   asin, acos             (-inf, -1), (1, inf)               above             -
-//   acosh                  (-inf, 1)                          above             -
-//   atanh                  (-inf, -1), (1, inf)               above             -1, 1
-//   atan                   i (-inf, -1), i (1, inf)           the right         -i, i
-//   asinh                  i (-inf, -1), i (1, inf)           the right         -
-//   agm(z)                 (-inf, 0)                          above             -
-//   reciprocal, z / w      -                                  -                 0
-//   tan                    -                                  -                 odd multiples of pi/2
-//   tanh                   -                                  -                 i times those
+//   function           cut                            continuous from   undefined at
+//   sqrt               (-inf, 0)                      above             -
+//   log, arg           (-inf, 0)                      above             0
+//   pow(z, w)          (-inf, 0), w not an integer    above             0, unless z = 0, re w > 0
+//   asin, acos         (-inf, -1), (1, inf)           above             -
+//   acosh              (-inf, 1)                      above             -
+//   atanh              (-inf, -1), (1, inf)           above             -1, 1
+//   atan               i (-inf, -1), i (1, inf)       the right         -i, i
+//   asinh              i (-inf, -1), i (1, inf)       the right         -
+//   agm(z)             (-inf, 0)                      above             -
+//   reciprocal, z / w  -                              -                 0
+//   tan                -                              -                 odd multiples of pi/2
+//   tanh               -                              -                 i times those
 //
 // Whether f is analytic on a neighbourhood of the operand is another question than where its values
 // lie, and has its own answer: possibly_singular::f(z), at the end of this file.
 
+#include <algorithm>
 #include <utility>
 
 namespace polhode {
 
-/// What this file needs of R beyond + - * /, unary -, sqrt, square, scale, exp, log, log1p, sin, cos,
-/// sinh, cosh, atan, hypot, abs, hull, intersection, contains_zero, certainly_positive and
-/// certainly_negative. Specialised beside each R; the members are those of real_set<ball>.
+/// What this file needs of R beyond + - * /, unary -, sqrt, square, scale, exp, log, log1p, sin,
+/// cos, sinh, cosh, tanh, atan, pow(x, n), hypot, abs, hull, intersection, contains_zero,
+/// certainly_positive and certainly_negative. Specialised beside each R; the members are those of
+/// real_set<ball>, the ones for narrow sets only where has_narrow.
 template <class R>
 struct real_set;
 
@@ -161,8 +165,8 @@ struct ends {
   R upper;
 };
 
-/// The range of an f(x, y) that is odd in y, with f(., 0) the limit from above, where f(x, y), for y >= 0,
-/// is increasing in y and is least at x = inner and greatest at x = outer.
+/// The range of an f(x, y) that is odd in y, with f(., 0) the limit from above, where f(x, y), for
+/// y >= 0, is increasing in y and is least at x = inner and greatest at x = outer.
 template <class R, class F>
 [[nodiscard]] R odd_in_y(const R& y, const R& inner, const R& outer, F&& f) {
   if (not_negative(y)) {
@@ -183,8 +187,8 @@ template <class R, class F, class Place, class Value>
 [[nodiscard]] R odd_with_peak(const R& x, const R& y, F&& f, Place&& peak_place,
                               Value&& peak_value) {
   const ends<R> ey(abs(y));
-  // The values at |y| = ey.lower for 0 < low <= x <= high hold the greatest, those at the other end of |y|
-  // the least.
+  // The values at |y| = ey.lower for 0 < low <= x <= high hold the greatest, those at the other
+  // end of |y| the least.
   const auto greatest = [&](const R& low, const R& high, R sides) {
     const R place = peak_place(ey.lower);
     if (certainly_negative(place - low) || certainly_positive(place - high)) return sides;
@@ -247,8 +251,8 @@ template <class R>
 }
 
 /// 1 / z: the range of each part for a wide operand. Undefined where z holds 0.
-// Re = g(x, y) and Im = -g(y, x) with g = x / (x^2 + y^2), which is odd in x, and for x > 0 decreasing
-// in |y|; dg/dx has the sign of y^2 - x^2, so that its peak is g(|y|, y) = 1 / (2 |y|).
+// Re = g(x, y) and Im = -g(y, x) with g = x / (x^2 + y^2), which is odd in x, and for x > 0
+// decreasing in |y|; dg/dx has the sign of y^2 - x^2, so that its peak is g(|y|, y) = 1 / (2 |y|).
 template <class R>
 [[nodiscard]] rectangle<R> reciprocal(const rectangle<R>& z) {
   namespace d = detail::rectangles;
@@ -268,16 +272,16 @@ template <class R>
                     z);
 }
 
-/// Undefined where w holds 0. For wide operands z times the range of 1 / w, for narrow ones the midpoints'
-/// quotient and its change to first order; for what lies between the common part.
+/// Undefined where w holds 0. For wide operands z times the range of 1 / w, for narrow ones the
+/// midpoints' quotient and its change to first order; for what lies between the common part.
 template <class R>
 [[nodiscard]] rectangle<R> operator/(const rectangle<R>& z, const rectangle<R>& w) {
   namespace d = detail::rectangles;
   if (is_undefined(z) || is_undefined(w) || contains_zero(w)) return d::undefined_like(z);
   if constexpr (real_set<R>::has_narrow) {
-    const rectangle<R> centred = real_set<R>::quotient(z, w);
+    rectangle<R> centred = real_set<R>::quotient(z, w);
     if (d::is_narrow(z) && d::is_narrow(w)) return centred;
-    const rectangle<R> r = z * reciprocal(w);
+    rectangle<R> r = z * reciprocal(w);
     if (is_undefined(centred)) return r;
     return {intersection(r.re, centred.re), intersection(r.im, centred.im)};
   } else {
@@ -320,10 +324,11 @@ template <class R>
 }
 
 /// log |z|, without a last rounding.
-// The range, since x^2 and y^2 occur once. Near |z| = 1 it is log1p(t) / 2 with t = (x^2 - 1) + y^2,
-// |x| >= |y|. For a point of p bits there x^2 is an integer times 4^-p (as |x| >= 1/2), so is y^2 times some
-// 4^-k with k >= p, and 2p + 16 bits hold x^2 - 1 exactly; either the two summands of t do not cancel, or they
-// have about the same exponent and the sum is exact too. So log |z| has a relative error of a few 2^-p.
+// The range, since x^2 and y^2 occur once. Near |z| = 1 it is log1p(t) / 2 with t = (x^2 - 1) +
+// y^2, |x| >= |y|. For a point of p bits there x^2 is an integer times 4^-p (as |x| >= 1/2), so is
+// y^2 times some 4^-k with k >= p, and 2p + 16 bits hold x^2 - 1 exactly; either the two summands
+// of t do not cancel, or they have about the same exponent and the sum is exact too. So log |z|
+// has a relative error of a few 2^-p.
 template <class R>
 [[nodiscard]] R log_modulus(const R& x, const R& y) {
   const R one = integer(1, x);
@@ -369,7 +374,8 @@ template <class R>
 }
 
 // ---------------------------------------------------------------------------------------------
-// The exponential and its kin: products of real functions of x and of y, so that each part is its range.
+// The exponential and its kin: products of real functions of x and of y, so that each part is its
+// range.
 
 /// e^x (cos y + i sin y).
 template <class R>
@@ -418,11 +424,12 @@ template <class R>
 
 namespace detail::rectangles {
 
-// tan z = (sin 2x + i sinh 2y) / (cos 2x + cosh 2y)
-//       = (sin x cos x + i sinh y cosh y) / (cos^2 x + sinh^2 y)                  for small |y|
-//       = (2 q sin 2x + i sign(y) (1 - q^2)) / ((1 - q)^2 + 4 q cos^2 x)          with q = e^(-2|y|), for other y.
-// Both denominators are sums of terms >= 0, and nothing overflows in the second form, where q < 1/e: for a
-// point all relative errors are small.
+// tan z = (sin 2x + i sinh 2y) / (cos 2x + cosh 2y), for small |y| as
+//     (sin x cos x + i sinh y cosh y) / (cos^2 x + sinh^2 y),
+// and for other y, with q = e^(-2|y|) < 1/e, as
+//     (2 q sin 2x + i sign(y) (1 - q^2)) / ((1 - q)^2 + 4 q cos^2 x).
+// Both denominators are sums of terms >= 0, and nothing overflows in the second form: for a point
+// all relative errors are small.
 
 /// |y| > 1/2: where the second form is used.
 template <class R>
@@ -461,16 +468,16 @@ template <class R>
 }
 
 /// The range of Im tan for y >= 0, given that of cos^2 x.
-// Im is decreasing in c = cos^2 x. With v = 2y, dIm/dv has the sign of 1 + cos 2x cosh v: for each x Im is increasing
-// up to cosh v = -1 / cos 2x, that is tanh^2 y = c / (1 - c), where it is 1 / sqrt(1 - cos^2 2x) =
-// 1 / (2 sqrt(c (1 - c))), and decreasing from there. So its greatest value lies at the least c and an end of y or
-// that place, its least at the greatest c and an end of y.
+// Im is decreasing in c = cos^2 x. With v = 2y, dIm/dv has the sign of 1 + cos 2x cosh v: for each
+// x Im is increasing up to cosh v = -1 / cos 2x, that is tanh^2 y = c / (1 - c), where it is 1 /
+// sqrt(1 - cos^2 2x) = 1 / (2 sqrt(c (1 - c))), and decreasing from there. So its greatest value
+// lies at the least c and an end of y or that place, its least at the greatest c and an end of y.
 template <class R>
 [[nodiscard]] R im_tan_above(const R& cosine_squared, const R& y) {
   const ends<R> c(cosine_squared);
   const ends<R> e(y);
-  const R r = hull(hull(im_tan(c.lower, e.lower), im_tan(c.lower, e.upper)),
-                   hull(im_tan(c.upper, e.lower), im_tan(c.upper, e.upper)));
+  R r = hull(hull(im_tan(c.lower, e.lower), im_tan(c.lower, e.upper)),
+             hull(im_tan(c.upper, e.lower), im_tan(c.upper, e.upper)));
   const R rest = integer(1, y) - c.lower;
   if (!certainly_positive(rest - c.lower)) return r;  // increasing for all y
   const R place = sqrt(c.lower / rest);               // of tanh y
@@ -481,10 +488,11 @@ template <class R>
 }
 
 /// The range of Re tan.
-// With u = 2x and v = 2y, Re = sin u / (cos u + cosh v) is monotone in |v| for each u, so that its extremes lie at the
-// least or the greatest |v|. For each v >= 0, dRe/du has the sign of 1 + cos u cosh v. That is 0 where
-// tan x = (1 - cos u) / sin u = +-(cosh v + 1) / sinh v = +-coth y, and there Re = +-1 / sinh v. Those are the zeros of
-// cos x -+ tanh y sin x, simple and at distances of pi.
+// With u = 2x and v = 2y, Re = sin u / (cos u + cosh v) is monotone in |v| for each u, so that its
+// extremes lie at the least or the greatest |v|. For each v >= 0, dRe/du has the sign of 1 + cos u
+// cosh v. That is 0 where tan x = (1 - cos u) / sin u = +-(cosh v + 1) / sinh v = +-coth y, and
+// there Re = +-1 / sinh v. Those are the zeros of cos x -+ tanh y sin x, simple and at distances
+// of pi.
 template <class R>
 [[nodiscard]] R re_tan(const R& x, const R& y) {
   const ends<R> ex(x);
@@ -564,7 +572,7 @@ template <class R>
 namespace detail::rectangles {
 
 /// sqrt(x + i y) for y >= 0, at a point or a narrow set: with r = |z|,
-/// u = sqrt((r + x) / 2) and v = y / (2u) for x >= 0, v = sqrt((r - x) / 2) and u = y / (2v) for x < 0.
+/// x >= 0: u = sqrt((r + x) / 2), v = y / (2u);  x < 0: v = sqrt((r - x) / 2), u = y / (2v).
 /// No difference is formed: small relative errors in both parts.
 template <class R>
 [[nodiscard]] rectangle<R> upper_sqrt(const R& x, const R& y) {
@@ -588,8 +596,9 @@ template <class R>
 }  // namespace detail::rectangles
 
 /// The square root with re >= 0: the range of each part. sqrt(x) = i sqrt(-x) for x < 0.
-// f' = 1 / (2 sqrt z) = (u - i v) / (2 |z|), so u is increasing in x, v is increasing in y, and where
-// y >= 0, and so v >= 0, u is increasing in y and v is decreasing in x; sqrt(conj z) = conj sqrt z.
+// f' = 1 / (2 sqrt z) = (u - i v) / (2 |z|), so u is increasing in x, v is increasing in y, and
+// where y >= 0, and so v >= 0, u is increasing in y and v is decreasing in x. The mirror image of z
+// has the mirror image of the root.
 template <class R>
 [[nodiscard]] rectangle<R> sqrt(const rectangle<R>& z) {
   namespace d = detail::rectangles;
@@ -621,13 +630,14 @@ template <class R>
 
 namespace detail::rectangles {
 
-/// A point x + i y, x >= 0, y >= 0, in the ellipses and hyperbolas with foci +-1: with r = |z + 1| and
-/// s = |z - 1|, a = (r + s) / 2 and b = (r - s) / 2 = x / a,
+/// A point x + i y, x >= 0, y >= 0, in the ellipses and hyperbolas with foci +-1: with r = |z + 1|
+/// and s = |z - 1|, a = (r + s) / 2 and b = (r - s) / 2 = x / a,
 ///     asin z = asin b + i acosh a,    acos z = acos b - i acosh a
-/// (T. E. Hull, T. F. Fairgrieve, P. T. P. Tang, Implementing the complex arcsine and arccosine functions
-/// using exception handling, ACM TOMS 23 (1997), eqs. (2.1)-(2.12)). a - 1 and a - x are formed from
-/// r - (x + 1) = y^2 / (r + (x + 1)) and its like, as sums of terms >= 0: from an exact point every step has a
-/// small relative error, and so have all three results, for tiny and huge arguments and near the branch points.
+/// (T. E. Hull, T. F. Fairgrieve, P. T. P. Tang, Implementing the complex arcsine and arccosine
+/// functions using exception handling, ACM TOMS 23, 1997). As there, a - 1 and a - x are formed
+/// from r - (x + 1) = y^2 / (r + (x + 1)) and its like, as sums of terms >= 0: from an exact point
+/// every step has a small relative error, and so have all three results, for tiny and huge
+/// arguments and near the branch points.
 template <class R>
 class confocal {
  public:
@@ -637,11 +647,10 @@ class confocal {
     const R offset = x - one;
     const R r = real_set<R>::modulus(beyond, y);
     const R s = real_set<R>::modulus(offset, y);
-    const R y2 = square(y);
-    const R from_left = y2 / (r + beyond);  // r - (x + 1)
+    const R from_left = y * (y / (r + beyond));  // r - (x + 1)
     // s - |x - 1|, which is 0 where z = 1.
     const R span = s + abs(offset);
-    const R from_right = contains_zero(span) ? hull(integer(0, x), s) : y2 / span;
+    const R from_right = contains_zero(span) ? hull(integer(0, x), s) : y * (y / span);
     const bool inside = certainly_negative(offset);
     excess_ = half(from_left + (inside ? from_right : s + offset));
     gap_ = half(from_left + (inside ? s - offset : from_right));
@@ -649,12 +658,12 @@ class confocal {
   }
   /// acosh a = log1p(a - 1 + sqrt((a - 1)(a + 1))) >= 0.
   [[nodiscard]] R height() const {
-    return log1p(excess_ + sqrt(excess_ * (excess_ + integer(2, x_))));
+    return log1p(excess_ + sqrt(excess_) * sqrt(excess_ + integer(2, x_)));
   }
   /// asin b = atan2(x, sqrt((a - x)(a + x))) in [0, pi/2], or acos b, the complement of it.
   [[nodiscard]] R angle(bool complement) const {
-    const R side = sqrt(gap_ * (a_ + x_));
-    const R angle = complement ? argument(x_, side) : argument(side, x_);
+    const R side = sqrt(gap_) * sqrt(a_ + x_);
+    R angle = complement ? argument(x_, side) : argument(side, x_);
     if (!real_set<R>::is_undefined(angle)) return angle;
     return hull(integer(0, x_), half(real_set<R>::pi(x_)));  // an end at infinity
   }
@@ -675,9 +684,9 @@ template <class R>
 }
 
 /// {asin b, or acos b; acosh a with the sign of y, + for 0}: the ranges.
-// a is convex and even in x and in y, so it is increasing in |x| and in |y|. b is odd in x; it is increasing in
-// x, as db/dx = ((x + 1)/r - (x - 1)/s)/2 and t / sqrt(t^2 + y^2) is increasing in t; and |b| = |x| / a is
-// decreasing in |y|.
+// a is convex and even in x and in y, so it is increasing in |x| and in |y|. b is odd in x; it is
+// increasing in x, as db/dx = ((x + 1)/r - (x - 1)/s)/2 and t / sqrt(t^2 + y^2) is increasing in
+// t; and |b| = |x| / a is decreasing in |y|.
 template <class R>
 [[nodiscard]] rectangle<R> inverse_sine(const rectangle<R>& z, bool complement) {
   if (is_undefined(z)) return undefined_like(z);
@@ -727,7 +736,8 @@ template <class R>
   if (is_undefined(w)) return w;
   if (d::not_negative(z.im)) return {std::move(w.im), std::move(w.re)};
   if (certainly_negative(z.im)) return {-w.im, -w.re};
-  // acos b over both sides; acosh a over both sides is even in y, and least at the least |y|, which is 0.
+  // acos b over both sides; acosh a over both sides is even in y, and least at the least |y|,
+  // which is 0.
   const rectangle<R> above = d::inverse_sine(rectangle<R>{z.re, abs(z.im)}, true);
   const d::ends<R> e(z.im);
   const auto side = [&](const R& end) {
@@ -745,17 +755,18 @@ template <class R>
 namespace detail::rectangles {
 
 /// Re atanh at a point x >= 0: log1p(4 x / ((1 - x)^2 + y^2)) / 4, with a small relative error.
+// For x >= 2 as 4 / (x - 2 + (1 + y^2) / x), which does not overflow.
 template <class R>
 [[nodiscard]] R re_atanh(const R& x, const R& y) {
-  if (!real_set<R>::is_bounded(x)) {  // an end at infinity: 4 / (x - 2 + (1 + y^2) / x)
-    const R one = integer(1, x);
-    return scale(log1p(integer(4, x) / (x - scale(one, 1) + (one + square(y)) / x)), -2);
-  }
-  return scale(log1p(scale(x, 2) / (square(x - integer(1, x)) + square(y))), -2);
+  const R one = integer(1, x);
+  const R rest = x - scale(one, 1);
+  const R ratio = certainly_positive(rest) ? integer(4, x) / (rest + (one + square(y)) / x)
+                                           : scale(x, 2) / (square(x - one) + square(y));
+  return scale(log1p(ratio), -2);
 }
 /// Im atanh at a point y >= 0: arg((1 - x)(1 + x) - y^2 + 2 i y) / 2.
-// The difference cancels only where y^2 is near 1 - x^2 <= 1, and there the argument is >= atan(1) / 2 and
-// changes by less than the difference's error, which is of the order 2^-p y^2, divided by 2 y.
+// The difference cancels only where y^2 is near 1 - x^2 <= 1. There the argument is at least pi/4,
+// and it changes by less than the difference's error, of the order of 2^-p y^2, divided by 2 y.
 template <class R>
 [[nodiscard]] R im_atanh(const R& x, const R& y) {
   const R one = integer(1, x);
@@ -769,8 +780,8 @@ template <class R>
 [[nodiscard]] R im_atanh_above(const R& x, const R& y) {
   const ends<R> ex(abs(x));
   const ends<R> ey(y);
-  const R r = hull(hull(im_atanh(ex.lower, ey.lower), im_atanh(ex.lower, ey.upper)),
-                   hull(im_atanh(ex.upper, ey.lower), im_atanh(ex.upper, ey.upper)));
+  R r = hull(hull(im_atanh(ex.lower, ey.lower), im_atanh(ex.lower, ey.upper)),
+             hull(im_atanh(ex.upper, ey.lower), im_atanh(ex.upper, ey.upper)));
   const R one = integer(1, x);
   if (!certainly_positive(ex.lower - one)) return r;
   const R place = sqrt((ex.lower - one) * (ex.lower + one));
@@ -782,12 +793,12 @@ template <class R>
 
 /// atanh z = (log(1 + z) - log(1 - z)) / 2, im in [-pi/2, pi/2]: the range of each part.
 /// atanh(x) has im = pi/2 for |x| > 1. Undefined where z holds 1 or -1.
-// With f' = 1 / (1 - z^2) = (1 - x^2 + y^2 + 2 i x y) / |1 - z^2|^2. Re is odd in x; for x > 0 it is decreasing in
-// |y|, and increasing in x up to x = sqrt(1 + y^2), where it is log((x + 1)/(x - 1)) / 4 = log1p(2/(x - 1)) / 4.
-// Im is odd in y and even in x; for y > 0 it is increasing in |x|, and in y it is increasing where |x| <= 1 and
-// otherwise decreasing down to y = sqrt(x^2 - 1), where 1 - x^2 - y^2 = -2 y^2 and Im = (pi/2 + atan y) / 2.
-// So its greatest value lies at the greatest |x| and an end of y, its least at the least |x| and such an end or
-// that place.
+// With f' = 1 / (1 - z^2) = (1 - x^2 + y^2 + 2 i x y) / |1 - z^2|^2. Re is odd in x; for x > 0 it
+// is decreasing in |y|, and increasing in x up to x = sqrt(1 + y^2), where it is log((x + 1)/(x -
+// 1)) / 4 = log1p(2/(x - 1)) / 4. Im is odd in y and even in x; for y > 0 it is increasing in |x|,
+// and in y it is increasing where |x| <= 1 and otherwise decreasing down to y = sqrt(x^2 - 1),
+// where 1 - x^2 - y^2 = -2 y^2 and Im = (pi/2 + atan y) / 2. So its greatest value lies at the
+// greatest |x| and an end of y, its least at the least |x| and such an end or that place.
 template <class R>
 [[nodiscard]] rectangle<R> atanh(const rectangle<R>& z) {
   namespace d = detail::rectangles;
@@ -828,7 +839,8 @@ template <class R>
   return d::rounded(r, z);
 }
 
-/// atan z = -i atanh(i z), re in [-pi/2, pi/2]: the range of each part. Undefined where z holds i or -i.
+/// atan z = -i atanh(i z), re in [-pi/2, pi/2]: the range of each part. Undefined where z holds i
+/// or -i.
 template <class R>
 [[nodiscard]] rectangle<R> atan(const rectangle<R>& z) {
   namespace d = detail::rectangles;
@@ -883,8 +895,8 @@ template <class R>
   return d::rounded(r, z);
 }
 
-/// z^w = exp(w log z); an exact integer w is taken as such, and 0^w = 0 for re w > 0. Undefined where z
-/// holds 0 and something else.
+/// z^w = exp(w log z); an exact integer w is taken as such, and 0^w = 0 for re w > 0. Undefined
+/// where z holds 0 and something else.
 template <class R>
 [[nodiscard]] rectangle<R> pow(const rectangle<R>& z, const rectangle<R>& w) {
   namespace d = detail::rectangles;
@@ -898,7 +910,8 @@ template <class R>
   // The bits of w log z before the point are lost to its last places in exp.
   const rectangle<R> size = d::coarse(w) * log(d::coarse(z));
   const long extra =
-      real_set<R>::bits_before_point(size.re) + real_set<R>::bits_before_point(size.im) + d::guard;
+      std::max(real_set<R>::bits_before_point(size.re), real_set<R>::bits_before_point(size.im)) +
+      d::guard;
   const rectangle<R> exponent = d::raised(w, extra) * log(d::raised(z, extra));
   return d::rounded(exp(exponent), z);
 }
@@ -906,10 +919,10 @@ template <class R>
 // ---------------------------------------------------------------------------------------------
 // Analyticity.
 
-/// possibly_singular::f(z) is false only where f is proved analytic on a neighbourhood of the whole set
-/// z: neither a cut nor a branch point nor a pole of f touches it, not even with a single common
-/// point. The functions without one (exp, sin, cos, sinh, cosh, z^n for n >= 0) are analytic everywhere;
-/// abs, arg and conj nowhere. An undefined operand is possibly singular.
+/// possibly_singular::f(z) is false only where f is proved analytic on a neighbourhood of the
+/// whole set z: neither a cut nor a branch point nor a pole of f touches it, not even with a
+/// single common point. The functions without one (exp, sin, cos, sinh, cosh, z^n for n >= 0) are
+/// analytic everywhere; abs, arg and conj nowhere. An undefined operand is possibly singular.
 namespace possibly_singular {
 
 template <class R>

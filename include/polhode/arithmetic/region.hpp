@@ -1,0 +1,228 @@
+#pragma once
+
+// The region: a set of complex numbers on which a function is being bounded, and the knowledge whether
+// the function is analytic there.
+//
+// A region is a rectangle in hardware doubles with outward rounding, some tens of nanoseconds an
+// operation. Put regions into a generic function f that was written for real arguments: the result is
+// an enclosure of f's analytic continuation over the rectangle, or says that none was proved:
+//   a square root, logarithm or power meets its branch cut, a division or a tangent a pole,
+//   abs, min or max the line where it changes from one analytic piece to another, floor or ceil a jump.
+// The answer is in the value (`is_analytic`, `why`, `where`) and spreads to every result made of it, so
+// that no caller can pass it by: a bound asked of a region that is not analytic is infinite.
+//
+// What the functions mean off the real line: abs(z) is z where Re z > 0 and -z where Re z < 0, the
+// continuation of |x| from either side; min and max likewise pick the one that is smaller or greater in
+// its real part; floor(z) is the constant that it is on the real numbers of the same real part.
+//
+// Where a result leaves the range of doubles (overflow, underflow, an argument too large to reduce modulo
+// pi) it is computed again, and carried on, with balls of 64 bits, whose exponents go far beyond.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "polhode/arithmetic/complex_ball.hpp"
+#include "polhode/arithmetic/double_interval.hpp"
+
+namespace polhode {
+
+/// What rectangle.hpp needs of a double_interval: there are no narrow sets and no more bits to raise.
+template <>
+struct real_set<double_interval> {
+  static constexpr bool has_narrow = false;
+
+  static bool is_undefined(double_interval x) { return x.is_undefined(); }
+  static bool is_bounded(double_interval x) { return x.is_bounded(); }
+  static bool is_exact(double_interval x) { return x.is_exact(); }
+  static bool is_zero(double_interval x) { return x.is_exact() && contains_zero(x); }
+  static bool is_machine_integer(double_interval x, long& n) {
+    if (!x.is_exact() || !(x.lower() >= -0x1p53 && x.lower() <= 0x1p53)) return false;
+    n = static_cast<long>(x.lower());
+    return contains(double_interval(n), x);
+  }
+  static bool not_negative(double_interval x) { return !x.is_undefined() && x.lower() >= 0; }
+
+  static double_interval integer(long n, double_interval) { return double_interval(n); }
+  static double_interval pi(double_interval) { return 4 * atan(double_interval(1)); }
+  static double_interval undefined(double_interval) { return double_interval::undefined(); }
+  static rectangle<double_interval> unit(double_interval like) {
+    return {integer(1, like), integer(0, like)};
+  }
+
+  static double_interval raised(double_interval x, long) { return x; }
+  static double_interval doubled(double_interval x) { return x; }
+  static double_interval rounded(double_interval x, double_interval) { return x; }
+  static double_interval coarse(double_interval x) { return x; }
+  static long bits_before_point(double_interval) { return 0; }
+
+  static double_interval lower_end(double_interval x) { return end(x, x.lower()); }
+  static double_interval upper_end(double_interval x) { return end(x, x.upper()); }
+
+  static double_interval modulus(double_interval x, double_interval y) { return hypot(x, y); }
+  static std::pair<double_interval, double_interval> sin_cos(double_interval x) {
+    return polhode::sin_cos(x);
+  }
+  static std::pair<double_interval, double_interval> sinh_cosh(double_interval x) {
+    return {sinh(x), cosh(x)};
+  }
+
+  static bool is_narrow(double_interval) { return false; }
+  static double_interval middle(double_interval x) { return double_interval(x.midpoint()); }
+  static bool is_steady(const rectangle<double_interval>&) { return false; }
+  static bool enlarge(double_interval&, double_interval, double_interval, double_interval,
+                      double_interval) {
+    return false;
+  }
+  static rectangle<double_interval> quotient(const rectangle<double_interval>& z,
+                                             const rectangle<double_interval>&) {
+    return {undefined(z.re), undefined(z.im)};
+  }
+
+ private:
+  /// An end as a point; where it is infinite, all numbers beyond the greatest finite one.
+  static double_interval end(double_interval x, double value) {
+    constexpr double most = std::numeric_limits<double>::max();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (x.is_undefined()) return x;
+    if (value == infinite) return {most, infinite};
+    if (value == -infinite) return {-infinite, -most};
+    return double_interval(value);
+  }
+};
+
+/// Why a function is not proved analytic on a region.
+enum class obstacle {
+  none,
+  branch_cut,  // of sqrt, log, pow, an inverse function
+  pole,        // of a quotient, tan, tanh, a negative power
+  kink,        // of abs, min, max
+  jump,        // of floor, ceil
+  undefined    // the region itself is undefined
+};
+
+[[nodiscard]] std::string to_text(obstacle o);
+
+class region {
+ public:
+  /// A rectangle, a real interval or a real number.
+  region(double_interval re, double_interval im) : hardware_{re, im} { settle(); }
+  explicit region(double_interval re) : region(re, double_interval(0)) {}
+  /// The set of a ball or a complex ball.
+  explicit region(const ball& re) : region(double_interval::from_ball(re)) {
+    if (needs_balls()) *this = from_balls({re, ball(0, re.precision())});
+  }
+  explicit region(const complex_ball& z) { *this = from_balls(z); }
+
+  /// The function computed so far is proved analytic on a neighbourhood of everything it was given.
+  [[nodiscard]] bool is_analytic() const { return obstacle_ == obstacle::none; }
+  [[nodiscard]] obstacle why() const { return obstacle_; }
+  /// The name of the function that met the obstacle; empty where there is none.
+  [[nodiscard]] std::string_view where() const { return where_; }
+
+  /// Bounds of |z| over the set; infinite and 0 where it is not analytic.
+  [[nodiscard]] magnitude magnitude_upper() const;
+  [[nodiscard]] magnitude magnitude_lower() const;
+  /// The parts, rounded outward; undefined where not analytic.
+  [[nodiscard]] double_interval re() const;
+  [[nodiscard]] double_interval im() const;
+  /// The set as a complex ball of 64 bits.
+  [[nodiscard]] complex_ball to_complex_ball() const;
+  /// The set is kept in hardware doubles, not in balls.
+  [[nodiscard]] bool is_in_hardware() const { return balls_ == nullptr; }
+
+  friend region operator+(const region& z) { return z; }
+  friend region operator-(const region& z);
+  friend region operator+(const region& z, const region& w);
+  friend region operator-(const region& z, const region& w);
+  friend region operator*(const region& z, const region& w);
+  friend region operator/(const region& z, const region& w);
+
+  friend region square(const region& z);
+  friend region sqrt(const region& z);
+  friend region exp(const region& z);
+  friend region log(const region& z);
+  friend region sin(const region& z);
+  friend region cos(const region& z);
+  friend region tan(const region& z);
+  friend region asin(const region& z);
+  friend region acos(const region& z);
+  friend region atan(const region& z);
+  friend region sinh(const region& z);
+  friend region cosh(const region& z);
+  friend region tanh(const region& z);
+  friend region asinh(const region& z);
+  friend region acosh(const region& z);
+  friend region atanh(const region& z);
+  friend region pow(const region& z, long n);
+  /// exp(w log z), with log's branch cut, whatever w is.
+  friend region pow(const region& z, const region& w);
+  friend region abs(const region& z);
+  friend region min(const region& z, const region& w);
+  friend region max(const region& z, const region& w);
+  friend region floor(const region& z);
+  friend region ceil(const region& z);
+
+ private:
+  region() = default;
+  static region blocked(obstacle why, std::string_view where);
+  static region from_balls(const complex_ball& z);
+  /// Marks an undefined set; passes to balls where the hardware's range is left.
+  void settle();
+  [[nodiscard]] bool needs_balls() const;
+
+  template <class Hardware, class Balls>
+  static region combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls);
+  struct functions;
+
+  rectangle<double_interval> hardware_;
+  std::shared_ptr<const complex_ball> balls_;  // the set, where the hardware's range was left
+  obstacle obstacle_ = obstacle::none;
+  std::string_view where_;
+};
+
+// With exact numbers, which are real constants.
+namespace detail {
+template <class N>
+concept region_constant = exact_number<N>;
+template <region_constant N>
+[[nodiscard]] region constant_region(const N& n) {
+  return region(double_interval(n));
+}
+}  // namespace detail
+
+template <detail::region_constant N>
+[[nodiscard]] region operator+(const region& z, const N& n) {
+  return z + detail::constant_region(n);
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator+(const N& n, const region& z) {
+  return detail::constant_region(n) + z;
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator-(const region& z, const N& n) {
+  return z - detail::constant_region(n);
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator-(const N& n, const region& z) {
+  return detail::constant_region(n) - z;
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator*(const region& z, const N& n) {
+  return z * detail::constant_region(n);
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator*(const N& n, const region& z) {
+  return detail::constant_region(n) * z;
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator/(const region& z, const N& n) {
+  return z / detail::constant_region(n);
+}
+template <detail::region_constant N>
+[[nodiscard]] region operator/(const N& n, const region& z) {
+  return detail::constant_region(n) / z;
+}
+
+}  // namespace polhode

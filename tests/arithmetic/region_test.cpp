@@ -1,0 +1,173 @@
+// Regions: enclosures of analytic continuations against complex balls at members, and refusals where a
+// function is not analytic.
+
+#include "polhode/arithmetic/region.hpp"
+
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace {
+
+region box(double re_low, double re_high, double im_low, double im_high) {
+  return {double_interval(re_low, re_high), double_interval(im_low, im_high)};
+}
+
+/// Points of a rectangle, corners and edges among them.
+std::vector<complex_ball> members(double re_low, double re_high, double im_low, double im_high) {
+  constexpr precision p = 120;
+  std::vector<complex_ball> points;
+  for (const double s : {0.0, 0.25, 0.5, 1.0}) {
+    for (const double t : {0.0, 0.375, 0.5, 1.0}) {
+      const double re = std::clamp(re_low + s * (re_high - re_low), re_low, re_high);
+      const double im = std::clamp(im_low + t * (im_high - im_low), im_low, im_high);
+      points.emplace_back(ball::exactly(re, p), ball::exactly(im, p));
+    }
+  }
+  return points;
+}
+
+template <class F>
+void expect_holds_members(const char* name, const F& f, const region& z,
+                          const std::vector<complex_ball>& points) {
+  const region value = f(z);
+  if (!value.is_analytic()) return;
+  const complex_ball set = value.to_complex_ball();
+  for (const complex_ball& point : points) {
+    const complex_ball w = f(point);
+    if (w.is_undefined()) continue;
+    EXPECT_TRUE(overlaps(set.re, w.re) && overlaps(set.im, w.im))
+        << name << " at " << point.re << " + i " << point.im;
+  }
+}
+
+TEST(Region, HoldsTheValuesAtItsMembers) {
+  support::random_source random(5);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random.bits() >> 11) * 0x1p-53;
+  };
+  for (int trial = 0; trial < static_cast<int>(300 * support::effort()) + 1; ++trial) {
+    const double x = uniform(-3, 3);
+    const double y = uniform(-3, 3);
+    const double width = std::ldexp(1.0, -static_cast<int>(uniform(0, 20)));
+    const region z = box(x, x + width, y, y + width);
+    const auto points = members(x, x + width, y, y + width);
+#define POLHODE_TRY(expression) \
+  expect_holds_members(         \
+      #expression, [](const auto& t) { return expression; }, z, points)
+    POLHODE_TRY(sqrt(t));
+    POLHODE_TRY(exp(t));
+    POLHODE_TRY(log(t));
+    POLHODE_TRY(sin(t));
+    POLHODE_TRY(cos(t));
+    POLHODE_TRY(tan(t));
+    POLHODE_TRY(asin(t));
+    POLHODE_TRY(acos(t));
+    POLHODE_TRY(atan(t));
+    POLHODE_TRY(sinh(t));
+    POLHODE_TRY(cosh(t));
+    POLHODE_TRY(tanh(t));
+    POLHODE_TRY(asinh(t));
+    POLHODE_TRY(acosh(t));
+    POLHODE_TRY(atanh(t));
+    POLHODE_TRY(square(t) + 3 * t - 1 / t);
+    POLHODE_TRY(pow(t, -3));
+    POLHODE_TRY(pow(t, 5));
+    POLHODE_TRY(pow(t, t));
+    POLHODE_TRY(exp(-t * t) / sqrt(1 - t * t / 2));
+#undef POLHODE_TRY
+  }
+}
+
+TEST(Region, RefusesWhatIsNotAnalytic) {
+  const region across = box(-1, 1, -1, 1);
+  const region on_cut = box(-2, -1, 0, 1);
+  const region touching = box(0, 1, -1, 1);
+  const region right = box(1, 2, -1, 1);
+  const auto refused = [](const region& z, obstacle why, const char* where) {
+    EXPECT_EQ(z.why(), why) << where;
+    EXPECT_EQ(z.where(), where);
+    EXPECT_FALSE(z.is_analytic());
+    EXPECT_TRUE(z.magnitude_upper().is_infinite());
+    EXPECT_TRUE(z.to_complex_ball().is_undefined());
+  };
+  refused(sqrt(across), obstacle::branch_cut, "sqrt");
+  refused(sqrt(on_cut), obstacle::branch_cut, "sqrt");
+  refused(sqrt(touching), obstacle::branch_cut, "sqrt");
+  refused(log(across), obstacle::branch_cut, "log");
+  refused(pow(across, region(double_interval(0.5))), obstacle::branch_cut, "pow");
+  refused(pow(across, -1), obstacle::pole, "pow");
+  refused(1 / across, obstacle::pole, "/");
+  refused(1 / touching, obstacle::pole, "/");
+  refused(tan(box(1, 2, -1, 1)), obstacle::pole, "tan");
+  refused(tanh(box(-1, 1, 1, 2)), obstacle::pole, "tanh");
+  refused(asin(right), obstacle::branch_cut, "asin");
+  refused(acos(right), obstacle::branch_cut, "acos");
+  refused(acosh(across), obstacle::branch_cut, "acosh");
+  refused(atanh(right), obstacle::branch_cut, "atanh");
+  refused(atan(box(-1, 1, 1, 2)), obstacle::branch_cut, "atan");
+  refused(asinh(box(-1, 1, 1, 2)), obstacle::branch_cut, "asinh");
+  refused(abs(across), obstacle::kink, "abs");
+  refused(abs(touching), obstacle::kink, "abs");
+  refused(min(across, region(double_interval(0))), obstacle::kink, "min");
+  refused(max(right, region(double_interval(1.5))), obstacle::kink, "max");
+  refused(floor(across), obstacle::jump, "floor");
+  refused(floor(box(1, 1.5, -1, 1)), obstacle::jump, "floor");
+  refused(ceil(box(1.5, 2, 0, 0)), obstacle::jump, "ceil");
+  refused(region(double_interval::undefined()), obstacle::undefined, "argument");
+  // The first obstacle is kept through whatever follows.
+  refused(exp(sqrt(across)) * right + 1, obstacle::branch_cut, "sqrt");
+  refused(right / sqrt(across), obstacle::branch_cut, "sqrt");
+}
+
+TEST(Region, ContinuesThePiecesOfRealFunctions) {
+  const region right = box(0.5, 0.75, -1, 1);
+  const region left = box(-0.75, -0.5, -1, 1);
+  EXPECT_TRUE(contains(abs(left).re(), 0.5) && contains(abs(left).re(), 0.75));
+  EXPECT_TRUE(abs(right).is_analytic());
+  EXPECT_TRUE(contains(max(left, right).re(), 0.6) && !contains(max(left, right).re(), -0.6));
+  EXPECT_TRUE(contains(min(left, right).re(), -0.6));
+  EXPECT_TRUE(floor(right).is_analytic() && contains(floor(right).re(), 0.0));
+  EXPECT_TRUE(ceil(right).is_analytic() && contains(ceil(right).re(), 1.0));
+  EXPECT_TRUE(floor(left).is_analytic() && contains(floor(left).re(), -1.0));
+}
+
+TEST(Region, GoesOnInBallsBeyondTheRangeOfDoubles) {
+  const region large = exp(region(double_interval(2000, 2000.5)));
+  ASSERT_TRUE(large.is_analytic());
+  EXPECT_FALSE(large.is_in_hardware());
+  EXPECT_FALSE(large.magnitude_upper().is_infinite());
+  const ball e2000 = exp(ball(2000, 100));
+  EXPECT_TRUE(contains(large.to_complex_ball().re, e2000));
+  // And back: the logarithm is near 2000 again, in hardware.
+  const region back = log(large);
+  ASSERT_TRUE(back.is_analytic());
+  EXPECT_TRUE(back.is_in_hardware());
+  EXPECT_TRUE(contains(back.re(), 2000.25));
+  EXPECT_LT(back.re().width(), 0.51);
+  const region tiny = 1 / large;
+  EXPECT_FALSE(tiny.magnitude_lower().is_zero());
+  // x^1000 e^-x at 3000: the power alone is 1e3477.
+  const region x(double_interval(3000));
+  const region product = pow(x, 1000) * exp(-x);
+  ASSERT_TRUE(product.is_analytic());
+  const ball exact = pow(ball(3000, 200), 1000) * exp(ball(-3000, 200));
+  EXPECT_TRUE(overlaps(product.to_complex_ball().re, exact));
+  EXPECT_LT(to_ball(double_interval(1), 64).precision(), 65);
+}
+
+TEST(Region, TakesBallsOfAnySize) {
+  const region z(parse_ball("1e-400", 100));
+  EXPECT_FALSE(z.is_in_hardware());
+  EXPECT_TRUE(contains(z.to_complex_ball().re, parse_rational("1e-400")) ||
+              overlaps(z.to_complex_ball().re, parse_ball("1e-400", 200)));
+  EXPECT_TRUE(overlaps(sqrt(z).to_complex_ball().re, parse_ball("1e-200", 200)));
+  EXPECT_TRUE(region(ball(2, 100)).is_in_hardware());
+}
+
+}  // namespace
+}  // namespace polhode

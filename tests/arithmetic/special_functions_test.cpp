@@ -1,0 +1,138 @@
+// gamma, log_gamma, zeta, pow with real exponents, root, floor, ceil, min, max.
+
+#include "polhode/arithmetic/special_functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr precision bits = 128;
+
+ball number(const char* text) { return parse_ball(text, bits); }
+ball set(const char* low, const char* high) { return hull(number(low), number(high)); }
+
+TEST(Gamma, IsTheFactorial) {
+  long factorial = 1;
+  for (long n = 1; n <= 20; ++n) {
+    EXPECT_TRUE(contains(gamma(ball(n, bits)), factorial)) << n;
+    factorial *= n;
+  }
+  // Gamma(1/2) = sqrt(pi), Gamma(-1/2) = -2 sqrt(pi).
+  EXPECT_TRUE(overlaps(square(gamma(number("1/2"))), pi(bits)));
+  EXPECT_TRUE(overlaps(square(gamma(number("-1/2"))), 4 * pi(bits)));
+  EXPECT_TRUE(certainly_negative(gamma(number("-1/2"))));
+  EXPECT_TRUE(certainly_positive(gamma(number("-3/2"))));
+}
+
+TEST(Gamma, HasItsRecurrenceAndReflection) {
+  support::random_source random(3);
+  for (support::repeat trial(100); trial.again();) {
+    const ball x = ball(random.any_rational(12), bits);
+    if (gamma(x).is_undefined() || abs(x).magnitude_upper() > magnitude::power_of_two(9)) continue;
+    EXPECT_TRUE(overlaps(gamma(x + 1), x * gamma(x)));
+    EXPECT_TRUE(overlaps(gamma(x) * gamma(1 - x) * sinpi(x), pi(bits)));
+    if (certainly_positive(x)) {
+      EXPECT_TRUE(overlaps(exp(log_gamma(x)), gamma(x)));
+    }
+  }
+}
+
+TEST(Gamma, OverWideSetsHoldsItsMinimum) {
+  // The least value on (0, inf) is 0.8856031944108887..., at 1.4616321449683623...
+  const ball least = set("0.885603194410888700278815900582", "0.885603194410888700278815900583");
+  for (const ball& x : {set("1", "2"), set("1.4", "1.5"), set("0.1", "10"),
+                        set("1.46163214496836", "1.46163214496837")}) {
+    const ball range = gamma(x);
+    EXPECT_TRUE(overlaps(range, least));
+    for (int i = 0; i <= 16; ++i) {
+      const rational member = lower_rational(x) + (upper_rational(x) - lower_rational(x)) * i / 16;
+      EXPECT_TRUE(overlaps(range, gamma(ball(member, 200))));
+      EXPECT_TRUE(overlaps(log_gamma(x), log_gamma(ball(member, 200))));
+    }
+  }
+  EXPECT_FALSE(contains(gamma(set("1", "2")), parse_rational("0.8856")));
+  EXPECT_TRUE(contains(gamma(set("1", "2")), parse_rational("1")));
+  EXPECT_FALSE(contains(gamma(set("1", "2")), parse_rational("1.0000000001")));
+}
+
+TEST(Gamma, IsUndefinedAcrossAPole) {
+  for (const ball& x : {ball(0, bits), ball(-1, bits), ball(-20, bits), set("-1/2", "1/2"),
+                        set("-1.5", "-0.5"), set("0", "1"), set("-1", "-1/2")}) {
+    EXPECT_TRUE(gamma(x).is_undefined());
+    EXPECT_TRUE(log_gamma(x).is_undefined());
+  }
+  EXPECT_FALSE(gamma(set("-0.9", "-0.1")).is_undefined());
+}
+
+TEST(Zeta, IsWhatEulerFound) {
+  EXPECT_TRUE(overlaps(zeta(2, bits), square(pi(bits)) / 6));
+  EXPECT_TRUE(overlaps(zeta(4, bits), pow(pi(bits), 4) / 90));
+  EXPECT_TRUE(zeta(1, bits).is_undefined());
+  EXPECT_TRUE(zeta(0, bits).is_undefined());
+}
+
+TEST(Power, OfRealExponents) {
+  EXPECT_TRUE(contains(pow(ball(4, bits), number("1/2")), 2));
+  EXPECT_TRUE(overlaps(pow(number("1/3"), number("1/3")), root(number("1/3"), 3)));
+  EXPECT_TRUE(overlaps(pow(ball(2, bits), pi(bits)), exp(pi(bits) * log_2(bits))));
+  EXPECT_TRUE(contains(pow(ball(-2, bits), ball(3, bits)), -8));
+  EXPECT_TRUE(contains_zero(pow(ball(0, bits), number("1/2"))));
+  EXPECT_TRUE(pow(ball(-2, bits), number("1/2")).is_undefined());
+  EXPECT_TRUE(pow(ball(0, bits), number("-1/2")).is_undefined());
+  EXPECT_TRUE(pow(set("-1", "1"), number("1/2")).is_undefined());
+}
+
+TEST(Power, OverASetOfBasesAndExponentsHoldsItsMembers) {
+  support::random_source random(4);
+  for (support::repeat trial(200); trial.again();) {
+    const rational base = abs(random.any_rational(6)) + rational(1, 8);
+    const rational exponent = random.any_rational(4);
+    const rational width(1, 1L << random.between(0, 40));
+    const ball x = hull(ball(base, bits), ball(rational(base + width), bits));
+    const ball y = hull(ball(exponent, bits), ball(rational(exponent + width), bits));
+    const ball range = pow(x, y);
+    for (int i = 0; i <= 3; ++i) {
+      for (int j = 0; j <= 3; ++j) {
+        EXPECT_TRUE(overlaps(range, pow(ball(rational(base + width * i / 3), 250),
+                                        ball(rational(exponent + width * j / 3), 250))));
+      }
+    }
+  }
+}
+
+TEST(Root, IsRealWhereThereIsOne) {
+  EXPECT_TRUE(contains(root(ball(-27, bits), 3), -3));
+  EXPECT_TRUE(contains(root(set("-8", "27"), 3), -2) && contains(root(set("-8", "27"), 3), 3));
+  EXPECT_FALSE(contains(root(set("-8", "27"), 3), parse_rational("3.0000001")));
+  EXPECT_TRUE(root(ball(-16, bits), 4).is_undefined());
+  EXPECT_TRUE(root(ball(16, bits), 0).is_undefined());
+}
+
+TEST(Steps, AreExactBetweenJumps) {
+  EXPECT_TRUE(floor(number("7/3")).is_exact() && contains(floor(number("7/3")), 2));
+  EXPECT_TRUE(ceil(number("7/3")).is_exact() && contains(ceil(number("7/3")), 3));
+  EXPECT_TRUE(contains(floor(number("-7/3")), -3));
+  EXPECT_TRUE(contains_zero(floor(set("1/2", "5/2"))) && contains(floor(set("1/2", "5/2")), 2));
+  EXPECT_FALSE(contains(floor(set("1/2", "5/2")), 3));
+  EXPECT_TRUE(contains(max(set("0", "2"), set("1", "3")), set("1", "3")));
+  EXPECT_FALSE(contains(max(set("0", "2"), set("1", "3")), parse_rational("0.99")));
+  EXPECT_TRUE(contains(min(set("0", "2"), set("1", "3")), set("0", "2")));
+  EXPECT_FALSE(contains(min(set("0", "2"), set("1", "3")), parse_rational("2.01")));
+}
+
+TEST(SinPi, IsReducedExactly) {
+  const ball huge = scale(ball(1, bits), 1'000'000);
+  EXPECT_TRUE(sinpi(huge).is_exact() && contains_zero(sinpi(huge)));
+  EXPECT_TRUE(contains(cospi(huge), 1));
+  EXPECT_TRUE(contains(sinpi(number("1/2")), 1) && sinpi(number("1/2")).is_exact());
+  EXPECT_TRUE(contains(sinpi(set("1/4", "3/4")), 1));
+  EXPECT_FALSE(contains(sinpi(set("1/4", "3/4")), parse_rational("0.707")));
+}
+
+}  // namespace
+}  // namespace polhode
