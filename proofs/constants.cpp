@@ -42,7 +42,7 @@ ball enclose_to_digits(const constant& c, long digits) {
   const precision needed = bits_for_digits(digits);
   // Certain digits are missing only by bad luck (a run of 0s or 9s) once the radius is small enough.
   for (precision guard = 32; guard <= 15 * needed + 1024; guard *= 2) {
-    const ball x = c.enclose(needed + guard);
+    ball x = c.enclose(needed + guard);
     if (x.is_bounded() && to_decimal_enclosure(x, digits).digits >= digits) return x;
   }
   return ball::undefined(needed);

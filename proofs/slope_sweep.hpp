@@ -31,7 +31,7 @@ struct sweep_point {
 [[nodiscard]] ball slope_enclosure(const sweep_point& box);
 
 /// The point (p, r, u) of a motion.
-[[nodiscard]] sweep_point point_of(const oscillating_motion& motion, precision bits);
+[[nodiscard]] sweep_point point_of(const oscillating_motion& motion, precision p);
 
 struct sweep_result {
   bool holds = false;    // W > bound on every box
@@ -42,9 +42,9 @@ struct sweep_result {
   rational least;        // the least lower bound found, cut off to a decimal
 };
 
-/// Bisects [0,1]^3 until W > bound is shown on every box, or gives up at most_evaluations. (The
+/// Bisects [0,1]^3 until W > wanted is shown on every box, or gives up at most_evaluations. (The
 /// infimum of W is pi/4 = 0.785..., at u = 1, r = 0.)
 [[nodiscard]] sweep_result sweep_slope(long most_evaluations = 200'000,
-                                       const rational& bound = rational(3, 4));
+                                       const rational& wanted = rational(3, 4));
 
 }  // namespace polhode::proofs

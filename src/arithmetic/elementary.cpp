@@ -358,9 +358,10 @@ void cospi(ball& result, const ball& x) { circular_of_half_circles(result, x, mp
 void sin_cos(ball& sine, ball& cosine, const ball& x) {
   const precision p = x.precision();
   if (!is_thin(x) || too_large_to_reduce(ball_access::first(x), p)) {
-    const ball kept = x;  // x may be one of the results
-    sin(sine, kept);
-    cos(cosine, kept);
+    ball s;  // x may be one of the results
+    sin(s, x);
+    cos(cosine, x);
+    sine = std::move(s);
     return;
   }
   const magnitude radius = ball_access::radius(x);

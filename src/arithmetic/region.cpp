@@ -220,7 +220,7 @@ region abs(const region& z) {
 }
 
 region min(const region& z, const region& w) {
-  const region difference = z - w;
+  region difference = z - w;
   if (!difference.is_analytic()) return difference;
   const int sign = region::functions::sign_of_real_part(difference);
   if (sign == 0) return region::blocked(obstacle::kink, "min");
@@ -228,7 +228,7 @@ region min(const region& z, const region& w) {
 }
 
 region max(const region& z, const region& w) {
-  const region difference = z - w;
+  region difference = z - w;
   if (!difference.is_analytic()) return difference;
   const int sign = region::functions::sign_of_real_part(difference);
   if (sign == 0) return region::blocked(obstacle::kink, "max");

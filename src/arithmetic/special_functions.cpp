@@ -136,7 +136,7 @@ ball erf(const ball& x) { return monotone_at_ends(x, mpfr_erf, true); }
 ball erfc(const ball& x) { return monotone_at_ends(x, mpfr_erfc, false); }
 
 ball gamma(const ball& x) {
-  const ball size = convex_over(x, abs_gamma, false);
+  ball size = convex_over(x, abs_gamma, false);
   if (size.is_undefined() || certainly_positive(x)) return size;
   // Gamma is negative between -1 and 0, -3 and -2, ...: where the floor of x is odd.
   const end_points e(x, x.precision() + guard_bits);

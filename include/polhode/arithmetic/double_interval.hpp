@@ -165,7 +165,7 @@ class double_interval {
   template <class N>
   requires std::same_as<N, double> || std::same_as<N, float>
   explicit double_interval(N number) {
-    const double x = static_cast<double>(number);
+    const auto x = static_cast<double>(number);
     lower_ = upper_ = x - x == 0 ? x : std::numeric_limits<double>::quiet_NaN();
   }
 

@@ -140,14 +140,14 @@ template <class F, class Derivative>
   constexpr precision guard = 16;
   std::vector<precision> schedule;
   for (precision bits = p; bits > start_bits; bits = bits / 2 + 4) {
-    schedule.push_back(bits + guard);
+    schedule.insert(schedule.begin(), bits + guard);
     if (bits <= 16) break;
   }
   mpfr_float x = x0;
-  for (auto it = schedule.rbegin(); it != schedule.rend(); ++it) {
-    mpfr_float argument = zero_of_precision(*it);
+  for (const precision next : schedule) {
+    mpfr_float argument = zero_of_precision(next);
     mpfr_set(argument.backend().data(), x.backend().data(), MPFR_RNDN);
-    mpfr_float slope_argument = zero_of_precision(*it / 2 + guard);
+    mpfr_float slope_argument = zero_of_precision(next / 2 + guard);
     mpfr_set(slope_argument.backend().data(), x.backend().data(), MPFR_RNDN);
     const mpfr_float slope = derivative(slope_argument);
     const mpfr_float value = f(argument);
