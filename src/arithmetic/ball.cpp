@@ -3,15 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "ball_access.hpp"
+#include "exact_product.hpp"
+#include "raw_error.hpp"
+#include "short_product.hpp"
 
 namespace polhode {
 
 using detail::end_points;
+using detail::finish_regular;
+using detail::is_wide;
+using detail::leading_bits;
 using detail::mpfr_cell;
+using detail::multiply_to_nearest;
+using detail::pass_to_end_points;
+using detail::product_error;
+using detail::raw;
+using detail::raw_error;
+using detail::raw_product;
+using detail::raw_sum;
 using detail::set_midpoint;
+using detail::set_regular;
 using form = ball_access::form;
 
 namespace {
@@ -100,113 +115,6 @@ void divide_ends(ball& result, const end_points& x, const end_points& y, precisi
   ball_access::set_ends(result, lower, upper);
 }
 
-// ---------------------------------------------------------------------------------------------
-// The hot path: sums, products, quotients and roots of balls by midpoint. At small precisions an MPFR
-// operation takes some 10 ns, so the error is kept as bare integers until it is normalised, once.
-
-/// A bound bits * 2^exponent with bits < 2^62; exact zero where bits == 0.
-struct raw_error {
-  std::uint64_t bits = 0;
-  std::int64_t exponent = 0;
-};
-
-/// x + y, rounded up.
-inline raw_error raw_sum(const raw_error& x, const raw_error& y) {
-  if (y.bits == 0) return x;
-  if (x.bits == 0) return y;
-  const bool x_leads = x.exponent >= y.exponent;
-  const raw_error& lead = x_leads ? x : y;
-  const raw_error& rest = x_leads ? y : x;
-  const std::int64_t gap = lead.exponent - rest.exponent;
-  return {lead.bits + (gap < 64 ? rest.bits >> gap : 0) + 1, lead.exponent};
-}
-
-/// A finite magnitude with 30 zero bits behind it, so that sums lose little.
-inline raw_error raw(const magnitude& x) {
-  return {std::uint64_t{x.fraction()} << 30, x.exponent() - 30};
-}
-
-/// factor * x, rounded up, for factor below 2^31.
-inline raw_error raw_product(std::uint64_t factor, std::int64_t factor_exponent,
-                             const magnitude& x) {
-  return {factor * x.fraction(), factor_exponent + x.exponent()};
-}
-
-/// |x| < (top bits + 1) * 2^(exp - 30) for a regular number: 30 bits of it.
-struct leading_bits {
-  explicit leading_bits(mpfr_srcptr x)
-      : bits(static_cast<const mp_limb_t*>(
-                 mpfr_custom_get_significand(x))[(mpfr_get_prec(x) - 1) / GMP_NUMB_BITS] >>
-             34),
-        exponent(std::int64_t{mpfr_get_exp(x)} - 30) {}
-  std::uint64_t bits;
-  std::int64_t exponent;
-};
-
-bool is_wide(mpfr_srcptr midpoint, const magnitude& radius);
-void pass_to_end_points(ball& r);
-
-/// ball_access::finish for a midpoint that is a regular number and an error from above.
-inline void finish_regular(ball& r, mpfr_srcptr midpoint, int ternary, raw_error error) {
-  if (mpfr_regular_p(midpoint) == 0) {
-    ball_access::finish(
-        r, ternary,
-        error.bits == 0 ? magnitude{} : magnitude::from_bits_up(error.bits, error.exponent));
-    return;
-  }
-  if (ternary != 0) {
-    const mpfr_prec_t p = mpfr_get_prec(midpoint);
-    const auto* significand = static_cast<const mp_limb_t*>(mpfr_custom_get_significand(midpoint));
-    if (significand[(p - 1) / GMP_NUMB_BITS] == mp_limb_t{1} << (GMP_NUMB_BITS - 1)) {
-      // A bare top bit: perhaps an underflow, which detail::rounding_error knows about.
-      error = raw_sum(error, raw(detail::rounding_error(midpoint)));
-    } else {
-      error =
-          raw_sum(error, {std::uint64_t{1} << 60, std::int64_t{mpfr_get_exp(midpoint)} - p - 61});
-    }
-  }
-  if (error.bits == 0) {
-    ball_access::set_thin(r, {});
-    return;
-  }
-  ball_access::set_thin(r, magnitude::from_many_bits_up(error.bits, error.exponent));
-  if (is_wide(midpoint, ball_access::radius(r))) pass_to_end_points(r);
-}
-
-/// Sets r to the number f computes at p bits, within `error`; f may read balls that alias r.
-template <class F>
-inline void set_regular(ball& r, precision p, const raw_error& error, F&& f) {
-  mpfr_cell& cell = ball_access::first(r);
-  if (mpfr_get_prec(cell.get()) == p) {
-    const int ternary = f(cell.get());
-    finish_regular(r, cell.get(), ternary, error);
-  } else {
-    mpfr_cell fresh(p);
-    const int ternary = f(fresh.get());
-    cell = std::move(fresh);
-    finish_regular(r, cell.get(), ternary, error);
-  }
-}
-
-/// The error of x * y for |x - mx| <= rx, |y - my| <= ry: |mx| ry + (|my| + ry) rx. For a ball by
-/// midpoint ry < 2^-23 |my|, so |my| + ry < |my| + 2^(7) units of its 30 leading bits.
-inline raw_error product_error(const ball& x, const ball& y) {
-  const magnitude& rx = ball_access::radius(x);
-  const magnitude& ry = ball_access::radius(y);
-  raw_error error;
-  if (!ry.is_zero()) {
-    if (mpfr_regular_p(ball_access::first(x)) == 0) return error;  // x is 0: the product is exact
-    const leading_bits mx(ball_access::first(x));
-    error = raw_product(mx.bits + 1, mx.exponent, ry);
-  }
-  if (!rx.is_zero()) {
-    if (mpfr_regular_p(ball_access::first(y)) == 0) return {};
-    const leading_bits my(ball_access::first(y));
-    error = raw_sum(error, raw_product(my.bits + 129, my.exponent, rx));
-  }
-  return error;
-}
-
 /// The error of x / y for balls by midpoint with |my| > ry, bounded through
 /// |x/y - mx/my| = |my dx - mx dy| / |my (my + dy)| <= (rx + |mx/my| ry) / (|my| - ry),
 /// where ry < 2^-23 |my|: |my| - ry > |my| - 2^7 units of its 30 leading bits.
@@ -250,9 +158,8 @@ magnitude detail::rounding_error(mpfr_srcptr x) {
   return magnitude::infinity();
 }
 
-namespace {
 /// Passes a ball by midpoint and radius to the form of end points.
-void pass_to_end_points(ball& r) {
+void detail::pass_to_end_points(ball& r) {
   const precision p = r.precision();
   mpfr_cell lower(p);
   mpfr_cell upper(p);
@@ -263,6 +170,7 @@ void pass_to_end_points(ball& r) {
   ball_access::set_form(r, form::end_points);
 }
 
+namespace {
 /// The middle of two finite numbers, low <= high; between them where r has no fewer bits than they.
 void set_middle(mpfr_ptr r, mpfr_srcptr low, mpfr_srcptr high) {
   mpfr_add(r, low, high, MPFR_RNDN);
@@ -276,10 +184,51 @@ void set_middle(mpfr_ptr r, mpfr_srcptr low, mpfr_srcptr high) {
   mpfr_add(r, half.get(), r, MPFR_RNDN);
 }
 
-bool is_wide(mpfr_srcptr midpoint, const magnitude& radius) {
+}  // namespace
+
+bool detail::is_wide(mpfr_srcptr midpoint, const magnitude& radius) {
   if (radius.is_zero()) return false;
   return mpfr_regular_p(midpoint) == 0 ||
          radius.log2_floor() >= std::int64_t{mpfr_get_exp(midpoint)} + widest_radius_log2;
+}
+
+namespace {
+/// r = x + direction * radius, rounded in that direction.
+void shifted_by_radius(mpfr_ptr r, mpfr_srcptr x, const magnitude& radius, int direction) {
+  const mpfr_rnd_t rounding = direction < 0 ? MPFR_RNDD : MPFR_RNDU;
+  if (radius.is_zero()) {
+    mpfr_set(r, x, rounding);
+    return;
+  }
+  mpfr_cell offset(32);
+  // 31 bits are exact in 32; an underflow goes away from zero, which is the safe side.
+  mpfr_set_ui_2exp(offset.get(), radius.fraction(), static_cast<mpfr_exp_t>(radius.exponent()),
+                   MPFR_RNDU);
+  if (direction < 0) {
+    mpfr_sub(r, x, offset.get(), rounding);
+  } else {
+    mpfr_add(r, x, offset.get(), rounding);
+  }
+}
+
+/// A number that MPFR rounded to an infinity in round-to-nearest: it is at least as great in size as
+/// the greatest number of its precision, and the members lie within `error` of it.
+void set_overflowed(ball& r, const magnitude& error) {
+  const precision p = r.precision();
+  const bool positive = mpfr_sgn(ball_access::first(std::as_const(r))) > 0;
+  mpfr_cell greatest(p);
+  mpfr_set_inf(greatest.get(), positive ? 1 : -1);
+  if (positive) {
+    mpfr_nextbelow(greatest.get());
+  } else {
+    mpfr_nextabove(greatest.get());
+  }
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  mpfr_set_inf(lower.get(), -1);
+  mpfr_set_inf(upper.get(), 1);
+  shifted_by_radius((positive ? lower : upper).get(), greatest.get(), error, positive ? -1 : 1);
+  ball_access::set_ends(r, lower, upper);
 }
 }  // namespace
 
@@ -291,7 +240,9 @@ void ball_access::finish(ball& r, int ternary, const magnitude& error) {
   }
   r.radius_ = ternary == 0 ? error : add_up(error, detail::rounding_error(midpoint));
   r.form_ = form::midpoint_radius;
-  if (mpfr_inf_p(midpoint) != 0 || r.radius_.is_infinite()) {
+  if (mpfr_inf_p(midpoint) != 0 && ternary != 0 && !error.is_infinite()) {
+    set_overflowed(r, error);
+  } else if (mpfr_inf_p(midpoint) != 0 || r.radius_.is_infinite()) {
     r = ball::entire(r.precision());
   } else if (is_wide(midpoint, r.radius_)) {
     pass_to_end_points(r);
@@ -397,15 +348,26 @@ ball ball::from_midpoint_radius(mpfr_srcptr midpoint, const magnitude& radius) {
   return r;
 }
 
+namespace {
+[[noreturn]] void bad_end_points(mpfr_srcptr lower, mpfr_srcptr upper, const char* accepted) {
+  char text[100];
+  mpfr_snprintf(text, sizeof text, "[%.9Rg, %.9Rg]", lower, upper);
+  throw std::invalid_argument(std::string("end points of a ball ") + text + ": " + accepted);
+}
+}  // namespace
+
 ball ball::from_end_points(mpfr_srcptr lower, mpfr_srcptr upper, polhode::precision p) {
   checked_precision(p);
   if (mpfr_nan_p(lower) != 0 || mpfr_nan_p(upper) != 0) {
-    throw std::invalid_argument("end points of a ball: a NaN is no end point");
+    bad_end_points(lower, upper, "each must be a number or an infinity, and a NaN is neither");
   }
-  if (mpfr_greater_p(lower, upper) != 0 || (mpfr_inf_p(lower) != 0 && mpfr_sgn(lower) > 0) ||
+  if ((mpfr_inf_p(lower) != 0 && mpfr_sgn(lower) > 0) ||
       (mpfr_inf_p(upper) != 0 && mpfr_sgn(upper) < 0)) {
-    throw std::invalid_argument(
-        "end points of a ball: the lower one must not exceed the upper one");
+    bad_end_points(lower, upper,
+                   "the lower one may be -inf and the upper one inf, not the reverse");
+  }
+  if (mpfr_greater_p(lower, upper) != 0) {
+    bad_end_points(lower, upper, "the lower one must not exceed the upper one");
   }
   mpfr_cell low(p);
   mpfr_cell high(p);
@@ -448,26 +410,6 @@ bool ball::is_bounded() const {
 }
 
 bool ball::is_exact() const { return form_ == form::midpoint_radius && radius_.is_zero(); }
-
-namespace {
-/// r = x + direction * radius, rounded in that direction.
-void shifted_by_radius(mpfr_ptr r, mpfr_srcptr x, const magnitude& radius, int direction) {
-  const mpfr_rnd_t rounding = direction < 0 ? MPFR_RNDD : MPFR_RNDU;
-  if (radius.is_zero()) {
-    mpfr_set(r, x, rounding);
-    return;
-  }
-  mpfr_cell offset(32);
-  // 31 bits are exact in 32; an underflow goes away from zero, which is the safe side.
-  mpfr_set_ui_2exp(offset.get(), radius.fraction(), static_cast<mpfr_exp_t>(radius.exponent()),
-                   MPFR_RNDU);
-  if (direction < 0) {
-    mpfr_sub(r, x, offset.get(), rounding);
-  } else {
-    mpfr_add(r, x, offset.get(), rounding);
-  }
-}
-}  // namespace
 
 void ball::lower(mpfr_ptr r) const {
   switch (form_) {
@@ -656,7 +598,7 @@ void multiply(ball& result, const ball& x, const ball& y) {
   const precision p = common_precision(x, y);
   if (both_by_midpoint(x, y)) {
     set_regular(result, p, product_error(x, y),
-                [&](mpfr_ptr r) { return mpfr_mul(r, x.first_.get(), y.first_.get(), MPFR_RNDN); });
+                [&](mpfr_ptr r) { return multiply_to_nearest(r, x.first_.get(), y.first_.get()); });
     return;
   }
   if (x.is_undefined() || y.is_undefined()) return ball_access::set_undefined(result, p);
@@ -685,7 +627,7 @@ void fma(ball& result, const ball& x, const ball& y, const ball& z) {
   const precision p = std::max(common_precision(x, y), z.precision());
   if (both_by_midpoint(x, y) && ball_access::is_midpoint_radius(z)) {
     set_regular(result, p, raw_sum(product_error(x, y), raw(z.radius_)), [&](mpfr_ptr r) {
-      return mpfr_fma(r, x.first_.get(), y.first_.get(), z.first_.get(), MPFR_RNDN);
+      return detail::product_and_sum(r, x.first_.get(), y.first_.get(), z.first_.get());
     });
     return;
   }
@@ -761,8 +703,11 @@ void square(ball& result, const ball& x) {
       const leading_bits m(x.first_.get());
       error = raw_product(m.bits + 33, m.exponent + 1, x.radius_);
     }
-    set_regular(result, p, error,
-                [&](mpfr_ptr r) { return mpfr_sqr(r, x.first_.get(), MPFR_RNDN); });
+    set_regular(result, p, error, [&](mpfr_ptr r) {
+      // At two limbs, where mpfr_sqr has no short way of its own.
+      return p > 64 && p <= 128 ? multiply_to_nearest(r, x.first_.get(), x.first_.get())
+                                : mpfr_sqr(r, x.first_.get(), MPFR_RNDN);
+    });
     return;
   }
   if (x.is_undefined()) return ball_access::set_undefined(result, p);

@@ -46,6 +46,7 @@ namespace detail {
 class end_points {
  public:
   end_points(const ball& x, precision p);
+  end_points(ball&&, precision) = delete;  // they may be those that x keeps
   [[nodiscard]] mpfr_srcptr lower() const { return lower_; }
   [[nodiscard]] mpfr_srcptr upper() const { return upper_; }
 

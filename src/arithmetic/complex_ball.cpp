@@ -5,11 +5,19 @@
 #include <ostream>
 
 #include "ball_access.hpp"
+#include "exact_product.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "raw_error.hpp"
 
 namespace polhode {
 
+using detail::difference_of_products;
+using detail::halved;
 using detail::mpfr_cell;
+using detail::product_error;
+using detail::raw_sum;
+using detail::set_regular;
+using detail::sum_of_products;
 using form = ball_access::form;
 
 // ---------------------------------------------------------------------------------------------
@@ -224,53 +232,45 @@ void set_rounded(ball& r, mpfr_srcptr value, precision p, const magnitude& error
   detail::set_midpoint(r, p, error, [&](mpfr_ptr m) { return mpfr_set(m, value, MPFR_RNDN); });
 }
 
-/// z w, each part rounded once. With z = m + s, w = n + t: z w - m n = s w + m t, so that the
-/// parts' errors are at most |Re w| rs_re + |Im w| rs_im + |Re m| rt_re + |Im m| rt_im and the
-/// same with w's or m's parts exchanged.
+/// The error of a sum of two products of balls by midpoint.
+detail::raw_error products_error(const ball& a, const ball& b, const ball& c, const ball& d) {
+  return raw_sum(halved(product_error(a, b)), halved(product_error(c, d)));
+}
+
+/// z w, each part rounded once. The error of a product of balls is that of product_error, whatever
+/// is added to it.
 complex_ball narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) {
   const precision p = common_precision(z, w);
-  const centred a(z);
-  const centred b(w);
-  magnitude re_error;
-  magnitude im_error;
-  if (!a.is_exact()) {
-    const magnitude x = add_up(magnitude::abs_up(b.re), b.re_radius);
-    const magnitude y = add_up(magnitude::abs_up(b.im), b.im_radius);
-    re_error = sum_of_products_up(x, a.re_radius, y, a.im_radius);
-    im_error = sum_of_products_up(y, a.re_radius, x, a.im_radius);
-  }
-  if (!b.is_exact()) {
-    const magnitude x = magnitude::abs_up(a.re);
-    const magnitude y = magnitude::abs_up(a.im);
-    re_error = add_up(re_error, sum_of_products_up(x, b.re_radius, y, b.im_radius));
-    im_error = add_up(im_error, sum_of_products_up(y, b.re_radius, x, b.im_radius));
-  }
+  const mpfr_srcptr a = ball_access::first(z.re);
+  const mpfr_srcptr b = ball_access::first(z.im);
+  const mpfr_srcptr c = ball_access::first(w.re);
+  const mpfr_srcptr d = ball_access::first(w.im);
   complex_ball r(detail::room{p});
-  detail::set_midpoint(r.re, p, re_error,
-                       [&](mpfr_ptr m) { return mpfr_fmms(m, a.re, b.re, a.im, b.im, MPFR_RNDN); });
-  detail::set_midpoint(r.im, p, im_error,
-                       [&](mpfr_ptr m) { return mpfr_fmma(m, a.re, b.im, a.im, b.re, MPFR_RNDN); });
+  set_regular(r.re, p, products_error(z.re, w.re, z.im, w.im),
+              [&](mpfr_ptr m) { return difference_of_products(m, a, c, b, d); });
+  set_regular(r.im, p, products_error(z.re, w.im, z.im, w.re),
+              [&](mpfr_ptr m) { return sum_of_products(m, a, d, b, c); });
   return r;
 }
 
-/// z^2, each part rounded once: with z = m + s, z^2 - m^2 = (z + m) s.
+/// z^2, each part rounded once: a product of a ball with itself is a product of balls.
 complex_ball narrow_square(const rectangle<ball>& z) {
   const precision p = common_precision(z, z);
-  const centred a(z);
-  magnitude re_error;
-  magnitude im_error;
-  if (!a.is_exact()) {
-    const magnitude x = scale(add_up(magnitude::abs_up(a.re), a.re_radius), 1);
-    const magnitude y = scale(add_up(magnitude::abs_up(a.im), a.im_radius), 1);
-    re_error = sum_of_products_up(x, a.re_radius, y, a.im_radius);
-    im_error = sum_of_products_up(y, a.re_radius, x, a.im_radius);
-  }
+  const mpfr_srcptr a = ball_access::first(z.re);
+  const mpfr_srcptr b = ball_access::first(z.im);
   complex_ball r(detail::room{p});
-  detail::set_midpoint(r.re, p, re_error,
-                       [&](mpfr_ptr m) { return mpfr_fmms(m, a.re, a.re, a.im, a.im, MPFR_RNDN); });
-  detail::set_midpoint(r.im, p, scale(im_error, -1),
-                       [&](mpfr_ptr m) { return mpfr_mul(m, a.re, a.im, MPFR_RNDN); });
-  scale(r.im, r.im, 1);
+  set_regular(r.re, p, products_error(z.re, z.re, z.im, z.im),
+              [&](mpfr_ptr m) { return difference_of_products(m, a, a, b, b); });
+  if (detail::is_short(a) && detail::is_short(b)) {
+    detail::raw_error error = product_error(z.re, z.im);
+    ++error.exponent;
+    set_regular(r.im, p, error, [&](mpfr_ptr m) {
+      return mpfr_mul_2ui(m, detail::exact_product(a, b).get(), 1, MPFR_RNDN);
+    });
+  } else {
+    multiply(r.im, z.re, z.im);
+    scale(r.im, r.im, 1);
+  }
   return r;
 }
 

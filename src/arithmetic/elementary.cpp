@@ -4,11 +4,13 @@
 #include <utility>
 
 #include "ball_access.hpp"
+#include "fixed_point_functions.hpp"
 
 namespace polhode {
 
 using detail::end_points;
 using detail::mpfr_cell;
+using detail::near_function;
 using form = ball_access::form;
 
 namespace {
@@ -23,10 +25,11 @@ const magnitude small_radius = magnitude::power_of_two(-10);
 // magnify their rounding into sight.
 constexpr precision guard_bits = 64;
 
-/// f at the midpoint. error(value) bounds |f(x) - f(midpoint)| over the ball, given an MPFR number
-/// within half a unit in the last place of f(midpoint); it is not asked when x is exact.
+/// f at the midpoint, by `near` where that is given and can. error(value) bounds |f(x) - f(midpoint)| over
+/// the ball, given an MPFR number within value_error of f(midpoint); it is not asked when x is exact.
 template <class Error>
-void at_midpoint(ball& result, const ball& x, mpfr_function f, Error&& error) {
+void at_midpoint(ball& result, const ball& x, mpfr_function f, Error&& error,
+                 near_function near = nullptr) {
   const precision p = x.precision();
   const bool exact = x.is_exact();
   mpfr_cell fresh;
@@ -38,8 +41,13 @@ void at_midpoint(ball& result, const ball& x, mpfr_function f, Error&& error) {
     fresh.reset(p);
     value = fresh.get();
   }
-  const int ternary = f(value, ball_access::first(x), MPFR_RNDN);
-  const magnitude e = exact ? magnitude{} : error(value);
+  magnitude distance;
+  int ternary = 0;
+  if (near == nullptr || !near(value, ball_access::first(x), distance)) {
+    distance = {};
+    ternary = f(value, ball_access::first(x), MPFR_RNDN);
+  }
+  const magnitude e = exact ? distance : add_up(error(value), distance);
   if (!fresh.is_empty()) own = std::move(fresh);
   ball_access::finish(result, ternary, e);
 }
@@ -65,9 +73,10 @@ bool is_moderate(const ball& x) {
 
 /// A monotone function on the whole of R, or one that MPFR answers with NaN off its closed domain.
 template <class Error>
-void monotone(ball& result, const ball& x, mpfr_function f, bool increasing, Error&& error) {
+void monotone(ball& result, const ball& x, mpfr_function f, bool increasing, Error&& error,
+              near_function near = nullptr) {
   if (is_thin(x) && is_moderate(x)) {
-    at_midpoint(result, x, f, std::forward<Error>(error));
+    at_midpoint(result, x, f, std::forward<Error>(error), near);
   } else if (x.is_undefined()) {
     ball_access::set_undefined(result, x.precision());
   } else {
@@ -76,12 +85,17 @@ void monotone(ball& result, const ball& x, mpfr_function f, bool increasing, Err
   }
 }
 
-/// An upper bound of |y| for the number whose MPFR value in round-to-nearest is y.
-magnitude true_value_up(mpfr_srcptr y) {
-  return add_up(magnitude::abs_up(y), detail::rounding_error(y));
+/// How far a computed value y is from the number that it stands for: half a unit in the last place, as MPFR
+/// rounds, and 2^-10 units more for what a near_function grants itself.
+magnitude value_error(mpfr_srcptr y) {
+  const magnitude half_unit = detail::rounding_error(y);
+  return add_up(half_unit, scale(half_unit, -9));
 }
 
-/// An upper bound of 1 - |y| for the number whose MPFR value in round-to-nearest is y.
+/// An upper bound of |v| for the number v whose computed value is y.
+magnitude true_value_up(mpfr_srcptr y) { return add_up(magnitude::abs_up(y), value_error(y)); }
+
+/// An upper bound of 1 - |v| for the number v whose computed value is y.
 magnitude one_minus_abs_up(mpfr_srcptr y) {
   mpfr_cell difference(64);
   mpfr_cell unit(2);
@@ -93,7 +107,7 @@ magnitude one_minus_abs_up(mpfr_srcptr y) {
   }
   const magnitude rounded =
       mpfr_sgn(difference.get()) > 0 ? magnitude::abs_up(difference.get()) : magnitude{};
-  return add_up(rounded, detail::rounding_error(y));
+  return add_up(rounded, value_error(y));
 }
 
 /// A lower bound of 1 - |x| for the number x itself; 0 where |x| >= 1.
@@ -160,12 +174,15 @@ struct quarter_turns {
   bool whole_circle = false;
 };
 
-quarter_turns turns_inside(const end_points& x, precision p) {
+/// For a set no wider than `widest`, given what sets an integer to the number of quarter turns up to a point;
+/// points that are too large to say so may be anywhere on the circle.
+template <class TooLarge, class Quadrant>
+quarter_turns turns_between(const end_points& x, unsigned long widest, TooLarge&& too_large,
+                            Quadrant&& set_quadrant) {
   quarter_turns result;
   mpfr_cell width(32);
   mpfr_sub(width.get(), x.upper(), x.lower(), MPFR_RNDU);
-  if (mpfr_cmp_ui(width.get(), 7) >= 0 || too_large_to_reduce(x.lower(), p) ||
-      too_large_to_reduce(x.upper(), p)) {
+  if (mpfr_cmp_ui(width.get(), widest) >= 0 || too_large(x.lower()) || too_large(x.upper())) {
     result.whole_circle = true;
     return result;
   }
@@ -173,15 +190,20 @@ quarter_turns turns_inside(const end_points& x, precision p) {
   mpz_t last;
   mpz_init(first);
   mpz_init(last);
-  quadrant(first, x.lower());
-  quadrant(last, x.upper());
+  set_quadrant(first, x.lower());
+  set_quadrant(last, x.upper());
   const auto start = mpz_fdiv_ui(first, 4);
-  mpz_sub(last, last, first);  // at most 5, since the width is below 7
+  mpz_sub(last, last, first);  // small, since the width is
   const auto count = mpz_get_ui(last);
   for (unsigned long j = 1; j <= count; ++j) result.passed[(start + j) % 4] = true;
   mpz_clear(last);
   mpz_clear(first);
   return result;
+}
+
+quarter_turns turns_inside(const end_points& x, precision p) {
+  return turns_between(
+      x, 7, [p](mpfr_srcptr end) { return too_large_to_reduce(end, p); }, quadrant);
 }
 
 void set_unit_interval(ball& result, precision p) {
@@ -194,34 +216,15 @@ void set_unit_interval(ball& result, precision p) {
 
 /// The same for arguments counted in half circles: quarter turns lie at multiples of 1/2.
 quarter_turns turns_of_half_circles(const end_points& x) {
-  quarter_turns result;
-  mpfr_cell width(32);
-  mpfr_sub(width.get(), x.upper(), x.lower(), MPFR_RNDU);
   const auto too_large = [](mpfr_srcptr end) {
     return mpfr_regular_p(end) != 0 && mpfr_get_exp(end) > (mpfr_exp_t{1} << 24);
   };
-  if (mpfr_cmp_ui(width.get(), 2) >= 0 || too_large(x.lower()) || too_large(x.upper())) {
-    result.whole_circle = true;
-    return result;
-  }
-  mpz_t first;
-  mpz_t last;
-  mpz_init(first);
-  mpz_init(last);
   const auto floor_of_double = [](mpz_ptr r, mpfr_srcptr end) {
     mpfr_cell twice(mpfr_get_prec(end));
     mpfr_mul_2ui(twice.get(), end, 1, MPFR_RNDN);
     mpfr_get_z(r, twice.get(), MPFR_RNDD);
   };
-  floor_of_double(first, x.lower());
-  floor_of_double(last, x.upper());
-  const auto start = mpz_fdiv_ui(first, 4);
-  mpz_sub(last, last, first);  // at most 4, since the width is below 2
-  const auto count = mpz_get_ui(last);
-  for (unsigned long j = 1; j <= count; ++j) result.passed[(start + j) % 4] = true;
-  mpz_clear(last);
-  mpz_clear(first);
-  return result;
+  return turns_between(x, 2, too_large, floor_of_double);
 }
 
 /// sin or cos of a set: 1 where it passes the quarter turn `top`, -1 half a circle later, and at
@@ -254,13 +257,14 @@ magnitude circular_error(mpfr_srcptr value, const magnitude& radius) {
   return add_up(multiply_up(cofunction_up(value), radius), scale(multiply_up(radius, radius), -1));
 }
 
-void circular(ball& result, const ball& x, mpfr_function f, unsigned top) {
+void circular(ball& result, const ball& x, mpfr_function f, near_function near, unsigned top) {
   const precision p = x.precision();
   if (x.is_undefined()) return ball_access::set_undefined(result, p);
   if (is_thin(x)) {
     if (too_large_to_reduce(ball_access::first(x), p)) return set_unit_interval(result, p);
     const magnitude radius = ball_access::radius(x);
-    at_midpoint(result, x, f, [&](mpfr_srcptr value) { return circular_error(value, radius); });
+    at_midpoint(
+        result, x, f, [&](mpfr_srcptr value) { return circular_error(value, radius); }, near);
     return;
   }
   const end_points e(x, p + guard_bits);
@@ -303,7 +307,32 @@ ball abs(const ball& x) {
 void exp(ball& result, const ball& x) {
   const magnitude radius = ball_access::radius(x);
   // |e^(m+h) - e^m| <= e^m (e^r - 1), and e^r - 1 <= r + r^2 for r <= 1.
-  monotone(result, x, mpfr_exp, true, [&](mpfr_srcptr value) {
+  monotone(
+      result, x, mpfr_exp, true,
+      [&](mpfr_srcptr value) { return multiply_up(true_value_up(value), plus_square_up(radius)); },
+      detail::near_exp);
+}
+
+namespace {
+/// factor * x, rounded up, for the positive rational factor numerator / denominator.
+magnitude times_ratio_up(const magnitude& x, unsigned numerator, unsigned denominator) {
+  return divide_up(multiply_up(magnitude::from_integer_up(numerator), x),
+                   magnitude::from_integer_down(denominator));
+}
+}  // namespace
+
+void exp2(ball& result, const ball& x) {
+  // 2^x = e^(x log 2): as exp, with the radius r log 2, and log 2 < 61/88 = 0.69318...
+  const magnitude radius = times_ratio_up(ball_access::radius(x), 61, 88);
+  monotone(result, x, mpfr_exp2, true, [&](mpfr_srcptr value) {
+    return multiply_up(true_value_up(value), plus_square_up(radius));
+  });
+}
+
+void exp10(ball& result, const ball& x) {
+  // As exp, with the radius r log 10 <= 1, and log 10 < 175/76 = 2.30263...
+  const magnitude radius = times_ratio_up(ball_access::radius(x), 175, 76);
+  monotone(result, x, mpfr_exp10, true, [&](mpfr_srcptr value) {
     return multiply_up(true_value_up(value), plus_square_up(radius));
   });
 }
@@ -338,19 +367,45 @@ void log1p(ball& result, const ball& x) {
   at_ends(result, e, p, mpfr_log1p, true);
 }
 
-void log(ball& result, const ball& x) {
+namespace {
+/// A logarithm that is log x / log b, given an upper bound of 1 / log b as a quotient of integers.
+void logarithm(ball& result, const ball& x, mpfr_function f, unsigned numerator,
+               unsigned denominator, near_function near = nullptr) {
   if (sign_of(x) != sign::positive) return ball_access::set_undefined(result, x.precision());
   if (!ball_access::is_midpoint_radius(x)) {
     const precision p = x.precision();
-    return at_ends(result, end_points(x, p + guard_bits), p, mpfr_log, true);
+    return at_ends(result, end_points(x, p + guard_bits), p, f, true);
   }
   // |log(m+h) - log(m)| <= -log(1 - q) <= q + q^2 for q = r / m <= 1/2 (here q < 2^-22).
   const magnitude q = divide_up(ball_access::radius(x), magnitude::abs_down(ball_access::first(x)));
-  at_midpoint(result, x, mpfr_log, [&](mpfr_srcptr) { return plus_square_up(q); });
+  at_midpoint(
+      result, x, f,
+      [&](mpfr_srcptr) { return times_ratio_up(plus_square_up(q), numerator, denominator); }, near);
+}
+}  // namespace
+
+void log(ball& result, const ball& x) { logarithm(result, x, mpfr_log, 1, 1, detail::near_log); }
+// 1 / log 2 < 101/70 = 1.44285... and 1 / log 10 < 43/99 = 0.43434...
+void log2(ball& result, const ball& x) { logarithm(result, x, mpfr_log2, 101, 70); }
+void log10(ball& result, const ball& x) { logarithm(result, x, mpfr_log10, 43, 99); }
+
+void rsqrt(ball& result, const ball& x) {
+  if (sign_of(x) != sign::positive) return ball_access::set_undefined(result, x.precision());
+  if (!ball_access::is_midpoint_radius(x)) {
+    const precision p = x.precision();
+    return at_ends(result, end_points(x, p + guard_bits), p, mpfr_rec_sqrt, false);
+  }
+  // |(m+h)^(-1/2) - m^(-1/2)| <= m^(-1/2) ((1 - q)^(-1/2) - 1) with q = r / m < 2^-22. In the power series
+  // of (1 - q)^(-1/2) the coefficients from q^2 on are at most 3/8, so it is at most
+  // 1 + q/2 + (3/8) q^2 / (1 - q) <= 1 + (q + q^2) / 2 for q <= 1/4.
+  const magnitude q = divide_up(ball_access::radius(x), magnitude::abs_down(ball_access::first(x)));
+  at_midpoint(result, x, mpfr_rec_sqrt, [&](mpfr_srcptr value) {
+    return multiply_up(true_value_up(value), scale(plus_square_up(q), -1));
+  });
 }
 
-void sin(ball& result, const ball& x) { circular(result, x, mpfr_sin, 1); }
-void cos(ball& result, const ball& x) { circular(result, x, mpfr_cos, 0); }
+void sin(ball& result, const ball& x) { circular(result, x, mpfr_sin, detail::near_sin, 1); }
+void cos(ball& result, const ball& x) { circular(result, x, mpfr_cos, detail::near_cos, 0); }
 
 void sinpi(ball& result, const ball& x) { circular_of_half_circles(result, x, mpfr_sinpi, 1); }
 void cospi(ball& result, const ball& x) { circular_of_half_circles(result, x, mpfr_cospi, 0); }
@@ -367,12 +422,30 @@ void sin_cos(ball& sine, ball& cosine, const ball& x) {
   const magnitude radius = ball_access::radius(x);
   mpfr_cell s(p);
   mpfr_cell c(p);
-  const int inexact = mpfr_sin_cos(s.get(), c.get(), ball_access::first(x), MPFR_RNDN);
-  // mpfr_sin_cos returns the ternary value of sin in its two low bits, that of cos above them.
-  const int sine_ternary = inexact & 3;
-  const int cosine_ternary = inexact >> 2;
-  const magnitude sine_error = radius.is_zero() ? radius : circular_error(s.get(), radius);
-  const magnitude cosine_error = radius.is_zero() ? radius : circular_error(c.get(), radius);
+  const mpfr_srcptr m = ball_access::first(x);
+  magnitude sine_distance;
+  magnitude cosine_distance;
+  int sine_ternary = 0;
+  int cosine_ternary = 0;
+  const detail::near_pair found =
+      detail::near_sin_cos(s.get(), c.get(), m, sine_distance, cosine_distance);
+  if (!found.sine && !found.cosine) {
+    const int inexact = mpfr_sin_cos(s.get(), c.get(), m, MPFR_RNDN);
+    // mpfr_sin_cos returns the ternary value of sin in its two low bits, that of cos above them.
+    sine_ternary = inexact & 3;
+    cosine_ternary = inexact >> 2;
+  } else if (!found.sine) {
+    sine_ternary = mpfr_sin(s.get(), m, MPFR_RNDN);
+  } else if (!found.cosine) {
+    cosine_ternary = mpfr_cos(c.get(), m, MPFR_RNDN);
+  }
+  if (!found.sine) sine_distance = {};
+  if (!found.cosine) cosine_distance = {};
+  const auto error_of = [&](mpfr_srcptr value, const magnitude& distance) {
+    return radius.is_zero() ? distance : add_up(circular_error(value, radius), distance);
+  };
+  const magnitude sine_error = error_of(s.get(), sine_distance);
+  const magnitude cosine_error = error_of(c.get(), cosine_distance);
   ball_access::first(sine) = std::move(s);
   ball_access::finish(sine, sine_ternary, sine_error);
   ball_access::first(cosine) = std::move(c);
@@ -414,9 +487,12 @@ void atan(ball& result, const ball& x) {
   const magnitude radius = ball_access::radius(x);
   const magnitude nearest = x.magnitude_lower();
   // |atan'| = 1 / (1 + x^2), greatest where |x| is least.
-  monotone(result, x, mpfr_atan, true, [&](mpfr_srcptr) {
-    return divide_up(radius, add_down(one, multiply_down(nearest, nearest)));
-  });
+  monotone(
+      result, x, mpfr_atan, true,
+      [&](mpfr_srcptr) {
+        return divide_up(radius, add_down(one, multiply_down(nearest, nearest)));
+      },
+      detail::near_atan);
 }
 
 namespace {
@@ -576,13 +652,15 @@ ball pow(const ball& x, long n) {
       // kq / (1 - kq), both by Bernoulli's (1 - q)^k >= 1 - kq and (1 + q)^k (1 - q)^k <= 1.
       mpfr_cell value(p);
       const int ternary = mpfr_pow_si(value.get(), ball_access::first(x), n, MPFR_RNDN);
-      const magnitude size =
-          add_up(magnitude::abs_up(value.get()),
-                 ternary == 0 ? magnitude{} : detail::rounding_error(value.get()));
-      const magnitude error = multiply_up(size, divide_up(kq, subtract_down(one, kq)));
-      ball_access::first(r) = std::move(value);
-      ball_access::finish(r, ternary, error);
-      return r;
+      if (mpfr_number_p(value.get()) != 0) {  // else it overflowed: the ends keep its sign
+        const magnitude size =
+            add_up(magnitude::abs_up(value.get()),
+                   ternary == 0 ? magnitude{} : detail::rounding_error(value.get()));
+        const magnitude error = multiply_up(size, divide_up(kq, subtract_down(one, kq)));
+        ball_access::first(r) = std::move(value);
+        ball_access::finish(r, ternary, error);
+        return r;
+      }
     }
   }
   // An even power is a power of |x|; x^n is then monotone on each side of 0, decreasing for n < 0.
@@ -729,8 +807,72 @@ ball lattice_operation(const ball& x, const ball& y,
 
 ball floor(const ball& x) { return step_function(x, mpfr_rint_floor); }
 ball ceil(const ball& x) { return step_function(x, mpfr_rint_ceil); }
+ball trunc(const ball& x) { return step_function(x, mpfr_rint_trunc); }
+ball round_ties_to_even(const ball& x) { return step_function(x, mpfr_rint_roundeven); }
+ball round_ties_to_away(const ball& x) { return step_function(x, mpfr_rint_round); }
+ball signum(const ball& x) {
+  return step_function(x, [](mpfr_ptr r, mpfr_srcptr end, mpfr_rnd_t rounding) {
+    return mpfr_set_si(r, (mpfr_sgn(end) > 0) - (mpfr_sgn(end) < 0), rounding);
+  });
+}
 ball min(const ball& x, const ball& y) { return lattice_operation(x, y, mpfr_min); }
 ball max(const ball& x, const ball& y) { return lattice_operation(x, y, mpfr_max); }
+
+namespace {
+// mpfr_agm goes to the heap at every precision.
+constexpr precision most_bits_of_near_agm = 256;
+constexpr precision agm_guard_bits = 24;
+
+/// As a near_function, for two positive numbers of up to r's precision.
+///
+/// The mean M is increasing in both arguments, homogeneous, and the same for (a + b) / 2 and sqrt(a b).
+/// Let u = 2^-wp. A step rounds the first with a relative error of u at most, and the second with u/2
+/// from the product and u, so that it changes M by a factor within 1 +- 2 u (1 + u). Where |a - b| <= a u^(1/2)
+/// the rest is below (a + b) / 2 - sqrt(a b) <= (a - b)^2 / (8 min(a, b)) <= u a / 2, and the sum is
+/// rounded once more.
+bool near_agm(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, magnitude& error) {
+  const precision p = mpfr_get_prec(r);
+  // Products and differences stay far inside MPFR's range, which a caller may have narrowed.
+  const mpfr_exp_t least = mpfr_get_emin() / 4;
+  const mpfr_exp_t most = mpfr_get_emax() / 4;
+  constexpr mpfr_exp_t wide = 1024;
+  const auto is_moderate = [=](mpfr_srcptr z) {
+    return mpfr_get_exp(z) > least && mpfr_get_exp(z) < most;
+  };
+  if (p > most_bits_of_near_agm || least > -wide || most < wide || !is_moderate(x) ||
+      !is_moderate(y) || mpfr_equal_p(x, y) != 0) {
+    return false;
+  }
+  const precision wp = std::max<precision>(p + agm_guard_bits, 96);
+  mp_limb_t limbs[3][(most_bits_of_near_agm + agm_guard_bits) / GMP_NUMB_BITS + 1];
+  mpfr_t a;
+  mpfr_t b;
+  mpfr_t t;
+  mpfr_custom_init_set(a, MPFR_ZERO_KIND, 0, wp, limbs[0]);
+  mpfr_custom_init_set(b, MPFR_ZERO_KIND, 0, wp, limbs[1]);
+  mpfr_custom_init_set(t, MPFR_ZERO_KIND, 0, wp, limbs[2]);
+  mpfr_set(a, x, MPFR_RNDN);  // exact
+  mpfr_set(b, y, MPFR_RNDN);
+  std::uint64_t steps = 0;
+  while (true) {
+    mpfr_sub(t, a, b, MPFR_RNDN);
+    // |a - b| <= 2^(exp t) <= 2^(exp a - 1 - wp/2) <= a u^(1/2).
+    if (mpfr_zero_p(t) != 0 || mpfr_get_exp(t) < mpfr_get_exp(a) - 1 - wp / 2) break;
+    mpfr_mul(t, a, b, MPFR_RNDN);
+    mpfr_add(a, a, b, MPFR_RNDN);
+    mpfr_div_2ui(a, a, 1, MPFR_RNDN);
+    mpfr_sqrt(b, t, MPFR_RNDN);
+    ++steps;
+  }
+  mpfr_add(a, a, b, MPFR_RNDN);
+  const bool inexact = mpfr_div_2ui(r, a, 1, MPFR_RNDN) != 0;
+  // The error is below (2 steps + 2) u (1 + 2^-80) times a number below 2^(exp r). `steps` is about
+  // log2(wp) and log2 of log2(x / y), at most 63: this is below 2^-10 units in r's last place.
+  error = magnitude::from_bits_up(2 * steps + 3, std::int64_t{mpfr_get_exp(r)} - wp);
+  if (inexact) error = add_up(error, detail::rounding_error(r));
+  return true;
+}
+}  // namespace
 
 void agm(ball& result, const ball& x, const ball& y) {
   const precision p = std::max(x.precision(), y.precision());
@@ -753,12 +895,13 @@ void agm(ball& result, const ball& x, const ball& y) {
     };
     const magnitude q = max(relative(x), relative(y));
     mpfr_cell value(p);
-    const int ternary =
-        mpfr_agm(value.get(), ball_access::first(x), ball_access::first(y), MPFR_RNDN);
     magnitude error;
-    if (!q.is_zero()) {
-      error = multiply_up(q, true_value_up(value.get()));
+    int ternary = 0;
+    if (!near_agm(value.get(), ball_access::first(x), ball_access::first(y), error)) {
+      error = {};
+      ternary = mpfr_agm(value.get(), ball_access::first(x), ball_access::first(y), MPFR_RNDN);
     }
+    if (!q.is_zero()) error = add_up(error, multiply_up(q, true_value_up(value.get())));
     ball_access::first(result) = std::move(value);
     return ball_access::finish(result, ternary, error);
   }

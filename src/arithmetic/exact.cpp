@@ -5,17 +5,13 @@
 #include <string>
 
 #include "ball_access.hpp"
+#include "quoted.hpp"
 
 namespace polhode {
-namespace {
 
-/// A text for an error message: whole where short, else its beginning.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t most = 40;
-  if (text.size() <= most) return '"' + std::string(text) + '"';
-  return '"' + std::string(text.substr(0, most)) + "...\" (" + std::to_string(text.size()) +
-         " characters)";
-}
+using detail::quoted;
+
+namespace {
 
 [[noreturn]] void not_a_number(std::string_view text) {
   throw input_error(quoted(text) +

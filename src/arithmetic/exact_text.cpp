@@ -7,6 +7,7 @@
 #include "ball_access.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "quoted.hpp"
 
 namespace polhode {
 
@@ -48,10 +49,7 @@ class reader {
   explicit reader(std::string_view text) : whole_(text), rest_(text) {}
 
   [[noreturn]] void fail(const std::string& why) const {
-    constexpr std::size_t most = 60;
-    const std::string shown =
-        whole_.size() <= most ? std::string(whole_) : std::string(whole_.substr(0, most)) + "...";
-    throw input_error('"' + shown + "\": " + why +
+    throw input_error(detail::quoted(whole_) + ": " + why +
                       "; accepted are PRECISION:MIDPOINT+-RADIUS, PRECISION:[LOWER, UPPER] and "
                       "PRECISION:undefined with numbers like -0x5a8279p-22");
   }

@@ -3,10 +3,21 @@
 namespace polhode {
 
 namespace {
-constexpr precision ball_bits = 64;
+constexpr precision ball_bits = 64;  // of a set that only left the hardware's range
 
 bool left_range(const rectangle<double_interval>& z) {
   return z.re.is_out_of_range() || z.im.is_out_of_range();
+}
+
+/// One end is 0, and not the other: it is 0, or it underflowed to it.
+bool ends_at_zero(double_interval x) { return (x.lower() == 0) != (x.upper() == 0); }
+bool ends_at_zero(const rectangle<double_interval>& z) {
+  return ends_at_zero(z.re) || ends_at_zero(z.im);
+}
+
+/// The hardware's set holds 0 and the ball does not: an end has underflowed.
+bool lost_sign(double_interval in_hardware, const ball& x) {
+  return contains_zero(in_hardware) && !x.is_undefined() && !contains_zero(x);
 }
 }  // namespace
 
@@ -24,6 +35,8 @@ std::string to_text(obstacle o) {
       return "jump";
     case obstacle::undefined:
       return "undefined";
+    case obstacle::unknown:
+      return "unknown";
   }
   return "undefined";
 }
@@ -37,23 +50,28 @@ void region::settle() {
   }
 }
 
-region region::blocked(obstacle why, std::string_view where) {
+region region::blocked(obstacle why, std::string_view function) {
   region r;
   r.hardware_ = {double_interval::undefined(), double_interval::undefined()};
   r.obstacle_ = why;
-  r.where_ = where;
+  r.where_ = function;
   return r;
 }
 
-region region::from_balls(const complex_ball& z) {
+region region::from_balls(const complex_ball& z, bool keep_balls) {
   region r;
   r.hardware_ = {double_interval::from_ball(z.re), double_interval::from_ball(z.im)};
   r.settle();
-  if (r.is_analytic() && r.needs_balls()) {
-    r.balls_ = std::make_shared<const complex_ball>(z.with_precision(ball_bits));
+  const bool lost =
+      r.needs_balls() || lost_sign(r.hardware_.re, z.re) || lost_sign(r.hardware_.im, z.im);
+  if (r.is_analytic() && (keep_balls || lost)) {
+    const polhode::precision p = keep_balls ? std::max(z.precision(), ball_bits + 1) : ball_bits;
+    r.balls_ = std::make_shared<const complex_ball>(z.with_precision(p));
   }
   return r;
 }
+
+region region::in_balls(const complex_ball& z) { return from_balls(z, true); }
 
 complex_ball region::to_complex_ball() const {
   if (!is_analytic()) return complex_ball::undefined(ball_bits);
@@ -77,18 +95,25 @@ double_interval region::im() const {
 }
 
 /// f in hardware, or in balls where an operand is kept in them or the result leaves the hardware's
-/// range. An undefined result of operands without an obstacle is retried too: it may come of
-/// infinity - infinity; if balls do no better, it is not analytic.
+/// range: also where an end may have underflowed to 0, so that the set would seem to touch a pole or a
+/// branch point. (What is made of sets that end at 0 ends at 0 as a rule, and balls would not help; not
+/// so exp of [-1000, 0]: `zero_is_news` there.) An undefined result of operands without an obstacle is
+/// retried too: it may come of infinity - infinity; if balls do no better, it is not analytic.
 template <class Hardware, class Balls>
-region region::combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls) {
+region region::combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls,
+                        bool zero_is_news) {
   if (!z.is_analytic()) return z;
   if (!w.is_analytic()) return w;
   if (z.is_in_hardware() && w.is_in_hardware()) {
     region r;
     r.hardware_ = hardware(z.hardware_, w.hardware_);
-    if (!is_undefined(r.hardware_) && !r.needs_balls()) return r;
+    const bool suspicious =
+        ends_at_zero(r.hardware_) &&
+        (zero_is_news || !(ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_)));
+    if (!is_undefined(r.hardware_) && !r.needs_balls() && !suspicious) return r;
   }
-  return from_balls(balls(z.to_complex_ball(), w.to_complex_ball()));
+  const bool keep_balls = z.precision() > ball_bits || w.precision() > ball_bits;
+  return from_balls(balls(z.to_complex_ball(), w.to_complex_ball()), keep_balls);
 }
 
 /// The shapes of the functions below.
@@ -101,10 +126,11 @@ struct region::functions {
   }
   /// f without singularities.
   template <class F>
-  static region entire(const region& z, F&& f) {
+  static region entire(const region& z, F&& f, bool zero_is_news = false) {
     return combined(
         z, z, [&](const auto& x, const auto&) { return f(x); },
-        [&](const complex_ball& x, const complex_ball&) { return complex_ball(f(x)); });
+        [&](const complex_ball& x, const complex_ball&) { return complex_ball(f(x)); },
+        zero_is_news);
   }
   /// f where singular(z) is false, else blocked.
   template <class Singular, class F>
@@ -166,12 +192,14 @@ region operator/(const region& z, const region& w) {
 #define POLHODE_ENTIRE(f) \
   region f(const region& z) { return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(f)); }
 POLHODE_ENTIRE(square)
-POLHODE_ENTIRE(exp)
 POLHODE_ENTIRE(sin)
 POLHODE_ENTIRE(cos)
 POLHODE_ENTIRE(sinh)
 POLHODE_ENTIRE(cosh)
 #undef POLHODE_ENTIRE
+region exp(const region& z) {
+  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(exp), true);
+}
 
 #define POLHODE_AWAY_FROM(f, why)                                                  \
   region f(const region& z) {                                                      \

@@ -144,12 +144,23 @@ std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most
   return result;
 }
 
-}  // namespace
-
-decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
+/// The digits to look at where that many are wanted: no more than there can be. An exact number of p bits
+/// and exponent e has at most p + |e| digits, fewer than its bits before and after the point; the ends
+/// of other balls are computed to p + 32 bits and share no more digits than that.
+long useful_digits(const ball& x, long most_digits) {
   if (most_digits < 1) {
     throw std::invalid_argument(std::to_string(most_digits) + " digits: it must be at least 1");
   }
+  long most = x.precision() + 64;
+  const mpfr_srcptr first = ball_access::first(x);
+  if (x.is_exact() && mpfr_regular_p(first) != 0) most += std::abs(mpfr_get_exp(first));
+  return std::min(most_digits, most);
+}
+
+}  // namespace
+
+decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
+  most_digits = useful_digits(x, most_digits);
   if (!x.is_bounded()) throw std::domain_error("an unbounded ball has no decimals");
   const end_points e(x, x.precision() + 32);
   if (mpfr_number_p(e.lower()) == 0 || mpfr_number_p(e.upper()) == 0) {
@@ -185,7 +196,17 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
   }
   if (result.digits > 0 || result.exact) result.value = written(shared);
 
-  const long more = std::max(result.digits, 1L) + 3;
+  // As many digits as the ball's width gives a meaning, though the two ends may share fewer: 2 may lie
+  // between 1.9999 and 2.0001.
+  long meaningful = 1;
+  const magnitude width = x.radius();
+  const magnitude size = x.magnitude_upper();
+  if (!result.exact && !width.is_zero() && !width.is_infinite() && !size.is_zero()) {
+    const auto bits = static_cast<double>(size.log2_floor() - width.log2_floor());
+    meaningful =
+        static_cast<long>(std::clamp(bits * 0.30103, 1.0, static_cast<double>(most_digits)));
+  }
+  const long more = std::max(result.digits, meaningful) + 3;
   low = rounded(e.lower(), more, MPFR_RNDD);
   high = rounded(e.upper(), more, MPFR_RNDU);
   for (decimal* end : {&low, &high}) {
@@ -198,9 +219,7 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
 }
 
 std::string to_decimal(const ball& x, long most_digits) {
-  if (most_digits < 1) {
-    throw std::invalid_argument(std::to_string(most_digits) + " digits: it must be at least 1");
-  }
+  most_digits = useful_digits(x, most_digits);
   if (x.is_undefined()) return "undefined";
   const end_points ends(x, x.precision() + 32);
   if (mpfr_inf_p(ends.lower()) != 0 || mpfr_inf_p(ends.upper()) != 0) {

@@ -22,6 +22,8 @@ std::string to_text(reason r) {
       return "evaluation limit";
     case reason::not_analytic:
       return "not analytic";
+    case reason::not_integrable:
+      return "not integrable";
     case reason::not_convergent:
       return "not convergent";
     case reason::not_defined:

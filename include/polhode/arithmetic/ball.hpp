@@ -353,6 +353,14 @@ ball& operator/=(ball& x, const N& y) {
 [[nodiscard]] bool contains(const ball& x, const ball& y);
 [[nodiscard]] bool contains(const ball& x, mpq_srcptr y);
 [[nodiscard]] bool contains(const ball& x, long y);
+template <machine_integer N>
+[[nodiscard]] bool contains(const ball& x, N y) {
+  if constexpr (detail::fits_long<N>) {
+    return contains(x, static_cast<long>(y));
+  } else {
+    return contains(x, ball(y, 64));
+  }
+}
 template <rational_like N>
 [[nodiscard]] bool contains(const ball& x, const N& y) {
   return contains(x, static_cast<mpq_srcptr>(y.backend().data()));

@@ -11,6 +11,8 @@
 //   function            domain            range                 IEEE 1788 name
 //   exp                 R                 (0, inf)              exp
 //   log                 (0, inf)          R                     log
+//   exp2, exp10         R                 (0, inf)              exp2, exp10
+//   log2, log10         (0, inf)          R                     log2, log10
 //   sin, cos            R                 [-1, 1]               sin, cos
 //   tan                 no odd pi/2       R                     tan
 //   asin                [-1, 1]           [-pi/2, pi/2]         asin
@@ -21,14 +23,18 @@
 //   acosh               [1, inf)          [0, inf)              acosh
 //   tanh                R                 (-1, 1)               tanh
 //   atanh               (-1, 1)           R                     atanh
+//   atan2(y, x)         R^2 without 0     (-pi, pi]             atan2
 //   sqrt                [0, inf)          [0, inf)              sqrt
+//   rsqrt               (0, inf)          (0, inf)              rSqrt
 //   pow(x, n)           R; R\{0}, n < 0   -                     pown
 //   pow(x, y)           (0, inf) x R, and {0} x (0, inf)        pow
 //   root(x, n)          [0, inf); R, n odd                      rootn
 //   expm1               R                 (-1, inf)             expm1
 //   log1p               (-1, inf)         R                     logp1
 //   sinpi, cospi        R                 [-1, 1]               sinPi, cosPi
-//   floor, ceil         R                 integers              floor, ceil
+//   floor, ceil, trunc  R                 integers              floor, ceil, trunc
+//   round_ties_to_even, round_ties_to_away: R, integers         roundTiesToEven, roundTiesToAway
+//   signum              R                 {-1, 0, 1}            sign
 //   min, max            R^2               -                     min, max
 //   hypot               R^2               [0, inf)              hypot
 //   agm                 [0, inf)^2        [0, inf)              -
@@ -60,19 +66,42 @@ namespace polhode {
 [[nodiscard]] ball pow(const ball& x, long n);
 /// x^y = exp(y log x) for x > 0, and 0^y = 0 for y > 0; an exact integer y is taken as such, for every x.
 [[nodiscard]] ball pow(const ball& x, const ball& y);
-/// The real n-th root, n >= 1; of negative x too where n is odd.
+/// The same for an exact exponent, such as 1/3: x must be > 0, or >= 0 for an exponent > 0.
+template <rational_like N>
+[[nodiscard]] ball pow(const ball& x, const N& y) {
+  return pow(x, ball(y, x.precision()));
+}
+/// The real n-th root, n >= 1; of negative x too where n is odd. root(x, 3) is the cube root.
 [[nodiscard]] ball root(const ball& x, unsigned long n);
-/// The greatest integer <= x, the least one >= x: exact single integers where the set has no jump inside.
+// The range of a step function is reached at the ends: exact single integers where the set has no jump
+// inside.
+/// The greatest integer <= x, the least one >= x, the one of these two that is nearer to 0.
 [[nodiscard]] ball floor(const ball& x);
 [[nodiscard]] ball ceil(const ball& x);
+[[nodiscard]] ball trunc(const ball& x);
+/// The nearest integer; half way between two, the even one, or the one farther from 0.
+[[nodiscard]] ball round_ties_to_even(const ball& x);
+[[nodiscard]] ball round_ties_to_away(const ball& x);
+/// -1, 0 or 1. (sign_of is the question whether all members have the same.)
+[[nodiscard]] ball signum(const ball& x);
 [[nodiscard]] ball min(const ball& x, const ball& y);
 [[nodiscard]] ball max(const ball& x, const ball& y);
 /// sqrt(x^2 + y^2), without overflow on the way.
 [[nodiscard]] ball hypot(const ball& x, const ball& y);
+/// The angle in (-pi, pi] of the point (x, y), a member of each; undefined where that may be the origin.
+/// [-pi, pi] where the rectangle has points below and on the negative half of the x axis.
+[[nodiscard]] ball atan2(const ball& y, const ball& x);
 
 // In three-address form, as in ball.hpp.
 void exp(ball& result, const ball& x);
 void log(ball& result, const ball& x);
+/// 2^x, 10^x, and the logarithms to these bases.
+void exp2(ball& result, const ball& x);
+void exp10(ball& result, const ball& x);
+void log2(ball& result, const ball& x);
+void log10(ball& result, const ball& x);
+/// 1 / sqrt(x).
+void rsqrt(ball& result, const ball& x);
 /// For |x| of more bits before the point than max(2^20, 4 * precision) the answer is [-1, 1]:
 /// its reduction modulo pi would need pi to that many bits.
 void sin(ball& result, const ball& x);
@@ -107,6 +136,11 @@ void agm(ball& result, const ball& x, const ball& y);
   }
 POLHODE_AS_EXPRESSION(exp)
 POLHODE_AS_EXPRESSION(log)
+POLHODE_AS_EXPRESSION(exp2)
+POLHODE_AS_EXPRESSION(exp10)
+POLHODE_AS_EXPRESSION(log2)
+POLHODE_AS_EXPRESSION(log10)
+POLHODE_AS_EXPRESSION(rsqrt)
 POLHODE_AS_EXPRESSION(sin)
 POLHODE_AS_EXPRESSION(cos)
 POLHODE_AS_EXPRESSION(tan)

@@ -28,6 +28,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
 
 namespace polhode {
 
@@ -69,7 +70,7 @@ class jet {
  public:
   using scalar_type = T;
   using storage = std::conditional_t<Order == dynamic_order, std::vector<T>,
-                                     std::array<T, static_cast<std::size_t>(Order + 1)>>;
+                                     std::array<T, static_cast<std::size_t>(Order) + 1>>;
 
   /// The function with the constant value c, or the identity at x, to the given order (which must be
   /// Order where that is fixed).
@@ -86,7 +87,7 @@ class jet {
   }
   /// A jet with room for the order, to be filled.
   explicit jet(int order = Order) {
-    if constexpr (Order == dynamic_order) coefficients_.resize(static_cast<std::size_t>(order + 1));
+    if constexpr (Order == dynamic_order) coefficients_.resize(static_cast<std::size_t>(order) + 1);
   }
 
   [[nodiscard]] int order() const { return static_cast<int>(coefficients_.size()) - 1; }
@@ -248,6 +249,29 @@ class jet {
     return from_slope(x, T(atanh(x[0])),
                       [](const shorter& y) { return unit(y) / (unit(y) - square(y)); });
   }
+  /// f' = (2 / sqrt(pi)) e^(-x^2) x', and minus that.
+  friend jet erf(const jet& x) requires std::same_as<T, ball> {
+    return from_slope(x, erf(x[0]), [](const shorter& y) { return bell(y); });
+  }
+  friend jet erfc(const jet& x) requires std::same_as<T, ball> {
+    return from_slope(x, erfc(x[0]), [](const shorter& y) { return -bell(y); });
+  }
+  /// x r' = a r x' for r = x^a: k x_0 r_k = sum of (a j - (k - j)) x_j r_(k-j), 1 <= j <= k. Where x may be
+  /// 0 the quotient by x_0, and with it the derivatives, are undefined.
+  friend jet pow(const jet& x, const ball& a) requires std::same_as<T, ball> {
+    return build(x.order(), [&](int k, const jet& r) {
+      if (k == 0) return pow(x[0], a);
+      ball sum = detail::zero_like(x[0]);
+      for (int j = 1; j <= k; ++j) {
+        sum += (a * static_cast<long>(j) - static_cast<long>(k - j)) * x[j] * r[k - j];
+      }
+      return sum / (x[0] * static_cast<long>(k));
+    });
+  }
+  /// exp(y log x).
+  friend jet pow(const jet& x, const jet& y) requires std::same_as<T, ball> {
+    return exp(y * log(x));
+  }
   /// By repeated squaring; negative powers through the reciprocal.
   friend jet pow(const jet& x, long n) {
     if (n < 0) return detail::one_like(x[0]) / power(x, 0UL - static_cast<unsigned long>(n));
@@ -320,6 +344,9 @@ class jet {
     for (int k = 1; k <= x.order(); ++k) r[k] = T(r_prime[k - 1] / detail::exact<T>(k));
     return r;
   }
+  [[nodiscard]] static shorter bell(const shorter& y) requires std::same_as<T, ball> {
+    return exp(-square(y)) * (2 * rsqrt(pi(y[0].precision())));
+  }
   [[nodiscard]] static jet power(const jet& x, unsigned long n) {
     jet result = constant(detail::one_like(x[0]), x.order());
     jet base = x;
@@ -334,6 +361,25 @@ class jet {
   storage coefficients_;
 };
 
+namespace detail {
+/// What a function with breaks has at one: its value, and no derivatives.
+template <int Order>
+[[nodiscard]] jet<ball, Order> value_alone(const ball& value, int order) {
+  auto r = jet<ball, Order>::constant(value, order);
+  for (int k = 1; k <= order; ++k) r[k] = ball::undefined(value.precision());
+  return r;
+}
+/// A step function with the given value, whose jumps are at the integers.
+template <int Order>
+[[nodiscard]] jet<ball, Order> step(const jet<ball, Order>& x, const ball& value) {
+  const ball below = floor(x[0]);
+  if (below.is_exact() && certainly_less(below, x[0]) && certainly_less(x[0], below + 1)) {
+    return jet<ball, Order>::constant(value, x.order());
+  }
+  return value_alone<Order>(value, x.order());
+}
+}  // namespace detail
+
 /// |x|: +x or -x where the sign is known, else with undefined coefficients beyond the value.
 template <int Order>
 [[nodiscard]] jet<ball, Order> abs(const jet<ball, Order>& x) {
@@ -345,10 +391,30 @@ template <int Order>
     default:
       break;
   }
-  jet<ball, Order> r = x;
-  r[0] = abs(x[0]);
-  for (int k = 1; k <= x.order(); ++k) r[k] = ball::undefined(x[0].precision());
-  return r;
+  return detail::value_alone<Order>(abs(x[0]), x.order());
+}
+
+/// The lesser (greater) of the two where that is certain, else with undefined coefficients beyond the value.
+template <int Order>
+[[nodiscard]] jet<ball, Order> min(const jet<ball, Order>& x, const jet<ball, Order>& y) {
+  if (certainly_less(x[0], y[0])) return x;
+  if (certainly_less(y[0], x[0])) return y;
+  return detail::value_alone<Order>(min(x[0], y[0]), x.order());
+}
+template <int Order>
+[[nodiscard]] jet<ball, Order> max(const jet<ball, Order>& x, const jet<ball, Order>& y) {
+  if (certainly_less(x[0], y[0])) return y;
+  if (certainly_less(y[0], x[0])) return x;
+  return detail::value_alone<Order>(max(x[0], y[0]), x.order());
+}
+/// Constant away from the integers, else with undefined coefficients beyond the value.
+template <int Order>
+[[nodiscard]] jet<ball, Order> floor(const jet<ball, Order>& x) {
+  return detail::step(x, floor(x[0]));
+}
+template <int Order>
+[[nodiscard]] jet<ball, Order> ceil(const jet<ball, Order>& x) {
+  return detail::step(x, ceil(x[0]));
 }
 
 /// The derivative of f over x.
@@ -365,7 +431,7 @@ template <class F, class T>
 /// evaluation alone. f is a generic function: it is called with a ball and with jets.
 template <class F>
 [[nodiscard]] ball taylor_range(const F& f, const ball& x, int n = 1) {
-  const ball plain = f(x);
+  ball plain = f(x);
   const ball middle = x.middle();
   if (n < 1 || middle.is_undefined() || plain.is_undefined()) return plain;
   using series = jet<ball, dynamic_order>;

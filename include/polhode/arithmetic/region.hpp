@@ -99,21 +99,29 @@ enum class obstacle {
   pole,        // of a quotient, tan, tanh, a negative power
   kink,        // of abs, min, max
   jump,        // of floor, ceil
-  undefined    // the region itself is undefined
+  undefined,   // the region itself is undefined
+  unknown      // not proved, for want of an enclosure of the function on regions
 };
 
 [[nodiscard]] std::string to_text(obstacle o);
 
 class region {
  public:
+  /// {0}.
+  region() = default;
   /// A rectangle, a real interval or a real number.
   region(double_interval re, double_interval im) : hardware_{re, im} { settle(); }
   explicit region(double_interval re) : region(re, double_interval(0)) {}
   /// The set of a ball or a complex ball.
-  explicit region(const ball& re) : region(double_interval::from_ball(re)) {
-    if (needs_balls()) *this = from_balls({re, ball(0, re.precision())});
-  }
+  explicit region(const ball& re) { *this = from_balls({re, ball(0, re.precision())}); }
   explicit region(const complex_ball& z) { *this = from_balls(z); }
+  /// The set of z, kept in balls of z's precision and carried on so: for points so close together that
+  /// hardware doubles do not tell them apart.
+  [[nodiscard]] static region in_balls(const complex_ball& z);
+
+  /// The answer of a function that met an obstacle: obstacle::unknown where it has no enclosure over any
+  /// region. The function's name must outlive the region: a literal.
+  [[nodiscard]] static region blocked(obstacle why, std::string_view function);
 
   /// The function computed so far is proved analytic on a neighbourhood of everything it was given.
   [[nodiscard]] bool is_analytic() const { return obstacle_ == obstacle::none; }
@@ -127,10 +135,14 @@ class region {
   /// The parts, rounded outward; undefined where not analytic.
   [[nodiscard]] double_interval re() const;
   [[nodiscard]] double_interval im() const;
-  /// The set as a complex ball of 64 bits.
+  /// The set as a complex ball, of 64 bits where it is kept in the hardware.
   [[nodiscard]] complex_ball to_complex_ball() const;
   /// The set is kept in hardware doubles, not in balls.
   [[nodiscard]] bool is_in_hardware() const { return balls_ == nullptr; }
+  /// 53, or that of the balls it is kept in.
+  [[nodiscard]] polhode::precision precision() const {
+    return balls_ == nullptr ? 53 : balls_->precision();
+  }
 
   friend region operator+(const region& z) { return z; }
   friend region operator-(const region& z);
@@ -138,6 +150,11 @@ class region {
   friend region operator-(const region& z, const region& w);
   friend region operator*(const region& z, const region& w);
   friend region operator/(const region& z, const region& w);
+
+  region& operator+=(const region& w) { return *this = *this + w; }
+  region& operator-=(const region& w) { return *this = *this - w; }
+  region& operator*=(const region& w) { return *this = *this * w; }
+  region& operator/=(const region& w) { return *this = *this / w; }
 
   friend region square(const region& z);
   friend region sqrt(const region& z);
@@ -165,15 +182,14 @@ class region {
   friend region ceil(const region& z);
 
  private:
-  region() = default;
-  static region blocked(obstacle why, std::string_view where);
-  static region from_balls(const complex_ball& z);
+  static region from_balls(const complex_ball& z, bool keep_balls = false);
   /// Marks an undefined set; passes to balls where the hardware's range is left.
   void settle();
   [[nodiscard]] bool needs_balls() const;
 
   template <class Hardware, class Balls>
-  static region combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls);
+  static region combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls,
+                         bool zero_is_news = false);
   struct functions;
 
   rectangle<double_interval> hardware_;
@@ -182,47 +198,64 @@ class region {
   std::string_view where_;
 };
 
-// With exact numbers, which are real constants.
+// With exact numbers and with balls, which are real constants, rounded no worse than the region is.
 namespace detail {
 template <class N>
-concept region_constant = exact_number<N>;
+concept region_constant = exact_number<N> || std::same_as<N, ball>;
 template <region_constant N>
-[[nodiscard]] region constant_region(const N& n) {
-  return region(double_interval(n));
+[[nodiscard]] region constant_region(const N& n, const region& like) {
+  if constexpr (std::same_as<N, ball>) {
+    if (like.is_in_hardware()) return region(n);
+    return region::in_balls({n, ball(0, n.precision())});
+  } else {
+    if (!like.is_in_hardware()) {
+      return region::in_balls({ball(n, like.precision()), ball(0, like.precision())});
+    }
+    // Beyond the range of doubles, or below it (an end is 0 and n is not), with the exponents of balls.
+    const double_interval x(n);
+    const bool left_range = x.is_out_of_range() || (contains_zero(x) && !x.is_exact());
+    return left_range ? region(ball(n, 64)) : region(x);
+  }
 }
 }  // namespace detail
 
 template <detail::region_constant N>
 [[nodiscard]] region operator+(const region& z, const N& n) {
-  return z + detail::constant_region(n);
+  return z + detail::constant_region(n, z);
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator+(const N& n, const region& z) {
-  return detail::constant_region(n) + z;
+  return detail::constant_region(n, z) + z;
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator-(const region& z, const N& n) {
-  return z - detail::constant_region(n);
+  return z - detail::constant_region(n, z);
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator-(const N& n, const region& z) {
-  return detail::constant_region(n) - z;
+  return detail::constant_region(n, z) - z;
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator*(const region& z, const N& n) {
-  return z * detail::constant_region(n);
+  return z * detail::constant_region(n, z);
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator*(const N& n, const region& z) {
-  return detail::constant_region(n) * z;
+  return detail::constant_region(n, z) * z;
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator/(const region& z, const N& n) {
-  return z / detail::constant_region(n);
+  return z / detail::constant_region(n, z);
 }
 template <detail::region_constant N>
 [[nodiscard]] region operator/(const N& n, const region& z) {
-  return detail::constant_region(n) / z;
+  return detail::constant_region(n, z) / z;
+}
+
+/// exp(e log z), with log's branch cut.
+template <rational_like N>
+[[nodiscard]] region pow(const region& z, const N& e) {
+  return pow(z, detail::constant_region(e, z));
 }
 
 }  // namespace polhode

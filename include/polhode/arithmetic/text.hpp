@@ -24,7 +24,7 @@ struct decimal_enclosure {
 };
 
 /// `value` has at most `most_digits` significant digits, and fewer where the ball is wider;
-/// `lower` and `upper` have three more than that. Throws std::domain_error where x is not bounded,
+/// `lower` and `upper` have three more than that, or than the ball's width gives a meaning. Throws std::domain_error where x is not bounded,
 /// std::invalid_argument where most_digits < 1.
 [[nodiscard]] decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits);
 

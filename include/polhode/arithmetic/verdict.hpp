@@ -13,6 +13,7 @@ enum class reason {
   precision_limit,   // the enclosure is as narrow as the allowed precision makes it, and too wide
   evaluation_limit,  // the work needed exceeds the limit that was given
   not_analytic,      // no region was found in which the integrand is proved analytic
+  not_integrable,    // the integral was proved to diverge
   not_convergent,    // an iteration did not contract
   not_defined,       // the function is not defined on what it was asked for
   refuted            // the contrary is proved
