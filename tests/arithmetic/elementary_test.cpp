@@ -1,6 +1,7 @@
 // The inclusion principle for functions that rationals cannot follow: MPFR, 200 bits and more beyond
 // the result's precision, encloses f at an exact member, and the enclosure must lie in the result.
 
+#include <algorithm>
 #include <array>
 
 #include <gtest/gtest.h>
@@ -87,10 +88,16 @@ TEST_P(Elementary, HoldsTheValueAtEveryMember) {
       continue;
     }
     ++defined;
+    // The oracle's two ends must lie closer together than y's: sinpi and cospi near an exact +-1 are narrower
+    // than the last place.
+    precision enough = p + further;
+    if (y.is_bounded() && !y.is_exact() && y.magnitude_lower() > magnitude{}) {
+      enough += std::max<long>(y.magnitude_upper().log2_floor() - y.radius().log2_floor() - p, 0);
+    }
     for (int i = 0; i < 3; ++i) {
       const rational a = random.member(s);
       if (f.grows && abs(a) > support::power_of_two(12)) continue;
-      EXPECT_TRUE(holds_all(y, value_at(f, a, p + further))) << f.name << " at " << described(a);
+      EXPECT_TRUE(holds_all(y, value_at(f, a, enough))) << f.name << " at " << described(a);
     }
   }
   EXPECT_GT(defined, 100 * support::effort() / 2);

@@ -146,5 +146,65 @@ TEST(TaylorRange, IsTighterAndStillHoldsTheRange) {
   EXPECT_TRUE(contains(taylor_range(g, across), rational(0)));
 }
 
+TEST(Jet, PowersWithBallExponents) {
+  const jet5 x = at("5/3");
+  expect_same(pow(x, number("1/2")), sqrt(x));
+  expect_same(pow(x, number("7/2")), x * x * x * sqrt(x));
+  expect_same(pow(x, number("-1/2")), 1 / sqrt(x));
+  expect_same(pow(x, number("3")), x * x * x);
+  expect_same(pow(-x, number("3")), -x * x * x);
+  expect_same(pow(x, pi(bits)), exp(pi(bits) * log(x)));
+  expect_same(pow(x, x), exp(x * log(x)));
+  const jet5 two = jet5::constant(number("2"));
+  expect_same(pow(two, x), exp(x * log_2(bits)));
+  // Not differentiable where the base may be 0, and not defined where it may be negative.
+  const ball wide = hull(number("0"), number("1"));
+  const jet5 root = pow(jet5::variable(wide), number("1/2"));
+  EXPECT_TRUE(root[0].is_bounded());
+  for (int k = 1; k <= 5; ++k) EXPECT_TRUE(root[k].is_undefined());
+  EXPECT_TRUE(pow(jet5::variable(-wide), number("1/2"))[0].is_undefined());
+}
+
+TEST(Jet, ErrorFunction) {
+  // erf' = (2/sqrt(pi)) e^(-x^2), and erf'' = -2 x erf'; erfc is 1 - erf.
+  const jet5 x = at("0.7");
+  const jet5 y = erf(x);
+  const ball slope = 2 / sqrt(pi(bits)) * exp(-square(number("0.7")));
+  EXPECT_TRUE(overlaps(y[0], erf(number("0.7"))));
+  EXPECT_TRUE(overlaps(y.derivative(1), slope));
+  EXPECT_TRUE(overlaps(y.derivative(2), -2 * number("0.7") * slope));
+  EXPECT_TRUE(overlaps(y.derivative(3), (4 * square(number("0.7")) - 2) * slope));
+  EXPECT_LT(y[5].radius(), magnitude::power_of_two(-150));
+  expect_same(erfc(x), 1 - y);
+}
+
+TEST(Jet, FunctionsWithBreaks) {
+  const jet5 x = at("5/3");
+  const jet5 y = x * x;
+  expect_same(min(x, y), x);
+  expect_same(max(x, y), y);
+  expect_same(min(y, x), x);
+  expect_same(max(y, x), y);
+  expect_same(floor(x), jet5::constant(number("1")));
+  expect_same(ceil(x), jet5::constant(number("2")));
+  expect_same(floor(-y), jet5::constant(number("-3")));
+  const auto only_a_value = [](const jet5& z, const char* low, const char* high) {
+    EXPECT_TRUE(contains(z[0], hull(number(low), number(high)))) << z[0];
+    EXPECT_LT(z[0].radius(), magnitude::power_of_two(1));
+    for (int k = 1; k <= 5; ++k) EXPECT_TRUE(z[k].is_undefined()) << k;
+  };
+  const jet5 around = jet5::variable(hull(number("1/2"), number("3/2")));
+  const jet5 one = jet5::constant(number("1"));
+  only_a_value(min(around, one), "1/2", "1");
+  only_a_value(max(around, one), "1", "3/2");
+  only_a_value(max(one, around), "1", "3/2");
+  only_a_value(abs(around - 1), "0", "1/2");
+  only_a_value(floor(around), "0", "1");
+  only_a_value(ceil(around), "1", "2");
+  only_a_value(floor(at("2")), "2", "2");
+  only_a_value(ceil(at("2")), "2", "2");
+  only_a_value(floor(jet5::variable(hull(number("1/2"), number("1")))), "0", "1");
+}
+
 }  // namespace
 }  // namespace polhode

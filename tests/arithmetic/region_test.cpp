@@ -160,6 +160,37 @@ TEST(Region, GoesOnInBallsBeyondTheRangeOfDoubles) {
   EXPECT_LT(to_ball(double_interval(1), 64).precision(), 65);
 }
 
+// An end that underflows to 0 in hardware is no pole and no branch point.
+TEST(Region, KeepsTheSignOfWhatUnderflows) {
+  const auto real = [](double low, double high) { return region(double_interval(low, high)); };
+  const auto is_positive = [](const region& z) {
+    if (!z.is_analytic()) return ::testing::AssertionFailure() << z.where();
+    if (!certainly_positive(z.to_complex_ball().re)) {
+      return ::testing::AssertionFailure() << "the sign is lost";
+    }
+    return ::testing::AssertionSuccess();
+  };
+  EXPECT_TRUE(is_positive(1 / real(1e-320, 1e-310)));
+  EXPECT_TRUE(is_positive(1 / square(real(1e-200, 1))));
+  EXPECT_TRUE(is_positive(sqrt(square(real(1e-200, 1)))));
+  EXPECT_TRUE(is_positive(1 / (real(1e-200, 1) * real(1e-200, 2))));
+  EXPECT_TRUE(is_positive(1 / (real(-1, -1e-200) * real(-1, -1e-200))));
+  EXPECT_TRUE(is_positive(sqrt(exp(real(-1000, 0)))));
+  EXPECT_TRUE(is_positive(-log(exp(real(-1000, -1)))));
+  EXPECT_TRUE(is_positive(pow(pow(real(1e-200, 1), 2), -1)));
+  EXPECT_TRUE(is_positive(abs(real(1e-300, 1) / real(1, 1e100))));
+  EXPECT_TRUE(is_positive(1 / region(hull(parse_ball("1e-400", 64), ball(1, 64)))));
+  // The set of squares is [1e-400, 1], whatever it is kept in.
+  const complex_ball squares = square(real(1e-200, 1)).to_complex_ball();
+  EXPECT_TRUE(contains(squares.re, parse_rational("1e-399")));
+  EXPECT_FALSE(contains(squares.re, parse_rational("1e-401")));
+  // What does end at 0 is refused as before.
+  EXPECT_EQ((1 / square(real(0, 1))).why(), obstacle::pole);
+  EXPECT_EQ(sqrt(real(0, 1) * real(1e-200, 1)).why(), obstacle::branch_cut);
+  EXPECT_TRUE((real(0, 1) * real(0, 2)).is_in_hardware());
+  EXPECT_TRUE((real(1, 2) - 1).is_in_hardware());
+}
+
 TEST(Region, TakesBallsOfAnySize) {
   const region z(parse_ball("1e-400", 100));
   EXPECT_FALSE(z.is_in_hardware());

@@ -47,8 +47,8 @@ inline bool is_circular(std::string_view name) {
 
 namespace detail {
 inline bool grows(std::string_view name) {
-  return name == "exp" || name == "sinh" || name == "cosh" || name == "expm1" ||
-         name == "erfc";  // which falls as fast
+  return name == "exp" || name == "exp2" || name == "exp10" || name == "sinh" || name == "cosh" ||
+         name == "expm1" || name == "erfc";  // which falls as fast
 }
 inline bool everywhere(const exact_set&) { return true; }
 inline bool above_zero(const exact_set& x) { return x.lower && *x.lower > 0; }
@@ -94,13 +94,22 @@ inline bool between_poles(const exact_set& x) {
 #define POLHODE_OTHER_FUNCTION(f, shape, domain)                                                  \
   {#f, [](ball& r, const ball& x) { r = f(x); }, [](const ball& x) { return f(x); }, mpfr_##f,    \
    shape, detail::domain, detail::grows(#f) POLHODE_NO_MPFI}
+// The same with an in-place form, and with another name in MPFR.
+#define POLHODE_FUNCTION_OF_MPFR(f, by_mpfr, shape, domain)                                       \
+  {#f, [](ball& r, const ball& x) { f(r, x); }, [](const ball& x) { return f(x); }, by_mpfr,      \
+   shape, detail::domain, detail::grows(#f) POLHODE_NO_MPFI}
 // clang-format on
 
 inline const std::vector<elementary_function>& elementary_functions() {
   static const std::vector<elementary_function> all = {
       POLHODE_FUNCTION(exp, shape::increasing, everywhere),
       POLHODE_FUNCTION(log, shape::increasing, above_zero),
+      POLHODE_FUNCTION(exp2, shape::increasing, everywhere),
+      POLHODE_FUNCTION_OF_MPFR(exp10, mpfr_exp10, shape::increasing, everywhere),
+      POLHODE_FUNCTION(log2, shape::increasing, above_zero),
+      POLHODE_FUNCTION(log10, shape::increasing, above_zero),
       POLHODE_FUNCTION(sqrt, shape::increasing, from_zero),
+      POLHODE_FUNCTION_OF_MPFR(rsqrt, mpfr_rec_sqrt, shape::decreasing, above_zero),
       POLHODE_FUNCTION(sin, shape::other, everywhere),
       POLHODE_FUNCTION(cos, shape::other, everywhere),
       POLHODE_FUNCTION(tan, shape::increasing, between_poles),  // on each branch
@@ -124,6 +133,7 @@ inline const std::vector<elementary_function>& elementary_functions() {
 }
 #undef POLHODE_FUNCTION
 #undef POLHODE_OTHER_FUNCTION
+#undef POLHODE_FUNCTION_OF_MPFR
 #undef POLHODE_MPFI_OF
 #undef POLHODE_NO_MPFI
 
@@ -153,7 +163,7 @@ struct range {
 };
 inline bool has_range(const elementary_function& f) {
 #ifdef POLHODE_HAVE_MPFI
-  return f.by_mpfi != nullptr;
+  return f.is != shape::other || f.by_mpfi != nullptr;
 #else
   return f.is != shape::other;
 #endif

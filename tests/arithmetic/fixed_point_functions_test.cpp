@@ -1,0 +1,136 @@
+// exp, log, sin, cos and atan have algorithms of their own up to some thousands of bits. MPFR's, at a
+// higher precision, judge them.
+
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "support/random.hpp"
+#include "support/real.hpp"
+
+namespace polhode {
+namespace {
+
+using support::random_source;
+using support::real;
+using support::repeat;
+
+struct function {
+  const char* name;
+  void (*of)(ball&, const ball&);
+  int (*reference)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+};
+constexpr std::array<function, 5> functions = {{{"exp", exp, mpfr_exp},
+                                                {"log", log, mpfr_log},
+                                                {"sin", sin, mpfr_sin},
+                                                {"cos", cos, mpfr_cos},
+                                                {"atan", atan, mpfr_atan}}};
+
+/// j c / 2^k, rounded to p bits up or down: where arguments are reduced, and values are near 0 or 1.
+real near_multiple(random_source& random, int (*constant)(mpfr_ptr, mpfr_rnd_t), precision p) {
+  real c(p + 80);
+  constant(c, MPFR_RNDN);
+  mpfr_mul_si(c, c, random.between(1, 1L << random.between(1, 17)), MPFR_RNDN);
+  mpfr_div_2ui(c, c, static_cast<unsigned long>(random.between(0, 4)), MPFR_RNDN);
+  real x(p);
+  mpfr_set(x, c, random.one_in(2) ? MPFR_RNDD : MPFR_RNDU);
+  return x;
+}
+
+real any_argument(random_source& random, precision p) {
+  real x(p);
+  switch (random.between(0, 6)) {
+    case 0:
+      return near_multiple(random, mpfr_const_pi, p);
+    case 1:
+      return near_multiple(random, mpfr_const_log2, p);
+    case 2: {  // 2^j (1 +- 2^-k): 1 +- 2^-k, powers of two, and where log and atan are near those
+      mpfr_set_ui_2exp(x, 1, -random.between(0, p + 2), MPFR_RNDN);
+      if (random.one_in(2)) mpfr_neg(x, x, MPFR_RNDN);
+      mpfr_add_ui(x, x, 1, MPFR_RNDN);
+      if (mpfr_zero_p(x) != 0) mpfr_set_ui(x, 1, MPFR_RNDN);
+      mpfr_mul_2si(x, x, random.between(-3, 3), MPFR_RNDN);
+      return x;
+    }
+    case 3:  // few bits
+      mpfr_set_si(x, random.between(1, 1000), MPFR_RNDN);
+      mpfr_div_2ui(x, x, static_cast<unsigned long>(random.between(0, 24)), MPFR_RNDN);
+      return x;
+    case 4: {  // where the algorithms begin and end
+      static constexpr std::array<long, 8> edges = {-65, -64, -17, -16, 0, 1, 16, 17};
+      const long e = random.choose(edges);
+      return random.any_real(p, e, e);
+    }
+    default:
+      return random.any_real(p, -20, 18);
+  }
+}
+
+precision any_bits(random_source& random) {
+  switch (random.between(0, 9)) {
+    case 0:
+      return random.between(400, 3700);
+    case 1:
+      return 64 * random.between(1, 12) + random.between(-1, 1);
+    default:
+      return random.between(32, 400);
+  }
+}
+
+class FixedPointFunctions : public ::testing::TestWithParam<function> {};
+
+TEST_P(FixedPointFunctions, HoldTheValueTightly) {
+  const function f = GetParam();
+  random_source random(1800);
+  long judged = 0;
+  for (repeat trial(12000); trial.again();) {
+    const precision p = any_bits(random);
+    real a = any_argument(random, p);
+    if (std::string(f.name) == "log") {
+      mpfr_abs(a, a, MPFR_RNDN);
+    } else if (random.one_in(2)) {
+      mpfr_neg(a, a, MPFR_RNDN);
+    }
+    if (mpfr_regular_p(a.get()) == 0) continue;
+    SCOPED_TRACE(f.name + std::string(" at ") + std::to_string(p) + " bits of " +
+                 std::to_string(mpfr_get_d(a, MPFR_RNDN)));
+    ball y;
+    f.of(y, ball(a.get()));
+    // A ball about +-1 may be far narrower than a unit in its last place.
+    real low(p + 300);
+    real high(p + 300);
+    f.reference(low, a, MPFR_RNDD);
+    f.reference(high, a, MPFR_RNDU);
+    ASSERT_TRUE(contains(y, ball(low.get())) && contains(y, ball(high.get())));
+    if (mpfr_regular_p(low.get()) == 0) continue;
+    // Half a unit in the last place for the rounding, and 2^-9 for all that comes before it.
+    const magnitude unit = magnitude::power_of_two(y.magnitude_upper().log2_floor() + 1 - p);
+    ASSERT_LE(y.radius(), add_up(scale(unit, -1), scale(unit, -9)));
+    ++judged;
+    // The same of a thin set's ends.
+    const ball x = ball::from_midpoint_radius(
+        a, magnitude::power_of_two(mpfr_get_exp(a) - random.between(26, p + 8)));
+    f.of(y, x);
+    for (const int side : {-1, 1}) {
+      real end(p + 300);
+      if (side < 0) {
+        x.lower(end);
+      } else {
+        x.upper(end);
+      }
+      f.reference(low, end, MPFR_RNDD);
+      f.reference(high, end, MPFR_RNDU);
+      ASSERT_TRUE(y.is_undefined() ||
+                  (contains(y, ball(low.get())) && contains(y, ball(high.get()))));
+    }
+  }
+  EXPECT_GT(judged, 1000 * support::effort());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FixedPointFunctions, ::testing::ValuesIn(functions),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace polhode
