@@ -1,0 +1,237 @@
+#pragma once
+
+// A formula given as text, evaluated in any of the arithmetics.
+//
+//   const expression f("exp(-x^2) / (1 + k*x)", {.variables = {"x"}, .definitions = {{"k", "1/3"}}});
+//   ball y = f(x);                                  // any of the types below, at the precision of x
+//   const auto g = f.evaluator<ball>(333);          // for loops: the constants are converted once
+//   ball z = g(x);
+//
+// docs/expressions.md has the grammar and the conventions; functions.hpp the table of functions. A formula
+// is a function of real variables with real values. Numbers are read exactly, and operations on rational
+// numbers are done exactly while the result is short (most_folded_bits). An operation on exact numbers that is not
+// defined (1/0, log(-1), sqrt(-2)) is an error of the formula, found when it is read.
+//
+// The types: ball, region, complex_ball, double_interval, jet<ball, n> for n = 1, 2, 3, dynamic_order, and
+// the uncertified mpfr_float and double. For others, another order of a jet say, include evaluation.hpp.
+// Over each type the inclusion principle of ball.hpp holds (but for the uncertified ones), and what is
+// not defined, or has no enclosure in that type, is answered in the type's own way: an undefined ball or
+// coefficient, a region that is not analytic (obstacle::unknown where the function is not available for
+// regions, as gamma), a NaN. Off the real line each function means what region.hpp says, so a formula
+// over regions or complex balls is the continuation of the real one; over complex balls, which know nothing
+// of analyticity, with principal values.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/complex_ball.hpp"
+#include "polhode/arithmetic/double_interval.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/region.hpp"
+#include "polhode/expression/program.hpp"
+
+namespace polhode {
+
+/// A text is not a formula, or the formula is not defined; what() says in which column, what was found
+/// and what would be right.
+class expression_error : public input_error {
+ public:
+  expression_error(std::size_t column, const std::string& message)
+      : input_error("column " + std::to_string(column) + ": " + message), column_(column) {}
+  /// An error in the text that defines a name.
+  expression_error(const std::string& name, const expression_error& error)
+      : input_error("in the value of " + name + ", " + error.what()), column_(error.column_) {}
+
+  /// Counted from 1, in bytes; one more than the length where the text ends too early.
+  [[nodiscard]] std::size_t column() const { return column_; }
+
+ private:
+  std::size_t column_;
+};
+
+/// The names that a formula may use beside functions and constants.
+struct expression_names {
+  std::vector<std::string> variables;
+  /// Names with their values as texts: formulas in numbers, constants and earlier names.
+  std::vector<std::pair<std::string, std::string>> definitions;
+};
+
+/// How the cost of an evaluation grows with the precision p: nearly as p for sums, products, quotients and
+/// roots; a little faster for the elementary functions; as p^2 and more for gamma and its kin.
+enum class expression_cost { algebraic, elementary, special };
+
+// Limits that keep a short text from taking much time or memory.
+inline constexpr std::size_t longest_expression = 100'000;  // characters
+inline constexpr int deepest_expression = 200;              // parentheses inside each other
+inline constexpr long most_folded_bits = 1L << 16;  // of a numerator or denominator kept exact
+inline constexpr long greatest_exponent_of_ten =
+    300'000'000;  // in a number, "1e300"; MPFR ends at 1e323228496
+
+/// Whether the text may be the name of a variable: a letter or _, then letters, digits and _.
+[[nodiscard]] bool is_identifier(std::string_view text);
+
+namespace detail {
+class graph;
+
+/// What a compiled expression keeps of a constant: T itself, but for a jet, whose order comes with the
+/// argument, the coefficient.
+template <class T>
+struct constant_of {
+  using type = T;
+};
+template <class T, int Order>
+struct constant_of<jet<T, Order>> {
+  using type = T;
+};
+/// A region's constants are as precise as it is: in hardware doubles, or in balls.
+struct region_constant_pair {
+  explicit region_constant_pair(const ball& x) : in_hardware(x), exact(x) {}
+  region in_hardware;
+  ball exact;
+};
+template <>
+struct constant_of<region> {
+  using type = region_constant_pair;
+};
+/// For types in which being exactly a rational number matters, and which make constants beside a value they
+/// have: x.constant_like(c).
+struct possibly_exact_constant {
+  ball enclosure;
+  std::optional<rational> exact;
+};
+template <class T>
+requires requires(const T& x, const ball& c, const rational& q) {
+  x.constant_like(c);
+  x.constant_like(q);
+}
+struct constant_of<T> {
+  using type = possibly_exact_constant;
+};
+}  // namespace detail
+
+/// A formula with its constants converted to T: a function object, cheap to copy, whose calls may
+/// run on several threads at once.
+template <class T>
+class compiled_expression {
+ public:
+  /// The value at x, for a formula of at most one variable. Throws std::invalid_argument for others.
+  [[nodiscard]] T operator()(const T& x) const {
+    if (program_->variables == 0) return evaluate({}, x);
+    return evaluate({&x, 1}, x);
+  }
+  /// The value at the values of the variables, in their order; at least one. Throws
+  /// std::invalid_argument for another number of values.
+  [[nodiscard]] T operator()(std::span<const T> values) const {
+    if (values.empty())
+      throw std::invalid_argument("an expression needs a value for each variable");
+    return evaluate(values, values.front());
+  }
+
+ private:
+  friend class expression;
+  using constant = typename detail::constant_of<T>::type;
+
+  compiled_expression(std::shared_ptr<const detail::program> program, precision p);
+  [[nodiscard]] T evaluate(std::span<const T> values, const T& like) const;
+
+  std::shared_ptr<const detail::program> program_;
+  std::shared_ptr<const std::vector<constant>> constants_;
+};
+
+class expression {
+ public:
+  /// Reads a formula. Throws expression_error where it cannot be read, or is certainly undefined,
+  /// and input_error for names that may not be used (functions, constants, the same name twice).
+  explicit expression(std::string_view text, const expression_names& names = {});
+
+  /// The value at x, at the precision of x, for a formula of at most one variable. Converts the
+  /// constants at every call: see evaluator.
+  template <class T>
+  [[nodiscard]] T operator()(const T& x) const {
+    return evaluator<T>(detail_precision_of(x))(x);
+  }
+  /// The value at the values of the variables, in their order; at the greatest of their precisions.
+  template <class T>
+  [[nodiscard]] T evaluate(std::span<const T> values) const {
+    precision p = least_precision;
+    for (const T& x : values) p = std::max(p, detail_precision_of(x));
+    return evaluator<T>(p)(values);
+  }
+  /// The value of a formula without variables, computed with p bits. Throws std::invalid_argument
+  /// where there are variables in it.
+  [[nodiscard]] ball value(precision p) const;
+  /// The formula with its constants converted to p bits (of their balls; a region or a double has
+  /// a precision of its own).
+  template <class T>
+  [[nodiscard]] compiled_expression<T> evaluator(precision p) const {
+    return {program_, p};
+  }
+
+  /// The declared variables, in their order; a value is needed for each.
+  [[nodiscard]] const std::vector<std::string>& variables() const { return variables_; }
+  /// Those that the formula depends on.
+  [[nodiscard]] std::vector<std::string> used_variables() const;
+  /// The value where the formula was found to be a rational number.
+  [[nodiscard]] const std::optional<rational>& exact_value() const { return exact_; }
+  /// The base and the exponent where the value is a power of a rational number that is too long to be
+  /// worked out (1e1000000).
+  [[nodiscard]] std::optional<std::pair<rational, long>> exact_power() const;
+  /// Operations that an evaluation does; a subexpression that occurs twice is computed once.
+  [[nodiscard]] std::size_t operation_count() const;
+  /// How many numbers an evaluation holds at once.
+  [[nodiscard]] std::size_t live_numbers() const;
+  [[nodiscard]] expression_cost cost() const;
+
+  /// The formula as text without the names of definitions, numbers as quotients: read again with the
+  /// same variables it gives the same operations. Throws std::length_error where it would be longer
+  /// than longest_expression.
+  [[nodiscard]] std::string to_text() const;
+
+ private:
+  template <class T>
+  [[nodiscard]] static precision detail_precision_of(const T& x);
+
+  std::vector<std::string> variables_;
+  std::optional<rational> exact_;
+  std::shared_ptr<const detail::program> program_;
+  std::shared_ptr<const detail::graph> graph_;
+};
+
+template <class T>
+precision expression::detail_precision_of(const T& x) {
+  if constexpr (std::same_as<T, mpfr_float>) {
+    return precision_of(x);
+  } else if constexpr (std::same_as<T, region>) {
+    return std::max<precision>(x.precision(), 64);
+  } else if constexpr (requires { x.precision(); }) {
+    return x.precision();
+  } else if constexpr (detail::is_jet<T>::value) {
+    return detail_precision_of(x[0]);
+  } else {
+    return 64;  // what is kept in hardware doubles
+  }
+}
+
+extern template class compiled_expression<ball>;
+extern template class compiled_expression<complex_ball>;
+extern template class compiled_expression<region>;
+extern template class compiled_expression<double_interval>;
+extern template class compiled_expression<mpfr_float>;
+extern template class compiled_expression<double>;
+extern template class compiled_expression<jet<ball, 1>>;
+extern template class compiled_expression<jet<ball, 2>>;
+extern template class compiled_expression<jet<ball, 3>>;
+extern template class compiled_expression<jet<ball, dynamic_order>>;
+
+}  // namespace polhode

@@ -1,0 +1,92 @@
+#pragma once
+
+// What a formula is turned into: flat lists of instructions. Only evaluation.hpp and the compiled half
+// need to know.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/exact.hpp"
+
+namespace polhode::detail {
+
+/// What is computed of at most two operands x and y and an integer n.
+enum class operation : std::uint8_t {
+  // Without operands.
+  number,
+  variable,
+  pi,
+  euler_gamma,
+  catalan,
+  zeta,  // of n >= 2
+  // Of x.
+  negate,
+  power_integer,  // x^n
+  root,           // the real n-th root, n >= 3
+  sqrt,
+  abs,
+  floor,
+  ceil,
+  exp,
+  expm1,
+  log,
+  log1p,
+  sin,
+  cos,
+  tan,
+  sinpi,
+  cospi,
+  asin,
+  acos,
+  atan,
+  sinh,
+  cosh,
+  tanh,
+  asinh,
+  acosh,
+  atanh,
+  gamma,
+  log_gamma,
+  erf,
+  erfc,
+  // Of x and y.
+  add,
+  subtract,
+  multiply,
+  divide,
+  power,
+  min,
+  max,
+  hypot,
+  agm,
+  atan2,  // of the point with abscissa y and ordinate x: in the order of the arguments
+};
+
+/// Operands of a tape are numbered: first its inputs, then its slots, which are used again.
+struct instruction {
+  operation what;
+  std::uint32_t result;  // a slot, counted from 0
+  std::uint32_t left;
+  std::uint32_t right;
+  long number;
+};
+
+struct tape {
+  std::uint32_t inputs = 0;
+  std::uint32_t slots = 0;
+  std::vector<instruction> code;
+  std::vector<std::uint32_t> outputs;
+};
+
+/// A formula's parts without a variable are evaluated once, as balls; the rest at every call.
+struct program {
+  std::uint32_t variables = 0;
+  std::vector<rational> numbers;  // the inputs of `constants`
+  tape constants;
+  tape body;  // its inputs: the variables, then the outputs of `constants`; one output
+};
+
+}  // namespace polhode::detail

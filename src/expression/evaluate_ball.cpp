@@ -1,0 +1,73 @@
+#include "polhode/expression/evaluation.hpp"
+
+namespace polhode {
+namespace detail {
+namespace {
+
+/// What f sets an MPFR number of p bits to, correctly rounded: within half a unit in the last place.
+ball rounded_constant(precision p, int (*f)(mpfr_ptr, mpfr_rnd_t)) {
+  mpfr_float value = zero_of_precision(p);
+  f(value.backend().data(), MPFR_RNDN);
+  return ball::from_midpoint_radius(
+      value.backend().data(),
+      magnitude::power_of_two(mpfr_get_exp(value.backend().data()) - p - 1));
+}
+
+ball without_operands(const instruction& i, precision p) {
+  switch (i.what) {
+    case operation::pi:
+      return pi(p);
+    case operation::euler_gamma:
+      return rounded_constant(p, mpfr_const_euler);
+    case operation::catalan:
+      return rounded_constant(p, mpfr_const_catalan);
+    case operation::zeta:
+      return zeta(static_cast<unsigned long>(i.number), p);
+    default:
+      throw std::logic_error("not an operation without operands");
+  }
+}
+
+bool has_operands(operation what) { return what >= operation::negate; }
+
+}  // namespace
+
+std::vector<ball> constants_of(const program& f, precision p) {
+  const tape& t = f.constants;
+  std::vector<ball> numbers;
+  numbers.reserve(f.numbers.size());
+  for (const rational& q : f.numbers) numbers.emplace_back(q, p);
+  std::vector<ball> slots(t.slots);
+  const auto operand = [&](std::uint32_t i) -> const ball& {
+    return i < t.inputs ? numbers[i] : slots[i - t.inputs];
+  };
+  for (const instruction& i : t.code) {
+    ball& r = slots[i.result];
+    if (has_operands(i.what)) {
+      execute(i, r, operand(i.left), operand(i.right));
+    } else {
+      r = without_operands(i, p);
+    }
+  }
+  std::vector<ball> result;
+  result.reserve(t.outputs.size());
+  for (const std::uint32_t o : t.outputs) result.push_back(operand(o));
+  return result;
+}
+
+std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f, precision p) {
+  std::vector<possibly_exact_constant> result;
+  std::size_t k = 0;
+  for (ball& x : constants_of(f, p)) {
+    const std::uint32_t source = f.constants.outputs[k++];
+    result.push_back({std::move(x), std::nullopt});
+    if (source < f.constants.inputs) result.back().exact = f.numbers[source];
+  }
+  return result;
+}
+
+}  // namespace detail
+
+template class compiled_expression<ball>;
+
+}  // namespace polhode

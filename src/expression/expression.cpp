@@ -1,0 +1,155 @@
+#include "polhode/expression/expression.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "graph.hpp"
+
+namespace polhode {
+
+using detail::node_id;
+using detail::operation;
+
+bool is_identifier(std::string_view text) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !text.empty() && letter(text.front()) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || digit(c); });
+}
+
+namespace {
+
+using name_table = std::map<std::string, node_id, std::less<>>;
+
+/// A name in quotes, without the end of a long one.
+std::string quoted(const std::string& name) {
+  constexpr std::size_t most = 40;
+  return '"' + (name.size() <= most ? name : name.substr(0, most) + "...") + '"';
+}
+
+void check_name(const std::string& name, const name_table& variables, const name_table& known) {
+  if (!is_identifier(name)) {
+    throw input_error(quoted(name) +
+                      " cannot be a name: it must be a letter or _, then letters, digits and _");
+  }
+  const char* taken = nullptr;
+  if (detail::find_function(name) != nullptr) taken = "function";
+  if (detail::find_constant(name) != nullptr) taken = "constant";
+  if (taken != nullptr) {
+    throw input_error(quoted(name) + " is the name of a " + taken +
+                      "; it cannot have another meaning");
+  }
+  if (variables.count(name) != 0 || known.count(name) != 0) {
+    throw input_error("the name " + quoted(name) + " is given twice");
+  }
+}
+
+}  // namespace
+
+expression::expression(std::string_view text, const expression_names& names)
+    : variables_(names.variables) {
+  const auto g = std::make_shared<detail::graph>();
+  name_table variables;
+  name_table definitions;
+  for (const std::string& name : variables_) {
+    check_name(name, variables, definitions);
+    const node_id id = g->variable(static_cast<long>(variables.size()));
+    variables[name] = id;
+  }
+  for (const auto& [name, value] : names.definitions) {
+    check_name(name, variables, definitions);
+    try {
+      definitions[name] = detail::read_expression(*g, value, definitions);
+    } catch (const expression_error& error) {
+      throw expression_error(name, error);
+    }
+  }
+  definitions.merge(variables);
+  g->root = detail::read_expression(*g, text, definitions);
+  if (const rational* q = g->value(g->root)) exact_ = *q;
+  program_ = std::make_shared<const detail::program>(detail::compile(*g, variables_.size()));
+  graph_ = g;
+}
+
+ball expression::value(precision p) const {
+  if (!used_variables().empty()) {
+    throw std::invalid_argument("the value of an expression in " + used_variables().front() +
+                                ": it has none of its own");
+  }
+  const std::vector<ball> any(variables_.size(), ball(0, p));
+  const auto f = evaluator<ball>(p);
+  return any.empty() ? f(ball(0, p)) : f(any);
+}
+
+std::vector<std::string> expression::used_variables() const {
+  const std::vector<char> used = detail::reachable(*graph_);
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {  // the first nodes, in their order
+    if (i < used.size() && used[i] != 0) result.push_back(variables_[i]);
+  }
+  return result;
+}
+
+std::optional<std::pair<rational, long>> expression::exact_power() const {
+  const detail::node& root = (*graph_)[graph_->root];
+  if (root.what != operation::power_integer) return std::nullopt;
+  const rational* base = graph_->value(root.left);
+  if (base == nullptr) return std::nullopt;
+  return std::pair(*base, root.number);
+}
+
+std::size_t expression::operation_count() const {
+  return program_->constants.code.size() + program_->body.code.size();
+}
+
+std::size_t expression::live_numbers() const {
+  const detail::program& f = *program_;
+  return f.numbers.size() + f.constants.slots + f.constants.outputs.size() + f.body.slots +
+         f.variables;
+}
+
+namespace {
+expression_cost cost_of(operation what) {
+  switch (what) {
+    case operation::gamma:
+    case operation::log_gamma:
+    case operation::erf:
+    case operation::erfc:
+    case operation::zeta:
+    case operation::euler_gamma:
+    case operation::catalan:
+      return expression_cost::special;
+    case operation::negate:
+    case operation::power_integer:
+    case operation::root:
+    case operation::sqrt:
+    case operation::abs:
+    case operation::floor:
+    case operation::ceil:
+    case operation::add:
+    case operation::subtract:
+    case operation::multiply:
+    case operation::divide:
+    case operation::min:
+    case operation::max:
+    case operation::hypot:
+      return expression_cost::algebraic;
+    default:
+      return expression_cost::elementary;
+  }
+}
+}  // namespace
+
+expression_cost expression::cost() const {
+  expression_cost most = expression_cost::algebraic;
+  for (const auto* code : {&program_->constants.code, &program_->body.code}) {
+    for (const detail::instruction& i : *code) most = std::max(most, cost_of(i.what));
+  }
+  return most;
+}
+
+std::string expression::to_text() const { return detail::to_text(*graph_, variables_); }
+
+}  // namespace polhode

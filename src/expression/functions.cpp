@@ -1,0 +1,336 @@
+#include "polhode/expression/functions.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "graph.hpp"
+
+namespace polhode {
+namespace detail {
+namespace {
+
+using operands = std::vector<node_id>;
+
+// ---------------------------------------------------------------------------------------------
+// Domains, for operands that are numbers. (Elsewhere the evaluation finds out.)
+
+bool not_negative(const rational& q) { return q >= 0; }
+bool positive(const rational& q) { return q > 0; }
+bool not_zero(const rational& q) { return q != 0; }
+bool above_minus_one(const rational& q) { return q > -1; }
+bool from_one(const rational& q) { return q >= 1; }
+bool in_closed_unit(const rational& q) { return q >= -1 && q <= 1; }
+bool in_open_unit(const rational& q) { return q > -1 && q < 1; }
+bool no_pole_of_gamma(const rational& q) { return q > 0 || denominator(q) != 1; }
+
+/// Throws undefined_operation where x is a number outside the domain of the function.
+void check_domain(const graph& g, const char* name, node_id x, bool (*defined)(const rational&)) {
+  const rational* q = g.value(x);
+  if (q == nullptr || defined(*q)) return;
+  throw undefined_operation(std::string(name) + "(" + brief(*q) + ") is not defined: it needs " +
+                            find_function(name)->what.domain);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Values that are rational numbers.
+
+/// The functions whose values at 0, or at 1, are 0 or 1.
+std::optional<rational> value_at_unit(operation what, const rational& q) {
+  switch (what) {
+    case operation::expm1:
+    case operation::log1p:
+    case operation::sin:
+    case operation::tan:
+    case operation::asin:
+    case operation::atan:
+    case operation::sinh:
+    case operation::tanh:
+    case operation::asinh:
+    case operation::atanh:
+    case operation::erf:
+      if (q == 0) return rational(0);
+      return std::nullopt;
+    case operation::exp:
+    case operation::cos:
+    case operation::cosh:
+    case operation::erfc:
+      if (q == 0) return rational(1);
+      return std::nullopt;
+    case operation::log:
+    case operation::acos:
+    case operation::acosh:
+      if (q == 1) return rational(0);
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// cos(pi q) for q in halves and thirds: at other rational numbers it is not rational
+/// (I. Niven, Irrational Numbers, 1956, cor. 3.12).
+std::optional<rational> rational_cospi(const rational& q) {
+  const integer below = denominator(q);
+  if (below > 3) return std::nullopt;
+  const integer turn = 2 * below;
+  integer step;  // q = step / below in [0, 2)
+  mpz_fdiv_r(step.backend().data(), numerator(q).backend().data(), turn.backend().data());
+  const rational angle = rational(step) / rational(below);
+  const rational folded = angle > 1 ? rational(2 - angle) : angle;  // in [0, 1]
+  if (folded == 0) return rational(1);
+  if (folded == rational(1, 3)) return rational(1, 2);
+  if (folded == rational(1, 2)) return rational(0);
+  if (folded == rational(2, 3)) return rational(-1, 2);
+  return rational(-1);
+}
+
+rational floor_of(const rational& q) {
+  integer n;
+  mpz_fdiv_q(n.backend().data(), numerator(q).backend().data(), denominator(q).backend().data());
+  return rational(n);
+}
+
+std::optional<rational> rational_value(operation what, const rational& q) {
+  switch (what) {
+    case operation::abs:
+      return q < 0 ? rational(-q) : q;
+    case operation::floor:
+      return floor_of(q);
+    case operation::ceil:
+      return rational(-floor_of(-q));
+    case operation::sqrt:
+      return exact_root(q, 2);
+    case operation::cospi:
+      return rational_cospi(q);
+    case operation::sinpi:  // sin(pi q) = cos(pi (1/2 - q))
+      return rational_cospi(rational(1, 2) - q);
+    default:
+      return value_at_unit(what, q);
+  }
+}
+
+/// The function of x, done exactly where x is a number and the value too.
+node_id function_of(graph& g, operation what, node_id x) {
+  if (const rational* q = g.value(x)) {
+    if (const auto exact = rational_value(what, *q)) return g.number(*exact);
+  }
+  return g.make(what, x);
+}
+
+// ---------------------------------------------------------------------------------------------
+// The functions
+
+template <operation what>
+node_id everywhere(graph& g, const operands& x) {
+  return function_of(g, what, x[0]);
+}
+
+/// The function of that name in the table, on its domain.
+#define POLHODE_ON(f, defined)                 \
+  [](graph& g, const operands& x) {            \
+    check_domain(g, #f, x[0], defined);        \
+    return function_of(g, operation::f, x[0]); \
+  }
+
+node_id root_of(graph& g, const operands& x) {
+  const rational* order = g.value(x[1]);
+  if (order == nullptr || denominator(*order) != 1 || *order < 1 ||
+      *order > rational(std::numeric_limits<long>::max())) {
+    throw undefined_operation(
+        "the second argument of root must be a whole number from 1, as in root(x, 3)");
+  }
+  const long n = mpz_get_si(numerator(*order).backend().data());
+  if (n == 1) return x[0];
+  if (const rational* q = g.value(x[0])) {
+    if (*q < 0 && n % 2 == 0) {
+      throw undefined_operation("root(" + brief(*q) + ", " + std::to_string(n) +
+                                ") is not defined: it needs " + find_function("root")->what.domain);
+    }
+    if (const auto exact = exact_root(*q, static_cast<unsigned long>(n))) return g.number(*exact);
+  }
+  return n == 2 ? g.make(operation::sqrt, x[0]) : g.make(operation::root, x[0], 0, n);
+}
+
+node_id cube_root_of(graph& g, const operands& x) { return root_of(g, {x[0], g.number(3)}); }
+
+/// log x / log b for b = 2 or 10; exactly for powers of b.
+node_id logarithm(graph& g, const char* name, node_id x, long b) {
+  check_domain(g, name, x, positive);
+  if (const rational* q = g.value(x)) {
+    const bool large = *q > 1;
+    integer rest = large ? numerator(*q) : denominator(*q);
+    if ((large ? denominator(*q) : numerator(*q)) == 1) {
+      const integer base = b;
+      const auto n = static_cast<long>(
+          mpz_remove(rest.backend().data(), rest.backend().data(), base.backend().data()));
+      if (rest == 1) return g.number(large ? n : -n);
+    }
+  }
+  return divide(g, function_of(g, operation::log, x), g.make(operation::log, g.number(b)));
+}
+
+node_id gamma_of(graph& g, const operands& x) {
+  check_domain(g, "gamma", x[0], no_pole_of_gamma);
+  const rational* q = g.value(x[0]);
+  if (q != nullptr && denominator(*q) == 1) {  // the factorial of a large number is this node again
+    const node_id exact = factorial(g, g.number(*q - 1));
+    if (g.value(exact) != nullptr) return exact;
+  }
+  return g.make(operation::gamma, x[0]);
+}
+
+node_id log_gamma_of(graph& g, const operands& x) {
+  check_domain(g, "log_gamma", x[0], no_pole_of_gamma);
+  const rational* q = g.value(x[0]);
+  if (q != nullptr && (*q == 1 || *q == 2)) return g.number(0);
+  return g.make(operation::log_gamma, x[0]);
+}
+
+node_id zeta_of(graph& g, const operands& x) {
+  const rational* q = g.value(x[0]);
+  if (q == nullptr || denominator(*q) != 1 || *q < 2 ||
+      *q > rational(std::numeric_limits<long>::max())) {
+    throw undefined_operation("zeta is available at whole numbers from 2");
+  }
+  return g.make(operation::zeta, 0, 0, mpz_get_si(numerator(*q).backend().data()));
+}
+
+node_id smaller_of(graph& g, const operands& x) {
+  const rational* a = g.value(x[0]);
+  const rational* b = g.value(x[1]);
+  if (a != nullptr && b != nullptr) return *a < *b ? x[0] : x[1];
+  return x[0] == x[1] ? x[0] : g.make(operation::min, x[0], x[1]);
+}
+node_id greater_of(graph& g, const operands& x) {
+  const rational* a = g.value(x[0]);
+  const rational* b = g.value(x[1]);
+  if (a != nullptr && b != nullptr) return *a < *b ? x[1] : x[0];
+  return x[0] == x[1] ? x[0] : g.make(operation::max, x[0], x[1]);
+}
+
+node_id hypot_of(graph& g, const operands& x) {
+  const node_id sum = add(g, power(g, x[0], g.number(2)), power(g, x[1], g.number(2)));
+  if (const rational* q = g.value(sum)) {
+    if (const auto exact = exact_root(*q, 2)) return g.number(*exact);
+  }
+  return g.make(operation::hypot, x[0], x[1]);
+}
+
+node_id agm_of(graph& g, const operands& x) {
+  check_domain(g, "agm", x[0], not_negative);
+  check_domain(g, "agm", x[1], not_negative);
+  return g.value(x[0]) != nullptr && x[0] == x[1] ? x[0] : g.make(operation::agm, x[0], x[1]);
+}
+
+node_id atan2_of(graph& g, const operands& x) {
+  const rational* ordinate = g.value(x[0]);
+  const rational* abscissa = g.value(x[1]);
+  if (ordinate != nullptr && abscissa != nullptr && *ordinate == 0) {
+    if (*abscissa == 0) throw undefined_operation("atan2(0, 0) is not defined");
+    return *abscissa > 0 ? g.number(0) : g.make(operation::pi);
+  }
+  return g.make(operation::atan2, x[0], x[1]);
+}
+
+constexpr const char* all = "all x";
+
+}  // namespace
+
+// clang-format off
+const std::vector<function_row>& function_rows() {
+  static const std::vector<function_row> rows{
+      {{"sqrt", "x", "square root", "x >= 0"}, 1, POLHODE_ON(sqrt, not_negative)},
+      {{"cbrt", "x", "real cube root", all}, 1, cube_root_of},
+      {{"root", "x, n", "real n-th root, n a whole number from 1", "x >= 0; all x where n is odd"}, 2, root_of},
+      {{"pow", "x, y", "x^y", "as x^y"}, 2, [](graph& g, const operands& x) { return power(g, x[0], x[1]); }},
+      {{"exp", "x", "e^x", all}, 1, everywhere<operation::exp>},
+      {{"expm1", "x", "e^x - 1", all}, 1, everywhere<operation::expm1>},
+      {{"log", "x", "natural logarithm", "x > 0"}, 1, POLHODE_ON(log, positive)},
+      {{"ln", "x", "natural logarithm, the same as log", "x > 0"}, 1, POLHODE_ON(log, positive)},
+      {{"log1p", "x", "log(1 + x)", "x > -1"}, 1, POLHODE_ON(log1p, above_minus_one)},
+      {{"log2", "x", "logarithm to the base 2", "x > 0"}, 1, [](graph& g, const operands& x) { return logarithm(g, "log2", x[0], 2); }},
+      {{"log10", "x", "logarithm to the base 10", "x > 0"}, 1, [](graph& g, const operands& x) { return logarithm(g, "log10", x[0], 10); }},
+      {{"sin", "x", "sine", all}, 1, everywhere<operation::sin>},
+      {{"cos", "x", "cosine", all}, 1, everywhere<operation::cos>},
+      {{"tan", "x", "tangent", "no odd multiple of pi/2"}, 1, everywhere<operation::tan>},
+      {{"sinpi", "x", "sin(pi x)", all}, 1, everywhere<operation::sinpi>},
+      {{"cospi", "x", "cos(pi x)", all}, 1, everywhere<operation::cospi>},
+      {{"asin", "x", "arc sine, in [-pi/2, pi/2]", "-1 <= x <= 1"}, 1, POLHODE_ON(asin, in_closed_unit)},
+      {{"acos", "x", "arc cosine, in [0, pi]", "-1 <= x <= 1"}, 1, POLHODE_ON(acos, in_closed_unit)},
+      {{"atan", "x", "arc tangent, in (-pi/2, pi/2)", all}, 1, everywhere<operation::atan>},
+      {{"atan2", "y, x", "angle of the point (x, y), in (-pi, pi]", "not x = y = 0"}, 2, atan2_of},
+      {{"sinh", "x", "hyperbolic sine", all}, 1, everywhere<operation::sinh>},
+      {{"cosh", "x", "hyperbolic cosine", all}, 1, everywhere<operation::cosh>},
+      {{"tanh", "x", "hyperbolic tangent", all}, 1, everywhere<operation::tanh>},
+      {{"sech", "x", "1/cosh(x)", all}, 1, [](graph& g, const operands& x) {
+         return divide(g, g.number(1), function_of(g, operation::cosh, x[0])); }},
+      {{"csch", "x", "1/sinh(x)", "x != 0"}, 1, [](graph& g, const operands& x) {
+         check_domain(g, "csch", x[0], not_zero);
+         return divide(g, g.number(1), function_of(g, operation::sinh, x[0])); }},
+      {{"asinh", "x", "inverse of sinh", all}, 1, everywhere<operation::asinh>},
+      {{"acosh", "x", "inverse of cosh, >= 0", "x >= 1"}, 1, POLHODE_ON(acosh, from_one)},
+      {{"atanh", "x", "inverse of tanh", "-1 < x < 1"}, 1, POLHODE_ON(atanh, in_open_unit)},
+      {{"abs", "x", "|x|", all}, 1, everywhere<operation::abs>},
+      {{"min", "x, y", "the smaller of both", "all x and y"}, 2, smaller_of},
+      {{"max", "x, y", "the greater of both", "all x and y"}, 2, greater_of},
+      {{"floor", "x", "greatest integer <= x", all}, 1, everywhere<operation::floor>},
+      {{"ceil", "x", "least integer >= x", all}, 1, everywhere<operation::ceil>},
+      {{"hypot", "x, y", "sqrt(x^2 + y^2)", "all x and y"}, 2, hypot_of},
+      {{"agm", "x, y", "arithmetic-geometric mean", "x >= 0 and y >= 0"}, 2, agm_of},
+      {{"gamma", "x", "Euler's gamma function", "no whole number <= 0"}, 1, gamma_of},
+      {{"log_gamma", "x", "log |gamma(x)|", "no whole number <= 0"}, 1, log_gamma_of},
+      {{"lgamma", "x", "log |gamma(x)|, the same as log_gamma", "no whole number <= 0"}, 1, log_gamma_of},
+      {{"erf", "x", "error function", all}, 1, everywhere<operation::erf>},
+      {{"erfc", "x", "1 - erf(x)", all}, 1, everywhere<operation::erfc>},
+      {{"zeta", "n", "Riemann's zeta function", "n a whole number from 2"}, 1, zeta_of},
+  };
+  return rows;
+}
+// clang-format on
+#undef POLHODE_ON
+
+const std::vector<constant_row>& constant_rows() {
+  static const std::vector<constant_row> rows{
+      {{"pi", "3.14159..., half the circumference of the unit circle"},
+       [](graph& g) { return g.make(operation::pi); }},
+      {{"e", "2.71828..., the base of the natural logarithm"},
+       [](graph& g) { return g.make(operation::exp, g.number(1)); }},
+      {{"euler_gamma", "0.57721..., the limit of 1 + 1/2 + ... + 1/n - log(n)"},
+       [](graph& g) { return g.make(operation::euler_gamma); }},
+      {{"catalan", "0.91596..., 1 - 1/9 + 1/25 - 1/49 + ..."},
+       [](graph& g) { return g.make(operation::catalan); }},
+  };
+  return rows;
+}
+
+namespace {
+template <class Row>
+const Row* find_row(const std::vector<Row>& rows, std::string_view name) {
+  const auto found = std::find_if(rows.begin(), rows.end(),
+                                  [name](const Row& row) { return row.what.name == name; });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+template <class What, class Row>
+std::vector<What> published(const std::vector<Row>& rows) {
+  std::vector<What> result;
+  result.reserve(rows.size());
+  for (const Row& row : rows) result.push_back(row.what);
+  return result;
+}
+}  // namespace
+
+const function_row* find_function(std::string_view name) { return find_row(function_rows(), name); }
+const constant_row* find_constant(std::string_view name) { return find_row(constant_rows(), name); }
+
+}  // namespace detail
+
+const std::vector<expression_function>& expression_functions() {
+  static const auto functions = detail::published<expression_function>(detail::function_rows());
+  return functions;
+}
+const std::vector<expression_constant>& expression_constants() {
+  static const auto constants = detail::published<expression_constant>(detail::constant_rows());
+  return constants;
+}
+
+}  // namespace polhode

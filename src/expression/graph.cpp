@@ -1,0 +1,337 @@
+#include "graph.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace polhode::detail {
+namespace {
+
+bool commutes(operation what) {
+  switch (what) {
+    case operation::add:
+    case operation::multiply:
+    case operation::min:
+    case operation::max:
+    case operation::hypot:
+    case operation::agm:
+      return true;
+    default:
+      return false;
+  }
+}
+
+long bits_of(const integer& n) {
+  return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
+}
+long bits_of(const rational& q) { return std::max(bits_of(numerator(q)), bits_of(denominator(q))); }
+bool is_short(const rational& q) { return bits_of(q) <= most_folded_bits; }
+
+bool is_integer(const rational& q) { return denominator(q) == 1; }
+std::optional<long> as_long(const rational& q) {
+  const integer n = numerator(q);
+  if (!is_integer(q) || mpz_fits_slong_p(n.backend().data()) == 0) return std::nullopt;
+  return mpz_get_si(n.backend().data());
+}
+
+/// f(x, y) for two numbers where it is short, else nothing.
+template <class F>
+std::optional<node_id> folded(graph& g, node_id x, node_id y, F&& f) {
+  const rational* a = g.value(x);
+  const rational* b = g.value(y);
+  if (a == nullptr || b == nullptr || !is_short(*a) || !is_short(*b)) return std::nullopt;
+  const rational result = f(*a, *b);
+  if (!is_short(result)) return std::nullopt;
+  return g.number(result);
+}
+
+bool is_number(const graph& g, node_id x, long n) {
+  const rational* q = g.value(x);
+  return q != nullptr && *q == n;
+}
+
+/// The node is e.
+bool is_e(const graph& g, node_id x) {
+  return g[x].what == operation::exp && is_number(g, g[x].left, 1);
+}
+
+rational integer_power(const rational& q, unsigned long n) {
+  integer above = numerator(q);
+  integer below = denominator(q);
+  mpz_pow_ui(above.backend().data(), above.backend().data(), n);
+  mpz_pow_ui(below.backend().data(), below.backend().data(), n);
+  return rational(above) / rational(below);
+}
+
+[[noreturn]] void refuse_power(const rational& x, const rational& y, const char* why) {
+  throw undefined_operation(brief(x) + " to the power " + brief(y) + " is not defined: " + why);
+}
+
+node_id power_to_long(graph& g, node_id x, long n) {
+  if (n == 1) return x;
+  if (is_e(g, x)) return n == 0 ? g.number(1) : g.make(operation::exp, g.number(n));
+  const rational* q = g.value(x);
+  if (q == nullptr) {
+    // (q^m)^n = q^(m n) for a number q, which is not 0 here: powers of 0 are numbers.
+    const node& inner = g[x];
+    long product = 0;
+    if (inner.what == operation::power_integer && g.value(inner.left) != nullptr && n != 0 &&
+        !__builtin_mul_overflow(inner.number, n, &product)) {
+      return g.make(operation::power_integer, inner.left, 0, product);
+    }
+    return g.make(operation::power_integer, x, 0, n);
+  }
+  if (*q == 0 && n < 0) refuse_power(*q, n, "0 has no negative powers");
+  const bool odd = n % 2 != 0;
+  if (n == 0 || *q == 1) return g.number(1);
+  if (*q == 0) return g.number(0);
+  if (*q == -1) return g.number(odd ? -1 : 1);
+  const unsigned long size =
+      n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
+  if (size > static_cast<unsigned long>(most_folded_bits / bits_of(*q))) {
+    return g.make(operation::power_integer, x, 0, n);
+  }
+  const rational result = integer_power(*q, size);
+  return g.number(n < 0 ? rational(1 / result) : result);
+}
+
+/// An integer that is too great for a machine: only 0, 1 and -1 have such powers that can be written.
+std::optional<node_id> power_to_great_integer(graph& g, const rational& x, const rational& n) {
+  if (x == 0 && n < 0) refuse_power(x, n, "0 has no negative powers");
+  if (x == 0 || x == 1) return g.number(x);
+  if (x == -1) return g.number(mpz_even_p(numerator(n).backend().data()) != 0 ? 1 : -1);
+  return std::nullopt;
+}
+
+/// x^y for a fraction y, where that is a rational number.
+std::optional<node_id> power_to_fraction(graph& g, const rational& x, const rational& y) {
+  if (x < 0) {
+    refuse_power(x, y,
+                 "the base of a fractional power must not be negative; root(x, n) is the real root "
+                 "of odd order");
+  }
+  if (x == 0 && y < 0) refuse_power(x, y, "0 has no negative powers");
+  if (x == 0 || x == 1) return g.number(x);
+  const std::optional<long> n = as_long(rational(denominator(y)));
+  const std::optional<long> m = as_long(rational(numerator(y)));
+  if (!n || !m) return std::nullopt;
+  const std::optional<rational> root = exact_root(x, static_cast<unsigned long>(*n));
+  if (!root) return std::nullopt;
+  return power_to_long(g, g.number(*root), *m);
+}
+
+}  // namespace
+
+std::optional<rational> exact_root(const rational& q, unsigned long n) {
+  integer above = numerator(q);
+  integer below = denominator(q);
+  if (q < 0 && n % 2 == 0) return std::nullopt;
+  if (mpz_root(above.backend().data(), above.backend().data(), n) == 0) return std::nullopt;
+  if (mpz_root(below.backend().data(), below.backend().data(), n) == 0) return std::nullopt;
+  return rational(above) / rational(below);
+}
+
+std::string brief(const rational& q) {
+  constexpr std::size_t most = 40;
+  if (bits_of(q) > 8 * static_cast<long>(most)) return "a number of many digits";
+  std::string text = polhode::to_text(q);
+  if (text.size() > most) return text.substr(0, most) + "...";
+  return text;
+}
+
+int operands_of(operation what) {
+  if (what < operation::negate) return 0;
+  return what < operation::add ? 1 : 2;
+}
+
+node_id graph::plain(const node& n) {
+  if (const auto known = known_.find(n); known != known_.end()) return known->second;
+  if (commutes(n.what)) {
+    const auto turned = known_.find({n.what, n.right, n.left, n.number});
+    if (turned != known_.end()) return turned->second;
+  }
+  nodes_.push_back(n);
+  return known_[n] = size() - 1;
+}
+
+node_id graph::number(const rational& q) {
+  if (const auto known = known_numbers_.find(q); known != known_numbers_.end()) {
+    return known->second;
+  }
+  numbers_.push_back(q);
+  nodes_.push_back({operation::number, 0, 0, static_cast<long>(numbers_.size()) - 1});
+  return known_numbers_[q] = size() - 1;
+}
+
+node_id add(graph& g, node_id x, node_id y) {
+  if (is_number(g, x, 0)) return y;
+  if (is_number(g, y, 0)) return x;
+  const auto exact =
+      folded(g, x, y, [](const rational& a, const rational& b) { return rational(a + b); });
+  return exact ? *exact : g.make(operation::add, x, y);
+}
+
+node_id subtract(graph& g, node_id x, node_id y) {
+  if (is_number(g, y, 0)) return x;
+  const auto exact =
+      folded(g, x, y, [](const rational& a, const rational& b) { return rational(a - b); });
+  return exact ? *exact : g.make(operation::subtract, x, y);
+}
+
+node_id multiply(graph& g, node_id x, node_id y) {
+  if (is_number(g, x, 1)) return y;
+  if (is_number(g, y, 1)) return x;
+  const auto exact =
+      folded(g, x, y, [](const rational& a, const rational& b) { return rational(a * b); });
+  return exact ? *exact : g.make(operation::multiply, x, y);
+}
+
+node_id divide(graph& g, node_id x, node_id y) {
+  if (is_number(g, y, 0)) throw undefined_operation("a division by zero");
+  if (is_number(g, y, 1)) return x;
+  const auto exact =
+      folded(g, x, y, [](const rational& a, const rational& b) { return rational(a / b); });
+  return exact ? *exact : g.make(operation::divide, x, y);
+}
+
+node_id negate(graph& g, node_id x) {
+  if (const rational* q = g.value(x)) return g.number(-*q);
+  if (g[x].what == operation::negate) return g[x].left;
+  return g.make(operation::negate, x);
+}
+
+node_id power(graph& g, node_id x, node_id y) {
+  const rational* exponent = g.value(y);
+  if (exponent == nullptr) {
+    return is_e(g, x) ? g.make(operation::exp, y) : g.make(operation::power, x, y);
+  }
+  if (const std::optional<long> n = as_long(*exponent)) return power_to_long(g, x, *n);
+  if (is_e(g, x)) return g.make(operation::exp, y);
+  if (const rational* base = g.value(x)) {
+    const auto exact = is_integer(*exponent) ? power_to_great_integer(g, *base, *exponent)
+                                             : power_to_fraction(g, *base, *exponent);
+    if (exact) return *exact;
+  }
+  const std::optional<long> twice = as_long(rational(*exponent * 2));
+  if (twice) return power_to_long(g, g.make(operation::sqrt, x), *twice);
+  return g.make(operation::power, x, y);
+}
+
+node_id factorial(graph& g, node_id x) {
+  const rational* q = g.value(x);
+  if (q == nullptr || !is_integer(*q) || *q < 0) {
+    throw undefined_operation(
+        "the factorial is of whole numbers from 0; gamma(x + 1) is of others");
+  }
+  constexpr long most = 5000;  // of 54,233 bits
+  const std::optional<long> n = as_long(*q);
+  if (!n || *n > most) return g.make(operation::gamma, add(g, x, g.number(1)));
+  integer product;
+  mpz_fac_ui(product.backend().data(), static_cast<unsigned long>(*n));
+  return g.number(rational(product));
+}
+
+std::vector<char> reachable(const graph& g) {
+  std::vector<char> marks(g.size(), 0);
+  marks[g.root] = 1;
+  for (node_id i = g.root + 1; i-- > 0;) {
+    if (marks[i] == 0) continue;
+    const int operands = operands_of(g[i].what);
+    if (operands >= 1) marks[g[i].left] = 1;
+    if (operands == 2) marks[g[i].right] = 1;
+  }
+  return marks;
+}
+
+std::vector<char> varying(const graph& g) {
+  const std::vector<char> used = reachable(g);
+  std::vector<char> marks(g.size(), 0);
+  for (node_id i = 0; i <= g.root; ++i) {
+    if (used[i] == 0) continue;
+    const int operands = operands_of(g[i].what);
+    const bool varies = g[i].what == operation::variable ||
+                        (operands >= 1 && marks[g[i].left] != 0) ||
+                        (operands == 2 && marks[g[i].right] != 0);
+    marks[i] = varies ? 1 : 0;
+  }
+  return marks;
+}
+
+namespace {
+
+constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+/// Makes a tape of the nodes in `code`, given where the inputs lie (operand numbers by node).
+tape assemble(const graph& g, const std::vector<node_id>& code, const std::vector<node_id>& outputs,
+              std::vector<std::uint32_t> place, std::uint32_t inputs) {
+  tape result;
+  result.inputs = inputs;
+  std::vector<std::size_t> last_use(g.size(), 0);
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const int operands = operands_of(g[code[i]].what);
+    if (operands >= 1) last_use[g[code[i]].left] = i;
+    if (operands == 2) last_use[g[code[i]].right] = i;
+  }
+  for (const node_id o : outputs) last_use[o] = code.size();
+  std::vector<std::uint32_t> free;
+  const auto release = [&](node_id operand, std::size_t now) {
+    if (last_use[operand] == now && place[operand] >= inputs) free.push_back(place[operand]);
+  };
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const node& n = g[code[i]];
+    const int operands = operands_of(n.what);
+    const std::uint32_t left = operands >= 1 ? place[n.left] : 0;
+    const std::uint32_t right = operands == 2 ? place[n.right] : left;
+    if (operands >= 1) release(n.left, i);
+    if (operands == 2 && n.right != n.left) release(n.right, i);
+    if (free.empty()) free.push_back(inputs + result.slots++);
+    place[code[i]] = free.back();
+    free.pop_back();
+    result.code.push_back({n.what, place[code[i]] - inputs, left, right, n.number});
+  }
+  for (const node_id o : outputs) result.outputs.push_back(place[o]);
+  return result;
+}
+
+}  // namespace
+
+program compile(const graph& g, std::size_t variables) {
+  program result;
+  result.variables = static_cast<std::uint32_t>(variables);
+  const std::vector<char> used = reachable(g);
+  const std::vector<char> varies = varying(g);
+  std::vector<node_id> constant_code;
+  std::vector<node_id> body_code;
+  std::vector<char> wanted(g.size(), 0);  // constants that the body reads
+  std::vector<std::uint32_t> constant_place(g.size(), nowhere);
+  std::vector<std::uint32_t> body_place(g.size(), nowhere);
+  for (node_id i = 0; i <= g.root; ++i) {
+    if (used[i] == 0) continue;
+    if (g[i].what == operation::number) {
+      constant_place[i] = static_cast<std::uint32_t>(result.numbers.size());
+      result.numbers.push_back(g.number_at(g[i].number));
+    } else if (g[i].what == operation::variable) {
+      body_place[i] = static_cast<std::uint32_t>(g[i].number);
+    } else if (varies[i] == 0) {
+      constant_code.push_back(i);
+    } else {
+      body_code.push_back(i);
+      const int operands = operands_of(g[i].what);
+      if (operands >= 1) wanted[g[i].left] = 1;
+      if (operands == 2) wanted[g[i].right] = 1;
+    }
+  }
+  wanted[g.root] = 1;
+  std::vector<node_id> constants;
+  for (node_id i = 0; i <= g.root; ++i) {
+    if (used[i] == 0 || wanted[i] == 0 || varies[i] != 0) continue;
+    body_place[i] = result.variables + static_cast<std::uint32_t>(constants.size());
+    constants.push_back(i);
+  }
+  const auto numbers = static_cast<std::uint32_t>(result.numbers.size());
+  const auto inputs = result.variables + static_cast<std::uint32_t>(constants.size());
+  result.constants = assemble(g, constant_code, constants, std::move(constant_place), numbers);
+  result.body = assemble(g, body_code, {g.root}, std::move(body_place), inputs);
+  return result;
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,436 @@
+// Formulas as texts: what they mean, decided in exact rationals, what is refused and where, and the graph.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/expression/expression.hpp"
+#include "polhode/expression/functions.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace {
+
+using support::random_source;
+using support::repeat;
+
+const expression_names with_x{{"x"}, {}};
+
+std::string exact(const std::string& text, const expression_names& names = {}) {
+  const expression f(text, names);
+  return f.exact_value() ? to_text(*f.exact_value()) : "not exact";
+}
+
+TEST(Grammar, PrecedenceAndAssociativity) {
+  const std::pair<const char*, const char*> meanings[] = {
+      {"1 + 2*3", "7"},
+      {"(1 + 2)*3", "9"},
+      {"7 - 4 - 2", "1"},
+      {"7 - (4 - 2)", "5"},
+      {"48/4/3", "4"},
+      {"48/(4/3)", "36"},
+      {"2^3^2", "512"},
+      {"(2^3)^2", "64"},
+      {"2**3**2", "512"},
+      {"-2^2", "-4"},
+      {"(-2)^2", "4"},
+      {"2^-1", "1/2"},
+      {"2^-2^2", "1/16"},
+      {"2^--2", "4"},
+      {"-2^-2", "-1/4"},
+      {"2*-3", "-6"},
+      {"2 - -3", "5"},
+      {"--3", "3"},
+      {"-+-3", "3"},
+      {"-3*2", "-6"},
+      {"-6/4", "-3/2"},
+      {"6/-4", "-3/2"},
+      {"3!", "6"},
+      {"-3!", "-6"},
+      {"3!^2", "36"},
+      {"2^3!", "64"},
+      {"3!!", "720"},
+      {"0!", "1"},
+      {"(1 + 2)!", "6"},
+      {"1 - 1/3", "2/3"},
+      {"1/3*3", "1"},
+      {"2 + 3 * 4 ^ 2", "50"},
+      {"((((5))))", "5"},
+      {"0.0629", "629/10000"},
+      {"1e-3", "1/1000"},
+      {"2.5e+3", "2500"},
+      {".5 + 5.", "11/2"},
+      {"1E2", "100"},
+      {" 1\t+\n2 ", "3"},
+      {"0^0", "1"},
+      {"(1 + 1e-50) - 1 - 1e-50", "0"},
+  };
+  for (const auto& [text, value] : meanings) EXPECT_EQ(exact(text), value) << text;
+}
+
+TEST(Grammar, ExactValuesOfFunctions) {
+  const std::pair<const char*, const char*> values[] = {
+      {"sqrt(4/9)", "2/3"},
+      {"cbrt(-8/27)", "-2/3"},
+      {"root(-32, 5)", "-2"},
+      {"root(7, 1)", "7"},
+      {"4^(3/2)", "8"},
+      {"(1/8)^(2/3)", "1/4"},
+      {"8^(-1/3)", "1/2"},
+      {"0^0.5", "0"},
+      {"1^(1/3)", "1"},
+      {"(-1)^(10^30)", "1"},
+      {"(-1)^(10^30 + 1)", "-1"},
+      {"pow(2, 10)", "1024"},
+      {"floor(-7/2)", "-4"},
+      {"ceil(-7/2)", "-3"},
+      {"floor(5)", "5"},
+      {"abs(-3/4)", "3/4"},
+      {"min(1/3, 1/2)", "1/3"},
+      {"max(1/3, 1/2)", "1/2"},
+      {"hypot(3, 4)", "5"},
+      {"gamma(5)", "24"},
+      {"log_gamma(2)", "0"},
+      {"exp(0)", "1"},
+      {"log(1)", "0"},
+      {"cos(0)", "1"},
+      {"acosh(1)", "0"},
+      {"erfc(0)", "1"},
+      {"sinpi(1/6)", "1/2"},
+      {"sinpi(-7/6)", "1/2"},
+      {"cospi(2/3)", "-1/2"},
+      {"cospi(10^30 + 1)", "-1"},
+      {"sinpi(1/2)", "1"},
+      {"sinpi(17)", "0"},
+      {"log2(1/1024)", "-10"},
+      {"log10(1e300)", "300"},
+      {"e^0", "1"},
+      {"agm(3, 3)", "3"},
+  };
+  for (const auto& [text, value] : values) EXPECT_EQ(exact(text), value) << text;
+  for (const char* text :
+       {"sqrt(2)", "exp(1)", "sinpi(1/5)", "cospi(1/4)", "log2(3)", "2^(1/2)", "pi", "e",
+        "gamma(1/2)", "2^100000", "hypot(1, 1)", "agm(1, 2)", "log10(20)"}) {
+    EXPECT_EQ(exact(text), "not exact") << text;
+  }
+}
+
+/// A formula in rational numbers, and its value by hand.
+struct sample {
+  std::string text;
+  rational value;
+};
+
+sample any_sum(random_source& random, int depth);
+
+sample any_operand(random_source& random, int depth) {
+  if (depth > 0 && random.one_in(2)) {
+    const sample inner = any_sum(random, depth - 1);
+    return {"(" + inner.text + ")", inner.value};
+  }
+  const long n = random.between(0, 99);
+  if (random.one_in(3)) return {"0." + std::to_string(n + 100), rational(n + 100, 1000)};
+  return {std::to_string(n), rational(n)};
+}
+sample any_power(random_source& random, int depth) {
+  sample base = any_operand(random, depth);
+  if (!random.one_in(4)) return base;
+  const long n = random.between(0, 3);
+  rational value = 1;
+  for (long i = 0; i < n; ++i) value *= base.value;
+  return {base.text + (random.one_in(2) ? "^" : " ** ") + std::to_string(n), value};
+}
+sample any_signed(random_source& random, int depth) {
+  const sample x = any_power(random, depth);
+  return random.one_in(4) ? sample{"-" + x.text, rational(-x.value)} : x;
+}
+sample any_product(random_source& random, int depth) {
+  sample result = any_signed(random, depth);
+  while (random.one_in(2)) {
+    const sample next = any_signed(random, depth);
+    if (next.value != 0 && random.one_in(2)) {
+      result = {result.text + "/" + next.text, rational(result.value / next.value)};
+    } else {
+      result = {result.text + " * " + next.text, rational(result.value * next.value)};
+    }
+  }
+  return result;
+}
+sample any_sum(random_source& random, int depth) {
+  sample result = any_product(random, depth);
+  while (random.one_in(2)) {
+    const sample next = any_product(random, depth);
+    if (random.one_in(2)) {
+      result = {result.text + " + " + next.text, rational(result.value + next.value)};
+    } else {
+      result = {result.text + "-" + next.text, rational(result.value - next.value)};
+    }
+  }
+  return result;
+}
+
+TEST(Grammar, RandomFormulasInRationalNumbers) {
+  random_source random(11);
+  for (repeat trial(2000); trial.again();) {
+    const sample s = any_sum(random, 4);
+    if (s.text.size() > longest_expression) continue;
+    EXPECT_EQ(exact(s.text), to_text(s.value)) << s.text;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Errors
+
+void expect_error(const std::string& text, std::size_t column,
+                  const std::vector<std::string>& words, const expression_names& names = with_x) {
+  SCOPED_TRACE(text.substr(0, 60));
+  try {
+    const expression f(text, names);
+    FAIL() << "was read as " << f.to_text();
+  } catch (const expression_error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(error.column(), column) << message;
+    for (const std::string& word : words) {
+      EXPECT_NE(message.find(word), std::string::npos) << word << " in " << message;
+    }
+  }
+}
+
+TEST(GrammarErrors, SayTheColumnAndWhatWouldBeRight) {
+  expect_error("", 1, {"column 1", "ends here", "a number, a name"});
+  expect_error("   ", 4, {"ends here"});
+  expect_error("1 +", 4, {"ends here"});
+  expect_error("1 + * 2", 5, {"\"*\"", "a number, a name"});
+  expect_error("2x", 2, {"2*x"});
+  expect_error("2 x", 3, {"2*x"});
+  expect_error("(1 + 2)(3)", 8, {"2*x"});
+  expect_error("(2 x)", 4, {"2*x"});
+  expect_error("x(3)", 1, {"x*(...)"});
+  expect_error("pi(3)", 1, {"pi*(...)"});
+  expect_error("(1 + 2", 7, {"ends here", "\")\""});
+  expect_error("1 + 2)", 6, {"\")\"", "the end"});
+  expect_error("sin(1, 2)", 1, {"1 argument, not 2", "sin(x)"});
+  expect_error("atan2(1)", 1, {"2 arguments, not 1", "atan2(y, x)"});
+  expect_error("sin()", 5, {"\")\""});
+  expect_error("sin", 1, {"write sin(x)"});
+  expect_error("1 + sine(x)", 5, {"\"sine\"", "nearest is sin"});
+  expect_error("1 + alpho", 5, {"\"alpho\"", "nearest name is alpha"}, {{"alpha"}, {}});
+  expect_error("x, 2", 2, {"\",\""});
+  expect_error("1 $ 2", 3, {"\"$\""});
+  expect_error("1 + \xcf\x80", 5, {"a character"});
+  expect_error(std::string("1 +\0 2", 6), 4, {"a character"});
+  expect_error("1e", 2, {"operator"});
+  expect_error("1.2.3", 4, {"operator"});
+  expect_error("0x10", 2, {"2*x"});
+  expect_error("x***2", 4, {"\"*\""});
+  expect_error("2* *3", 4, {"\"*\""});
+  expect_error("x = 2", 3, {"\"=\""});
+  expect_error("1e400000000", 1, {"exponent of ten"});
+  expect_error("1e99999999999999999999", 1, {"exponent of ten"});
+}
+
+TEST(GrammarErrors, CertainlyUndefinedOperations) {
+  expect_error("x + 1/0", 6, {"division by zero"});
+  expect_error("1/(2 - 2)", 2, {"division by zero"});
+  expect_error("0^-1", 2, {"0 has no negative powers"});
+  expect_error("0^(-1/2)", 2, {"0 has no negative powers"});
+  expect_error("(-8)^(1/3)", 5, {"-8", "1/3", "root(x, n)"});
+  expect_error("1 + sqrt(-4)", 5, {"sqrt(-4)", "x >= 0"});
+  expect_error("root(-16, 4)", 1, {"-16"});
+  expect_error("root(2, 1/2)", 1, {"whole number"});
+  expect_error("root(2, x)", 1, {"whole number"});
+  expect_error("root(2, 0)", 1, {"whole number"});
+  for (const char* text :
+       {"log(0)", "ln(-1)", "log2(0)", "log10(-3)", "log1p(-1)", "asin(2)", "acos(-2)",
+        "acosh(1/2)", "atanh(1)", "gamma(0)", "gamma(-3)", "lgamma(-1)", "csch(0)", "agm(-1, 2)",
+        "agm(2, -1)", "atan2(0, 0)", "zeta(1)", "zeta(1/2)"}) {
+    expect_error(text, 1, {});
+  }
+  expect_error("(1/2)!", 6, {"gamma(x + 1)"});
+  expect_error("(-1)!", 5, {"gamma(x + 1)"});
+  expect_error("x!", 2, {"gamma(x + 1)"});
+}
+
+TEST(GrammarErrors, HostileTexts) {
+  const std::string many(1'000'000, '(');
+  expect_error(many, longest_expression + 1, {"1000000 characters"});
+  expect_error(many.substr(0, 50'000), 201, {"parentheses inside each other"});
+  expect_error(std::string(90'000, ')'), 1, {"\")\""});
+  std::string calls;
+  for (int i = 0; i < 20'000; ++i) calls += "sin(";
+  expect_error(calls, 804, {"parentheses inside each other"});
+  const std::string deepest = std::string(200, '(') + "1" + std::string(200, ')');
+  EXPECT_EQ(exact(deepest), "1");
+  EXPECT_EQ(exact(std::string(99'999, '-') + "1"), "-1");
+  EXPECT_EQ(exact("1" + std::string(99'999, '!')), "1");
+  expect_error(std::string(100'000, '9') + "9", longest_expression + 1, {});
+  EXPECT_EQ(exact(std::string(100'000, '9')).size(), 100'000U);
+  expect_error(std::string(1'000, 'a'), 1, {"aaa..."});
+  std::string tower = "1";
+  std::string sum = "x";
+  std::string fractions = "1";
+  while (tower.size() < 99'990) tower += "^1";
+  while (sum.size() < 99'990) sum += "+x";
+  for (int i = 2; fractions.size() < 99'980; ++i) fractions += "+1/" + std::to_string(i);
+  EXPECT_EQ(exact(tower), "1");
+  EXPECT_NE(exact(fractions), "not exact");
+  const expression long_sum(sum, with_x);
+  EXPECT_TRUE(contains(long_sum(ball(1, 64)), long_sum.operation_count() + 1));
+  EXPECT_THROW(static_cast<void>(long_sum.to_text()), std::length_error);
+}
+
+TEST(GrammarErrors, ShortTextsOfGreatNumbersCostLittle) {
+  for (const char* text :
+       {"2^(10^12)", "9^9^9^9", "1e300000000", "1e-300000000*1e-300000000", "2^-(10^18)", "(10^9)!",
+        "root(2, 10^18)", "2^(1/10^18)", "zeta(10^18)", "2^(10^30)", "exp(1e300000000)",
+        "tan(1e1000000)", "log2(1e300000)", "sinh(1e9)", "gamma(-1e9 - 1/2)"}) {
+    const expression f(text);
+    EXPECT_FALSE(f.exact_value()) << text;
+    EXPECT_EQ(f.value(64).precision(), 64) << text;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Names
+
+TEST(Names, DefinitionsAreExactAndUseEarlierOnes) {
+  const expression_names names{{"x"},
+                               {{"a", "1/3"}, {"b", "a + 1"}, {"c", "sqrt(b*3)"}, {"_d2", "pi/2"}}};
+  EXPECT_EQ(exact("a*b*c", names), "8/9");
+  const expression f("x + _d2", names);
+  EXPECT_EQ(f.to_text(), "x + pi/2");
+  EXPECT_EQ(f.used_variables(), std::vector<std::string>{"x"});
+  EXPECT_TRUE(expression("a", names).used_variables().empty());
+}
+
+void expect_refused_names(const expression_names& names, const std::string& word) {
+  try {
+    const expression f("1", names);
+    FAIL() << "was accepted";
+  } catch (const input_error& error) {
+    EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+TEST(Names, MayNotHideFunctionsConstantsOrEachOther) {
+  expect_refused_names({{"sin"}, {}}, "function");
+  expect_refused_names({{}, {{"pi", "3"}}}, "constant");
+  expect_refused_names({{"x", "x"}, {}}, "twice");
+  expect_refused_names({{"x"}, {{"x", "1"}}}, "twice");
+  expect_refused_names({{}, {{"k", "1"}, {"k", "2"}}}, "twice");
+  for (const char* name : {"", "2x", "a b", "a-b", "\xcf\x80"}) {
+    expect_refused_names({{}, {{name, "1"}}}, "cannot be a name");
+  }
+  // A value may use neither a later name nor a variable; the error speaks of it.
+  expect_error("k", 1, {"in the value of k", "column 1", "\"j\""}, {{}, {{"k", "j"}, {"j", "1"}}});
+  expect_error("k", 5, {"in the value of k", "\"x\""}, {{"x"}, {{"k", "1 + x"}}});
+}
+
+// ---------------------------------------------------------------------------------------------
+// The graph
+
+TEST(Graph, SharesEqualSubexpressions) {
+  const std::pair<const char*, std::size_t> counts[] = {
+      {"sin(x) + sin(x)", 2},
+      {"sin(x)*cos(x) + cos(x)*sin(x)", 4},  // the product once, in either order
+      {"(x + 1)^2 + (1 + x)^3", 4},          // 1 + x is x + 1
+      {"exp(-x^2)/(1 + exp(-x^2))", 5},
+      {"2*3*x + 1", 2},
+      {"e^x + exp(x)", 2},
+      {"x^0.5 + sqrt(x)", 2},
+      {"x", 0},
+      {"7", 0},
+  };
+  for (const auto& [text, count] : counts) {
+    EXPECT_EQ(expression(text, with_x).operation_count(), count) << text;
+  }
+  // 2^40 additions without sharing.
+  expression_names names{{"x"}, {{"a0", "pi"}}};
+  for (int i = 1; i <= 40; ++i) {
+    const std::string last = "a" + std::to_string(i - 1);
+    names.definitions.emplace_back("a" + std::to_string(i), last + " + " + last);
+  }
+  const expression f("a40*x", names);
+  EXPECT_EQ(f.operation_count(), 42U);
+  EXPECT_THROW(static_cast<void>(f.to_text()), std::length_error);
+  EXPECT_TRUE(overlaps(f(ball(1, 100)), scale(pi(100), 40)));
+}
+
+TEST(Graph, PrintsWhatIsReadBackTheSame) {
+  for (const char* text : {"x - (x - 1) - -x",
+                           "-x^2",
+                           "(-x)^2",
+                           "(x^2)^3",
+                           "x^(2^x)",
+                           "(x^x)^x",
+                           "x/(x/3)",
+                           "x/3*x",
+                           "x*(x/3)",
+                           "2^-x",
+                           "-(x + 1)",
+                           "-(x*2)",
+                           "x^-3",
+                           "x^(1/3)",
+                           "(1/2)^x",
+                           "(-2)^x",
+                           "x - 1/2",
+                           "x + -1/2*x",
+                           "root(x, 5)",
+                           "atan2(x, -1)",
+                           "10^(10^7) + x",
+                           "zeta(3)*catalan + euler_gamma",
+                           "e^x",
+                           "min(x, -2)",
+                           "1e-30*x",
+                           "log2(x)",
+                           "sech(x) - csch(x)",
+                           "cbrt(x + 1)!",
+                           "x^(3/2)",
+                           "--x",
+                           "2*(x + 1)^2"}) {
+    std::string given = text;
+    if (given.back() == '!') given.pop_back();
+    const expression f(given, with_x);
+    const expression again(f.to_text(), with_x);
+    EXPECT_EQ(again.to_text(), f.to_text()) << given;
+    EXPECT_EQ(again.operation_count(), f.operation_count()) << given;
+    for (const char* point : {"1/3", "-7/5", "40"}) {
+      const ball x = parse_ball(point, 128);
+      const ball y = f(x);
+      const ball z = again(x);
+      EXPECT_EQ(y.is_undefined(), z.is_undefined()) << given;
+      EXPECT_TRUE(overlaps(y, z)) << given;
+    }
+  }
+}
+
+TEST(Graph, PowersOfPowersOfNumbersAreOne) {
+  const expression f("1e1000000^2");
+  ASSERT_TRUE(f.exact_power());
+  EXPECT_EQ(f.exact_power()->first, 10);
+  EXPECT_EQ(f.exact_power()->second, 2'000'000);
+  EXPECT_EQ(expression("(2^-1000000)^-3").to_text(), "2^3000000");
+  EXPECT_FALSE(expression("(2^(10^18))^100").exact_power());  // beyond a machine integer
+  // Not of other bases: (x^-1)^-1 is not defined at 0.
+  EXPECT_TRUE(expression("(x^-1)^-1", with_x)(ball(0, 64)).is_undefined());
+  EXPECT_FALSE(expression("x^3", with_x).exact_power());
+}
+
+TEST(Graph, KnowsItsVariables) {
+  const expression f("y + 0*x", {{"x", "y", "z"}, {}});
+  EXPECT_EQ(f.used_variables(), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(f.variables().size(), 3U);
+  EXPECT_THROW(static_cast<void>(f.value(64)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(f(ball(1, 64))), std::invalid_argument);
+  const std::vector<ball> values{ball(1, 64), ball(2, 100), ball(3, 64)};
+  const ball sum = f.evaluate<ball>(values);
+  EXPECT_TRUE(contains(sum, 2) && sum.is_exact());
+  EXPECT_THROW(static_cast<void>(f.evaluate<ball>(std::span(values).first(2))),
+               std::invalid_argument);
+  EXPECT_TRUE(contains(expression("2/3", {{"x"}, {}}).value(64), rational(2, 3)));
+}
+
+}  // namespace
+}  // namespace polhode
