@@ -1,0 +1,248 @@
+#pragma once
+
+// What a function is like at an end of its range, where it may be singular: found by calling it with an
+// end_series for its argument.
+//
+// An end_series is a function of t near t = 0, t > 0, of the form
+//
+//   h(t) = t^m * (G_0(t) + L G_1(t) + ... + L^K G_K(t)),    L = log t,
+//
+// with a rational m and functions G_k that are real for real t and analytic on a neighbourhood of the square
+// |Re t| <= r, |Im t| <= r. Of each G_k it knows two jets: the Taylor coefficients at 0, as real balls, and exactly where
+// they are rational numbers of moderate size; and enclosures over the whole square, as regions. So
+// 1 - cos t is known to be t^2 times something that is not 0 near 0, and log(t) / sqrt(t) is what it
+// looks like. What does not have this form (exp(1/t), t^t, a pole inside the square) is *blocked*, with
+// the name of the function that did it, and blocks all that is made of it.
+//
+// h is meant as the analytic continuation from small t > 0: the branch of t^m and log t is the real one
+// there, and every function below is the real function of real arguments, continued.
+//
+// DIVISION BY t. Where G(0) = 0 is known exactly, G(t) = t H(t) with H(t) = integral of G'(s t) over
+// 0 <= s <= 1, so that H^(j)(t)/j! = integral of (j+1) s^j [G^(j+1)(s t)/(j+1)!] ds is a mean of values of
+// G's coefficient of order j+1 (the square is convex and holds s t): H's coefficients are G's, moved
+// down by one, at 0 and over the square.
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/region.hpp"
+
+namespace polhode {
+
+namespace detail {
+
+/// A real number by an enclosure, and exactly where it is known to be a rational of moderate size: what
+/// decides whether a coefficient is 0.
+class exact_ball {
+ public:
+  static constexpr precision bits = 128;
+
+  exact_ball() : exact_ball(rational(0)) {}
+  explicit exact_ball(const rational& q) : exact_(q), enclosure_(q, bits) { forget_if_long(); }
+  explicit exact_ball(const ball& x) : enclosure_(x) {
+    if (x.is_exact()) exact_ = lower_rational(x);
+    forget_if_long();
+  }
+
+  [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
+  [[nodiscard]] const ball& enclosure() const { return enclosure_; }
+  [[nodiscard]] bool is_zero() const { return exact_ && *exact_ == 0; }
+
+  friend exact_ball operator-(const exact_ball& x) {
+    return x.exact_ ? exact_ball(rational(-*x.exact_)) : exact_ball(-x.enclosure_);
+  }
+  friend exact_ball operator+(const exact_ball& x, const exact_ball& y) {
+    if (x.exact_ && y.exact_) return exact_ball(rational(*x.exact_ + *y.exact_));
+    return exact_ball(x.enclosure_ + y.enclosure_);
+  }
+  friend exact_ball operator-(const exact_ball& x, const exact_ball& y) { return x + (-y); }
+  friend exact_ball operator*(const exact_ball& x, const exact_ball& y) {
+    if (x.exact_ && y.exact_) return exact_ball(rational(*x.exact_ * *y.exact_));
+    const bool defined = !x.enclosure_.is_undefined() && !y.enclosure_.is_undefined();
+    if (defined && (x.is_zero() || y.is_zero())) return exact_ball(rational(0));
+    return exact_ball(x.enclosure_ * y.enclosure_);
+  }
+  /// Undefined where y may be 0.
+  friend exact_ball operator/(const exact_ball& x, const exact_ball& y) {
+    if (x.exact_ && y.exact_ && *y.exact_ != 0) return exact_ball(rational(*x.exact_ / *y.exact_));
+    return exact_ball(x.enclosure_ / y.enclosure_);
+  }
+  exact_ball& operator+=(const exact_ball& y) { return *this = *this + y; }
+  friend exact_ball operator+(const exact_ball& x, long n) { return x + exact_ball(rational(n)); }
+  friend exact_ball operator-(const exact_ball& x, long n) { return x - exact_ball(rational(n)); }
+  friend exact_ball operator*(const exact_ball& x, long n) { return x * exact_ball(rational(n)); }
+  friend exact_ball operator/(const exact_ball& x, long n) { return x / exact_ball(rational(n)); }
+
+ private:
+  void forget_if_long();
+
+  std::optional<rational> exact_;
+  ball enclosure_;
+};
+
+[[nodiscard]] exact_ball sqrt(const exact_ball& x);
+[[nodiscard]] exact_ball exp(const exact_ball& x);
+[[nodiscard]] exact_ball log(const exact_ball& x);
+[[nodiscard]] exact_ball sin(const exact_ball& x);
+[[nodiscard]] exact_ball cos(const exact_ball& x);
+[[nodiscard]] exact_ball tan(const exact_ball& x);
+[[nodiscard]] exact_ball asin(const exact_ball& x);
+[[nodiscard]] exact_ball acos(const exact_ball& x);
+[[nodiscard]] exact_ball atan(const exact_ball& x);
+[[nodiscard]] exact_ball sinh(const exact_ball& x);
+[[nodiscard]] exact_ball cosh(const exact_ball& x);
+[[nodiscard]] exact_ball tanh(const exact_ball& x);
+[[nodiscard]] exact_ball asinh(const exact_ball& x);
+[[nodiscard]] exact_ball acosh(const exact_ball& x);
+[[nodiscard]] exact_ball atanh(const exact_ball& x);
+
+}  // namespace detail
+
+class end_series {
+ public:
+  /// Blocked.
+  end_series() : blocked_(true) {}
+  /// a + s t^q over the square of half-side r, for q > 0; for q < 0 and a = 0, an end at infinity.
+  [[nodiscard]] static end_series argument(const detail::exact_ball& a, const detail::exact_ball& s,
+                                           long q, double r);
+
+  [[nodiscard]] static end_series blocked(std::string_view where);
+  [[nodiscard]] bool is_blocked() const { return blocked_; }
+  /// The name of the function that could not be continued; empty where there is none.
+  [[nodiscard]] std::string_view where() const { return where_; }
+
+  /// m; of a function that is 0 as far as is known, a lower bound of it.
+  [[nodiscard]] const rational& exponent() const { return m_; }
+  /// K.
+  [[nodiscard]] int log_degree() const { return static_cast<int>(terms_.size()) - 1; }
+  /// The same function with G_0(0), ..., G_K(0) not all known to be 0, as far as the known orders go.
+  [[nodiscard]] end_series simplified() const;
+  /// G_K(0) is certainly not 0.
+  [[nodiscard]] bool leads_surely() const;
+
+  /// An upper bound of |G_k| over the square; infinite where blocked.
+  [[nodiscard]] magnitude supremum(int k) const;
+
+  friend end_series operator+(const end_series& x) { return x; }
+  friend end_series operator-(const end_series& x);
+  friend end_series operator+(const end_series& x, const end_series& y);
+  friend end_series operator-(const end_series& x, const end_series& y) { return x + (-y); }
+  friend end_series operator*(const end_series& x, const end_series& y);
+  friend end_series operator/(const end_series& x, const end_series& y);
+
+  friend end_series square(const end_series& x) { return x * x; }
+  friend end_series sqrt(const end_series& x);
+  friend end_series pow(const end_series& x, long n);
+  friend end_series pow(const end_series& x, const rational& e);
+  friend end_series pow(const end_series& x, const end_series& y);
+  friend end_series log(const end_series& x);
+  friend end_series exp(const end_series& x);
+  friend end_series sin(const end_series& x);
+  friend end_series cos(const end_series& x);
+  friend end_series tan(const end_series& x);
+  friend end_series asin(const end_series& x);
+  friend end_series acos(const end_series& x);
+  friend end_series atan(const end_series& x);
+  friend end_series sinh(const end_series& x);
+  friend end_series cosh(const end_series& x);
+  friend end_series tanh(const end_series& x);
+  friend end_series asinh(const end_series& x);
+  friend end_series acosh(const end_series& x);
+  friend end_series atanh(const end_series& x);
+  friend end_series abs(const end_series& x);
+  friend end_series min(const end_series& x, const end_series& y);
+  friend end_series max(const end_series& x, const end_series& y);
+  friend end_series floor(const end_series& x);
+  friend end_series ceil(const end_series& x);
+
+  /// The sign for 0 < t <= r; 0 where it is not known to be one.
+  [[nodiscard]] int sign() const;
+  /// A lower bound of |G_0| over the square, for K = 0.
+  [[nodiscard]] magnitude infimum() const;
+  /// The range over 0 < t <= r, of a series without logarithms and with m >= 0; else undefined.
+  [[nodiscard]] double_interval real_range() const;
+  /// Proved to be 0 everywhere.
+  [[nodiscard]] bool is_zero() const;
+
+  /// A constant function beside this one.
+  template <exact_number N>
+  [[nodiscard]] end_series constant_like(const N& n) const {
+    return constant(detail::exact_ball(rational(n)), detail::constant_region(n, region()));
+  }
+  [[nodiscard]] end_series constant_like(const ball& x) const {
+    return constant(detail::exact_ball(x), region(x));
+  }
+
+ private:
+  static constexpr precision bits = detail::exact_ball::bits;
+  static constexpr int order = 8;
+  using centre_jet = jet<detail::exact_ball, dynamic_order>;
+  using square_jet = jet<region, dynamic_order>;
+  /// G_k's two jets. They have the same order, which falls with each division by t.
+  struct term {
+    centre_jet at_0;
+    square_jet over;
+  };
+
+  [[nodiscard]] end_series constant(const detail::exact_ball& at_0, const region& over) const;
+  /// Not blocked, or the first that is.
+  template <class F>
+  static end_series regular(const end_series& x, std::string_view name, F&& f);
+  [[nodiscard]] end_series checked(std::string_view name) const;
+  [[nodiscard]] end_series moved(long powers) const;
+  /// K = 0 and m such that G_0(0) is certainly not 0 and G_0 has no zero in the square; else blocked.
+  [[nodiscard]] end_series normalised(std::string_view name) const;
+  /// m = 0 and K = 0, with t^m multiplied in where m is a natural number; else blocked.
+  [[nodiscard]] end_series plain(std::string_view name) const;
+  [[nodiscard]] std::optional<long> exact_value_at_0() const;
+
+  rational m_ = 0;
+  double r_ = 0;
+  std::vector<term> terms_;
+  bool blocked_ = false;
+  std::string_view where_;
+};
+
+namespace detail {
+template <class N>
+concept series_constant = exact_number<N> || std::same_as<N, ball>;
+}  // namespace detail
+
+template <detail::series_constant N>
+[[nodiscard]] end_series operator+(const end_series& x, const N& n) {
+  return x.is_blocked() ? x : x + x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator+(const N& n, const end_series& x) {
+  return x + n;
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator-(const end_series& x, const N& n) {
+  return x.is_blocked() ? x : x - x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator-(const N& n, const end_series& x) {
+  return x.is_blocked() ? x : x.constant_like(n) - x;
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator*(const end_series& x, const N& n) {
+  return x.is_blocked() ? x : x * x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator*(const N& n, const end_series& x) {
+  return x * n;
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator/(const end_series& x, const N& n) {
+  return x.is_blocked() ? x : x / x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] end_series operator/(const N& n, const end_series& x) {
+  return x.is_blocked() ? x : x.constant_like(n) / x;
+}
+
+}  // namespace polhode

@@ -1,0 +1,171 @@
+#pragma once
+
+// The front door: the integral of a function, with a proof.
+//
+//   integral i = integrate([](auto x) { return exp(-x * x); }, 0, 1, {.digits = 50});
+//
+// f is one generic function. It is called with a `region` (a cheap complex rectangle, to prove where f is
+// analytic and how large it is there) and with a `ball` (at the nodes, in real arithmetic, at full
+// precision). What makes it not analytic (a square root's branch cut, a pole, |x|, floor) shows in the
+// region's value: nothing needs to be declared and nothing can be forgotten. f must be a function in the
+// mathematician's sense: the same argument gives the same value, and it is defined by the same formula for
+// every type of argument.
+//
+// How: the range is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
+// that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most
+// a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. What
+// cannot be had so is described in end_series.hpp (an end where f is singular, a point between the limits
+// where the range is cut) and tail_series.hpp (an exponential decay).
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/region.hpp"
+#include "polhode/arithmetic/verdict.hpp"
+#include "polhode/quadrature/end_series.hpp"
+#include "polhode/quadrature/limit.hpp"
+#include "polhode/quadrature/tail_series.hpp"
+
+namespace polhode {
+
+struct integrate_options {
+  /// The goal: a radius of at most 10^-digits of the value. Where the value is 0, or smaller than
+  /// 10^-digits of the integral of |f|, that size stands for the value's.
+  long digits = 15;
+  /// An absolute goal beside it, as a power of two: a radius of at most 2^absolute_exponent will do.
+  std::optional<long> absolute_exponent = std::nullopt;
+  /// Of f, at nodes and over regions.
+  long most_evaluations = 20'000'000;
+  /// How often a panel may be halved; by default as often as the goal may need.
+  std::optional<long> most_depth = std::nullopt;
+  /// Bits that rounding errors may raise the working precision to; by default 64 times the goal's.
+  std::optional<precision> most_precision = std::nullopt;
+};
+
+/// What it cost.
+struct integral_account {
+  long evaluations = 0;         // of f at real nodes
+  long region_evaluations = 0;  // of f over complex regions
+  long panels = 0;
+  long most_nodes = 0;  // of one panel
+  polhode::precision precision = 0;
+  double seconds_for_bounds = 0;
+  double seconds_for_sums = 0;
+};
+
+/// An integral with its proof, or how far it got.
+struct integral {
+  /// Holds the integral, whatever the verdict; undefined where nothing is proved.
+  ball enclosure = ball::undefined(64);
+  status verdict = status::not_certified;
+  reason why = reason::none;
+  /// What stood in the way and where, in words; empty where it is certified.
+  std::string obstacle;
+  integral_account account;
+};
+
+namespace detail {
+
+/// A bound of |F| on the part of a rectangle that lies in the set where a series for F is known to hold.
+struct known_bound {
+  magnitude bound;
+  bool everywhere = false;  // the rectangle lies wholly in the set
+};
+
+/// The integral of one analytic piece: scale times the integral of F(t) over 0 <= t <= 1.
+struct segment {
+  std::function<region(const region& t)> over;
+  /// F at real points, with p bits: what is costly and does not depend on t is done once.
+  std::function<std::function<ball(const ball& t)>(precision p)> evaluator;
+  std::function<ball(precision)> scale;
+  /// x as a function of t, for messages and to see how far apart doubles can keep two points.
+  std::function<ball(const ball& t)> position;
+  /// Near t = 0, where F is known by a series: a bound of |F|, and so its analyticity, on the part of a
+  /// rectangle of t where the series holds; nothing where that may be empty. The series' set is a disc around 0
+  /// or a half plane, open, whose boundary in an ellipse's upper half is connected and ends on the real axis.
+  /// May be empty.
+  std::function<std::optional<known_bound>(double_interval re, double_interval im)> known;
+};
+
+/// A generic function, in the arithmetics that the library needs.
+struct integrand {
+  std::function<region(const region& x)> over;
+  std::function<std::function<ball(const ball& x)>(precision p)> evaluator;
+  std::function<end_series(const end_series& x)> near_end;
+  std::function<tail_series(const tail_series& x)> near_infinity;
+};
+
+/// f's function object for real arguments with p bits: f itself, or what it makes for the purpose.
+template <class F>
+[[nodiscard]] auto real_evaluator(const F& f, precision p) {
+  if constexpr (requires { f.template evaluator<ball>(p); }) {
+    return f.template evaluator<ball>(p);
+  } else {
+    return f;
+  }
+}
+
+/// The value of f as a Y, also where f is constant and answers with a number.
+template <class Y, class V>
+[[nodiscard]] Y value_as(V&& value, const Y& like) {
+  if constexpr (std::same_as<std::remove_cvref_t<V>, Y>) {
+    return std::forward<V>(value);
+  } else if constexpr (std::same_as<Y, ball>) {
+    return ball(value, like.precision());
+  } else if constexpr (std::same_as<Y, region>) {
+    return constant_region(value, like);
+  } else {
+    return like.constant_like(value);
+  }
+}
+
+template <class F>
+[[nodiscard]] integrand make_integrand(const F& f) {
+  integrand result;
+  result.over = [f](const region& x) { return value_as<region>(f(x), x); };
+  result.evaluator = [f](precision p) -> std::function<ball(const ball&)> {
+    return [g = real_evaluator(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
+  };
+  result.near_end = [f](const end_series& x) { return value_as<end_series>(f(x), x); };
+  result.near_infinity = [f](const tail_series& x) { return value_as<tail_series>(f(x), x); };
+  return result;
+}
+
+[[nodiscard]] integral integrate_function(const integrand& f, const limit& a, const limit& b,
+                                          const integrate_options& options);
+
+/// x = a + (b - a) t, in the region's own arithmetic.
+class affine_map {
+ public:
+  affine_map(limit a, limit b);
+  [[nodiscard]] region operator()(const region& t) const;
+  [[nodiscard]] ball operator()(const ball& t) const;
+  [[nodiscard]] ball start(precision p) const { return a_.at(p); }
+  [[nodiscard]] ball length(precision p) const {
+    if (!a_.is_exact() || !b_.is_exact()) return b_.at(p) - a_.at(p);
+    return {rational(b_.exact_value() - a_.exact_value()), p};
+  }
+
+ private:
+  limit a_;
+  limit b_;
+  region a_hardware_;
+  region length_hardware_;
+};
+
+}  // namespace detail
+
+/// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a = b. Limits may
+/// be infinite (limit::infinity()), and f singular at them, where end_series.hpp finds it integrable.
+/// Verdicts: certified; not_certified with not_analytic (obstacle says what and where), not_integrable,
+/// evaluation_limit, precision_limit. The enclosure holds the integral with every verdict.
+template <class F>
+[[nodiscard]] integral integrate(const F& f, const limit& a, const limit& b,
+                                 const integrate_options& options = {}) {
+  return detail::integrate_function(detail::make_integrand(f), a, b, options);
+}
+
+}  // namespace polhode

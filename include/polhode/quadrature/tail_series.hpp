@@ -1,0 +1,156 @@
+#pragma once
+
+// What a function is like at infinity where it decays (or grows) exponentially: a bound of its tail, found
+// by calling it with a tail_series for its argument.
+//
+// A tail_series is a real function of t, 0 < t <= r, of the form e^phi(t) h(t) U(t): phi is 0 or an
+// end_series with a negative power, such as -1/t^2, h an end_series, and U a function of which only an
+// interval is known that holds its values. With x = s/t this describes exp(-x^2), sech x, x^1000 e^-x sin x
+// for large x. It knows nothing of complex arguments. What does not have this form is blocked.
+
+#include <optional>
+#include <string_view>
+
+#include "polhode/quadrature/end_series.hpp"
+
+namespace polhode {
+
+class tail_series {
+ public:
+  /// Blocked.
+  tail_series() = default;
+  /// s/t for 0 < t <= r. An r above 1 counts as 1: of y = 1/t it is used that 0 <= log y <= y.
+  [[nodiscard]] static tail_series argument(const detail::exact_ball& s, double r);
+
+  [[nodiscard]] tail_series blocked(std::string_view where) const;
+  [[nodiscard]] bool is_blocked() const { return h_.is_blocked() || (phi_ && phi_->is_blocked()); }
+  [[nodiscard]] std::string_view where() const {
+    return h_.is_blocked() || !phi_ ? h_.where() : phi_->where();
+  }
+
+  /// a + s t for 0 < t <= r: for a function that vanishes exponentially at a finite end.
+  [[nodiscard]] static tail_series argument(const detail::exact_ball& a,
+                                            const detail::exact_ball& s, double r);
+
+  /// The sign for 0 < t <= r; 0 where it is not known to be one.
+  [[nodiscard]] int sign() const { return certainly_positive(u_) ? h_.sign() : 0; }
+
+  /// An upper bound of the integral of |f(s y)| over y >= Y, for Y >= 1/r: with |phi| >= c y^mu and
+  /// |h U| <= B y^p (log y)^k, k and B summed over the terms of h, log y <= y, P = p + k,
+  ///
+  ///   integral of B y^P e^(-c y^mu) dy = (B/mu) integral of v^Q e^(-c v) dv over v >= V = Y^mu,
+  ///   Q = (P + 1)/mu - 1,  <=  (B/mu) V^Q e^(-c V) / (c - max(Q, 0)/V)   where that is positive:
+  ///
+  /// the logarithm of v^Q e^(-c v) has the slope Q/v - c <= max(Q, 0)/V - c. Infinite where there is no
+  /// exponential decay, or Y is too small.
+  [[nodiscard]] magnitude integral_beyond(const ball& y) const { return integral(y, 0); }
+  /// The same of |f(t)| over 0 < t <= 1/Y: with t = 1/y, dt = y^-2 dy in size.
+  [[nodiscard]] magnitude integral_before(const ball& y) const { return integral(y, -2); }
+
+  friend tail_series operator+(const tail_series& x) { return x; }
+  friend tail_series operator-(const tail_series& x);
+  friend tail_series operator+(const tail_series& x, const tail_series& y);
+  friend tail_series operator-(const tail_series& x, const tail_series& y) { return x + (-y); }
+  friend tail_series operator*(const tail_series& x, const tail_series& y);
+  friend tail_series operator/(const tail_series& x, const tail_series& y);
+
+  friend tail_series square(const tail_series& x) { return x * x; }
+  friend tail_series sqrt(const tail_series& x);
+  friend tail_series pow(const tail_series& x, long n);
+  friend tail_series pow(const tail_series& x, const rational& e);
+  friend tail_series pow(const tail_series& x, const tail_series& y);
+  friend tail_series exp(const tail_series& x);
+  friend tail_series log(const tail_series& x);
+  /// Of what decays, like x itself: (e^v - 1)/v and log(1 + v)/v increase and decrease from 0.78... to
+  /// 1.29... and from 1.38... to 0.81... over -1/2 <= v <= 1/2.
+  friend tail_series expm1(const tail_series& x);
+  friend tail_series log1p(const tail_series& x);
+  friend tail_series sin(const tail_series& x);
+  friend tail_series cos(const tail_series& x);
+  friend tail_series tan(const tail_series& x);
+  friend tail_series asin(const tail_series& x);
+  friend tail_series acos(const tail_series& x);
+  friend tail_series atan(const tail_series& x);
+  friend tail_series sinh(const tail_series& x);
+  friend tail_series cosh(const tail_series& x);
+  friend tail_series tanh(const tail_series& x);
+  friend tail_series asinh(const tail_series& x);
+  friend tail_series acosh(const tail_series& x);
+  friend tail_series atanh(const tail_series& x);
+  friend tail_series abs(const tail_series& x);
+  friend tail_series min(const tail_series& x, const tail_series& y);
+  friend tail_series max(const tail_series& x, const tail_series& y);
+  friend tail_series floor(const tail_series& x);
+  friend tail_series ceil(const tail_series& x);
+
+  template <detail::series_constant N>
+  [[nodiscard]] tail_series constant_like(const N& n) const {
+    return {std::nullopt, one_.constant_like(n), one_, double_interval(1), r_};
+  }
+
+ private:
+  tail_series(std::optional<end_series> phi, end_series h, end_series one, double_interval u,
+              double r)
+      : phi_(std::move(phi)), h_(std::move(h)), one_(std::move(one)), u_(u), r_(r) {
+    settle();
+  }
+  /// Of |f| y^power over y = 1/t >= Y.
+  [[nodiscard]] magnitude integral(const ball& y, long power) const;
+  /// e^phi with phi bounded goes into h.
+  void settle();
+  /// U is 1, and no function of which only a range is known.
+  [[nodiscard]] bool has_no_factor() const { return u_.lower() == 1 && u_.upper() == 1; }
+  [[nodiscard]] bool is_plain() const { return !phi_ && has_no_factor(); }
+  [[nodiscard]] tail_series with(std::optional<end_series> phi, end_series h,
+                                 double_interval u) const {
+    return {std::move(phi), std::move(h), one_, u, r_};
+  }
+  template <class F>
+  [[nodiscard]] tail_series regular(std::string_view name, F&& f) const;
+  template <class F>
+  [[nodiscard]] tail_series nearly_itself(double_interval range, F&& f) const;
+  /// f of a real number, of which only |f| <= bound is known.
+  template <class F>
+  [[nodiscard]] tail_series bounded(F&& f, double_interval range) const;
+
+  std::optional<end_series> phi_;
+  end_series h_;
+  end_series one_;
+  double_interval u_;
+  double r_ = 0;
+};
+
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator+(const tail_series& x, const N& n) {
+  return x + x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator+(const N& n, const tail_series& x) {
+  return x.constant_like(n) + x;
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator-(const tail_series& x, const N& n) {
+  return x - x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator-(const N& n, const tail_series& x) {
+  return x.constant_like(n) - x;
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator*(const tail_series& x, const N& n) {
+  return x * x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator*(const N& n, const tail_series& x) {
+  return x.constant_like(n) * x;
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator/(const tail_series& x, const N& n) {
+  return x / x.constant_like(n);
+}
+template <detail::series_constant N>
+[[nodiscard]] tail_series operator/(const N& n, const tail_series& x) {
+  return x.constant_like(n) / x;
+}
+
+}  // namespace polhode

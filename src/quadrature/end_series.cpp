@@ -1,0 +1,491 @@
+#include "polhode/quadrature/end_series.hpp"
+
+#include <algorithm>
+
+#include "polhode/arithmetic/special_functions.hpp"
+
+namespace polhode {
+
+namespace {
+
+template <class Jet>
+Jet without_last(const Jet& x, int dropped_at_start, int order) {
+  Jet r(order);
+  for (int k = 0; k <= order; ++k) r[k] = x[k + dropped_at_start];
+  return r;
+}
+
+}  // namespace
+
+namespace detail {
+
+void exact_ball::forget_if_long() {
+  constexpr std::size_t most_bits = 4096;
+  if (!exact_) return;
+  if (mpz_sizeinbase(mpq_numref(exact_->backend().data()), 2) > most_bits ||
+      mpz_sizeinbase(mpq_denref(exact_->backend().data()), 2) > most_bits) {
+    exact_.reset();
+  }
+}
+
+exact_ball sqrt(const exact_ball& x) {
+  if (x.exact() && *x.exact() >= 0) {
+    const integer p = numerator(*x.exact());
+    const integer q = denominator(*x.exact());
+    const integer root_p = boost::multiprecision::sqrt(p);
+    const integer root_q = boost::multiprecision::sqrt(q);
+    if (root_p * root_p == p && root_q * root_q == q) return exact_ball(rational(root_p, root_q));
+  }
+  return exact_ball(sqrt(x.enclosure()));
+}
+
+// f(x), exactly where x is the one rational number at which f's value is rational for a reason.
+#define POLHODE_EXACT_AT(f, at, value)                                       \
+  exact_ball f(const exact_ball& x) {                                        \
+    if (x.exact() && *x.exact() == (at)) return exact_ball(rational(value)); \
+    return exact_ball(f(x.enclosure()));                                     \
+  }
+POLHODE_EXACT_AT(exp, 0, 1)
+POLHODE_EXACT_AT(log, 1, 0)
+POLHODE_EXACT_AT(sin, 0, 0)
+POLHODE_EXACT_AT(cos, 0, 1)
+POLHODE_EXACT_AT(tan, 0, 0)
+POLHODE_EXACT_AT(asin, 0, 0)
+POLHODE_EXACT_AT(acos, 1, 0)
+POLHODE_EXACT_AT(atan, 0, 0)
+POLHODE_EXACT_AT(sinh, 0, 0)
+POLHODE_EXACT_AT(cosh, 0, 1)
+POLHODE_EXACT_AT(tanh, 0, 0)
+POLHODE_EXACT_AT(asinh, 0, 0)
+POLHODE_EXACT_AT(acosh, 1, 0)
+POLHODE_EXACT_AT(atanh, 0, 0)
+#undef POLHODE_EXACT_AT
+
+}  // namespace detail
+
+using detail::exact_ball;
+
+end_series end_series::blocked(std::string_view where) {
+  end_series r;
+  r.where_ = where;
+  return r;
+}
+
+end_series end_series::constant(const exact_ball& at_0, const region& over) const {
+  end_series r;
+  r.blocked_ = false;
+  r.r_ = r_;
+  const int n = terms_.front().at_0.order();
+  r.terms_.push_back({centre_jet::constant(at_0, n), square_jet::constant(over, n)});
+  return r;
+}
+
+end_series end_series::argument(const exact_ball& a, const exact_ball& s, long q, double r) {
+  end_series t;
+  t.blocked_ = false;
+  t.r_ = r;
+  const double_interval side(-r, r);
+  t.terms_.push_back(
+      {centre_jet::variable(exact_ball(), order), square_jet::variable(region(side, side), order)});
+  if (q < 0) {
+    end_series x = t.constant(s, region(s.enclosure()));
+    x.m_ = q;
+    return x;
+  }
+  end_series moving = t.constant(s, region(s.enclosure()));
+  moving.m_ = q;
+  return t.constant(a, region(a.enclosure())) + moving;
+}
+
+/// Blocked where a coefficient is undefined or not analytic.
+end_series end_series::checked(std::string_view name) const {
+  if (blocked_) return *this;
+  for (const term& g : terms_) {
+    for (int k = 0; k <= g.at_0.order(); ++k) {
+      if (g.at_0[k].enclosure().is_undefined() || !g.over[k].is_analytic()) return blocked(name);
+    }
+  }
+  return *this;
+}
+
+magnitude end_series::supremum(int k) const {
+  if (blocked_) return magnitude::infinity();
+  return terms_[static_cast<std::size_t>(k)].over[0].magnitude_upper();
+}
+
+/// The same function with m less by so many powers: each G_k times t^powers, powers >= 0.
+end_series end_series::moved(long powers) const {
+  if (powers > 64) return blocked("a high power of the distance");
+  end_series r = *this;
+  r.m_ -= powers;
+  const double_interval side(-r_, r_);
+  for (term& g : r.terms_) {
+    const int n = g.at_0.order();
+    const centre_jet t = centre_jet::variable(exact_ball(), n);
+    const square_jet tt = square_jet::variable(region(side, side), n);
+    for (long k = 0; k < powers; ++k) {
+      g.at_0 *= t;
+      g.over *= tt;
+    }
+  }
+  return r;
+}
+
+end_series operator-(const end_series& x) {
+  if (x.blocked_) return x;
+  end_series r = x;
+  for (auto& g : r.terms_) {
+    g.at_0 = -g.at_0;
+    g.over = -g.over;
+  }
+  return r;
+}
+
+end_series operator+(const end_series& x, const end_series& y) {
+  if (x.blocked_) return x;
+  if (y.blocked_) return y;
+  const rational difference = x.m_ - y.m_;
+  if (denominator(difference) != 1) return end_series::blocked("+ (of different roots)");
+  if (difference > 0) return y + x;
+  if (difference < -64) return end_series::blocked("+ (of very different powers)");
+  end_series r = x;
+  end_series other = y.moved(static_cast<long>(-numerator(difference)));
+  if (other.blocked_) return other;
+  const int n = std::min(r.terms_.front().at_0.order(), other.terms_.front().at_0.order());
+  const std::size_t count = std::max(r.terms_.size(), other.terms_.size());
+  std::vector<end_series::term> sum;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto cut = [&](const end_series::term& g) {
+      return end_series::term{without_last(g.at_0, 0, n), without_last(g.over, 0, n)};
+    };
+    if (k >= r.terms_.size()) {
+      sum.push_back(cut(other.terms_[k]));
+    } else if (k >= other.terms_.size()) {
+      sum.push_back(cut(r.terms_[k]));
+    } else {
+      const auto a = cut(r.terms_[k]);
+      const auto b = cut(other.terms_[k]);
+      sum.push_back({a.at_0 + b.at_0, a.over + b.over});
+    }
+  }
+  r.terms_ = std::move(sum);
+  // What is 0 at every order known may have lost its logarithm: x log x - log x^x.
+  while (r.terms_.size() > 1) {
+    const auto& last = r.terms_.back();
+    bool zero = last.over[0].magnitude_upper().is_zero();
+    if (!zero) break;
+    r.terms_.pop_back();
+  }
+  return r.checked("+");
+}
+
+end_series operator*(const end_series& x, const end_series& y) {
+  if (x.blocked_) return x;
+  if (y.blocked_) return y;
+  const int n = std::min(x.terms_.front().at_0.order(), y.terms_.front().at_0.order());
+  end_series r;
+  r.blocked_ = false;
+  r.r_ = x.r_;
+  r.m_ = x.m_ + y.m_;
+  const std::size_t count = x.terms_.size() + y.terms_.size() - 1;
+  if (count > 8) return end_series::blocked("* (a high power of a logarithm)");
+  std::vector<std::optional<end_series::term>> product(count);
+  for (std::size_t i = 0; i < x.terms_.size(); ++i) {
+    for (std::size_t j = 0; j < y.terms_.size(); ++j) {
+      end_series::term g{
+          without_last(x.terms_[i].at_0, 0, n) * without_last(y.terms_[j].at_0, 0, n),
+          without_last(x.terms_[i].over, 0, n) * without_last(y.terms_[j].over, 0, n)};
+      auto& target = product[i + j];
+      if (target) {
+        target->at_0 += g.at_0;
+        target->over += g.over;
+      } else {
+        target = std::move(g);
+      }
+    }
+  }
+  for (auto& g : product) r.terms_.push_back(std::move(*g));
+  return r.checked("*");
+}
+
+end_series end_series::simplified() const {
+  end_series r = *this;
+  if (blocked_) return r;
+  const auto vanish = [&] {
+    return std::all_of(r.terms_.begin(), r.terms_.end(),
+                       [](const term& g) { return g.at_0[0].is_zero() && g.at_0.order() > 0; });
+  };
+  while (vanish()) {
+    for (term& g : r.terms_) {
+      const int n = g.at_0.order();
+      g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
+    }
+    r.m_ += 1;
+  }
+  return r;
+}
+
+bool end_series::leads_surely() const {
+  return !blocked_ && !contains_zero(terms_.back().at_0[0].enclosure());
+}
+
+end_series end_series::normalised(std::string_view name) const {
+  if (blocked_) return *this;
+  if (log_degree() != 0) return blocked(name);
+  end_series r = *this;
+  term& g = r.terms_.front();
+  while (g.at_0[0].is_zero()) {
+    const int n = g.at_0.order();
+    if (n < 1) return blocked(name);
+    g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
+    r.m_ += 1;
+  }
+  if (contains_zero(g.at_0[0].enclosure()) || g.over[0].magnitude_lower().is_zero())
+    return blocked(name);
+  return r;
+}
+
+end_series end_series::plain(std::string_view name) const {
+  if (blocked_) return *this;
+  if (log_degree() != 0) return blocked(name);
+  if (m_ == 0) return *this;
+  if (m_ > 0 && denominator(m_) == 1 && m_ <= 64) return moved(static_cast<long>(numerator(m_)));
+  if (m_ < 0) {
+    // A quotient may have hidden a zero: t^-2 (t^2 + ...).
+    end_series r = *this;
+    while (r.m_ < 0 && r.terms_.front().at_0[0].is_zero() && r.terms_.front().at_0.order() > 0) {
+      term& g = r.terms_.front();
+      const int n = g.at_0.order();
+      g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
+      r.m_ += 1;
+    }
+    if (r.m_ == 0) return r;
+  }
+  return blocked(name);
+}
+
+end_series operator/(const end_series& x, const end_series& y) {
+  if (x.blocked_) return x;
+  end_series d = y.normalised("/");
+  if (d.blocked_) return d;
+  end_series inverse = d;
+  inverse.m_ = -d.m_;
+  auto& g = inverse.terms_.front();
+  const int n = g.at_0.order();
+  g.at_0 = end_series::centre_jet::constant(exact_ball(rational(1)), n) / g.at_0;
+  g.over = end_series::square_jet::constant(region(double_interval(1)), n) / g.over;
+  return (x * inverse.checked("/")).checked("/");
+}
+
+/// f applied to both jets of a series without power and logarithm.
+template <class F>
+end_series end_series::regular(const end_series& x, std::string_view name, F&& f) {
+  end_series r = x.plain(name);
+  if (r.blocked_) return r;
+  term& g = r.terms_.front();
+  g = {f(g.at_0), f(g.over)};
+  return r.checked(name);
+}
+
+end_series sqrt(const end_series& x) { return pow(x, rational(1, 2)); }
+
+end_series pow(const end_series& x, long n) {
+  if (x.blocked_) return x;
+  if (n < 0) return x.constant_like(1) / pow(x, -n);
+  end_series result = x.constant_like(1);
+  end_series base = x;
+  for (auto k = static_cast<unsigned long>(n); k != 0; k >>= 1) {
+    if ((k & 1) != 0) result = result * base;
+    if (k > 1) base = base * base;
+  }
+  return result;
+}
+
+/// (t^m G)^e = t^(m e) exp(e log G), for G > 0 at 0.
+end_series pow(const end_series& x, const rational& e) {
+  if (x.blocked_) return x;
+  if (denominator(e) == 1 && abs(numerator(e)) <= 1'000'000'000) {
+    return pow(x, static_cast<long>(numerator(e)));
+  }
+  end_series r = x.normalised("pow");
+  if (r.blocked_) return r;
+  auto& g = r.terms_.front();
+  if (!certainly_positive(g.at_0[0].enclosure())) return end_series::blocked("pow");
+  r.m_ *= e;
+  if (e == rational(1, 2)) {
+    g = {sqrt(g.at_0), sqrt(g.over)};
+  } else {
+    g = {exp(log(g.at_0) * exact_ball(e)), exp(log(g.over) * e)};
+  }
+  return r.checked("pow");
+}
+
+end_series pow(const end_series& x, const end_series& y) { return exp(y * log(x)); }
+
+/// log(t^m G) = m L + log G.
+end_series log(const end_series& x) {
+  end_series r = x.normalised("log");
+  if (r.blocked_) return r;
+  const rational m = r.m_;
+  r.m_ = 0;
+  {
+    auto& g = r.terms_.front();
+    if (!certainly_positive(g.at_0[0].enclosure())) return end_series::blocked("log");
+    g = {log(g.at_0), log(g.over)};
+  }
+  if (m != 0) {
+    const end_series slope = r.constant_like(m);
+    r.terms_.push_back(slope.terms_.front());
+  }
+  return r.checked("log");
+}
+
+/// exp(m L + G) = t^m exp(G), where m is a known rational number: G_1 is m at 0, and its slope is 0 all over the
+/// square. Where no slope is known (at order 0) G_1 may move.
+end_series exp(const end_series& x) {
+  if (!x.blocked_ && x.log_degree() == 1 && x.m_ == 0) {
+    const auto& slope = x.terms_[1];
+    const bool is_constant = slope.at_0[0].exact().has_value() && slope.at_0.order() >= 1 &&
+                             slope.over[1].magnitude_upper().is_zero();
+    if (is_constant) {
+      end_series r = x;
+      r.m_ = *slope.at_0[0].exact();
+      r.terms_.pop_back();
+      auto& g = r.terms_.front();
+      g = {exp(g.at_0), exp(g.over)};
+      return r.checked("exp");
+    }
+  }
+  return end_series::regular(x, "exp", [](const auto& g) { return exp(g); });
+}
+
+#define POLHODE_REGULAR(f)                                                 \
+  end_series f(const end_series& x) {                                      \
+    return end_series::regular(x, #f, [](const auto& g) { return f(g); }); \
+  }
+POLHODE_REGULAR(sin)
+POLHODE_REGULAR(cos)
+POLHODE_REGULAR(tan)
+POLHODE_REGULAR(sinh)
+POLHODE_REGULAR(cosh)
+POLHODE_REGULAR(tanh)
+#undef POLHODE_REGULAR
+
+// At infinity: atan w = +-pi/2 - atan(1/w), and asinh w = +-log(|w| + sqrt(w^2 + 1)), with the sign of w.
+end_series atan(const end_series& x) {
+  const int sign = !x.blocked_ && x.m_ < 0 ? x.sign() : 0;
+  if (sign != 0) {
+    const end_series inverse = 1 / x;
+    return sign * pi(end_series::bits) / 2 -
+           end_series::regular(inverse, "atan", [](const auto& g) { return atan(g); });
+  }
+  return end_series::regular(x, "atan", [](const auto& g) { return atan(g); });
+}
+end_series asinh(const end_series& x) {
+  const int sign = !x.blocked_ && x.m_ < 0 ? x.sign() : 0;
+  if (sign < 0) return -asinh(-x);
+  if (sign > 0) return log(x + sqrt(x * x + 1));
+  return end_series::regular(x, "asinh", [](const auto& g) { return asinh(g); });
+}
+
+std::optional<long> end_series::exact_value_at_0() const {
+  const end_series p = plain("");
+  if (p.blocked_) return std::nullopt;
+  const exact_ball& c = p.terms_.front().at_0[0];
+  if (!c.exact()) return std::nullopt;
+  const rational& q = *c.exact();
+  if (denominator(q) != 1 || abs(numerator(q)) > 1'000'000'000) return std::nullopt;
+  return static_cast<long>(numerator(q));
+}
+
+// The inverse functions at the ends of their domains, by the roots that they have there:
+// acos w = 2 asin sqrt((1 - w)/2), and asin w = pi/2 - acos w, for -1 < w <= 1; asin is odd.
+end_series acos(const end_series& x) {
+  if (x.blocked_) return x;
+  const std::optional<long> start = x.exact_value_at_0();
+  if (start && *start == 1) return 2 * asin(sqrt((1 - x) / 2));
+  if (start && *start == -1) return pi(end_series::bits) - acos(-x);
+  return end_series::regular(x, "acos", [](const auto& g) { return acos(g); });
+}
+end_series asin(const end_series& x) {
+  if (x.blocked_) return x;
+  const std::optional<long> start = x.exact_value_at_0();
+  if (start && *start == 1) return pi(end_series::bits) / 2 - acos(x);
+  if (start && *start == -1) return acos(-x) - pi(end_series::bits) / 2;
+  return end_series::regular(x, "asin", [](const auto& g) { return asin(g); });
+}
+// acosh w = 2 asinh sqrt((w - 1)/2) for w >= 1; acosh w = log(w + sqrt((w - 1)(w + 1))) at infinity.
+end_series acosh(const end_series& x) {
+  if (x.blocked_) return x;
+  const std::optional<long> start = x.exact_value_at_0();
+  if (start && *start == 1) return 2 * asinh(sqrt((x - 1) / 2));
+  if (x.m_ < 0 && x.sign() > 0) return log(x + sqrt(x * x - 1));
+  return end_series::regular(x, "acosh", [](const auto& g) { return acosh(g); });
+}
+end_series atanh(const end_series& x) {
+  if (x.blocked_) return x;
+  const std::optional<long> start = x.exact_value_at_0();
+  if (start && (*start == 1 || *start == -1)) return (log(1 + x) - log(1 - x)) / 2;
+  return end_series::regular(x, "atanh", [](const auto& g) { return atanh(g); });
+}
+
+/// The sign of t^m G for 0 < t <= r: G is real there and has no zero in the square.
+int end_series::sign() const {
+  const end_series n = normalised("");
+  if (n.blocked_) return 0;
+  return certainly_positive(n.terms_.front().at_0[0].enclosure()) ? 1 : -1;
+}
+
+magnitude end_series::infimum() const {
+  if (blocked_ || log_degree() != 0) return {};
+  return terms_.front().over[0].magnitude_lower();
+}
+
+double_interval end_series::real_range() const {
+  if (blocked_) return double_interval::undefined();
+  const end_series p = plain("");
+  if (!p.blocked_) return p.terms_.front().over[0].re();
+  if (log_degree() != 0 || m_ <= 0) return double_interval::undefined();
+  // 0 < t^m <= r^m.
+  const ball power = pow(ball::exactly(r_, 64), ball(m_, 64));
+  return hull(double_interval(0), double_interval::from_ball(power)) * terms_.front().over[0].re();
+}
+
+bool end_series::is_zero() const {
+  if (blocked_) return false;
+  return std::all_of(terms_.begin(), terms_.end(),
+                     [](const term& g) { return g.over[0].magnitude_upper().is_zero(); });
+}
+
+end_series abs(const end_series& x) {
+  if (x.blocked_) return x;
+  const int s = x.sign();
+  if (s == 0) return end_series::blocked("abs");
+  return s > 0 ? x : -x;
+}
+end_series min(const end_series& x, const end_series& y) {
+  end_series difference = x - y;
+  if (difference.is_blocked()) return difference;
+  const int s = difference.sign();
+  if (s == 0) return end_series::blocked("min");
+  return s < 0 ? x : y;
+}
+end_series max(const end_series& x, const end_series& y) { return -min(-x, -y); }
+
+/// n where n < x < n + 1 for 0 < t <= r.
+end_series floor(const end_series& x) {
+  end_series p = x.plain("floor");
+  if (p.is_blocked()) return p;
+  const ball candidate = floor(p.terms_.front().at_0[0].enclosure());
+  for (const long step : {0L, -1L}) {
+    if (!candidate.is_exact()) break;
+    const ball n = candidate + step;
+    const end_series above = p - n;
+    const end_series below = (n + 1) - p;
+    if (above.sign() > 0 && below.sign() > 0) return p.constant_like(n);
+  }
+  return end_series::blocked("floor");
+}
+end_series ceil(const end_series& x) { return -floor(-x); }
+
+}  // namespace polhode

@@ -1,0 +1,828 @@
+#include "polhode/quadrature/integrate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/error_bounds.hpp"
+#include "polhode/quadrature/gauss_legendre.hpp"
+#include "segments.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+double seconds_since(clock::time_point start) {
+  return std::chrono::duration<double>(clock::now() - start).count();
+}
+
+/// About log2 of x, to search with; -1e18 for 0 and 1e18 for infinity.
+double approximate_log2(const magnitude& x) {
+  if (x.is_zero()) return -1e18;
+  if (x.is_infinite()) return 1e18;
+  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
+}
+
+/// A part of a segment, |t - centre| <= 2^-(level+1), and how its integral is to be had.
+struct panel {
+  std::size_t segment = 0;
+  rational centre;
+  long level = 0;
+
+  std::optional<ball> closed_by;  // the range of F over it, where that is enough
+  double rho = 0;      // else: F is analytic inside the Bernstein ellipse with this parameter ...
+  magnitude supremum;  // ... and this is a bound of |F| there
+  double log2_typical = 0;  // about log2 |F| at its middle, to search with
+  long nodes = 0;
+
+  [[nodiscard]] rational half_length() const {
+    integer one = 1;
+    return {integer(1), one << static_cast<unsigned>(level + 1)};
+  }
+  [[nodiscard]] panel half(int side) const {
+    panel p;
+    p.segment = segment;
+    p.level = level + 1;
+    p.centre = centre + side * p.half_length();
+    return p;
+  }
+};
+
+/// The rational number with the least denominator in [low, high], low <= high.
+rational simplest_rational(const rational& low, const rational& high) {
+  if (low <= 0 && high >= 0) return 0;
+  if (high < 0) return -simplest_rational(-high, -low);
+  const integer whole = numerator(low) / denominator(low);
+  if (rational(whole) == low) return low;
+  if (rational(whole + 1) <= high) return whole + 1;
+  return whole + 1 / simplest_rational(1 / (high - whole), 1 / (low - whole));
+}
+
+/// The regions that tile the Bernstein ellipses of one panel. Coordinates are those in which the panel
+/// is [-1, 1].
+class panel_regions {
+ public:
+  panel_regions(const segment& s, const panel& p, long& evaluations)
+      : segment_(s), panel_(p), evaluations_(evaluations) {
+    // Where doubles would not keep its points well apart, balls with enough bits do.
+    const rational half = p.half_length();
+    const precision wide = 96 + 2 * p.level;
+    const ball left = s.position(ball(rational(p.centre - half), wide));
+    const ball right = s.position(ball(rational(p.centre + half), wide));
+    const magnitude distance = (right - left).magnitude_upper();
+    magnitude size = max(left.magnitude_upper(), right.magnitude_upper());
+    for (const long end : {0L, 1L}) {  // the numbers whose sums the points are
+      const ball x = s.position(ball(end, 64));
+      if (x.is_bounded()) size = max(size, x.magnitude_upper());
+    }
+    const auto gap_of = [](const magnitude& whole, const magnitude& part) {
+      const bool finite = !whole.is_zero() && !whole.is_infinite() && !part.is_zero();
+      return finite ? whole.log2_floor() - part.log2_floor() : 0;
+    };
+    const magnitude t = ball(p.centre, 64).magnitude_upper();
+    const auto gap = static_cast<long>(
+        std::max(gap_of(size, distance), gap_of(t, magnitude::power_of_two(-p.level - 1))));
+    in_hardware_ = gap < 24 && p.level < 900;
+    if (p.level < 900) {
+      hardware_centre_ = double_interval(p.centre);
+      hardware_half_ = double_interval(std::ldexp(1.0, static_cast<int>(-p.level - 1)));
+    }
+    if (!in_hardware_) {
+      bits_ = 80 + std::max(gap, 0L) + p.level;
+      ball_centre_ = ball(p.centre, bits_);
+    }
+  }
+
+  /// F over the rectangle's part in an ellipse. Where a series for F is known, it holds on a set K; what lies
+  /// outside of K is evaluated directly. Both are one analytic function: the direct one is analytic on a
+  /// neighbourhood of the half ellipse less K, and agrees with the series along K's boundary in it, which is
+  /// connected and begins at a real t > 0, where both are the real function. Inside K the direct one need not be F
+  /// (a root may have another sign there): of a rectangle that lies partly in K, that part has the series' bound.
+  ///
+  /// Connected: for a half plane the boundary is a line's part in a convex set that is symmetric to the real axis.
+  /// For a disc around 0 it is an arc. The ellipse has its centre c and its foci c +- h on t >= 0, c >= h, and
+  /// semi-axes A >= h, B, A^2 - B^2 = h^2. On its boundary t = c + A cos u + i B sin u, 0 <= u <= pi, d|t|^2/du =
+  /// -2 sin u (c A + h^2 cos u) <= 0: |t| falls from right to left, so that the points of the half ellipse with
+  /// |t| = R have arguments from 0 up to some angle, without a gap.
+  [[nodiscard]] region operator()(double_interval re, double_interval im) const {
+    ++evaluations_;
+    if (panel_.level < 900) {
+      const double_interval t_re = hardware_centre_ + hardware_half_ * re;
+      const double_interval t_im = hardware_half_ * im;
+      if (segment_.known) {
+        if (const std::optional<known_bound> known = segment_.known(t_re, t_im)) {
+          const ball side = ball(0, 64).enlarged(known->bound);
+          const complex_ball square(side, side);
+          if (known->everywhere) return region(square);
+          region direct = in_hardware_ ? segment_.over(region(t_re, t_im)) : over_balls(re, im);
+          if (!direct.is_analytic()) return direct;
+          return region(hull(square, direct.to_complex_ball()));
+        }
+      }
+      if (in_hardware_) return segment_.over(region(t_re, t_im));
+    }
+    return over_balls(re, im);
+  }
+
+ private:
+  [[nodiscard]] region over_balls(double_interval re, double_interval im) const {
+    ball x = to_ball(re, bits_);
+    ball y = to_ball(im, bits_);
+    scale(x, x, -panel_.level - 1);
+    scale(y, y, -panel_.level - 1);
+    return segment_.over(region::in_balls({ball_centre_ + x, y}));
+  }
+
+  const segment& segment_;
+  const panel& panel_;
+  long& evaluations_;
+  bool in_hardware_ = true;
+  double_interval hardware_centre_;
+  double_interval hardware_half_;
+  precision bits_ = 0;
+  ball ball_centre_;
+};
+
+/// The Bernstein ellipse with foci -1 and 1: semi-axes (rho + 1/rho)/2 and (rho - 1/rho)/2.
+struct ellipse {
+  explicit ellipse(double parameter) : rho(parameter) {
+    const double_interval r(parameter);
+    a = (r + 1 / r) / 2;
+    b = (r - 1 / r) / 2;
+  }
+  double rho;
+  double_interval a;
+  double_interval b;
+};
+
+/// sqrt(1 - c^2) over [low, high], -1 <= low <= high <= 1.
+double_interval sine_over(double low, double high) {
+  const auto sine = [](double c) {
+    const double_interval x(c);
+    return sqrt(max(double_interval(0), (1 - x) * (1 + x)));
+  };
+  const double_interval ends = hull(sine(low), sine(high));
+  return low < 0 && high > 0 ? hull(ends, double_interval(1)) : ends;
+}
+
+struct obstacle_report {
+  obstacle why = obstacle::none;
+  std::string_view where;
+};
+
+std::string in_words(const obstacle_report& report) {
+  const std::string name(report.where);
+  switch (report.why) {
+    case obstacle::none:
+      return "a bound too large to be of use";
+    case obstacle::unknown:
+      return name + " of complex arguments is not available";
+    case obstacle::undefined:
+      return "an undefined value" + (name.empty() ? "" : " in " + name);
+    default:
+      return "the " + to_text(report.why) + " of " + name;
+  }
+}
+
+/// Proves F analytic inside an ellipse and bounds it there.
+///
+/// F is real on the panel. Where it is analytic on a neighbourhood of the closed upper half of the
+/// ellipse, Schwarz's reflection F(conj z) = conj F(z) continues it to the lower half, with the same
+/// bound. Tiles cover the upper half; by the maximum principle |F| inside is at most its supremum on the
+/// boundary, whose upper half is covered by arcs.
+class ellipse_bounds {
+ public:
+  ellipse_bounds(const panel_regions& f, int most_tiles) : f_(f), most_tiles_(most_tiles) {}
+
+  /// The bound from the tiles that prove analyticity; nothing where that failed.
+  /// A bound above the limit is as good as none.
+  [[nodiscard]] std::optional<magnitude> inside(const ellipse& e, const magnitude& limit) {
+    magnitude supremum;
+    int tiles = 0;
+    struct tile {
+      double left, right, bottom, top;  // in units of the semi-axes
+      int depth;
+    };
+    std::vector<tile> open{{-1, 0, 0, 1, 0}, {0, 1, 0, 1, 0}};
+    while (!open.empty()) {
+      const tile t = open.back();
+      open.pop_back();
+      if (++tiles > most_tiles_) return std::nullopt;
+      // The part of the tile in the ellipse.
+      const double highest = sine_over(t.left, t.right).upper();
+      if (t.bottom > highest) continue;
+      const double_interval re = e.a * double_interval(t.left, t.right);
+      const double_interval im = e.b * double_interval(t.bottom, std::min(t.top, highest));
+      const region value = f_(re, im);
+      if (value.is_analytic()) {
+        const magnitude upper = value.magnitude_upper();
+        if (upper <= limit) {
+          supremum = max(supremum, upper);
+          continue;
+        }
+        if (t.depth >= 2 || value.magnitude_lower() > limit) return std::nullopt;
+      } else {
+        note(value);
+      }
+      if (t.depth >= deepest) return std::nullopt;
+      const double width = (t.right - t.left) * e.a.upper();
+      const double height = (std::min(t.top, highest) - t.bottom) * e.b.upper();
+      if (width >= height) {
+        const double middle = (t.left + t.right) / 2;
+        open.push_back({t.left, middle, t.bottom, t.top, t.depth + 1});
+        open.push_back({middle, t.right, t.bottom, t.top, t.depth + 1});
+      } else {
+        const double middle = (t.bottom + std::min(t.top, highest)) / 2;
+        open.push_back({t.left, t.right, middle, t.top, t.depth + 1});
+        open.push_back({t.left, t.right, t.bottom, middle, t.depth + 1});
+      }
+    }
+    return supremum;
+  }
+
+  /// The bound from so many arcs of the boundary. The ellipse must have been proved analytic inside.
+  [[nodiscard]] magnitude on_boundary(const ellipse& e, int arcs) const {
+    magnitude supremum;
+    double right = 1;
+    for (int k = 1; k <= arcs; ++k) {
+      const double left = k == arcs ? -1 : std::cos(3.14159265358979 * k / arcs);
+      const region value = f_(e.a * double_interval(left, right), e.b * sine_over(left, right));
+      supremum = max(supremum, value.magnitude_upper());
+      if (supremum.is_infinite()) break;
+      right = left;
+    }
+    return supremum;
+  }
+
+  void note(const region& value) { report_ = {value.why(), value.where()}; }
+  [[nodiscard]] const obstacle_report& report() const { return report_; }
+
+ private:
+  static constexpr int deepest = 6;
+  const panel_regions& f_;
+  int most_tiles_;
+  obstacle_report report_;
+};
+
+/// About how many nodes the goal needs, to search with.
+double nodes_needed(double rho, double log2_supremum, double log2_goal) {
+  const double excess = log2_supremum + 2.1 - std::log2(1 - 1 / (rho * rho)) - log2_goal;
+  return std::max(1.0, std::ceil(excess / (2 * std::log2(rho))));
+}
+
+class integrator {
+ public:
+  /// `known` are points that were tried as cuts, or are ends of segments: they are of no interest again.
+  integrator(const preparation& prepared, const integrate_options& options,
+             const std::vector<rational>& known)
+      : segments_(prepared.segments),
+        remainder_(prepared.remainder),
+        options_(options),
+        known_points_(known) {}
+
+  integral run();
+  /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting the range
+  /// there may help.
+  [[nodiscard]] const std::vector<rational>& points_of_interest() const { return points_; }
+
+ private:
+  enum class outcome { done, too_many_evaluations, obstructed, cut_needed, precision_exhausted };
+
+  /// The panels for an error of about 2^log2_goal in all.
+  outcome plan(double log2_goal);
+  outcome plan_panel(panel p, double log2_goal);
+  double try_panel(panel& p, double log2_goal);
+  [[nodiscard]] double find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const;
+  [[nodiscard]] double mean_goal(const panel& p, double log2_goal) const;
+  [[nodiscard]] double nodes_accepted(const panel& p, double log2_goal) const;
+  outcome sum(double log2_goal);
+  [[nodiscard]] ball part_of_panel(panel& p, double share, precision most_precision,
+                                   bool& exhausted);
+  [[nodiscard]] ball sum_of_panel(const panel& p, const gauss_legendre_rule& rule) const;
+  [[nodiscard]] double log2_of_typical(const panel& p, double log2_goal) const;
+  [[nodiscard]] std::optional<rational> point_in(const panel& p) const;
+  [[nodiscard]] double log2_of_planned_size() const;
+  outcome estimate_size();
+  [[nodiscard]] magnitude least_size() const;
+  [[nodiscard]] bool reached(long digits, const magnitude& size) const;
+
+  const std::vector<segment>& segments_;
+  const ball& remainder_;
+  const integrate_options& options_;
+  const std::vector<rational>& known_points_;
+  std::vector<rational> points_;
+  bool hopeless_ = false;  // a function is not available over regions
+  std::vector<panel> panels_;
+  double planned_nodes_ = 0;
+  std::vector<double> log2_scales_;
+  long deepest_ = 0;
+  double log2_size_ = 0;  // about log2 of the integral of |f|
+  integral result_;
+};
+
+double integrator::log2_of_typical(const panel& p, double log2_goal) const {
+  // The middle and two points beside it, so that a zero of F does not mislead; with more bits where F
+  // cannot tell them from a singularity nearby.
+  double largest = -1e18;
+  const auto most = static_cast<precision>(8 * std::max(log2_size_ - log2_goal, 48.0));
+  for (precision wide = 96 + 2 * p.level; wide == 96 + 2 * p.level || wide < most; wide *= 4) {
+    const auto f = segments_[p.segment].evaluator(wide);
+    bool defined = false;
+    for (const long offset : {-5, 0, 3}) {
+      const rational t = p.centre + offset * p.half_length() / 8;
+      const ball value = f(ball(t, wide));
+      if (!value.is_bounded()) continue;
+      defined = true;
+      largest = std::max(largest, approximate_log2(value.magnitude_upper()));
+    }
+    if (defined) break;
+  }
+  return largest;
+}
+
+/// log2 of the goal for the mean of F over the panel.
+double integrator::mean_goal(const panel& p, double log2_goal) const {
+  return log2_goal - log2_scales_[p.segment] + static_cast<double>(p.level);
+}
+
+/// A panel that needs no more nodes is not worth halving.
+double integrator::nodes_accepted(const panel& p, double log2_goal) const {
+  return 0.42 * std::max(p.log2_typical - mean_goal(p, log2_goal), 8.0) + 10;
+}
+
+/// The best ellipse found around the panel, in p. The number of nodes it needs for a mean of F to 2^goal; huge where
+/// none was found.
+double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const {
+  // The price of a region's evaluation in those of f at a node.
+  const double bits = std::max(p.log2_typical - goal, 8.0);
+  const double region_price = 1 / (0.3 + std::pow(bits / 300, 1.5));
+  const double most_nodes = std::min(2 * bits, bits + 32) + 16;
+  double best_nodes = 1e18;
+  const auto consider = [&](double rho) {
+    const ellipse e(rho);
+    const double log2_limit =
+        std::clamp(goal + 2 * std::log2(rho) * std::min(most_nodes, best_nodes), -1e18, 1e18);
+    const std::optional<magnitude> inside =
+        bounds.inside(e, magnitude::power_of_two(static_cast<long>(log2_limit)));
+    if (!inside) return false;
+    magnitude supremum = *inside;
+    double nodes = nodes_needed(rho, approximate_log2(supremum), goal);
+    for (int arcs = 6; arcs * region_price < 0.5 * nodes && arcs <= 1024; arcs *= 2) {
+      supremum = min(supremum, bounds.on_boundary(e, arcs));
+      const double fewer = nodes_needed(rho, approximate_log2(supremum), goal);
+      const bool worthwhile = nodes - fewer > arcs * region_price;
+      nodes = fewer;
+      if (!worthwhile) break;
+    }
+    if (nodes < best_nodes) {
+      best_nodes = nodes;
+      p.rho = rho;
+      p.supremum = supremum;
+    }
+    return nodes <= best_nodes;
+  };
+  constexpr double first = 3;
+  constexpr double step = 1.5;
+  if (consider(first)) {
+    double rho = first;
+    while (rho < 1e4 && consider(rho * step)) rho *= step;
+  } else {
+    consider(2.2);
+  }
+  return best_nodes;
+}
+
+/// How the panel's integral is to be had, in p. The number of nodes that takes; huge where no way was found.
+double integrator::try_panel(panel& p, double log2_goal) {
+  const segment& s = segments_[p.segment];
+  const panel_regions f(s, p, result_.account.region_evaluations);
+  const double goal = mean_goal(p, log2_goal);
+  // So small that the bound is enough.
+  const region over_panel = f(double_interval(-1.0, 1.0), double_interval(0));
+  const double most = approximate_log2(over_panel.magnitude_upper());
+  if (most <= goal) {
+    p.closed_by = ball(0, 64).enlarged(over_panel.magnitude_upper());
+    return 0;
+  }
+  // Where points of the panel are too close to an end for the samples, the bound stands for them.
+  if (p.log2_typical < -1e17) p.log2_typical = most < 1e17 ? most : goal + 64;
+  constexpr long short_level = 8;  // of such a panel smaller tiles tell little more than the whole
+  ellipse_bounds bounds(f, 24);
+  if (over_panel.is_analytic() || p.level < short_level) {
+    const double nodes = find_ellipse(p, goal, bounds);
+    if (nodes < 1e17) return nodes;
+  } else {
+    bounds.note(over_panel);
+  }
+  hopeless_ = bounds.report().why == obstacle::unknown;
+  result_.obstacle = in_words(bounds.report());
+  // So short that the range of F over it is enough.
+  if (p.level >= short_level) {
+    const rational half = p.half_length();
+    const precision wide = 96 + p.level;
+    const ball t =
+        hull(ball(rational(p.centre - half), wide), ball(rational(p.centre + half), wide));
+    const ball range = s.evaluator(wide)(t);
+    if (range.is_bounded() && approximate_log2(range.radius()) <= goal - 4) {
+      p.closed_by = range;
+      return 0;
+    }
+  }
+  return 1e18;
+}
+
+integrator::outcome integrator::plan(double log2_goal) {
+  panels_.clear();
+  planned_nodes_ = 0;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    panel whole;
+    whole.segment = i;
+    whole.centre = rational(1, 2);
+    const outcome o = plan_panel(whole, log2_goal - 6);
+    if (o != outcome::done) return o;
+  }
+  return points_.empty() ? outcome::done : outcome::cut_needed;
+}
+
+/// A rational number of small denominator in the panel that is not known yet; at most one of a few
+/// neighbouring panels has the same.
+std::optional<rational> integrator::point_in(const panel& p) const {
+  const segment& s = segments_[p.segment];
+  const rational half = p.half_length();
+  const ball left = s.position(ball(rational(p.centre - half), 192));
+  const ball right = s.position(ball(rational(p.centre + half), 192));
+  const ball both = hull(left, right);
+  if (!both.is_bounded()) return std::nullopt;
+  const rational q = simplest_rational(lower_rational(both), upper_rational(both));
+  constexpr long greatest_denominator = 10'000;
+  if (denominator(q) > greatest_denominator) return std::nullopt;
+  const bool known =
+      std::find(known_points_.begin(), known_points_.end(), q) != known_points_.end();
+  return known ? std::nullopt : std::optional(q);
+}
+
+/// Appends to panels_ what covers p: itself, or what covers its halves.
+integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
+  p.log2_typical = log2_of_typical(p, log2_goal);
+  const double own_nodes = try_panel(p, log2_goal);
+  constexpr double most_nodes_of_a_rule = 28'000;  // of greatest_gauss_legendre_degree
+  const bool accepted = own_nodes <= std::min(nodes_accepted(p, log2_goal), most_nodes_of_a_rule);
+  const double evaluations = planned_nodes_ + (accepted ? own_nodes : 0) +
+                             static_cast<double>(result_.account.region_evaluations);
+  if (evaluations > static_cast<double>(options_.most_evaluations)) {
+    return outcome::too_many_evaluations;
+  }
+  if (accepted) {
+    planned_nodes_ += own_nodes;
+    panels_.push_back(std::move(p));
+    return outcome::done;
+  }
+  const double bits = std::max(log2_size_ - log2_goal, 16.0);
+  constexpr long suspicious_level = 40;
+  if (p.level == suspicious_level && own_nodes > 1e17) {
+    if (const std::optional<rational> point = point_in(p)) {
+      constexpr std::size_t most_points = 200;
+      points_.push_back(*point);
+      return points_.size() < most_points ? outcome::done : outcome::cut_needed;  // for now
+    }
+  }
+  if (p.level >= deepest_ || hopeless_) {
+    const ball x = segments_[p.segment].position(ball(p.centre, 64 + p.level));
+    result_.obstacle += " near x = " + to_decimal(x, 20);
+    return outcome::obstructed;
+  }
+  const std::size_t before = panels_.size();
+  const double nodes_before = planned_nodes_;
+  for (const int side : {-1, 1}) {
+    const outcome o = plan_panel(p.half(side), log2_goal);
+    if (o != outcome::done) return o;
+  }
+  if (own_nodes <= std::min({planned_nodes_ - nodes_before, bits + 32, most_nodes_of_a_rule})) {
+    panels_.resize(before);
+    planned_nodes_ = nodes_before + own_nodes;
+    panels_.push_back(std::move(p));
+  }
+  return outcome::done;
+}
+
+/// The rule on one panel: half-length times the sum of w_k F(centre + half-length x_k).
+ball integrator::sum_of_panel(const panel& p, const gauss_legendre_rule& rule) const {
+  const precision working = rule.bits;
+  const auto f = segments_[p.segment].evaluator(working);
+  const ball centre(p.centre, working);
+  ball sum(0, working);
+  ball offset;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    scale(offset, rule.nodes[k], -p.level - 1);
+    ball value = f(centre + offset);
+    if (k > 0 || p.nodes % 2 == 0) {  // the middle node counts once
+      value += f(centre - offset);
+    }
+    fma(sum, rule.weights[k], value, sum);
+  }
+  scale(sum, sum, -p.level - 1);
+  return sum;
+}
+
+/// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds. `exhausted` where
+/// the precision that this would take is not allowed, or does not help.
+ball integrator::part_of_panel(panel& p, double share, precision most_precision, bool& exhausted) {
+  const segment& s = segments_[p.segment];
+  const auto allowed = static_cast<double>(most_precision);
+  const double goal = share - log2_scales_[p.segment] + static_cast<double>(p.level);
+  p.nodes = gauss_legendre_degree_at_least(
+      static_cast<long>(nodes_needed(p.rho, approximate_log2(p.supremum), goal)));
+  result_.account.most_nodes = std::max(result_.account.most_nodes, p.nodes);
+  const magnitude truncation =
+      scale(gauss_legendre_error(p.nodes, ball::exactly(p.rho, 64), p.supremum), -p.level - 1);
+  double needed =
+      std::max(p.log2_typical - goal, 16.0) + 12 + std::log2(static_cast<double>(p.nodes));
+  if (needed > allowed) {
+    exhausted = true;
+    return ball(0, 64).enlarged(scale(p.supremum, -p.level)) * s.scale(64);
+  }
+  double last_radius = 1e18;
+  while (true) {
+    const auto rule = gauss_legendre(p.nodes, static_cast<precision>(std::max(needed, 53.0)));
+    const precision working = rule->bits;
+    result_.account.evaluations += p.nodes;
+    result_.account.precision = std::max(result_.account.precision, working);
+    ball part = sum_of_panel(p, *rule).enlarged(truncation) * s.scale(working);
+    const double radius = approximate_log2(part.radius());
+    if (radius <= share + 1) return part;
+    // More bits, until they do not help any more; to tell a short panel's nodes from what is beside it, they
+    // may have to be many before they do.
+    const bool helps = radius <= last_radius - 4 || last_radius > 1e17;
+    const bool stuck = !helps && working >= 128 + 2 * p.level;
+    if (stuck || working >= most_precision) {
+      exhausted = true;
+      return part;
+    }
+    last_radius = radius;
+    const auto bits_used = static_cast<double>(working);
+    needed =
+        std::min(bits_used + (helps && radius < 1e17 ? radius - share + 4 : bits_used), allowed);
+  }
+}
+
+integrator::outcome integrator::sum(double log2_goal) {
+  // Half of the goal for truncation and half for rounding, in equal shares.
+  const double share = log2_goal - std::log2(static_cast<double>(panels_.size())) - 1.5;
+  const double bits = std::max(log2_size_ - log2_goal, 16.0);
+  const auto result_bits = static_cast<precision>(bits) + 64;
+  const auto most_precision =
+      options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
+  ball total = remainder_.with_precision(result_bits);
+  bool exhausted = false;
+  for (panel& p : panels_) {
+    if (p.closed_by) {
+      ball part = *p.closed_by;
+      scale(part, part, -p.level);
+      total += part * segments_[p.segment].scale(result_bits);
+    } else {
+      total += part_of_panel(p, share, most_precision, exhausted);
+    }
+  }
+  result_.account.panels = static_cast<long>(panels_.size());
+  const bool better =
+      result_.enclosure.is_undefined() || total.radius() < result_.enclosure.radius();
+  if (better) result_.enclosure = total;
+  return exhausted ? outcome::precision_exhausted : outcome::done;
+}
+
+/// The radius is at most 10^-digits of the size.
+bool integrator::reached(long digits, const magnitude& size) const {
+  const magnitude radius = result_.enclosure.radius();
+  if (radius.is_infinite()) return false;
+  return multiply_up(radius, pow(ball(10, 64), digits).magnitude_upper()) <= size;
+}
+
+/// A lower bound of the integral of |f|: from the ranges of F over pieces of the panels.
+magnitude integrator::least_size() const {
+  constexpr long log2_pieces = 4;
+  magnitude size;
+  for (const panel& p : panels_) {
+    const segment& s = segments_[p.segment];
+    const precision wide = 96 + p.level;
+    const auto f = s.evaluator(wide);
+    const ball piece = hull(ball(-1, wide), ball(1, wide));
+    magnitude sum;
+    for (long k = 1 - (1L << log2_pieces); k < 1L << log2_pieces; k += 2) {
+      const ball t = p.centre + scale(piece + k, -p.level - 1 - log2_pieces);
+      sum = add_down(sum, f(t).magnitude_lower());
+    }
+    const magnitude mean = multiply_down(sum, s.scale(wide).magnitude_lower());
+    size = add_down(size, scale(mean, -p.level - log2_pieces));
+  }
+  return size;
+}
+
+/// log2 of the largest contribution that a panel of the plan makes.
+double integrator::log2_of_planned_size() const {
+  double size = -1e18;
+  for (const panel& p : panels_) {
+    size = std::max(size, p.log2_typical + log2_scales_[p.segment] - static_cast<double>(p.level));
+  }
+  return size;
+}
+
+/// An estimate of log2 of the integral of |f|, by samples; and by a coarse plan, where the bounds of |f|
+/// say that the samples may have missed the most of it.
+integrator::outcome integrator::estimate_size() {
+  double samples = -1e18;
+  double bound = -1e18;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto f = segments_[i].evaluator(64);
+    for (long k = 1; k < 16; k += 2) {
+      const ball value = f(ball(rational(k, 16), 64));
+      if (value.is_bounded()) {
+        samples =
+            std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
+      }
+    }
+    for (long k = 5; k < 14; ++k) {  // a piece may have the most of its size near t = 0
+      ball t(1, 64);
+      scale(t, t, -k);
+      const ball value = f(t);
+      if (value.is_bounded()) {
+        samples = std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] -
+                                        static_cast<double>(k));
+      }
+    }
+    ++result_.account.region_evaluations;
+    const region all = segments_[i].over(region(double_interval(0.0, 1.0)));
+    bound = std::max(bound, approximate_log2(all.magnitude_upper()) + log2_scales_[i]);
+  }
+  log2_size_ = samples > -1e17 ? samples : 0;
+  if (bound <= samples + 16 || bound > 1e17) return outcome::done;
+  // The bound is never too small: lower it until a plan finds something of about its size.
+  log2_size_ = bound;
+  for (double step = 64; log2_size_ > samples; step *= 2) {
+    const double goal = log2_size_ - 8;
+    const outcome o = plan(goal);
+    if (o != outcome::done) return o;
+    const double size = log2_of_planned_size();
+    if (size >= goal - 8) {
+      log2_size_ = size;
+      break;
+    }
+    log2_size_ = std::max(samples, log2_size_ - step);
+  }
+  return outcome::done;
+}
+
+integral integrator::run() {
+  const double log2_digits = static_cast<double>(options_.digits) * std::log2(10.0);
+  for (const segment& s : segments_) {
+    // With as many bits as tell a short range's ends apart.
+    precision p = 64;
+    while (p < 40'000 && s.scale(p).magnitude_lower().is_zero()) p *= 2;
+    log2_scales_.push_back(approximate_log2(s.scale(p).magnitude_upper()));
+  }
+  deepest_ = options_.most_depth.value_or(static_cast<long>(420 + 1.1 * log2_digits));
+  auto start = clock::now();
+  outcome o = estimate_size();
+  double log2_goal = log2_size_ - log2_digits;
+  if (options_.absolute_exponent) {
+    log2_goal = std::max(log2_goal, static_cast<double>(*options_.absolute_exponent));
+  }
+  double lowest_goal = log2_goal - log2_digits;  // where a value counts as 0
+  bool lowest_is_proved = false;
+  for (int attempts = 0; attempts < 6; ++attempts) {
+    if (o == outcome::done) o = plan(log2_goal);
+    result_.account.seconds_for_bounds += seconds_since(start);
+    start = clock::now();
+    if (o == outcome::done) o = sum(log2_goal - 1);
+    result_.account.seconds_for_sums += seconds_since(start);
+    start = clock::now();
+    if (o == outcome::too_many_evaluations) {
+      result_.why = reason::evaluation_limit;
+      result_.obstacle = "more evaluations needed than allowed";
+      return result_;
+    }
+    if (o == outcome::obstructed || o == outcome::cut_needed) {
+      result_.why = reason::not_analytic;
+      return result_;
+    }
+    result_.obstacle.clear();
+    const magnitude radius = result_.enclosure.radius();
+    if (reached(options_.digits, result_.enclosure.magnitude_lower()) ||
+        (options_.absolute_exponent &&
+         radius <= magnitude::power_of_two(*options_.absolute_exponent))) {
+      result_.verdict = status::certified;
+      return result_;
+    }
+    if (o == outcome::precision_exhausted) {
+      result_.why = reason::precision_limit;
+      return result_;
+    }
+    // The value is smaller than its integrand led to expect.
+    const double value = approximate_log2(result_.enclosure.magnitude_upper());
+    if (log2_goal <= lowest_goal + 2) {
+      // 10^-digits of the integral of |f| stands for the value.
+      const magnitude size = least_size();
+      if (reached(2 * options_.digits, size)) {
+        result_.verdict = status::certified;
+        return result_;
+      }
+      if (lowest_is_proved || size.is_zero()) break;
+      lowest_is_proved = true;
+      lowest_goal = approximate_log2(size) - 2 * log2_digits - 3;
+    }
+    log2_goal = std::max(std::min(value - log2_digits, log2_goal) - 3, lowest_goal);
+  }
+  result_.why = reason::precision_limit;
+  return result_;
+}
+
+}  // namespace
+
+affine_map::affine_map(limit a, limit b)
+    : a_(std::move(a)), b_(std::move(b)), a_hardware_(a_.at(64)), length_hardware_(length(128)) {}
+
+region affine_map::operator()(const region& t) const {
+  if (t.is_in_hardware()) return a_hardware_ + length_hardware_ * t;
+  const precision p = t.precision();
+  return a_.at(p) + length(p) * t;
+}
+
+ball affine_map::operator()(const ball& t) const {
+  const precision p = t.precision();
+  return a_.at(p) + length(p) * t;
+}
+
+namespace {
+/// a < q < b, certainly: what is proved of f at q is said of the integral.
+bool is_inside(const rational& q, const limit& a, const limit& b) {
+  const precision p = 192;
+  const ball x(q, p);
+  return (a.infinite_sign() < 0 || certainly_less(a.at(p), x)) &&
+         (b.infinite_sign() > 0 || certainly_less(x, b.at(p)));
+}
+}  // namespace
+
+integral integrate_function(const integrand& f, const limit& a, const limit& b,
+                            const integrate_options& options) {
+  if (options.digits < 1) throw std::invalid_argument("integrate: digits must be at least 1");
+  integral result;
+  if (a.is_exact() && b.is_exact() && a.exact_value() == b.exact_value()) {
+    result.enclosure = ball(0, 64);
+    result.verdict = status::certified;
+    return result;
+  }
+  const bool same_infinity = a.infinite_sign() != 0 && a.infinite_sign() == b.infinite_sign();
+  if (same_infinity) {
+    throw std::invalid_argument("integrate: both limits are the same infinity");
+  }
+  for (const limit& end : {a, b}) {
+    if (end.infinite_sign() == 0 && !end.at(64).is_bounded()) {
+      result.why = reason::not_defined;
+      result.obstacle = "a limit is not a number";
+      return result;
+    }
+  }
+  const bool infinite = a.infinite_sign() != 0 || b.infinite_sign() != 0;
+  if (a.infinite_sign() > 0 || b.infinite_sign() < 0 ||
+      (!infinite && certainly_less(b.at(128), a.at(128)))) {
+    result = integrate_function(f, b, a, options);
+    result.enclosure = -result.enclosure;
+    return result;
+  }
+  long bits = bits_for_digits(options.digits);
+  std::vector<rational> cuts;   // where the range is cut, in order
+  std::vector<rational> known;  // these, the limits, and points where cutting does not help
+  for (const limit& end : {a, b}) {
+    if (end.is_exact()) known.push_back(end.exact_value());
+  }
+  constexpr std::size_t most_points = 2000;
+  for (int attempts = 0; attempts < 3;) {
+    const preparation prepared = prepare(f, a, b, cuts, bits);
+    if (prepared.why != reason::none) {
+      result.why = prepared.why;
+      result.obstacle = prepared.obstacle;
+      return result;
+    }
+    integrator work(prepared, options, known);
+    result = work.run();
+    if (!work.points_of_interest().empty() && known.size() < most_points) {
+      for (const rational& q : work.points_of_interest()) {
+        if (std::find(known.begin(), known.end(), q) != known.end()) continue;
+        known.push_back(q);
+        if (is_inside(q, a, b) && can_cut_at(f, q)) cuts.push_back(q);
+      }
+      std::sort(cuts.begin(), cuts.end());
+      continue;
+    }
+    const bool tail_too_large = prepared.has_tail && result.why == reason::precision_limit;
+    if (result.verdict == status::certified || !tail_too_large) break;
+    bits *= 2;
+    ++attempts;
+  }
+  return result;
+}
+
+}  // namespace polhode::detail

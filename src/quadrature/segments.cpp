@@ -1,0 +1,422 @@
+#include "segments.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+/// A limit moved: from it, in the direction of the other one.
+struct end_of_range {
+  limit at;        // p; for an infinite end, 0
+  limit distance;  // s: the argument is p + s t^q, 0 < t <= 1; at infinity s t^q with q < 0
+  bool infinite = false;
+};
+
+/// How an end is dealt with.
+enum class manner { regular, power, exponential, divergent, unknown };
+
+struct end_plan {
+  manner how = manner::unknown;
+  long q = 1;
+  double r = 0;           // the series holds for |Re t|, |Im t| <= r
+  rational exponent = 0;  // M: F(t) = t^M (G_0 + L G_1 + ...) with the substitution's factor in it
+  std::vector<magnitude> bounds;  // of |G_k|
+  std::string obstacle;
+};
+
+/// |q| t^(q-1) f(p + s t^q): the exponent and the bounds from the series of f.
+end_plan plan_from_series(const end_series& series, long q, double r) {
+  const end_series h = series.simplified();
+  end_plan plan;
+  plan.q = q;
+  plan.r = r;
+  plan.exponent = h.exponent() + (q - 1);
+  const auto factor = magnitude::from_integer_up(static_cast<std::uint64_t>(std::abs(q)));
+  for (int k = 0; k <= h.log_degree(); ++k) {
+    plan.bounds.push_back(multiply_up(h.supremum(k), factor));
+  }
+  const bool integrable = plan.exponent > -1;
+  const bool is_power = h.log_degree() == 0 && denominator(plan.exponent) == 1;
+  if (!integrable) {
+    plan.how = h.leads_surely() ? manner::divergent : manner::unknown;
+    plan.obstacle = "a coefficient that may be 0";
+  } else {
+    plan.how = is_power ? manner::power : manner::exponential;
+  }
+  return plan;
+}
+
+exact_ball exactly(const limit& x) {
+  return x.is_exact() ? exact_ball(x.exact_value()) : exact_ball(x.at(192));
+}
+
+/// Looks at f near an end. Tries substitutions x = p + s t^q for small q, and squares of several sizes.
+end_plan look_at_end(const integrand& f, const end_of_range& end) {
+  constexpr std::array<long, 6> roots{1, 2, 3, 4, 5, 6};
+  constexpr std::array<double, 6> sizes{0.5, 0.25, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32};
+  const exact_ball p = exactly(end.at);
+  const exact_ball s = exactly(end.distance);
+  end_plan best;
+  for (const long root : roots) {
+    const long q = end.infinite ? -root : root;
+    for (const double r : sizes) {
+      const end_series h = f.near_end(end_series::argument(p, s, q, r));
+      if (h.is_blocked()) {
+        if (best.obstacle.empty()) best.obstacle = std::string(h.where());
+        continue;
+      }
+      end_plan plan = plan_from_series(h, q, r);
+      if (plan.how == manner::power) return plan;
+      if (best.how == manner::unknown) best = plan;
+      break;  // a smaller square does not change the exponents
+    }
+  }
+  return best;
+}
+
+/// Whether f is analytic on a neighbourhood of the end, by regions alone.
+bool is_regular(const integrand& f, const end_of_range& end) {
+  const double_interval side(-0x1p-10, 0x1p-10);
+  const precision p = 192;
+  const complex_ball t{to_ball(side, p), to_ball(side, p)};
+  const region x = end.at.at(p) + end.distance.at(p) * region::in_balls(t);
+  return f.over(x).is_analytic();
+}
+
+/// x = p + s t^q for 0 < t <= 1, with the series' bound near t = 0.
+segment power_segment(const integrand& f, const end_of_range& end, const end_plan& plan) {
+  segment result;
+  const long q = plan.q;
+  const auto argument = [end, q](const region& t) {
+    const precision bits = t.precision() + 11;
+    return end.at.at(bits) + end.distance.at(bits) * pow(t, q);
+  };
+  result.over = [=](const region& t) { return f.over(argument(t)) * pow(t, q - 1); };
+  result.evaluator = [=](precision bits) -> std::function<ball(const ball&)> {
+    return
+        [p = end.at.at(bits), s = end.distance.at(bits), q, g = f.evaluator(bits)](const ball& t) {
+          const ball power = pow(t, q - 1);
+          return g(p + s * (power * t)) * power;
+        };
+  };
+  // dx = s q t^(q-1) dt, and for q < 0 t runs from infinity's side.
+  result.scale = [=](precision bits) { return end.distance.at(bits) * std::abs(q); };
+  result.position = [=](const ball& t) {
+    const precision bits = t.precision();
+    return end.at.at(bits) + end.distance.at(bits) * pow(t, q);
+  };
+  if (plan.how == manner::power) {
+    const double reach = plan.r;
+    // t < 1: a lower power will do where the power is so high that counting it out takes long.
+    const auto m = static_cast<long>(std::min(integer(numerator(plan.exponent)), integer(4096)));
+    // The factor q is in the scale.
+    const magnitude bound = divide_up(
+        plan.bounds.front(), magnitude::from_integer_down(static_cast<std::uint64_t>(std::abs(q))));
+    result.known = [=](double_interval re, double_interval im) -> std::optional<known_bound> {
+      const double_interval distance = hypot(re, im);
+      if (distance.lower() >= reach) return std::nullopt;
+      const bool everywhere = distance.upper() < reach;
+      const double most = everywhere ? distance.upper() : reach;
+      const magnitude t = to_ball(double_interval(most), 64).magnitude_upper();
+      magnitude result_bound = bound;
+      for (long k = 0; k < m; ++k) result_bound = multiply_up(result_bound, t);
+      return known_bound{result_bound, everywhere};
+    };
+  }
+  return result;
+}
+
+/// x = p + s t^q for r0 <= t <= 1: t = r0 + (1 - r0) v.
+segment segment_beyond(double r0, const integrand& f, const end_of_range& end, end_plan plan) {
+  plan.how = manner::regular;
+  const segment whole = power_segment(f, end, plan);
+  const ball start = ball::exactly(r0, 64);
+  const ball width = 1 - start;  // exact: r0 is a power of two
+  const auto t_of = [=](const auto& v) { return start + width * v; };
+  segment result;
+  result.over = [=](const region& v) { return whole.over(t_of(v)); };
+  result.evaluator = [=](precision p) -> std::function<ball(const ball&)> {
+    return [=, g = whole.evaluator(p)](const ball& v) { return g(t_of(v)); };
+  };
+  result.scale = [=](precision p) { return whole.scale(p) * width; };
+  result.position = [=](const ball& v) { return whole.position(t_of(v)); };
+  return result;
+}
+
+/// x = p + s t^q with t = r0 e^(-w), 0 <= w <= W, w = W v: what lies within t <= r0 of the end, for
+/// functions with logarithms or odd powers there. Beyond W, the remainder.
+///
+/// F dt = -t F(t) dw, and |t F(t)| <= |t|^(M+1) sum of B_k |log t|^k, |log t| <= |log r0| + |w|, for
+/// |t| < r, whatever the argument of t: the series is continued with it.
+segment exponential_segment(const integrand& f, const end_of_range& end, const end_plan& plan,
+                            double r0, double length, ball& remainder) {
+  segment result;
+  const long q = plan.q;
+  result.over = [=](const region& v) {
+    const region t = exp(v * ball::exactly(-length)) * ball::exactly(r0);
+    const precision bits = t.precision() + 11;
+    const region x = end.at.at(bits) + end.distance.at(bits) * pow(t, q);
+    return f.over(x) * pow(t, q);
+  };
+  result.evaluator = [=](precision bits) -> std::function<ball(const ball&)> {
+    return [p = end.at.at(bits), s = end.distance.at(bits), q, g = f.evaluator(bits), length,
+            r0](const ball& v) {
+      const ball t = exp(v * ball::exactly(-length)) * ball::exactly(r0);
+      const ball power = pow(t, q);
+      return g(p + s * power) * power;
+    };
+  };
+  result.scale = [=](precision bits) {
+    return end.distance.at(bits) * std::abs(q) * ball::exactly(length).with_precision(bits);
+  };
+  result.position = [=](const ball& v) {
+    const precision bits = v.precision();
+    return end.at.at(bits) +
+           end.distance.at(bits) * pow(exp(v * ball::exactly(-length)) * ball::exactly(r0), q);
+  };
+  const ball c = ball(rational(plan.exponent + 1), 64);
+  const ball start = abs(log(ball::exactly(r0, 64)));
+  const double reach = plan.r;
+  const auto factor = magnitude::from_integer_down(static_cast<std::uint64_t>(std::abs(q)));
+  result.known = [=](double_interval re, double_interval im) -> std::optional<known_bound> {
+    const double_interval w_re = re * double_interval(length);
+    const double_interval w_im = im * double_interval(length);
+    const double_interval t = exp(-w_re) * double_interval(r0);
+    if (t.lower() >= reach) return std::nullopt;
+    const bool everywhere = t.upper() < reach;
+    const ball log_t = start + to_ball(hypot(w_re, w_im), 64);
+    ball sum(0, 64);
+    for (std::size_t k = 0; k < plan.bounds.size(); ++k) {
+      ball bound(0, 64);
+      bound = bound.enlarged(divide_up(plan.bounds[k], factor));
+      sum += bound * pow(log_t, static_cast<long>(k));
+    }
+    // |t|^(M+1) = exp((M+1) (log r0 - Re w)), and |t| < reach.
+    const ball size = everywhere ? exp(c * (log(ball::exactly(r0, 64)) - to_ball(w_re, 64)))
+                                 : exp(c * log(ball::exactly(reach, 64)));
+    return known_bound{(sum * size).magnitude_upper(), everywhere};
+  };
+  // The integral over w > W of e^(-c w) (a + w)^k dw, c = M + 1, a = |log r0|, by parts:
+  // e^(-c W) sum over j <= k of k!/(k-j)! (a + W)^(k-j) / c^(j+1).
+  const ball w = ball::exactly(length, 64);
+  ball tail(0, 64);
+  for (std::size_t k = 0; k < plan.bounds.size(); ++k) {
+    ball sum(0, 64);
+    ball falling(1, 64);
+    for (std::size_t j = 0; j <= k; ++j) {
+      sum += falling * pow(start + w, static_cast<long>(k - j)) / pow(c, static_cast<long>(j + 1));
+      falling *= static_cast<long>(k - j);
+    }
+    ball bound(0, 64);
+    tail += bound.enlarged(plan.bounds[k]) * sum;
+  }
+  tail *= exp(c * (log(ball::exactly(r0, 64)) - w)) * end.distance.at(64);
+  remainder = remainder + ball(0, 64).enlarged(tail.magnitude_upper());
+  return result;
+}
+
+segment affine_segment(const integrand& f, const limit& a, const limit& b) {
+  segment whole;
+  const affine_map x(a, b);
+  whole.over = [=](const region& t) { return f.over(x(t)); };
+  whole.evaluator = [=](precision p) -> std::function<ball(const ball&)> {
+    return [a = x.start(p), length = x.length(p), g = f.evaluator(p)](const ball& t) {
+      ball argument;
+      fma(argument, length, t, a);
+      return g(argument);
+    };
+  };
+  whole.scale = [=](precision p) { return x.length(p); };
+  whole.position = [=](const ball& t) { return x(t); };
+  return whole;
+}
+
+limit sum_of(const limit& a, const limit& b, const rational& factor) {
+  if (a.is_exact() && b.is_exact()) {
+    return limit(rational(a.exact_value() + b.exact_value() * factor));
+  }
+  return limit([=](precision p) { return a.at(p) + b.at(p) * factor; });
+}
+limit difference(const limit& a, const limit& b) { return sum_of(a, -b, 1); }
+
+/// About log2 of the largest |f| at a few points p + s t; 0 where f is undefined or 0 at all of them.
+double log2_of_samples(const integrand& f, const ball& p, const ball& s,
+                       std::initializer_list<long> eighths) {
+  const auto at = f.evaluator(64);
+  double size = -1e18;
+  for (const long k : eighths) {
+    const ball value = at(p + s * k / 8);
+    if (value.is_bounded() && !value.magnitude_upper().is_zero()) {
+      size = std::max(size, static_cast<double>(value.magnitude_upper().log2_floor()));
+    }
+  }
+  return size < -1e17 ? 0 : size;
+}
+
+/// The least Y = 1/t >= 1/r, to about a tenth, at which what is left is at most `goal`; 0 where there is none.
+double cut_for(const std::function<magnitude(const ball& y)>& left, double r,
+               const magnitude& goal) {
+  const auto enough = [&](double y) { return left(ball::exactly(y, 64)) <= goal; };
+  double high = 1 / r;
+  while (high < 0x1p40 && !enough(high)) high *= 2;
+  if (!enough(high)) return 0;
+  double low = high / 2;
+  for (int k = 0; k < 6 && low >= 1 / r; ++k) {
+    const double middle = (low + high) / 2;
+    (enough(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+/// A function that decays exponentially: at infinity, from x = s on, or at a finite end p, as exp(-1/x) at 0.
+/// It is cut off where the rest is less than about 2^-bits of the largest value seen.
+bool add_decaying_part(preparation& result, const integrand& f, const end_of_range& end,
+                       int direction, long bits) {
+  const ball s = end.distance.at(192);
+  const ball p = end.at.at(192);
+  const double size =
+      end.infinite
+          ? log2_of_samples(f, p.with_precision(64), s.with_precision(64), {8, 9, 12, 20, 40})
+          : log2_of_samples(f, p.with_precision(64), s.with_precision(64), {1, 2, 4, 7, 8});
+  const magnitude goal =
+      magnitude::power_of_two(static_cast<long>(size - 1.05 * static_cast<double>(bits) - 48));
+  for (const double r : {0.5, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-24}) {
+    const tail_series tail = f.near_infinity(
+        end.infinite ? tail_series::argument(exactly(end.distance), r)
+                     : tail_series::argument(exactly(end.at), exactly(end.distance), r));
+    if (tail.is_blocked()) continue;
+    const auto left = [&](const ball& y) {
+      return end.infinite ? tail.integral_beyond(y) : tail.integral_before(y);
+    };
+    const double y = cut_for(left, r, goal);
+    if (y == 0) continue;
+    const magnitude rest = multiply_up(left(ball::exactly(y, 64)), s.magnitude_upper());
+    result.remainder = result.remainder.enlarged(rest);
+    result.has_tail = true;
+    const rational exact_y = lower_rational(ball::exactly(y, 64));
+    const limit start = sum_of(end.at, end.distance, 1);
+    const limit far = sum_of(end.at, end.distance, end.infinite ? exact_y : rational(1 / exact_y));
+    const bool away = (direction > 0) == end.infinite;  // from start to far, as the integral runs
+    result.segments.push_back(away ? affine_segment(f, start, far) : affine_segment(f, far, start));
+    return true;
+  }
+  return false;
+}
+
+/// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away from the end
+/// as the integral does.
+void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
+              long bits) {
+  const auto add = [&](segment s) {
+    if (direction < 0) {
+      s.scale = [scale = s.scale](precision p) { return -scale(p); };
+    }
+    result.segments.push_back(std::move(s));
+  };
+  const end_plan plan = look_at_end(f, end);
+  const std::string place =
+      end.infinite ? std::string("infinity") : "x = " + to_decimal(end.at.at(96), 20);
+  switch (plan.how) {
+    case manner::power:
+      add(power_segment(f, end, plan));
+      return;
+    case manner::exponential: {
+      // From t = 1 to r0 without, and from there with the exponential.
+      const double r0 = plan.r / 8;
+      const double c = static_cast<double>(numerator(plan.exponent) + denominator(plan.exponent)) /
+                       static_cast<double>(denominator(plan.exponent));
+      const double length = std::ceil((1.05 * static_cast<double>(bits) + 48) * 0.6931 / c);
+      ball remainder(0, 64);
+      add(exponential_segment(f, end, plan, r0, length, remainder));
+      result.remainder += direction < 0 ? -remainder : remainder;
+      result.has_tail = true;
+      add(segment_beyond(r0, f, end, plan));
+      return;
+    }
+    case manner::divergent:
+      result.why = reason::not_integrable;
+      result.obstacle = "the integrand grows too fast at " + place;
+      return;
+    default:
+      break;
+  }
+  if (add_decaying_part(result, f, end, direction, bits)) return;
+  if (end.infinite) {
+    result.why = reason::not_analytic;
+    result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";
+    return;
+  }
+  add(affine_segment(f, end.at, sum_of(end.at, end.distance, 1)));
+}
+
+}  // namespace
+
+bool can_cut_at(const integrand& f, const rational& q) {
+  for (const long side : {-1L, 1L}) {
+    if (look_at_end(f, {limit(q), limit(side), false}).how != manner::unknown) continue;
+    const tail_series near =
+        f.near_infinity(tail_series::argument(exact_ball(q), exact_ball(rational(side)), 0x1p-8));
+    if (near.is_blocked() || near.integral_before(ball(1L << 20, 64)).is_infinite()) return false;
+  }
+  return true;
+}
+
+preparation prepare(const integrand& f, const limit& a, const limit& b,
+                    const std::vector<rational>& cuts, long bits) {
+  preparation result;
+  const auto from_left = [&](const limit& left, const limit& right) {
+    add_part(result, f, {left, difference(right, left), false}, 1, bits);
+  };
+  const auto from_right = [&](const limit& left, const limit& right) {
+    add_part(result, f, {right, difference(left, right), false}, -1, bits);
+  };
+  const auto finite = [&](const limit& left, const limit& right) {
+    const limit length = difference(right, left);
+    const bool left_regular = is_regular(f, {left, length, false});
+    const bool right_regular = is_regular(f, {right, difference(left, right), false});
+    if (left_regular && right_regular) {
+      result.segments.push_back(affine_segment(f, left, right));
+    } else if (right_regular) {
+      from_left(left, right);
+    } else if (left_regular) {
+      from_right(left, right);
+    } else {
+      const limit middle = sum_of(left, length, rational(1, 2));
+      from_left(left, middle);
+      from_right(middle, right);
+    }
+  };
+  const auto finite_with_cuts = [&](const limit& left, const limit& right) {
+    limit start = left;
+    for (const rational& q : cuts) {
+      const limit cut(q);
+      finite(start, cut);
+      start = cut;
+    }
+    finite(start, right);
+  };
+  const auto to_infinity = [&](const limit& start, int sign) {
+    // The part from sign * infinity to sign * 2^e, beyond the start and every cut: f is asked for nothing
+    // on the other side of the start.
+    magnitude reach = start.at(64).magnitude_upper();
+    for (const rational& q : cuts) reach = max(reach, ball(q, 64).magnitude_upper());
+    const auto e = static_cast<unsigned long>(
+        reach.is_zero() ? 0 : std::max(reach.log2_floor() + 1, std::int64_t{0}));
+    integer c;
+    mpz_ui_pow_ui(c.backend().data(), 2, e);
+    limit point(rational(sign * c));
+    add_part(result, f, {limit(0), point, true}, sign, bits);
+    return point;
+  };
+  const bool both = a.infinite_sign() != 0 && b.infinite_sign() != 0;
+  const limit left = a.infinite_sign() != 0 ? to_infinity(both ? limit(0) : b, -1) : a;
+  const limit right = b.infinite_sign() != 0 ? to_infinity(both ? limit(0) : a, 1) : b;
+  finite_with_cuts(left, right);
+  return result;
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,28 @@
+#pragma once
+
+// From a function and its limits to analytic pieces: what happens at the ends.
+
+#include "polhode/quadrature/integrate.hpp"
+
+namespace polhode::detail {
+
+/// The pieces of an integral, and what they leave out.
+struct preparation {
+  std::vector<segment> segments;
+  /// Holds the sum of what the segments do not cover: tails beyond where they are cut off.
+  ball remainder = ball(0, 64);
+  /// A tail was cut off for the given number of bits; more bits make it smaller.
+  bool has_tail = false;
+  reason why = reason::none;  // where it cannot be done
+  std::string obstacle;
+};
+
+/// The range from a to b, cut at points between them, in increasing order. a < b as far as is known, or
+/// neither is infinite. The tails, where there are any, are made smaller than about 2^-bits of the rest.
+[[nodiscard]] preparation prepare(const integrand& f, const limit& a, const limit& b,
+                                  const std::vector<rational>& cuts, long bits);
+
+/// On both sides of q, f is known by a series, or is known to grow too fast there.
+[[nodiscard]] bool can_cut_at(const integrand& f, const rational& q);
+
+}  // namespace polhode::detail

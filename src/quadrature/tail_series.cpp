@@ -1,0 +1,257 @@
+#include "polhode/quadrature/tail_series.hpp"
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+/// The number itself; undefined for an infinity.
+ball exactly(const magnitude& x) {
+  if (x.is_infinite()) return ball::undefined(64);
+  ball r(static_cast<long>(x.fraction()), 64);
+  if (!x.is_zero()) scale(r, r, static_cast<long>(x.exponent()));
+  return r;
+}
+
+double_interval outward(const ball& x) { return double_interval::from_ball(x); }
+
+}  // namespace
+
+tail_series tail_series::argument(const detail::exact_ball& s, double r) {
+  const double most = std::min(r, 1.0);
+  const end_series x = end_series::argument(detail::exact_ball(), s, -1, most);
+  return {std::nullopt, x, x.constant_like(1), double_interval(1), most};
+}
+
+tail_series tail_series::argument(const detail::exact_ball& a, const detail::exact_ball& s,
+                                  double r) {
+  const end_series x = end_series::argument(a, s, 1, r);
+  return {std::nullopt, x, x.constant_like(1), double_interval(1), r};
+}
+
+tail_series tail_series::blocked(std::string_view where) const {
+  return {std::nullopt, end_series::blocked(where), one_, double_interval(1), r_};
+}
+
+void tail_series::settle() {
+  if (is_blocked()) return;
+  if (u_.is_undefined()) {
+    h_ = end_series::blocked("a function's range");
+    return;
+  }
+  if (!phi_) return;
+  *phi_ = phi_->simplified();
+  if (phi_->is_zero()) {
+    phi_.reset();
+  } else if (phi_->exponent() >= 0) {
+    h_ = h_ * exp(*phi_);
+    phi_.reset();
+  }
+}
+
+tail_series operator-(const tail_series& x) { return x.with(x.phi_, -x.h_, x.u_); }
+
+tail_series operator*(const tail_series& x, const tail_series& y) {
+  if (x.is_blocked()) return x;
+  if (y.is_blocked()) return y;
+  std::optional<end_series> phi = x.phi_;
+  if (y.phi_) phi = phi ? *phi + *y.phi_ : *y.phi_;
+  const bool both = x.has_no_factor() && y.has_no_factor();
+  return x.with(std::move(phi), x.h_ * y.h_, both ? double_interval(1) : x.u_ * y.u_);
+}
+
+tail_series operator/(const tail_series& x, const tail_series& y) {
+  if (y.is_blocked()) return y;
+  const bool exact = y.has_no_factor();
+  std::optional<end_series> phi;
+  if (y.phi_) phi = -*y.phi_;
+  return x * y.with(std::move(phi), 1 / y.h_, exact ? double_interval(1) : 1 / y.u_);
+}
+
+/// With the greater exponential in front: e^phi h (U + (g/h) V e^delta), where delta = -c y^mu times at
+/// least 1 and |g/h| <= B y^P as for integral_beyond, and y^P e^(-c y^mu) decreases for y >= 1/r.
+tail_series operator+(const tail_series& x, const tail_series& y) {
+  if (x.is_blocked()) return x;
+  if (y.is_blocked()) return y;
+  std::optional<end_series> delta;
+  if (x.phi_ || y.phi_) {
+    delta = (y.phi_ ? *y.phi_ : y.one_ * 0) - (x.phi_ ? *x.phi_ : x.one_ * 0);
+    *delta = delta->simplified();
+    if (delta->is_blocked()) return x.blocked("+");
+    if (delta->is_zero()) delta.reset();
+  }
+  if (!delta || delta->exponent() >= 0) {
+    // y in terms of x's exponential.
+    const end_series h = delta ? y.h_ * exp(*delta) : y.h_;
+    if (h.is_blocked()) return x.blocked("+ (of exponentials)");
+    if (x.has_no_factor() && y.has_no_factor()) return x.with(x.phi_, x.h_ + h, double_interval(1));
+    if (x.h_.is_zero()) return y;
+    if (h.is_zero()) return x;
+    const double_interval ratio = (h / x.h_).real_range();
+    if (!ratio.is_undefined()) return x.with(x.phi_, x.h_, x.u_ + ratio * y.u_);
+    const double_interval other = (x.h_ / h).real_range();
+    return x.with(x.phi_, h, y.u_ + other * x.u_);
+  }
+  const int sign = delta->sign();
+  if (sign == 0) return x.blocked("+ (of exponentials)");
+  if (sign > 0) return y + x;
+  if (y.h_.is_zero()) return x;
+  const end_series quotient = y.h_ / x.h_;
+  if (quotient.is_blocked()) return x.blocked("+");
+  const ball mu(rational(-delta->exponent()), 64);
+  const ball start = 1 / ball::exactly(x.r_, 64);
+  const ball v = pow(start, mu);
+  const ball slope = exactly(delta->infimum()) * v;
+  magnitude bound;
+  for (int k = 0; k <= quotient.log_degree(); ++k) {
+    const ball p(rational(k - quotient.exponent()), 64);
+    if (!certainly_less(p, mu * slope)) return x.blocked("+ (of exponentials)");
+    const ball size = exactly(quotient.supremum(k)) * pow(start, p) * exp(-slope);
+    bound = add_up(bound, size.magnitude_upper());
+  }
+  const double_interval error = outward(ball(0, 64).enlarged(bound));
+  return x.with(x.phi_, x.h_, x.u_ + error * y.u_);
+}
+
+tail_series sqrt(const tail_series& x) { return pow(x, rational(1, 2)); }
+
+tail_series pow(const tail_series& x, const rational& e) {
+  if (x.is_blocked()) return x;
+  std::optional<end_series> phi;
+  if (x.phi_) phi = *x.phi_ * e;
+  double_interval u(1);
+  if (!x.has_no_factor()) {
+    const bool is_whole = denominator(e) == 1 && abs(numerator(e)) <= 1'000'000'000;
+    u = is_whole ? pow(x.u_, static_cast<long>(numerator(e))) : exp(double_interval(e) * log(x.u_));
+  }
+  return x.with(std::move(phi), pow(x.h_, e), u);
+}
+
+tail_series pow(const tail_series& x, long n) { return pow(x, rational(n)); }
+tail_series pow(const tail_series& x, const tail_series& y) { return exp(y * log(x)); }
+
+tail_series exp(const tail_series& x) {
+  if (x.is_blocked()) return x;
+  if (!x.is_plain()) {
+    // Of a bounded argument.
+    double_interval range = x.h_.real_range() * x.u_;
+    if (x.phi_) {
+      const bool decays = x.phi_->sign() < 0;
+      range = decays ? range * double_interval(0.0, 1.0) : double_interval::undefined();
+    }
+    if (range.is_undefined()) return x.blocked("exp");
+    return x.with(std::nullopt, x.one_, exp(range));
+  }
+  const end_series h = x.h_.simplified();
+  if (h.log_degree() == 0 && h.exponent() < 0) return x.with(h, x.one_, double_interval(1));
+  return x.with(std::nullopt, exp(h), double_interval(1));
+}
+
+tail_series log(const tail_series& x) {
+  if (x.is_blocked()) return x;
+  const end_series sum = x.phi_ ? *x.phi_ + log(x.h_) : log(x.h_);
+  if (x.has_no_factor()) return x.with(std::nullopt, sum, double_interval(1));
+  return x.with(std::nullopt, sum, double_interval(1)) + x.with(std::nullopt, x.one_, log(x.u_));
+}
+
+template <class F>
+tail_series tail_series::regular(std::string_view name, F&& f) const {
+  if (is_blocked()) return *this;
+  if (!is_plain()) return blocked(name);
+  return with(std::nullopt, f(h_), double_interval(1));
+}
+template <class F>
+tail_series tail_series::bounded(F&& f, double_interval range) const {
+  if (is_blocked()) return *this;
+  if (is_plain()) {
+    const end_series value = f(h_);
+    if (!value.is_blocked()) return with(std::nullopt, value, double_interval(1));
+  }
+  return with(std::nullopt, one_, range);
+}
+
+#define POLHODE_REGULAR(f)                                    \
+  tail_series f(const tail_series& x) {                       \
+    return x.regular(#f, [](const auto& h) { return f(h); }); \
+  }
+POLHODE_REGULAR(tan)
+POLHODE_REGULAR(asin)
+POLHODE_REGULAR(acos)
+POLHODE_REGULAR(asinh)
+POLHODE_REGULAR(acosh)
+POLHODE_REGULAR(atanh)
+POLHODE_REGULAR(floor)
+POLHODE_REGULAR(ceil)
+#undef POLHODE_REGULAR
+#define POLHODE_BOUNDED(f, low, high)                                                     \
+  tail_series f(const tail_series& x) {                                                   \
+    return x.bounded([](const auto& h) { return f(h); }, double_interval((low), (high))); \
+  }
+POLHODE_BOUNDED(sin, -1.0, 1.0)
+POLHODE_BOUNDED(cos, -1.0, 1.0)
+POLHODE_BOUNDED(atan, -1.6, 1.6)
+POLHODE_BOUNDED(tanh, -1.0, 1.0)
+#undef POLHODE_BOUNDED
+
+tail_series sinh(const tail_series& x) { return (exp(x) - exp(-x)) / 2; }
+tail_series cosh(const tail_series& x) { return (exp(x) + exp(-x)) / 2; }
+
+tail_series abs(const tail_series& x) {
+  if (x.is_blocked()) return x;
+  const int sign = x.h_.sign();
+  if (sign == 0) {
+    const double most = x.u_.magnitude();
+    return x.with(x.phi_, x.h_, double_interval(-most, most));
+  }
+  return x.with(x.phi_, sign > 0 ? x.h_ : -x.h_, abs(x.u_));
+}
+tail_series min(const tail_series& x, const tail_series& y) {
+  if (x.is_blocked()) return x;
+  if (y.is_blocked()) return y;
+  if (!x.is_plain() || !y.is_plain()) return x.blocked("min");
+  return x.with(std::nullopt, min(x.h_, y.h_), double_interval(1));
+}
+tail_series max(const tail_series& x, const tail_series& y) { return -min(-x, -y); }
+
+/// x times something in `range`, where |x| <= 1/2 and x decays exponentially; f(x) else.
+template <class F>
+tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
+  if (is_blocked() || !phi_) return f(*this);
+  if (phi_->sign() >= 0) return f(*this);
+  // phi <= -c y^mu <= -c r^-mu.
+  const ball most =
+      exp(-exactly(phi_->infimum()) * pow(ball::exactly(r_, 64), ball(phi_->exponent(), 64)));
+  const double_interval size = h_.real_range() * u_ * outward(most);
+  const bool small = size.magnitude() <= 0.5;
+  return small ? with(phi_, h_, u_ * range) : f(*this);
+}
+tail_series expm1(const tail_series& x) {
+  return x.nearly_itself(double_interval(0.78, 1.3), [](const auto& v) { return exp(v) - 1; });
+}
+tail_series log1p(const tail_series& x) {
+  return x.nearly_itself(double_interval(0.81, 1.39), [](const auto& v) { return log(v + 1); });
+}
+
+magnitude tail_series::integral(const ball& y, long power) const {
+  if (is_blocked()) return magnitude::infinity();
+  if (h_.is_zero()) return {};
+  if (!phi_ || phi_->sign() >= 0) return magnitude::infinity();
+  if (!certainly_less_equal(1 / ball::exactly(r_, 64), y)) return magnitude::infinity();
+  const rational exponent = -phi_->exponent();
+  const ball mu(exponent, 64);
+  const ball c = exactly(phi_->infimum());
+  const ball v = pow(y, mu);
+  magnitude sum;
+  for (int k = 0; k <= h_.log_degree(); ++k) {
+    const rational q = (k + power - h_.exponent() + 1) / exponent - 1;
+    const ball slope = q > 0 ? c - ball(q, 64) / v : c;
+    if (!certainly_positive(slope)) return magnitude::infinity();
+    const ball term = exactly(h_.supremum(k)) * pow(v, ball(q, 64)) * exp(-c * v) / (mu * slope);
+    sum = add_up(sum, term.magnitude_upper());
+  }
+  const ball u = to_ball(double_interval(u_.magnitude()), 64);
+  return multiply_up(sum, u.magnitude_upper());
+}
+
+}  // namespace polhode

@@ -1,0 +1,258 @@
+#include "polhode/quadrature/trapezoid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <vector>
+
+#include "polhode/arithmetic/elementary.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr precision bound_precision = 64;
+
+/// About log2 of a magnitude, to search with.
+double estimated_log2(const magnitude& x) {
+  if (x.is_zero()) return -1e18;
+  if (x.is_infinite()) return 1e18;
+  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
+}
+
+magnitude error_with(const rectangle_bound& bound, const rational& length, long nodes) {
+  return trapezoid_error(ball(rational(length / nodes), bound_precision), bound);
+}
+
+/// About how many nodes the bound asks for.
+double estimated_nodes(const rectangle_bound& bound, const rational& length, double log2_length,
+                       long bits, double most) {
+  constexpr double log_2 = 0.69314718055994531;
+  const double excess = estimated_log2(bound.horizontal) + static_cast<double>(bits);
+  // H e^(-2 pi d n/length) <= 2^-bits.
+  const double needed = std::max(excess, 1.0) * log_2 / (2 * 3.14159265358979 * bound.half_height) *
+                        std::exp2(log2_length);
+  if (!(needed < most)) return needed;
+  // The sides' share falls at least as 1/n.
+  rectangle_bound sides = bound;
+  sides.horizontal = magnitude();
+  const auto n = static_cast<long>(needed) + 1;
+  const double share = estimated_log2(error_with(sides, length, n)) + static_cast<double>(bits) + 1;
+  return share > 0 ? needed * std::exp2(std::min(share, 1000.0)) : needed;
+}
+
+}  // namespace
+
+line_plan plan_trapezoid(const bound_on_rectangle& bound, const rational& length, double highest,
+                         long bits, long most_nodes) {
+  line_plan plan;
+  const double log2_length = estimated_log2(ball(length, bound_precision).magnitude_upper());
+  struct candidate {
+    double nodes = std::numeric_limits<double>::infinity();
+    rectangle_bound rectangle;
+  };
+  const auto evaluate = [&](double d) {
+    candidate c;
+    if (d > highest) return c;
+    if (std::optional<rectangle_bound> proved = bound(d)) {
+      if (!proved->horizontal.is_infinite()) {
+        c.rectangle = std::move(*proved);
+        c.nodes = estimated_nodes(c.rectangle, length, log2_length, bits,
+                                  static_cast<double>(most_nodes));
+      }
+    }
+    return c;
+  };
+  // From high to low until a rectangle is proved that will do, and while it gets better; then between the
+  // neighbours.
+  constexpr int patience = 3;
+  candidate best;
+  int worse = 0;
+  for (double d = highest; d > highest * 0x1p-50 && worse < patience; d /= 2) {
+    candidate c = evaluate(d);
+    if (c.nodes < best.nodes) {
+      best = std::move(c);
+      worse = 0;
+    } else if (best.nodes < static_cast<double>(most_nodes)) {
+      ++worse;
+    }
+  }
+  if (!std::isfinite(best.nodes)) {
+    plan.why = reason::not_analytic;
+    return plan;
+  }
+  for (const double factor : {1.4, 1.18, 1.09, 1.04, 1.02, 1.01}) {
+    const double d = best.rectangle.half_height;
+    for (const double other : {d * factor, d / factor}) {
+      candidate c = evaluate(other);
+      if (c.nodes < best.nodes) {
+        best = std::move(c);
+        break;
+      }
+    }
+  }
+  // Proof.
+  const magnitude goal = magnitude::power_of_two(-bits);
+  if (best.nodes < static_cast<double>(most_nodes)) {
+    auto nodes = static_cast<long>(best.nodes) + 1;
+    while (nodes <= most_nodes) {
+      const magnitude error = error_with(best.rectangle, length, nodes);
+      if (error <= goal) {
+        plan.nodes = nodes;
+        plan.rectangle = std::move(best.rectangle);
+        plan.truncation_error = error;
+        return plan;
+      }
+      nodes += nodes / 64 + 1;
+    }
+  }
+  plan.why = reason::evaluation_limit;
+  return plan;
+}
+
+namespace detail {
+
+bool is_analytic_on(const region_function& f, double left, double right, double d,
+                    long& evaluations) {
+  struct tile {
+    double left, right, bottom, top;
+  };
+  constexpr int most_tiles = 4000;
+  const double least = d / 512;
+  std::vector<tile> open{{left, right, 0, d}};
+  for (int tiles = 0; !open.empty(); ++tiles) {
+    if (tiles == most_tiles) return false;
+    const tile t = open.back();
+    open.pop_back();
+    ++evaluations;
+    const region value =
+        f(region(double_interval(t.left, t.right), double_interval(t.bottom, t.top)));
+    if (value.is_analytic()) continue;
+    const double width = t.right - t.left;
+    const double height = t.top - t.bottom;
+    if (std::max(width, height) < least) return false;
+    if (width >= height) {
+      const double middle = t.left + width / 2;
+      if (!(t.left < middle && middle < t.right)) return false;
+      open.push_back({t.left, middle, t.bottom, t.top});
+      open.push_back({middle, t.right, t.bottom, t.top});
+    } else {
+      const double middle = t.bottom + height / 2;
+      if (!(t.bottom < middle && middle < t.top)) return false;
+      open.push_back({t.left, t.right, t.bottom, middle});
+      open.push_back({t.left, t.right, middle, t.top});
+    }
+  }
+  return true;
+}
+
+magnitude integral_along(const region_function& f, double left, double right, double d,
+                         long& evaluations) {
+  struct tile {
+    double left, right;
+    magnitude share;
+  };
+  const auto measured = [&](double from, double to) {
+    ++evaluations;
+    const magnitude supremum =
+        f(region(double_interval(from, to), double_interval(d))).magnitude_upper();
+    const ball width = ball::exactly(to, bound_precision) - ball::exactly(from, bound_precision);
+    return tile{from, to, multiply_up(supremum, width.magnitude_upper())};
+  };
+  const auto less = [](const tile& x, const tile& y) { return x.share < y.share; };
+  std::priority_queue<tile, std::vector<tile>, decltype(less)> tiles(less);
+  constexpr int first_tiles = 16;
+  constexpr int rounds = 8;
+  constexpr int splits = 48;
+  double from = left;
+  for (int k = 1; k <= first_tiles; ++k) {
+    const double to =
+        k == first_tiles ? right : std::min(right, left + (right - left) * k / first_tiles);
+    tiles.push(measured(from, to));
+    from = to;
+  }
+  const auto total = [](auto all) {
+    magnitude sum;
+    for (; !all.empty(); all.pop()) sum = add_up(sum, all.top().share);
+    return sum;
+  };
+  // The greatest share is worth halving, until that does not help.
+  magnitude sum = total(tiles);
+  for (int round = 0; round < rounds; ++round) {
+    for (int k = 0; k < splits; ++k) {
+      const tile t = tiles.top();
+      const double middle = t.left + (t.right - t.left) / 2;
+      if (!(t.left < middle && middle < t.right)) break;
+      tiles.pop();
+      tiles.push(measured(t.left, middle));
+      tiles.push(measured(middle, t.right));
+    }
+    const magnitude before = sum;
+    sum = total(tiles);
+    if (!sum.is_infinite() && !(sum < multiply_up(before, magnitude::from_bits_up(7, -3)))) break;
+  }
+  return sum;
+}
+
+std::optional<rectangle_bound> bound_of_real_function(const region_function& f, const rational& a,
+                                                      const rational& b, double d,
+                                                      long& evaluations) {
+  // Tiles between doubles that hold [a, b].
+  const double_interval from(a);
+  const double_interval to(b);
+  if (!from.is_bounded() || !to.is_bounded() || !(d > 0)) return std::nullopt;
+  if (!is_analytic_on(f, from.lower(), to.upper(), d, evaluations)) return std::nullopt;
+  rectangle_bound bound;
+  bound.half_height = d;
+  bound.horizontal = scale(integral_along(f, from.lower(), to.upper(), d, evaluations), 1);
+  constexpr int pieces = 32;
+  double y = 0;
+  for (int k = 1; k <= pieces; ++k) {
+    const double next = k == pieces ? d : d * k / pieces;
+    const double_interval height(y, next);
+    evaluations += 2;
+    bound.left.push_back({y, next, f(region(from, height)).magnitude_upper()});
+    bound.right.push_back({y, next, f(region(to, height)).magnitude_upper()});
+    y = next;
+  }
+  return bound;
+}
+
+line_integral carry_out(line_plan plan, const std::function<ball(long n, precision p)>& sum,
+                        long bits, const magnitude& beyond, const line_options& options) {
+  line_integral result;
+  result.plan = std::move(plan);
+  const long n = result.plan.nodes;
+  if (n == 0) {
+    result.why = result.plan.why;
+    return result;
+  }
+  const magnitude goal = magnitude::power_of_two(-bits);
+  const magnitude left_out = add_up(result.plan.truncation_error, beyond);
+  precision p = std::max(bits, 32L) + 16 + static_cast<long>(std::log2(static_cast<double>(n)));
+  double last = std::numeric_limits<double>::infinity();
+  for (; p <= options.most_precision;) {
+    const ball value = sum(n, p);
+    result.evaluations += n;
+    result.precision = p;
+    if (value.is_undefined()) {
+      result.why = reason::not_defined;
+      return result;
+    }
+    result.enclosure = value.enlarged(left_out);
+    const magnitude radius = result.enclosure.radius();
+    if (radius <= goal) {
+      result.verdict = status::certified;
+      return result;
+    }
+    const double excess = estimated_log2(radius) + static_cast<double>(bits);
+    if (!(excess < last - 1)) break;  // more bits do not help any more
+    last = excess;
+    p += excess < 1e15 ? static_cast<long>(excess) + 12 : p;
+  }
+  result.why = reason::precision_limit;
+  return result;
+}
+
+}  // namespace detail
+}  // namespace polhode

@@ -1,0 +1,259 @@
+// What end_series and tail_series say of a function, against the function in balls.
+
+#include <array>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quadrature/known_integrals.hpp"
+
+namespace polhode {
+namespace {
+
+using detail::exact_ball;
+
+constexpr precision working = 600;
+
+/// A random expression: each step is made of earlier values, of which the first is the argument.
+struct step {
+  long function;
+  std::size_t first;
+  std::size_t second;
+  rational constant;
+};
+using program = std::vector<step>;
+constexpr long functions = 24;
+
+template <class T>
+T value_of_step(const step& s, const T& x, const T& y) {
+  switch (s.function) {
+    case 0:
+      return x + y;
+    case 1:
+      return x - y;
+    case 2:
+    case 3:
+      return x * y;
+    case 4:
+    case 5:
+      return x / y;
+    case 6:
+      return x + s.constant;
+    case 7:
+      return s.constant * x;
+    case 8:
+      return s.constant / x;
+    case 9:
+      return exp(x);
+    case 10:
+      return sin(x);
+    case 11:
+      return 1 - cos(x);
+    case 12:
+      return tan(x);
+    case 13:
+      return atan(x);
+    case 14:
+      return sinh(x);
+    case 15:
+      return tanh(x);
+    case 16:
+      return asinh(x);
+    case 17:
+      return log(x);
+    case 18:
+      return sqrt(x);
+    case 19:
+      return abs(x);
+    case 20:
+      return max(x, y);
+    case 21:
+      return acos(x);
+    case 22:
+      return floor(x);
+    default:
+      return square(x);
+  }
+}
+template <class T>
+T value_of(const program& p, const T& x) {
+  std::vector<T> values{x};
+  for (const step& s : p) values.push_back(value_of_step(s, values[s.first], values[s.second]));
+  return values.back();
+}
+
+program random_program(support::random_source& random) {
+  program p;
+  const long length = random.between(1, 7);
+  for (long k = 0; k < length; ++k) {
+    const auto any = [&] {
+      return static_cast<std::size_t>(random.between(std::max(0L, k - 2), k));
+    };
+    p.push_back(
+        {random.between(0, functions - 1), any(), static_cast<std::size_t>(random.between(0, k)),
+         rational(random.between(1, 6) * (random.one_in(2) ? 1 : -1), random.between(1, 4))});
+  }
+  return p;
+}
+
+/// |h(t)| <= t^m sum of sup |G_k| |log t|^k, the sign and the range, at t.
+void check_at(const end_series& h, const ball& t, const ball& value) {
+  if (value.is_undefined()) return;  // too few bits beside a singularity
+  ball bound(0, working);
+  for (int k = 0; k <= h.log_degree(); ++k) {
+    const ball side = ball(0, working).enlarged(h.supremum(k));
+    bound += abs(side) * pow(abs(log(t)), k);
+  }
+  bound = bound * pow(t, ball(h.exponent(), working));
+  EXPECT_FALSE(certainly_less(ball(0, 64).enlarged(bound.magnitude_upper()), abs(value)));
+  if (h.sign() > 0) {
+    EXPECT_FALSE(certainly_negative(value));
+  }
+  if (h.sign() < 0) {
+    EXPECT_FALSE(certainly_positive(value));
+  }
+  const double_interval range = h.real_range();
+  if (!range.is_undefined()) {
+    EXPECT_TRUE(overlaps(to_ball(range, 64), value));
+  }
+}
+
+TEST(EndSeries, HoldsRandomExpressions) {
+  support::random_source random(21);
+  long open = 0;
+  long singular = 0;
+  for (support::repeat trial(4000); trial.again();) {
+    const program p = random_program(random);
+    const long q = random.one_in(4) ? -random.between(1, 3) : random.between(1, 4);
+    const rational a = q < 0 || random.one_in(2) ? rational(0) : rational(random.between(-2, 2));
+    const rational s(random.between(1, 8) * (random.one_in(3) ? -1 : 1), random.between(1, 8));
+    const std::array<double, 3> sizes{0.25, 0x1p-4, 0x1p-8};
+    const double r = random.choose(sizes);
+    const end_series h =
+        value_of(p, end_series::argument(exact_ball(a), exact_ball(s), q, r)).simplified();
+    if (h.is_blocked()) continue;
+    ++open;
+    if (denominator(h.exponent()) != 1 || h.log_degree() > 0 || h.exponent() < 0) ++singular;
+    for (int k = 0; k < 4; ++k) {
+      ball t = ball::exactly(r, working) * rational(random.between(1, 1000), 1000);
+      if (random.one_in(3)) t = scale(t, -random.between(0, 100));
+      check_at(h, t, value_of(p, ball(a + s * pow(t, q))));
+    }
+  }
+  EXPECT_GE(open, 800 * std::min(1.0, support::effort()));
+  EXPECT_GE(singular, 100 * std::min(1.0, support::effort()));
+}
+
+TEST(EndSeries, KnowsExponentsAndLogarithms) {
+  const end_series x = end_series::argument(exact_ball(), exact_ball(rational(1)), 1, 0.25);
+  struct row {
+    end_series h;
+    rational exponent;
+    int log_degree;
+  };
+  const std::vector<row> rows = {
+      {1 - cos(x), 2, 0},
+      {(1 - cos(x)) / square(x), 0, 0},
+      {log(x) / sqrt(x), rational(-1, 2), 1},
+      {square(log(x)) * x, 1, 2},
+      {sin(x) - x, 3, 0},
+      {sqrt(1 - cos(x)), 1, 0},
+      {pow(x, rational(2, 3)) / (exp(x) - 1), rational(-1, 3), 0},
+      {acos(1 - square(x)), 1, 0},
+      {exp(rational(3, 2) * log(x)), rational(3, 2), 0},
+  };
+  for (const row& r : rows) {
+    const end_series h = r.h.simplified();
+    ASSERT_FALSE(h.is_blocked()) << h.where();
+    EXPECT_EQ(h.exponent(), r.exponent);
+    EXPECT_EQ(h.log_degree(), r.log_degree);
+    EXPECT_TRUE(h.leads_surely());
+  }
+}
+
+TEST(EndSeries, IsBlockedWhereTheFormIsAnother) {
+  const end_series x = end_series::argument(exact_ball(), exact_ball(rational(1)), 1, 0.25);
+  for (const end_series& h :
+       {exp(1 / x), sin(1 / x), exp(x * log(x)), 1 / (x - rational(1, 8)), 1 / log(x), sqrt(-x),
+        log(-x), sqrt(x) + x, abs(x - rational(1, 8)), floor(8 * x), 1 / (x - x)}) {
+    EXPECT_TRUE(h.is_blocked());
+    EXPECT_TRUE(h.supremum(0).is_infinite());
+  }
+  // The exponent 1 + t^4 of t is 1 as far as is known after eight divisions by t, and no slope is known.
+  const end_series y = end_series::argument(exact_ball(), exact_ball(rational(1)), 4, 0x1p-4);
+  const end_series exponent = (1 / square(y)) / (1 / (square(y) + square(y) * y));
+  EXPECT_FALSE(exponent.is_blocked());
+  EXPECT_TRUE(exp(log(y) * exponent).is_blocked());
+}
+
+TEST(EndSeries, KeepsTheSizeOfConstantsBeyondDoubles) {
+  const rational huge = support::power_of_ten(2000);
+  const region z(double_interval(1.0, 2.0), double_interval(0.0, 1.0));
+  EXPECT_TRUE((z * huge).magnitude_upper() <= ball(huge * 3, 64).magnitude_upper());
+  EXPECT_TRUE((z / huge).magnitude_lower() > magnitude());
+  const end_series x = end_series::argument(exact_ball(), exact_ball(rational(1)), 1, 0.25);
+  EXPECT_TRUE((x * huge).supremum(0) <= ball(huge, 64).magnitude_upper());
+}
+
+template <class F>
+void bounds_the_tail(const char* name, const F& f, const rational& s, double r, const rational& y) {
+  const tail_series tail = f(tail_series::argument(exact_ball(s), r));
+  ASSERT_FALSE(tail.is_blocked()) << name << ": " << tail.where();
+  const magnitude bound = tail.integral_beyond(ball(y, 64));
+  EXPECT_FALSE(bound.is_infinite()) << name;
+  const integral part =
+      integrate(f, limit(rational(s * y)), limit(rational(2 * s * y)), {.digits = 10});
+  ASSERT_TRUE(part.enclosure.is_bounded()) << name;
+  EXPECT_TRUE((part.enclosure / s).magnitude_lower() <= bound) << name;
+}
+
+TEST(TailSeries, BoundsTails) {
+  support::random_source random(22);
+  for (support::repeat trial(40); trial.again();) {
+    const rational s(random.between(1, 8) * (random.one_in(2) ? -1 : 1), random.between(1, 3));
+    const double r = random.one_in(2) ? 0x1p-5 : 0x1p-6;
+    const rational y = rational(100) + random.between(0, 100);
+    const rational c(random.between(3, 9), 3);
+    const long power = random.between(-3, 5);
+    bounds_the_tail(
+        "Gauss", [=](const auto& x) { return pow(x, power) * exp(-c * x * x); }, s, r, y);
+    bounds_the_tail(
+        "log", [=](const auto& x) { return pow(x, power) * log(abs(x)) * exp(-c * abs(x)); }, s, r,
+        y);
+    bounds_the_tail(
+        "sech", [=](const auto& x) { return pow(x, power) / cosh(c * x); }, s, r, y);
+    bounds_the_tail(
+        "sine", [=](const auto& x) { return (2 + sin(x)) * exp(-c * abs(x)); }, s, r, y);
+    bounds_the_tail(
+        "sum", [=](const auto& x) { return exp(-c * x * x) + exp(-abs(x)) * x; }, s, r, y);
+    bounds_the_tail(
+        "Bose", [=](const auto& x) { return x * x / (exp(c * abs(x)) - 1); }, s, r, y);
+    bounds_the_tail(
+        "equal",
+        [=](const auto& x) {
+          const auto e = exp(-sqrt(x * x + c));
+          return e * sin(x) + exp(-sqrt(x * x + c)) * cos(x);
+        },
+        s, r, y);
+    bounds_the_tail(
+        "tanh", [=](const auto& x) { return tanh(x) * sqrt(abs(x)) * exp(-c * abs(x)); }, s, r, y);
+  }
+}
+
+TEST(TailSeries, HasNoBoundWithoutDecayOrBelowItsStart) {
+  const tail_series x = tail_series::argument(exact_ball(rational(1)), 0.25);
+  const ball far(100, 64);
+  for (const tail_series& f :
+       {exp(x), 1 / x, sin(x), exp(-x) * exp(x), exp(sin(x)), tan(x) * exp(-x), exp(-x) / sin(x),
+        sqrt(sin(x)) * exp(-x), exp(-x) + exp(x)}) {
+    EXPECT_TRUE(f.integral_beyond(far).is_infinite());
+  }
+  EXPECT_FALSE(exp(-x).integral_beyond(far).is_infinite());
+  EXPECT_TRUE(exp(-x).integral_beyond(ball(3, 64)).is_infinite());
+  // log y <= y in size for y >= 1 only.
+  const tail_series near = tail_series::argument(exact_ball(rational(1)), 4);
+  EXPECT_TRUE((exp(-near) * log(near)).integral_beyond(ball(rational(1, 2), 64)).is_infinite());
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,99 @@
+#pragma once
+
+// Integrals whose values are known otherwise, and how a certified one is held against them.
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "support/random.hpp"
+#include "support/reference.hpp"
+
+namespace polhode::support {
+
+/// x^e, x > 0, in every arithmetic that the integrator uses.
+inline ball real_power(const ball& x, const rational& e) { return pow(x, ball(e, x.precision())); }
+inline region real_power(const region& x, const rational& e) {
+  return pow(x, polhode::detail::constant_region(e, x));
+}
+inline end_series real_power(const end_series& x, const rational& e) { return pow(x, e); }
+inline tail_series real_power(const tail_series& x, const rational& e) { return pow(x, e); }
+
+struct known_integral {
+  std::string name;
+  /// Where the value comes from: DLMF or Gradshteyn and Ryzhik (GR, 7th ed.) by number, or how it is derived.
+  std::string source;
+  std::function<integral(const integrate_options&)> run;
+  std::function<ball(precision)> value;
+  /// Of the integral of |f|, where the value is 0.
+  std::function<ball(precision)> size;
+};
+
+template <class F>
+[[nodiscard]] known_integral known(std::string name, std::string source, F f, limit a, limit b,
+                                   std::function<ball(precision)> value) {
+  return {std::move(name), std::move(source),
+          [f, a = std::move(a), b = std::move(b)](const integrate_options& options) {
+            return integrate(f, a, b, options);
+          },
+          std::move(value), nullptr};
+}
+template <class F>
+[[nodiscard]] known_integral known_zero(std::string name, std::string source, F f, limit a, limit b,
+                                        std::function<ball(precision)> size) {
+  known_integral k = known(std::move(name), std::move(source), f, std::move(a), std::move(b),
+                           [](precision p) { return ball(0, p); });
+  k.size = std::move(size);
+  return k;
+}
+
+/// The enclosure holds the value, which is given so narrowly that it must lie inside as a whole (where the
+/// enclosure is one number: meet it).
+[[nodiscard]] inline ::testing::AssertionResult holds(const integral& i, const ball& value) {
+  const bool held =
+      i.enclosure.is_exact() ? overlaps(i.enclosure, value) : contains(i.enclosure, value);
+  if (!i.enclosure.is_undefined() && held) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << described(i.enclosure) << " for " << described(value);
+}
+
+/// Certified, right, and with a radius of at most 10^-digits of the value; or of 10^-digits of the size of |f|
+/// where the value is 0.
+[[nodiscard]] inline ::testing::AssertionResult right(const known_integral& k, long digits) {
+  const integral i = k.run({.digits = digits});
+  const auto failure = [&] {
+    return ::testing::AssertionFailure() << k.name << " to " << digits << " digits: ";
+  };
+  if (i.verdict != status::certified || i.why != reason::none || !i.obstacle.empty()) {
+    return failure() << to_text(i.verdict) << ", " << to_text(i.why) << ": " << i.obstacle;
+  }
+  const precision p = bits_for_digits(2 * digits) + 300;
+  if (const auto held = holds(i, k.value(p)); !held) return failure() << held.message();
+  const bool is_zero = k.size != nullptr;
+  const ball size = is_zero ? k.size(p) * power_of_ten(-digits) : abs(k.value(p));
+  const ball radius(rational(to_rational(i.enclosure.radius()) * power_of_ten(digits)), 64);
+  if (!i.enclosure.is_exact() && !certainly_less_equal(radius, size)) {
+    return failure() << "too wide: " << described(i.enclosure);
+  }
+  return ::testing::AssertionSuccess();
+}
+
+/// Sum of term(n), n >= 0, for terms of which each is at most half of the one before in size from n = 4 on.
+template <class Term>
+[[nodiscard]] ball sum_of_series(precision p, Term&& term) {
+  ball sum(0, p);
+  for (long n = 0;; ++n) {
+    const ball next = term(n);
+    sum += next;
+    // What follows is less than the last term.
+    if (n > 4 && next.magnitude_upper() <= magnitude::power_of_two(-p)) {
+      return sum.enlarged(next.magnitude_upper());
+    }
+  }
+}
+
+}  // namespace polhode::support
