@@ -1,5 +1,6 @@
 #include "command_line.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -11,7 +12,7 @@
 #include <boost/version.hpp>
 
 #include "commands.hpp"
-#include "nearest_name.hpp"
+#include "polhode/expression/nearest_name.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
@@ -83,6 +84,23 @@ void refuse_brackets(int argc, const char* const* argv) {
   }
 }
 
+/// The arguments, in which a formula may begin with a minus sign: the parser would take it for options.
+/// A space before it makes it an argument; the readers of formulas skip it.
+std::vector<std::string> with_formulas_marked(int argc, const char* const* argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const bool takes_formulas =
+      !arguments.empty() && (arguments.front() == "eval" || arguments.front() == "integrate");
+  for (std::size_t i = 1; takes_formulas && i < arguments.size(); ++i) {
+    const std::string& before = arguments[i - 1];
+    if (before == "--") break;
+    const std::string& given = arguments[i];
+    const bool one_dash = given.size() >= 2 && given.front() == '-' && given[1] != '-';
+    const bool is_value = before.starts_with("--");
+    if (one_dash && !is_value && given != "-h") arguments[i] = ' ' + given;
+  }
+  return arguments;
+}
+
 /// What the parser says of an error, without its line breaks, and where to read more.
 std::string parser_message(const CLI::ParseError& error, const CLI::App& app) {
   const auto chosen = app.get_subcommands();
@@ -101,6 +119,7 @@ exit_status run_command_line(int argc, const char* const* argv) {
   set_up(app, fmt::format("Examples:\n"
                           "  polhode certify                      prove every claim\n"
                           "  polhode constants beta --digits 1000\n"
+                          "  polhode eval \"exp(1) - 2\"\n"
                           "  polhode certify --help\n\n{}",
                           exit_statuses));
   app.require_subcommand(0, 1);
@@ -112,7 +131,9 @@ exit_status run_command_line(int argc, const char* const* argv) {
     actions[sub] = c.declare(*sub);
   }
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = with_formulas_marked(argc, argv);
+    std::reverse(arguments.begin(), arguments.end());  // as the parser wants them
+    app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {
     print(app.help());
     return exit_status::all_certified;

@@ -10,10 +10,12 @@ namespace polhode::cli {
 
 [[nodiscard]] command certify_command();
 [[nodiscard]] command constants_command();
+[[nodiscard]] command eval_command();
+[[nodiscard]] command integrate_command();
 
 /// In the order of the help.
 [[nodiscard]] inline std::vector<command> all_commands() {
-  return {certify_command(), constants_command()};
+  return {certify_command(), constants_command(), eval_command(), integrate_command()};
 }
 
 }  // namespace polhode::cli

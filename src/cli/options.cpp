@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "errors.hpp"
-#include "nearest_name.hpp"
+#include "polhode/expression/nearest_name.hpp"
 
 namespace polhode::cli {
 

@@ -16,30 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "support/scratch_directory.hpp"
+
 namespace polhode::test {
 
-/// A directory of its own for a test, gone with everything in it at the end.
-class scratch_directory {
- public:
-  scratch_directory() {
-    std::string name = (std::filesystem::temp_directory_path() / "polhode-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    path_ = name;
-  }
-  ~scratch_directory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  scratch_directory(const scratch_directory&) = delete;
-  scratch_directory& operator=(const scratch_directory&) = delete;
-
-  [[nodiscard]] std::string path(const std::string& name = "") const {
-    return (name.empty() ? path_ : path_ / name).string();
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using support::scratch_directory;
 
 inline std::string contents(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

@@ -1,0 +1,33 @@
+#pragma once
+
+// Formulas given on the command line, with the names that --let defines.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "polhode/expression/expression.hpp"
+
+namespace polhode::cli {
+
+/// --let NAME=VALUE, as often as wanted; a value is a formula in numbers, constants and earlier names.
+struct let_option {
+  std::vector<std::string> texts;
+
+  void declare(CLI::App& app);
+  /// Names with their values. Throws usage_error for what is not NAME=VALUE.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> value() const;
+};
+
+/// The formula; throws usage_error, with the text in quotes, for what cannot be read.
+[[nodiscard]] expression read_formula(const std::string& given,
+                                      const std::vector<std::string>& variables,
+                                      const let_option& let);
+
+/// The functions and constants of formulas, as a table and as a list of names in lines.
+[[nodiscard]] std::string table_of_functions();
+[[nodiscard]] std::string names_of_functions();
+
+}  // namespace polhode::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+// A formula as an integrand: in every arithmetic that quadrature asks for.
+
+#include "polhode/expression/expression.hpp"
+#include "polhode/quadrature/integrate.hpp"
+
+namespace polhode::cli {
+
+/// f must have one variable, or none.
+[[nodiscard]] detail::integrand integrand_of(const expression& f);
+
+}  // namespace polhode::cli
