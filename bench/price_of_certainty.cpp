@@ -140,7 +140,7 @@ row comparison(long digits) {
       warm([=] { benchmark::DoNotOptimize(in_floats()); }),
       warm([by_hand]() mutable { by_hand(); }),
   };
-  std::optional<limit> bound;
+  std::optional<ratio_limit> bound;
   if (digits == 100) bound = at_most(1.3);
   if (digits >= 1000) bound = at_most(1.1);
   r.ratios = {{0, 2, bound}, {0, 3}};

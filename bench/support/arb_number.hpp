@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include <acb.h>
 #include <arb.h>
 
 #include "polhode/arithmetic/ball.hpp"
@@ -24,6 +25,22 @@ class arb_number {
 
  private:
   arb_t value_;
+};
+
+class acb_number {
+ public:
+  acb_number() { acb_init(value_); }
+  acb_number(const acb_number& other) : acb_number() { acb_set(value_, other.value_); }
+  acb_number& operator=(const acb_number& other) {
+    acb_set(value_, other.value_);
+    return *this;
+  }
+  ~acb_number() { acb_clear(value_); }
+  [[nodiscard]] acb_ptr get() { return value_; }
+  [[nodiscard]] acb_srcptr get() const { return value_; }
+
+ private:
+  acb_t value_;
 };
 
 /// The set of x, with p bits.

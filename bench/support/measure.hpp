@@ -58,18 +58,18 @@ template <class F>
   }};
 }
 
-struct limit {
+struct ratio_limit {
   enum class kind { at_most, at_least } direction;
   double value;
 };
-[[nodiscard]] inline limit at_most(double x) { return {limit::kind::at_most, x}; }
-[[nodiscard]] inline limit at_least(double x) { return {limit::kind::at_least, x}; }
+[[nodiscard]] inline ratio_limit at_most(double x) { return {ratio_limit::kind::at_most, x}; }
+[[nodiscard]] inline ratio_limit at_least(double x) { return {ratio_limit::kind::at_least, x}; }
 
 /// The quotient of two contestants' times.
 struct ratio {
   std::size_t numerator;
   std::size_t denominator;
-  std::optional<limit> bound = std::nullopt;
+  std::optional<ratio_limit> bound = std::nullopt;
 };
 
 struct table {
@@ -77,12 +77,21 @@ struct table {
   std::string about;  // printed above it
   std::vector<std::string> contestants;
   std::vector<std::string> ratios;
+  int label_width = 11;
 };
 
 /// What a row measures, made when its turn comes.
 struct row {
   std::vector<contestant> contestants;
   std::vector<ratio> ratios;
+};
+
+/// What came out of a row. A line that has no times, such as a mean of other rows, leaves `seconds` empty.
+struct outcome {
+  std::vector<double> seconds;  // a call of each contestant, median
+  std::vector<double> ratios;
+  std::vector<std::optional<ratio_limit>> bounds;
+  std::string remark = {};  // printed after the ratios
 };
 
 namespace detail {
@@ -114,14 +123,6 @@ struct batch_size {
   }
 }
 
-/// The results of one row.
-struct outcome {
-  std::string name;
-  std::vector<double> seconds;  // a call of each contestant, median
-  std::vector<double> ratios;
-  std::vector<std::optional<limit>> bounds;
-};
-
 [[nodiscard]] inline outcome measure(const row& r) {
   std::vector<batch_size> sizes;
   double round_seconds = 0;
@@ -151,7 +152,9 @@ struct outcome {
   return result;
 }
 
+/// "-" for 0: not measured.
 [[nodiscard]] inline std::string time_text(double seconds) {
+  if (seconds == 0) return "-";
   const char* unit = "s ";
   if (seconds < 1e-6) {
     unit = "ns";
@@ -169,11 +172,11 @@ struct outcome {
   return out.str();
 }
 
-[[nodiscard]] inline std::string ratio_text(double value, const std::optional<limit>& bound) {
+[[nodiscard]] inline std::string ratio_text(double value, const std::optional<ratio_limit>& bound) {
   std::ostringstream out;
   out << std::fixed << std::setprecision(value < 100 ? 2 : 0) << value;
   if (!bound) return out.str() + std::string(2 + limit_width, ' ');
-  const bool at_most = bound->direction == limit::kind::at_most;
+  const bool at_most = bound->direction == ratio_limit::kind::at_most;
   const bool missed = at_most ? value > bound->value : value < bound->value;
   std::ostringstream wanted;
   wanted << (at_most ? "<=" : ">=") << std::defaultfloat << bound->value;
@@ -189,10 +192,15 @@ class suite {
  public:
   /// `make` is called when the row is measured.
   void add(const table& of, const std::string& label, std::function<row()> make) {
+    add_measured(of, label, [make = std::move(make)] { return detail::measure(make()); });
+  }
+
+  /// A row that measures itself.
+  void add_measured(const table& of, const std::string& label, std::function<outcome()> measure) {
     const std::string name = of.name + '/' + label;
     benchmark::RegisterBenchmark(name.c_str(),
-                                 [this, of, label, make = std::move(make)](
-                                     benchmark::State& state) { run(of, label, make(), state); })
+                                 [this, of, label, measure = std::move(measure)](
+                                     benchmark::State& state) { run(of, label, measure(), state); })
         ->Iterations(1)
         ->UseManualTime();
   }
@@ -232,9 +240,10 @@ class suite {
     return result;
   }
 
-  void run(const table& of, const std::string& label, const row& what, benchmark::State& state) {
-    const detail::outcome result = detail::measure(what);
-    for ([[maybe_unused]] auto _ : state) state.SetIterationTime(result.seconds.front());
+  void run(const table& of, const std::string& label, const outcome& result,
+           benchmark::State& state) {
+    const double first = result.seconds.empty() ? 0 : result.seconds.front();
+    for ([[maybe_unused]] auto _ : state) state.SetIterationTime(first);
     for (std::size_t i = 0; i < result.seconds.size(); ++i) {
       state.counters["seconds, " + of.contestants[i]] = result.seconds[i];
     }
@@ -243,20 +252,21 @@ class suite {
     }
     if (open_table_ != of.name) print_head(of);
     open_table_ = of.name;
-    std::cout << std::left << std::setw(label_width) << label << std::right;
-    for (const double seconds : result.seconds) {
-      std::cout << std::setw(time_width) << detail::time_text(seconds);
+    std::cout << std::left << std::setw(of.label_width) << label << std::right;
+    for (std::size_t i = 0; i < of.contestants.size(); ++i) {
+      std::cout << std::setw(time_width)
+                << (result.seconds.empty() ? "" : detail::time_text(result.seconds[i]));
     }
     for (std::size_t i = 0; i < result.ratios.size(); ++i) {
       std::cout << std::setw(ratio_width) << detail::ratio_text(result.ratios[i], result.bounds[i]);
     }
-    std::cout << std::endl;
+    std::cout << result.remark << std::endl;
   }
 
   static void print_head(const table& of) {
     std::cout << '\n' << of.about << '\n';
     for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
-    std::cout << '\n' << std::setw(label_width) << "";
+    std::cout << '\n' << std::setw(of.label_width) << "";
     for (const std::string& name : of.contestants) std::cout << std::setw(time_width) << name;
     for (const std::string& name : of.ratios) {
       std::cout << std::setw(ratio_width - detail::limit_width - 2) << name << "  limit  ";
@@ -265,7 +275,6 @@ class suite {
   }
 
   // 100 columns hold four contestants and three ratios.
-  static constexpr int label_width = 11;
   static constexpr int time_width = 10;
   static constexpr int ratio_width = 16;
 
