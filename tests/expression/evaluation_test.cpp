@@ -524,7 +524,7 @@ TEST(Regions, RefuseWhatIsNotAnalyticOrNotAvailable) {
   refused("gamma(x)", right, obstacle::unknown, "gamma");
   refused("log_gamma(x)", right, obstacle::unknown, "log_gamma");
   refused("agm(x, 1)", right, obstacle::unknown, "agm");
-  refused("cbrt(x)", across, obstacle::unknown, "root");
+  refused("cbrt(x)", across, obstacle::branch_cut, "root");
   refused("root(x, 4)", across, obstacle::branch_cut, "log");
   refused("x^(1/3)", across, obstacle::branch_cut, "pow");
   refused("1/x", across, obstacle::pole, "/");
