@@ -1,5 +1,7 @@
 #include "polhode/arithmetic/region.hpp"
 
+#include <cmath>
+
 namespace polhode {
 
 namespace {
@@ -73,44 +75,203 @@ region region::from_balls(const complex_ball& z, bool keep_balls) {
 
 region region::in_balls(const complex_ball& z) { return from_balls(z, true); }
 
+/// 2^exponent times a rectangle: what lies beyond the range of doubles, without balls. Each form below is
+/// the function's usual one, whose factors beyond the range have the exponent split off. Nothing where a
+/// function has no such form.
+struct region::scaled {
+  rectangle<double_interval> m;
+  long exponent = 0;
+
+  static constexpr long largest_exponent = 1L << 40;  // sums of a few do not overflow
+
+  static scaled of(const region& z) { return {z.hardware_, z.exponent_}; }
+
+  /// About 1 in size, but for a set that is {0} or unbounded.
+  [[nodiscard]] scaled normalised() const {
+    const double size = std::max(m.re.magnitude(), m.im.magnitude());
+    if (!(size > 0 && size < detail::infinity)) return *this;
+    const int k = std::ilogb(size);
+    return {{scale(m.re, -k), scale(m.im, -k)}, exponent + k};
+  }
+
+  /// A region in the hardware; nothing where the rectangle's parts differ by more than doubles hold.
+  [[nodiscard]] std::optional<region> to_region() const {
+    if (is_undefined(m) || std::abs(exponent) > largest_exponent) return std::nullopt;
+    scaled r = normalised();
+    if (r.exponent > -900 && r.exponent < 900) {
+      r = {{scale(r.m.re, r.exponent), scale(r.m.im, r.exponent)}, 0};
+    }
+    if (left_range(r.m)) return std::nullopt;
+    region result;
+    result.hardware_ = r.m;
+    result.exponent_ = r.exponent;
+    return result;
+  }
+
+  static std::optional<scaled> sum(const scaled& z, const scaled& w) {
+    const scaled& large = z.exponent >= w.exponent ? z : w;
+    const scaled& small = z.exponent >= w.exponent ? w : z;
+    const long shift = small.exponent - large.exponent;
+    return scaled{{large.m.re + scale(small.m.re, shift), large.m.im + scale(small.m.im, shift)},
+                  large.exponent};
+  }
+  static std::optional<scaled> difference(const scaled& z, const scaled& w) {
+    return sum(z, {{-w.m.re, -w.m.im}, w.exponent});
+  }
+  static std::optional<scaled> product(const scaled& z, const scaled& w) {
+    const scaled x = z.normalised();
+    const scaled y = w.normalised();
+    return scaled{x.m * y.m, x.exponent + y.exponent};
+  }
+  static std::optional<scaled> quotient(const scaled& z, const scaled& w) {
+    const scaled x = z.normalised();
+    const scaled y = w.normalised();
+    return scaled{x.m / y.m, x.exponent - y.exponent};
+  }
+  static std::optional<scaled> square(const scaled& z) {
+    const scaled x = z.normalised();
+    return scaled{polhode::square(x.m), 2 * x.exponent};
+  }
+  static std::optional<scaled> sqrt(const scaled& z) {
+    scaled x = z.normalised();
+    if (x.exponent % 2 != 0) x = {{scale(x.m.re, 1), scale(x.m.im, 1)}, x.exponent - 1};
+    return scaled{polhode::sqrt(x.m), x.exponent / 2};
+  }
+
+  /// A real interval with an exponent.
+  struct real {
+    double_interval m;
+    long exponent = 0;
+  };
+  /// e^x = 2^k e^(x - k log 2), for any k. Bounded x.
+  static std::optional<real> exp(double_interval x, long k) {
+    if (!(x.magnitude() < 0x1p39)) return std::nullopt;
+    static const double_interval log_2 = log(double_interval(2));
+    return real{polhode::exp(x - k * log_2), k};
+  }
+  /// A k that serves.
+  static long exponent_of_exp(double x) {
+    return std::abs(x) < 0x1p39 ? std::lround(x / 0.6931471805599453) : 0;
+  }
+  /// cosh x and sinh x, with one exponent.
+  static std::optional<std::pair<double_interval, double_interval>> cosh_sinh(double_interval x,
+                                                                              long k) {
+    const auto up = exp(x, k);
+    const auto down = exp(-x, k);
+    if (!up || !down) return std::nullopt;
+    return std::pair{scale(up->m + down->m, -1), scale(up->m - down->m, -1)};
+  }
+
+  static std::optional<scaled> exp(const scaled& z) {
+    // In a wider one the lower end would underflow.
+    if (z.exponent != 0 || !(z.m.re.width() < 600)) return std::nullopt;
+    const auto size = exp(z.m.re, exponent_of_exp(z.m.re.upper()));
+    if (!size) return std::nullopt;
+    const auto [sine, cosine] = sin_cos(z.m.im);
+    return scaled{{size->m * cosine, size->m * sine}, size->exponent};
+  }
+  /// cosh z = cosh x cos y + i sinh x sin y and sinh z = sinh x cos y + i cosh x sin y.
+  static std::optional<scaled> hyperbolic(const scaled& z, bool is_cosh) {
+    if (z.exponent != 0) return std::nullopt;
+    const long k = exponent_of_exp(z.m.re.magnitude());
+    const auto both = cosh_sinh(z.m.re, k);
+    if (!both) return std::nullopt;
+    const auto& [c, s] = *both;
+    const auto [sine, cosine] = sin_cos(z.m.im);
+    if (is_cosh) return scaled{{c * cosine, s * sine}, k};
+    return scaled{{s * cosine, c * sine}, k};
+  }
+  static std::optional<scaled> cosh(const scaled& z) { return hyperbolic(z, true); }
+  static std::optional<scaled> sinh(const scaled& z) { return hyperbolic(z, false); }
+  /// cos z = cosh(iz), sin z = -i sinh(iz).
+  static std::optional<scaled> cos(const scaled& z) {
+    return hyperbolic({{-z.m.im, z.m.re}, z.exponent}, true);
+  }
+  static std::optional<scaled> sin(const scaled& z) {
+    const std::optional<scaled> s = hyperbolic({{-z.m.im, z.m.re}, z.exponent}, false);
+    if (!s) return s;
+    return scaled{{s->m.im, -s->m.re}, s->exponent};
+  }
+  /// |z|^n e^(i n arg z).
+  static std::optional<scaled> pow(const scaled& z, long n) {
+    const scaled x = z.normalised();
+    if (contains_zero(x.m)) return std::nullopt;
+    static const double_interval log_2 = log(double_interval(2));
+    const rectangle<double_interval> l = log(x.m);
+    const double_interval size = n * (l.re + x.exponent * log_2);
+    const auto modulus = exp(size, exponent_of_exp(size.upper()));
+    if (!modulus) return std::nullopt;
+    const auto [sine, cosine] = sin_cos(n * l.im);
+    return scaled{{modulus->m * cosine, modulus->m * sine}, modulus->exponent};
+  }
+};
+
+/// The form of what has none.
+struct region::not_scaled {
+  std::optional<scaled> operator()(const scaled&, const scaled&) const { return std::nullopt; }
+};
+
 complex_ball region::to_complex_ball() const {
   if (!is_analytic()) return complex_ball::undefined(ball_bits);
   if (balls_ != nullptr) return *balls_;
-  return {to_ball(hardware_.re, ball_bits), to_ball(hardware_.im, ball_bits)};
+  return {scale(to_ball(hardware_.re, ball_bits), exponent_),
+          scale(to_ball(hardware_.im, ball_bits), exponent_)};
 }
+
+namespace {
+magnitude to_magnitude(double x, bool up) {
+  if (std::isinf(x)) return magnitude::infinity();
+  int exponent = 0;
+  const auto fraction = static_cast<std::uint64_t>(std::ldexp(std::frexp(x, &exponent), 53));
+  const magnitude m =
+      up ? magnitude::from_integer_up(fraction) : magnitude::from_integer_down(fraction);
+  return scale(m, exponent - 53);
+}
+}  // namespace
 
 magnitude region::magnitude_upper() const {
   if (!is_analytic()) return magnitude::infinity();
-  return to_complex_ball().magnitude_upper();
+  if (balls_ != nullptr) return balls_->magnitude_upper();
+  return scale(to_magnitude(hypot(hardware_.re, hardware_.im).upper(), true), exponent_);
 }
 magnitude region::magnitude_lower() const {
   if (!is_analytic()) return {};
-  return to_complex_ball().magnitude_lower();
+  if (balls_ != nullptr) return balls_->magnitude_lower();
+  return scale(to_magnitude(hypot(hardware_.re, hardware_.im).lower(), false), exponent_);
 }
 double_interval region::re() const {
-  return is_analytic() ? hardware_.re : double_interval::undefined();
+  return is_analytic() ? scale(hardware_.re, exponent_) : double_interval::undefined();
 }
 double_interval region::im() const {
-  return is_analytic() ? hardware_.im : double_interval::undefined();
+  return is_analytic() ? scale(hardware_.im, exponent_) : double_interval::undefined();
 }
 
-/// f in hardware, or in balls where an operand is kept in them or the result leaves the hardware's
+/// f in hardware, with an exponent, or in balls where an operand is kept in them or the result leaves the hardware's
 /// range: also where an end may have underflowed to 0, so that the set would seem to touch a pole or a
 /// branch point. (What is made of sets that end at 0 ends at 0 as a rule, and balls would not help; not
-/// so exp of [-1000, 0]: `zero_is_news` there.) An undefined result of operands without an obstacle is
+/// so exp of [-1000, 0]: `zero_is_news` where it may underflow.) An undefined result of operands without an obstacle is
 /// retried too: it may come of infinity - infinity; if balls do no better, it is not analytic.
-template <class Hardware, class Balls>
+template <class Hardware, class Balls, class Scaled>
 region region::combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls,
-                        bool zero_is_news) {
+                        const Scaled& scaled_form, bool zero_is_news) {
   if (!z.is_analytic()) return z;
   if (!w.is_analytic()) return w;
   if (z.is_in_hardware() && w.is_in_hardware()) {
-    region r;
-    r.hardware_ = hardware(z.hardware_, w.hardware_);
-    const bool suspicious =
-        ends_at_zero(r.hardware_) &&
-        (zero_is_news || !(ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_)));
-    if (!is_undefined(r.hardware_) && !r.needs_balls() && !suspicious) return r;
+    const bool zero_is_usual = ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_);
+    const auto suspicious = [&](const region& r, bool is_news) {
+      return ends_at_zero(r.hardware_) && (is_news || !zero_is_usual);
+    };
+    if (z.exponent_ == 0 && w.exponent_ == 0) {
+      region r;
+      r.hardware_ = hardware(z.hardware_, w.hardware_);
+      if (!is_undefined(r.hardware_) && !r.needs_balls() && !suspicious(r, zero_is_news)) {
+        return r;
+      }
+    }
+    if (const std::optional<scaled> s = scaled_form(scaled::of(z), scaled::of(w))) {
+      std::optional<region> r = s->to_region();
+      if (r && !suspicious(*r, false)) return *r;
+    }
   }
   const bool keep_balls = z.precision() > ball_bits || w.precision() > ball_bits;
   return from_balls(balls(z.to_complex_ball(), w.to_complex_ball()), keep_balls);
@@ -121,24 +282,26 @@ struct region::functions {
   /// Whether the predicate holds of the set, in the form in which it is kept.
   template <class Predicate>
   static bool holds(const region& z, Predicate&& predicate) {
-    if (z.is_in_hardware()) return predicate(z.hardware_);
-    return predicate(static_cast<const rectangle<ball>&>(*z.balls_));
+    if (z.is_in_hardware() && z.exponent_ == 0) return predicate(z.hardware_);
+    return predicate(static_cast<const rectangle<ball>&>(z.to_complex_ball()));
   }
   /// f without singularities.
-  template <class F>
-  static region entire(const region& z, F&& f, bool zero_is_news = false) {
+  template <class F, class Scaled>
+  static region entire(const region& z, F&& f, const Scaled& scaled_form,
+                       bool zero_is_news = false) {
     return combined(
         z, z, [&](const auto& x, const auto&) { return f(x); },
         [&](const complex_ball& x, const complex_ball&) { return complex_ball(f(x)); },
-        zero_is_news);
+        [&](const scaled& x, const scaled&) { return scaled_form(x); }, zero_is_news);
   }
+  static std::optional<scaled> without_scale(const scaled&) { return std::nullopt; }
   /// f where singular(z) is false, else blocked.
-  template <class Singular, class F>
+  template <class Singular, class F, class Scaled>
   static region away_from(const region& z, obstacle why, std::string_view name, Singular&& singular,
-                          F&& f) {
+                          F&& f, const Scaled& scaled_form) {
     if (!z.is_analytic()) return z;
     if (holds(z, singular)) return blocked(why, name);
-    return entire(z, f);
+    return entire(z, f, scaled_form);
   }
   /// The sign of the real part, exactly: -1, 1, or 0 where it is not the same everywhere.
   static int sign_of_real_part(const region& z) {
@@ -165,19 +328,23 @@ struct region::functions {
 #define POLHODE_SINGULAR(f) [](const auto& x) { return possibly_singular::f(x); }
 
 region operator-(const region& z) {
-  return region::functions::entire(z, [](const auto& x) { return -x; });
+  return region::functions::entire(
+      z, [](const auto& x) { return -x; },
+      [](const region::scaled& x) -> std::optional<region::scaled> {
+        return region::scaled{-x.m, x.exponent};
+      });
 }
 region operator+(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x + y; };
-  return region::combined(z, w, f, f);
+  return region::combined(z, w, f, f, region::scaled::sum);
 }
 region operator-(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x - y; };
-  return region::combined(z, w, f, f);
+  return region::combined(z, w, f, f, region::scaled::difference);
 }
 region operator*(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x * y; };
-  return region::combined(z, w, f, f);
+  return region::combined(z, w, f, f, region::scaled::product);
 }
 region operator/(const region& z, const region& w) {
   if (!z.is_analytic()) return z;
@@ -186,11 +353,13 @@ region operator/(const region& z, const region& w) {
     return region::blocked(obstacle::pole, "/");
   }
   const auto f = [](const auto& x, const auto& y) { return x / y; };
-  return region::combined(z, w, f, f);
+  return region::combined(z, w, f, f, region::scaled::quotient);
 }
 
-#define POLHODE_ENTIRE(f) \
-  region f(const region& z) { return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(f)); }
+#define POLHODE_ENTIRE(f)                                                                  \
+  region f(const region& z) {                                                              \
+    return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(f), region::scaled::f); \
+  }
 POLHODE_ENTIRE(square)
 POLHODE_ENTIRE(sin)
 POLHODE_ENTIRE(cos)
@@ -198,15 +367,21 @@ POLHODE_ENTIRE(sinh)
 POLHODE_ENTIRE(cosh)
 #undef POLHODE_ENTIRE
 region exp(const region& z) {
-  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(exp), true);
+  return region::functions::entire(
+      z, POLHODE_RECTANGLE_FUNCTION(exp),
+      [](const region::scaled& x) { return region::scaled::exp(x); }, true);
 }
 
 #define POLHODE_AWAY_FROM(f, why)                                                  \
   region f(const region& z) {                                                      \
     return region::functions::away_from(z, obstacle::why, #f, POLHODE_SINGULAR(f), \
-                                        POLHODE_RECTANGLE_FUNCTION(f));            \
+                                        POLHODE_RECTANGLE_FUNCTION(f),             \
+                                        region::functions::without_scale);         \
   }
-POLHODE_AWAY_FROM(sqrt, branch_cut)
+region sqrt(const region& z) {
+  return region::functions::away_from(z, obstacle::branch_cut, "sqrt", POLHODE_SINGULAR(sqrt),
+                                      POLHODE_RECTANGLE_FUNCTION(sqrt), region::scaled::sqrt);
+}
 POLHODE_AWAY_FROM(log, branch_cut)
 POLHODE_AWAY_FROM(tan, pole)
 POLHODE_AWAY_FROM(tanh, pole)
@@ -223,7 +398,8 @@ POLHODE_AWAY_FROM(atanh, branch_cut)
 region pow(const region& z, long n) {
   return region::functions::away_from(
       z, obstacle::pole, "pow", [&](const auto& x) { return possibly_singular::pow(x, n); },
-      [&](const auto& x) { return pow(x, n); });
+      [&](const auto& x) { return pow(x, n); },
+      [&](const region::scaled& x) { return region::scaled::pow(x, n); });
 }
 
 region pow(const region& z, const region& w) {

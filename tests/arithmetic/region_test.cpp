@@ -136,10 +136,10 @@ TEST(Region, ContinuesThePiecesOfRealFunctions) {
   EXPECT_TRUE(floor(left).is_analytic() && contains(floor(left).re(), -1.0));
 }
 
-TEST(Region, GoesOnInBallsBeyondTheRangeOfDoubles) {
+TEST(Region, GoesOnBeyondTheRangeOfDoubles) {
   const region large = exp(region(double_interval(2000, 2000.5)));
   ASSERT_TRUE(large.is_analytic());
-  EXPECT_FALSE(large.is_in_hardware());
+  EXPECT_TRUE(large.is_in_hardware());
   EXPECT_FALSE(large.magnitude_upper().is_infinite());
   const ball e2000 = exp(ball(2000, 100));
   EXPECT_TRUE(contains(large.to_complex_ball().re, e2000));
@@ -158,6 +158,47 @@ TEST(Region, GoesOnInBallsBeyondTheRangeOfDoubles) {
   const ball exact = pow(ball(3000, 200), 1000) * exp(ball(-3000, 200));
   EXPECT_TRUE(overlaps(product.to_complex_ball().re, exact));
   EXPECT_LT(to_ball(double_interval(1), 64).precision(), 65);
+}
+
+// Every function with a form of its own there, on sets whose values leave the range of doubles, and the
+// ways back: against the same in balls.
+TEST(Region, HoldsTheValuesBeyondTheRangeOfDoubles) {
+  support::random_source random(4777);
+  for (support::repeat trial(4000); trial.again();) {
+    const auto number = [&](long size) {
+      return static_cast<double>(random.between(-size, size)) / 64;
+    };
+    const double width = random.one_in(3) ? 0 : std::abs(number(300));
+    const double left = number(200'000);
+    const double low = number(2000);
+    const region z(double_interval(left, left + width),
+                   double_interval(low, low + std::abs(number(64))));
+    const complex_ball at(ball(rational(left) + rational(width) / 3, 300),
+                          ball(rational(z.im().upper()), 300));
+    const long n = random.between(-3, 40);
+    const auto holds = [&](const char* name, auto&& f) {
+      SCOPED_TRACE(name);
+      const region value = f(z);
+      const complex_ball truth = f(at);
+      if (!value.is_analytic() || is_undefined(truth)) return;
+      const complex_ball set = value.to_complex_ball();
+      EXPECT_TRUE(overlaps(set.re, truth.re) && overlaps(set.im, truth.im)) << set << ' ' << truth;
+      EXPECT_TRUE(truth.magnitude_lower() <= value.magnitude_upper());
+      EXPECT_TRUE(value.magnitude_lower() <= truth.magnitude_upper());
+      EXPECT_TRUE(overlaps(to_ball(value.re(), 64), truth.re));
+    };
+    holds("exp", [](const auto& x) { return exp(x); });
+    holds("sin", [](const auto& x) { return sin(x); });
+    holds("cos", [](const auto& x) { return cos(x * x); });
+    holds("sinh", [](const auto& x) { return sinh(x); });
+    holds("cosh", [](const auto& x) { return cosh(x) - exp(x) * 3; });
+    holds("pow", [n](const auto& x) { return pow(x, 11 * n) * pow(x + 1, -10 * n); });
+    holds("product", [](const auto& x) { return exp(x) * exp(2 - x); });
+    holds("sum", [](const auto& x) { return exp(x) + (exp(x - 3) - exp(2 - x)); });
+    holds("quotient", [](const auto& x) { return (1 + exp(x)) / exp(x + 2000); });
+    holds("root", [](const auto& x) { return sqrt(-exp(x / 50) * square(exp(x))); });
+    holds("sech", [](const auto& x) { return x / cosh(x); });
+  }
 }
 
 // An end that underflows to 0 in hardware is no pole and no branch point.

@@ -15,8 +15,9 @@
 // continuation of |x| from either side; min and max likewise pick the one that is smaller or greater in
 // its real part; floor(z) is the constant that it is on the real numbers of the same real part.
 //
-// Where a result leaves the range of doubles (overflow, underflow, an argument too large to reduce modulo
-// pi) it is computed again, and carried on, with balls of 64 bits, whose exponents go far beyond.
+// Where a result leaves the range of doubles (overflow, underflow) the rectangle gets a power of two as a
+// factor, in sums, products, quotients, powers, roots, exp, sin, cos, sinh and cosh; where that does not serve
+// it is computed again, and carried on, with balls of 64 bits, whose exponents go as far.
 
 #include <memory>
 #include <optional>
@@ -137,7 +138,7 @@ class region {
   [[nodiscard]] double_interval im() const;
   /// The set as a complex ball, of 64 bits where it is kept in the hardware.
   [[nodiscard]] complex_ball to_complex_ball() const;
-  /// The set is kept in hardware doubles, not in balls.
+  /// The set is kept in hardware doubles (times a power of two), not in balls.
   [[nodiscard]] bool is_in_hardware() const { return balls_ == nullptr; }
   /// 53, or that of the balls it is kept in.
   [[nodiscard]] polhode::precision precision() const {
@@ -183,16 +184,19 @@ class region {
 
  private:
   static region from_balls(const complex_ball& z, bool keep_balls = false);
-  /// Marks an undefined set; passes to balls where the hardware's range is left.
+  /// Marks an undefined set.
   void settle();
   [[nodiscard]] bool needs_balls() const;
 
-  template <class Hardware, class Balls>
+  struct scaled;
+  struct not_scaled;
+  template <class Hardware, class Balls, class Scaled = not_scaled>
   static region combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls,
-                         bool zero_is_news = false);
+                         const Scaled& scaled_form = {}, bool zero_is_news = false);
   struct functions;
 
   rectangle<double_interval> hardware_;
+  long exponent_ = 0;                          // the set is 2^exponent_ times hardware_
   std::shared_ptr<const complex_ball> balls_;  // the set, where the hardware's range was left
   obstacle obstacle_ = obstacle::none;
   std::string_view where_;
