@@ -600,6 +600,18 @@ double_interval double_interval::from_integer(mpz_srcptr n) {
 }
 
 double_interval double_interval::from_rational(mpq_srcptr q) {
+  constexpr std::size_t bits = 53;
+  if (mpz_sizeinbase(mpq_numref(q), 2) <= bits && mpz_sizeinbase(mpq_denref(q), 2) <= bits) {
+    const double n = mpz_get_d(mpq_numref(q));
+    const double d = mpz_get_d(mpq_denref(q));
+    const double nearest = n / d;
+    // n - d nearest is a double (the remainder of a division), far above the least one; its sign is that of
+    // n/d - nearest.
+    const double rest = std::fma(-nearest, d, n);
+    if (rest == 0) return double_interval(nearest);
+    return rest > 0 ? ends(nearest, detail::next_up(nearest))
+                    : ends(detail::next_down(nearest), nearest);
+  }
   detail::mpfr_cell end(53);
   mpfr_set_q(end.get(), q, MPFR_RNDD);
   const double low = mpfr_get_d(end.get(), MPFR_RNDD);

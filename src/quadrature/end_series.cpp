@@ -64,10 +64,18 @@ POLHODE_EXACT_AT(atanh, 0, 0)
 }  // namespace detail
 
 using detail::exact_ball;
+using remedy = end_series::remedy;
 
-end_series end_series::blocked(std::string_view where) {
-  end_series r;
-  r.where_ = where;
+end_series end_series::blocked(std::string_view where, remedy r) {
+  end_series result;
+  result.where_ = where;
+  result.remedy_ = r;
+  return result;
+}
+
+end_series end_series::with_any_remedy() const {
+  end_series r = *this;
+  r.remedy_ = remedy::unknown;
   return r;
 }
 
@@ -80,13 +88,14 @@ end_series end_series::constant(const exact_ball& at_0, const region& over) cons
   return r;
 }
 
-end_series end_series::argument(const exact_ball& a, const exact_ball& s, long q, double r) {
+end_series end_series::argument(const exact_ball& a, const exact_ball& s, long q, double r,
+                                int orders) {
   end_series t;
   t.blocked_ = false;
   t.r_ = r;
   const double_interval side(-r, r);
-  t.terms_.push_back(
-      {centre_jet::variable(exact_ball(), order), square_jet::variable(region(side, side), order)});
+  t.terms_.push_back({centre_jet::variable(exact_ball(), orders),
+                      square_jet::variable(region(side, side), orders)});
   if (q < 0) {
     end_series x = t.constant(s, region(s.enclosure()));
     x.m_ = q;
@@ -102,7 +111,9 @@ end_series end_series::checked(std::string_view name) const {
   if (blocked_) return *this;
   for (const term& g : terms_) {
     for (int k = 0; k <= g.at_0.order(); ++k) {
-      if (g.at_0[k].enclosure().is_undefined() || !g.over[k].is_analytic()) return blocked(name);
+      if (g.at_0[k].enclosure().is_undefined() || !g.over[k].is_analytic()) {
+        return blocked(name, remedy::smaller_square);
+      }
     }
   }
   return *this;
@@ -115,7 +126,7 @@ magnitude end_series::supremum(int k) const {
 
 /// The same function with m less by so many powers: each G_k times t^powers, powers >= 0.
 end_series end_series::moved(long powers) const {
-  if (powers > 64) return blocked("a high power of the distance");
+  if (powers > 64) return blocked("a high power of the distance", remedy::none);
   end_series r = *this;
   r.m_ -= powers;
   const double_interval side(-r_, r_);
@@ -145,9 +156,10 @@ end_series operator+(const end_series& x, const end_series& y) {
   if (x.blocked_) return x;
   if (y.blocked_) return y;
   const rational difference = x.m_ - y.m_;
-  if (denominator(difference) != 1) return end_series::blocked("+ (of different roots)");
+  if (denominator(difference) != 1)
+    return end_series::blocked("+ (of different roots)", remedy::other_root);
   if (difference > 0) return y + x;
-  if (difference < -64) return end_series::blocked("+ (of very different powers)");
+  if (difference < -64) return end_series::blocked("+ (of very different powers)", remedy::none);
   end_series r = x;
   end_series other = y.moved(static_cast<long>(-numerator(difference)));
   if (other.blocked_) return other;
@@ -188,7 +200,7 @@ end_series operator*(const end_series& x, const end_series& y) {
   r.r_ = x.r_;
   r.m_ = x.m_ + y.m_;
   const std::size_t count = x.terms_.size() + y.terms_.size() - 1;
-  if (count > 8) return end_series::blocked("* (a high power of a logarithm)");
+  if (count > 8) return end_series::blocked("* (a high power of a logarithm)", remedy::none);
   std::vector<std::optional<end_series::term>> product(count);
   for (std::size_t i = 0; i < x.terms_.size(); ++i) {
     for (std::size_t j = 0; j < y.terms_.size(); ++j) {
@@ -231,23 +243,23 @@ bool end_series::leads_surely() const {
 
 end_series end_series::normalised(std::string_view name) const {
   if (blocked_) return *this;
-  if (log_degree() != 0) return blocked(name);
+  if (log_degree() != 0) return blocked(name, remedy::none);
   end_series r = *this;
   term& g = r.terms_.front();
   while (g.at_0[0].is_zero()) {
     const int n = g.at_0.order();
-    if (n < 1) return blocked(name);
+    if (n < 1) return blocked(name, remedy::more_orders);
     g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
     r.m_ += 1;
   }
-  if (contains_zero(g.at_0[0].enclosure()) || g.over[0].magnitude_lower().is_zero())
-    return blocked(name);
+  if (contains_zero(g.at_0[0].enclosure())) return blocked(name, remedy::none);
+  if (g.over[0].magnitude_lower().is_zero()) return blocked(name, remedy::smaller_square);
   return r;
 }
 
 end_series end_series::plain(std::string_view name) const {
   if (blocked_) return *this;
-  if (log_degree() != 0) return blocked(name);
+  if (log_degree() != 0) return blocked(name, remedy::none);
   if (m_ == 0) return *this;
   if (m_ > 0 && denominator(m_) == 1 && m_ <= 64) return moved(static_cast<long>(numerator(m_)));
   if (m_ < 0) {
@@ -260,8 +272,10 @@ end_series end_series::plain(std::string_view name) const {
       r.m_ += 1;
     }
     if (r.m_ == 0) return r;
+    const bool hidden = r.terms_.front().at_0[0].is_zero();
+    return blocked(name, hidden ? remedy::more_orders : remedy::none);
   }
-  return blocked(name);
+  return blocked(name, denominator(m_) != 1 ? remedy::other_root : remedy::none);
 }
 
 end_series operator/(const end_series& x, const end_series& y) {
@@ -310,7 +324,9 @@ end_series pow(const end_series& x, const rational& e) {
   end_series r = x.normalised("pow");
   if (r.blocked_) return r;
   auto& g = r.terms_.front();
-  if (!certainly_positive(g.at_0[0].enclosure())) return end_series::blocked("pow");
+  if (!certainly_positive(g.at_0[0].enclosure())) {
+    return end_series::blocked("pow", remedy::none);
+  }
   r.m_ *= e;
   if (e == rational(1, 2)) {
     g = {sqrt(g.at_0), sqrt(g.over)};
@@ -330,7 +346,9 @@ end_series log(const end_series& x) {
   r.m_ = 0;
   {
     auto& g = r.terms_.front();
-    if (!certainly_positive(g.at_0[0].enclosure())) return end_series::blocked("log");
+    if (!certainly_positive(g.at_0[0].enclosure())) {
+      return end_series::blocked("log", remedy::none);
+    }
     g = {log(g.at_0), log(g.over)};
   }
   if (m != 0) {
@@ -379,13 +397,13 @@ end_series atan(const end_series& x) {
     return sign * pi(end_series::bits) / 2 -
            end_series::regular(inverse, "atan", [](const auto& g) { return atan(g); });
   }
-  return end_series::regular(x, "atan", [](const auto& g) { return atan(g); });
+  return end_series::regular(x, "atan", [](const auto& g) { return atan(g); }).with_any_remedy();
 }
 end_series asinh(const end_series& x) {
   const int sign = !x.blocked_ && x.m_ < 0 ? x.sign() : 0;
   if (sign < 0) return -asinh(-x);
   if (sign > 0) return log(x + sqrt(x * x + 1));
-  return end_series::regular(x, "asinh", [](const auto& g) { return asinh(g); });
+  return end_series::regular(x, "asinh", [](const auto& g) { return asinh(g); }).with_any_remedy();
 }
 
 std::optional<long> end_series::exact_value_at_0() const {
@@ -420,7 +438,7 @@ end_series acosh(const end_series& x) {
   const std::optional<long> start = x.exact_value_at_0();
   if (start && *start == 1) return 2 * asinh(sqrt((x - 1) / 2));
   if (x.m_ < 0 && x.sign() > 0) return log(x + sqrt(x * x - 1));
-  return end_series::regular(x, "acosh", [](const auto& g) { return acosh(g); });
+  return end_series::regular(x, "acosh", [](const auto& g) { return acosh(g); }).with_any_remedy();
 }
 end_series atanh(const end_series& x) {
   if (x.blocked_) return x;
@@ -475,7 +493,7 @@ end_series max(const end_series& x, const end_series& y) { return -min(-x, -y); 
 /// n where n < x < n + 1 for 0 < t <= r.
 end_series floor(const end_series& x) {
   end_series p = x.plain("floor");
-  if (p.is_blocked()) return p;
+  if (p.is_blocked()) return p.with_any_remedy();
   const ball candidate = floor(p.terms_.front().at_0[0].enclosure());
   for (const long step : {0L, -1L}) {
     if (!candidate.is_exact()) break;

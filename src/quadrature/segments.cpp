@@ -54,26 +54,56 @@ exact_ball exactly(const limit& x) {
   return x.is_exact() ? exact_ball(x.exact_value()) : exact_ball(x.at(192));
 }
 
-/// Looks at f near an end. Tries substitutions x = p + s t^q for small q, and squares of several sizes.
-end_plan look_at_end(const integrand& f, const end_of_range& end) {
-  constexpr std::array<long, 6> roots{1, 2, 3, 4, 5, 6};
+/// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which its series is
+/// known; with few orders first, which cost less and mostly suffice.
+end_series series_at_end(const integrand& f, const end_of_range& end, long q, double& r) {
   constexpr std::array<double, 6> sizes{0.5, 0.25, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32};
+  using remedy = end_series::remedy;
   const exact_ball p = exactly(end.at);
   const exact_ball s = exactly(end.distance);
-  end_plan best;
-  for (const long root : roots) {
-    const long q = end.infinite ? -root : root;
-    for (const double r : sizes) {
-      const end_series h = f.near_end(end_series::argument(p, s, q, r));
-      if (h.is_blocked()) {
-        if (best.obstacle.empty()) best.obstacle = std::string(h.where());
-        continue;
-      }
-      end_plan plan = plan_from_series(h, q, r);
-      if (plan.how == manner::power) return plan;
-      if (best.how == manner::unknown) best = plan;
-      break;  // a smaller square does not change the exponents
+  end_series first;
+  int orders = 2;
+  for (std::size_t k = 0; k < sizes.size();) {
+    r = sizes.at(k);
+    end_series h = f.near_end(end_series::argument(p, s, q, r, orders));
+    const bool few_orders = orders < end_series::most_orders;
+    const remedy help = h.what_may_help();
+    if (h.is_blocked()) {
+      if (k == 0) first = h;
+      if (help == remedy::none || help == remedy::other_root) return h;
+      if (help == remedy::smaller_square || !few_orders) ++k;
+    } else if (!few_orders || h.simplified().leads_surely()) {
+      return h;
     }
+    if (help != remedy::smaller_square) orders = end_series::most_orders;
+  }
+  return first;
+}
+
+/// Looks at f near an end. Tries substitutions x = p + s t^q for small q.
+end_plan look_at_end(const integrand& f, const end_of_range& end) {
+  using remedy = end_series::remedy;
+  constexpr long most_root = 6;
+  end_plan best;
+  for (long root = 1; root <= most_root;) {
+    const long q = end.infinite ? -root : root;
+    double r = 0;
+    const end_series h = series_at_end(f, end, q, r);
+    if (h.is_blocked()) {
+      if (best.obstacle.empty()) best.obstacle = std::string(h.where());
+      const remedy help = h.what_may_help();
+      if (help == remedy::none || help == remedy::smaller_square) break;
+      ++root;
+      continue;
+    }
+    end_plan plan = plan_from_series(h, q, r);
+    if (plan.how == manner::power) return plan;
+    if (best.how == manner::unknown) best = plan;
+    // Where there is no logarithm, the exponent times this root is whole.
+    const integer whole = denominator(plan.exponent) * root;
+    const bool helps = plan.how == manner::exponential && plan.bounds.size() == 1;
+    if (!helps || whole <= root || whole > most_root) break;
+    root = static_cast<long>(whole);
   }
   return best;
 }
@@ -87,15 +117,31 @@ bool is_regular(const integrand& f, const end_of_range& end) {
   return f.over(x).is_analytic();
 }
 
+/// p + s t^q for t^q in the region's own arithmetic.
+class moved_from_end {
+ public:
+  explicit moved_from_end(const end_of_range& end)
+      : end_(end), p_hardware_(end.at.at(64)), s_hardware_(end.distance.at(64)) {}
+  region operator()(const region& power) const {
+    if (power.is_in_hardware()) return p_hardware_ + s_hardware_ * power;
+    const precision bits = power.precision() + 11;
+    return end_.at.at(bits) + end_.distance.at(bits) * power;
+  }
+
+ private:
+  end_of_range end_;
+  region p_hardware_;
+  region s_hardware_;
+};
+
 /// x = p + s t^q for 0 < t <= 1, with the series' bound near t = 0.
 segment power_segment(const integrand& f, const end_of_range& end, const end_plan& plan) {
   segment result;
   const long q = plan.q;
-  const auto argument = [end, q](const region& t) {
-    const precision bits = t.precision() + 11;
-    return end.at.at(bits) + end.distance.at(bits) * pow(t, q);
+  result.over = [=, x = moved_from_end(end)](const region& t) {
+    if (q == 1) return f.over(x(t));
+    return f.over(x(pow(t, q))) * pow(t, q - 1);
   };
-  result.over = [=](const region& t) { return f.over(argument(t)) * pow(t, q - 1); };
   result.evaluator = [=](precision bits) -> std::function<ball(const ball&)> {
     return
         [p = end.at.at(bits), s = end.distance.at(bits), q, g = f.evaluator(bits)](const ball& t) {
@@ -156,27 +202,25 @@ segment exponential_segment(const integrand& f, const end_of_range& end, const e
                             double r0, double length, ball& remainder) {
   segment result;
   const long q = plan.q;
-  result.over = [=](const region& v) {
-    const region t = exp(v * ball::exactly(-length)) * ball::exactly(r0);
-    const precision bits = t.precision() + 11;
-    const region x = end.at.at(bits) + end.distance.at(bits) * pow(t, q);
-    return f.over(x) * pow(t, q);
+  const ball minus_length = ball::exactly(-length);
+  const ball first = ball::exactly(r0);
+  result.over = [=, x = moved_from_end(end)](const region& v) {
+    const region power = pow(exp(v * minus_length) * first, q);
+    return f.over(x(power)) * power;
   };
   result.evaluator = [=](precision bits) -> std::function<ball(const ball&)> {
-    return [p = end.at.at(bits), s = end.distance.at(bits), q, g = f.evaluator(bits), length,
-            r0](const ball& v) {
-      const ball t = exp(v * ball::exactly(-length)) * ball::exactly(r0);
-      const ball power = pow(t, q);
-      return g(p + s * power) * power;
-    };
+    return
+        [=, p = end.at.at(bits), s = end.distance.at(bits), g = f.evaluator(bits)](const ball& v) {
+          const ball power = pow(exp(v * minus_length) * first, q);
+          return g(p + s * power) * power;
+        };
   };
   result.scale = [=](precision bits) {
     return end.distance.at(bits) * std::abs(q) * ball::exactly(length).with_precision(bits);
   };
   result.position = [=](const ball& v) {
     const precision bits = v.precision();
-    return end.at.at(bits) +
-           end.distance.at(bits) * pow(exp(v * ball::exactly(-length)) * ball::exactly(r0), q);
+    return end.at.at(bits) + end.distance.at(bits) * pow(exp(v * minus_length) * first, q);
   };
   const ball c = ball(rational(plan.exponent + 1), 64);
   const ball start = abs(log(ball::exactly(r0, 64)));

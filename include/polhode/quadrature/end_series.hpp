@@ -104,14 +104,26 @@ class exact_ball {
 
 class end_series {
  public:
+  /// What may help a series that is blocked, to search with.
+  enum class remedy {
+    unknown,  // perhaps one of those below
+    smaller_square,
+    more_orders,
+    other_root,  // q
+    none
+  };
+  /// How many orders are followed, unless said otherwise.
+  static constexpr int most_orders = 8;
+
   /// Blocked.
   end_series() : blocked_(true) {}
   /// a + s t^q over the square of half-side r, for q > 0; for q < 0 and a = 0, an end at infinity.
   [[nodiscard]] static end_series argument(const detail::exact_ball& a, const detail::exact_ball& s,
-                                           long q, double r);
+                                           long q, double r, int orders = most_orders);
 
-  [[nodiscard]] static end_series blocked(std::string_view where);
+  [[nodiscard]] static end_series blocked(std::string_view where, remedy r = remedy::unknown);
   [[nodiscard]] bool is_blocked() const { return blocked_; }
+  [[nodiscard]] remedy what_may_help() const { return remedy_; }
   /// The name of the function that could not be continued; empty where there is none.
   [[nodiscard]] std::string_view where() const { return where_; }
 
@@ -179,7 +191,6 @@ class end_series {
 
  private:
   static constexpr precision bits = detail::exact_ball::bits;
-  static constexpr int order = 8;
   using centre_jet = jet<detail::exact_ball, dynamic_order>;
   using square_jet = jet<region, dynamic_order>;
   /// G_k's two jets. They have the same order, which falls with each division by t.
@@ -193,6 +204,8 @@ class end_series {
   template <class F>
   static end_series regular(const end_series& x, std::string_view name, F&& f);
   [[nodiscard]] end_series checked(std::string_view name) const;
+  /// Blocked, if it is, by what another kind of series may yet help.
+  [[nodiscard]] end_series with_any_remedy() const;
   [[nodiscard]] end_series moved(long powers) const;
   /// K = 0 and m such that G_0(0) is certainly not 0 and G_0 has no zero in the square; else blocked.
   [[nodiscard]] end_series normalised(std::string_view name) const;
@@ -204,6 +217,7 @@ class end_series {
   double r_ = 0;
   std::vector<term> terms_;
   bool blocked_ = false;
+  remedy remedy_ = remedy::unknown;
   std::string_view where_;
 };
 
