@@ -75,12 +75,21 @@ region region::from_balls(const complex_ball& z, bool keep_balls) {
 
 region region::in_balls(const complex_ball& z) { return from_balls(z, true); }
 
+/// 2^exponent times an interval.
+struct region::scaled_interval {
+  double_interval m;
+  long exponent = 0;
+
+  [[nodiscard]] double_interval over(long e) const { return scale(m, exponent - e); }
+};
+
 /// 2^exponent times a rectangle: what lies beyond the range of doubles, without balls. Each form below is
 /// the function's usual one, whose factors beyond the range have the exponent split off. Nothing where a
 /// function has no such form.
 struct region::scaled {
   rectangle<double_interval> m;
   long exponent = 0;
+  std::optional<scaled_interval> modulus = std::nullopt;
 
   static constexpr long largest_exponent = 1L << 40;  // sums of a few do not overflow
 
@@ -105,6 +114,7 @@ struct region::scaled {
     region result;
     result.hardware_ = r.m;
     result.exponent_ = r.exponent;
+    if (modulus) return std::move(result).with_modulus(*modulus);
     return result;
   }
 
@@ -138,16 +148,11 @@ struct region::scaled {
     return scaled{polhode::sqrt(x.m), x.exponent / 2};
   }
 
-  /// A real interval with an exponent.
-  struct real {
-    double_interval m;
-    long exponent = 0;
-  };
   /// e^x = 2^k e^(x - k log 2), for any k. Bounded x.
-  static std::optional<real> exp(double_interval x, long k) {
+  static std::optional<scaled_interval> exp(double_interval x, long k) {
     if (!(x.magnitude() < 0x1p39)) return std::nullopt;
     static const double_interval log_2 = log(double_interval(2));
-    return real{polhode::exp(x - k * log_2), k};
+    return scaled_interval{polhode::exp(x - k * log_2), k};
   }
   /// A k that serves.
   static long exponent_of_exp(double x) {
@@ -168,9 +173,10 @@ struct region::scaled {
     const auto size = exp(z.m.re, exponent_of_exp(z.m.re.upper()));
     if (!size) return std::nullopt;
     const auto [sine, cosine] = sin_cos(z.m.im);
-    return scaled{{size->m * cosine, size->m * sine}, size->exponent};
+    return scaled{{size->m * cosine, size->m * sine}, size->exponent, size};
   }
-  /// cosh z = cosh x cos y + i sinh x sin y and sinh z = sinh x cos y + i cosh x sin y.
+  /// cosh z = cosh x cos y + i sinh x sin y and sinh z = sinh x cos y + i cosh x sin y. |cosh z|^2 = sinh^2 x + cos^2 y =
+  /// cosh^2 x - sin^2 y and |sinh z|^2 = sinh^2 x + sin^2 y = cosh^2 x - cos^2 y: both between |sinh x| and cosh x.
   static std::optional<scaled> hyperbolic(const scaled& z, bool is_cosh) {
     if (z.exponent != 0) return std::nullopt;
     const long k = exponent_of_exp(z.m.re.magnitude());
@@ -178,8 +184,9 @@ struct region::scaled {
     if (!both) return std::nullopt;
     const auto& [c, s] = *both;
     const auto [sine, cosine] = sin_cos(z.m.im);
-    if (is_cosh) return scaled{{c * cosine, s * sine}, k};
-    return scaled{{s * cosine, c * sine}, k};
+    const scaled_interval modulus{hull(abs(s), c), k};
+    if (is_cosh) return scaled{{c * cosine, s * sine}, k, modulus};
+    return scaled{{s * cosine, c * sine}, k, modulus};
   }
   static std::optional<scaled> cosh(const scaled& z) { return hyperbolic(z, true); }
   static std::optional<scaled> sinh(const scaled& z) { return hyperbolic(z, false); }
@@ -190,7 +197,7 @@ struct region::scaled {
   static std::optional<scaled> sin(const scaled& z) {
     const std::optional<scaled> s = hyperbolic({{-z.m.im, z.m.re}, z.exponent}, false);
     if (!s) return s;
-    return scaled{{s->m.im, -s->m.re}, s->exponent};
+    return scaled{{s->m.im, -s->m.re}, s->exponent, s->modulus};
   }
   /// |z|^n e^(i n arg z).
   static std::optional<scaled> pow(const scaled& z, long n) {
@@ -202,7 +209,7 @@ struct region::scaled {
     const auto modulus = exp(size, exponent_of_exp(size.upper()));
     if (!modulus) return std::nullopt;
     const auto [sine, cosine] = sin_cos(n * l.im);
-    return scaled{{modulus->m * cosine, modulus->m * sine}, modulus->exponent};
+    return scaled{{modulus->m * cosine, modulus->m * sine}, modulus->exponent, modulus};
   }
 };
 
@@ -232,13 +239,37 @@ magnitude to_magnitude(double x, bool up) {
 magnitude region::magnitude_upper() const {
   if (!is_analytic()) return magnitude::infinity();
   if (balls_ != nullptr) return balls_->magnitude_upper();
-  return scale(to_magnitude(hypot(hardware_.re, hardware_.im).upper(), true), exponent_);
+  const scaled_interval size = modulus();
+  return scale(to_magnitude(size.m.upper(), true), size.exponent);
 }
 magnitude region::magnitude_lower() const {
   if (!is_analytic()) return {};
   if (balls_ != nullptr) return balls_->magnitude_lower();
-  return scale(to_magnitude(hypot(hardware_.re, hardware_.im).lower(), false), exponent_);
+  const scaled_interval size = modulus();
+  return scale(to_magnitude(size.m.lower(), false), size.exponent);
 }
+
+bool region::knows_modulus() const {
+  return modulus_.lower() > 0 || modulus_.upper() < detail::infinity;
+}
+
+/// |z|, of a set in the hardware.
+region::scaled_interval region::modulus() const {
+  const double_interval of_rectangle = hypot(hardware_.re, hardware_.im);
+  if (!knows_modulus()) return {of_rectangle, exponent_};
+  const double_interval both = intersection(of_rectangle, modulus_);
+  return {both.is_undefined() ? of_rectangle : both, exponent_};
+}
+
+region region::with_modulus(const scaled_interval& m) && {
+  if (!is_analytic() || !is_in_hardware() || m.m.is_undefined()) return std::move(*this);
+  const double_interval own = hypot(hardware_.re, hardware_.im);
+  const double_interval news = m.over(exponent_);
+  const bool tells_more = news.lower() > own.lower() || news.upper() < own.upper();
+  modulus_ = tells_more ? news : not_known;
+  return std::move(*this);
+}
+
 double_interval region::re() const {
   return is_analytic() ? scale(hardware_.re, exponent_) : double_interval::undefined();
 }
@@ -294,6 +325,35 @@ struct region::functions {
         [&](const complex_ball& x, const complex_ball&) { return complex_ball(f(x)); },
         [&](const scaled& x, const scaled&) { return scaled_form(x); }, zero_is_news);
   }
+  /// r, a function of z and w, with what is known of its size from the sizes of z and w.
+  template <class Size>
+  static region sized(region r, const region& z, const region& w, Size&& size) {
+    if (!z.knows_modulus() && !w.knows_modulus()) return r;
+    if (!z.is_in_hardware() || !w.is_in_hardware()) return r;
+    return std::move(r).with_modulus(size(z.modulus(), w.modulus()));
+  }
+  static scaled_interval size_of_product(const scaled_interval& x, const scaled_interval& y) {
+    return {x.m * y.m, x.exponent + y.exponent};
+  }
+  static scaled_interval size_of_quotient(const scaled_interval& x, const scaled_interval& y) {
+    return {x.m / y.m, x.exponent - y.exponent};
+  }
+  /// | |z| - |w| | <= |z +- w| <= |z| + |w|.
+  static scaled_interval size_of_sum(const scaled_interval& x, const scaled_interval& y) {
+    const long e = std::max(x.exponent, y.exponent);
+    const double_interval a = x.over(e);
+    const double_interval b = y.over(e);
+    return {hull(abs(a - b), a + b), e};
+  }
+  /// By the scaled form, where the hardware's range may be left; nothing where that does not serve.
+  template <class Scaled>
+  static std::optional<region> in_scale(const region& z, const Scaled& scaled_form) {
+    if (!z.is_moderate()) return std::nullopt;
+    const std::optional<scaled> s = scaled_form(scaled::of(z));
+    std::optional<region> r = s ? s->to_region() : std::nullopt;
+    if (r && ends_at_zero(r->hardware_) && !ends_at_zero(z.hardware_)) r.reset();
+    return r;
+  }
   static std::optional<scaled> without_scale(const scaled&) { return std::nullopt; }
   /// f where singular(z) is false, else blocked.
   template <class Singular, class F, class Scaled>
@@ -328,48 +388,116 @@ struct region::functions {
 #define POLHODE_SINGULAR(f) [](const auto& x) { return possibly_singular::f(x); }
 
 region operator-(const region& z) {
-  return region::functions::entire(
+  region r = region::functions::entire(
       z, [](const auto& x) { return -x; },
       [](const region::scaled& x) -> std::optional<region::scaled> {
         return region::scaled{-x.m, x.exponent};
       });
+  return region::functions::sized(std::move(r), z, z, [](const auto& x, const auto&) { return x; });
 }
 region operator+(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x + y; };
-  return region::combined(z, w, f, f, region::scaled::sum);
+  return region::functions::sized(region::combined(z, w, f, f, region::scaled::sum), z, w,
+                                  region::functions::size_of_sum);
 }
 region operator-(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x - y; };
-  return region::combined(z, w, f, f, region::scaled::difference);
+  return region::functions::sized(region::combined(z, w, f, f, region::scaled::difference), z, w,
+                                  region::functions::size_of_sum);
 }
 region operator*(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x * y; };
-  return region::combined(z, w, f, f, region::scaled::product);
+  return region::functions::sized(region::combined(z, w, f, f, region::scaled::product), z, w,
+                                  region::functions::size_of_product);
 }
 region operator/(const region& z, const region& w) {
   if (!z.is_analytic()) return z;
   if (!w.is_analytic()) return w;
   if (region::functions::holds(w, [](const auto& x) { return possibly_singular::reciprocal(x); })) {
+    // The rectangle holds 0, but not the set: 1/w lies in a disc.
+    if (w.is_in_hardware() && w.modulus_.lower() > 0) {
+      const double_interval size = 1 / w.modulus().m;
+      const double_interval side(-size.upper(), size.upper());
+      const std::optional<region> inverse =
+          region::scaled{{side, side}, -w.exponent_, region::scaled_interval{size, -w.exponent_}}
+              .to_region();
+      if (inverse) return z * *inverse;
+    }
     return region::blocked(obstacle::pole, "/");
   }
   const auto f = [](const auto& x, const auto& y) { return x / y; };
-  return region::combined(z, w, f, f, region::scaled::quotient);
+  return region::functions::sized(region::combined(z, w, f, f, region::scaled::quotient), z, w,
+                                  region::functions::size_of_quotient);
 }
 
-#define POLHODE_ENTIRE(f)                                                                  \
-  region f(const region& z) {                                                              \
-    return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(f), region::scaled::f); \
-  }
-POLHODE_ENTIRE(square)
-POLHODE_ENTIRE(sin)
-POLHODE_ENTIRE(cos)
-POLHODE_ENTIRE(sinh)
-POLHODE_ENTIRE(cosh)
-#undef POLHODE_ENTIRE
+region square(const region& z) {
+  return region::functions::sized(
+      region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(square), region::scaled::square), z,
+      z, region::functions::size_of_product);
+}
+
+/// size e^(i angle).
+region region::rotating(double_interval size, double_interval angle) {
+  const auto [sine, cosine] = sin_cos(angle);
+  region r;
+  r.hardware_ = {size * cosine, size * sine};
+  return std::move(r).with_modulus({size, 0});
+}
 region exp(const region& z) {
-  return region::functions::entire(
-      z, POLHODE_RECTANGLE_FUNCTION(exp),
-      [](const region::scaled& x) { return region::scaled::exp(x); }, true);
+  // Far from overflow and underflow the hardware serves.
+  if (z.is_moderate() && z.hardware_.re.magnitude() < region::moderate_exponent) {
+    return region::rotating(exp(z.hardware_.re), z.hardware_.im);
+  }
+  const auto scaled_form = [](const region::scaled& x) { return region::scaled::exp(x); };
+  if (auto r = region::functions::in_scale(z, scaled_form)) return *std::move(r);
+  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(exp), scaled_form,
+                                   z.hardware_.re.lower() < -region::moderate_exponent);
+}
+
+region cosh(const region& z) {
+  if (z.is_moderate() && z.hardware_.re.magnitude() < region::moderate_exponent) {
+    return region::hyperbolic(z.hardware_.re, z.hardware_.im, true);
+  }
+  if (auto r = region::functions::in_scale(z, region::scaled::cosh)) return *std::move(r);
+  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(cosh), region::scaled::cosh);
+}
+region sinh(const region& z) {
+  if (z.is_moderate() && z.hardware_.re.magnitude() < region::moderate_exponent) {
+    return region::hyperbolic(z.hardware_.re, z.hardware_.im, false);
+  }
+  if (auto r = region::functions::in_scale(z, region::scaled::sinh)) return *std::move(r);
+  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(sinh), region::scaled::sinh);
+}
+// cos z = cosh(iz), sin z = -i sinh(iz).
+region cos(const region& z) {
+  if (z.is_moderate() && z.hardware_.im.magnitude() < region::moderate_exponent) {
+    return region::hyperbolic(-z.hardware_.im, z.hardware_.re, true);
+  }
+  if (auto r = region::functions::in_scale(z, region::scaled::cos)) return *std::move(r);
+  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(cos), region::scaled::cos);
+}
+region sin(const region& z) {
+  if (z.is_moderate() && z.hardware_.im.magnitude() < region::moderate_exponent) {
+    region s = region::hyperbolic(-z.hardware_.im, z.hardware_.re, false);
+    s.hardware_ = {s.hardware_.im, -s.hardware_.re};
+    return s;
+  }
+  if (auto r = region::functions::in_scale(z, region::scaled::sin)) return *std::move(r);
+  return region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(sin), region::scaled::sin);
+}
+
+/// cosh(x + iy) or sinh(x + iy), as in `scaled`.
+region region::hyperbolic(double_interval x, double_interval y, bool is_cosh) {
+  const auto [s, c] = real_set<double_interval>::sinh_cosh(x);
+  const auto [sine, cosine] = sin_cos(y);
+  region r;
+  if (is_cosh) {
+    r.hardware_ = {c * cosine, s * sine};
+  } else {
+    r.hardware_ = {s * cosine, c * sine};
+  }
+  if (s.mignitude() == 0) return r;  // nothing is known that is worth its keeping
+  return std::move(r).with_modulus({hull(abs(s), c), 0});
 }
 
 #define POLHODE_AWAY_FROM(f, why)                                                  \
@@ -396,10 +524,17 @@ POLHODE_AWAY_FROM(atanh, branch_cut)
 #undef POLHODE_RECTANGLE_FUNCTION
 
 region pow(const region& z, long n) {
-  return region::functions::away_from(
+  if (n < 0 && n > -(1L << 60) && z.is_in_hardware() && z.modulus_.lower() > 0) {
+    return 1 / pow(z, -n);  // which is defined where the rectangle holds 0, but not the set
+  }
+  region r = region::functions::away_from(
       z, obstacle::pole, "pow", [&](const auto& x) { return possibly_singular::pow(x, n); },
       [&](const auto& x) { return pow(x, n); },
       [&](const region::scaled& x) { return region::scaled::pow(x, n); });
+  if (z.exponent_ != 0) return r;
+  return region::functions::sized(std::move(r), z, z, [n](const auto& x, const auto&) {
+    return region::scaled_interval{pow(x.m, n), 0};
+  });
 }
 
 region pow(const region& z, const region& w) {

@@ -4,6 +4,7 @@
 // points, the same whichever set they come in: where it is a choice between two formulas, the real part of
 // a point decides, and a set on which that is not the same has no answer.
 
+#include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode::detail {
@@ -163,12 +164,8 @@ region regions::root(const region& z, long n) {
       return region::blocked(obstacle::branch_cut, "root");
   }
 }
-region regions::gamma(const region& z) {
-  return z.is_analytic() ? region::blocked(obstacle::unknown, "gamma") : z;
-}
-region regions::log_gamma(const region& z) {
-  return z.is_analytic() ? region::blocked(obstacle::unknown, "log_gamma") : z;
-}
+region regions::gamma(const region& z) { return polhode::gamma(z); }
+region regions::log_gamma(const region& z) { return polhode::log_gamma(z); }
 
 region regions::erf(const region& z) {
   if (!z.is_analytic()) return z;

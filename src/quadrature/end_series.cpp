@@ -241,6 +241,11 @@ bool end_series::leads_surely() const {
   return !blocked_ && !contains_zero(terms_.back().at_0[0].enclosure());
 }
 
+magnitude end_series::size_at_0() const {
+  if (blocked_) return magnitude::infinity();
+  return terms_.back().at_0[0].enclosure().magnitude_upper();
+}
+
 end_series end_series::normalised(std::string_view name) const {
   if (blocked_) return *this;
   if (log_degree() != 0) return blocked(name, remedy::none);

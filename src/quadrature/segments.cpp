@@ -62,6 +62,8 @@ end_series series_at_end(const integrand& f, const end_of_range& end, long q, do
   const exact_ball p = exactly(end.at);
   const exact_ball s = exactly(end.distance);
   end_series first;
+  double found_r = 0;
+  std::optional<end_series> found;  // on a larger square, with a poor bound
   int orders = 2;
   for (std::size_t k = 0; k < sizes.size();) {
     r = sizes.at(k);
@@ -69,15 +71,30 @@ end_series series_at_end(const integrand& f, const end_of_range& end, long q, do
     const bool few_orders = orders < end_series::most_orders;
     const remedy help = h.what_may_help();
     if (h.is_blocked()) {
+      if (found) break;
       if (k == 0) first = h;
       if (help == remedy::none || help == remedy::other_root) return h;
       if (help == remedy::smaller_square || !few_orders) ++k;
     } else if (!few_orders || h.simplified().leads_surely()) {
-      return h;
+      // On a small square the bound is not far from the value at its centre.
+      constexpr long poor = 10;
+      const end_series g = h.simplified();
+      if (found && multiply_up(g.supremum(g.log_degree()), magnitude::power_of_two(poor)) >
+                       found->simplified().supremum(g.log_degree())) {
+        break;
+      }
+      found = h;
+      found_r = r;
+      if (g.supremum(g.log_degree()) <= multiply_up(g.size_at_0(), magnitude::power_of_two(poor)))
+        break;
+      ++k;
+      continue;
     }
     if (help != remedy::smaller_square) orders = end_series::most_orders;
   }
-  return first;
+  if (!found) return first;
+  r = found_r;
+  return *found;
 }
 
 /// Looks at f near an end. Tries substitutions x = p + s t^q for small q.
@@ -110,11 +127,15 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
 
 /// Whether f is analytic on a neighbourhood of the end, by regions alone.
 bool is_regular(const integrand& f, const end_of_range& end) {
-  const double_interval side(-0x1p-10, 0x1p-10);
   const precision p = 192;
-  const complex_ball t{to_ball(side, p), to_ball(side, p)};
-  const region x = end.at.at(p) + end.distance.at(p) * region::in_balls(t);
-  return f.over(x).is_analytic();
+  const ball start = end.at.at(p);
+  const ball distance = end.distance.at(p);
+  for (const double size : {0x1p-10, 0x1p-20, 0x1p-40}) {
+    const ball side = to_ball(double_interval(-size, size), p);
+    const region x = start + distance * region::in_balls({side, side});
+    if (f.over(x).is_analytic()) return true;
+  }
+  return false;
 }
 
 /// p + s t^q for t^q in the region's own arithmetic.

@@ -160,6 +160,52 @@ TEST(Region, GoesOnBeyondTheRangeOfDoubles) {
   EXPECT_LT(to_ball(double_interval(1), 64).precision(), 65);
 }
 
+// What a rectangle forgets: exp of a set with a large imaginary part lies in a ring.
+TEST(Region, KnowsTheSizeOfRings) {
+  const auto planck = [](const auto& x) { return x * x * x / (exp(x) - 1); };
+  const auto fermi = [](const auto& x) { return 1 / (1 + exp(x)); };
+  const auto sech = [](const auto& x) { return pow(cosh(x), -1); };
+  const auto cosecant = [](const auto& x) { return 1 / sin(x); };
+  const auto mixed = [](const auto& x) {
+    return (x - 1 / (exp(-x) * 3 - square(exp(2 * x)))) / (sinh(x) - pow(cosh(x), 3) * exp(x));
+  };
+  const auto holds = [](const auto& f, double left, double right, double low, double high) {
+    const region value = f(box(left, right, low, high));
+    ASSERT_TRUE(value.is_analytic()) << value.where();
+    for (const complex_ball& z : members(left, right, low, high)) {
+      const complex_ball truth = f(z);
+      const complex_ball set = value.to_complex_ball();
+      EXPECT_TRUE(overlaps(set.re, truth.re) && overlaps(set.im, truth.im));
+      EXPECT_TRUE(truth.magnitude_lower() <= value.magnitude_upper());
+      EXPECT_TRUE(value.magnitude_lower() <= truth.magnitude_upper());
+    }
+  };
+  for (const double left : {1.0, 2.5, 40.0, 700.0, 5000.0}) {
+    for (const double height : {0.5, 4.0, 60.0}) {
+      for (const double width : {0.0, 0.125, 1.5}) {
+        holds(planck, left, left + width, -height, height / 2);
+        holds(fermi, left, left + width, 0, height);
+        holds(fermi, -left - width, -left, 0, height);
+        holds(sech, left, left + width, -height, height);
+        holds(sech, -left - width, -left, 1, height + 1);
+        holds(cosecant, -height, height, left, left + width);
+        holds([](const auto& x) { return -sqrt(square(x)) * exp(-x) / sinh(2 * x); }, left,
+              left + width, 0, 0.5);
+        if (left < 600) holds(mixed, left + 1, left + 1 + width / 8, 0, height);
+      }
+    }
+  }
+  // The size of the sum is not known to be away from 0.
+  EXPECT_EQ(fermi(box(-0.5, 1, 0, 4)).why(), obstacle::pole);
+  EXPECT_EQ(sech(box(-0.5, 1, 0, 4)).why(), obstacle::pole);
+  EXPECT_EQ(planck(box(-0.5, 1, 0, 4)).why(), obstacle::pole);
+  // The ring's upper bound serves too: |e^z| <= e, where the rectangle's corner is sqrt(2) e away.
+  const region ring = exp(box(0, 1, 0, 7));
+  EXPECT_TRUE(ring.magnitude_upper() <=
+              (exp(ball(1, 64)) + ball::exactly(0x1p-40)).magnitude_upper());
+  EXPECT_TRUE(magnitude::from_integer_up(1) <= scale(ring.magnitude_lower(), 1));
+}
+
 // Every function with a form of its own there, on sets whose values leave the range of doubles, and the
 // ways back: against the same in balls.
 TEST(Region, HoldsTheValuesBeyondTheRangeOfDoubles) {

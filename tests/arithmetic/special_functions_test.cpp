@@ -6,6 +6,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/region.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -40,6 +41,71 @@ TEST(Gamma, HasItsRecurrenceAndReflection) {
       EXPECT_TRUE(overlaps(exp(log_gamma(x)), gamma(x)));
     }
   }
+}
+
+region point(const rational& re, const rational& im) {
+  return region(complex_ball{ball(re, 64), ball(im, 64)});
+}
+bool overlap(const region& z, const region& w) {
+  const complex_ball difference = (z - w).to_complex_ball();
+  return contains_zero(difference.re) && contains_zero(difference.im);
+}
+
+// In the complex plane: the recurrence, the reflection, |Gamma(iy)|^2 = pi/(y sinh(pi y)), and the real values.
+TEST(Gamma, OverRegionsHasTheSameIdentities) {
+  support::random_source random(17);
+  const region circle_constant(pi(64));
+  int thin = 0;
+  for (support::repeat trial(300); trial.again();) {
+    const rational x(random.between(-400, 1200), 128);
+    const rational y(random.between(1, 800), 64);
+    const region z = point(x, y);
+    ASSERT_TRUE(gamma(z).is_analytic());
+    EXPECT_TRUE(overlap(gamma(z + 1), z * gamma(z)));
+    EXPECT_TRUE(overlap(gamma(z) * gamma(1 - z) * sin(circle_constant * z), circle_constant));
+    const region on_axis = gamma(point(0, y));
+    const ball size = pi(64) / (ball(y, 64) * sinh(pi(64) * ball(y, 64)));
+    const magnitude low = on_axis.magnitude_lower();
+    const magnitude high = on_axis.magnitude_upper();
+    EXPECT_TRUE(multiply_down(low, low) <= size.magnitude_upper());
+    EXPECT_TRUE(size.magnitude_lower() <= multiply_up(high, high));
+    if (x > 0) {
+      EXPECT_TRUE(overlap(exp(log_gamma(z)), gamma(z)));
+    }
+    const complex_ball value = gamma(z).to_complex_ball();
+    const magnitude error = max(value.re.radius(), value.im.radius());
+    thin += multiply_up(error, magnitude::power_of_two(27)) <= value.magnitude_upper() ? 1 : 0;
+    if (x > 0 || denominator(x) != 1) {
+      EXPECT_TRUE(overlaps(gamma(point(x, 0)).to_complex_ball().re, gamma(ball(x, 128)))) << x;
+    }
+  }
+  EXPECT_GT(thin, 0);
+}
+
+TEST(Gamma, OverRegionsHoldsTheValuesAtMembers) {
+  for (const double left : {-3.75, -0.5, 0.25, 1.5, 6.5, 40.0, 500.0}) {
+    for (const double width : {0.25, 0x1p-20}) {
+      const region z(double_interval(left, left + width), double_interval(0.5, 0.5 + width));
+      const region value = gamma(z);
+      ASSERT_TRUE(value.is_analytic());
+      for (const double s : {0.0, 0.5, 1.0}) {
+        const region member(double_interval(left + s * width),
+                            double_interval(0.5 + width - s * width));
+        EXPECT_TRUE(overlap(value, gamma(member)));
+        EXPECT_TRUE(gamma(member).magnitude_upper() <=
+                    multiply_up(value.magnitude_upper(), magnitude::from_integer_up(2)));
+      }
+    }
+  }
+}
+
+TEST(Gamma, OverRegionsIsRefusedAtPolesAndTheCut) {
+  const region across(double_interval(-1.25, -0.75), double_interval(-0.5, 0.5));
+  EXPECT_EQ(gamma(across).why(), obstacle::pole);
+  EXPECT_EQ(gamma(region(double_interval(0, 1))).why(), obstacle::pole);
+  EXPECT_TRUE(gamma(region(double_interval(-0.75, -0.25))).is_analytic());
+  EXPECT_EQ(log_gamma(region(double_interval(-0.75, -0.25))).why(), obstacle::branch_cut);
+  EXPECT_EQ(gamma(region(double_interval(-5000.5))).why(), obstacle::unknown);
 }
 
 TEST(Gamma, OverWideSetsHoldsItsMinimum) {

@@ -11,6 +11,10 @@
 // The answer is in the value (`is_analytic`, `why`, `where`) and spreads to every result made of it, so
 // that no caller can pass it by: a bound asked of a region that is not analytic is infinite.
 //
+// Beside the rectangle a region may know more of |z| than the rectangle tells: exp(z) with a large imaginary
+// part lies in a ring, whose rectangle holds 0, and yet 1/exp(z) or 1/(1 + exp(z)) has no pole there. What exp, sin,
+// cos, sinh and cosh know of their size goes through + - * / and powers.
+//
 // What the functions mean off the real line: abs(z) is z where Re z > 0 and -z where Re z < 0, the
 // continuation of |x| from either side; min and max likewise pick the one that is smaller or greater in
 // its real part; floor(z) is the constant that it is on the real numbers of the same real part.
@@ -190,13 +194,30 @@ class region {
 
   struct scaled;
   struct not_scaled;
+  struct scaled_interval;
+  static constexpr double moderate_exponent =
+      600;  // e^600 and e^-600 are far from a double's limits
+  /// Analytic, and a rectangle in hardware without a factor.
+  [[nodiscard]] bool is_moderate() const {
+    return is_analytic() && is_in_hardware() && exponent_ == 0;
+  }
+  [[nodiscard]] bool knows_modulus() const;
+  [[nodiscard]] scaled_interval modulus() const;
+  /// With that known of |z|.
+  [[nodiscard]] region with_modulus(const scaled_interval& m) &&;
+  static region rotating(double_interval size, double_interval angle);
+  static region hyperbolic(double_interval x, double_interval y, bool is_cosh);
   template <class Hardware, class Balls, class Scaled = not_scaled>
   static region combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls,
                          const Scaled& scaled_form = {}, bool zero_is_news = false);
   struct functions;
 
+  static constexpr double_interval not_known{detail::unchecked{}, 0, detail::infinity};
+
   rectangle<double_interval> hardware_;
-  long exponent_ = 0;                          // the set is 2^exponent_ times hardware_
+  long exponent_ = 0;  // the set is 2^exponent_ times hardware_
+  double_interval modulus_ =
+      not_known;  // holds |z| for z in hardware_: what the rectangle does not tell
   std::shared_ptr<const complex_ball> balls_;  // the set, where the hardware's range was left
   obstacle obstacle_ = obstacle::none;
   std::string_view where_;

@@ -7,6 +7,8 @@
 
 namespace polhode {
 
+class region;
+
 /// (2/sqrt(pi)) integral from 0 to x of e^(-t^2) dt, and 1 minus it. Monotone on R.
 [[nodiscard]] ball erf(const ball& x);
 [[nodiscard]] ball erfc(const ball& x);
@@ -17,6 +19,11 @@ namespace polhode {
 /// it changes sign inside the set, the minimum is bounded below by a tangent of the convex function.
 [[nodiscard]] ball gamma(const ball& x);
 [[nodiscard]] ball log_gamma(const ball& x);
+
+/// Their continuations over a region, by Stirling's series: Gamma where it has no pole, down to Re z = -1000;
+/// log Gamma, with its cut (-inf, 0], for Re z > 0.
+[[nodiscard]] region gamma(const region& z);
+[[nodiscard]] region log_gamma(const region& z);
 
 /// The Riemann zeta function at an integer n >= 2, with p bits; undefined at 0 and 1.
 [[nodiscard]] ball zeta(unsigned long n, precision p);

@@ -74,7 +74,7 @@ struct supplement<complex_ball> {
   static complex_ball erfc(const complex_ball& z);
 };
 
-/// gamma, log_gamma and agm are not available (obstacle::unknown).
+/// agm is not available (obstacle::unknown); log_gamma for Re z > 0.
 template <>
 struct supplement<region> {
   static region expm1(const region& z);

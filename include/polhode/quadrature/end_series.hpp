@@ -136,6 +136,9 @@ class end_series {
   /// G_K(0) is certainly not 0.
   [[nodiscard]] bool leads_surely() const;
 
+  /// An upper bound of |G_K(0)|.
+  [[nodiscard]] magnitude size_at_0() const;
+
   /// An upper bound of |G_k| over the square; infinite where blocked.
   [[nodiscard]] magnitude supremum(int k) const;
 
