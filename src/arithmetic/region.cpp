@@ -202,8 +202,16 @@ struct region::scaled {
   /// |z|^n e^(i n arg z).
   static std::optional<scaled> pow(const scaled& z, long n) {
     const scaled x = z.normalised();
-    if (contains_zero(x.m)) return std::nullopt;
     static const double_interval log_2 = log(double_interval(2));
+    if (contains_zero(x.m)) {  // in a disc
+      const double_interval most(hypot(x.m.re, x.m.im).upper());
+      if (n < 1 || !(most.lower() > 0)) return std::nullopt;
+      const double_interval l = n * (log(most) + x.exponent * log_2);
+      const auto size = exp(l, exponent_of_exp(l.upper()));
+      if (!size) return std::nullopt;
+      const double_interval side(-size->m.upper(), size->m.upper());
+      return scaled{{side, side}, size->exponent};
+    }
     const rectangle<double_interval> l = log(x.m);
     const double_interval size = n * (l.re + x.exponent * log_2);
     const auto modulus = exp(size, exponent_of_exp(size.upper()));
@@ -531,9 +539,10 @@ region pow(const region& z, long n) {
       z, obstacle::pole, "pow", [&](const auto& x) { return possibly_singular::pow(x, n); },
       [&](const auto& x) { return pow(x, n); },
       [&](const region::scaled& x) { return region::scaled::pow(x, n); });
-  if (z.exponent_ != 0) return r;
+  constexpr long most = 1L << 20;  // so that exponents do not overflow
+  if (n < -most || n > most) return r;
   return region::functions::sized(std::move(r), z, z, [n](const auto& x, const auto&) {
-    return region::scaled_interval{pow(x.m, n), 0};
+    return region::scaled_interval{pow(x.m, n), x.exponent * n};
   });
 }
 
