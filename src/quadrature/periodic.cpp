@@ -63,7 +63,7 @@ class strip_search {
  private:
   /// Whether that part of the nodes is worth the evaluations over regions that looking for it takes.
   [[nodiscard]] bool pays(double part) const {
-    constexpr double evaluations = 40;
+    constexpr double evaluations = 12;
     return best_.nodes * part > evaluations * price_;
   }
 
