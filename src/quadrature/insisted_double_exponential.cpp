@@ -31,6 +31,9 @@ std::string obstacle_of(reason why) {
       return "the integrand grows too fast at a limit";
     case reason::evaluation_limit:
       return "more evaluations needed than allowed";
+    case reason::not_defined:
+      return "the integrand is undefined at a node of the double exponential rule, as where it is "
+             "singular at a limit other than 0, from which nodes are told apart too late";
     default:
       return {};
   }

@@ -48,7 +48,8 @@ TEST(InsistedRule, EachGivesTheValue) {
     expect_certified([](const auto& x) { return sqrt(x) * (1 + x); }, 0, 1,
                      ball(16, value_bits) / 15, rule);
     expect_certified([](const auto& x) { return -log(x); }, 0, 1, ball(1, value_bits), rule);
-    if (rule == quadrature_rule::clenshaw_curtis) continue;
+    // Neither has a value there; near 2 the other's nodes are not told apart from it.
+    if (rule != quadrature_rule::gauss_legendre) continue;
     expect_certified([](const auto& x) { return 1 / sqrt(x * (2 - x)); }, 0, 2, p, rule);
   }
   for (const quadrature_rule rule :
@@ -90,8 +91,8 @@ TEST(InsistedRule, SaysWhyItDoesNotApply) {
                    not_periodic),
             "");
   // Even about both limits, with a kink between.
-  EXPECT_EQ(starts(why(integrate([](const auto& x) { return abs(cos(x) - rational(1, 3)); }, 0, limit::pi(),
-                                 by(trapezoid))),
+  EXPECT_EQ(starts(why(integrate([](const auto& x) { return abs(cos(x) - rational(1, 3)); }, 0,
+                                 limit::pi(), by(trapezoid))),
                    "not applicable: no strip"),
             "");
   EXPECT_EQ(starts(why(integrate([](const auto& x) { return 1 / sqrt(x); }, 0, 1,
