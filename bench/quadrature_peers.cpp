@@ -397,7 +397,7 @@ std::function<ball(long digits)> incomplete_phase_of(const rational& c, const ra
 std::function<ball(long digits)> phase_on_curve_of(const rational& u) {
   return ours(
       with_constants(phase_on_curve_formula, std::array{a_of_body, b_of_body, u, rational(1 - u)}),
-      0, limit([](precision p) { return scale(pi(p), -1); }));
+      0, limit::pi(rational(1, 2)));
 }
 
 ball phase_by_periodic_rule(long digits) {

@@ -26,6 +26,8 @@ std::string to_text(reason r) {
       return "not integrable";
     case reason::not_convergent:
       return "not convergent";
+    case reason::not_applicable:
+      return "not applicable";
     case reason::not_defined:
       return "not defined";
     case reason::refuted:

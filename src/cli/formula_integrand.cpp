@@ -73,8 +73,99 @@ struct supplement<tail_series> : series_supplement<tail_series> {
   static tail_series log1p(const tail_series& x) { return of_one_more(x); }
 };
 
+namespace {
+
+// Found by their arguments, under names that no member of `supplement` hides.
+#define POLHODE_OF_ONE(f) \
+  symmetry f##_of(const symmetry& v) { return f(v); }
+#define POLHODE_OF_TWO(f) \
+  symmetry f##_of(const symmetry& u, const symmetry& v) { return f(u, v); }
+POLHODE_OF_ONE(expm1)
+POLHODE_OF_ONE(log1p)
+POLHODE_OF_ONE(sinpi)
+POLHODE_OF_ONE(cospi)
+POLHODE_OF_ONE(abs)
+POLHODE_OF_ONE(floor)
+POLHODE_OF_ONE(ceil)
+POLHODE_OF_ONE(gamma)
+POLHODE_OF_ONE(log_gamma)
+POLHODE_OF_ONE(erf)
+POLHODE_OF_ONE(erfc)
+POLHODE_OF_TWO(min)
+POLHODE_OF_TWO(max)
+POLHODE_OF_TWO(hypot)
+POLHODE_OF_TWO(agm)
+POLHODE_OF_TWO(atan2)
+#undef POLHODE_OF_ONE
+#undef POLHODE_OF_TWO
+symmetry root_of(const symmetry& v, long n) { return root(v, n); }
+
+}  // namespace
+
+template <>
+struct supplement<symmetry> {
+  static symmetry number(const rational& q) { return symmetry(q); }
+  static symmetry constant(const instruction& i) {
+    return i.what == operation::pi ? symmetry(pi_combination{0, 1}) : symmetry::some_constant();
+  }
+  static symmetry expm1(const symmetry& v) { return expm1_of(v); }
+  static symmetry log1p(const symmetry& v) { return log1p_of(v); }
+  static symmetry sinpi(const symmetry& v) { return sinpi_of(v); }
+  static symmetry cospi(const symmetry& v) { return cospi_of(v); }
+  static symmetry abs(const symmetry& v) { return abs_of(v); }
+  static symmetry floor(const symmetry& v) { return floor_of(v); }
+  static symmetry ceil(const symmetry& v) { return ceil_of(v); }
+  static symmetry gamma(const symmetry& v) { return gamma_of(v); }
+  static symmetry log_gamma(const symmetry& v) { return log_gamma_of(v); }
+  static symmetry erf(const symmetry& v) { return erf_of(v); }
+  static symmetry erfc(const symmetry& v) { return erfc_of(v); }
+  static symmetry min(const symmetry& u, const symmetry& v) { return min_of(u, v); }
+  static symmetry max(const symmetry& u, const symmetry& v) { return max_of(u, v); }
+  static symmetry hypot(const symmetry& u, const symmetry& v) { return hypot_of(u, v); }
+  static symmetry agm(const symmetry& u, const symmetry& v) { return agm_of(u, v); }
+  static symmetry atan2(const symmetry& y, const symmetry& x) { return atan2_of(y, x); }
+  static symmetry power_integer(const symmetry& v, long n) { return pow(v, n); }
+  static symmetry power(const symmetry& u, const symmetry& v) { return pow(u, v); }
+  static symmetry root(const symmetry& v, long n) { return root_of(v, n); }
+};
+
+/// As for balls.
+template <>
+struct supplement<angle> {
+  using on_balls = supplement<ball>;
+
+  static angle expm1(const angle& x) { return angle(on_balls::expm1(x.value())); }
+  static angle log1p(const angle& x) { return angle(on_balls::log1p(x.value())); }
+  static angle sinpi(const angle& x) { return angle(on_balls::sinpi(x.value())); }
+  static angle cospi(const angle& x) { return angle(on_balls::cospi(x.value())); }
+  static angle abs(const angle& x) { return angle(on_balls::abs(x.value())); }
+  static angle floor(const angle& x) { return angle(on_balls::floor(x.value())); }
+  static angle ceil(const angle& x) { return angle(on_balls::ceil(x.value())); }
+  static angle gamma(const angle& x) { return angle(on_balls::gamma(x.value())); }
+  static angle log_gamma(const angle& x) { return angle(on_balls::log_gamma(x.value())); }
+  static angle erf(const angle& x) { return angle(on_balls::erf(x.value())); }
+  static angle erfc(const angle& x) { return angle(on_balls::erfc(x.value())); }
+  static angle min(const angle& x, const angle& y) { return of_two(on_balls::min, x, y); }
+  static angle max(const angle& x, const angle& y) { return of_two(on_balls::max, x, y); }
+  static angle hypot(const angle& x, const angle& y) { return of_two(on_balls::hypot, x, y); }
+  static angle agm(const angle& x, const angle& y) { return of_two(on_balls::agm, x, y); }
+  static angle atan2(const angle& y, const angle& x) { return of_two(on_balls::atan2, y, x); }
+  static angle power_integer(const angle& x, long n) {
+    return angle(on_balls::power_integer(x.value(), n));
+  }
+  static angle power(const angle& x, const angle& y) { return of_two(on_balls::power, x, y); }
+  static angle root(const angle& x, long n) { return angle(on_balls::root(x.value(), n)); }
+
+ private:
+  static angle of_two(ball (*f)(const ball&, const ball&), const angle& x, const angle& y) {
+    return angle(f(x.value(), y.value()));
+  }
+};
+
 }  // namespace detail
 
+template class compiled_expression<angle>;
+template class compiled_expression<symmetry>;
 template class compiled_expression<end_series>;
 template class compiled_expression<tail_series>;
 
@@ -89,9 +180,20 @@ detail::integrand integrand_of(const expression& f) {
   result.evaluator = [f](precision p) -> std::function<ball(const ball&)> {
     return f.evaluator<ball>(p);
   };
+  result.angle_evaluator = [f](precision p) -> std::function<ball(const angle&)> {
+    return [g = f.evaluator<angle>(p)](const angle& x) { return g(x).value(); };
+  };
   result.near_end = f.evaluator<end_series>(series_bits);
   result.near_infinity = f.evaluator<tail_series>(series_bits);
+  result.under = f.evaluator<symmetry>(series_bits);
   return result;
+}
+
+limit limit_of(const expression& f) {
+  if (f.exact_value()) return limit(*f.exact_value());
+  const symmetry value = f.evaluator<symmetry>(64)(symmetry());
+  if (value.value()) return limit(*value.value());
+  return limit([f](precision p) { return f.value(p); });
 }
 
 }  // namespace cli

@@ -1,12 +1,15 @@
 // polhode integrate: the integral of a formula, with a proof.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "errors.hpp"
 #include "formula.hpp"
 #include "formula_integrand.hpp"
 #include "layout.hpp"
@@ -27,6 +30,8 @@ struct integrate_command_options {
   std::string variable = "x";
   let_option let;
   digits_option digits;
+  int threads = 1;
+  std::string rule = "automatic";
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
 };
@@ -35,18 +40,42 @@ struct integrate_command_options {
 limit read_limit(const std::string& text, const let_option& let) {
   if (text == "inf" || text == "+inf") return limit::infinity();
   if (text == "-inf") return -limit::infinity();
-  const expression f = read_formula(text, {}, let);
-  if (f.exact_value()) return limit(*f.exact_value());
-  return limit([f](precision p) { return f.value(p); });
+  return limit_of(read_formula(text, {}, let));
+}
+
+struct named_rule {
+  std::string_view name;
+  quadrature_rule rule;
+};
+constexpr std::array known_rules{
+    named_rule{"automatic", quadrature_rule::automatic},
+    named_rule{"gauss-legendre", quadrature_rule::gauss_legendre},
+    named_rule{"clenshaw-curtis", quadrature_rule::clenshaw_curtis},
+    named_rule{"trapezoid", quadrature_rule::trapezoid},
+    named_rule{"double-exponential", quadrature_rule::double_exponential}};
+
+std::string names_of_rules() {
+  std::string names;
+  for (const named_rule& r : known_rules)
+    names += (names.empty() ? "" : ", ") + std::string(r.name);
+  return names;
+}
+
+quadrature_rule read_rule(const std::string& text) {
+  for (const named_rule& r : known_rules) {
+    if (r.name == text) return r.rule;
+  }
+  throw usage_error(
+      fmt::format("--rule {}: it must be one of {}", in_quotes(text), names_of_rules()));
 }
 
 /// The integral; a few more digits than were asked for where a digit's end would be undecided.
-integral integrate_for(const detail::integrand& f, const limit& a, const limit& b, long digits) {
+integral integrate_for(const detail::integrand& f, const limit& a, const limit& b, long digits,
+                       integrate_options options) {
   const progress line;
   line.show("integrating");
   integral result;
   for (const long more : {1L, 6L}) {
-    integrate_options options;
     options.digits = digits + more;
     result = detail::integrate_function(f, a, b, options);
     if (result.verdict != status::certified) break;
@@ -58,8 +87,14 @@ integral integrate_for(const detail::integrand& f, const limit& a, const limit& 
 
 std::string account_text(const integral& i) {
   const integral_account& a = i.account;
-  return fmt::format("{} panel{}, {} evaluations with {} bits, {} over regions", a.panels,
-                     a.panels == 1 ? "" : "s", a.evaluations, a.precision, a.region_evaluations);
+  std::string rules;
+  for (const quadrature_rule rule : a.rules) {
+    rules += (rules.empty() ? " (" : ", ") + to_text(rule);
+  }
+  if (!rules.empty()) rules += ')';
+  return fmt::format("{} panel{}{}, {} evaluations with {} bits, {} over regions", a.panels,
+                     a.panels == 1 ? "" : "s", rules, a.evaluations, a.precision,
+                     a.region_evaluations);
 }
 
 std::string as_text(const integral& i, long digits) {
@@ -94,11 +129,12 @@ std::string as_json(const expression& f, const integrate_command_options& option
     if (!i.obstacle.empty()) result["remark"] = i.obstacle;
   }
   result["number"] = to_json(i.enclosure, digits);
-  result["account"] = {{"evaluations", i.account.evaluations},
-                       {"region_evaluations", i.account.region_evaluations},
-                       {"panels", i.account.panels},
-                       {"most_nodes", i.account.most_nodes},
-                       {"precision", i.account.precision}};
+  json rules = json::array();
+  for (const quadrature_rule rule : i.account.rules) rules.push_back(to_text(rule));
+  result["account"] = {
+      {"evaluations", i.account.evaluations}, {"region_evaluations", i.account.region_evaluations},
+      {"panels", i.account.panels},           {"rules", rules},
+      {"most_nodes", i.account.most_nodes},   {"precision", i.account.precision}};
   return result.dump(2) + '\n';
 }
 
@@ -112,7 +148,10 @@ exit_status run(const integrate_command_options& options) {
   options.memory_limit.check({fmt::format("an integral to {} digits", digits),
                               bytes_per_digit * static_cast<double>(digits) *
                                   std::max(static_cast<double>(digits), 1.0) / 16});
-  const integral i = integrate_for(integrand_of(f), a, b, digits);
+  integrate_options how;
+  how.threads = options.threads;
+  how.rule = read_rule(options.rule);
+  const integral i = integrate_for(integrand_of(f), a, b, digits, how);
   print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
@@ -130,6 +169,14 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->required();
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
+  app.add_option("--rule", options->rule,
+                 "Insist on a rule: gauss-legendre, clenshaw-curtis, trapezoid,\n"
+                 "double-exponential [automatic]")
+      ->type_name("NAME");
+  app.add_option("--threads", options->threads,
+                 "Evaluate on so many threads; 0 for all processors. The digits are the same")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);

@@ -28,31 +28,12 @@ ball without_operands(const instruction& i, precision p) {
   }
 }
 
-bool has_operands(operation what) { return what >= operation::negate; }
-
 }  // namespace
 
 std::vector<ball> constants_of(const program& f, precision p) {
-  const tape& t = f.constants;
-  std::vector<ball> numbers;
-  numbers.reserve(f.numbers.size());
-  for (const rational& q : f.numbers) numbers.emplace_back(q, p);
-  std::vector<ball> slots(t.slots);
-  const auto operand = [&](std::uint32_t i) -> const ball& {
-    return i < t.inputs ? numbers[i] : slots[i - t.inputs];
-  };
-  for (const instruction& i : t.code) {
-    ball& r = slots[i.result];
-    if (has_operands(i.what)) {
-      execute(i, r, operand(i.left), operand(i.right));
-    } else {
-      r = without_operands(i, p);
-    }
-  }
-  std::vector<ball> result;
-  result.reserve(t.outputs.size());
-  for (const std::uint32_t o : t.outputs) result.push_back(operand(o));
-  return result;
+  return evaluate_constants<ball>(
+      f, [p](const rational& q) { return ball(q, p); },
+      [p](const instruction& i) { return without_operands(i, p); });
 }
 
 std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f, precision p) {

@@ -35,6 +35,13 @@ ball periodic_trapezoid_error(const strip_bound& bound, long nodes) {
   return 4 * pi(p) * bound.supremum / (exp(bound.half_width * nodes) - 1);
 }
 
+magnitude mean_trapezoid_error(const strip_bound& bound, long nodes) {
+  if (nodes < 1 || nodes > most_chebyshev_points) return magnitude::infinity();
+  const ball on_circle = periodic_trapezoid_error(bound, 2 * nodes);
+  if (!on_circle.is_bounded()) return magnitude::infinity();
+  return (on_circle / (2 * pi(bound.half_width.precision()))).magnitude_upper();
+}
+
 magnitude gauss_legendre_error(long n, const ball& rho, const magnitude& bound) {
   if (n < 1 || !certainly_greater(rho, 1)) return magnitude::infinity();
   // 64 / (15 (rho^2 - 1) rho^(2n - 2)), decreasing in rho: its greatest value over the ball is at the least rho,

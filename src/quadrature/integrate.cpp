@@ -3,12 +3,38 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <utility>
 
+#include "insisted_double_exponential.hpp"
+#include "parallel.hpp"
+#include "periodic.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/clenshaw_curtis.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
 #include "segments.hpp"
+
+namespace polhode {
+
+std::string to_text(quadrature_rule rule) {
+  switch (rule) {
+    case quadrature_rule::automatic:
+      return "automatic";
+    case quadrature_rule::gauss_legendre:
+      return "Gauss-Legendre";
+    case quadrature_rule::clenshaw_curtis:
+      return "Clenshaw-Curtis";
+    case quadrature_rule::trapezoid:
+      return "trapezoid";
+    case quadrature_rule::double_exponential:
+      return "double exponential";
+  }
+  return "unknown";
+}
+
+}  // namespace polhode
 
 namespace polhode::detail {
 
@@ -38,6 +64,8 @@ struct panel {
   magnitude supremum;  // ... and this is a bound of |F| there
   double log2_typical = 0;  // about log2 |F| at its middle, to search with
   long nodes = 0;
+  quadrature_rule rule = quadrature_rule::gauss_legendre;
+  double half_width = 0;  // of the trapezoidal rule's strip, which stands for an ellipse
 
   [[nodiscard]] rational half_length() const {
     integer one = 1;
@@ -47,6 +75,7 @@ struct panel {
     panel p;
     p.segment = segment;
     p.level = level + 1;
+    p.rule = rule;
     p.centre = centre + side * p.half_length();
     return p;
   }
@@ -274,6 +303,21 @@ double nodes_needed(double rho, double log2_supremum, double log2_goal) {
   return std::max(1.0, std::ceil(excess / (2 * std::log2(rho))));
 }
 
+/// How many nodes a panel's rule takes for an error of about 2^log2_goal of the mean of F.
+long nodes_of_panel(const panel& p, double log2_goal) {
+  if (p.rule != quadrature_rule::trapezoid) {
+    const long n = gauss_legendre_degree_at_least(
+        static_cast<long>(nodes_needed(p.rho, approximate_log2(p.supremum), log2_goal)));
+    // Clenshaw and Curtis's rule with the 2n + 1 nodes of its degree 2n is about as exact.
+    return p.rule == quadrature_rule::clenshaw_curtis ? 2 * n + 1 : n;
+  }
+  return static_cast<long>(std::min(nodes_in_strip(p.half_width, p.supremum, log2_goal), 1e17));
+}
+
+void note(quadrature_rule rule, std::vector<quadrature_rule>& rules) {
+  if (std::find(rules.begin(), rules.end(), rule) == rules.end()) rules.push_back(rule);
+}
+
 class integrator {
  public:
   /// `known` are points that were tried as cuts, or are ends of segments: they are of no interest again.
@@ -290,10 +334,18 @@ class integrator {
   [[nodiscard]] const std::vector<rational>& points_of_interest() const { return points_; }
 
  private:
-  enum class outcome { done, too_many_evaluations, obstructed, cut_needed, precision_exhausted };
+  enum class outcome {
+    done,
+    too_many_evaluations,
+    obstructed,
+    cut_needed,
+    precision_exhausted,
+    not_applicable
+  };
 
   /// The panels for an error of about 2^log2_goal in all.
   outcome plan(double log2_goal);
+  outcome plan_segment(std::size_t index, double log2_goal);
   outcome plan_panel(panel p, double log2_goal);
   double try_panel(panel& p, double log2_goal);
   [[nodiscard]] double find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const;
@@ -302,7 +354,11 @@ class integrator {
   outcome sum(double log2_goal);
   [[nodiscard]] ball part_of_panel(panel& p, double share, precision most_precision,
                                    bool& exhausted);
-  [[nodiscard]] ball sum_of_panel(const panel& p, const gauss_legendre_rule& rule) const;
+  [[nodiscard]] magnitude truncation_error(const panel& p) const;
+  [[nodiscard]] ball sum_of_panel(const panel& p, precision& working);
+  [[nodiscard]] ball clenshaw_curtis_part(const panel& p, precision working);
+  [[nodiscard]] ball gauss_legendre_part(const panel& p, const gauss_legendre_rule& rule) const;
+  [[nodiscard]] ball trapezoid_part(const panel& p, precision working) const;
   [[nodiscard]] double log2_of_typical(const panel& p, double log2_goal) const;
   [[nodiscard]] std::optional<rational> point_in(const panel& p) const;
   [[nodiscard]] double log2_of_planned_size() const;
@@ -319,6 +375,8 @@ class integrator {
   std::vector<panel> panels_;
   double planned_nodes_ = 0;
   std::vector<double> log2_scales_;
+  std::map<std::pair<long, precision>, std::shared_ptr<const chebyshev_points_rule<ball>>>
+      clenshaw_curtis_rules_;
   long deepest_ = 0;
   double log2_size_ = 0;  // about log2 of the integral of |f|
   integral result_;
@@ -439,13 +497,69 @@ integrator::outcome integrator::plan(double log2_goal) {
   panels_.clear();
   planned_nodes_ = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    panel whole;
-    whole.segment = i;
-    whole.centre = rational(1, 2);
-    const outcome o = plan_panel(whole, log2_goal - 6);
+    const outcome o = plan_segment(i, log2_goal - 6);
     if (o != outcome::done) return o;
   }
   return points_.empty() ? outcome::done : outcome::cut_needed;
+}
+
+/// By the trapezoidal rule where that applies and does not need more nodes.
+integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal) {
+  panel whole;
+  whole.segment = index;
+  whole.centre = rational(1, 2);
+  const bool insisted = options_.rule == quadrature_rule::trapezoid;
+  const bool is_possible = insisted || options_.rule == quadrature_rule::automatic;
+  if (options_.rule == quadrature_rule::clenshaw_curtis) {
+    whole.rule = options_.rule;
+    const auto f = segments_[index].evaluator(64);
+    if (!f(ball(0, 64)).is_bounded() || !f(ball(1, 64)).is_bounded()) {
+      result_.obstacle =
+          "Clenshaw and Curtis's rule needs values at the ends of the range, where the integrand "
+          "has none";
+      return outcome::not_applicable;
+    }
+  }
+  if (!segments_[index].equidistant || !is_possible) {
+    if (!insisted) return plan_panel(std::move(whole), log2_goal);
+    result_.obstacle =
+        "the trapezoidal rule needs an integrand that is proved periodic over the range, "
+        "or even about both limits";
+    return outcome::not_applicable;
+  }
+  panel on_circle = whole;
+  on_circle.log2_typical = log2_of_typical(whole, log2_goal);
+  const double accepted = nodes_accepted(on_circle, log2_goal);
+  const auto most_evaluations = static_cast<double>(options_.most_evaluations);
+  const double most_nodes = insisted ? most_evaluations : std::min(20 * accepted, most_evaluations);
+  const std::optional<periodic_strip> found =
+      find_strip(segments_[index], mean_goal(whole, log2_goal), most_nodes,
+                 result_.account.region_evaluations);
+  const double nodes = found ? found->nodes : 0;
+  if (found) {
+    on_circle.rule = quadrature_rule::trapezoid;
+    on_circle.half_width = found->half_width;
+    on_circle.supremum = found->supremum;
+  }
+  const std::size_t panels_before = panels_.size();
+  const double nodes_before = planned_nodes_;
+  if (insisted && !found) {
+    result_.obstacle =
+        "no strip was found in which the integrand is proved analytic, so wide that the "
+        "trapezoidal rule takes few enough nodes";
+    return outcome::not_applicable;
+  }
+  if (!insisted && (!found || nodes > accepted)) {
+    const outcome o = plan_panel(std::move(whole), log2_goal);
+    const bool fewer = o == outcome::done && planned_nodes_ - nodes_before < nodes;
+    if (!found || fewer || !points_.empty()) return o;
+  }
+  panels_.resize(panels_before);
+  planned_nodes_ = nodes_before + nodes;
+  panels_.push_back(std::move(on_circle));
+  const auto regions = static_cast<double>(result_.account.region_evaluations);
+  return planned_nodes_ + regions > most_evaluations ? outcome::too_many_evaluations
+                                                     : outcome::done;
 }
 
 /// A rational number of small denominator in the panel that is not known yet; at most one of a few
@@ -509,23 +623,80 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   return outcome::done;
 }
 
-/// The rule on one panel: half-length times the sum of w_k F(centre + half-length x_k).
-ball integrator::sum_of_panel(const panel& p, const gauss_legendre_rule& rule) const {
-  const precision working = rule.bits;
-  const auto f = segments_[p.segment].evaluator(working);
-  const ball centre(p.centre, working);
-  ball sum(0, working);
-  ball offset;
-  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-    scale(offset, rule.nodes[k], -p.level - 1);
-    ball value = f(centre + offset);
-    if (k > 0 || p.nodes % 2 == 0) {  // the middle node counts once
-      value += f(centre - offset);
-    }
-    fma(sum, rule.weights[k], value, sum);
+/// What the rule leaves out of the panel's integral of F.
+magnitude integrator::truncation_error(const panel& p) const {
+  if (p.rule == quadrature_rule::trapezoid) {
+    const ball supremum = ball(0, 64).enlarged(p.supremum);
+    return mean_trapezoid_error({ball::exactly(p.half_width, 64), supremum}, p.nodes);
   }
+  const ball rho = ball::exactly(p.rho, 64);
+  const magnitude error = p.rule == quadrature_rule::clenshaw_curtis
+                              ? clenshaw_curtis_error(p.nodes - 1, rho, p.supremum)
+                              : gauss_legendre_error(p.nodes, rho, p.supremum);
+  return scale(error, -p.level - 1);
+}
+
+/// The rule on one panel, with at least `working` bits, which become those that were used.
+ball integrator::sum_of_panel(const panel& p, precision& working) {
+  if (p.rule == quadrature_rule::trapezoid) return trapezoid_part(p, working);
+  if (p.rule == quadrature_rule::clenshaw_curtis) return clenshaw_curtis_part(p, working);
+  const auto rule = gauss_legendre(p.nodes, working);
+  working = rule->bits;
+  return gauss_legendre_part(p, *rule);
+}
+
+/// Half-length times the sum of w_k F(centre + half-length x_k).
+ball integrator::gauss_legendre_part(const panel& p, const gauss_legendre_rule& rule) const {
+  const precision working = rule.bits;
+  const ball centre(p.centre, working);
+  const auto adder = [&]() -> add_terms {
+    return [&, f = segments_[p.segment].evaluator(working)](long first, long last, ball& sum) {
+      ball offset;
+      for (long k = first; k < last; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        scale(offset, rule.nodes[i], -p.level - 1);
+        ball value = f(centre + offset);
+        if (k > 0 || p.nodes % 2 == 0) {  // the middle node counts once
+          value += f(centre - offset);
+        }
+        fma(sum, rule.weights[i], value, sum);
+      }
+    };
+  };
+  ball sum = sum_in_chunks(static_cast<long>(rule.nodes.size()), working, options_.threads, adder);
   scale(sum, sum, -p.level - 1);
   return sum;
+}
+
+/// Half-length times the sum of w_k F(centre + half-length x_k).
+ball integrator::clenshaw_curtis_part(const panel& p, precision working) {
+  std::shared_ptr<const chebyshev_points_rule<ball>>& rule =
+      clenshaw_curtis_rules_[{p.nodes, working}];
+  if (!rule) {
+    rule = std::make_shared<const chebyshev_points_rule<ball>>(
+        clenshaw_curtis_rule<ball>(p.nodes - 1, working));
+  }
+  const ball centre(p.centre, working);
+  const auto adder = [&]() -> add_terms {
+    return [&, f = segments_[p.segment].evaluator(working)](long first, long last, ball& sum) {
+      for (long k = first; k < last; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        fma(sum, rule->weights[i], f(centre + scale(rule->nodes[i], -p.level - 1)), sum);
+      }
+    };
+  };
+  return scale(sum_in_chunks(p.nodes, working, options_.threads, adder), -p.level - 1);
+}
+
+/// The mean of F((k + 1/2)/n).
+ball integrator::trapezoid_part(const panel& p, precision working) const {
+  const auto functions = segments_[p.segment].equidistant(p.nodes, working);
+  const auto adder = [&]() -> add_terms {
+    return [f = functions()](long first, long last, ball& sum) {
+      for (long k = first; k < last; ++k) sum += f(k);
+    };
+  };
+  return sum_in_chunks(p.nodes, working, options_.threads, adder) / p.nodes;
 }
 
 /// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds. `exhausted` where
@@ -534,11 +705,10 @@ ball integrator::part_of_panel(panel& p, double share, precision most_precision,
   const segment& s = segments_[p.segment];
   const auto allowed = static_cast<double>(most_precision);
   const double goal = share - log2_scales_[p.segment] + static_cast<double>(p.level);
-  p.nodes = gauss_legendre_degree_at_least(
-      static_cast<long>(nodes_needed(p.rho, approximate_log2(p.supremum), goal)));
+  p.nodes = nodes_of_panel(p, goal);
   result_.account.most_nodes = std::max(result_.account.most_nodes, p.nodes);
-  const magnitude truncation =
-      scale(gauss_legendre_error(p.nodes, ball::exactly(p.rho, 64), p.supremum), -p.level - 1);
+  note(p.rule, result_.account.rules);
+  const magnitude truncation = truncation_error(p);
   double needed =
       std::max(p.log2_typical - goal, 16.0) + 12 + std::log2(static_cast<double>(p.nodes));
   if (needed > allowed) {
@@ -547,11 +717,11 @@ ball integrator::part_of_panel(panel& p, double share, precision most_precision,
   }
   double last_radius = 1e18;
   while (true) {
-    const auto rule = gauss_legendre(p.nodes, static_cast<precision>(std::max(needed, 53.0)));
-    const precision working = rule->bits;
+    auto working = static_cast<precision>(std::max(needed, 53.0));
+    const ball sum = sum_of_panel(p, working);
     result_.account.evaluations += p.nodes;
     result_.account.precision = std::max(result_.account.precision, working);
-    ball part = sum_of_panel(p, *rule).enlarged(truncation) * s.scale(working);
+    ball part = sum.enlarged(truncation) * s.scale(working);
     const double radius = approximate_log2(part.radius());
     if (radius <= share + 1) return part;
     // More bits, until they do not help any more; to tell a short panel's nodes from what is beside it, they
@@ -704,6 +874,10 @@ integral integrator::run() {
       result_.obstacle = "more evaluations needed than allowed";
       return result_;
     }
+    if (o == outcome::not_applicable) {
+      result_.why = reason::not_applicable;
+      return result_;
+    }
     if (o == outcome::obstructed || o == outcome::cut_needed) {
       result_.why = reason::not_analytic;
       return result_;
@@ -768,8 +942,11 @@ bool is_inside(const rational& q, const limit& a, const limit& b) {
 integral integrate_function(const integrand& f, const limit& a, const limit& b,
                             const integrate_options& options) {
   if (options.digits < 1) throw std::invalid_argument("integrate: digits must be at least 1");
+  if (options.threads < 0) {
+    throw std::invalid_argument("integrate: threads must be at least 0 (0: all processors)");
+  }
   integral result;
-  if (a.is_exact() && b.is_exact() && a.exact_value() == b.exact_value()) {
+  if (a.form() && b.form() && *a.form() == *b.form()) {
     result.enclosure = ball(0, 64);
     result.verdict = status::certified;
     return result;
@@ -791,6 +968,9 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
     result = integrate_function(f, b, a, options);
     result.enclosure = -result.enclosure;
     return result;
+  }
+  if (options.rule == quadrature_rule::double_exponential) {
+    return integrate_by_double_exponential(f, a, b, options);
   }
   long bits = bits_for_digits(options.digits);
   std::vector<rational> cuts;   // where the range is cut, in order

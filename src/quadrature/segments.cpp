@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "periodic.hpp"
 #include "polhode/arithmetic/text.hpp"
 
 namespace polhode::detail {
@@ -300,6 +301,29 @@ segment affine_segment(const integrand& f, const limit& a, const limit& b) {
   return whole;
 }
 
+/// From a to b, where f is regular at both; a symmetry of f is used.
+segment regular_segment(const integrand& f, const limit& a, const limit& b) {
+  const std::optional<fundamental_range> range = fundamental_range_of(f, a, b);
+  if (!range || !is_regular(f, {limit(range->b), limit(range->a - range->b), false})) {
+    return affine_segment(f, a, b);
+  }
+  segment result = affine_segment(f, limit(range->a), limit(range->b));
+  result.scale = [length = result.scale, copies = range->log2_copies](precision p) {
+    return scale(length(p), copies);
+  };
+  result.equidistant = [f, a = range->a, b = range->b](long n, precision p) {
+    const auto points =
+        std::make_shared<const equidistant_angles>(a.at(p), (b - a).at(p) / (2 * n), n, p);
+    return [f, points, p]() -> std::function<ball(long)> {
+      if (f.angle_evaluator) {
+        return [points, g = f.angle_evaluator(p)](long k) { return g(angle(*points, k)); };
+      }
+      return [points, g = f.evaluator(p)](long k) { return g(points->value(k)); };
+    };
+  };
+  return result;
+}
+
 limit sum_of(const limit& a, const limit& b, const rational& factor) {
   if (a.is_exact() && b.is_exact()) {
     return limit(rational(a.exact_value() + b.exact_value() * factor));
@@ -444,7 +468,7 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
     const bool left_regular = is_regular(f, {left, length, false});
     const bool right_regular = is_regular(f, {right, difference(left, right), false});
     if (left_regular && right_regular) {
-      result.segments.push_back(affine_segment(f, left, right));
+      result.segments.push_back(regular_segment(f, left, right));
     } else if (right_regular) {
       from_left(left, right);
     } else if (left_regular) {

@@ -113,6 +113,52 @@ TEST(Integrate, BadInputIsOneLineThatSaysWhatWouldBeRight) {
   expect_refusal(integrate("x", "0", "1", {"--variable", "sin"}), "sin");
   expect_refusal(run({"integrate", "x", "--from", "0"}), "--to");
   expect_refusal(integrate("x", "0", "1", {"--digits", "1000000000"}), "memory");
+  expect_refusal(integrate("x", "0", "1", {"--rule", "simpson"}), "gauss-legendre");
+  expect_refusal(integrate("x", "0", "1", {"--threads", "-1"}), "--threads");
+  expect_refusal(integrate("x", "0", "1", {"--threads", "two"}), "--threads");
+}
+
+TEST(Integrate, RecognisesMultiplesOfPiAndChoosesTheTrapezoidalRule) {
+  struct symmetric {
+    std::string formula, from, to;
+  };
+  for (const auto& [formula, from, to] :
+       std::vector<symmetric>{{"1/sqrt(1 - sin(x)^2/2)", "0", "pi/2"},
+                              {"exp(cos(x) + sin(2*x))", "-pi", "pi"},
+                              {"exp(cos(3*pi*x))", "1/3", "2 - 2/3"},
+                              {"1/(2 + sin(x))", "h", "h + 2*pi"}}) {
+    const outcome result = integrate(formula, from, to, {"--let", "h=3/2*pi - 1"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.out.find("(trapezoid)"), std::string::npos) << result.out;
+    const outcome panels =
+        integrate(formula, from, to, {"--let", "h=3/2*pi - 1", "--rule", "gauss-legendre"});
+    EXPECT_EQ(digits_of(panels), digits_of(result));
+    EXPECT_NE(panels.out.find("(Gauss-Legendre)"), std::string::npos) << panels.out;
+  }
+  for (const std::string to : {"1.5707963267948966", "asin(1)"}) {
+    const outcome result = integrate("1/sqrt(1 - sin(x)^2/2)", "0", to);
+    EXPECT_EQ(result.out.find("(trapezoid)"), std::string::npos) << result.out;
+  }
+}
+
+TEST(Integrate, RulesThatAreInsistedOn) {
+  for (const std::string rule : {"gauss-legendre", "clenshaw-curtis", "double-exponential"}) {
+    const outcome result = integrate("sqrt(x)*exp(x)", "0", "1", {"--rule", rule});
+    EXPECT_EQ(result.status, 0) << result.out;
+    EXPECT_EQ(digits_of(result), digits_of(integrate("sqrt(x)*exp(x)", "0", "1")));
+  }
+  const outcome refused = integrate("sqrt(x)*exp(x)", "0", "1", {"--rule", "trapezoid"});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_EQ(refused.out.rfind("undefined\nnot certified: not applicable (the trapezoidal rule", 0),
+            0U)
+      << refused.out;
+}
+
+TEST(Integrate, ThreadsChangeNothing) {
+  for (const std::string count : {"0", "2", "7"}) {
+    EXPECT_EQ(integrate("sin(x + exp(x))", "0", "2", {"--digits", "200", "--threads", count}).out,
+              integrate("sin(x + exp(x))", "0", "2", {"--digits", "200"}).out);
+  }
 }
 
 TEST(Integrate, JsonHasTheEnclosureTheVerdictAndTheAccount) {
@@ -126,6 +172,7 @@ TEST(Integrate, JsonHasTheEnclosureTheVerdictAndTheAccount) {
       answer.at("number").at("value").get<std::string>().rfind("0.785398163397448309615660845", 0),
       0U);
   EXPECT_GT(answer.at("account").at("evaluations"), 10);
+  EXPECT_EQ(answer.at("account").at("rules"), json::array({"Gauss-Legendre"}));
   const outcome refused = integrate("1/x", "0", "1", {"--format", "json"});
   EXPECT_EQ(refused.status, 1);
   const json reasons = json::parse(refused.out);

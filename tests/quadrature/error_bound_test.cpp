@@ -39,6 +39,21 @@ TEST(PeriodicTrapezoidError, IsAttainedByACosineOfTheRulesOwnFrequency) {
   }
 }
 
+// cos(2 pi n t) is -1 at the n nodes of the mean over [0, 1], where its integral is 0.
+TEST(MeanTrapezoidError, IsNearlyAttainedByACosineOfTheRulesOwnFrequency) {
+  for (const long n : {1L, 2L, 7L, 40L}) {
+    const ball width(rational(3, 4), 128);
+    const magnitude error = mean_trapezoid_error({width, cosh(2 * width * n)}, n);
+    const ball bound = ball(0, 128).enlarged(error);
+    EXPECT_TRUE(contains(bound, 1)) << n;
+    // Beside e^(-2 H n), the rounding of a magnitude.
+    const ball excess = 2 * exp(-2 * width * n) + rational(1, 1 << 25);
+    EXPECT_FALSE(contains(bound, rational(upper_rational(1 + excess)))) << n;
+  }
+  EXPECT_TRUE(mean_trapezoid_error({ball(0, 64), ball(1, 64)}, 5).is_infinite());
+  EXPECT_TRUE(mean_trapezoid_error({ball(1, 64), ball(1, 64)}, 0).is_infinite());
+}
+
 TEST(PeriodicTrapezoidError, IsAboveTheTrueErrorAndWithinAFactorOfIt) {
   // At the strip (1 - 1/N)/q = e^H, M is about N and the bound e N times the error.
   for (const rational& q : {rational(1, 10), rational(1, 3), rational(1, 2), rational(9, 10)}) {

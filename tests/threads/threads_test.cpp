@@ -14,6 +14,8 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/expression.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "support/exact_set.hpp"
 #include "support/functions.hpp"
 #include "support/random.hpp"
@@ -136,6 +138,44 @@ TEST(Threads, ManyAtOnce) {
   }
   for (std::thread& t : threads) t.join();
   const record expected = compute();
+  for (const record& r : records) expect_same(expected, r);
+}
+
+/// A formula, by its evaluators.
+struct formula {
+  expression f;
+  [[nodiscard]] region operator()(const region& x) const { return f(x); }
+  [[nodiscard]] ball operator()(const ball& x) const { return f(x); }
+  template <class T>
+  [[nodiscard]] T operator()(const T& x) const {
+    return 1 / (2 + sin(x)) + exp(x);  // as below: what the ends and symmetries are asked with
+  }
+  template <class T>
+  requires std::same_as<T, ball>
+  [[nodiscard]] auto evaluator(precision p) const { return f.evaluator<ball>(p); }
+};
+
+// Nodes on several threads; and several threads that each do so, with one cache of nodes.
+TEST(Threads, IntegralsAreTheSameInside) {
+  const auto periodic = [](const auto& x) { return sqrt(3 + cos(x) * sin(x)); };
+  const auto all = [&](int threads) {
+    const integrate_options options{.digits = 120, .threads = threads};
+    const formula sum{expression("1/(2+sin(x)) + exp(x)", {{"x"}, {}})};
+    record r;
+    r.balls.push_back(integrate(sum, 0, 1, options).enclosure);
+    r.balls.push_back(integrate(periodic, 0, limit::pi(), options).enclosure);
+    return r;
+  };
+  const record expected = all(1);
+  for (const ball& x : expected.balls) ASSERT_TRUE(x.is_bounded());
+  expect_same(expected, all(4));
+  std::vector<record> records(2);
+  std::vector<std::thread> threads;
+  threads.reserve(records.size());
+  for (record& r : records) {
+    threads.emplace_back([&r, &all] { r = all(3); });
+  }
+  for (std::thread& t : threads) t.join();
   for (const record& r : records) expect_same(expected, r);
 }
 

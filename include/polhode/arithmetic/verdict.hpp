@@ -15,6 +15,7 @@ enum class reason {
   not_analytic,      // no region was found in which the integrand is proved analytic
   not_integrable,    // the integral was proved to diverge
   not_convergent,    // an iteration did not contract
+  not_applicable,    // the method that was insisted on is not for this
   not_defined,       // the function is not defined on what it was asked for
   refuted            // the contrary is proved
 };

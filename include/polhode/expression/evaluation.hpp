@@ -315,6 +315,41 @@ template <class T>
   }
 }
 
+/// What the part of a program without variables gives: number(q) is a number of the formula, and constant(i) a
+/// constant such as pi.
+template <class T, class Number, class Constant>
+[[nodiscard]] std::vector<T> evaluate_constants(const program& f, const Number& number,
+                                                const Constant& constant) {
+  const tape& t = f.constants;
+  std::vector<T> numbers;
+  numbers.reserve(f.numbers.size());
+  for (const rational& q : f.numbers) numbers.push_back(number(q));
+  std::vector<T> slots(t.slots);
+  const auto operand = [&](std::uint32_t i) -> const T& {
+    return i < t.inputs ? numbers[i] : slots[i - t.inputs];
+  };
+  for (const instruction& i : t.code) {
+    T& r = slots[i.result];
+    if (i.what >= operation::negate) {
+      execute<T>(i, r, operand(i.left), operand(i.right));
+    } else {
+      r = constant(i);
+    }
+  }
+  std::vector<T> result;
+  result.reserve(t.outputs.size());
+  for (const std::uint32_t o : t.outputs) result.push_back(operand(o));
+  return result;
+}
+
+/// A T that knows more of a constant than an enclosure: supplement<T>::number(q) is the rational number,
+/// supplement<T>::constant(i) a constant such as pi.
+template <class T>
+concept symbolic = requires(const rational& q, const instruction& i) {
+  { supplement<T>::number(q) } -> std::same_as<T>;
+  { supplement<T>::constant(i) } -> std::same_as<T>;
+};
+
 /// What the part of a program without variables gives, at p bits.
 [[nodiscard]] std::vector<ball> constants_of(const program& f, precision p);
 /// The same, exactly where it is a number of the formula.
@@ -330,6 +365,9 @@ compiled_expression<T>::compiled_expression(std::shared_ptr<const detail::progra
   std::vector<constant> constants;
   if constexpr (std::same_as<constant, detail::possibly_exact_constant>) {
     constants = detail::possibly_exact_constants_of(*program_, checked_precision(p));
+  } else if constexpr (detail::symbolic<T>) {
+    constants = detail::evaluate_constants<T>(*program_, detail::supplement<T>::number,
+                                              detail::supplement<T>::constant);
   } else {
     for (const ball& x : detail::constants_of(*program_, checked_precision(p))) {
       constants.push_back(detail::converted<constant>(x));

@@ -30,6 +30,29 @@ struct strip_bound {
 /// two statements of strip_bound, which its maker has proved.
 [[nodiscard]] ball periodic_trapezoid_error(const strip_bound& bound, long nodes);
 
+/// |T_n - I| for I the integral of F over 0 <= t <= 1 and T_n = (1/n) sum of F((k + 1/2)/n), k = 0 ... n-1, where F is
+/// even about both ends or has the period 1:
+///
+///   |T_n - I| <= 2 M / (e^(2 H n) - 1).
+///
+/// Hypotheses, with bound = {H, M} in the variable s = pi t and h = H/pi: F is real on [0, 1] and analytic on a
+/// neighbourhood of the rectangle 0 <= Re t <= 1, 0 <= Im t <= h; |F| <= M on its side Im t = h; and for all real t
+/// near 0 either F(-t) = F(t) and F(1 + t) = F(1 - t), or F(1 + t) = F(t). H is certainly positive and n >= 1, else
+/// the answer is infinite.
+///
+/// Proof. By Schwarz's reflection F(conj z) = conj F(z) F is analytic on a neighbourhood of 0 <= Re t <= 1, |Im t| <= h.
+/// (Even ends.) F(-z) = F(z) holds for real z near 0, so by the identity theorem on a neighbourhood of the segment
+/// Re z = 0, |Im z| <= h: F(-z) continues F beyond that segment, and likewise F(2 - z) beyond Re z = 1. So F is
+/// continued, by reflections in turn, to an even function of period 2, analytic on a strip |Im t| < h' with h' > h. In
+/// s = pi t it is even with the period 2 pi, and the rule is that of the 2n nodes (k + 1/2) pi/n on the circle:
+/// periodic_trapezoid_error with H and 2n nodes, halved for half of the circle and divided by pi for ds = pi dt.
+/// (A period.) F(z + 1) = F(z) near Re z = 0 continues F to a strip in the same way. In 2 pi t the period is 2 pi: it
+/// is that bound with 2H and n nodes, divided by 2 pi. Both are the bound above.
+/// M: |F| on the closed strip is greatest on |Im t| = h by the maximum principle, for F is periodic; there it is, by
+/// the symmetries, what it is on the side. F = cos(2 pi n t), with T_n = -1 for n nodes and I = 0, comes as near to
+/// the bound as e^(-2 H n).
+[[nodiscard]] magnitude mean_trapezoid_error(const strip_bound& bound, long nodes);
+
 /// |G_n - I| for I the integral of f over [-1, 1] and G_n the Gauss and Legendre rule with n nodes:
 ///
 ///   |G_n - I| <= (64/15) M rho^(-2n) / (1 - rho^-2).

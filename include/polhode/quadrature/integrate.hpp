@@ -13,7 +13,8 @@
 //
 // How: the range is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
 // that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most
-// a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. What
+// a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. Where f is found to be
+// even about both limits, or periodic (symmetry.hpp), the trapezoidal rule may serve with less work. What
 // cannot be had so is described in end_series.hpp (an end where f is singular, a point between the limits
 // where the range is cut) and tail_series.hpp (an exponential decay).
 
@@ -25,11 +26,22 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
+#include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
 #include "polhode/quadrature/limit.hpp"
+#include "polhode/quadrature/symmetry.hpp"
 #include "polhode/quadrature/tail_series.hpp"
 
 namespace polhode {
+
+enum class quadrature_rule {
+  automatic,           // Gauss-Legendre or, where it takes fewer nodes, the trapezoidal rule
+  gauss_legendre,      // on panels
+  clenshaw_curtis,     // on panels
+  trapezoid,           // of functions that are periodic, or even about both limits
+  double_exponential,  // over a finite range with rational limits
+};
+[[nodiscard]] std::string to_text(quadrature_rule rule);
 
 struct integrate_options {
   /// The goal: a radius of at most 10^-digits of the value. Where the value is 0, or smaller than
@@ -43,6 +55,12 @@ struct integrate_options {
   std::optional<long> most_depth = std::nullopt;
   /// Bits that rounding errors may raise the working precision to; by default 64 times the goal's.
   std::optional<precision> most_precision = std::nullopt;
+  /// A rule to insist on. Where it does not apply the verdict says so (not_applicable), and what is missing.
+  quadrature_rule rule = quadrature_rule::automatic;
+  /// On how many threads f is evaluated at the nodes; 0 for as many as the machine has processors, which are the
+  /// most. The result is the same bit for bit. Unless it is 1, f is called by several threads at a time, and so are
+  /// its member evaluator<ball>(p) and copies; but what evaluator made is called by one thread only.
+  int threads = 1;
 };
 
 /// What it cost.
@@ -51,6 +69,8 @@ struct integral_account {
   long region_evaluations = 0;  // of f over complex regions
   long panels = 0;
   long most_nodes = 0;  // of one panel
+  /// The rules that were used, each once. None where bounds of f were enough.
+  std::vector<quadrature_rule> rules;
   polhode::precision precision = 0;
   double seconds_for_bounds = 0;
   double seconds_for_sums = 0;
@@ -88,24 +108,35 @@ struct segment {
   /// or a half plane, open, whose boundary in an ellipse's upper half is connected and ends on the real axis.
   /// May be empty.
   std::function<std::optional<known_bound>(double_interval re, double_interval im)> known;
+  /// Not empty where F(t + 1) = F(t) near t = 0, or F is even about t = 0 and about t = 1, if it is analytic there
+  /// (see mean_trapezoid_error): makes, for n and p, what makes a function of k that gives F((k + 1/2)/n) with p bits.
+  std::function<std::function<std::function<ball(long k)>()>(long n, precision p)> equidistant;
 };
 
 /// A generic function, in the arithmetics that the library needs.
 struct integrand {
   std::function<region(const region& x)> over;
   std::function<std::function<ball(const ball& x)>(precision p)> evaluator;
+  /// The same of equidistant arguments. May be empty.
+  std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
   std::function<end_series(const end_series& x)> near_end;
   std::function<tail_series(const tail_series& x)> near_infinity;
+  /// May be empty: then no symmetry is known.
+  std::function<symmetry(const symmetry& x)> under;
 };
 
 /// f's function object for real arguments with p bits: f itself, or what it makes for the purpose.
-template <class F>
-[[nodiscard]] auto real_evaluator(const F& f, precision p) {
-  if constexpr (requires { f.template evaluator<ball>(p); }) {
-    return f.template evaluator<ball>(p);
+template <class T, class F>
+[[nodiscard]] auto evaluator_of(const F& f, precision p) {
+  if constexpr (requires { f.template evaluator<T>(p); }) {
+    return f.template evaluator<T>(p);
   } else {
     return f;
   }
+}
+template <class F>
+[[nodiscard]] auto real_evaluator(const F& f, precision p) {
+  return evaluator_of<ball>(f, p);
 }
 
 /// The value of f as a Y, also where f is constant and answers with a number.
@@ -115,8 +146,12 @@ template <class Y, class V>
     return std::forward<V>(value);
   } else if constexpr (std::same_as<Y, ball>) {
     return ball(value, like.precision());
+  } else if constexpr (std::same_as<Y, angle>) {
+    return as_angle(value, like);
   } else if constexpr (std::same_as<Y, region>) {
     return constant_region(value, like);
+  } else if constexpr (std::same_as<Y, symmetry>) {
+    return symmetry(value);
   } else {
     return like.constant_like(value);
   }
@@ -129,8 +164,18 @@ template <class F>
   result.evaluator = [f](precision p) -> std::function<ball(const ball&)> {
     return [g = real_evaluator(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
   };
+  if constexpr (std::is_invocable_v<const F&, const angle&>) {
+    result.angle_evaluator = [f](precision p) -> std::function<ball(const angle&)> {
+      return [g = evaluator_of<angle>(f, p)](const angle& x) {
+        return value_as<angle>(g(x), x).value();
+      };
+    };
+  }
   result.near_end = [f](const end_series& x) { return value_as<end_series>(f(x), x); };
   result.near_infinity = [f](const tail_series& x) { return value_as<tail_series>(f(x), x); };
+  if constexpr (std::is_invocable_v<const F&, const symmetry&>) {
+    result.under = [f](const symmetry& x) { return value_as<symmetry>(f(x), x); };
+  }
   return result;
 }
 
@@ -161,7 +206,7 @@ class affine_map {
 /// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a = b. Limits may
 /// be infinite (limit::infinity()), and f singular at them, where end_series.hpp finds it integrable.
 /// Verdicts: certified; not_certified with not_analytic (obstacle says what and where), not_integrable,
-/// evaluation_limit, precision_limit. The enclosure holds the integral with every verdict.
+/// evaluation_limit, precision_limit, not_applicable. The enclosure holds the integral with every verdict.
 template <class F>
 [[nodiscard]] integral integrate(const F& f, const limit& a, const limit& b,
                                  const integrate_options& options = {}) {

@@ -1,12 +1,14 @@
 #pragma once
 
-// A limit of integration: an exact number, a real number that can be had to any precision, or an
-// infinity.
+// A limit of integration: an exact number (a rational one, or q + r pi), a real number that can be had to any
+// precision, or an infinity.
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/quadrature/pi_combination.hpp"
 
 namespace polhode {
 
@@ -16,11 +18,17 @@ class limit {
   limit(N n)  // NOLINT(google-explicit-constructor): exact
       : limit(rational(n)) {}
   limit(const rational& q)  // NOLINT(google-explicit-constructor): exact
-      : at_([q](precision p) { return ball(q, p); }), exact_(true), value_(q) {}
+      : limit(pi_combination{q, 0}) {}
   /// The set x, whose width the result cannot fall below.
   limit(const ball& x)  // NOLINT(google-explicit-constructor): the same set
       : at_([x](precision) { return x; }) {}
-  /// A number that at(p) encloses with p bits, such as pi: limit([](precision p) { return pi(p); }).
+  /// q + r pi, known as such: a function that is even about it, or of such a period, is integrated by fewer
+  /// evaluations.
+  explicit limit(const pi_combination& x)
+      : at_([x](precision p) { return x.at(p); }), exact_(x.is_rational()), value_(x.q), form_(x) {}
+  /// r pi.
+  [[nodiscard]] static limit pi(const rational& r = 1) { return limit(pi_combination{0, r}); }
+  /// A number that at(p) encloses with p bits: limit([](precision p) { return sqrt(ball(2, p)); }).
   explicit limit(std::function<ball(precision)> at) : at_(std::move(at)) {}
   /// A double is a decimal only by accident: see ball.
   template <std::floating_point N>
@@ -29,7 +37,7 @@ class limit {
   [[nodiscard]] static limit infinity() { return limit(1, infinite{}); }
   friend limit operator-(const limit& x) {
     if (x.infinite_ != 0) return {-x.infinite_, infinite{}};
-    if (x.exact_) return limit(rational(-x.value_));
+    if (x.form_) return limit(-*x.form_);
     return limit([at = x.at_](precision p) { return -at(p); });
   }
 
@@ -38,6 +46,8 @@ class limit {
   [[nodiscard]] bool is_exact() const { return exact_; }
   /// The number, where it is exact.
   [[nodiscard]] const rational& exact_value() const { return value_; }
+  /// The number as q + r pi, where it was given so.
+  [[nodiscard]] const std::optional<pi_combination>& form() const { return form_; }
   /// An enclosure with p bits; undefined for an infinity.
   [[nodiscard]] ball at(precision p) const { return infinite_ == 0 ? at_(p) : ball::undefined(p); }
 
@@ -48,6 +58,7 @@ class limit {
   std::function<ball(precision)> at_;
   bool exact_ = false;
   rational value_ = 0;
+  std::optional<pi_combination> form_;
   int infinite_ = 0;
 };
 

@@ -1,0 +1,39 @@
+#pragma once
+
+// The numbers q + r pi with rational q and r. As pi is irrational (J. H. Lambert, 1761), such a number is 0
+// only where q and r are, and two of them are equal only where both parts are.
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/exact.hpp"
+
+namespace polhode {
+
+struct pi_combination {
+  rational q = 0;
+  rational r = 0;
+
+  [[nodiscard]] bool is_zero() const { return q == 0 && r == 0; }
+  [[nodiscard]] bool is_rational() const { return r == 0; }
+  /// An enclosure with p bits.
+  [[nodiscard]] ball at(precision p) const {
+    if (is_rational()) return {q, p};
+    const ball multiple = pi(p) * r;
+    return q == 0 ? multiple : multiple + q;
+  }
+
+  friend pi_combination operator-(const pi_combination& x) { return {-x.q, -x.r}; }
+  friend pi_combination operator+(const pi_combination& x, const pi_combination& y) {
+    return {x.q + y.q, x.r + y.r};
+  }
+  friend pi_combination operator-(const pi_combination& x, const pi_combination& y) {
+    return {x.q - y.q, x.r - y.r};
+  }
+  friend pi_combination operator*(const pi_combination& x, const rational& k) {
+    return {x.q * k, x.r * k};
+  }
+  friend bool operator==(const pi_combination& x, const pi_combination& y) {
+    return x.q == y.q && x.r == y.r;
+  }
+};
+
+}  // namespace polhode

@@ -1,0 +1,146 @@
+#include "periodic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/quadrature/trapezoid.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+double approximate_log2(const magnitude& x) {
+  if (x.is_zero()) return -1e18;
+  if (x.is_infinite()) return 1e18;
+  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
+}
+
+/// An upper bound of |F| on Im t = h, 0 <= Re t <= 1, from so many pieces.
+magnitude supremum_along(const segment& s, double h, long pieces, long& evaluations) {
+  magnitude supremum;
+  double left = 0;
+  for (long k = 1; k <= pieces; ++k) {
+    const double right = static_cast<double>(k) / static_cast<double>(pieces);
+    ++evaluations;
+    const region value = s.over(region(double_interval(left, right), double_interval(h)));
+    supremum = max(supremum, value.magnitude_upper());
+    if (supremum.is_infinite()) break;
+    left = right;
+  }
+  return supremum;
+}
+
+/// The search for the strip that takes the fewest nodes.
+class strip_search {
+ public:
+  strip_search(const segment& s, double log2_goal, double most_nodes, long& evaluations)
+      : segment_(s), log2_goal_(log2_goal), evaluations_(evaluations) {
+    const double bits = std::max(-log2_goal, 16.0);
+    price_ = 1 / (0.3 + std::pow(bits / 300, 1.5));
+    narrowest_ = 0.3 * bits / most_nodes;
+    best_.nodes = most_nodes;
+  }
+
+  [[nodiscard]] std::optional<periodic_strip> run() {
+    constexpr double first = 1;
+    constexpr double widest = 64;
+    if (consider(first)) {
+      double width = first;
+      while (width < widest && pays(0.33) && consider(width * 1.5)) width *= 1.5;
+    } else {
+      for (double width = first / 2; !found_ && width > narrowest_; width /= 2) consider(width);
+    }
+    for (const double factor : {1.25, 1.1, 1.05, 1.02}) {
+      if (!found_ || !pays(factor - 1)) break;
+      const double width = best_.half_width;
+      if (!consider(width * factor)) consider(width / factor);
+    }
+    if (!found_) return std::nullopt;
+    return best_;
+  }
+
+ private:
+  /// Whether that part of the nodes is worth the evaluations over regions that looking for it takes.
+  [[nodiscard]] bool pays(double part) const {
+    constexpr double evaluations = 12;
+    return best_.nodes * part > evaluations * price_;
+  }
+
+  /// Whether the strip of this half-width in s = pi t is proved, and takes fewer nodes than the best so far.
+  bool consider(double half_width) {
+    // In t, made sure to be no narrower.
+    const double h = (double_interval(half_width) / (4 * atan(double_interval(1)))).upper();
+    if (!is_analytic_on(segment_.over, 0, 1, h, evaluations_)) return false;
+    constexpr long fewest = 8;
+    constexpr long most = 1024;
+    magnitude supremum = supremum_along(segment_, h, fewest, evaluations_);
+    double nodes = nodes_for(half_width, supremum);
+    // More pieces, while they save more nodes than they cost.
+    for (long pieces = 2 * fewest; pieces <= most; pieces *= 2) {
+      const double pieces_price = static_cast<double>(pieces) * price_;
+      if (nodes < 1e17 && pieces_price > 0.5 * nodes) break;
+      supremum = min(supremum, supremum_along(segment_, h, pieces, evaluations_));
+      const double before = nodes;
+      nodes = nodes_for(half_width, supremum);
+      if (before < 1e17 && before - nodes < pieces_price) break;
+    }
+    if (supremum.is_infinite() || !(nodes < best_.nodes)) return false;
+    found_ = true;
+    best_ = {half_width, supremum, nodes};
+    return true;
+  }
+
+  [[nodiscard]] double nodes_for(double half_width, const magnitude& supremum) const {
+    return nodes_in_strip(half_width, supremum, log2_goal_);
+  }
+
+  const segment& segment_;
+  double log2_goal_;
+  long& evaluations_;
+  double price_ = 0;      // of a region's evaluation in those of f at a node
+  double narrowest_ = 0;  // below it the nodes are too many even where F is as small as the goal
+  periodic_strip best_;
+  bool found_ = false;
+};
+
+}  // namespace
+
+std::optional<fundamental_range> fundamental_range_of(const integrand& f, const limit& a,
+                                                      const limit& b) {
+  if (!f.under || !a.form() || !b.form() || *a.form() == *b.form()) return std::nullopt;
+  const auto is_even_about = [&](const pi_combination& x) {
+    return f.under(symmetry::reflection(x)).is_invariant();
+  };
+  const auto has_period = [&](const pi_combination& x) {
+    return f.under(symmetry::translation(x)).is_invariant();
+  };
+  fundamental_range range{*a.form(), *b.form(), 0};
+  const bool even = is_even_about(range.a) && is_even_about(range.b);
+  if (!even && !has_period(range.b - range.a)) return std::nullopt;
+  // Even about the middle, or with a half of the range for a period: half of the range has half of the integral, and
+  // again one of the two symmetries. For if f is even about b, or has the period b - a, evenness about the middle makes
+  // it even about a too.
+  constexpr long most_halvings = 10;
+  while (range.log2_copies < most_halvings) {
+    const pi_combination middle = (range.a + range.b) * rational(1, 2);
+    if (!is_even_about(middle) && !has_period(middle - range.a)) break;
+    range.b = middle;
+    ++range.log2_copies;
+  }
+  return range;
+}
+
+double nodes_in_strip(double half_width, const magnitude& supremum, double log2_goal) {
+  // 2 M e^(-2 H n) <= 2^log2_goal.
+  constexpr double half_log_2 = 0.34657360;
+  const double excess = approximate_log2(supremum) + 1.1 - log2_goal;
+  return std::max(1.0, std::ceil(excess * half_log_2 / half_width));
+}
+
+std::optional<periodic_strip> find_strip(const segment& s, double log2_goal, double most_nodes,
+                                         long& evaluations) {
+  return strip_search(s, log2_goal, most_nodes, evaluations).run();
+}
+
+}  // namespace polhode::detail

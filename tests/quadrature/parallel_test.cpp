@@ -1,0 +1,96 @@
+// The same bits on any number of threads.
+
+#include <atomic>
+#include <concepts>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/known_integrals.hpp"
+#include "support/exact_set.hpp"
+
+namespace polhode {
+namespace {
+
+TEST(ParallelIntegral, HasTheSameBitsOnAnyNumberOfThreads) {
+  const auto check = [](const std::string& name, const auto& f, const limit& a, const limit& b) {
+    for (const long digits : {40L, 200L}) {
+      const integral one = integrate(f, a, b, {.digits = digits});
+      EXPECT_EQ(one.verdict, status::certified) << name;
+      for (const int threads : {0, 2, 3, 8}) {
+        const integral other = integrate(f, a, b, {.digits = digits, .threads = threads});
+        EXPECT_TRUE(support::identical(one.enclosure, other.enclosure)) << name << ", " << threads;
+        EXPECT_EQ(one.account.evaluations, other.account.evaluations);
+      }
+    }
+  };
+  const limit infinity = limit::infinity();
+  check(
+      "panels", [](const auto& x) { return 1 / (1 + 25 * square(x)) + exp(x); }, -1, 1);
+  check(
+      "a period", [](const auto& x) { return sqrt(3 + cos(x) + sin(2 * x)); }, 0, limit::pi(2));
+  check(
+      "an end", [](const auto& x) { return log(x) * cos(x); }, 0, 1);
+  check(
+      "tails", [](const auto& x) { return exp(-x * x); }, -infinity, infinity);
+}
+
+/// Counts the evaluators that were made, and sees to it that each is called by one thread.
+struct watched {
+  struct counts {
+    std::atomic<long> evaluators = 0;
+    std::atomic<long> shared = 0;
+  };
+  counts* seen;
+
+  template <class T>
+  [[nodiscard]] T operator()(const T& x) const {
+    return 1 / (2 + x);
+  }
+  template <class T>
+  [[nodiscard]] auto evaluator(precision) const {
+    ++seen->evaluators;
+    return [seen = seen, owner = std::make_shared<std::thread::id>()](const T& x) -> T {
+      if (*owner == std::thread::id()) *owner = std::this_thread::get_id();
+      if (*owner != std::this_thread::get_id()) ++seen->shared;
+      return 1 / (2 + x);
+    };
+  }
+};
+
+TEST(ParallelIntegral, MakesAnEvaluatorForEachThread) {
+  watched::counts seen;
+  const integral i = integrate(watched{&seen}, 0, 1, {.digits = 300, .threads = 8});
+  EXPECT_EQ(i.verdict, status::certified);
+  EXPECT_GE(seen.evaluators, 1);
+  EXPECT_EQ(seen.shared, 0);
+}
+
+struct throws_at_many_bits {
+  template <class T>
+  [[nodiscard]] T operator()(const T& x) const {
+    if constexpr (std::same_as<T, ball>) {
+      if (x.precision() > 2000) throw std::runtime_error("thrown by the integrand");
+    }
+    return exp(x);
+  }
+};
+
+TEST(ParallelIntegral, PassesOnWhatTheIntegrandThrows) {
+  for (const int threads : {1, 3}) {
+    EXPECT_THROW((void)integrate(throws_at_many_bits{}, 0, 1, {.digits = 900, .threads = threads}),
+                 std::runtime_error);
+  }
+}
+
+TEST(ParallelIntegral, RefusesANegativeNumberOfThreads) {
+  const auto f = [](const auto& x) { return exp(x); };
+  EXPECT_THROW((void)integrate(f, 0, 1, {.threads = -1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace polhode
