@@ -23,6 +23,7 @@ inline region real_power(const region& x, const rational& e) {
 }
 inline end_series real_power(const end_series& x, const rational& e) { return pow(x, e); }
 inline tail_series real_power(const tail_series& x, const rational& e) { return pow(x, e); }
+inline recorded real_power(const recorded& x, const rational& e) { return pow(x, e); }
 
 struct known_integral {
   std::string name;

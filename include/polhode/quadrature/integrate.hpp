@@ -11,7 +11,8 @@
 // mathematician's sense: the same argument gives the same value, and it is defined by the same formula for
 // every type of argument.
 //
-// How: the range is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
+// How: where f passes from one analytic piece to another (abs, min, max, floor, ceil) the range is cut, at points that
+// are found to any precision (recorded.hpp). It is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
 // that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most
 // a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. What
 // cannot be had so is described in end_series.hpp (an end where f is singular, a point between the limits
@@ -27,6 +28,7 @@
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/end_series.hpp"
 #include "polhode/quadrature/limit.hpp"
+#include "polhode/quadrature/recorded.hpp"
 #include "polhode/quadrature/tail_series.hpp"
 
 namespace polhode {
@@ -96,6 +98,8 @@ struct integrand {
   std::function<std::function<ball(const ball& x)>(precision p)> evaluator;
   std::function<end_series(const end_series& x)> near_end;
   std::function<tail_series(const tail_series& x)> near_infinity;
+  /// Its operations, with constants to p bits; may be empty: then no breaks are looked for.
+  std::function<recorded(const recorded& x, precision p)> record;
 };
 
 /// f's function object for real arguments with p bits: f itself, or what it makes for the purpose.
@@ -131,6 +135,7 @@ template <class F>
   };
   result.near_end = [f](const end_series& x) { return value_as<end_series>(f(x), x); };
   result.near_infinity = [f](const tail_series& x) { return value_as<tail_series>(f(x), x); };
+  result.record = [f](const recorded& x, precision) { return value_as<recorded>(f(x), x); };
   return result;
 }
 
