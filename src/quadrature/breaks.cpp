@@ -225,16 +225,16 @@ struct crossing {
   bool ascending = true;
 };
 
-/// The integer at which alone the branch changes where the decider runs from `low` up to `high`, strictly
-/// monotonely; nothing where there is none, or more.
-std::optional<long> only_change(kind what, const ball& low, const ball& high) {
-  long n = 0;
-  if (what == kind::floor || what == kind::ceil) {
-    const std::optional<long> below = integer_below(low);
-    if (!below || !certainly_less_equal(high, ball(*below + 2, 64))) return std::nullopt;
-    n = *below + 1;
-  }
-  if (!certainly_less(low, n) || !certainly_greater(high, n)) return std::nullopt;
+/// The integer at which alone the branch may change where the decider has values in this range; nothing where there may
+/// be more.
+std::optional<long> only_change(kind what, const ball& range) {
+  if (what != kind::floor && what != kind::ceil) return 0;
+  const std::optional<long> below = integer_below(range);
+  if (!below) return std::nullopt;
+  // Or *below itself, where the range starts at it.
+  const bool at_start = !certainly_greater(range, *below);
+  const long n = at_start && certainly_less(range, *below + 1) ? *below : *below + 1;
+  if (n == *below + 1 && !certainly_less_equal(range, ball(n + 1, 64))) return std::nullopt;
   return n;
 }
 
@@ -246,51 +246,55 @@ struct interval {
   [[nodiscard]] rational width() const { return high - low; }
   [[nodiscard]] rational middle() const { return (low + high) / 2; }
   [[nodiscard]] ball set(precision p) const { return hull(ball(low, p), ball(high, p)); }
+  /// What it takes to tell its points apart.
+  [[nodiscard]] precision bits() const { return 96 + 2 * level; }
 };
 
 struct traced {
   choices chosen;
-  bool decided = true;              // all of them
-  std::optional<crossing> crosses;  // of the first that is not, where it is that
-  ball at_decider;                  // its range ...
-  ball slope;                       // ... and slope, as they come out of jets
+  bool decided = true;  // all of them
+  // Of the first that is not, where its decider is strictly monotone and has one n at most to go through:
+  std::optional<crossing> suspect;
+  ball slope;
+  bool crosses = false;  // it does
 };
 
-/// The branches over an interval; `side` of a given crossing (-1: before it), or 0.
-traced trace(const formula& f, const interval& x, precision p, const crossing* given, int side) {
-  const recorded_nodes& nodes = f.at(p);
-  evaluation<slope_jet> over(nodes, slope_jet::variable(x.set(p)));
-  evaluation<slope_jet> at_low(nodes, slope_jet::variable(ball(x.low, p)));
-  evaluation<slope_jet> at_high(nodes, slope_jet::variable(ball(x.high, p)));
+/// The branches over a set with these ends; `side` of a given crossing (-1: before it), or 0.
+traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
+             const crossing* given, int side) {
+  const recorded_nodes& nodes = f.at(x.precision());
+  evaluation<slope_jet> over(nodes, slope_jet::variable(x));
+  evaluation<slope_jet> at_low(nodes, slope_jet::variable(low));
+  evaluation<slope_jet> at_high(nodes, slope_jet::variable(high));
   traced result;
   result.chosen.resize(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!f.needs(i)) continue;
     std::optional<long>& branch = result.chosen[i];
     if (nodes[i].is_piecewise()) {
-      const slope_jet& decider = over[nodes[i].decider];
-      ball range = decider[0];
-      const bool ascending = certainly_positive(decider[1]);
-      const bool monotone = !range.is_undefined() && (ascending || certainly_negative(decider[1]));
-      const ball& start = at_low[nodes[i].decider][0];
-      const ball& end = at_high[nodes[i].decider][0];
-      if (monotone) {
-        const ball between = intersection(range, hull(start, end));
-        if (!between.is_undefined()) range = between;
+      const std::size_t d = nodes[i].decider;
+      const auto& [range, slope] = std::pair(over[d][0], over[d][1]);
+      const bool ascending = certainly_positive(slope);
+      const bool monotone = !range.is_undefined() && (ascending || certainly_negative(slope));
+      const ball& start = (ascending ? at_low : at_high)[d][0];
+      const ball& end = (ascending ? at_high : at_low)[d][0];
+      const ball between = monotone ? intersection(range, hull(start, end)) : range;
+      const ball& values = between.is_undefined() ? range : between;
+      branch = branch_over(nodes[i].what, values, monotone);
+      std::optional<crossing> suspect;
+      if (monotone && !branch) {
+        if (const auto n = only_change(nodes[i].what, values)) suspect = crossing{d, *n, ascending};
       }
-      branch = branch_over(nodes[i].what, range, monotone);
-      std::optional<long> n;
-      if (!branch && monotone) {
-        n = only_change(nodes[i].what, ascending ? start : end, ascending ? end : start);
-      }
-      if (n && given != nullptr && given->decider == nodes[i].decider && given->n == *n) {
-        branch = branch_beside(nodes[i].what, *n, given->ascending ? side : -side);
+      const bool crosses =
+          suspect && certainly_less(start, suspect->n) && certainly_greater(end, suspect->n);
+      if (crosses && given != nullptr && given->decider == d && given->n == suspect->n) {
+        branch = branch_beside(nodes[i].what, given->n, ascending ? side : -side);
       }
       if (!branch && result.decided) {
         result.decided = false;
-        result.at_decider = decider[0];
-        result.slope = decider[1];
-        if (n) result.crosses = crossing{nodes[i].decider, *n, ascending};
+        result.suspect = suspect;
+        result.slope = slope;
+        result.crosses = crosses;
       }
     }
     over.step(i, branch);
@@ -310,8 +314,9 @@ class break_point {
       : f_(std::move(f)),
         crossing_(c),
         chosen_(std::move(chosen)),
+        x_(x),
         size_(x.set(64).magnitude_upper()),
-        enclosure_(x.set(192)) {}
+        enclosure_(x.set(x.bits())) {}
 
   /// An enclosure to about p bits of its size; where the formula's constants do not allow that, a wider one.
   [[nodiscard]] ball at(precision p) {
@@ -326,12 +331,12 @@ class break_point {
     const ball r = at(128);
     if (!r.is_bounded()) return std::nullopt;
     const rational q = simplest_rational(lower_rational(r), upper_rational(r));
-    if (denominator(q) > greatest_denominator) return std::nullopt;
+    if (denominator(q) > greatest_denominator || q < x_.low || q > x_.high) return std::nullopt;
     for (const double reach : {0x1p-8, 0x1p-32}) {
       const end_series x = end_series::argument(exact_ball(q), exact_ball(rational(1)), 1, reach);
       const end_series t =
           evaluate(*f_, 192, x, chosen_, crossing_.decider)[crossing_.decider] - crossing_.n;
-      // 0 at q, exactly: and there is one zero only.
+      // 0 at q, exactly: and there is one zero only in the interval.
       if (!t.is_blocked() && t.simplified().exponent() > 0) return q;
     }
     return std::nullopt;
@@ -379,6 +384,7 @@ class break_point {
   std::shared_ptr<const formula> f_;
   crossing crossing_;
   choices chosen_;
+  interval x_;
   magnitude size_;
   ball enclosure_;
   std::mutex mutex_;
@@ -403,11 +409,12 @@ class covering {
   covering(const formula& f, const integrand& g, const interval& whole, long bits)
       : f_(f),
         g_(g),
-        least_log2_width_(ball(whole.width(), 64).magnitude_upper().log2_floor() - bits) {
+        least_log2_width_(ball(whole.width(), 64).magnitude_upper().log2_floor() - bits),
+        most_effort_(1e6 + static_cast<double>(bits) * static_cast<double>(bits) / 2) {
     cover(whole);
   }
 
-  /// In order.
+  /// In order; none where that took too much effort.
   [[nodiscard]] std::vector<stretch>& stretches() { return stretches_; }
   [[nodiscard]] bool has_branches() const {
     return std::any_of(stretches_.begin(), stretches_.end(), [](const stretch& s) {
@@ -423,26 +430,25 @@ class covering {
       open.pop_back();
       stretch s;
       s.x = x;
-      if (effort_ > most_effort || breaks_ > most_breaks) {
-        s.what = stretch::form::unresolved;
-        stretches_.push_back(std::move(s));
-        continue;
+      if (effort_ > most_effort_ || breaks_ > most_breaks) {
+        stretches_.clear();
+        return;
       }
-      const precision p = 96 + 2 * x.level;
-      const traced t = traced_over(x, p, nullptr, 0);
+      const precision p = x.bits();
+      const traced t = traced_over(x, nullptr, 0);
       if (t.decided) {
         s.before = t.chosen;
         stretches_.push_back(std::move(s));
         continue;
       }
       if (t.crosses) {
-        traced before = traced_over(x, p, &*t.crosses, -1);
-        traced beyond = traced_over(x, p, &*t.crosses, 1);
+        traced before = traced_over(x, &*t.suspect, -1);
+        traced beyond = traced_over(x, &*t.suspect, 1);
         if (before.decided && beyond.decided) {
           s.what = stretch::form::broken;
           s.before = std::move(before.chosen);
           s.beyond = std::move(beyond.chosen);
-          s.crosses = t.crosses;
+          s.crosses = t.suspect;
           stretches_.push_back(std::move(s));
           ++breaks_;
           continue;
@@ -450,61 +456,65 @@ class covering {
       }
       const bool is_short = ball(x.width(), 64).magnitude_upper().log2_floor() < least_log2_width_;
       const bool hopeless = x.level >= 40 && !g_.evaluator(p)(x.set(p)).is_bounded();
-      if (is_short || hopeless || x.level > 1L << 20) {
+      if (is_short || hopeless) {
         s.what = is_short && !hopeless ? stretch::form::short_one : stretch::form::unresolved;
         stretches_.push_back(std::move(s));
+        // Near such a point breaks may crowd.
+        if (hopeless) most_effort_ = std::min(most_effort_, effort_ + 5e4);
         continue;
       }
       split(x, p, t, open);
     }
   }
 
-  /// Into halves; or, where the decider has one zero, and near it only another function is undecided, into
-  /// a short interval around the zero and what is beside that.
+  /// Into halves; or, where the decider can only be n within a short interval, into that and what is beside it.
   void split(const interval& x, precision p, const traced& t, std::vector<interval>& open) const {
     std::vector<rational> cuts{x.middle()};
-    if (t.crosses) {
-      const ball at_middle = evaluate(f_, p, slope_jet::variable(ball(x.middle(), p)), t.chosen,
-                                      t.crosses->decider)[t.crosses->decider][0] -
-                             t.crosses->n;
-      const ball step = at_middle / t.slope;
-      const ball zero = intersection(ball(x.middle(), p) - step, x.set(p));
+    if (t.suspect) {
+      // As in break_point::refine.
+      const std::size_t d = t.suspect->decider;
+      const ball middle(x.middle(), p);
+      const ball value =
+          evaluate(f_, p, slope_jet::variable(middle), t.chosen, d)[d][0] - t.suspect->n;
+      const ball zero = intersection(middle - value / t.slope, x.set(p));
       if (zero.is_bounded()) {
-        // On a grid that is much finer than the interval, and a little wider.
-        const ball width(x.width(), p);
-        const ball grown = zero.enlarged(scale(zero.radius(), -2));
+        // A little wider, so that the signs at the ends can be told.
+        const magnitude margin = scale(ball(x.width(), 64).magnitude_upper(), -p / 4);
+        const ball grown = zero.enlarged(margin);
         const rational low = lower_rational(grown);
         const rational high = upper_rational(grown);
-        if (high - low < x.width() / 8 && x.low < low && low < high && high < x.high) {
-          cuts = {low, high};
+        if (high - low < x.width() / 8) {
+          cuts.clear();
+          if (low > x.low) cuts.push_back(low);
+          if (high < x.high) cuts.push_back(high);
         }
       }
     }
-    const rational whole = x.width();
     cuts.push_back(x.high);
-    rational start = x.low;
     std::vector<interval> parts;
+    rational start = x.low;
     for (const rational& end : cuts) {
-      interval part{start, end, x.level + 1};
-      // Levels count the bits of the width.
-      for (rational w = whole / 4; part.width() <= w; w /= 2) ++part.level;
+      interval part{start, end, x.level};
+      // Levels count halvings.
+      for (rational w = x.width(); part.width() < w; w /= 2) ++part.level;
       parts.push_back(part);
       start = end;
     }
     open.insert(open.end(), parts.rbegin(), parts.rend());
   }
 
-  traced traced_over(const interval& x, precision p, const crossing* given, int side) {
+  traced traced_over(const interval& x, const crossing* given, int side) {
+    const precision p = x.bits();
     effort_ += static_cast<double>(f_.size()) * (1 + static_cast<double>(p) / 256);
-    return trace(f_, x, p, given, side);
+    return trace(f_, x.set(p), ball(x.low, p), ball(x.high, p), given, side);
   }
 
-  static constexpr double most_effort = 1e6;
-  static constexpr long most_breaks = 1000;
+  static constexpr long most_breaks = 4000;
   const formula& f_;
   const integrand& g_;
   std::int64_t least_log2_width_;
-  double effort_ = 0;
+  double effort_ = 0;  // in evaluations of a node with few bits
+  double most_effort_;
   long breaks_ = 0;
   std::vector<stretch> stretches_;
 };
@@ -536,6 +546,7 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
                         const std::shared_ptr<const choices>& chosen,
                         const std::optional<crossing>& at_end) {
   integrand result = g;
+  result.record = nullptr;
   if (chosen->empty()) return result;
   result.over = [f, chosen](const region& x) {
     return evaluate(*f, x.precision(), x, *chosen, f->result())[f->result()];
