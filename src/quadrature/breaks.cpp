@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/quadrature/recorded.hpp"
 
 namespace polhode::detail {
@@ -244,6 +245,10 @@ struct interval {
   rational high;
   long level = 0;
   [[nodiscard]] rational width() const { return high - low; }
+  /// About that.
+  [[nodiscard]] std::int64_t log2_width() const {
+    return ball(width(), 64).magnitude_upper().log2_floor();
+  }
   [[nodiscard]] rational middle() const { return (low + high) / 2; }
   [[nodiscard]] ball set(precision p) const { return hull(ball(low, p), ball(high, p)); }
   /// What it takes to tell its points apart.
@@ -409,7 +414,7 @@ class covering {
   covering(const formula& f, const integrand& g, const interval& whole, long bits)
       : f_(f),
         g_(g),
-        least_log2_width_(ball(whole.width(), 64).magnitude_upper().log2_floor() - bits),
+        least_log2_width_(whole.log2_width() - bits),
         most_effort_(1e6 + static_cast<double>(bits) * static_cast<double>(bits) / 2) {
     cover(whole);
   }
@@ -454,7 +459,7 @@ class covering {
           continue;
         }
       }
-      const bool is_short = ball(x.width(), 64).magnitude_upper().log2_floor() < least_log2_width_;
+      const bool is_short = x.log2_width() < least_log2_width_;
       const bool hopeless = x.level >= 40 && !g_.evaluator(p)(x.set(p)).is_bounded();
       if (is_short || hopeless) {
         s.what = is_short && !hopeless ? stretch::form::short_one : stretch::form::unresolved;
@@ -494,9 +499,8 @@ class covering {
     std::vector<interval> parts;
     rational start = x.low;
     for (const rational& end : cuts) {
-      interval part{start, end, x.level};
-      // Levels count halvings.
-      for (rational w = x.width(); part.width() < w; w /= 2) ++part.level;
+      interval part{start, end, 0};
+      part.level = x.level + std::max(1L, static_cast<long>(x.log2_width() - part.log2_width()));
       parts.push_back(part);
       start = end;
     }
@@ -564,6 +568,26 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
 }
 
 }  // namespace
+
+unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int sign) {
+  if (!g.record) return e;
+  const formula f(g.record);
+  if (!f.has_breaks()) return e;
+  constexpr unsigned long most = 16;
+  constexpr precision p = 96;
+  mpfr_float unbounded = zero_of_precision(p);
+  mpfr_set_inf(unbounded.backend().data(), 1);
+  for (unsigned long n = e; n <= e + most; ++n) {
+    const ball start = scale(ball(1, p), static_cast<long>(n));
+    const ball x = from_end_points(midpoint(start), unbounded, p);
+    const ball undefined = ball::undefined(p);
+    const bool decided = (sign > 0 ? trace(f, x, start, undefined, nullptr, 0)
+                                   : trace(f, -x, undefined, -start, nullptr, 0))
+                             .decided;
+    if (decided) return n;
+  }
+  return e;
+}
 
 rational simplest_rational(const rational& low, const rational& high) {
   if (low <= 0 && high >= 0) return 0;

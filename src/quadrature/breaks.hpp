@@ -36,6 +36,9 @@ struct pieces_of_range {
 [[nodiscard]] pieces_of_range analytic_pieces(const integrand& f, const limit& a, const limit& b,
                                               long bits);
 
+/// The least n >= e, n <= e + 16, such that f is proved to have no break at sign * x for x >= 2^n; e where there is none.
+[[nodiscard]] unsigned long exponent_beyond_breaks(const integrand& f, unsigned long e, int sign);
+
 /// The rational number with the least denominator in [low, high], low <= high.
 [[nodiscard]] rational simplest_rational(const rational& low, const rational& high);
 

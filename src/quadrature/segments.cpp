@@ -469,12 +469,15 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
     }
   };
   const auto to_infinity = [&](const limit& start, int sign) {
-    // The part from sign * infinity to sign * 2^e, beyond the start and every cut: f is asked for nothing
+    // The part from sign * infinity to sign * 2^e, beyond the start, every cut and, if that can be, every break: f is asked for nothing
     // on the other side of the start.
     magnitude reach = start.at(64).magnitude_upper();
     for (const rational& q : cuts) reach = max(reach, ball(q, 64).magnitude_upper());
-    const auto e = static_cast<unsigned long>(
-        reach.is_zero() ? 0 : std::max(reach.log2_floor() + 1, std::int64_t{0}));
+    const auto e = exponent_beyond_breaks(
+        f,
+        static_cast<unsigned long>(
+            reach.is_zero() ? 0 : std::max(reach.log2_floor() + 1, std::int64_t{0})),
+        sign);
     integer c;
     mpz_ui_pow_ui(c.backend().data(), 2, e);
     limit point(rational(sign * c));
