@@ -36,6 +36,9 @@ std::optional<long> integer_below(const ball& x) {
 // ---------------------------------------------------------------------------------------------
 // A recording, evaluated.
 
+ball operate(const recorded_operation& op, const ball& x, const ball& y, long n) {
+  return op.on_balls(x, y, n);
+}
 slope_jet operate(const recorded_operation& op, const slope_jet& x, const slope_jet& y, long n) {
   return op.on_jets(x, y, n);
 }
@@ -46,6 +49,10 @@ end_series operate(const recorded_operation& op, const end_series& x, const end_
   return op.on_series(x, y, n);
 }
 
+template <class N>
+ball constant_beside(const ball& x, const N& n) {
+  return value_as<ball>(n, x);
+}
 template <class N>
 slope_jet constant_beside(const slope_jet& x, const N& n) {
   return slope_jet::constant(value_as<ball>(n, x[0]));
@@ -59,19 +66,19 @@ end_series constant_beside(const end_series& x, const N& n) {
   return x.is_blocked() ? x : x.constant_like(n);
 }
 
-slope_jet power(const slope_jet& x, const rational& e) {
-  if (denominator(e) == 1 && abs(numerator(e)) < 1L << 40) {
-    return pow(x, static_cast<long>(numerator(e)));
-  }
+ball power_of(const ball& x, const rational& e) { return pow(x, e); }
+slope_jet power_of(const slope_jet& x, const rational& e) {
   return pow(x, ball(e, x[0].precision()));
 }
-region power(const region& x, const rational& e) {
+region power_of(const region& x, const rational& e) { return pow(x, e); }
+end_series power_of(const end_series& x, const rational& e) { return pow(x, e); }
+template <class T>
+T power(const T& x, const rational& e) {
   if (denominator(e) == 1 && abs(numerator(e)) < 1L << 40) {
     return pow(x, static_cast<long>(numerator(e)));
   }
-  return pow(x, e);
+  return power_of(x, e);
 }
-end_series power(const end_series& x, const rational& e) { return pow(x, e); }
 
 /// The values of the nodes at x, made one after the other.
 template <class T>
@@ -80,6 +87,8 @@ class evaluation {
   evaluation(const recorded_nodes& nodes, T x) : nodes_(nodes), x_(std::move(x)) {
     values_.resize(nodes.size());
   }
+  /// The argument, where nodes were made that do not depend on it.
+  void set_argument(const T& x) { x_ = x; }
   /// Node i; a piecewise one by its branch, where that is given.
   void step(std::size_t i, const std::optional<long>& branch) {
     const recorded_node& node = nodes_[i];
@@ -555,6 +564,28 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   result.over = [f, chosen](const region& x) {
     return evaluate(*f, x.precision(), x, *chosen, f->result())[f->result()];
   };
+  // A step function may have another value at points where its operand touches an integer.
+  bool steps = false;
+  for (std::size_t i = 0; i < f->size(); ++i) {
+    const kind what = f->node(i).what;
+    steps = steps || (f->needs(i) && (what == kind::floor || what == kind::ceil));
+  }
+  if (steps) {
+    result.evaluator = [f, chosen](precision p) -> std::function<ball(const ball&)> {
+      evaluation<ball> constants(f->at(p), ball(0, p));
+      for (std::size_t i = 0; i < f->size(); ++i) {
+        if (f->node(i).what == kind::constant) constants.step(i, std::nullopt);
+      }
+      return [f, chosen, constants](const ball& x) {
+        evaluation<ball> values = constants;
+        values.set_argument(x);
+        for (std::size_t i = 0; i <= f->result(); ++i) {
+          if (f->needs(i) && f->node(i).what != kind::constant) values.step(i, (*chosen)[i]);
+        }
+        return values[f->result()];
+      };
+    };
+  }
   result.near_end = [f, chosen, at_end](const end_series& x) {
     evaluation<end_series> values(f->at(192), x);
     for (std::size_t i = 0; i <= f->result(); ++i) {

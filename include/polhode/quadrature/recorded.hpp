@@ -3,7 +3,7 @@
 // A formula found out by calling the function that has it.
 //
 // Call a generic function with a `recorded` number for its argument: each operation becomes a node, which knows
-// how it is done over jets of balls, regions and series. So abs, min, max, floor and ceil, the functions that are made
+// how it is done over balls, jets of balls, regions and series. So abs, min, max, floor and ceil, the functions that are made
 // of several analytic ones, can be told apart, and evaluated again with a branch of each that was proved to
 // be the one that holds on a piece of the range (breaks.hpp in src/quadrature): the result is the analytic
 // continuation of f from that piece.
@@ -27,6 +27,7 @@ using slope_jet = jet<ball, 1>;
 
 /// One operation of at most two operands and an integer, in each arithmetic.
 struct recorded_operation {
+  ball (*on_balls)(const ball& x, const ball& y, long n) = nullptr;
   slope_jet (*on_jets)(const slope_jet& x, const slope_jet& y, long n) = nullptr;
   region (*on_regions)(const region& x, const region& y, long n) = nullptr;
   end_series (*on_series)(const end_series& x, const end_series& y, long n) = nullptr;
@@ -34,7 +35,8 @@ struct recorded_operation {
   /// Of a generic function object without a state.
   template <class F>
   [[nodiscard]] static recorded_operation of(F) {
-    return {[](const slope_jet& x, const slope_jet& y, long n) { return F{}(x, y, n); },
+    return {[](const ball& x, const ball& y, long n) { return F{}(x, y, n); },
+            [](const slope_jet& x, const slope_jet& y, long n) { return F{}(x, y, n); },
             [](const region& x, const region& y, long n) { return F{}(x, y, n); },
             [](const end_series& x, const end_series& y, long n) { return F{}(x, y, n); }};
   }
