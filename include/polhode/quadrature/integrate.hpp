@@ -11,12 +11,12 @@
 // mathematician's sense: the same argument gives the same value, and it is defined by the same formula for
 // every type of argument.
 //
-// How: where f passes from one analytic piece to another (abs, min, max, floor, ceil) the range is cut, at points that
-// are found to any precision (recorded.hpp). It is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
-// that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most
-// a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. What
-// cannot be had so is described in end_series.hpp (an end where f is singular, a point between the limits
-// where the range is cut) and tail_series.hpp (an exponential decay).
+// How: f is recorded (recorded.hpp), and the range is cut where abs, min, max, floor or ceil passes from one analytic
+// function to another, at points that are found to any precision. Each piece is cut into panels. Around each, a
+// Bernstein ellipse is covered by regions, which prove that f is analytic inside and give M >= |f|; the
+// Gauss-Legendre rule with n nodes is then off by at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no
+// ellipse is proved the panel is halved. What cannot be had so is described in end_series.hpp (an end where f is
+// singular, a point between the limits where the range is cut) and tail_series.hpp (an exponential decay).
 
 #include <functional>
 #include <optional>
