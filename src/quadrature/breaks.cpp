@@ -137,8 +137,8 @@ class evaluation {
 /// f's recording, with its constants to as many bits as are asked for; safe to be used by several threads.
 class formula {
  public:
-  explicit formula(const std::function<recorded(const recorded& x, precision p)>& record)
-      : record_(record), first_(record_(recorded::argument(), least_bits)) {
+  explicit formula(std::function<recorded(const recorded& x, precision p)> record)
+      : record_(std::move(record)), first_(record_(recorded::argument(), least_bits)) {
     const recorded_nodes& nodes = first_.nodes();
     needed_.resize(nodes.size());
     needed_[first_.node()] = true;

@@ -25,7 +25,7 @@ struct pieces_of_range {
   bool has_remainder = false;
 };
 
-/// Cuts the finite range from a to b, a < b as far as is known, at the breaks of f. A break is a simple zero r
+/// Cuts the finite range from a to b, a < b as far as is known, at the breaks of g, below f. A break is a simple zero r
 /// of some t(x) - n, t what decides between the branches: it is isolated in an interval X on which t' has one
 /// sign and t - n opposite signs at the ends (so that there is one zero and no more), and is a `limit`, found to
 /// any precision by the interval Newton method. On each piece between breaks the branches are proved by covering all of it
@@ -33,11 +33,11 @@ struct pieces_of_range {
 /// that touches 0 without a change of sign, and a break that may be the end of the range are cut out as an
 /// interval of width about 2^-bits of the range, whose part of the integral is bounded by the ranges of f and of
 /// its neighbours over it. What cannot be resolved with a limited effort is a piece in which f is left as it is.
-[[nodiscard]] pieces_of_range analytic_pieces(const integrand& f, const limit& a, const limit& b,
+[[nodiscard]] pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit& b,
                                               long bits);
 
-/// The least n >= e, n <= e + 16, such that f is proved to have no break at sign * x for x >= 2^n; e where there is none.
-[[nodiscard]] unsigned long exponent_beyond_breaks(const integrand& f, unsigned long e, int sign);
+/// The least n >= e, n <= e + 16, such that g is proved to have no break at sign * x for x >= 2^n; e where there is none.
+[[nodiscard]] unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int sign);
 
 /// The rational number with the least denominator in [low, high], low <= high.
 [[nodiscard]] rational simplest_rational(const rational& low, const rational& high);
