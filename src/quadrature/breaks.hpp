@@ -25,7 +25,7 @@ struct pieces_of_range {
   bool has_remainder = false;
 };
 
-/// Cuts the finite range from a to b, a < b as far as is known, at the breaks of g, below f. A break is a simple zero r
+/// Cuts the finite range from a to b, a < b as far as is known, at the breaks of the integrand, f. A break is a simple zero r
 /// of some t(x) - n, t what decides between the branches: it is isolated in an interval X on which t' has one
 /// sign and t - n opposite signs at the ends (so that there is one zero and no more), and is a `limit`, found to
 /// any precision by the interval Newton method. On each piece between breaks the branches are proved by covering all of it
