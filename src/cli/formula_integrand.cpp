@@ -161,6 +161,73 @@ struct supplement<angle> {
     return angle(f(x.value(), y.value()));
   }
 };
+/// An operation that each arithmetic has in its own supplement.
+#define POLHODE_RECORDED(f)                                                        \
+  static recorded f(const recorded& x) {                                           \
+    return x.applied(recorded_operation::of([](const auto& v, const auto&, long) { \
+                       return supplement<std::remove_cvref_t<decltype(v)>>::f(v);  \
+                     }),                                                           \
+                     x);                                                           \
+  }
+#define POLHODE_RECORDED_OF_TWO(f)                                                   \
+  static recorded f(const recorded& x, const recorded& y) {                          \
+    return x.applied(recorded_operation::of([](const auto& v, const auto& w, long) { \
+                       return supplement<std::remove_cvref_t<decltype(v)>>::f(v, w); \
+                     }),                                                             \
+                     y);                                                             \
+  }
+template <>
+struct supplement<recorded> {
+  POLHODE_RECORDED(expm1)
+  POLHODE_RECORDED(log1p)
+  POLHODE_RECORDED(sinpi)
+  POLHODE_RECORDED(cospi)
+  POLHODE_RECORDED(gamma)
+  POLHODE_RECORDED(log_gamma)
+  POLHODE_RECORDED(erf)
+  POLHODE_RECORDED(erfc)
+  POLHODE_RECORDED_OF_TWO(hypot)
+  POLHODE_RECORDED_OF_TWO(agm)
+  POLHODE_RECORDED_OF_TWO(atan2)
+  POLHODE_RECORDED_OF_TWO(power)
+  static recorded abs(const recorded& x) { return size_of(x); }
+  static recorded floor(const recorded& x) { return integer_below(x); }
+  static recorded ceil(const recorded& x) { return integer_above(x); }
+  static recorded min(const recorded& x, const recorded& y) { return smaller(x, y); }
+  static recorded max(const recorded& x, const recorded& y) { return greater(x, y); }
+  static recorded power_integer(const recorded& x, long n) { return pow(x, n); }
+  static recorded root(const recorded& x, long n) {
+    return x.applied(recorded_operation::of([](const auto& v, const auto&, long order) {
+                       return supplement<std::remove_cvref_t<decltype(v)>>::root(v, order);
+                     }),
+                     x, n);
+  }
+
+ private:
+  // Found by their arguments, under names that no member hides.
+  static recorded size_of(const recorded& x) {
+    using polhode::abs;
+    return abs(x);
+  }
+  static recorded integer_below(const recorded& x) {
+    using polhode::floor;
+    return floor(x);
+  }
+  static recorded integer_above(const recorded& x) {
+    using polhode::ceil;
+    return ceil(x);
+  }
+  static recorded smaller(const recorded& x, const recorded& y) {
+    using polhode::min;
+    return min(x, y);
+  }
+  static recorded greater(const recorded& x, const recorded& y) {
+    using polhode::max;
+    return max(x, y);
+  }
+};
+#undef POLHODE_RECORDED
+#undef POLHODE_RECORDED_OF_TWO
 
 }  // namespace detail
 
@@ -168,6 +235,7 @@ template class compiled_expression<angle>;
 template class compiled_expression<symmetry>;
 template class compiled_expression<end_series>;
 template class compiled_expression<tail_series>;
+template class compiled_expression<recorded>;
 
 namespace cli {
 
@@ -186,6 +254,7 @@ detail::integrand integrand_of(const expression& f) {
   result.near_end = f.evaluator<end_series>(series_bits);
   result.near_infinity = f.evaluator<tail_series>(series_bits);
   result.under = f.evaluator<symmetry>(series_bits);
+  result.record = [f](const recorded& x, precision p) { return f.evaluator<recorded>(p)(x); };
   return result;
 }
 

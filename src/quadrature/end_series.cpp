@@ -119,6 +119,14 @@ end_series end_series::checked(std::string_view name) const {
   return *this;
 }
 
+end_series end_series::with_value_at_0(const rational& q) const {
+  if (blocked_ || m_ != 0 || log_degree() != 0) return *this;
+  if (!contains(terms_.front().at_0[0].enclosure(), q)) return blocked("a contradiction");
+  end_series r = *this;
+  r.terms_.front().at_0[0] = exact_ball(q);
+  return r;
+}
+
 magnitude end_series::supremum(int k) const {
   if (blocked_) return magnitude::infinity();
   return terms_[static_cast<std::size_t>(k)].over[0].magnitude_upper();

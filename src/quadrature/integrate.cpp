@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "breaks.hpp"
 #include "insisted_double_exponential.hpp"
 #include "parallel.hpp"
 #include "periodic.hpp"
@@ -80,16 +81,6 @@ struct panel {
     return p;
   }
 };
-
-/// The rational number with the least denominator in [low, high], low <= high.
-rational simplest_rational(const rational& low, const rational& high) {
-  if (low <= 0 && high >= 0) return 0;
-  if (high < 0) return -simplest_rational(-high, -low);
-  const integer whole = numerator(low) / denominator(low);
-  if (rational(whole) == low) return low;
-  if (rational(whole + 1) <= high) return whole + 1;
-  return whole + 1 / simplest_rational(1 / (high - whole), 1 / (low - whole));
-}
 
 /// The regions that tile the Bernstein ellipses of one panel. Coordinates are those in which the panel
 /// is [-1, 1].
@@ -928,16 +919,6 @@ ball affine_map::operator()(const ball& t) const {
   const precision p = t.precision();
   return a_.at(p) + length(p) * t;
 }
-
-namespace {
-/// a < q < b, certainly: what is proved of f at q is said of the integral.
-bool is_inside(const rational& q, const limit& a, const limit& b) {
-  const precision p = 192;
-  const ball x(q, p);
-  return (a.infinite_sign() < 0 || certainly_less(a.at(p), x)) &&
-         (b.infinite_sign() > 0 || certainly_less(x, b.at(p)));
-}
-}  // namespace
 
 integral integrate_function(const integrand& f, const limit& a, const limit& b,
                             const integrate_options& options) {

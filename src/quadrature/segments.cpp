@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "breaks.hpp"
 #include "periodic.hpp"
 #include "polhode/arithmetic/text.hpp"
 
@@ -361,6 +362,17 @@ double cut_for(const std::function<magnitude(const ball& y)>& left, double r,
   return high;
 }
 
+/// The range in affine segments, cut at the breaks of f.
+void add_analytic_pieces(preparation& result, const integrand& f, const limit& a, const limit& b,
+                         long bits) {
+  const pieces_of_range parts = analytic_pieces(f, a, b, bits);
+  result.remainder += parts.remainder;
+  result.has_tail = result.has_tail || parts.has_remainder;
+  for (const piece& p : parts.pieces) {
+    result.segments.push_back(affine_segment(p.f, p.left, p.right));
+  }
+}
+
 /// A function that decays exponentially: at infinity, from x = s on, or at a finite end p, as exp(-1/x) at 0.
 /// It is cut off where the rest is less than about 2^-bits of the largest value seen.
 bool add_decaying_part(preparation& result, const integrand& f, const end_of_range& end,
@@ -390,7 +402,7 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
     const limit start = sum_of(end.at, end.distance, 1);
     const limit far = sum_of(end.at, end.distance, end.infinite ? exact_y : rational(1 / exact_y));
     const bool away = (direction > 0) == end.infinite;  // from start to far, as the integral runs
-    result.segments.push_back(away ? affine_segment(f, start, far) : affine_segment(f, far, start));
+    add_analytic_pieces(result, f, away ? start : far, away ? far : start, bits);
     return true;
   }
   return false;
@@ -444,6 +456,14 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
 
 }  // namespace
 
+/// a < q < b, certainly: what is proved of f at q is said of the integral.
+bool is_inside(const rational& q, const limit& a, const limit& b) {
+  const precision p = 192;
+  const ball x(q, p);
+  return (a.infinite_sign() < 0 || certainly_less(a.at(p), x)) &&
+         (b.infinite_sign() > 0 || certainly_less(x, b.at(p)));
+}
+
 bool can_cut_at(const integrand& f, const rational& q) {
   for (const long side : {-1L, 1L}) {
     if (look_at_end(f, {limit(q), limit(side), false}).how != manner::unknown) continue;
@@ -457,44 +477,52 @@ bool can_cut_at(const integrand& f, const rational& q) {
 preparation prepare(const integrand& f, const limit& a, const limit& b,
                     const std::vector<rational>& cuts, long bits) {
   preparation result;
-  const auto from_left = [&](const limit& left, const limit& right) {
-    add_part(result, f, {left, difference(right, left), false}, 1, bits);
-  };
-  const auto from_right = [&](const limit& left, const limit& right) {
-    add_part(result, f, {right, difference(left, right), false}, -1, bits);
-  };
-  const auto finite = [&](const limit& left, const limit& right) {
+  // f as it is known at the two ends.
+  const auto finite = [&](const limit& left, const integrand& at_left, const limit& right,
+                          const integrand& at_right) {
     const limit length = difference(right, left);
-    const bool left_regular = is_regular(f, {left, length, false});
-    const bool right_regular = is_regular(f, {right, difference(left, right), false});
+    const limit back = difference(left, right);
+    const bool left_regular = is_regular(at_left, {left, length, false});
+    const bool right_regular = is_regular(at_right, {right, back, false});
     if (left_regular && right_regular) {
-      result.segments.push_back(regular_segment(f, left, right));
+      result.segments.push_back(regular_segment(at_left, left, right));
     } else if (right_regular) {
-      from_left(left, right);
+      add_part(result, at_left, {left, length, false}, 1, bits);
     } else if (left_regular) {
-      from_right(left, right);
+      add_part(result, at_right, {right, back, false}, -1, bits);
     } else {
       const limit middle = sum_of(left, length, rational(1, 2));
-      from_left(left, middle);
-      from_right(middle, right);
+      add_part(result, at_left, {left, difference(middle, left), false}, 1, bits);
+      add_part(result, at_right, {right, difference(middle, right), false}, -1, bits);
     }
   };
   const auto finite_with_cuts = [&](const limit& left, const limit& right) {
-    limit start = left;
-    for (const rational& q : cuts) {
-      const limit cut(q);
-      finite(start, cut);
-      start = cut;
+    const pieces_of_range parts = analytic_pieces(f, left, right, bits);
+    result.remainder += parts.remainder;
+    result.has_tail = result.has_tail || parts.has_remainder;
+    for (const piece& p : parts.pieces) {
+      limit start = p.left;
+      const integrand* at_start = &p.at_left;
+      for (const rational& q : cuts) {
+        if (!is_inside(q, p.left, p.right)) continue;
+        const limit cut(q);
+        finite(start, *at_start, cut, p.f);
+        start = cut;
+        at_start = &p.f;
+      }
+      finite(start, *at_start, p.right, p.at_right);
     }
-    finite(start, right);
   };
   const auto to_infinity = [&](const limit& start, int sign) {
-    // The part from sign * infinity to sign * 2^e, beyond the start and every cut: f is asked for nothing
+    // The part from sign * infinity to sign * 2^e, beyond the start, every cut and, if that can be, every break: f is asked for nothing
     // on the other side of the start.
     magnitude reach = start.at(64).magnitude_upper();
     for (const rational& q : cuts) reach = max(reach, ball(q, 64).magnitude_upper());
-    const auto e = static_cast<unsigned long>(
-        reach.is_zero() ? 0 : std::max(reach.log2_floor() + 1, std::int64_t{0}));
+    const auto e = exponent_beyond_breaks(
+        f,
+        static_cast<unsigned long>(
+            reach.is_zero() ? 0 : std::max(reach.log2_floor() + 1, std::int64_t{0})),
+        sign);
     integer c;
     mpz_ui_pow_ui(c.backend().data(), 2, e);
     limit point(rational(sign * c));

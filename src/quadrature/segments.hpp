@@ -22,6 +22,9 @@ struct preparation {
 [[nodiscard]] preparation prepare(const integrand& f, const limit& a, const limit& b,
                                   const std::vector<rational>& cuts, long bits);
 
+/// a < q < b, certainly: what is proved of f at q is said of the integral.
+[[nodiscard]] bool is_inside(const rational& q, const limit& a, const limit& b);
+
 /// On both sides of q, f is known by a series, or is known to grow too fast there.
 [[nodiscard]] bool can_cut_at(const integrand& f, const rational& q);
 

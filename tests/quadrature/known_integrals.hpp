@@ -25,6 +25,7 @@ inline end_series real_power(const end_series& x, const rational& e) { return po
 inline tail_series real_power(const tail_series& x, const rational& e) { return pow(x, e); }
 inline symmetry real_power(const symmetry& x, const rational& e) { return pow(x, e); }
 inline angle real_power(const angle& x, const rational& e) { return pow(x, e); }
+inline recorded real_power(const recorded& x, const rational& e) { return pow(x, e); }
 
 struct known_integral {
   std::string name;

@@ -133,6 +133,9 @@ class end_series {
   [[nodiscard]] int log_degree() const { return static_cast<int>(terms_.size()) - 1; }
   /// The same function with G_0(0), ..., G_K(0) not all known to be 0, as far as the known orders go.
   [[nodiscard]] end_series simplified() const;
+  /// The same function where it is known from elsewhere to be q at t = 0: G_0(0) is made exact, where m = 0 = K.
+  /// Blocked where its enclosure says otherwise.
+  [[nodiscard]] end_series with_value_at_0(const rational& q) const;
   /// G_K(0) is certainly not 0.
   [[nodiscard]] bool leads_surely() const;
 

@@ -11,12 +11,13 @@
 // mathematician's sense: the same argument gives the same value, and it is defined by the same formula for
 // every type of argument.
 //
-// How: the range is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
-// that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most
-// a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. Where f is found to be
-// even about both limits, or periodic (symmetry.hpp), the trapezoidal rule may serve with less work. What
-// cannot be had so is described in end_series.hpp (an end where f is singular, a point between the limits
-// where the range is cut) and tail_series.hpp (an exponential decay).
+// How: f is recorded (recorded.hpp), and the range is cut where abs, min, max, floor or ceil passes from one analytic
+// function to another, at points that are found to any precision. Each piece is cut into panels. Around each, a
+// Bernstein ellipse is covered by regions, which prove that f is analytic inside and give M >= |f|; the
+// Gauss-Legendre rule with n nodes is then off by at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no
+// ellipse is proved the panel is halved. Where f is found to be even about both limits, or periodic (symmetry.hpp), the
+// trapezoidal rule may serve with less work. What cannot be had so is described in end_series.hpp (an end where f is
+// singular, a point between the limits where the range is cut) and tail_series.hpp (an exponential decay).
 
 #include <functional>
 #include <optional>
@@ -29,6 +30,7 @@
 #include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
 #include "polhode/quadrature/limit.hpp"
+#include "polhode/quadrature/recorded.hpp"
 #include "polhode/quadrature/symmetry.hpp"
 #include "polhode/quadrature/tail_series.hpp"
 
@@ -123,6 +125,8 @@ struct integrand {
   std::function<tail_series(const tail_series& x)> near_infinity;
   /// May be empty: then no symmetry is known.
   std::function<symmetry(const symmetry& x)> under;
+  /// Its operations, with constants to p bits; may be empty: then no breaks are looked for.
+  std::function<recorded(const recorded& x, precision p)> record;
 };
 
 /// f's function object for real arguments with p bits: f itself, or what it makes for the purpose.
@@ -176,6 +180,7 @@ template <class F>
   if constexpr (std::is_invocable_v<const F&, const symmetry&>) {
     result.under = [f](const symmetry& x) { return value_as<symmetry>(f(x), x); };
   }
+  result.record = [f](const recorded& x, precision) { return value_as<recorded>(f(x), x); };
   return result;
 }
 
