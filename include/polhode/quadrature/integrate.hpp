@@ -75,6 +75,15 @@ struct known_bound {
   bool everywhere = false;  // the rectangle lies wholly in the set
 };
 
+/// What a segment has in place of `evaluator`, `scale` and `position` where F is not real for real t: that of a
+/// path's piece.
+struct complex_piece {
+  std::function<std::function<complex_ball(const ball& t)>(precision p)> evaluator;
+  std::function<complex_ball(precision)> scale;
+  std::function<complex_ball(const ball& t)> position;
+  magnitude size;  // about that of the numbers whose sums the points are
+};
+
 /// The integral of one analytic piece: scale times the integral of F(t) over 0 <= t <= 1.
 struct segment {
   std::function<region(const region& t)> over;
@@ -88,6 +97,9 @@ struct segment {
   /// or a half plane, open, whose boundary in an ellipse's upper half is connected and ends on the real axis.
   /// May be empty.
   std::function<std::optional<known_bound>(double_interval re, double_interval im)> known;
+  /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of ellipses are
+  /// looked at too.
+  std::optional<complex_piece> along = std::nullopt;
 };
 
 /// A generic function, in the arithmetics that the library needs.
@@ -98,14 +110,19 @@ struct integrand {
   std::function<tail_series(const tail_series& x)> near_infinity;
 };
 
-/// f's function object for real arguments with p bits: f itself, or what it makes for the purpose.
-template <class F>
-[[nodiscard]] auto real_evaluator(const F& f, precision p) {
-  if constexpr (requires { f.template evaluator<ball>(p); }) {
-    return f.template evaluator<ball>(p);
+/// f's function object for arguments of type T with p bits: f itself, or what it makes for the purpose.
+template <class T, class F>
+[[nodiscard]] auto evaluator_for(const F& f, precision p) {
+  if constexpr (requires { f.template evaluator<T>(p); }) {
+    return f.template evaluator<T>(p);
   } else {
     return f;
   }
+}
+
+template <class F>
+[[nodiscard]] auto real_evaluator(const F& f, precision p) {
+  return evaluator_for<ball>(f, p);
 }
 
 /// The value of f as a Y, also where f is constant and answers with a number.
