@@ -1,5 +1,8 @@
 #include "formula_integrand.hpp"
 
+#include <array>
+#include <span>
+
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode {
@@ -91,6 +94,25 @@ detail::integrand integrand_of(const expression& f) {
   };
   result.near_end = f.evaluator<end_series>(series_bits);
   result.near_infinity = f.evaluator<tail_series>(series_bits);
+  return result;
+}
+
+detail::complex_integrand complex_integrand_of(const expression& f) {
+  detail::complex_integrand result;
+  result.over = [f, in_hardware = f.evaluator<region>(64)](const region& z) {
+    if (z.is_in_hardware()) {
+      const std::array values{z, region(double_interval(0), double_interval(1))};
+      return in_hardware(std::span<const region>(values));
+    }
+    const std::array values{z, region::in_balls(complex_ball::i(z.precision()))};
+    return f.evaluator<region>(z.precision())(std::span<const region>(values));
+  };
+  result.evaluator = [f](precision p) -> std::function<complex_ball(const complex_ball&)> {
+    return [g = f.evaluator<complex_ball>(p), i = complex_ball::i(p)](const complex_ball& z) {
+      const std::array values{z, i};
+      return g(std::span<const complex_ball>(values));
+    };
+  };
   return result;
 }
 

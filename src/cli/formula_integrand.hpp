@@ -3,11 +3,15 @@
 // A formula as an integrand: in every arithmetic that quadrature asks for.
 
 #include "polhode/expression/expression.hpp"
+#include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::cli {
 
 /// f must have one variable, or none.
 [[nodiscard]] detail::integrand integrand_of(const expression& f);
+
+/// f must have two variables: the argument and the imaginary unit.
+[[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);
 
 }  // namespace polhode::cli

@@ -1,17 +1,21 @@
 // polhode integrate: the integral of a formula, with a proof.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "errors.hpp"
 #include "formula.hpp"
 #include "formula_integrand.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
+#include "path_option.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
 #include "progress.hpp"
@@ -22,8 +26,10 @@ namespace {
 
 struct integrate_command_options {
   std::string formula;
-  std::string from;
-  std::string to;
+  std::optional<std::string> from;
+  std::optional<std::string> to;
+  std::optional<std::string> along;
+  std::optional<std::string> circle;
   std::string variable = "x";
   let_option let;
   digits_option digits;
@@ -40,60 +46,80 @@ limit read_limit(const std::string& text, const let_option& let) {
   return limit([f](precision p) { return f.value(p); });
 }
 
-/// The integral; a few more digits than were asked for where a digit's end would be undecided.
-integral integrate_for(const detail::integrand& f, const limit& a, const limit& b, long digits) {
+/// Whether its first digits are as many, or all that there are.
+bool is_decided(const ball& x, long digits) {
+  if (!x.is_bounded()) return false;
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  return d.exact || d.digits >= digits;
+}
+bool is_decided(const complex_ball& z, long digits) {
+  if (!z.is_bounded()) return false;
+  const bool real_is_larger = z.im.magnitude_upper() <= z.re.magnitude_upper();
+  return is_decided(real_is_larger ? z.re : z.im, digits);
+}
+
+/// integral_to(options); a few more digits than were asked for where a digit's end would be undecided.
+template <class Integral>
+auto integrate_for(const Integral& integral_to, long digits) {
   const progress line;
   line.show("integrating");
-  integral result;
-  for (const long more : {1L, 6L}) {
-    integrate_options options;
-    options.digits = digits + more;
-    result = detail::integrate_function(f, a, b, options);
-    if (result.verdict != status::certified) break;
-    const decimal_enclosure d = to_decimal_enclosure(result.enclosure, digits);
-    if (d.exact || d.digits >= digits) break;
+  auto result = integral_to({.digits = digits + 1});
+  if (result.verdict == status::certified && !is_decided(result.enclosure, digits)) {
+    result = integral_to({.digits = digits + 6});
   }
   return result;
 }
 
-std::string account_text(const integral& i) {
-  const integral_account& a = i.account;
+std::string account_text(const integral_account& a) {
   return fmt::format("{} panel{}, {} evaluations with {} bits, {} over regions", a.panels,
                      a.panels == 1 ? "" : "s", a.evaluations, a.precision, a.region_evaluations);
 }
 
-std::string as_text(const integral& i, long digits) {
-  std::string result;
-  const bool certified = i.verdict == status::certified;
-  if (i.enclosure.is_bounded()) {
-    const decimal_enclosure d = to_decimal_enclosure(i.enclosure, digits);
-    if (certified && !d.exact && d.digits < digits) {
-      // Both ends, with the digits that matter.
-      result += fmt::format("from {}\n  to {}\n", d.lower, d.upper);
-    } else {
-      result += to_decimal(i.enclosure, digits) + '\n';
-    }
-  } else {
-    result += "undefined\n";
+std::string number_text(const ball& x, bool certified, long digits) {
+  if (!x.is_bounded()) return "undefined\n";
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  if (certified && !d.exact && d.digits < digits) {
+    // Both ends, with the digits that matter.
+    return fmt::format("from {}\n  to {}\n", d.lower, d.upper);
   }
-  if (certified) return result + fmt::format("certified: {}\n", account_text(i));
-  result += fmt::format("not certified: {}", to_text(i.why));
+  return to_decimal(x, digits) + '\n';
+}
+std::string number_text(const complex_ball& z, bool, long digits) {
+  if (!z.is_bounded()) return "undefined\n";
+  return fmt::format("real part      {}\nimaginary part {}\n", to_decimal(z.re, digits),
+                     to_decimal(z.im, digits));
+}
+
+template <class Integral>
+std::string as_text(const Integral& i, long digits) {
+  const bool certified = i.verdict == status::certified;
+  const std::string number = number_text(i.enclosure, certified, digits);
+  if (certified) return number + fmt::format("certified: {}\n", account_text(i.account));
+  std::string result = number + fmt::format("not certified: {}", to_text(i.why));
   if (!i.obstacle.empty()) result += fmt::format(" ({})", i.obstacle);
   return result + '\n';
 }
 
+json number_json(const ball& x, long digits) { return to_json(x, digits); }
+json number_json(const complex_ball& z, long digits) {
+  return {{"real", to_json(z.re, digits)}, {"imaginary", to_json(z.im, digits)}};
+}
+
+template <class Integral>
 std::string as_json(const expression& f, const integrate_command_options& options,
-                    const integral& i, long digits) {
-  json result{{"integrand", f.to_text()},
-              {"variable", options.variable},
-              {"from", options.from},
-              {"to", options.to},
-              {"verdict", to_text(i.verdict)}};
+                    const Integral& i, long digits) {
+  json result{{"integrand", f.to_text()}, {"variable", options.variable}};
+  for (const auto& [name, given] :
+       {std::pair("from", options.from), std::pair("to", options.to),
+        std::pair("along", options.along), std::pair("circle", options.circle)}) {
+    if (given) result[name] = *given;
+  }
+  result["verdict"] = to_text(i.verdict);
   if (i.verdict != status::certified) {
     result["reason"] = to_text(i.why);
     if (!i.obstacle.empty()) result["remark"] = i.obstacle;
   }
-  result["number"] = to_json(i.enclosure, digits);
+  result["number"] = number_json(i.enclosure, digits);
   result["account"] = {{"evaluations", i.account.evaluations},
                        {"region_evaluations", i.account.region_evaluations},
                        {"panels", i.account.panels},
@@ -102,19 +128,73 @@ std::string as_json(const expression& f, const integrate_command_options& option
   return result.dump(2) + '\n';
 }
 
-exit_status run(const integrate_command_options& options) {
+/// Prints an integral that integral_to(options) computes.
+template <class Integral>
+exit_status report(const expression& f, const integrate_command_options& options,
+                   const Integral& integral_to) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
-  const expression f = read_formula(options.formula, {options.variable}, options.let);
-  const limit a = read_limit(options.from, options.let);
-  const limit b = read_limit(options.to, options.let);
   constexpr double bytes_per_digit = 0.4153 * 64;
   options.memory_limit.check({fmt::format("an integral to {} digits", digits),
                               bytes_per_digit * static_cast<double>(digits) *
                                   std::max(static_cast<double>(digits), 1.0) / 16});
-  const integral i = integrate_for(integrand_of(f), a, b, digits);
+  const auto i = integrate_for(integral_to, digits);
   print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
+}
+
+/// Exactly one of the ways to say from where to where.
+void check_range(const integrate_command_options& options) {
+  const bool has_limits = options.from || options.to;
+  const int ways =
+      int{has_limits} + int{options.along.has_value()} + int{options.circle.has_value()};
+  if (ways == 1 && (!has_limits || (options.from && options.to))) return;
+  if (ways == 1) {
+    throw usage_error(options.from ? "there is --from and no --to; give both limits"
+                                   : "there is --to and no --from; give both limits");
+  }
+  throw usage_error(fmt::format(
+      "{}: give --from A --to B, or a path in the complex plane, --along \"0, 1, 1+i\" or "
+      "--circle \"CENTRE, RADIUS\"",
+      ways == 0 ? "there is no range" : "there is more than one range"));
+}
+
+exit_status integrate_real(const integrate_command_options& options) {
+  const expression f = read_formula(options.formula, {options.variable}, options.let);
+  const limit a = read_limit(*options.from, options.let);
+  const limit b = read_limit(*options.to, options.let);
+  return report(f, options, [g = integrand_of(f), a, b](const integrate_options& goal) {
+    return detail::integrate_function(g, a, b, goal);
+  });
+}
+
+exit_status integrate_along_path(const integrate_command_options& options) {
+  const auto names = options.let.value();
+  const bool taken = options.variable == imaginary_unit ||
+                     std::any_of(names.begin(), names.end(), [](const auto& definition) {
+                       return definition.first == imaginary_unit;
+                     });
+  if (taken) {
+    throw usage_error("with --along and --circle, i is the imaginary unit; give another name");
+  }
+  const expression f =
+      read_formula(options.formula, {options.variable, imaginary_unit}, options.let);
+  const path along = options.along ? read_polygon(*options.along, options.let)
+                                   : read_circle(*options.circle, options.let);
+  if (const auto name = f.function_not_analytic()) {
+    contour_integral refused;
+    refused.why = reason::not_analytic;
+    refused.obstacle = fmt::format("{} is not analytic in the complex plane", *name);
+    return report(f, options, [&](const integrate_options&) { return refused; });
+  }
+  return report(f, options, [g = complex_integrand_of(f), along](const integrate_options& goal) {
+    return detail::integrate_path(g, along, goal);
+  });
+}
+
+exit_status run(const integrate_command_options& options) {
+  check_range(options);
+  return options.from ? integrate_real(options) : integrate_along_path(options);
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
@@ -123,11 +203,17 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("")
       ->required();
   app.add_option("--from", options->from, "The lower limit: a formula without variables, or -inf")
-      ->type_name("A")
-      ->required();
+      ->type_name("A");
   app.add_option("--to", options->to, "The upper limit: a formula without variables, or inf")
-      ->type_name("B")
-      ->required();
+      ->type_name("B");
+  app.add_option(
+         "--along", options->along,
+         "In place of limits, a path of straight lines in the complex plane: points, which\n"
+         "are formulas with the imaginary unit i, as the integrand then is")
+      ->type_name("\"P, Q, ...\"");
+  app.add_option("--circle", options->circle,
+                 "In place of limits, a circle, once around and counterclockwise")
+      ->type_name("\"CENTRE, RADIUS\"");
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
   options->let.declare(app);
@@ -144,13 +230,17 @@ command integrate_command() {
       "integrate", "Integrate a formula, with a proof",
       "  polhode integrate \"exp(-x^2)\" --from -inf --to inf --digits 100\n"
       "  polhode integrate \"log(x)/sqrt(x)\" --from 0 --to 1\n"
-      "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n\n"
+      "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n"
+      "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"
+      "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n\n"
       "The integrand may be singular at the limits (powers, logarithms, and what is 0/0 there), "
       "and\n"
       "the limits infinite where it decays. That it is analytic between them is proved, never\n"
       "assumed; where it is not, the answer says so and where. `polhode eval --functions` lists "
       "the\n"
-      "functions. Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
+      "functions. Along a path it must be analytic between the corners; a branch cut in the way "
+      "is\n"
+      "refused. Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
       declare};
 }
 

@@ -739,7 +739,9 @@ contour_integral integrator::run() {
     while (p < 40'000 && scale_of(s, p).magnitude_lower().is_zero()) p *= 2;
     log2_scales_.push_back(approximate_log2(scale_of(s, p).magnitude_upper()));
   }
-  deepest_ = options_.most_depth.value_or(static_cast<long>(420 + 1.1 * log2_digits));
+  // Along a path nothing is gained by coming nearer to a cut or a pole that is met.
+  const double least_depth = segments_.front().along ? 160 : 420;
+  deepest_ = options_.most_depth.value_or(static_cast<long>(least_depth + 1.1 * log2_digits));
   auto start = clock::now();
   outcome o = estimate_size();
   double log2_goal = log2_size_ - log2_digits;

@@ -348,7 +348,7 @@ TEST(Contour, APoleNearThePathIsSeen) {
       const complex_ball w(rational(0), gap, p);
       return log(1 - w) - log(-1 - w);
     };
-    EXPECT_TRUE(right(known("a pole at distance 1e-20", f, path::line(-1, 1), value), 40));
+    EXPECT_TRUE(right(known("a pole at distance 1e-20", f, path::line(-1, 1), value), 25));
   }
   // A circle that passes a pole so near, inside or outside: 2 pi i or 0.
   for (const long side : {-1L, 1L}) {
