@@ -5,6 +5,7 @@
 #include "polhode/expression/expression.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode::cli {
 
@@ -13,5 +14,8 @@ namespace polhode::cli {
 
 /// f must have two variables: the argument and the imaginary unit.
 [[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);
+
+/// f's first variable is the argument, the others are the parameters.
+[[nodiscard]] detail::parametric_integrand parametric_integrand_of(const expression& f);
 
 }  // namespace polhode::cli

@@ -1,10 +1,12 @@
 // polhode integrate: the integral of a formula, with a proof.
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,12 +32,29 @@ struct integrate_command_options {
   std::optional<std::string> to;
   std::optional<std::string> along;
   std::optional<std::string> circle;
+  std::string most_boxes = "1";
   std::string variable = "x";
   let_option let;
   digits_option digits;
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+
+  /// From 1 to greatest_boxes; throws usage_error for anything else.
+  [[nodiscard]] long boxes() const;
 };
+
+constexpr long greatest_boxes = 100'000;
+
+long integrate_command_options::boxes() const {
+  long result = 0;
+  const char* end = most_boxes.data() + most_boxes.size();
+  const auto [rest, error] = std::from_chars(most_boxes.data(), end, result);
+  if (error != std::errc() || rest != end || result < 1 || result > greatest_boxes) {
+    throw usage_error(fmt::format("--boxes {}: it must be a whole number from 1 to {}",
+                                  in_quotes(most_boxes), greatest_boxes));
+  }
+  return result;
+}
 
 /// A limit as it is given: inf, -inf, or a formula without variables.
 limit read_limit(const std::string& text, const let_option& let) {
@@ -105,9 +124,9 @@ json number_json(const complex_ball& z, long digits) {
   return {{"real", to_json(z.re, digits)}, {"imaginary", to_json(z.im, digits)}};
 }
 
+/// What was asked for, and the verdict.
 template <class Integral>
-std::string as_json(const expression& f, const integrate_command_options& options,
-                    const Integral& i, long digits) {
+json describe(const expression& f, const integrate_command_options& options, const Integral& i) {
   json result{{"integrand", f.to_text()}, {"variable", options.variable}};
   for (const auto& [name, given] :
        {std::pair("from", options.from), std::pair("to", options.to),
@@ -119,6 +138,13 @@ std::string as_json(const expression& f, const integrate_command_options& option
     result["reason"] = to_text(i.why);
     if (!i.obstacle.empty()) result["remark"] = i.obstacle;
   }
+  return result;
+}
+
+template <class Integral>
+std::string as_json(const expression& f, const integrate_command_options& options,
+                    const Integral& i, long digits) {
+  json result = describe(f, options, i);
   result["number"] = number_json(i.enclosure, digits);
   result["account"] = {{"evaluations", i.account.evaluations},
                        {"region_evaluations", i.account.region_evaluations},
@@ -128,16 +154,27 @@ std::string as_json(const expression& f, const integrate_command_options& option
   return result.dump(2) + '\n';
 }
 
+void check_memory(const integrate_command_options& options, long digits) {
+  constexpr double bytes_per_digit = 0.4153 * 64;
+  options.memory_limit.check({fmt::format("an integral to {} digits", digits),
+                              bytes_per_digit * static_cast<double>(digits) *
+                                  std::max(static_cast<double>(digits), 1.0) / 16});
+}
+
+/// The ends of a set, each with as many digits, rounded outward.
+std::pair<std::string, std::string> decimal_ends(const ball& x, long digits) {
+  const precision p = bits_for_digits(digits) + 64;
+  return {to_decimal_enclosure(ball(lower_rational(x), p), digits).lower,
+          to_decimal_enclosure(ball(upper_rational(x), p), digits).upper};
+}
+
 /// Prints an integral that integral_to(options) computes.
 template <class Integral>
 exit_status report(const expression& f, const integrate_command_options& options,
                    const Integral& integral_to) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
-  constexpr double bytes_per_digit = 0.4153 * 64;
-  options.memory_limit.check({fmt::format("an integral to {} digits", digits),
-                              bytes_per_digit * static_cast<double>(digits) *
-                                  std::max(static_cast<double>(digits), 1.0) / 16});
+  check_memory(options, digits);
   const auto i = integrate_for(integral_to, digits);
   print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
@@ -157,6 +194,76 @@ void check_range(const integrate_command_options& options) {
       "{}: give --from A --to B, or a path in the complex plane, --along \"0, 1, 1+i\" or "
       "--circle \"CENTRE, RADIUS\"",
       ways == 0 ? "there is no range" : "there is more than one range"));
+}
+
+/// "[LOWER, UPPER]" with rational ends.
+parameter_range read_interval(const std::string& name, const std::string& text,
+                              const let_option& let) {
+  const auto bad = [&](const char* why) {
+    return usage_error(fmt::format("--let {}: {}", in_quotes(name + '=' + text), why));
+  };
+  const std::size_t start = text.find('[');
+  const std::size_t end = text.find_last_not_of(' ');
+  constexpr const char* form = "an interval must be [LOWER, UPPER], such as a=[1, 1.1]";
+  if (text[end] != ']') throw bad(form);
+  const auto parts = parts_between_commas(text.substr(start + 1, end - start - 1));
+  if (parts.size() != 2) throw bad(form);
+  const expression lower = read_formula(parts[0], {}, let);
+  const expression upper = read_formula(parts[1], {}, let);
+  if (!lower.exact_value() || !upper.exact_value()) {
+    throw bad("an interval's ends must be rational numbers");
+  }
+  if (*lower.exact_value() > *upper.exact_value()) {
+    throw bad("the lower end is above the upper end");
+  }
+  return {*lower.exact_value(), *upper.exact_value()};
+}
+
+std::string as_text(const box_integral& i, long digits) {
+  if (i.verdict != status::certified) {
+    return fmt::format("undefined\nnot certified: {} ({})\n", to_text(i.why), i.obstacle);
+  }
+  const auto [lower, upper] = decimal_ends(i.enclosure, digits);
+  return fmt::format(
+      "from {}\n  to {}\ncertified for every parameter in the box: {}\n", lower, upper,
+      i.attained ? "both ends are attained" : "the ends may be outside of what is attained");
+}
+
+std::string as_json(const expression& f, const integrate_command_options& options,
+                    const box_integral& i, long digits) {
+  json result = describe(f, options, i);
+  for (const auto& [name, interval] : options.let.intervals().value()) {
+    result["parameters"][name] = interval;
+  }
+  if (i.enclosure.is_bounded()) {
+    const auto [lower, upper] = decimal_ends(i.enclosure, digits);
+    result["range"] = {{"lower", lower}, {"upper", upper}, {"attained", i.attained}};
+  }
+  result["account"] = {{"boxes", i.boxes}, {"integrals", i.integrals}};
+  return result.dump(2) + '\n';
+}
+
+/// With parameters in intervals.
+exit_status integrate_over_box(const integrate_command_options& options) {
+  const long digits = options.digits.value();
+  const bool json_wanted = options.format.value() == "json";
+  check_memory(options, digits);
+  const let_option numbers = options.let.numbers();
+  std::vector<std::string> variables{options.variable};
+  detail::parameter_box box;
+  for (const auto& [name, text] : options.let.intervals().value()) {
+    variables.push_back(name);
+    box.push_back(read_interval(name, text, numbers));
+  }
+  const expression f = read_formula(options.formula, variables, numbers);
+  const limit a = read_limit(*options.from, numbers);
+  const limit b = read_limit(*options.to, numbers);
+  const progress line;
+  line.show("integrating");
+  const box_integral i = detail::integrate_function_over_box(
+      parametric_integrand_of(f), a, b, box, {.digits = digits + 1, .most_boxes = options.boxes()});
+  print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
+  return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
 exit_status integrate_real(const integrate_command_options& options) {
@@ -194,6 +301,11 @@ exit_status integrate_along_path(const integrate_command_options& options) {
 
 exit_status run(const integrate_command_options& options) {
   check_range(options);
+  const bool has_intervals = !options.let.intervals().texts.empty();
+  if (has_intervals && options.from) return integrate_over_box(options);
+  if (has_intervals) {
+    throw usage_error("an interval for a parameter needs --from and --to");
+  }
   return options.from ? integrate_real(options) : integrate_along_path(options);
 }
 
@@ -216,6 +328,9 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("\"CENTRE, RADIUS\"");
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
+  app.add_option("--boxes", options->most_boxes,
+                 "Into how many parts the intervals of --let NAME=[LOWER, UPPER] may be cut [1]")
+      ->type_name("N");
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);
@@ -231,6 +346,7 @@ command integrate_command() {
       "  polhode integrate \"exp(-x^2)\" --from -inf --to inf --digits 100\n"
       "  polhode integrate \"log(x)/sqrt(x)\" --from 0 --to 1\n"
       "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n"
+      "  polhode integrate \"1/sqrt(1-m*sin(x)^2)\" --from 0 --to pi/2 --let \"m=[0.1, 0.2]\"\n"
       "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"
       "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n\n"
       "The integrand may be singular at the limits (powers, logarithms, and what is 0/0 there), "

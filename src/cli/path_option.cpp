@@ -9,22 +9,6 @@
 namespace polhode::cli {
 namespace {
 
-/// The texts between the commas that are in no parentheses.
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> result(1);
-  int depth = 0;
-  for (const char c : text) {
-    if (c == '(') ++depth;
-    if (c == ')') --depth;
-    if (c == ',' && depth == 0) {
-      result.emplace_back();
-    } else {
-      result.back() += c;
-    }
-  }
-  return result;
-}
-
 path_point read_point(const std::string& text, const let_option& let) {
   const expression f = read_formula(text, {imaginary_unit}, let);
   if (f.exact_value()) return path_point(*f.exact_value());
@@ -35,7 +19,8 @@ path_point read_point(const std::string& text, const let_option& let) {
 
 path read_polygon(const std::string& text, const let_option& let) {
   std::vector<path_point> points;
-  for (const std::string& part : parts_of(text)) points.push_back(read_point(part, let));
+  for (const std::string& part : parts_between_commas(text))
+    points.push_back(read_point(part, let));
   if (points.size() < 2) {
     throw usage_error(fmt::format(
         "--along {}: it must be two points or more, such as \"0, 1, 1+i\"", in_quotes(text)));
@@ -44,7 +29,7 @@ path read_polygon(const std::string& text, const let_option& let) {
 }
 
 path read_circle(const std::string& text, const let_option& let) {
-  const std::vector<std::string> parts = parts_of(text);
+  const std::vector<std::string> parts = parts_between_commas(text);
   if (parts.size() != 2) {
     throw usage_error(fmt::format("--circle {}: it must be CENTRE, RADIUS, such as \"1+i, 1/2\"",
                                   in_quotes(text)));
