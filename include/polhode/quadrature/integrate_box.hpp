@@ -144,7 +144,7 @@ struct jets_by_parameter {
 /// An integrand that is known at balls and over regions only: g(x) for either.
 template <class G>
 [[nodiscard]] integrand integrand_without_series(const G& g) {
-  constexpr std::string_view name = "a derivative by a parameter";
+  static constexpr std::string_view name = "a derivative by a parameter";
   integrand result;
   result.over = g;
   result.evaluator = [g](precision) -> std::function<ball(const ball&)> { return g; };
