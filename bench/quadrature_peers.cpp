@@ -14,7 +14,8 @@
 // and does not raise its precision: it is given the guard bits that it turned out to need. Infinite ranges are cut off
 // for it, with a bound of the rest.
 //
-// An integral over a path of complex numbers is not here: integrate() has none.
+// "sqrt(z), a path" is the integral along straight lines from 1 over 1 + i to -1 + i, which do not meet the cut. It is
+// compared by the sum of its real and its imaginary part.
 
 #include <array>
 #include <cmath>
@@ -27,6 +28,7 @@
 #include <unistd.h>
 
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/periodic_trapezoid.hpp"
 #include "polhode/rigid_body/phase_integrands.hpp"
@@ -59,6 +61,15 @@ std::function<ball(long digits)> ours(F f, limit from, limit to) {
     options.digits = digits;
     return certified(integrate(f, from, to, options));
   };
+}
+
+/// The sum of both parts of the integral along the path.
+ball root_along_a_path(long digits) {
+  const path corner = path::polygon({1, path_point(1, 1), path_point(-1, 1)});
+  const contour_integral i =
+      integrate_along([](const auto& z) { return sqrt(z); }, corner, {.digits = digits});
+  if (i.verdict == status::certified) return i.enclosure.re + i.enclosure.im;
+  throw std::logic_error("our integral along a path is not certified: " + i.obstacle);
 }
 
 /// f(x, c), where c are constants: of the precision of the evaluation, made once for it.
@@ -244,6 +255,31 @@ int circle(acb_ptr result, const acb_t x, void*, slong order, slong p) {
   acb_neg(y.get(), y.get());
   acb_real_sqrtpos(result, y.get(), order != 0 ? 1 : 0, p);
   return 0;
+}
+
+int square_root(acb_ptr result, const acb_t z, void*, slong order, slong p) {
+  acb_sqrt_analytic(result, z, order != 0 ? 1 : 0, p);
+  return 0;
+}
+
+void root_along_a_path_with_arb(arb_ptr result, long bits) {
+  constexpr long guard = 16;
+  mag_t tolerance;
+  mag_init(tolerance);
+  mag_set_ui_2exp_si(tolerance, 1, -bits);
+  std::array<acb_number, 3> points;
+  acb_set_si_si(points[0].get(), 1, 0);
+  acb_set_si_si(points[1].get(), 1, 1);
+  acb_set_si_si(points[2].get(), -1, 1);
+  acb_number sum;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    acb_number part;
+    acb_calc_integrate(part.get(), square_root, nullptr, points[k - 1].get(), points[k].get(), bits,
+                       tolerance, nullptr, bits + guard);
+    acb_add(sum.get(), sum.get(), part.get(), bits + guard);
+  }
+  mag_clear(tolerance);
+  arb_add(result, acb_realref(sum.get()), acb_imagref(sum.get()), bits + guard);
 }
 
 int sine_of_exponential(acb_ptr result, const acb_t x, void*, slong, slong p) {
@@ -451,6 +487,7 @@ std::vector<peer> peers() {
       {"x^1000 e^(-x)",
        ours([](const auto& x) { return pow(x, 1000) * exp(-x); }, 0, limit::infinity()),
        WITH_ARB(power_with_arb)},
+      {"sqrt(z), a path", root_along_a_path, WITH_ARB(root_along_a_path_with_arb)},
   };
 #undef WITH_ARB
 }

@@ -31,6 +31,43 @@ std::vector<std::pair<std::string, std::string>> let_option::value() const {
   return result;
 }
 
+namespace {
+
+bool is_interval(const std::pair<std::string, std::string>& definition) {
+  const std::size_t start = definition.second.find_first_not_of(' ');
+  return start != std::string::npos && definition.second[start] == '[';
+}
+
+let_option those(const let_option& all, bool intervals) {
+  let_option result;
+  for (const auto& definition : all.value()) {
+    if (is_interval(definition) == intervals) {
+      result.texts.push_back(definition.first + '=' + definition.second);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+let_option let_option::intervals() const { return those(*this, true); }
+let_option let_option::numbers() const { return those(*this, false); }
+
+std::vector<std::string> parts_between_commas(const std::string& text) {
+  std::vector<std::string> result(1);
+  int depth = 0;
+  for (const char c : text) {
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c == ',' && depth == 0) {
+      result.emplace_back();
+    } else {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
 expression read_formula(const std::string& given, const std::vector<std::string>& variables,
                         const let_option& let) {
   const std::string text = given.substr(std::min(given.find_first_not_of(' '), given.size()));

@@ -19,7 +19,13 @@ struct let_option {
   void declare(CLI::App& app);
   /// Names with their values. Throws usage_error for what is not NAME=VALUE.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> value() const;
+  /// Those whose value is an interval, "a=[1, 1.1]"; the others.
+  [[nodiscard]] let_option intervals() const;
+  [[nodiscard]] let_option numbers() const;
 };
+
+/// The texts between the commas that are in no parentheses.
+[[nodiscard]] std::vector<std::string> parts_between_commas(const std::string& text);
 
 /// The formula; throws usage_error, with the text in quotes, for what cannot be read.
 [[nodiscard]] expression read_formula(const std::string& given,

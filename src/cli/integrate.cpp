@@ -1,10 +1,14 @@
 // polhode integrate: the integral of a formula, with a proof.
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,6 +19,7 @@
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
+#include "path_option.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
 #include "progress.hpp"
@@ -25,8 +30,11 @@ namespace {
 
 struct integrate_command_options {
   std::string formula;
-  std::string from;
-  std::string to;
+  std::optional<std::string> from;
+  std::optional<std::string> to;
+  std::optional<std::string> along;
+  std::optional<std::string> circle;
+  std::string most_boxes = "1";
   std::string variable = "x";
   let_option let;
   digits_option digits;
@@ -34,7 +42,23 @@ struct integrate_command_options {
   std::string rule = "automatic";
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+
+  /// From 1 to greatest_boxes; throws usage_error for anything else.
+  [[nodiscard]] long boxes() const;
 };
+
+constexpr long greatest_boxes = 100'000;
+
+long integrate_command_options::boxes() const {
+  long result = 0;
+  const char* end = most_boxes.data() + most_boxes.size();
+  const auto [rest, error] = std::from_chars(most_boxes.data(), end, result);
+  if (error != std::errc() || rest != end || result < 1 || result > greatest_boxes) {
+    throw usage_error(fmt::format("--boxes {}: it must be a whole number from 1 to {}",
+                                  in_quotes(most_boxes), greatest_boxes));
+  }
+  return result;
+}
 
 /// A limit as it is given: inf, -inf, or a formula without variables.
 limit read_limit(const std::string& text, const let_option& let) {
@@ -69,24 +93,33 @@ quadrature_rule read_rule(const std::string& text) {
       fmt::format("--rule {}: it must be one of {}", in_quotes(text), names_of_rules()));
 }
 
-/// The integral; a few more digits than were asked for where a digit's end would be undecided.
-integral integrate_for(const detail::integrand& f, const limit& a, const limit& b, long digits,
-                       integrate_options options) {
+/// Whether its first digits are as many, or all that there are.
+bool is_decided(const ball& x, long digits) {
+  if (!x.is_bounded()) return false;
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  return d.exact || d.digits >= digits;
+}
+bool is_decided(const complex_ball& z, long digits) {
+  if (!z.is_bounded()) return false;
+  const bool real_is_larger = z.im.magnitude_upper() <= z.re.magnitude_upper();
+  return is_decided(real_is_larger ? z.re : z.im, digits);
+}
+
+/// integral_to(how); a few more digits than were asked for where a digit's end would be undecided.
+template <class Integral>
+auto integrate_for(const Integral& integral_to, long digits, integrate_options how) {
   const progress line;
   line.show("integrating");
-  integral result;
-  for (const long more : {1L, 6L}) {
-    options.digits = digits + more;
-    result = detail::integrate_function(f, a, b, options);
-    if (result.verdict != status::certified) break;
-    const decimal_enclosure d = to_decimal_enclosure(result.enclosure, digits);
-    if (d.exact || d.digits >= digits) break;
+  how.digits = digits + 1;
+  auto result = integral_to(how);
+  if (result.verdict == status::certified && !is_decided(result.enclosure, digits)) {
+    how.digits = digits + 6;
+    result = integral_to(how);
   }
   return result;
 }
 
-std::string account_text(const integral& i) {
-  const integral_account& a = i.account;
+std::string account_text(const integral_account& a) {
   std::string rules;
   for (const quadrature_rule rule : a.rules) {
     rules += (rules.empty() ? " (" : ", ") + to_text(rule);
@@ -97,38 +130,58 @@ std::string account_text(const integral& i) {
                      a.region_evaluations);
 }
 
-std::string as_text(const integral& i, long digits) {
-  std::string result;
-  const bool certified = i.verdict == status::certified;
-  if (i.enclosure.is_bounded()) {
-    const decimal_enclosure d = to_decimal_enclosure(i.enclosure, digits);
-    if (certified && !d.exact && d.digits < digits) {
-      // Both ends, with the digits that matter.
-      result += fmt::format("from {}\n  to {}\n", d.lower, d.upper);
-    } else {
-      result += to_decimal(i.enclosure, digits) + '\n';
-    }
-  } else {
-    result += "undefined\n";
+std::string number_text(const ball& x, bool certified, long digits) {
+  if (!x.is_bounded()) return "undefined\n";
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  if (certified && !d.exact && d.digits < digits) {
+    // Both ends, with the digits that matter.
+    return fmt::format("from {}\n  to {}\n", d.lower, d.upper);
   }
-  if (certified) return result + fmt::format("certified: {}\n", account_text(i));
-  result += fmt::format("not certified: {}", to_text(i.why));
+  return to_decimal(x, digits) + '\n';
+}
+std::string number_text(const complex_ball& z, bool, long digits) {
+  if (!z.is_bounded()) return "undefined\n";
+  return fmt::format("real part      {}\nimaginary part {}\n", to_decimal(z.re, digits),
+                     to_decimal(z.im, digits));
+}
+
+template <class Integral>
+std::string as_text(const Integral& i, long digits) {
+  const bool certified = i.verdict == status::certified;
+  const std::string number = number_text(i.enclosure, certified, digits);
+  if (certified) return number + fmt::format("certified: {}\n", account_text(i.account));
+  std::string result = number + fmt::format("not certified: {}", to_text(i.why));
   if (!i.obstacle.empty()) result += fmt::format(" ({})", i.obstacle);
   return result + '\n';
 }
 
-std::string as_json(const expression& f, const integrate_command_options& options,
-                    const integral& i, long digits) {
-  json result{{"integrand", f.to_text()},
-              {"variable", options.variable},
-              {"from", options.from},
-              {"to", options.to},
-              {"verdict", to_text(i.verdict)}};
+json number_json(const ball& x, long digits) { return to_json(x, digits); }
+json number_json(const complex_ball& z, long digits) {
+  return {{"real", to_json(z.re, digits)}, {"imaginary", to_json(z.im, digits)}};
+}
+
+/// What was asked for, and the verdict.
+template <class Integral>
+json describe(const expression& f, const integrate_command_options& options, const Integral& i) {
+  json result{{"integrand", f.to_text()}, {"variable", options.variable}};
+  for (const auto& [name, given] :
+       {std::pair("from", options.from), std::pair("to", options.to),
+        std::pair("along", options.along), std::pair("circle", options.circle)}) {
+    if (given) result[name] = *given;
+  }
+  result["verdict"] = to_text(i.verdict);
   if (i.verdict != status::certified) {
     result["reason"] = to_text(i.why);
     if (!i.obstacle.empty()) result["remark"] = i.obstacle;
   }
-  result["number"] = to_json(i.enclosure, digits);
+  return result;
+}
+
+template <class Integral>
+std::string as_json(const expression& f, const integrate_command_options& options,
+                    const Integral& i, long digits) {
+  json result = describe(f, options, i);
+  result["number"] = number_json(i.enclosure, digits);
   json rules = json::array();
   for (const quadrature_rule rule : i.account.rules) rules.push_back(to_text(rule));
   result["account"] = {
@@ -138,22 +191,166 @@ std::string as_json(const expression& f, const integrate_command_options& option
   return result.dump(2) + '\n';
 }
 
-exit_status run(const integrate_command_options& options) {
-  const long digits = options.digits.value();
-  const bool json_wanted = options.format.value() == "json";
-  const expression f = read_formula(options.formula, {options.variable}, options.let);
-  const limit a = read_limit(options.from, options.let);
-  const limit b = read_limit(options.to, options.let);
+void check_memory(const integrate_command_options& options, long digits) {
   constexpr double bytes_per_digit = 0.4153 * 64;
   options.memory_limit.check({fmt::format("an integral to {} digits", digits),
                               bytes_per_digit * static_cast<double>(digits) *
                                   std::max(static_cast<double>(digits), 1.0) / 16});
+}
+
+/// The ends of a set, each with as many digits, rounded outward.
+std::pair<std::string, std::string> decimal_ends(const ball& x, long digits) {
+  const precision p = bits_for_digits(digits) + 64;
+  return {to_decimal_enclosure(ball(lower_rational(x), p), digits).lower,
+          to_decimal_enclosure(ball(upper_rational(x), p), digits).upper};
+}
+
+/// Prints an integral that integral_to(options) computes.
+template <class Integral>
+exit_status report(const expression& f, const integrate_command_options& options,
+                   const Integral& integral_to) {
+  const long digits = options.digits.value();
+  const bool json_wanted = options.format.value() == "json";
+  check_memory(options, digits);
   integrate_options how;
   how.threads = options.threads;
   how.rule = read_rule(options.rule);
-  const integral i = integrate_for(integrand_of(f), a, b, digits, how);
+  const auto i = integrate_for(integral_to, digits, how);
   print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
+}
+
+/// Exactly one of the ways to say from where to where.
+void check_range(const integrate_command_options& options) {
+  const bool has_limits = options.from || options.to;
+  const int ways =
+      int{has_limits} + int{options.along.has_value()} + int{options.circle.has_value()};
+  if (ways == 1 && (!has_limits || (options.from && options.to))) return;
+  if (ways == 1) {
+    throw usage_error(options.from ? "there is --from and no --to; give both limits"
+                                   : "there is --to and no --from; give both limits");
+  }
+  throw usage_error(fmt::format(
+      "{}: give --from A --to B, or a path in the complex plane, --along \"0, 1, 1+i\" or "
+      "--circle \"CENTRE, RADIUS\"",
+      ways == 0 ? "there is no range" : "there is more than one range"));
+}
+
+/// "[LOWER, UPPER]" with rational ends.
+parameter_range read_interval(const std::string& name, const std::string& text,
+                              const let_option& let) {
+  const auto bad = [&](const char* why) {
+    return usage_error(fmt::format("--let {}: {}", in_quotes(name + '=' + text), why));
+  };
+  const std::size_t start = text.find('[');
+  const std::size_t end = text.find_last_not_of(' ');
+  constexpr const char* form = "an interval must be [LOWER, UPPER], such as a=[1, 1.1]";
+  if (text[end] != ']') throw bad(form);
+  const auto parts = parts_between_commas(text.substr(start + 1, end - start - 1));
+  if (parts.size() != 2) throw bad(form);
+  const expression lower = read_formula(parts[0], {}, let);
+  const expression upper = read_formula(parts[1], {}, let);
+  if (!lower.exact_value() || !upper.exact_value()) {
+    throw bad("an interval's ends must be rational numbers");
+  }
+  if (*lower.exact_value() > *upper.exact_value()) {
+    throw bad("the lower end is above the upper end");
+  }
+  return {*lower.exact_value(), *upper.exact_value()};
+}
+
+std::string as_text(const box_integral& i, long digits) {
+  if (i.verdict != status::certified) {
+    return fmt::format("undefined\nnot certified: {} ({})\n", to_text(i.why), i.obstacle);
+  }
+  const auto [lower, upper] = decimal_ends(i.enclosure, digits);
+  return fmt::format(
+      "from {}\n  to {}\ncertified for every parameter in the box: {}\n", lower, upper,
+      i.attained ? "both ends are attained" : "the ends may be outside of what is attained");
+}
+
+std::string as_json(const expression& f, const integrate_command_options& options,
+                    const box_integral& i, long digits) {
+  json result = describe(f, options, i);
+  for (const auto& [name, interval] : options.let.intervals().value()) {
+    result["parameters"][name] = interval;
+  }
+  if (i.enclosure.is_bounded()) {
+    const auto [lower, upper] = decimal_ends(i.enclosure, digits);
+    result["range"] = {{"lower", lower}, {"upper", upper}, {"attained", i.attained}};
+  }
+  result["account"] = {{"boxes", i.boxes}, {"integrals", i.integrals}};
+  return result.dump(2) + '\n';
+}
+
+/// With parameters in intervals.
+exit_status integrate_over_box(const integrate_command_options& options) {
+  const long digits = options.digits.value();
+  const bool json_wanted = options.format.value() == "json";
+  check_memory(options, digits);
+  const let_option numbers = options.let.numbers();
+  std::vector<std::string> variables{options.variable};
+  detail::parameter_box box;
+  for (const auto& [name, text] : options.let.intervals().value()) {
+    variables.push_back(name);
+    box.push_back(read_interval(name, text, numbers));
+  }
+  const expression f = read_formula(options.formula, variables, numbers);
+  const limit a = read_limit(*options.from, numbers);
+  const limit b = read_limit(*options.to, numbers);
+  const progress line;
+  line.show("integrating");
+  const box_integral i = detail::integrate_function_over_box(
+      parametric_integrand_of(f), a, b, box, {.digits = digits + 1, .most_boxes = options.boxes()});
+  print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
+  return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
+}
+
+exit_status integrate_real(const integrate_command_options& options) {
+  const expression f = read_formula(options.formula, {options.variable}, options.let);
+  const limit a = read_limit(*options.from, options.let);
+  const limit b = read_limit(*options.to, options.let);
+  return report(f, options, [g = integrand_of(f), a, b](const integrate_options& goal) {
+    return detail::integrate_function(g, a, b, goal);
+  });
+}
+
+exit_status integrate_along_path(const integrate_command_options& options) {
+  const auto names = options.let.value();
+  const bool taken = options.variable == imaginary_unit ||
+                     std::any_of(names.begin(), names.end(), [](const auto& definition) {
+                       return definition.first == imaginary_unit;
+                     });
+  if (taken) {
+    throw usage_error("with --along and --circle, i is the imaginary unit; give another name");
+  }
+  const expression f =
+      read_formula(options.formula, {options.variable, imaginary_unit}, options.let);
+  const path along = options.along ? read_polygon(*options.along, options.let)
+                                   : read_circle(*options.circle, options.let);
+  if (const auto name = f.function_not_analytic()) {
+    contour_integral refused;
+    refused.why = reason::not_analytic;
+    refused.obstacle = fmt::format("{} is not analytic in the complex plane", *name);
+    return report(f, options, [&](const integrate_options&) { return refused; });
+  }
+  return report(f, options, [g = complex_integrand_of(f), along](const integrate_options& goal) {
+    return detail::integrate_path(g, along, goal);
+  });
+}
+
+exit_status run(const integrate_command_options& options) {
+  check_range(options);
+  const bool has_intervals = !options.let.intervals().texts.empty();
+  const bool insists = read_rule(options.rule) != quadrature_rule::automatic;
+  if (insists && (!options.from || has_intervals)) {
+    throw usage_error("--rule is for limits --from and --to, and numbers for the parameters");
+  }
+  if (has_intervals && options.from) return integrate_over_box(options);
+  if (has_intervals) {
+    throw usage_error("an interval for a parameter needs --from and --to");
+  }
+  return options.from ? integrate_real(options) : integrate_along_path(options);
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
@@ -162,11 +359,17 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("")
       ->required();
   app.add_option("--from", options->from, "The lower limit: a formula without variables, or -inf")
-      ->type_name("A")
-      ->required();
+      ->type_name("A");
   app.add_option("--to", options->to, "The upper limit: a formula without variables, or inf")
-      ->type_name("B")
-      ->required();
+      ->type_name("B");
+  app.add_option(
+         "--along", options->along,
+         "In place of limits, a path of straight lines in the complex plane: points, which\n"
+         "are formulas with the imaginary unit i, as the integrand then is")
+      ->type_name("\"P, Q, ...\"");
+  app.add_option("--circle", options->circle,
+                 "In place of limits, a circle, once around and counterclockwise")
+      ->type_name("\"CENTRE, RADIUS\"");
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
   app.add_option("--rule", options->rule,
@@ -177,6 +380,9 @@ std::function<exit_status()> declare(CLI::App& app) {
                  "Evaluate on so many threads; 0 for all processors. The digits are the same")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
+  app.add_option("--boxes", options->most_boxes,
+                 "Into how many parts the intervals of --let NAME=[LOWER, UPPER] may be cut [1]")
+      ->type_name("N");
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);
@@ -191,13 +397,18 @@ command integrate_command() {
       "integrate", "Integrate a formula, with a proof",
       "  polhode integrate \"exp(-x^2)\" --from -inf --to inf --digits 100\n"
       "  polhode integrate \"log(x)/sqrt(x)\" --from 0 --to 1\n"
-      "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n\n"
+      "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n"
+      "  polhode integrate \"1/sqrt(1-m*sin(x)^2)\" --from 0 --to pi/2 --let \"m=[0.1, 0.2]\"\n"
+      "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"
+      "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n\n"
       "The integrand may be singular at the limits (powers, logarithms, and what is 0/0 there), "
       "and\n"
       "the limits infinite where it decays. That it is analytic between them is proved, never\n"
       "assumed; where it is not, the answer says so and where. `polhode eval --functions` lists "
       "the\n"
-      "functions. Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
+      "functions. Along a path it must be analytic between the corners; a branch cut in the way "
+      "is\n"
+      "refused. Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
       declare};
 }
 

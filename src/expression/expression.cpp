@@ -100,6 +100,26 @@ std::optional<std::pair<rational, long>> expression::exact_power() const {
   return std::pair(*base, root.number);
 }
 
+std::optional<std::string_view> expression::function_not_analytic() const {
+  for (const detail::instruction& i : program_->body.code) {
+    switch (i.what) {
+      case operation::abs:
+        return "abs";
+      case operation::min:
+        return "min";
+      case operation::max:
+        return "max";
+      case operation::floor:
+        return "floor";
+      case operation::ceil:
+        return "ceil";
+      default:
+        break;
+    }
+  }
+  return std::nullopt;
+}
+
 std::size_t expression::operation_count() const {
   return program_->constants.code.size() + program_->body.code.size();
 }

@@ -13,6 +13,7 @@
 #include "periodic.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/clenshaw_curtis.hpp"
+#include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
 #include "segments.hpp"
@@ -54,13 +55,36 @@ double approximate_log2(const magnitude& x) {
   return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
 }
 
+/// The greater of the radii of both parts.
+magnitude radius_of(const complex_ball& z) { return max(z.re.radius(), z.im.radius()); }
+
+// A segment's functions in complex numbers, whether F is real for real t or not.
+
+std::function<complex_ball(const ball& t)> evaluator_of(const segment& s, precision p) {
+  if (s.along) return s.along->evaluator(p);
+  return [f = s.evaluator(p)](const ball& t) { return complex_ball(f(t)); };
+}
+complex_ball scale_of(const segment& s, precision p) {
+  return s.along ? s.along->scale(p) : complex_ball(s.scale(p));
+}
+complex_ball position_of(const segment& s, const ball& t) {
+  return s.along ? s.along->position(t) : complex_ball(s.position(t));
+}
+/// z with what F's values may be off by.
+complex_ball enlarged(const segment& s, const complex_ball& z, const magnitude& error) {
+  return {z.re.enlarged(error), s.along ? z.im.enlarged(error) : z.im};
+}
+complex_ball at_most(const segment& s, const magnitude& bound) {
+  return enlarged(s, complex_ball(0, 64), bound);
+}
+
 /// A part of a segment, |t - centre| <= 2^-(level+1), and how its integral is to be had.
 struct panel {
   std::size_t segment = 0;
   rational centre;
   long level = 0;
 
-  std::optional<ball> closed_by;  // the range of F over it, where that is enough
+  std::optional<complex_ball> closed_by;  // the range of F over it, where that is enough
   double rho = 0;      // else: F is analytic inside the Bernstein ellipse with this parameter ...
   magnitude supremum;  // ... and this is a bound of |F| there
   double log2_typical = 0;  // about log2 |F| at its middle, to search with
@@ -71,6 +95,11 @@ struct panel {
   [[nodiscard]] rational half_length() const {
     integer one = 1;
     return {integer(1), one << static_cast<unsigned>(level + 1)};
+  }
+  /// It reaches to t = 0 or to t = 1.
+  [[nodiscard]] bool is_at_end() const {
+    const rational half = half_length();
+    return centre == half || centre == 1 - half;
   }
   [[nodiscard]] panel half(int side) const {
     panel p;
@@ -91,14 +120,15 @@ class panel_regions {
     // Where doubles would not keep its points well apart, balls with enough bits do.
     const rational half = p.half_length();
     const precision wide = 96 + 2 * p.level;
-    const ball left = s.position(ball(rational(p.centre - half), wide));
-    const ball right = s.position(ball(rational(p.centre + half), wide));
+    const complex_ball left = position_of(s, ball(rational(p.centre - half), wide));
+    const complex_ball right = position_of(s, ball(rational(p.centre + half), wide));
     const magnitude distance = (right - left).magnitude_upper();
     magnitude size = max(left.magnitude_upper(), right.magnitude_upper());
     for (const long end : {0L, 1L}) {  // the numbers whose sums the points are
-      const ball x = s.position(ball(end, 64));
+      const complex_ball x = position_of(s, ball(end, 64));
       if (x.is_bounded()) size = max(size, x.magnitude_upper());
     }
+    if (s.along) size = max(size, s.along->size);
     const auto gap_of = [](const magnitude& whole, const magnitude& part) {
       const bool finite = !whole.is_zero() && !whole.is_infinite() && !part.is_zero();
       return finite ? whole.log2_floor() - part.log2_floor() : 0;
@@ -213,10 +243,12 @@ std::string in_words(const obstacle_report& report) {
 /// F is real on the panel. Where it is analytic on a neighbourhood of the closed upper half of the
 /// ellipse, Schwarz's reflection F(conj z) = conj F(z) continues it to the lower half, with the same
 /// bound. Tiles cover the upper half; by the maximum principle |F| inside is at most its supremum on the
-/// boundary, whose upper half is covered by arcs.
+/// boundary, whose upper half is covered by arcs. Where F is not real there (`whole`), tiles and arcs cover the lower
+/// halves too.
 class ellipse_bounds {
  public:
-  ellipse_bounds(const panel_regions& f, int most_tiles) : f_(f), most_tiles_(most_tiles) {}
+  ellipse_bounds(const panel_regions& f, int most_tiles, bool whole)
+      : f_(f), most_tiles_(whole ? 2 * most_tiles : most_tiles), whole_(whole) {}
 
   /// The bound from the tiles that prove analyticity; nothing where that failed.
   /// A bound above the limit is as good as none.
@@ -226,8 +258,13 @@ class ellipse_bounds {
     struct tile {
       double left, right, bottom, top;  // in units of the semi-axes
       int depth;
+      bool below = false;  // its mirror image is meant
     };
     std::vector<tile> open{{-1, 0, 0, 1, 0}, {0, 1, 0, 1, 0}};
+    if (whole_) {
+      open.push_back({-1, 0, 0, 1, 0, true});
+      open.push_back({0, 1, 0, 1, 0, true});
+    }
     while (!open.empty()) {
       const tile t = open.back();
       open.pop_back();
@@ -237,7 +274,7 @@ class ellipse_bounds {
       if (t.bottom > highest) continue;
       const double_interval re = e.a * double_interval(t.left, t.right);
       const double_interval im = e.b * double_interval(t.bottom, std::min(t.top, highest));
-      const region value = f_(re, im);
+      const region value = f_(re, t.below ? -im : im);
       if (value.is_analytic()) {
         const magnitude upper = value.magnitude_upper();
         if (upper <= limit) {
@@ -253,12 +290,12 @@ class ellipse_bounds {
       const double height = (std::min(t.top, highest) - t.bottom) * e.b.upper();
       if (width >= height) {
         const double middle = (t.left + t.right) / 2;
-        open.push_back({t.left, middle, t.bottom, t.top, t.depth + 1});
-        open.push_back({middle, t.right, t.bottom, t.top, t.depth + 1});
+        open.push_back({t.left, middle, t.bottom, t.top, t.depth + 1, t.below});
+        open.push_back({middle, t.right, t.bottom, t.top, t.depth + 1, t.below});
       } else {
         const double middle = (t.bottom + std::min(t.top, highest)) / 2;
-        open.push_back({t.left, t.right, middle, t.top, t.depth + 1});
-        open.push_back({t.left, t.right, t.bottom, middle, t.depth + 1});
+        open.push_back({t.left, t.right, middle, t.top, t.depth + 1, t.below});
+        open.push_back({t.left, t.right, t.bottom, middle, t.depth + 1, t.below});
       }
     }
     return supremum;
@@ -270,8 +307,10 @@ class ellipse_bounds {
     double right = 1;
     for (int k = 1; k <= arcs; ++k) {
       const double left = k == arcs ? -1 : std::cos(3.14159265358979 * k / arcs);
-      const region value = f_(e.a * double_interval(left, right), e.b * sine_over(left, right));
-      supremum = max(supremum, value.magnitude_upper());
+      const double_interval re = e.a * double_interval(left, right);
+      const double_interval im = e.b * sine_over(left, right);
+      supremum = max(supremum, f_(re, im).magnitude_upper());
+      if (whole_) supremum = max(supremum, f_(re, -im).magnitude_upper());
       if (supremum.is_infinite()) break;
       right = left;
     }
@@ -285,6 +324,7 @@ class ellipse_bounds {
   static constexpr int deepest = 6;
   const panel_regions& f_;
   int most_tiles_;
+  bool whole_;
   obstacle_report report_;
 };
 
@@ -319,7 +359,7 @@ class integrator {
         options_(options),
         known_points_(known) {}
 
-  integral run();
+  contour_integral run();
   /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting the range
   /// there may help.
   [[nodiscard]] const std::vector<rational>& points_of_interest() const { return points_; }
@@ -343,10 +383,10 @@ class integrator {
   [[nodiscard]] double mean_goal(const panel& p, double log2_goal) const;
   [[nodiscard]] double nodes_accepted(const panel& p, double log2_goal) const;
   outcome sum(double log2_goal);
-  [[nodiscard]] ball part_of_panel(panel& p, double share, precision most_precision,
-                                   bool& exhausted);
+  [[nodiscard]] complex_ball part_of_panel(panel& p, double share, precision most_precision,
+                                           bool& exhausted);
   [[nodiscard]] magnitude truncation_error(const panel& p) const;
-  [[nodiscard]] ball sum_of_panel(const panel& p, precision& working);
+  [[nodiscard]] complex_ball sum_of_panel(const panel& p, precision& working);
   [[nodiscard]] ball clenshaw_curtis_part(const panel& p, precision working);
   [[nodiscard]] ball gauss_legendre_part(const panel& p, const gauss_legendre_rule& rule) const;
   [[nodiscard]] ball trapezoid_part(const panel& p, precision working) const;
@@ -370,7 +410,7 @@ class integrator {
       clenshaw_curtis_rules_;
   long deepest_ = 0;
   double log2_size_ = 0;  // about log2 of the integral of |f|
-  integral result_;
+  contour_integral result_;
 };
 
 double integrator::log2_of_typical(const panel& p, double log2_goal) const {
@@ -379,11 +419,11 @@ double integrator::log2_of_typical(const panel& p, double log2_goal) const {
   double largest = -1e18;
   const auto most = static_cast<precision>(8 * std::max(log2_size_ - log2_goal, 48.0));
   for (precision wide = 96 + 2 * p.level; wide == 96 + 2 * p.level || wide < most; wide *= 4) {
-    const auto f = segments_[p.segment].evaluator(wide);
+    const auto f = evaluator_of(segments_[p.segment], wide);
     bool defined = false;
     for (const long offset : {-5, 0, 3}) {
       const rational t = p.centre + offset * p.half_length() / 8;
-      const ball value = f(ball(t, wide));
+      const complex_ball value = f(ball(t, wide));
       if (!value.is_bounded()) continue;
       defined = true;
       largest = std::max(largest, approximate_log2(value.magnitude_upper()));
@@ -408,7 +448,8 @@ double integrator::nodes_accepted(const panel& p, double log2_goal) const {
 double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const {
   // The price of a region's evaluation in those of f at a node.
   const double bits = std::max(p.log2_typical - goal, 8.0);
-  const double region_price = 1 / (0.3 + std::pow(bits / 300, 1.5));
+  const int halves = segments_[p.segment].along ? 2 : 1;
+  const double region_price = halves / (0.3 + std::pow(bits / 300, 1.5));
   const double most_nodes = std::min(2 * bits, bits + 32) + 16;
   double best_nodes = 1e18;
   const auto consider = [&](double rho) {
@@ -454,13 +495,13 @@ double integrator::try_panel(panel& p, double log2_goal) {
   const region over_panel = f(double_interval(-1.0, 1.0), double_interval(0));
   const double most = approximate_log2(over_panel.magnitude_upper());
   if (most <= goal) {
-    p.closed_by = ball(0, 64).enlarged(over_panel.magnitude_upper());
+    p.closed_by = at_most(s, over_panel.magnitude_upper());
     return 0;
   }
   // Where points of the panel are too close to an end for the samples, the bound stands for them.
   if (p.log2_typical < -1e17) p.log2_typical = most < 1e17 ? most : goal + 64;
   constexpr long short_level = 8;  // of such a panel smaller tiles tell little more than the whole
-  ellipse_bounds bounds(f, 24);
+  ellipse_bounds bounds(f, 24, s.along.has_value());
   if (over_panel.is_analytic() || p.level < short_level) {
     const double nodes = find_ellipse(p, goal, bounds);
     if (nodes < 1e17) return nodes;
@@ -469,14 +510,16 @@ double integrator::try_panel(panel& p, double log2_goal) {
   }
   hopeless_ = bounds.report().why == obstacle::unknown;
   result_.obstacle = in_words(bounds.report());
-  // So short that the range of F over it is enough.
-  if (p.level >= short_level) {
+  // So short that the range of F over it is enough. It says nothing of F being analytic, which it must be along a
+  // path, but for the ends.
+  const bool may_be_range = !s.along || over_panel.is_analytic() || p.is_at_end();
+  if (p.level >= short_level && may_be_range) {
     const rational half = p.half_length();
     const precision wide = 96 + p.level;
     const ball t =
         hull(ball(rational(p.centre - half), wide), ball(rational(p.centre + half), wide));
-    const ball range = s.evaluator(wide)(t);
-    if (range.is_bounded() && approximate_log2(range.radius()) <= goal - 4) {
+    const complex_ball range = evaluator_of(s, wide)(t);
+    if (range.is_bounded() && approximate_log2(radius_of(range)) <= goal - 4) {
       p.closed_by = range;
       return 0;
     }
@@ -588,7 +631,8 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   }
   const double bits = std::max(log2_size_ - log2_goal, 16.0);
   constexpr long suspicious_level = 40;
-  if (p.level == suspicious_level && own_nodes > 1e17) {
+  const bool is_real = !segments_[p.segment].along;
+  if (is_real && p.level == suspicious_level && own_nodes > 1e17) {
     if (const std::optional<rational> point = point_in(p)) {
       constexpr std::size_t most_points = 200;
       points_.push_back(*point);
@@ -596,8 +640,9 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
     }
   }
   if (p.level >= deepest_ || hopeless_) {
-    const ball x = segments_[p.segment].position(ball(p.centre, 64 + p.level));
-    result_.obstacle += " near x = " + to_decimal(x, 20);
+    const complex_ball x = position_of(segments_[p.segment], ball(p.centre, 64 + p.level));
+    result_.obstacle +=
+        is_real ? " near x = " + to_decimal(x.re, 20) : " near z = " + to_decimal(x, 20);
     return outcome::obstructed;
   }
   const std::size_t before = panels_.size();
@@ -614,6 +659,24 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   return outcome::done;
 }
 
+/// Half-length times the sum of w_k F(centre + half-length x_k), for a complex F.
+complex_ball gauss_legendre_along(const std::function<complex_ball(const ball& t)>& f,
+                                  const panel& p, const gauss_legendre_rule& rule) {
+  const ball centre(p.centre, rule.bits);
+  complex_ball sum(0, rule.bits);
+  ball offset;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    scale(offset, rule.nodes[k], -p.level - 1);
+    complex_ball value = f(centre + offset);
+    if (k > 0 || p.nodes % 2 == 0) {  // the middle node counts once
+      value += f(centre - offset);
+    }
+    fma(sum.re, rule.weights[k], value.re, sum.re);
+    fma(sum.im, rule.weights[k], value.im, sum.im);
+  }
+  return scale(sum, -p.level - 1);
+}
+
 /// What the rule leaves out of the panel's integral of F.
 magnitude integrator::truncation_error(const panel& p) const {
   if (p.rule == quadrature_rule::trapezoid) {
@@ -628,12 +691,16 @@ magnitude integrator::truncation_error(const panel& p) const {
 }
 
 /// The rule on one panel, with at least `working` bits, which become those that were used.
-ball integrator::sum_of_panel(const panel& p, precision& working) {
-  if (p.rule == quadrature_rule::trapezoid) return trapezoid_part(p, working);
-  if (p.rule == quadrature_rule::clenshaw_curtis) return clenshaw_curtis_part(p, working);
+complex_ball integrator::sum_of_panel(const panel& p, precision& working) {
+  if (p.rule == quadrature_rule::trapezoid) return complex_ball(trapezoid_part(p, working));
+  if (p.rule == quadrature_rule::clenshaw_curtis) {
+    return complex_ball(clenshaw_curtis_part(p, working));
+  }
   const auto rule = gauss_legendre(p.nodes, working);
   working = rule->bits;
-  return gauss_legendre_part(p, *rule);
+  const std::optional<complex_piece>& along = segments_[p.segment].along;
+  if (along) return gauss_legendre_along(along->evaluator(working), p, *rule);
+  return complex_ball(gauss_legendre_part(p, *rule));
 }
 
 /// Half-length times the sum of w_k F(centre + half-length x_k).
@@ -692,7 +759,8 @@ ball integrator::trapezoid_part(const panel& p, precision working) const {
 
 /// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds. `exhausted` where
 /// the precision that this would take is not allowed, or does not help.
-ball integrator::part_of_panel(panel& p, double share, precision most_precision, bool& exhausted) {
+complex_ball integrator::part_of_panel(panel& p, double share, precision most_precision,
+                                       bool& exhausted) {
   const segment& s = segments_[p.segment];
   const auto allowed = static_cast<double>(most_precision);
   const double goal = share - log2_scales_[p.segment] + static_cast<double>(p.level);
@@ -704,16 +772,16 @@ ball integrator::part_of_panel(panel& p, double share, precision most_precision,
       std::max(p.log2_typical - goal, 16.0) + 12 + std::log2(static_cast<double>(p.nodes));
   if (needed > allowed) {
     exhausted = true;
-    return ball(0, 64).enlarged(scale(p.supremum, -p.level)) * s.scale(64);
+    return at_most(s, scale(p.supremum, -p.level)) * scale_of(s, 64);
   }
   double last_radius = 1e18;
   while (true) {
     auto working = static_cast<precision>(std::max(needed, 53.0));
-    const ball sum = sum_of_panel(p, working);
+    const complex_ball sum = sum_of_panel(p, working);
     result_.account.evaluations += p.nodes;
     result_.account.precision = std::max(result_.account.precision, working);
-    ball part = sum.enlarged(truncation) * s.scale(working);
-    const double radius = approximate_log2(part.radius());
+    complex_ball part = enlarged(s, sum, truncation) * scale_of(s, working);
+    const double radius = approximate_log2(radius_of(part));
     if (radius <= share + 1) return part;
     // More bits, until they do not help any more; to tell a short panel's nodes from what is beside it, they
     // may have to be many before they do.
@@ -737,27 +805,25 @@ integrator::outcome integrator::sum(double log2_goal) {
   const auto result_bits = static_cast<precision>(bits) + 64;
   const auto most_precision =
       options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
-  ball total = remainder_.with_precision(result_bits);
+  complex_ball total(remainder_.with_precision(result_bits));
   bool exhausted = false;
   for (panel& p : panels_) {
     if (p.closed_by) {
-      ball part = *p.closed_by;
-      scale(part, part, -p.level);
-      total += part * segments_[p.segment].scale(result_bits);
+      total += scale(*p.closed_by, -p.level) * scale_of(segments_[p.segment], result_bits);
     } else {
       total += part_of_panel(p, share, most_precision, exhausted);
     }
   }
   result_.account.panels = static_cast<long>(panels_.size());
   const bool better =
-      result_.enclosure.is_undefined() || total.radius() < result_.enclosure.radius();
+      result_.enclosure.is_undefined() || radius_of(total) < radius_of(result_.enclosure);
   if (better) result_.enclosure = total;
   return exhausted ? outcome::precision_exhausted : outcome::done;
 }
 
 /// The radius is at most 10^-digits of the size.
 bool integrator::reached(long digits, const magnitude& size) const {
-  const magnitude radius = result_.enclosure.radius();
+  const magnitude radius = radius_of(result_.enclosure);
   if (radius.is_infinite()) return false;
   return multiply_up(radius, pow(ball(10, 64), digits).magnitude_upper()) <= size;
 }
@@ -769,14 +835,14 @@ magnitude integrator::least_size() const {
   for (const panel& p : panels_) {
     const segment& s = segments_[p.segment];
     const precision wide = 96 + p.level;
-    const auto f = s.evaluator(wide);
+    const auto f = evaluator_of(s, wide);
     const ball piece = hull(ball(-1, wide), ball(1, wide));
     magnitude sum;
     for (long k = 1 - (1L << log2_pieces); k < 1L << log2_pieces; k += 2) {
       const ball t = p.centre + scale(piece + k, -p.level - 1 - log2_pieces);
       sum = add_down(sum, f(t).magnitude_lower());
     }
-    const magnitude mean = multiply_down(sum, s.scale(wide).magnitude_lower());
+    const magnitude mean = multiply_down(sum, scale_of(s, wide).magnitude_lower());
     size = add_down(size, scale(mean, -p.level - log2_pieces));
   }
   return size;
@@ -797,9 +863,9 @@ integrator::outcome integrator::estimate_size() {
   double samples = -1e18;
   double bound = -1e18;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto f = segments_[i].evaluator(64);
+    const auto f = evaluator_of(segments_[i], 64);
     for (long k = 1; k < 16; k += 2) {
-      const ball value = f(ball(rational(k, 16), 64));
+      const complex_ball value = f(ball(rational(k, 16), 64));
       if (value.is_bounded()) {
         samples =
             std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
@@ -808,7 +874,7 @@ integrator::outcome integrator::estimate_size() {
     for (long k = 5; k < 14; ++k) {  // a piece may have the most of its size near t = 0
       ball t(1, 64);
       scale(t, t, -k);
-      const ball value = f(t);
+      const complex_ball value = f(t);
       if (value.is_bounded()) {
         samples = std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] -
                                         static_cast<double>(k));
@@ -836,15 +902,17 @@ integrator::outcome integrator::estimate_size() {
   return outcome::done;
 }
 
-integral integrator::run() {
+contour_integral integrator::run() {
   const double log2_digits = static_cast<double>(options_.digits) * std::log2(10.0);
   for (const segment& s : segments_) {
     // With as many bits as tell a short range's ends apart.
     precision p = 64;
-    while (p < 40'000 && s.scale(p).magnitude_lower().is_zero()) p *= 2;
-    log2_scales_.push_back(approximate_log2(s.scale(p).magnitude_upper()));
+    while (p < 40'000 && scale_of(s, p).magnitude_lower().is_zero()) p *= 2;
+    log2_scales_.push_back(approximate_log2(scale_of(s, p).magnitude_upper()));
   }
-  deepest_ = options_.most_depth.value_or(static_cast<long>(420 + 1.1 * log2_digits));
+  // Along a path nothing is gained by coming nearer to a cut or a pole that is met.
+  const double least_depth = segments_.front().along ? 160 : 420;
+  deepest_ = options_.most_depth.value_or(static_cast<long>(least_depth + 1.1 * log2_digits));
   auto start = clock::now();
   outcome o = estimate_size();
   double log2_goal = log2_size_ - log2_digits;
@@ -874,7 +942,7 @@ integral integrator::run() {
       return result_;
     }
     result_.obstacle.clear();
-    const magnitude radius = result_.enclosure.radius();
+    const magnitude radius = radius_of(result_.enclosure);
     if (reached(options_.digits, result_.enclosure.magnitude_lower()) ||
         (options_.absolute_exponent &&
          radius <= magnitude::power_of_two(*options_.absolute_exponent))) {
@@ -918,6 +986,10 @@ region affine_map::operator()(const region& t) const {
 ball affine_map::operator()(const ball& t) const {
   const precision p = t.precision();
   return a_.at(p) + length(p) * t;
+}
+
+contour_integral integrate_segments(const preparation& prepared, const integrate_options& options) {
+  return integrator(prepared, options, {}).run();
 }
 
 integral integrate_function(const integrand& f, const limit& a, const limit& b,
@@ -968,7 +1040,8 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
       return result;
     }
     integrator work(prepared, options, known);
-    result = work.run();
+    const contour_integral found = work.run();
+    result = {found.enclosure.re, found.verdict, found.why, found.obstacle, found.account};
     if (!work.points_of_interest().empty() && known.size() < most_points) {
       for (const rational& q : work.points_of_interest()) {
         if (std::find(known.begin(), known.end(), q) != known.end()) continue;

@@ -2,6 +2,7 @@
 
 // From a function and its limits to analytic pieces: what happens at the ends.
 
+#include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::detail {
@@ -27,5 +28,9 @@ struct preparation {
 
 /// On both sides of q, f is known by a series, or is known to grow too fast there.
 [[nodiscard]] bool can_cut_at(const integrand& f, const rational& q);
+
+/// The sum of the integrals of the segments, and the remainder.
+[[nodiscard]] contour_integral integrate_segments(const preparation& prepared,
+                                                  const integrate_options& options);
 
 }  // namespace polhode::detail

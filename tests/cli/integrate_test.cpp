@@ -1,5 +1,6 @@
 // polhode integrate: what it prints, its verdicts and its exit statuses.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -178,6 +179,163 @@ TEST(Integrate, JsonHasTheEnclosureTheVerdictAndTheAccount) {
   const json reasons = json::parse(refused.out);
   EXPECT_EQ(reasons.at("verdict"), "not certified");
   EXPECT_EQ(reasons.at("reason"), "not integrable");
+}
+
+// Along paths in the complex plane.
+
+outcome along(const std::string& formula, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"integrate", formula};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run(arguments);
+}
+
+TEST(IntegrateAlong, PolygonsAndCircles) {
+  // (2/3) (z^(3/2) - 1), z = -1 + i: its modulus 2^(3/4) and angle 9 pi/8 give both parts.
+  const outcome root = along("sqrt(x)", {"--along", "1, 1+i, -1+i", "--digits", "30"});
+  EXPECT_EQ(root.status, 0) << root.err;
+  const auto part = [](const std::string& formula) {
+    return digits_of(run({"eval", formula, "--digits", "30"})) + "...\n";
+  };
+  EXPECT_EQ(root.out.rfind("real part      " + part("2/3*(2^(3/4)*cospi(9/8) - 1)") +
+                               "imaginary part " + part("2/3*2^(3/4)*sinpi(9/8)") + "certified: ",
+                           0),
+            0U)
+      << root.out;
+  const outcome residue =
+      along("exp(z)/z^3", {"--variable", "z", "--circle", "0, 1", "--digits", "20"});
+  EXPECT_EQ(residue.status, 0);
+  EXPECT_NE(residue.out.find("imaginary part 3.1415926535897932384..."), std::string::npos);
+  // A corner that begins with a minus sign, commas in parentheses, names, i in the integrand.
+  const outcome names =
+      along("exp(i*x)*k", {"--along", "-i, hypot(0, h), -1+i", "--let", "k=2", "--let", "h=1/3"});
+  EXPECT_EQ(names.status, 0) << names.err;
+  EXPECT_EQ(
+      along("x", {"--along", "1+i, 1+i"}).out.rfind("real part      0\nimaginary part 0\n", 0), 0U);
+}
+
+TEST(IntegrateAlong, RefusalsSayWhatIsInTheWayAndWhere) {
+  const outcome cut = along("sqrt(x)", {"--along", "-1-i, -1+i"});
+  EXPECT_EQ(cut.status, 1);
+  EXPECT_EQ(
+      cut.out.rfind("undefined\nnot certified: not analytic (the branch cut of sqrt near z = ", 0),
+      0U)
+      << cut.out;
+  EXPECT_EQ(along("1/x", {"--along", "-1-i, 1+i"}).status, 1);
+  for (const std::string formula : {"abs(x)", "x*max(x, 1)", "floor(x)"}) {
+    const outcome refused = along(formula, {"--along", "0, 1+i"});
+    EXPECT_EQ(refused.status, 1) << formula;
+    EXPECT_NE(refused.out.find("is not analytic in the complex plane"), std::string::npos);
+  }
+  EXPECT_EQ(along("x + abs(1-pi)", {"--along", "0, 1+i"}).status, 0);
+}
+
+TEST(IntegrateAlong, JsonHasBothParts) {
+  const outcome result = along("1/z", {"--variable", "z", "--circle", "0, 1", "--format", "json"});
+  const json document = json::parse(result.out);
+  EXPECT_EQ(document["verdict"], "certified");
+  EXPECT_EQ(document["circle"], "0, 1");
+  EXPECT_EQ(document["number"]["imaginary"]["digits"], 50);
+  EXPECT_FALSE(document.contains("from"));
+}
+
+// Parameters in intervals.
+
+TEST(IntegrateOverBox, TheRangeOfAnEllipticIntegral) {
+  const outcome result =
+      integrate("1/sqrt(1-m*sin(x)^2)", "0", "pi/2", {"--let", "m=[0.1, 0.2]", "--digits", "20"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  // K(m) = pi/(2 agm(1, sqrt(1-m))); 18 digits of each.
+  const auto k = [](const std::string& m) {
+    return digits_of(run({"eval", "pi/2/agm(1, sqrt(1-" + m + "))", "--digits", "18"}));
+  };
+  EXPECT_EQ(result.out.rfind("from " + k("0.1"), 0), 0U) << result.out;
+  EXPECT_NE(result.out.find("\n  to " + k("0.2")), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("both ends are attained"), std::string::npos);
+  const outcome parsed = integrate("exp(p*x)*cos(q*x)", "0", "1",
+                                   {"--let", "h=1/2", "--let", "p=[1, 2*h+0.1]", "--let",
+                                    "q=[-0.1, 0.1]", "--boxes", "8", "--format", "json"});
+  EXPECT_EQ(parsed.status, 0) << parsed.err;
+  const json document = json::parse(parsed.out);
+  EXPECT_EQ(document["range"]["attained"], false);
+  EXPECT_EQ(document["parameters"]["q"], "[-0.1, 0.1]");
+  EXPECT_LE(document["account"]["boxes"], 8);
+}
+
+TEST(IntegrateOverBox, EveryFunctionsDerivativeIsThatOfItsValues) {
+  // With G(a) for the integral of g and q for (G(1.001) - G(1))/0.001: G(a) - s a must be found to rise over
+  // [1, 1.001] for s a little below q, and to fall for s a little above it.
+  for (const std::string g : {"expm1(a*x)",         "log1p(a*x)",     "sinpi(a*x/9)",
+                              "cospi(a*x/9)",       "abs(a*x-9)",     "abs(a+x)",
+                              "min(a*x, 5)",        "min(5, a*x)",    "max(a*x, -5)",
+                              "max(-5, a*x)",       "hypot(a, x)",    "atan2(a, x+1)",
+                              "atan2(x+1, a)",      "(a+x)^3",        "(a+x)^a",
+                              "cbrt(a+x)",          "cbrt(a*x-9)",    "root(a+x, 4)",
+                              "erf(a*x)",           "erfc(a*x)",      "tan(a*x/2)",
+                              "asin(a*x/2)",        "acos(a*x/2)",    "atan(a*x)",
+                              "asinh(a*x)",         "acosh(a+x+1)",   "atanh(a*x/2)",
+                              "sinh(a*x)",          "cosh(a*x)",      "tanh(a*x)",
+                              "exp(a*x)/a",         "log(a+x)",       "sqrt(a+x)",
+                              "floor(a*x/3+0.1)+a", "a*ceil(x/3+0.1)"}) {
+    const auto over = [&](const std::string& formula, const std::string& a,
+                          const std::string& kind) {
+      const outcome o =
+          integrate(formula, "0", "1", {"--let", "a=" + a, "--digits", "18", "--format", "json"});
+      EXPECT_EQ(o.status, 0) << formula << o.out;
+      return json::parse(o.out).at(kind);
+    };
+    const auto end = [](const json& range, const std::string& which) {
+      return std::stod(range.at(which).get<std::string>());
+    };
+    const double quotient =
+        (end(over(g, "1.001", "number"), "lower") - end(over(g, "1", "number"), "lower")) * 1000;
+    const double margin = 0.05 * std::abs(quotient) + 0.002;
+    for (const int sign : {-1, 1}) {
+      const std::string tilted = g + " - (" + std::to_string(quotient + sign * margin) + ")*a";
+      const json range = over(tilted, "[1, 1.001]", "range");
+      EXPECT_TRUE(range.at("attained").get<bool>()) << tilted;
+      EXPECT_LE(end(range, "lower"), end(over(tilted, sign < 0 ? "1" : "1.001", "number"), "upper"))
+          << tilted;
+      EXPECT_GE(end(range, "upper"), end(over(tilted, sign < 0 ? "1.001" : "1", "number"), "lower"))
+          << tilted;
+    }
+  }
+}
+
+TEST(IntegrateOverBox, RefusedWhereItIsSingularForSomeParameter) {
+  const outcome result = integrate("1/(x+a)", "0", "1", {"--let", "a=[-1, 1]"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out.rfind("undefined\nnot certified: not analytic (the pole of /", 0), 0U)
+      << result.out;
+}
+
+TEST(IntegrateAlong, BadInputIsOneLineThatSaysWhatWouldBeRight) {
+  const auto expect_refusal = [](const outcome& result, const std::string& words) {
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+  };
+  expect_refusal(along("x", {}), "there is no range");
+  expect_refusal(along("x", {"--to", "1"}), "give both limits");
+  expect_refusal(along("x", {"--along", "0, 1", "--circle", "0, 1"}), "more than one range");
+  expect_refusal(along("x", {"--along", "0, 1", "--from", "0"}), "more than one range");
+  expect_refusal(along("x", {"--along", "1"}), "two points or more");
+  expect_refusal(along("x", {"--along", "1,,2"}), "the formula ends here");
+  expect_refusal(along("x", {"--along", ""}), "formula");
+  expect_refusal(along("x", {"--circle", "0"}), "CENTRE, RADIUS");
+  expect_refusal(along("x", {"--circle", "0, -1"}), "must not be negative");
+  expect_refusal(along("x", {"--circle", "0, i"}), "there is no \"i\"");
+  expect_refusal(along("x", {"--circle", "0, 1", "--let", "i=2"}), "i is the imaginary unit");
+  expect_refusal(along("i", {"--circle", "0, 1", "--variable", "i"}), "i is the imaginary unit");
+  expect_refusal(along("a*x", {"--circle", "0, 1", "--let", "a=[1, 2]"}), "--from and --to");
+  expect_refusal(integrate("x", "0", "1+i"), "there is no \"i\"");
+  expect_refusal(integrate("a*x", "0", "1", {"--let", "a=[2, 1]"}), "above the upper end");
+  expect_refusal(integrate("a*x", "0", "1", {"--let", "a=[1, 2"}), "[LOWER, UPPER]");
+  expect_refusal(integrate("a*x", "0", "1", {"--let", "a=[]"}), "[LOWER, UPPER]");
+  expect_refusal(integrate("a*x", "0", "1", {"--let", "a=[1, pi]"}), "rational");
+  expect_refusal(integrate("a*x", "0", "1", {"--let", "a=[1, 2]", "--boxes", "0"}),
+                 "--boxes \"0\"");
+  expect_refusal(run({"eval", "a", "--let", "a=[1, 2]"}), "in the value of a");
 }
 
 }  // namespace

@@ -223,15 +223,15 @@ class region {
   std::string_view where_;
 };
 
-// With exact numbers and with balls, which are real constants, rounded no worse than the region is.
+// With exact numbers, balls and complex balls, which are constants, rounded no worse than the region is.
 namespace detail {
 template <class N>
-concept region_constant = exact_number<N> || std::same_as<N, ball>;
+concept region_constant = exact_number<N> || std::same_as<N, ball> || std::same_as<N, complex_ball>;
 template <region_constant N>
 [[nodiscard]] region constant_region(const N& n, const region& like) {
-  if constexpr (std::same_as<N, ball>) {
+  if constexpr (!exact_number<N>) {
     if (like.is_in_hardware()) return region(n);
-    return region::in_balls({n, ball(0, n.precision())});
+    return region::in_balls(complex_ball(n));
   } else {
     if (!like.is_in_hardware()) {
       return region::in_balls({ball(n, like.precision()), ball(0, like.precision())});
@@ -282,5 +282,13 @@ template <rational_like N>
 [[nodiscard]] region pow(const region& z, const N& e) {
   return pow(z, detail::constant_region(e, z));
 }
+template <class N>
+requires std::same_as<N, ball> || std::same_as<N, complex_ball>
+[[nodiscard]] region pow(const region& z, const N& e) {
+  return pow(z, detail::constant_region(e, z));
+}
+
+/// i z.
+[[nodiscard]] inline region times_i(const region& z) { return complex_ball::i(64) * z; }
 
 }  // namespace polhode

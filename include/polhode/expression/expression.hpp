@@ -187,6 +187,9 @@ class expression {
   /// The base and the exponent where the value is a power of a rational number that is too long to be
   /// worked out (1e1000000).
   [[nodiscard]] std::optional<std::pair<rational, long>> exact_power() const;
+  /// A function of the variables in it that is not analytic in the complex plane: abs, min, max, floor or ceil. None
+  /// where there is none.
+  [[nodiscard]] std::optional<std::string_view> function_not_analytic() const;
   /// Operations that an evaluation does; a subexpression that occurs twice is computed once.
   [[nodiscard]] std::size_t operation_count() const;
   /// How many numbers an evaluation holds at once.

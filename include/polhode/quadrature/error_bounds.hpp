@@ -64,7 +64,7 @@ struct strip_bound {
 /// integral of T_k is -2/(k^2 - 1), and the rule, whose weights are positive with sum 2, is at most 2 in size.
 /// For even k >= 2n, k >= 4 the error is thus at most 2 + 2/15 = 32/15; the one case left, n = 1 and k = 2, has
 /// |2 T_2(0) + 2/3| = 4/3, which is less. So |G_n - I| <= (32/15) sum over k = 2n, 2n + 2, ... of 2 M rho^-k,
-/// which is the bound.
+/// which is the bound. Nothing in it asks for f to be real: the a_k may be complex numbers.
 ///
 /// Hypotheses: f is analytic inside the Bernstein ellipse |x - 1| + |x + 1| < rho + 1/rho, with |f| <= M there,
 /// which the caller has proved. A ball rho stands for its least member. The answer is an upper bound; it is

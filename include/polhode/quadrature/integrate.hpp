@@ -97,6 +97,15 @@ struct known_bound {
   bool everywhere = false;  // the rectangle lies wholly in the set
 };
 
+/// What a segment has in place of `evaluator`, `scale` and `position` where F is not real for real t: that of a
+/// path's piece.
+struct complex_piece {
+  std::function<std::function<complex_ball(const ball& t)>(precision p)> evaluator;
+  std::function<complex_ball(precision)> scale;
+  std::function<complex_ball(const ball& t)> position;
+  magnitude size;  // about that of the numbers whose sums the points are
+};
+
 /// The integral of one analytic piece: scale times the integral of F(t) over 0 <= t <= 1.
 struct segment {
   std::function<region(const region& t)> over;
@@ -113,6 +122,9 @@ struct segment {
   /// Not empty where F(t + 1) = F(t) near t = 0, or F is even about t = 0 and about t = 1, if it is analytic there
   /// (see mean_trapezoid_error): makes, for n and p, what makes a function of k that gives F((k + 1/2)/n) with p bits.
   std::function<std::function<std::function<ball(long k)>()>(long n, precision p)> equidistant;
+  /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of ellipses are
+  /// looked at too.
+  std::optional<complex_piece> along = std::nullopt;
 };
 
 /// A generic function, in the arithmetics that the library needs.
@@ -129,7 +141,7 @@ struct integrand {
   std::function<recorded(const recorded& x, precision p)> record;
 };
 
-/// f's function object for real arguments with p bits: f itself, or what it makes for the purpose.
+/// f's function object for arguments of type T with p bits: f itself, or what it makes for the purpose.
 template <class T, class F>
 [[nodiscard]] auto evaluator_of(const F& f, precision p) {
   if constexpr (requires { f.template evaluator<T>(p); }) {

@@ -1,0 +1,150 @@
+#pragma once
+
+// Integrals along paths in the complex plane, with a proof.
+//
+//   const auto f = [](const auto& z) { return exp(z) / pow(z, 3); };
+//   contour_integral i = integrate_along(f, path::circle(0, 1), {.digits = 50});   // pi i
+//
+// f is one generic function, as for `integrate`. It is called with a `region`, to prove where it is analytic and how
+// large it is there, and with an `analytic_ball` at the nodes: a complex ball without what is not analytic.
+//
+// What is proved: f, with the branch cuts that complex_ball.hpp and region.hpp say its functions have, is analytic on
+// a neighbourhood of every piece of the path but for the piece's ends. A path that crosses a cut, or runs along one, or
+// through a pole, is refused. At an end of a piece f need not be analytic where it is bounded (sqrt(z) at 0, or at -1).
+// How: integrate.hpp says; the ellipses around a panel are covered wholly, for f is not real on it.
+
+#include <concepts>
+#include <functional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "polhode/arithmetic/analytic_ball.hpp"
+#include "polhode/quadrature/integrate.hpp"
+
+namespace polhode {
+
+/// A point of the complex plane: exact, a set, or a number that can be had to any precision.
+class path_point {
+ public:
+  /// re + im i. What is a limit is a part: an exact number, a ball, a function of the precision. Throws
+  /// std::invalid_argument where a part is infinite.
+  template <class N>
+  requires std::convertible_to<const N&, limit> path_point(
+      const N& re)  // NOLINT(google-explicit-constructor): exact, or the same set
+      : path_point(limit(re), limit(0)) {}
+  path_point(limit re, limit im);
+  /// The set z, whose width the result cannot fall below.
+  path_point(const complex_ball& z)  // NOLINT(google-explicit-constructor): the same set
+      : path_point(limit(z.re), limit(z.im)) {}
+  /// A number that at(p) encloses with p bits.
+  explicit path_point(std::function<complex_ball(precision)> at)
+      : re_([at](precision p) { return at(p).re; }), im_([at](precision p) { return at(p).im; }) {}
+
+  [[nodiscard]] complex_ball at(precision p) const { return {re_.at(p), im_.at(p)}; }
+  [[nodiscard]] const limit& re() const { return re_; }
+  [[nodiscard]] const limit& im() const { return im_; }
+
+ private:
+  limit re_;
+  limit im_;
+};
+
+/// The straight line between two points.
+struct line_piece {
+  path_point from;
+  path_point to;
+};
+/// centre + radius e^(i angle), from one angle to the other, which may be the smaller one. A negative radius is that
+/// of the opposite arc.
+struct arc_piece {
+  path_point centre;
+  limit radius;
+  limit from_angle;
+  limit to_angle;
+};
+using path_piece = std::variant<line_piece, arc_piece>;
+
+/// Pieces one after the other. They need not meet: the integral is the sum of theirs.
+class path {
+ public:
+  /// No piece: every integral is 0.
+  path() = default;
+  [[nodiscard]] static path line(path_point from, path_point to);
+  /// Straight lines from each point to the next; give the first one again at the end to close it.
+  [[nodiscard]] static path polygon(const std::vector<path_point>& points);
+  [[nodiscard]] static path arc(path_point centre, limit radius, limit from_angle, limit to_angle);
+  /// Once around, counterclockwise, from centre + radius.
+  [[nodiscard]] static path circle(path_point centre, limit radius);
+
+  [[nodiscard]] const std::vector<path_piece>& pieces() const { return pieces_; }
+  /// The one and then the other.
+  friend path operator+(path first, const path& second);
+  /// The other way round: every integral changes its sign.
+  friend path operator-(const path& reversed);
+
+ private:
+  std::vector<path_piece> pieces_;
+};
+
+/// An integral along a path with its proof, or how far it got.
+struct contour_integral {
+  /// Holds the integral, whatever the verdict; undefined where nothing is proved.
+  complex_ball enclosure = complex_ball::undefined(64);
+  status verdict = status::not_certified;
+  reason why = reason::none;
+  /// What stood in the way and where, in words; empty where it is certified.
+  std::string obstacle;
+  integral_account account;
+};
+
+namespace detail {
+
+/// A generic function of complex numbers, in the arithmetics that the library needs.
+struct complex_integrand {
+  std::function<region(const region& z)> over;
+  std::function<std::function<complex_ball(const complex_ball& z)>(precision p)> evaluator;
+};
+
+/// The value of f, also where f is constant and answers with a number.
+template <class V>
+[[nodiscard]] complex_ball complex_value(V&& value, precision p) {
+  using type = std::remove_cvref_t<V>;
+  if constexpr (std::same_as<type, analytic_ball>) {
+    return std::forward<V>(value).value();
+  } else if constexpr (std::same_as<type, complex_ball> || std::same_as<type, ball>) {
+    return complex_ball(std::forward<V>(value));
+  } else {
+    return complex_ball(value, p);
+  }
+}
+
+template <class F>
+[[nodiscard]] complex_integrand make_complex_integrand(const F& f) {
+  complex_integrand result;
+  result.over = [f](const region& z) { return value_as<region>(f(z), z); };
+  result.evaluator = [f](precision p) -> std::function<complex_ball(const complex_ball&)> {
+    return [g = evaluator_of<analytic_ball>(f, p), p](const complex_ball& z) {
+      return complex_value(g(analytic_ball(z)), p);
+    };
+  };
+  return result;
+}
+
+[[nodiscard]] contour_integral integrate_path(const complex_integrand& f, const path& along,
+                                              const integrate_options& options);
+
+}  // namespace detail
+
+/// The integral of f(z) dz along a path. Each part of the enclosure has a radius of at most 10^-options.digits of the
+/// integral's size, or of that which options says, where it is certified. Verdicts as of `integrate`; not_analytic
+/// says which function is in the way, and near which z. A piece without length (equal exact points, radius 0, equal
+/// angles) adds 0, and f is not asked there. Throws std::invalid_argument for options.digits < 1.
+template <class F>
+[[nodiscard]] contour_integral integrate_along(const F& f, const path& along,
+                                               const integrate_options& options = {}) {
+  return detail::integrate_path(detail::make_complex_integrand(f), along, options);
+}
+
+}  // namespace polhode

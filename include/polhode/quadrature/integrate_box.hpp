@@ -1,0 +1,213 @@
+#pragma once
+
+// Integrals of functions with parameters that are known as intervals.
+//
+//   const auto f = [](const auto& x, const auto& p) { return exp(p[0] * x); };
+//   box_integral i = integrate_box(f, 0, 1, {{1, rational(11, 10)}}, {.digits = 20});
+//
+// holds { integral of f(x, p) dx from a to b : p in the box }. With I(p) for the integral and P for the box, three
+// enclosures are made and what they have in common is returned:
+//
+//   direct:      f is integrated with the parameters as sets. Its excess is of the order of the widths.
+//   mean value:  I(q) + sum over i of D_i (P_i - q_i), q the middle of P and D_i an enclosure of the integrals of
+//                df/dp_i over all p in P. Its excess is of the order of the widths' squares.
+//   monotone:    where D_i has no negative member, or no positive one, P_i is replaced by its end with the least, and
+//                that with the greatest, I. Where all D_i are so, both ends of the enclosure are integrals at points.
+//
+// Proof of the second: let p be in P, and p(s) = q + s (p - q). For every x between a and b, f(x, p(s)) is a function of
+// s with a bounded derivative, the sum of df/dp_i (p_i - q_i), so f(x, p) - f(x, q) is its integral over 0 <= s <= 1.
+// Integrate over x and exchange the integrals (Fubini; the integrand is bounded and piecewise analytic):
+// I(p) - I(q) = sum of (p_i - q_i) times the mean over s of the integral of df/dp_i(x, p(s)) dx, which is in D_i for
+// every s; D_i is an interval, so the mean is in it. With q any other point of P that differs from p in p_i alone, it is
+// the third. What it asks for is proved, not assumed: the derivatives are jets' (jet.hpp) over regions and balls, which are
+// not analytic, or undefined, where f is not differentiable by p_i somewhere in P, and those of an f that itself
+// is not analytic there are refused here. Where an integral of a derivative is not had, the direct enclosure stands alone.
+//
+// f(x, p) is one generic function, as for `integrate`; p has the parameters as p[0], p[1], ... of x's type, which may be
+// a jet too: pow(x, n) with whole n only, exp(e * log(x)) for other powers, and no abs, min, max, floor or ceil.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/jet.hpp"
+#include "polhode/quadrature/integrate.hpp"
+
+namespace polhode {
+
+/// The numbers from lower to upper, which are exact.
+class parameter_range {
+ public:
+  /// Throws std::invalid_argument where lower > upper.
+  parameter_range(rational lower, rational upper);
+  /// One number.
+  parameter_range(const rational& value)  // NOLINT(google-explicit-constructor): exact
+      : parameter_range(value, value) {}
+  template <machine_integer N>
+  parameter_range(N value)  // NOLINT(google-explicit-constructor): exact
+      : parameter_range(rational(value)) {}
+  /// The set x. Throws std::invalid_argument where it is not bounded.
+  parameter_range(const ball& x);  // NOLINT(google-explicit-constructor): the same set
+
+  [[nodiscard]] const rational& lower() const { return lower_; }
+  [[nodiscard]] const rational& upper() const { return upper_; }
+  [[nodiscard]] bool is_point() const { return lower_ == upper_; }
+  [[nodiscard]] rational middle() const { return (lower_ + upper_) / 2; }
+  [[nodiscard]] rational width() const { return upper_ - lower_; }
+  /// All of it, with p bits.
+  [[nodiscard]] ball enclosure(precision p) const;
+
+ private:
+  rational lower_;
+  rational upper_;
+};
+
+struct box_options {
+  /// Of the integrals at points.
+  long digits = 15;
+  /// The box is cut, where that promises most, into so many at most.
+  long most_boxes = 1;
+  /// Of each integral.
+  long most_evaluations = 20'000'000;
+};
+
+struct box_integral {
+  /// Holds the integral for every p in the box, whatever the verdict; undefined where nothing is proved.
+  ball enclosure = ball::undefined(64);
+  /// certified: the enclosure is bounded and proved. How near its ends are to the least and the greatest integral is not
+  /// promised, but where `attained` says so.
+  status verdict = status::not_certified;
+  reason why = reason::none;
+  std::string obstacle;
+  /// I was proved monotone in every parameter (on every box, where it was cut): each end of the enclosure is the least, or
+  /// greatest, integral, to 10^-digits of it.
+  bool attained = false;
+  long boxes = 0;      // that make up the result
+  long integrals = 0;  // that were computed for it
+};
+
+namespace detail {
+
+using parameter_box = std::vector<parameter_range>;
+
+/// A function of x and of parameters, in the arithmetics that the library needs.
+struct parametric_integrand {
+  /// With the parameters as sets: x -> f(x, P).
+  std::function<integrand(const parameter_box& box)> over_box;
+  /// x -> df/dp_i(x, P), not analytic or undefined where f is.
+  std::function<integrand(const parameter_box& box, std::size_t i)> derivative;
+};
+
+/// P's sides as T, of the kind and precision of x.
+template <class T>
+[[nodiscard]] std::vector<T> parameters_like(const parameter_box& box, const T& x) {
+  std::vector<T> result;
+  for (const parameter_range& side : box) {
+    if constexpr (std::same_as<T, ball>) {
+      result.push_back(side.enclosure(x.precision()));
+    } else if constexpr (std::same_as<T, region>) {
+      const precision p = x.is_in_hardware() ? 64 : x.precision();
+      result.push_back(side.is_point() ? constant_region(side.lower(), x)
+                                       : constant_region(side.enclosure(p), x));
+    } else {
+      result.push_back(side.is_point() ? x.constant_like(side.lower())
+                                       : x.constant_like(side.enclosure(192)));
+    }
+  }
+  return result;
+}
+
+/// {x, P} as jets by p_i.
+template <class T>
+struct jets_by_parameter {
+  using series = jet<T, 1>;
+  jets_by_parameter(const T& x, const std::vector<T>& box, std::size_t i)
+      : argument(series::constant(x)) {
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      parameters.push_back(k == i ? series::variable(box[k]) : series::constant(box[k]));
+    }
+  }
+  series argument;
+  std::vector<series> parameters;
+};
+
+/// The derivative in a jet, where the function is proved differentiable.
+[[nodiscard]] inline region slope_of(const jet<region, 1>& y) {
+  return y[0].is_analytic() ? y[1] : y[0];
+}
+[[nodiscard]] inline ball slope_of(const jet<ball, 1>& y) {
+  return y[0].is_bounded() ? y[1] : ball::undefined(y[0].precision());
+}
+
+/// An integrand that is known at balls and over regions only: g(x) for either.
+template <class G>
+[[nodiscard]] integrand integrand_without_series(const G& g) {
+  static constexpr std::string_view name = "a derivative by a parameter";
+  integrand result;
+  result.over = g;
+  result.evaluator = [g](precision) -> std::function<ball(const ball&)> { return g; };
+  result.near_end = [](const end_series& x) { return x.blocked(name); };
+  result.near_infinity = [](const tail_series& x) { return x.blocked(name); };
+  return result;
+}
+
+/// x -> f(x, P).
+template <class F>
+struct with_parameters {
+  F f;
+  parameter_box box;
+
+  template <class T>
+  [[nodiscard]] auto operator()(const T& x) const {
+    return f(x, parameters_like(box, x));
+  }
+  template <std::same_as<ball> T>
+  [[nodiscard]] auto evaluator(precision p) const {
+    return [f = f, parameters = parameters_like(box, ball(0, p))](const T& x) {
+      return f(x, parameters);
+    };
+  }
+};
+
+template <class F>
+[[nodiscard]] parametric_integrand make_parametric_integrand(const F& f) {
+  parametric_integrand result;
+  result.over_box = [f](const parameter_box& box) {
+    return make_integrand(with_parameters<F>{f, box});
+  };
+  result.derivative = [f](const parameter_box& box, std::size_t i) {
+    return integrand_without_series([f, box, i](const auto& x) {
+      using T = std::remove_cvref_t<decltype(x)>;
+      const jets_by_parameter<T> jets(x, parameters_like(box, x), i);
+      const auto y = f(jets.argument, jets.parameters);
+      if constexpr (is_jet<std::remove_cvref_t<decltype(y)>>::value) {
+        return slope_of(y);
+      } else {
+        return zero_like(x);  // a constant
+      }
+    });
+  };
+  return result;
+}
+
+[[nodiscard]] box_integral integrate_function_over_box(const parametric_integrand& f,
+                                                       const limit& a, const limit& b,
+                                                       const parameter_box& box,
+                                                       const box_options& options);
+
+}  // namespace detail
+
+/// Encloses the integral of f(x, p) dx from a to b for every p in the box. Refused, with the reason and the
+/// obstacle that `integrate` met, where f is not proved integrable for every p in it. Throws
+/// std::invalid_argument for digits or most_boxes below 1, and as `integrate` does.
+template <class F>
+[[nodiscard]] box_integral integrate_box(const F& f, const limit& a, const limit& b,
+                                         const std::vector<parameter_range>& box,
+                                         const box_options& options = {}) {
+  return detail::integrate_function_over_box(detail::make_parametric_integrand(f), a, b, box,
+                                             options);
+}
+
+}  // namespace polhode
