@@ -381,6 +381,29 @@ TEST(SymmetricIntegral, OfRandomTrigonometricFunctionsIsThatOverTheHalves) {
   }
 }
 
+// |sin| and |cos| are even about both limits, but their analytic pieces are not.
+TEST(SymmetricIntegral, OfPiecesIsNotThatOfTheirContinuations) {
+  const integrate_options options{.digits = 40};
+  const auto is = [](const integral& i, long value) {
+    EXPECT_EQ(i.verdict, status::certified) << i.obstacle;
+    EXPECT_TRUE(contains(i.enclosure, ball(value, 64))) << i.enclosure;
+  };
+  const auto sine = [](const auto& x) { return abs(sin(x)); };
+  const auto cosine = [](const auto& x) { return abs(cos(x)); };
+  const limit half = limit::pi(rational(1, 2));
+  is(integrate(sine, 0, limit::pi(), options), 2);
+  is(integrate(sine, -limit::pi(), limit::pi(), options), 4);
+  is(integrate(sine, half, limit::pi(rational(3, 2)), options), 2);
+  is(integrate(cosine, 0, limit::pi(), options), 2);
+  is(integrate(cosine, -half, half, options), 2);
+  is(integrate([](const auto& x) { return max(sin(x), -sin(x)); }, 0, limit::pi(2), options), 4);
+  is(integrate([](const auto& x) { return sin(x) * floor(1 + sin(x)); }, 0, limit::pi(2), options),
+     2);
+  is(integrate([](const auto& x) { return abs(sin(x)); }, 0, limit::pi(),
+               {.digits = 20, .rule = quadrature_rule::gauss_legendre}),
+     2);
+}
+
 TEST(SymmetricIntegral, BetweenEqualLimitsIsZero) {
   const auto f = [](const auto& x) { return cos(x); };
   EXPECT_TRUE(integrate(f, limit::pi(), limit::pi()).enclosure.is_exact());

@@ -105,8 +105,10 @@ template <class T>
 [[nodiscard]] std::vector<T> parameters_like(const parameter_box& box, const T& x) {
   std::vector<T> result;
   for (const parameter_range& side : box) {
-    if constexpr (std::same_as<T, ball>) {
-      result.push_back(side.enclosure(x.precision()));
+    if constexpr (std::same_as<T, ball> || std::same_as<T, angle>) {
+      result.push_back(T(side.enclosure(x.precision())));
+    } else if constexpr (std::same_as<T, symmetry>) {
+      result.push_back(side.is_point() ? symmetry(side.lower()) : symmetry::some_constant());
     } else if constexpr (std::same_as<T, region>) {
       const precision p = x.is_in_hardware() ? 64 : x.precision();
       result.push_back(side.is_point() ? constant_region(side.lower(), x)
