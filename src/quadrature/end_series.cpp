@@ -21,12 +21,26 @@ namespace detail {
 
 void exact_ball::forget_if_long() {
   constexpr std::size_t most_bits = 4096;
-  if (!exact_) return;
-  if (mpz_sizeinbase(mpq_numref(exact_->backend().data()), 2) > most_bits ||
-      mpz_sizeinbase(mpq_denref(exact_->backend().data()), 2) > most_bits) {
-    exact_.reset();
-  }
+  const auto is_long = [](const rational& q) {
+    return mpz_sizeinbase(mpq_numref(q.backend().data()), 2) > most_bits ||
+           mpz_sizeinbase(mpq_denref(q.backend().data()), 2) > most_bits;
+  };
+  if (exact_ && is_long(*exact_)) exact_.reset();
+  if (form_ && (is_long(form_->q) || is_long(form_->r))) form_.reset();
 }
+
+namespace {
+/// sin(r pi) where it is 0, 1 or -1.
+std::optional<rational> sine_of_turns(const rational& r) {
+  const rational halves = 2 * r;  // quarter turns
+  if (denominator(halves) != 1) return std::nullopt;
+  const integer n = numerator(halves);
+  if (n % 2 == 0) return 0;
+  // n = 1 modulo 4, or 3, which is -1.
+  const integer rest = n % 4;
+  return rest == 1 || rest == -3 ? 1 : -1;
+}
+}  // namespace
 
 exact_ball sqrt(const exact_ball& x) {
   if (x.exact() && *x.exact() >= 0) {
@@ -47,8 +61,6 @@ exact_ball sqrt(const exact_ball& x) {
   }
 POLHODE_EXACT_AT(exp, 0, 1)
 POLHODE_EXACT_AT(log, 1, 0)
-POLHODE_EXACT_AT(sin, 0, 0)
-POLHODE_EXACT_AT(cos, 0, 1)
 POLHODE_EXACT_AT(tan, 0, 0)
 POLHODE_EXACT_AT(asin, 0, 0)
 POLHODE_EXACT_AT(acos, 1, 0)
@@ -60,6 +72,20 @@ POLHODE_EXACT_AT(asinh, 0, 0)
 POLHODE_EXACT_AT(acosh, 1, 0)
 POLHODE_EXACT_AT(atanh, 0, 0)
 #undef POLHODE_EXACT_AT
+
+// At multiples of pi/2 exactly.
+exact_ball sin(const exact_ball& x) {
+  if (const auto form = x.form(); form && form->q == 0) {
+    if (const auto value = sine_of_turns(form->r)) return exact_ball(*value);
+  }
+  return exact_ball(sin(x.enclosure()));
+}
+exact_ball cos(const exact_ball& x) {
+  if (const auto form = x.form(); form && form->q == 0) {
+    if (const auto value = sine_of_turns(form->r + rational(1, 2))) return exact_ball(*value);
+  }
+  return exact_ball(cos(x.enclosure()));
+}
 
 }  // namespace detail
 
@@ -396,11 +422,18 @@ end_series exp(const end_series& x) {
   }
 POLHODE_REGULAR(sin)
 POLHODE_REGULAR(cos)
-POLHODE_REGULAR(tan)
 POLHODE_REGULAR(sinh)
 POLHODE_REGULAR(cosh)
 POLHODE_REGULAR(tanh)
 #undef POLHODE_REGULAR
+
+/// Also at a pole, by the quotient.
+end_series tan(const end_series& x) {
+  end_series r = end_series::regular(x, "tan", [](const auto& g) { return tan(g); });
+  if (!r.blocked_ || x.blocked_) return r;
+  end_series quotient = sin(x) / cos(x);
+  return quotient.blocked_ ? r.with_any_remedy() : quotient;
+}
 
 // At infinity: atan w = +-pi/2 - atan(1/w), and asinh w = +-log(|w| + sqrt(w^2 + 1)), with the sign of w.
 end_series atan(const end_series& x) {

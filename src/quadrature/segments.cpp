@@ -53,7 +53,7 @@ end_plan plan_from_series(const end_series& series, long q, double r) {
 }
 
 exact_ball exactly(const limit& x) {
-  return x.is_exact() ? exact_ball(x.exact_value()) : exact_ball(x.at(192));
+  return x.form() ? exact_ball(*x.form()) : exact_ball(x.at(192));
 }
 
 /// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which its series is
@@ -326,9 +326,7 @@ segment regular_segment(const integrand& f, const limit& a, const limit& b) {
 }
 
 limit sum_of(const limit& a, const limit& b, const rational& factor) {
-  if (a.is_exact() && b.is_exact()) {
-    return limit(rational(a.exact_value() + b.exact_value() * factor));
-  }
+  if (a.form() && b.form()) return limit(*a.form() + *b.form() * factor);
   return limit([=](precision p) { return a.at(p) + b.at(p) * factor; });
 }
 limit difference(const limit& a, const limit& b) { return sum_of(a, -b, 1); }

@@ -552,6 +552,38 @@ TEST(Integrate, RefusesPolesInsideAndNamesThem) {
 }
 
 // What is not in the range is not held against it.
+// At a multiple of pi, sin and cos are 0 exactly.
+TEST(Integrate, IsSingularAtMultiplesOfPi) {
+  const auto is = [](const auto& f, const limit& a, const limit& b, const auto& value) {
+    const integral i = integrate(f, a, b, {.digits = 40});
+    EXPECT_EQ(i.verdict, status::certified) << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, value(200))) << i.enclosure;
+  };
+  const limit half = limit::pi(rational(1, 2));
+  const auto minus_pi_log_2 = [](precision p) { return -pi(p) * log(number(2, p)); };
+  is([](const auto& x) { return log(sin(x)); }, 0, limit::pi(), minus_pi_log_2);
+  is([](const auto& x) { return log(square(cos(x))); }, 0, half, minus_pi_log_2);
+  // DLMF 5.12.2: the integral of sin^(2a-1) cos^(2b-1) over (0, pi/2) is B(a, b)/2.
+  is([](const auto& x) { return sqrt(tan(x)); }, 0, half,
+     [](precision p) { return pi(p) / sqrt(number(2, p)); });
+  is([](const auto& x) { return sqrt(sin(x)); }, 0, limit::pi(),
+     [](precision p) {
+       return gamma_at(rational(3, 4), p) * sqrt(pi(p)) / gamma_at(rational(5, 4), p);
+     });
+  is([](const auto& x) { return 1 / sqrt(-cos(x)); }, half, limit::pi(),
+     [](precision p) {
+       return gamma_at(rational(1, 4), p) * sqrt(pi(p)) / gamma_at(rational(3, 4), p) / 2;
+     });
+  const integral pole = integrate([](const auto& x) { return tan(x); }, 0, half);
+  EXPECT_EQ(pole.why, reason::not_integrable);
+  const integral beside = integrate([](const auto& x) { return 1 / sin(x); }, 1, limit::pi(3));
+  EXPECT_NE(beside.verdict, status::certified);
+  // Not a multiple of pi, if not far from one.
+  const limit near([](precision p) { return pi(p) + scale(number(1, p), -200); });
+  EXPECT_NE(integrate([](const auto& x) { return 1 / sin(x); }, 3, near).verdict,
+            status::certified);
+}
+
 TEST(Integrate, LooksOnlyBetweenTheLimits) {
   const rational pole = boost::multiprecision::pow(integer(2), 41);
   const auto f = [=](const auto& x) { return 1 / square(x - pole); };

@@ -30,13 +30,14 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
+#include "polhode/quadrature/pi_combination.hpp"
 
 namespace polhode {
 
 namespace detail {
 
-/// A real number by an enclosure, and exactly where it is known to be a rational of moderate size: what
-/// decides whether a coefficient is 0.
+/// A real number by an enclosure, and exactly where it is known to be a rational of moderate size, or such a
+/// combination of 1 and pi: what decides whether a coefficient is 0.
 class exact_ball {
  public:
   static constexpr precision bits = 128;
@@ -48,15 +49,32 @@ class exact_ball {
     forget_if_long();
   }
 
+  explicit exact_ball(const pi_combination& x) : enclosure_(x.at(bits)) {
+    if (x.is_rational()) {
+      exact_ = x.q;
+    } else {
+      form_ = x;
+    }
+    forget_if_long();
+  }
+
+  /// The rational number that it is known to be.
   [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
+  /// The number q + r pi that it is known to be.
+  [[nodiscard]] std::optional<pi_combination> form() const {
+    if (exact_) return pi_combination{*exact_, 0};
+    return form_;
+  }
   [[nodiscard]] const ball& enclosure() const { return enclosure_; }
   [[nodiscard]] bool is_zero() const { return exact_ && *exact_ == 0; }
 
   friend exact_ball operator-(const exact_ball& x) {
+    if (x.form_) return exact_ball(-*x.form_);
     return x.exact_ ? exact_ball(rational(-*x.exact_)) : exact_ball(-x.enclosure_);
   }
   friend exact_ball operator+(const exact_ball& x, const exact_ball& y) {
     if (x.exact_ && y.exact_) return exact_ball(rational(*x.exact_ + *y.exact_));
+    if (const auto a = x.form(), b = y.form(); a && b) return exact_ball(*a + *b);
     return exact_ball(x.enclosure_ + y.enclosure_);
   }
   friend exact_ball operator-(const exact_ball& x, const exact_ball& y) { return x + (-y); }
@@ -64,11 +82,15 @@ class exact_ball {
     if (x.exact_ && y.exact_) return exact_ball(rational(*x.exact_ * *y.exact_));
     const bool defined = !x.enclosure_.is_undefined() && !y.enclosure_.is_undefined();
     if (defined && (x.is_zero() || y.is_zero())) return exact_ball(rational(0));
+    if (x.form_ && y.exact_) return exact_ball(*x.form_ * *y.exact_);
+    if (y.form_ && x.exact_) return exact_ball(*y.form_ * *x.exact_);
     return exact_ball(x.enclosure_ * y.enclosure_);
   }
   /// Undefined where y may be 0.
   friend exact_ball operator/(const exact_ball& x, const exact_ball& y) {
     if (x.exact_ && y.exact_ && *y.exact_ != 0) return exact_ball(rational(*x.exact_ / *y.exact_));
+    if (x.form_ && y.exact_ && *y.exact_ != 0)
+      return exact_ball(*x.form_ * rational(1 / *y.exact_));
     return exact_ball(x.enclosure_ / y.enclosure_);
   }
   exact_ball& operator+=(const exact_ball& y) { return *this = *this + y; }
@@ -81,6 +103,7 @@ class exact_ball {
   void forget_if_long();
 
   std::optional<rational> exact_;
+  std::optional<pi_combination> form_;  // where r != 0
   ball enclosure_;
 };
 
