@@ -15,9 +15,11 @@ namespace polhode {
 
 /// What is proved about the roots of f in a box.
 enum class root_verdict {
-  unique,     // there is exactly one, it is simple, and the enclosure holds it
-  none,       // there is none
-  unresolved  // neither is proved
+  unique,        // there is exactly one, it is simple, and the enclosure holds it
+  multiple,      // there is exactly one, and its multiplicity is proved to be 2 or more
+  at_least_one,  // there is one; that it is the only one is not proved
+  none,          // there is none
+  unresolved     // nothing is proved: none, one or more
 };
 
 [[nodiscard]] std::string to_text(root_verdict v);
