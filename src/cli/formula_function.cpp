@@ -65,7 +65,7 @@ struct supplement<function_structure> {
   POLHODE_SUPPLEMENTED_TWO(hypot, on_balls::hypot)
   POLHODE_SUPPLEMENTED_TWO(agm, on_balls::agm)
   POLHODE_SUPPLEMENTED_TWO(atan2, on_balls::atan2)
-  POLHODE_SUPPLEMENTED_TWO(power, on_balls::power)
+  POLHODE_SUPPLEMENTED_TWO(power, natural_power)
   static function_structure abs(const function_structure& x) { return size_of(x); }
   static function_structure floor(const function_structure& x) { return step_below(x); }
   static function_structure ceil(const function_structure& x) { return step_above(x); }
@@ -86,7 +86,12 @@ struct supplement<function_structure> {
         [n](const ball& t) {
           return natural_domain::root(t, static_cast<unsigned long>(n));
         },
-        nullptr);
+        [n](const series& t) {
+          const known_number value = t[0].is_exactly(0) || t[0].is_exactly(1)
+                                         ? t[0]
+                                         : known_number(on_balls::root(t[0].enclosure(), n));
+          return function_structure::value_alone(t, value);
+        });
   }
 };
 #undef POLHODE_SUPPLEMENTED

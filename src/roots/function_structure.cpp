@@ -3,7 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "polhode/arithmetic/boost_bridge.hpp"
+
 namespace polhode {
+
+std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
+  const bool some_positive = !x.is_undefined() && upper(x) > 0;
+  const bool none_negative = !x.is_undefined() && lower(x) >= 0;
+  // Of negative numbers, and of 0 alone, the whole powers are defined too.
+  if (!some_positive || !none_negative) return pow(x, y);
+  return natural_domain::pow(x, y);
+}
 
 using detail::known_number;
 using product = function_structure::product;
@@ -319,7 +329,7 @@ function_structure max(const function_structure& x, const function_structure& y)
 function_structure pow(const function_structure& x, const function_structure& y) {
   return function_structure::applied_to_two(
       x, y, [](const auto& s, const auto& t) { return pow(s, t); },
-      [](const ball& s, const ball& t) { return natural_domain::pow(s, t); });
+      [](const ball& s, const ball& t) { return detail::natural_power(s, t); });
 }
 
 }  // namespace polhode

@@ -75,14 +75,20 @@ struct root_problem {
 struct found_root {
   root_region region;
   std::size_t problem = 0;
+  double_interval about;  // holds the region's box
 };
 
-/// g(x) for the factor with that id in the numerator of f's structure.
+/// g(x) for the factor with that id in the numerator, or the denominator, of f's structure.
 real_function factor_of(const real_function& f, long id) {
   const auto slope = [f, id](const ball& x) {
     const auto s = f.structure(function_structure::variable(x, x.middle()));
     for (const auto& g : s->numerator().factors) {
       if (g.id == id) return g.over;
+    }
+    if (s->denominator()) {
+      for (const auto& g : s->denominator()->factors) {
+        if (g.id == id) return g.over;
+      }
     }
     return jet<ball, 1>::constant(ball::undefined(x.precision()));
   };
@@ -130,6 +136,71 @@ struct root_search::state {
 
 namespace {
 
+/// f and f' over X by Taylor's formula about m, cut with what is known of them:
+///   f(x) = sum over k < n of f_k(m) h^k + f_n(t) h^n, h = x - m, t in X, and f'(x) = sum of k f_k(m) h^(k-1)
+///   + n f_n(t') h^(n-1): the derivative's coefficients are k f_k, and f_n over X bounds its last one.
+struct enclosed_function {
+  ball value;
+  ball slope;
+};
+enclosed_function taylor(const series_type& at_middle, const series_type& over,
+                                const ball& h) {
+  const int n = over.order();
+  enclosed_function r{over[n] * pow(h, n), n * over[n] * pow(h, n - 1)};
+  for (int k = n - 1; k >= 0; --k) {
+    r.value += at_middle[k] * pow(h, k);
+    if (k >= 1) r.slope += k * at_middle[k] * pow(h, k - 1);
+  }
+  const auto cut = [](const ball& plain, const ball& formula) {
+    if (formula.is_undefined()) return plain;
+    const ball both = intersection(plain, formula);
+    return both.is_undefined() ? plain : both;
+  };
+  return {cut(over[0], r.value), cut(over[1], r.slope)};
+}
+
+/// f' over x, by Taylor's formula too where plain evaluation does not tell its sign.
+ball slope_over(const function_evaluator& e, const ball& x, const real_function& f) {
+  ball plain = e.slope(x)[1];
+  if (plain.is_undefined() || !contains_zero(plain)) return plain;
+  const int n = f.best_order();
+  const ball middle = x.middle();
+  const series_type over = e.series(x, n);
+  if (over[n].is_undefined()) return plain;
+  return taylor(e.series(middle, n), over, x - middle).slope;
+}
+
+bool are_neighbours(const work_box& b, const work_box& c, const std::vector<found_root>& found) {
+  if (!b.x.upper || !c.x.lower) return true;
+  if (*c.x.lower <= *b.x.upper) return true;
+  if (!b.x.is_bounded() || !c.x.is_bounded() ||
+      *c.x.lower - *b.x.upper > 4 * (b.x.width() + c.x.width())) {
+    return false;
+  }
+  const ball gap = exact_box{*b.x.upper, *c.x.lower}.to_ball(b.bits);
+  return std::none_of(found.begin(), found.end(), [&](const found_root& r) {
+    return r.problem == b.problem && overlaps(r.region.enclosure, gap);
+  });
+}
+
+/// Neighbours become one cluster, where no root that is known lies between them.
+std::vector<work_box> joined(std::vector<work_box> boxes, const std::vector<found_root>& found) {
+  std::sort(boxes.begin(), boxes.end(), [](const work_box& x, const work_box& y) {
+    return x.problem != y.problem ? x.problem < y.problem : precedes(x.x, y.x);
+  });
+  std::vector<work_box> result;
+  for (work_box& b : boxes) {
+    if (!result.empty() && result.back().problem == b.problem &&
+        are_neighbours(result.back(), b, found)) {
+      result.back().x.upper = b.x.upper;
+      result.back().bits = std::max(result.back().bits, b.bits);
+    } else {
+      result.push_back(std::move(b));
+    }
+  }
+  return result;
+}
+
 /// One run of a search.
 class searcher {
  public:
@@ -142,6 +213,10 @@ class searcher {
     for (long boxes = 0; !s_.pending.empty(); ++boxes) {
       if (boxes >= options_.most_boxes) {
         s_.limit = "the limit on the number of boxes";
+        return;
+      }
+      if (static_cast<long>(s_.stuck.size()) > options_.most_unresolved) {
+        s_.limit = "the limit on unresolved boxes";
         return;
       }
       if (options_.most_time && std::chrono::steady_clock::now() - start > *options_.most_time) {
@@ -189,29 +264,6 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Bounded boxes
 
-  /// f and f' over X by Taylor's formula about m, cut with what is known of them:
-  ///   f(x) = sum over k < n of f_k(m) h^k + f_n(t) h^n, h = x - m, t in X, and f'(x) = sum of k f_k(m) h^(k-1)
-  ///   + n f_n(t') h^(n-1): the derivative's coefficients are k f_k, and f_n over X bounds its last one.
-  struct enclosed_function {
-    ball value;
-    ball slope;
-  };
-  static enclosed_function taylor(const series_type& at_middle, const series_type& over,
-                                  const ball& h) {
-    const int n = over.order();
-    enclosed_function r{over[n] * pow(h, n), n * over[n] * pow(h, n - 1)};
-    for (int k = n - 1; k >= 0; --k) {
-      r.value += at_middle[k] * pow(h, k);
-      if (k >= 1) r.slope += k * at_middle[k] * pow(h, k - 1);
-    }
-    const auto cut = [](const ball& plain, const ball& formula) {
-      if (formula.is_undefined()) return plain;
-      const ball both = intersection(plain, formula);
-      return both.is_undefined() ? plain : both;
-    };
-    return {cut(over[0], r.value), cut(over[1], r.slope)};
-  }
-
   void examine(work_box b) {
     const rational size = std::max({abs(*b.x.lower), abs(*b.x.upper), rational(1, 1L << 30)});
     const rational width = b.x.width();
@@ -227,7 +279,7 @@ class searcher {
     series_type over = series(b, x, n);
     if (is_certainly_not_zero(over[0])) return;
     if (over[0].is_undefined() || over[1].is_undefined()) {
-      if (!by_structure(b)) halve(b);
+      if (!has_no_root_where_defined(b) && !by_structure(b)) halve(b);
       return;
     }
     const ball middle(b.x.middle(), b.bits);
@@ -244,9 +296,15 @@ class searcher {
     // Where rounding, not the width of the box, is what leaves f undecided.
     constexpr int least_gain = 8;
     const bool noisy = at_middle[0].radius() > scale(f.value.radius(), -least_gain);
-    if (noisy) b.bits = std::min(2 * b.bits, std::max(options_.most_precision, b.bits));
+    if (noisy) b.bits = std::max(b.bits, std::min(2 * b.bits, most_bits(b)));
     if (is_turn_for_structure(b.halvings) && by_structure(b)) return;
     halve(b);
+  }
+
+  /// What is spent on cancellation grows with the depth: a function that is 0 on an interval is not to cost
+  /// the most everywhere.
+  [[nodiscard]] precision most_bits(const work_box& b) const {
+    return std::min<precision>(options_.most_precision, 512 + 32L * b.halvings);
   }
 
   static bool is_turn_for_structure(int halvings) {
@@ -306,6 +364,15 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Structure
 
+  /// The same test as in by_structure, in the box itself: f may be undefined beyond it.
+  bool has_no_root_where_defined(const work_box& b) {
+    const ball x = b.x.to_ball(b.bits);
+    const auto s = structure(problem(b), function_structure::variable(x, ball(b.x.middle(), b.bits)));
+    if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
+    s_.singular.push_back({x, 0});
+    return true;
+  }
+
   /// True where the box is done with.
   bool by_structure(const work_box& b) {
     if (problem(b).square_free) return false;
@@ -340,7 +407,8 @@ class searcher {
     if (zeros.empty()) {
       if (poles.size() == 1) {
         if (const auto pole = only_root(*poles.front())) {
-          s_.singular.push_back({*pole, poles.front()->power});
+          const real_function g = factor_of(*problem(b).g, poles.front()->id);
+          s_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
           take_out(b.problem, exact_ends(x));
           return true;
         }
@@ -364,6 +432,18 @@ class searcher {
       }
     }
     return by_exact_point(b, x);
+  }
+
+  /// The only root of g in the box, to the digits that a place is worth.
+  ball refined_place(const real_function& g, const ball& root, const ball& box) {
+    constexpr precision p = 60;
+    const auto value = [&](const ball& t) { return g.at(t.precision()).value(t); };
+    const auto slope = [&](const ball& t) { return g.at(t.precision()).slope(t)[1]; };
+    const root_enclosure r =
+        refine_root(value, slope, intersection(root.enlarged(root.radius()), box), p);
+    s_.account.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
+    const ball both = intersection(r.root, root);
+    return both.is_undefined() ? root : both;
   }
 
   /// The order of the zero of f at the simplest rational number in the box, where f is exactly 0 there.
@@ -488,12 +568,18 @@ class searcher {
     r.enclosure = intersection(enclosure, box);
     r.multiplicity = multiplicity;
     r.exact = std::move(exact);
+    r.function = s_.f;
     r.simple = std::move(simple);
     take_out(problem, exact_ends(box));
+    const auto about = double_interval::from_ball(r.box);
     for (found_root& known : s_.found) {
-      if (known.problem == problem && is_the_same(known.region, r)) return;
+      if (known.problem == problem && overlaps(known.about, about) &&
+          is_the_same(known.region, r)) {
+        known.about = double_interval::from_ball(known.region.box);
+        return;
+      }
     }
-    s_.found.push_back({std::move(r), problem});
+    s_.found.push_back({std::move(r), problem, about});
   }
 
   /// Whether the roots of the two regions are one. Each is the only one in its box.
@@ -544,40 +630,9 @@ class searcher {
   // The end
 
   void conclude() {
-    join_stuck_boxes();
-    std::vector<work_box> clusters = std::move(s_.stuck);
+    const std::vector<work_box> clusters = joined(std::move(s_.stuck), s_.found);
     s_.stuck.clear();
-    for (work_box& b : clusters) conclude(b);
-  }
-
-  /// Neighbours become one cluster, where no root that is known lies between them.
-  void join_stuck_boxes() {
-    std::sort(s_.stuck.begin(), s_.stuck.end(), [](const work_box& x, const work_box& y) {
-      return x.problem != y.problem ? x.problem < y.problem : precedes(x.x, y.x);
-    });
-    std::vector<work_box> joined;
-    for (work_box& b : s_.stuck) {
-      if (!joined.empty() && joined.back().problem == b.problem && are_neighbours(joined.back(), b)) {
-        joined.back().x.upper = b.x.upper;
-        joined.back().bits = std::max(joined.back().bits, b.bits);
-      } else {
-        joined.push_back(std::move(b));
-      }
-    }
-    s_.stuck = std::move(joined);
-  }
-  [[nodiscard]] bool are_neighbours(const work_box& b, const work_box& c) const {
-    if (!b.x.upper || !c.x.lower) return true;
-    if (b.x.is_bounded() && c.x.is_bounded() &&
-        *c.x.lower - *b.x.upper > 4 * (b.x.width() + c.x.width())) {
-      return false;
-    }
-    if (!b.x.is_bounded() || !c.x.is_bounded()) return *c.x.lower <= *b.x.upper;
-    if (*c.x.lower <= *b.x.upper) return true;
-    const ball gap = exact_box{*b.x.upper, *c.x.lower}.to_ball(b.bits);
-    return std::none_of(s_.found.begin(), s_.found.end(), [&](const found_root& r) {
-      return r.problem == b.problem && overlaps(r.region.enclosure, gap);
-    });
+    for (const work_box& b : clusters) conclude(b);
   }
 
   /// What can be said of a cluster.
@@ -585,6 +640,7 @@ class searcher {
     root_region r;
     r.box = r.enclosure = b.x.to_ball(b.bits);
     r.remark = b.remark;
+    r.function = s_.f;
     r.simple = problem(b).g;
     if (b.x.is_bounded()) {
       // A structure that no single one of its boxes had.
@@ -607,7 +663,8 @@ class searcher {
         r.complex_roots = zeros->count;
       }
     }
-    s_.found.push_back({std::move(r), b.problem});
+    const auto about = double_interval::from_ball(r.box);
+    s_.found.push_back({std::move(r), b.problem, about});
   }
 
   /// f is continuously differentiable on the box and has opposite signs at its ends.
@@ -734,6 +791,18 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
     s->identically_zero = true;
   } else {
     for (const repeated_factor& factor : square_free_decomposition(*p)) {
+      if (factor.factor.degree() == 1) {
+        root_region r;
+        r.exact = -factor.factor.coefficients()[0] / factor.factor.leading();
+        r.verdict = factor.multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
+        r.box = r.enclosure = ball(*r.exact, first_bits);
+        r.multiplicity = factor.multiplicity;
+        r.function = s->f;
+        r.simple = std::make_shared<real_function>(real_function::of(factor.factor));
+        s->found.push_back({r, s->problems.size(), double_interval::from_ball(r.box)});
+        s->problems.push_back({r.simple, factor.multiplicity, true});
+        continue;
+      }
       const rational bound = root_bound(factor.factor);
       exact_box part = range;
       if (!part.lower) part.lower = part.upper ? std::min(rational(-bound), *part.upper) : -bound;
@@ -778,14 +847,15 @@ root_set root_search::result() const {
     keep_out_other_roots(r, known.problem, s.problems);
     result.regions.push_back(std::move(r));
   }
-  for (const auto* boxes : {&s.pending, &s.stuck}) {
-    for (const work_box& b : *boxes) {
-      root_region r;
-      r.box = r.enclosure = b.x.to_ball(b.bits);
-      r.remark = s.limit.empty() ? b.remark : s.limit + " was reached";
-      r.simple = s.problems[b.problem].g;
-      result.regions.push_back(std::move(r));
-    }
+  std::vector<work_box> open = s.pending;
+  open.insert(open.end(), s.stuck.begin(), s.stuck.end());
+  for (const work_box& b : joined(std::move(open), s.found)) {
+    root_region r;
+    r.box = r.enclosure = b.x.to_ball(b.bits);
+    r.remark = s.limit.empty() ? "not examined yet" : s.limit + " was reached";
+    r.function = s.f;
+    r.simple = s.problems[b.problem].g;
+    result.regions.push_back(std::move(r));
   }
   std::sort(result.regions.begin(), result.regions.end(),
             [](const root_region& x, const root_region& y) {
@@ -832,30 +902,41 @@ refined_root refine(const root_region& region, long digits) {
     result.verdict = status::certified;
     return result;
   }
-  if (region.multiplicity == 0 || !region.simple) return result;
+  if (region.multiplicity == 0 || !region.simple || !region.function) return result;
   const real_function& f = *region.simple;
-  const auto value = [&](const ball& x) { return f.at(x.precision()).value(x); };
-  const auto slope = [&](const ball& x) { return f.at(x.precision()).slope(x)[1]; };
-  // A little room, so that a root at the end of its enclosure is inside.
-  const ball room = intersection(region.enclosure.enlarged(region.enclosure.radius()), region.box);
-  const root_enclosure r =
-      refine_root(value, slope, room.is_undefined() ? region.enclosure : room, p);
-  if (r.verdict == root_verdict::none) {
-    throw std::logic_error("refine: the enclosures of f and its derivative contradict");
+  const auto is_narrow = [&](const ball& x) {
+    const magnitude size = (contains_zero(x) ? region.box : x).magnitude_upper();
+    return x.radius() <= scale(size, -(static_cast<std::int64_t>(p) - 5));
+  };
+  // Bits beside those of x that f is evaluated with, because it cancels.
+  precision more = 0;
+  const precision most = 8 * p + (1L << 14);
+  while (true) {
+    const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };
+    const auto value = [&](const ball& x) { return f.at(x.precision() + more).value(raised(x)); };
+    const auto slope = [&](const ball& x) { return slope_over(f.at(x.precision() + more), raised(x), f); };
+    // A little room, so that a root at the end of its enclosure is inside.
+    const ball& known = result.enclosure;
+    const ball room = intersection(known.enlarged(known.radius()), region.box);
+    const root_enclosure r =
+        refine_root(value, slope, room.is_undefined() ? known : room, p);
+    if (r.verdict == root_verdict::none) {
+      throw std::logic_error("refine: the enclosures of f and its derivative contradict");
+    }
+    result.evaluations_of_f += r.evaluations_of_f;
+    result.evaluations_of_derivative += r.evaluations_of_derivative;
+    const ball both = intersection(r.root, known);
+    result.enclosure = (both.is_undefined() ? r.root : both).with_precision(p + 16);
+    if (is_narrow(result.enclosure) || more >= most) break;
+    more = std::min(std::max<precision>(2 * more, 64), most);
   }
-  const ball both = intersection(r.root, region.enclosure);
-  result.enclosure = both.is_undefined() ? r.root : both;
-  result.evaluations_of_f = r.evaluations_of_f;
-  result.evaluations_of_derivative = r.evaluations_of_derivative;
   const ball& x = result.enclosure;
-  const magnitude size = (contains_zero(x) ? region.box : x).magnitude_upper();
-  const bool is_narrow = x.radius() <= scale(size, -(static_cast<std::int64_t>(p) - 5));
-  if (is_narrow) result.verdict = status::certified;
+  if (is_narrow(x)) result.verdict = status::certified;
   // A rational number that is simple beside the width of the enclosure, and exactly a root.
-  if (is_narrow && x.is_bounded()) {
+  if (result.verdict == status::certified) {
     const rational q = simplest_between(lower_rational(x), upper_rational(x));
     if (4 * height(q) < static_cast<std::size_t>(p)) {
-      const auto s = f.structure(function_structure::variable_at(q, 0, p));
+      const auto s = region.function->structure(function_structure::variable_at(q, 0, p));
       if (s && s->series() && (*s->series())[0].is_exactly(0)) {
         result.exact = q;
         result.enclosure = ball(q, p);

@@ -169,6 +169,10 @@ POLHODE_WITH_CONSTANTS(/)
 [[nodiscard]] function_structure ceil(const function_structure& x);
 [[nodiscard]] function_structure min(const function_structure& x, const function_structure& y);
 [[nodiscard]] function_structure max(const function_structure& x, const function_structure& y);
+namespace detail {
+/// The range of x^y where it is defined, or more: as pow(x, y) has it, a whole y for every x.
+[[nodiscard]] std::optional<ball> natural_power(const ball& x, const ball& y);
+}  // namespace detail
 /// x^y for x > 0.
 [[nodiscard]] function_structure pow(const function_structure& x, const function_structure& y);
 template <rational_like N>

@@ -82,6 +82,7 @@ struct root_region {
   bool may_lie_outside = false;
   /// Why it is not resolved, in words: what f meets in the box, or which limit was reached.
   std::string remark;
+  std::shared_ptr<const real_function> function;  // f
   /// A function with the same root, there simple: f itself, or the factor of f that vanishes.
   std::shared_ptr<const real_function> simple;
 };
@@ -121,7 +122,9 @@ struct isolation_progress {
 
 struct isolate_options {
   /// Boxes that may be examined in one run.
-  long most_boxes = 200'000;
+  long most_boxes = 100'000;
+  /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval, or the like.
+  long most_unresolved = 2'000;
   /// The time that one run may take.
   std::optional<std::chrono::milliseconds> most_time = std::nullopt;
   /// How often a box may be halved before it is left unresolved.
@@ -169,8 +172,9 @@ struct refined_root {
 
 /// The root of a region that is unique or multiple, to a radius of 10^-digits of its size (of the box's where
 /// the root is so near 0 that it cannot be told from it), by interval Newton with precision doubling:
-/// refine_root of newton.hpp. f is evaluated once with the full precision, and f' once with half of it; a
-/// multiple root is refined as the simple root of a factor of f. Of another region, the enclosure as it is.
+/// refine_root of newton.hpp. f is evaluated once with the full precision, and f' once with half of it, and once
+/// more with the bits that cancellation costs where it does; a multiple root is refined as the simple root of a
+/// factor of f. Of another region, the enclosure as it is.
 /// Throws std::invalid_argument for digits < 1.
 [[nodiscard]] refined_root refine(const root_region& region, long digits);
 

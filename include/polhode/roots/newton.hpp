@@ -99,8 +99,9 @@ template <class F, class Derivative>
     const bool proved = result.verdict == root_verdict::unique;
     precision next = (proved ? p : std::max<precision>(p, bits)) + guard;
     while (next > 64 && next > 2 * bits + 2 * guard) next = next / 2 + guard;
-    // The derivative is needed to the bits that the step gains only.
-    const ball current = result.root.with_precision(std::max<precision>(next / 2 + guard, 53));
+    // The derivative is needed to the bits that the step gains only; the box is not made wider for it.
+    const ball current = result.root.with_precision(
+        std::max<precision>(std::max(next / 2 + guard, std::min(next, bits + 4)), 53));
     if (!contains(domain, current)) {
       ++result.evaluations_of_f;
       if (f(current).is_undefined()) break;
