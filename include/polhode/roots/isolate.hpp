@@ -132,7 +132,7 @@ struct isolate_options {
   /// Bits that cancellation may raise the working precision to.
   precision most_precision = 1L << 14;
   /// Called every few boxes; false ends the run as a limit does.
-  std::function<bool(const isolation_progress&)> progress;
+  std::function<bool(const isolation_progress&)> progress = {};
 };
 
 /// A search that can be stopped and gone on with: its state is a value.
