@@ -20,10 +20,10 @@ magnitude power_down(const magnitude& x, int n) {
 
 std::optional<counted_zeros> count_zeros(const real_function& f, const rational& c,
                                          const rational& least_radius, precision p) {
-  constexpr int n = 32;        // coefficients
+  constexpr int n = 32;  // coefficients
   constexpr int most_count = 16;
   constexpr int log2_ratio = 3;  // R = 8 r
-  constexpr int tries = 6;
+  constexpr int tries = 12;
   if (f.most_order() < n) return std::nullopt;
   counted_zeros result;
   const function_evaluator e = f.at(p);
@@ -34,7 +34,8 @@ std::optional<counted_zeros> count_zeros(const real_function& f, const rational&
   const mpq_srcptr q = positive.backend().data();
   long exponent = static_cast<long>(mpz_sizeinbase(mpq_numref(q), 2)) -
                   static_cast<long>(mpz_sizeinbase(mpq_denref(q), 2)) + 2;
-  for (int k = 0; k < tries; ++k, exponent += 4) {
+  // A greater disc, on which the bound is better beside |f_m| r^m, where a small one fails.
+  for (int k = 0; k < tries; ++k, exponent += std::max(4L, -exponent / 3)) {
     const magnitude r = magnitude::power_of_two(exponent);
     // The square around the disc of radius R.
     const magnitude big = scale(r, log2_ratio);

@@ -96,6 +96,7 @@ real_function factor_of(const real_function& f, long id) {
       [slope](precision) {
         function_evaluator e;
         e.value = [slope](const ball& x) { return slope(x)[0]; };
+        e.derivative = [slope](const ball& x) { return slope(x)[1]; };
         e.slope = slope;
         e.series = [slope](const ball& x, int n) {
           const jet<ball, 1> known = slope(x);
@@ -143,8 +144,7 @@ struct enclosed_function {
   ball value;
   ball slope;
 };
-enclosed_function taylor(const series_type& at_middle, const series_type& over,
-                                const ball& h) {
+enclosed_function taylor(const series_type& at_middle, const series_type& over, const ball& h) {
   const int n = over.order();
   enclosed_function r{over[n] * pow(h, n), n * over[n] * pow(h, n - 1)};
   for (int k = n - 1; k >= 0; --k) {
@@ -161,7 +161,7 @@ enclosed_function taylor(const series_type& at_middle, const series_type& over,
 
 /// f' over x, by Taylor's formula too where plain evaluation does not tell its sign.
 ball slope_over(const function_evaluator& e, const ball& x, const real_function& f) {
-  ball plain = e.slope(x)[1];
+  ball plain = e.derivative(x);
   if (plain.is_undefined() || !contains_zero(plain)) return plain;
   const int n = f.best_order();
   const ball middle = x.middle();
@@ -269,9 +269,9 @@ class searcher {
     const rational width = b.x.width();
     if (width > 0) {  // the ends must be told apart
       const rational ratio = size / width;
-      const auto bits = static_cast<precision>(
-          mpz_sizeinbase(mpq_numref(ratio.backend().data()), 2) -
-          mpz_sizeinbase(mpq_denref(ratio.backend().data()), 2));
+      const auto bits =
+          static_cast<precision>(mpz_sizeinbase(mpq_numref(ratio.backend().data()), 2) -
+                                 mpz_sizeinbase(mpq_denref(ratio.backend().data()), 2));
       b.bits = std::max<precision>(b.bits, bits + 40);
     }
     const ball x = b.x.to_ball(b.bits);
@@ -367,7 +367,8 @@ class searcher {
   /// The same test as in by_structure, in the box itself: f may be undefined beyond it.
   bool has_no_root_where_defined(const work_box& b) {
     const ball x = b.x.to_ball(b.bits);
-    const auto s = structure(problem(b), function_structure::variable(x, ball(b.x.middle(), b.bits)));
+    const auto s =
+        structure(problem(b), function_structure::variable(x, ball(b.x.middle(), b.bits)));
     if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
     s_.singular.push_back({x, 0});
     return true;
@@ -438,7 +439,7 @@ class searcher {
   ball refined_place(const real_function& g, const ball& root, const ball& box) {
     constexpr precision p = 60;
     const auto value = [&](const ball& t) { return g.at(t.precision()).value(t); };
-    const auto slope = [&](const ball& t) { return g.at(t.precision()).slope(t)[1]; };
+    const auto slope = [&](const ball& t) { return g.at(t.precision()).derivative(t); };
     const root_enclosure r =
         refine_root(value, slope, intersection(root.enlarged(root.radius()), box), p);
     s_.account.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
@@ -525,8 +526,8 @@ class searcher {
     if (is_certainly_not_zero(over[0])) return;
     if (size >= 1) {
       if (keeps_its_sign(b, over)) return;
-      if (const auto s = structure(problem(b), function_structure::variable(
-                                                   x, ball(end, b.bits)))) {
+      if (const auto s =
+              structure(problem(b), function_structure::variable(x, ball(end, b.bits)))) {
         const bool nowhere = !s->natural_range() || is_certainly_not_zero(*s->natural_range());
         const auto& factors = s->numerator().factors;
         if (nowhere || std::all_of(factors.begin(), factors.end(), [](const auto& g) {
@@ -537,7 +538,7 @@ class searcher {
         }
       }
     }
-    const rational farthest = rational(integer(1) << 64U);
+    const rational farthest = rational(integer(1) << 1024U);
     if (size > farthest) {
       b.remark = "the sign towards infinity is not proved";
       s_.stuck.push_back(std::move(b));
@@ -697,8 +698,8 @@ class searcher {
 enum class side { inside, outside, undecided };
 
 /// On which side of the lower (or upper) end of the interval the root of the region lies.
-side side_of(const root_region& given, const range_end& end, bool is_lower,
-             const real_function& f, root_region& sharper) {
+side side_of(const root_region& given, const range_end& end, bool is_lower, const real_function& f,
+             root_region& sharper) {
   if (end.infinite_sign() != 0) return side::inside;
   const bool is_proved =
       given.verdict == root_verdict::unique || given.verdict == root_verdict::multiple;
@@ -735,7 +736,8 @@ std::optional<rational> outer_end(const range_end& end, bool is_lower) {
   if (end.exact()) return end.exact();
   const ball x = end.at(128);
   if (!x.is_bounded()) {
-    throw input_error("an end of the interval is not defined: it must be a real number, or an infinity");
+    throw input_error(
+        "an end of the interval is not defined: it must be a real number, or an infinity");
   }
   return is_lower ? lower_rational(x) : upper_rational(x);
 }
@@ -773,11 +775,13 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
   s->upper = upper;
   if (lower.infinite_sign() > 0 || upper.infinite_sign() < 0) {
     throw input_error(
-        "the interval is the wrong way round: an infinite lower end must be -inf, an infinite upper end inf");
+        "the interval is the wrong way round: an infinite lower end must be -inf, an infinite "
+        "upper end inf");
   }
   exact_box range{outer_end(lower, true), outer_end(upper, false)};
   if (range.is_bounded() && *range.lower > *range.upper) {
-    throw input_error("the interval is the wrong way round: its lower end is greater than its upper end");
+    throw input_error(
+        "the interval is the wrong way round: its lower end is greater than its upper end");
   }
   // A polynomial is made free of multiple roots.
   const ball any(0, first_bits);
@@ -870,8 +874,8 @@ root_set root_search::result() const {
   // Neighbouring places where f is not defined are one.
   std::vector<singular_place> places;
   for (singular_place& place : result.singular) {
-    const bool joins = !places.empty() && places.back().pole_order == 0 &&
-                       place.pole_order == 0 && overlaps(places.back().place, place.place);
+    const bool joins = !places.empty() && places.back().pole_order == 0 && place.pole_order == 0 &&
+                       overlaps(places.back().place, place.place);
     const bool again = !places.empty() && places.back().pole_order > 0 &&
                        overlaps(places.back().place, place.place);
     if (joins) {
@@ -914,12 +918,13 @@ refined_root refine(const root_region& region, long digits) {
   while (true) {
     const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };
     const auto value = [&](const ball& x) { return f.at(x.precision() + more).value(raised(x)); };
-    const auto slope = [&](const ball& x) { return slope_over(f.at(x.precision() + more), raised(x), f); };
+    const auto slope = [&](const ball& x) {
+      return slope_over(f.at(x.precision() + more), raised(x), f);
+    };
     // A little room, so that a root at the end of its enclosure is inside.
     const ball& known = result.enclosure;
     const ball room = intersection(known.enlarged(known.radius()), region.box);
-    const root_enclosure r =
-        refine_root(value, slope, room.is_undefined() ? known : room, p);
+    const root_enclosure r = refine_root(value, slope, room.is_undefined() ? known : room, p);
     if (r.verdict == root_verdict::none) {
       throw std::logic_error("refine: the enclosures of f and its derivative contradict");
     }
@@ -954,7 +959,7 @@ std::optional<rational> refute_derivative(const real_function& f,
   const function_evaluator e = f.at(p);
   for (int k = 0; k <= points; ++k) {
     const rational x = lower + (upper - lower) * rational(k, points);
-    const ball known = e.slope(ball(x, p))[1];
+    const ball known = e.derivative(ball(x, p));
     const ball given = derivative(ball(x, p));
     if (!known.is_undefined() && !given.is_undefined() && !overlaps(known, given)) return x;
   }

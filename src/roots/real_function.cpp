@@ -16,6 +16,7 @@ real_function real_function::of(const rational_polynomial& p) {
       r[1] = s[1];
       return r;
     };
+    e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
     e.series = [p](const ball& x, int n) { return p.series(x, n); };
     return e;
   };

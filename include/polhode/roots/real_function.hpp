@@ -29,6 +29,8 @@ namespace polhode {
 /// what it does not know is undefined.
 struct function_evaluator {
   std::function<ball(const ball& x)> value;
+  /// f' over x.
+  std::function<ball(const ball& x)> derivative;
   /// {f, f'} over x.
   std::function<jet<ball, 1>(const ball& x)> slope;
   /// {f, f', ..., f^(n)/n!} over x.
@@ -40,7 +42,7 @@ class real_function {
   /// Of a generic function.
   template <class F>
   requires(!std::same_as<std::remove_cvref_t<F>, real_function>)
-  real_function(F f);  // NOLINT(google-explicit-constructor): the same function
+      real_function(F f);  // NOLINT(google-explicit-constructor): the same function
   /// Of f and its derivative, function objects ball -> ball, f continuously differentiable wherever both are
   /// defined.
   template <class F, class Derivative>
@@ -109,8 +111,7 @@ template <class X, class V>
 }  // namespace detail
 
 template <class F>
-requires(!std::same_as<std::remove_cvref_t<F>, real_function>)
-real_function::real_function(F f) {
+requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::real_function(F f) {
   using detail::evaluator_of;
   using detail::value_of_function;
   using slope_type = jet<ball, 1>;
@@ -124,6 +125,7 @@ real_function::real_function(F f) {
       const auto t = slope_type::variable(x);
       return value_of_function<slope_type>(g(t), t);
     };
+    e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
     e.series = [g = evaluator_of<series_type>(f, p)](const ball& x, int n) {
       const auto t = series_type::variable(x, n);
       return value_of_function<series_type>(g(t), t);
@@ -146,6 +148,7 @@ real_function real_function::with_derivative(F f, Derivative derivative) {
       [f = std::move(f), derivative = std::move(derivative)](precision) {
         function_evaluator e;
         e.value = f;
+        e.derivative = derivative;
         e.slope = [f, derivative](const ball& x) {
           jet<ball, 1> r;
           r[0] = f(x);
