@@ -937,10 +937,16 @@ refined_root refine(const root_region& region, long digits) {
   }
   const ball& x = result.enclosure;
   if (is_narrow(x)) result.verdict = status::certified;
-  // A rational number that is simple beside the width of the enclosure, and exactly a root.
+  // A short rational number in the enclosure, and exactly a root. It shows in few bits.
   if (result.verdict == status::certified) {
-    const rational q = simplest_between(lower_rational(x), upper_rational(x));
-    if (4 * height(q) < static_cast<std::size_t>(p)) {
+    constexpr precision few = 128;
+    constexpr int few_terms = 16;
+    constexpr std::size_t most_height = 48;
+    const ball coarse = x.with_precision(std::min(few, x.precision()));
+    const auto short_one =
+        simplest_between(lower_rational(coarse), upper_rational(coarse), few_terms);
+    if (short_one && height(*short_one) <= most_height && contains(x, *short_one)) {
+      const rational& q = *short_one;
       const auto s = region.function->structure(function_structure::variable_at(q, 0, p));
       if (s && s->series() && (*s->series())[0].is_exactly(0)) {
         result.exact = q;

@@ -1,6 +1,7 @@
 #include "polhode/roots/polynomial.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace polhode {
 
@@ -185,15 +186,27 @@ long count_real_roots(const rational_polynomial& p, const rational& lower, const
 }
 
 rational simplest_between(const rational& lower, const rational& upper) {
-  if (lower <= 0 && upper >= 0) return 0;
-  if (upper < 0) return -simplest_between(-upper, -lower);
+  return *simplest_between(lower, upper, std::numeric_limits<int>::max());
+}
+
+std::optional<rational> simplest_between(const rational& lower, const rational& upper,
+                                         int most_terms) {
+  if (most_terms < 1) return std::nullopt;
+  if (lower <= 0 && upper >= 0) return rational(0);
+  if (upper < 0) {
+    const auto positive = simplest_between(-upper, -lower, most_terms);
+    if (!positive) return std::nullopt;
+    return rational(-*positive);
+  }
   integer whole;
   mpz_cdiv_q(whole.backend().data(), mpq_numref(lower.backend().data()),
              mpq_denref(lower.backend().data()));
-  if (rational(whole) <= upper) return whole;
+  if (rational(whole) <= upper) return rational(whole);
   // Both lie strictly between the same two integers.
-  const rational below = rational(integer(whole - 1));
-  return below + 1 / simplest_between(1 / (upper - below), 1 / (lower - below));
+  const auto below = rational(integer(whole - 1));
+  const auto rest = simplest_between(1 / (upper - below), 1 / (lower - below), most_terms - 1);
+  if (!rest) return std::nullopt;
+  return rational(below + 1 / *rest);
 }
 
 }  // namespace polhode

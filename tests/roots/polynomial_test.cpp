@@ -100,6 +100,8 @@ TEST(SimplestBetween, IsTheLeastDenominator) {
   EXPECT_EQ(simplest_between(rational(-1, 3), rational(1, 7)), 0);
   EXPECT_EQ(simplest_between(rational(-7, 2), rational(-3, 2)), -2);
   EXPECT_EQ(simplest_between(rational(1, 3), rational(1, 3)), rational(1, 3));
+  EXPECT_EQ(simplest_between(rational(-22, 7), rational(-22, 7), 2), rational(-22, 7));
+  EXPECT_EQ(simplest_between(rational(22, 7), rational(22, 7), 1), std::nullopt);
   random_source random(13);
   for (repeat trial(300); trial.again();) {
     const rational a(random.between(0, 400), random.between(1, 60));

@@ -3,6 +3,7 @@
 // Polynomials with rational coefficients: what can be decided exactly about their roots.
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,5 +74,8 @@ struct repeated_factor {
 /// The rational number with the least denominator in [lower, upper], and the least numerator of these
 /// (by continued fractions). Hypothesis: lower <= upper.
 [[nodiscard]] rational simplest_between(const rational& lower, const rational& upper);
+/// The same, or std::nullopt where its continued fraction has more than so many terms.
+[[nodiscard]] std::optional<rational> simplest_between(const rational& lower, const rational& upper,
+                                                       int most_terms);
 
 }  // namespace polhode
