@@ -26,8 +26,7 @@ std::optional<counted_zeros> count_zeros(const real_function& f, const rational&
   constexpr int tries = 12;
   if (f.most_order() < n) return std::nullopt;
   counted_zeros result;
-  const function_evaluator e = f.at(p);
-  const jet<ball, dynamic_order> at_c = e.series(ball(c, p), n - 1);
+  const jet<ball, dynamic_order> at_c = f.at(p)->series(ball(c, p), n - 1);
   ++result.evaluations;
   // A power of 2 that is more than least_radius.
   const rational positive = std::max(least_radius, rational(1, integer(1) << 400U));

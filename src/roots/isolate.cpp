@@ -249,7 +249,7 @@ class searcher {
   const function_evaluator& evaluator(std::size_t problem, precision p) {
     s_.account.most_bits = std::max(s_.account.most_bits, p);
     auto& known = evaluators_[{problem, p}];
-    if (!known) known = s_.problems[problem].g->at(p);
+    if (known == nullptr) known = s_.problems[problem].g->at(p);
     return *known;
   }
   series_type series(const work_box& b, const ball& x, int n) {
@@ -438,8 +438,8 @@ class searcher {
   /// The only root of g in the box, to the digits that a place is worth.
   ball refined_place(const real_function& g, const ball& root, const ball& box) {
     constexpr precision p = 60;
-    const auto value = [&](const ball& t) { return g.at(t.precision()).value(t); };
-    const auto slope = [&](const ball& t) { return g.at(t.precision()).derivative(t); };
+    const auto value = [&](const ball& t) { return g.at(t.precision())->value(t); };
+    const auto slope = [&](const ball& t) { return g.at(t.precision())->derivative(t); };
     const root_enclosure r =
         refine_root(value, slope, intersection(root.enlarged(root.radius()), box), p);
     s_.account.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
@@ -689,7 +689,7 @@ class searcher {
 
   root_search::state& s_;
   const isolate_options& options_;
-  std::map<std::pair<std::size_t, precision>, std::optional<function_evaluator>> evaluators_;
+  std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>> evaluators_;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -751,7 +751,7 @@ void keep_out_other_roots(root_region& r, std::size_t problem,
     bool apart = true;
     for (std::size_t i = 0; i < problems.size(); ++i) {
       if (i == problem) continue;
-      const ball value = problems[i].g->at(r.enclosure.precision()).value(r.enclosure);
+      const ball value = problems[i].g->at(r.enclosure.precision())->value(r.enclosure);
       apart = apart && is_certainly_not_zero(value);
     }
     if (apart) {
@@ -917,9 +917,9 @@ refined_root refine(const root_region& region, long digits) {
   const precision most = 8 * p + (1L << 14);
   while (true) {
     const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };
-    const auto value = [&](const ball& x) { return f.at(x.precision() + more).value(raised(x)); };
+    const auto value = [&](const ball& x) { return f.at(x.precision() + more)->value(raised(x)); };
     const auto slope = [&](const ball& x) {
-      return slope_over(f.at(x.precision() + more), raised(x), f);
+      return slope_over(*f.at(x.precision() + more), raised(x), f);
     };
     // A little room, so that a root at the end of its enclosure is inside.
     const ball& known = result.enclosure;
@@ -962,7 +962,8 @@ std::optional<rational> refute_derivative(const real_function& f,
                                           const rational& lower, const rational& upper,
                                           int points) {
   constexpr precision p = 128;
-  const function_evaluator e = f.at(p);
+  const auto at_p = f.at(p);
+  const function_evaluator& e = *at_p;
   for (int k = 0; k <= points; ++k) {
     const rational x = lower + (upper - lower) * rational(k, points);
     const ball known = e.derivative(ball(x, p));

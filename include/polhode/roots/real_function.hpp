@@ -15,6 +15,7 @@
 
 #include <concepts>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -54,7 +55,9 @@ class real_function {
   explicit real_function(std::function<function_evaluator(precision)> at, int most_order)
       : at_(std::move(at)), most_order_(most_order) {}
 
-  [[nodiscard]] function_evaluator at(precision p) const { return at_(p); }
+  [[nodiscard]] std::shared_ptr<const function_evaluator> at(precision p) const {
+    return for_all_ != nullptr ? for_all_ : std::make_shared<const function_evaluator>(at_(p));
+  }
   /// The greatest order of a series that is worth asking for, and the one that bounds f over a box best.
   [[nodiscard]] int most_order() const { return most_order_; }
   [[nodiscard]] int best_order() const { return best_order_; }
@@ -73,6 +76,7 @@ class real_function {
   real_function() = default;
 
   std::function<function_evaluator(precision)> at_;
+  std::shared_ptr<const function_evaluator> for_all_;  // where it is the same for all precisions
   std::function<region(const region&)> over_;
   std::function<function_structure(const function_structure&)> structure_;
   int most_order_ = 64;
@@ -132,6 +136,9 @@ requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::re
     };
     return e;
   };
+  if constexpr (!requires { f.template evaluator<ball>(precision{64}); }) {
+    for_all_ = std::make_shared<const function_evaluator>(at_(64));
+  }
   over_ = [f](const region& x) {
     return value_of_function<region>(
         evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x), x);
