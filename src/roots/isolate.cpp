@@ -319,18 +319,19 @@ class searcher {
     if (image.is_undefined()) return false;
     if (!overlaps(image, x)) return true;
     if (contains(x, image)) {
-      add_simple_root(b, x, image);
+      add_simple_root(b, b.x, x, image);
       return true;
     }
     // A root near an end, or at it: in a wider box.
-    const ball wider = widened(b.x).to_ball(b.bits);
+    const exact_box wide = widened(b.x);
+    const ball wider = wide.to_ball(b.bits);
     ++s_.account.evaluations;
     const jet<ball, 1> over = evaluator(b.problem, b.bits).slope(wider);
     if (!over[0].is_undefined() && is_certainly_not_zero(over[1])) {
       const ball wider_image = middle - value / over[1];
+      // The root may lie beyond x, where the first image says nothing of it.
       if (contains(wider, wider_image)) {
-        const ball both = intersection(image, wider_image);
-        add_simple_root(b, wider, both.is_undefined() ? wider_image : both);
+        add_simple_root(b, wide, wider, wider_image);
         return true;
       }
     }
@@ -410,7 +411,7 @@ class searcher {
         if (const auto pole = only_root(*poles.front())) {
           const real_function g = factor_of(*problem(b).g, poles.front()->id);
           s_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
-          take_out(b.problem, exact_ends(x));
+          take_out(b.problem, wide);
           return true;
         }
       }
@@ -424,15 +425,20 @@ class searcher {
       return true;
     }
     if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
-      if (const auto root = only_root(*zeros.front())) {
+      // The quotient may be defined where f is not: 1/(1/x) is x/1.
+      ++s_.account.evaluations;
+      const jet<ball, 1> plain = evaluator(b.problem, b.bits).slope(x);
+      const bool f_is_defined = !plain[0].is_undefined() && !plain[1].is_undefined();
+      const auto root = f_is_defined ? only_root(*zeros.front()) : std::nullopt;
+      if (root) {
         const long m = zeros.front()->power;
         const auto& f = *problem(b).g;
-        add(b.problem, x, *root, m, std::nullopt,
+        add(b.problem, wide, x, *root, m, std::nullopt,
             std::make_shared<real_function>(factor_of(f, zeros.front()->id)));
         return true;
       }
     }
-    return by_exact_point(b, x);
+    return by_exact_point(b, wide, x);
   }
 
   /// The only root of g in the box, to the digits that a place is worth.
@@ -472,7 +478,7 @@ class searcher {
 
   /// f, ..., f^(m-1) are exactly 0 at c in x, and f^(m) has no zero in x: then c is the only root in x, m
   /// times, since m + 1 roots, counted with their multiplicities, would give f^(m) a zero (Rolle).
-  bool by_exact_point(const work_box& b, const ball& x) {
+  bool by_exact_point(const work_box& b, const exact_box& wide, const ball& x) {
     const auto zero = exact_zero_in(b);
     if (!zero || zero->multiplicity == 0) return false;
     const auto m = static_cast<int>(zero->multiplicity);
@@ -482,7 +488,7 @@ class searcher {
       if (over[k].is_undefined()) return false;
     }
     if (contains_zero(over[m])) return false;
-    add(b.problem, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
+    add(b.problem, wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
     return true;
   }
 
@@ -557,12 +563,14 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Roots
 
-  void add_simple_root(const work_box& b, const ball& x, const ball& image) {
-    add(b.problem, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
+  void add_simple_root(const work_box& b, const exact_box& done, const ball& x, const ball& image) {
+    add(b.problem, done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
   }
 
-  void add(std::size_t problem, const ball& box, const ball& enclosure, long multiplicity,
-           std::optional<rational> exact, std::shared_ptr<const real_function> simple) {
+  /// The only root in the box; `done`, which lies in the box, need not be searched any more.
+  void add(std::size_t problem, const exact_box& done, const ball& box, const ball& enclosure,
+           long multiplicity, std::optional<rational> exact,
+           std::shared_ptr<const real_function> simple) {
     root_region r;
     r.verdict = multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
     r.box = box;
@@ -571,7 +579,7 @@ class searcher {
     r.exact = std::move(exact);
     r.function = s_.f;
     r.simple = std::move(simple);
-    take_out(problem, exact_ends(box));
+    take_out(problem, done);
     const auto about = double_interval::from_ball(r.box);
     for (found_root& known : s_.found) {
       if (known.problem == problem && overlaps(known.about, about) &&
@@ -585,7 +593,7 @@ class searcher {
 
   /// Whether the roots of the two regions are one. Each is the only one in its box.
   static bool is_the_same(root_region& known, root_region& more) {
-    if (!overlaps(known.box, more.box)) return false;
+    if (known.multiplicity == 0 || !overlaps(known.box, more.box)) return false;
     for (long digits = 15; digits <= 15L << 8; digits *= 2) {
       if (contains(known.box, more.enclosure) || contains(more.box, known.enclosure)) return true;
       if (!overlaps(known.enclosure, more.enclosure)) return false;
@@ -689,7 +697,8 @@ class searcher {
 
   root_search::state& s_;
   const isolate_options& options_;
-  std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>> evaluators_;
+  std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>>
+      evaluators_;
 };
 
 // ---------------------------------------------------------------------------------------------

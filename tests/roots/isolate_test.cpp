@@ -147,6 +147,13 @@ TEST(IsolateRoots, PolesAreNoRoots) {
     EXPECT_EQ(p.pole_order, 1);
     EXPECT_TRUE(contains_zero(cos(p.place)));
   }
+  // Defined nowhere at 0, though it could be continued there.
+  for (const root_set& v : {isolate_roots([](const auto& x) { return 1 / (1 / x); }, -1, 1),
+                            isolate_roots([](const auto& x) { return pow(1 / x, -2); }, -1, 1),
+                            isolate_roots([](const auto& x) { return x * x / x; }, -1, 1)}) {
+    ASSERT_EQ(v.regions.size(), 1U);
+    EXPECT_EQ(v.regions[0].verdict, root_verdict::unresolved);
+  }
   // Poles and roots side by side, and of a higher order.
   const auto f = [](const auto& x) {
     return 1 / square(x - rational(1, 3)) - rational(1, 100) / x;
