@@ -27,8 +27,8 @@ constexpr std::size_t most_height = 1U << 15;
 
 void multiply_factors(std::vector<factor>& factors, const std::vector<factor>& more) {
   for (const factor& g : more) {
-    const auto same = std::find_if(factors.begin(), factors.end(),
-                                   [&](const factor& h) { return h.id == g.id; });
+    const auto same =
+        std::find_if(factors.begin(), factors.end(), [&](const factor& h) { return h.id == g.id; });
     if (same == factors.end()) {
       factors.push_back(g);
     } else {
@@ -203,8 +203,7 @@ function_structure operator/(const function_structure& x, const function_structu
   }
   if (x.natural_ && y.natural_) r.natural_ = natural_domain::divide(*x.natural_, *y.natural_);
   if (x.polynomial_ && y.polynomial_ && y.polynomial_->degree() == 0) {
-    r.polynomial_ =
-        *x.polynomial_ * rational_polynomial({rational(1) / y.polynomial_->leading()});
+    r.polynomial_ = *x.polynomial_ * rational_polynomial({rational(1) / y.polynomial_->leading()});
   }
   if (x.series_ && y.series_) r.series_ = *x.series_ / *y.series_;
   r.forget_if_long();
@@ -221,14 +220,16 @@ function_structure pow(const function_structure& x, long n) {
     }
     return one;
   }
-  const auto m = static_cast<long>(n < 0 ? 0UL - static_cast<unsigned long>(n) : n);
+  constexpr long most_power = 1L << 40;
+  const auto bits = static_cast<unsigned long>(n);
+  const auto m = static_cast<long>(
+      std::min(n < 0 ? 0UL - bits : bits, static_cast<unsigned long>(most_power) + 1));
   const auto raised = [&](const product& g) {
     product r{++*x.ids_, g.factors, pow(g.over, m), pow(g.at_point, m)};
     r.over[0] = pow(g.over[0], m);
     for (factor& h : r.factors) h.power *= m;
     return r;
   };
-  constexpr long most_power = 1L << 40;
   const auto too_high = [&](const std::vector<factor>& factors) {
     return m > most_power || std::any_of(factors.begin(), factors.end(),
                                          [](const factor& h) { return h.power > (1L << 20); });
@@ -249,8 +250,7 @@ function_structure pow(const function_structure& x, long n) {
     }
   }
   if (x.natural_) r.natural_ = natural_domain::pow(*x.natural_, n);
-  if (x.polynomial_ && n > 0 && n <= most_degree &&
-      x.polynomial_->degree() * n <= most_degree &&
+  if (x.polynomial_ && n > 0 && n <= most_degree && x.polynomial_->degree() * n <= most_degree &&
       x.polynomial_->height() * static_cast<std::size_t>(n) <= most_height) {
     rational_polynomial power({rational(1)});
     for (long k = 0; k < n; ++k) power = power * *x.polynomial_;
@@ -264,10 +264,10 @@ function_structure pow(const function_structure& x, long n) {
 function_structure square(const function_structure& x) { return pow(x, 2); }
 
 // Those that are defined everywhere.
-#define POLHODE_ENTIRE(f, never_zero)                                                      \
-  function_structure f(const function_structure& x) {                                      \
-    const auto apply = [](const auto& t) { return f(t); };                                 \
-    return function_structure::applied(                                                    \
+#define POLHODE_ENTIRE(f, never_zero)                                                          \
+  function_structure f(const function_structure& x) {                                          \
+    const auto apply = [](const auto& t) { return f(t); };                                     \
+    return function_structure::applied(                                                        \
         x, apply, [](const ball& t) { return std::optional<ball>(f(t)); }, apply, never_zero); \
   }
 POLHODE_ENTIRE(exp, true)
@@ -279,11 +279,11 @@ POLHODE_ENTIRE(cosh, true)
 POLHODE_ENTIRE(tanh, false)
 POLHODE_ENTIRE(asinh, false)
 #undef POLHODE_ENTIRE
-#define POLHODE_PARTIAL(f)                                                                     \
-  function_structure f(const function_structure& x) {                                          \
-    const auto apply = [](const auto& t) { return f(t); };                                     \
-    return function_structure::applied(                                                        \
-        x, apply, [](const ball& t) { return natural_domain::f(t); }, apply);                  \
+#define POLHODE_PARTIAL(f)                                                    \
+  function_structure f(const function_structure& x) {                         \
+    const auto apply = [](const auto& t) { return f(t); };                    \
+    return function_structure::applied(                                       \
+        x, apply, [](const ball& t) { return natural_domain::f(t); }, apply); \
   }
 POLHODE_PARTIAL(sqrt)
 POLHODE_PARTIAL(log)
@@ -292,11 +292,11 @@ POLHODE_PARTIAL(acos)
 POLHODE_PARTIAL(acosh)
 POLHODE_PARTIAL(atanh)
 #undef POLHODE_PARTIAL
-#define POLHODE_WITHOUT_SERIES(f)                                                \
-  function_structure f(const function_structure& x) {                            \
-    return function_structure::applied(                                          \
-        x, [](const auto& t) { return f(t); },                                   \
-        [](const ball& t) { return std::optional<ball>(f(t)); }, nullptr);       \
+#define POLHODE_WITHOUT_SERIES(f)                                          \
+  function_structure f(const function_structure& x) {                      \
+    return function_structure::applied(                                    \
+        x, [](const auto& t) { return f(t); },                             \
+        [](const ball& t) { return std::optional<ball>(f(t)); }, nullptr); \
   }
 POLHODE_WITHOUT_SERIES(erf)
 POLHODE_WITHOUT_SERIES(erfc)
@@ -311,8 +311,8 @@ function_structure abs(const function_structure& x) {
       x, [](const auto& t) { return abs(t); },
       [](const ball& t) { return std::optional<ball>(abs(t)); },
       [](const function_structure::exact_series& s) {
-        const auto value = s[0].exact() ? s[0].like(abs(*s[0].exact()))
-                                        : known_number(abs(s[0].enclosure()));
+        const auto value =
+            s[0].exact() ? s[0].like(abs(*s[0].exact())) : known_number(abs(s[0].enclosure()));
         return function_structure::value_alone(s, value);
       });
 }

@@ -180,7 +180,8 @@ krawczyk_step krawczyk(const real_system& f, const std::vector<ball>& x, precisi
   r.jacobian = over.jacobian;
   const vector m = with_precision(middle_of(x), std::max(p, x.front().precision()));
   r.value_at_middle = f(m);
-  r.preconditioner = approximate_inverse(r.jacobian, std::max<precision>(x.front().precision(), 53));
+  r.preconditioner =
+      approximate_inverse(r.jacobian, std::max<precision>(x.front().precision(), 53));
   // Where f has a jump its derivative alone may be defined: f itself must be, over the whole box.
   if (r.preconditioner.empty() || is_undefined(over.value)) {
     r.image.assign(x.size(), ball::undefined(p));
@@ -369,7 +370,8 @@ system_search::system_search(real_system f, std::vector<std::pair<rational, rati
   waiting all;
   for (const auto& [low, high] : range_) {
     if (low > high) {
-      throw input_error("the box is the wrong way round: a lower end is greater than its upper end");
+      throw input_error(
+          "the box is the wrong way round: a lower end is greater than its upper end");
     }
     all.x.push_back(from_end_points(low, high, 64));
   }
@@ -395,7 +397,8 @@ system_root_set system_search::result() const {
       const ball low(range_[i].first, x[i].precision() + 64);
       const ball high(range_[i].second, x[i].precision() + 64);
       if (certainly_less(x[i], low) || certainly_less(high, x[i])) return side::outside;
-      if (!certainly_less_equal(low, x[i]) || !certainly_less_equal(x[i], high)) r = side::undecided;
+      if (!certainly_less_equal(low, x[i]) || !certainly_less_equal(x[i], high))
+        r = side::undecided;
     }
     return r;
   };
@@ -413,9 +416,8 @@ system_root_set system_search::result() const {
   std::vector<vector> open;
   for (const auto* boxes : {&pending_, &stuck_}) {
     for (const waiting& b : *boxes) {
-      const bool known = std::any_of(found_.begin(), found_.end(), [&](const system_region& r) {
-        return holds(r.box, b.x);
-      });
+      const bool known = std::any_of(found_.begin(), found_.end(),
+                                     [&](const system_region& r) { return holds(r.box, b.x); });
       if (!known) open.push_back(b.x);
     }
   }
@@ -433,12 +435,14 @@ system_root_set system_search::result() const {
   for (vector& x : open) {
     system_region r;
     r.box = r.enclosure = std::move(x);
-    r.remark = result.complete ? "not resolved by halving" : "the limit on the number of boxes was reached";
+    r.remark = result.complete ? "not resolved by halving"
+                               : "the limit on the number of boxes was reached";
     result.regions.push_back(std::move(r));
   }
-  std::stable_sort(
-      result.regions.begin(), result.regions.end(),
-      [](const system_region& x, const system_region& y) { return ends_before(x.enclosure, y.enclosure); });
+  std::stable_sort(result.regions.begin(), result.regions.end(),
+                   [](const system_region& x, const system_region& y) {
+                     return ends_before(x.enclosure, y.enclosure);
+                   });
   return result;
 }
 
@@ -479,9 +483,9 @@ refined_system_root refine(const real_system& f, const system_region& region, lo
     const krawczyk_step step = krawczyk(f, x, next);
     ++r.evaluations_of_f;
     ++r.evaluations_of_jacobian;
-    const vector narrower =
-        is_undefined(step.image) ? r.enclosure
-                                 : common(step.image, with_precision(r.enclosure, next));
+    const vector narrower = is_undefined(step.image)
+                                ? r.enclosure
+                                : common(step.image, with_precision(r.enclosure, next));
     if (is_undefined(narrower)) {
       throw std::logic_error("refine: the enclosures of f and its Jacobian contradict");
     }

@@ -302,10 +302,11 @@ TEST(IsolateRoots, Constants) {
 
 TEST(IsolateRoots, BadInput) {
   const auto f = [](const auto& x) { return x; };
-  EXPECT_THROW(isolate_roots(f, 1, 0), input_error);
-  EXPECT_THROW(isolate_roots(f, range_end::infinity(), 0), input_error);
-  EXPECT_THROW(isolate_roots(f, 0, range_end::minus_infinity()), input_error);
-  EXPECT_THROW(isolate_roots(f, 0, range_end([](precision p) { return log(ball(-1, p)); })),
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, 1, 0)), input_error);
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, range_end::infinity(), 0)), input_error);
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, 0, range_end::minus_infinity())), input_error);
+  EXPECT_THROW(static_cast<void>(
+                   isolate_roots(f, 0, range_end([](precision p) { return log(ball(-1, p)); }))),
                input_error);
   EXPECT_THROW(static_cast<void>(refine(isolate_roots(f, -1, 1).regions[0], 0)),
                std::invalid_argument);

@@ -46,7 +46,8 @@ TEST(RationalPolynomial, DivisionAndGcdAreExact) {
 }
 
 TEST(RationalPolynomial, SeriesAreTaylorCoefficients) {
-  const rational_polynomial p({rational(1), rational(-2), rational(0), rational(5), rational(1, 3)});
+  const rational_polynomial p(
+      {rational(1), rational(-2), rational(0), rational(5), rational(1, 3)});
   const rational x(3, 7);
   const auto s = p.series(ball(x, 128), 6);
   rational_polynomial d = p;

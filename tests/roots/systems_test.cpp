@@ -230,10 +230,10 @@ TEST(SolveSystem, CanBeStoppedAndGoneOnWith) {
 
 TEST(SolveSystem, BadInput) {
   const auto f = [](const auto& x) { return std::vector{x[0], x[0]}; };
-  EXPECT_THROW(solve_system(f, ends(2, {1, 0})), input_error);
-  EXPECT_THROW(solve_system(f, ends{}), input_error);
-  EXPECT_THROW(solve_system(f, ends(3, {0, 1})), input_error);
-  EXPECT_THROW(solve_system(f, ends(1, {0, 1})), input_error);
+  EXPECT_THROW(static_cast<void>(solve_system(f, ends(2, {1, 0}))), input_error);
+  EXPECT_THROW(static_cast<void>(solve_system(f, ends{})), input_error);
+  EXPECT_THROW(static_cast<void>(solve_system(f, ends(3, {0, 1}))), input_error);
+  EXPECT_THROW(static_cast<void>(solve_system(f, ends(1, {0, 1}))), input_error);
 }
 
 TEST(Krawczyk, ProvesNothingWhereTheFunctionJumps) {
