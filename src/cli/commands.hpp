@@ -12,10 +12,12 @@ namespace polhode::cli {
 [[nodiscard]] command constants_command();
 [[nodiscard]] command eval_command();
 [[nodiscard]] command integrate_command();
+[[nodiscard]] command roots_command();
 
 /// In the order of the help.
 [[nodiscard]] inline std::vector<command> all_commands() {
-  return {certify_command(), constants_command(), eval_command(), integrate_command()};
+  return {certify_command(), constants_command(), eval_command(), integrate_command(),
+          roots_command()};
 }
 
 }  // namespace polhode::cli

@@ -8,6 +8,10 @@ std::string to_text(root_verdict v) {
   switch (v) {
     case root_verdict::unique:
       return "unique";
+    case root_verdict::multiple:
+      return "multiple";
+    case root_verdict::at_least_one:
+      return "at least one";
     case root_verdict::none:
       return "none";
     case root_verdict::unresolved:

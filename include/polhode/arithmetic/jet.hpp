@@ -194,8 +194,12 @@ class jet {
     using std::sin;
     jet s(x.order());
     jet c(x.order());
-    s[0] = T(sin(x[0]));
-    c[0] = T(cos(x[0]));
+    if constexpr (std::same_as<T, ball>) {
+      sin_cos(s[0], c[0], x[0]);  // both for little more than the price of one
+    } else {
+      s[0] = T(sin(x[0]));
+      c[0] = T(cos(x[0]));
+    }
     for (int k = 1; k <= x.order(); ++k) {
       s[k] = T(weighted(x, c, k) / detail::exact<T>(k));
       c[k] = T(-weighted(x, s, k) / detail::exact<T>(k));

@@ -15,9 +15,11 @@ namespace polhode {
 
 /// What is proved about the roots of f in a box.
 enum class root_verdict {
-  unique,     // there is exactly one, it is simple, and the enclosure holds it
-  none,       // there is none
-  unresolved  // neither is proved
+  unique,        // there is exactly one, it is simple, and the enclosure holds it
+  multiple,      // there is exactly one, and its multiplicity is proved to be 2 or more
+  at_least_one,  // there is one; that it is the only one is not proved
+  none,          // there is none
+  unresolved     // nothing is proved: none, one or more
 };
 
 [[nodiscard]] std::string to_text(root_verdict v);
@@ -97,8 +99,9 @@ template <class F, class Derivative>
     const bool proved = result.verdict == root_verdict::unique;
     precision next = (proved ? p : std::max<precision>(p, bits)) + guard;
     while (next > 64 && next > 2 * bits + 2 * guard) next = next / 2 + guard;
-    // The derivative is needed to the bits that the step gains only.
-    const ball current = result.root.with_precision(std::max<precision>(next / 2 + guard, 53));
+    // The derivative is needed to the bits that the step gains only; the box is not made wider for it.
+    const ball current = result.root.with_precision(
+        std::max<precision>(std::max(next / 2 + guard, std::min(next, bits + 4)), 53));
     if (!contains(domain, current)) {
       ++result.evaluations_of_f;
       if (f(current).is_undefined()) break;

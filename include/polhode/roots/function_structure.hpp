@@ -1,0 +1,183 @@
+#pragma once
+
+// What can be read off a function besides its values: put a function_structure into a generic function, and the
+// answer knows
+//   the polynomial with rational coefficients that the function is, if it is one;
+//   the function as a quotient of products of factors with their powers, over a box: sin(x)^2 (x - 1) has
+//     the factors sin(x), twice, and x - 1, and tan(x) is sin(x)/cos(x), so that poles are roots of the
+//     denominator;
+//   its range over that part of the box on which it is defined (natural_domain.hpp);
+//   its Taylor coefficients at a rational point, exactly where they are evidently rational.
+// This is what multiple roots and poles are proved by: enclosures alone cannot tell a double root from two
+// roots or none.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/natural_domain.hpp"
+#include "polhode/roots/known_number.hpp"
+#include "polhode/roots/polynomial.hpp"
+
+namespace polhode {
+
+class function_structure {
+ public:
+  using exact_series = jet<detail::known_number, dynamic_order>;
+
+  /// g^power, with g and g' over the box, and g at the point in it.
+  struct factor {
+    long id = 0;  // equal ids, in one evaluation of f, are the same function
+    long power = 1;
+    jet<ball, 1> over;
+    ball at_point;
+  };
+  /// A product of the factors and of a function that vanishes nowhere in the box.
+  struct product {
+    long id = 0;
+    std::vector<factor> factors;
+    jet<ball, 1> over;  // the whole product
+    ball at_point;
+  };
+
+  /// The identity over the box, at the point, which lies in it.
+  [[nodiscard]] static function_structure variable(const ball& box, const ball& point);
+  /// The identity with its Taylor series at the rational point c, to the order; p bits where not exact.
+  [[nodiscard]] static function_structure variable_at(const rational& c, int order, precision p);
+
+  // As the evaluation of formulas needs them: a constant beside a value.
+  [[nodiscard]] function_structure constant_like(const rational& c) const;
+  [[nodiscard]] function_structure constant_like(const ball& c) const;
+
+  [[nodiscard]] const std::optional<rational_polynomial>& polynomial() const { return polynomial_; }
+  /// The range where it is defined; std::nullopt where it is defined nowhere in the box.
+  [[nodiscard]] const std::optional<ball>& natural_range() const { return natural_; }
+  [[nodiscard]] const product& numerator() const { return numerator_; }
+  /// std::nullopt where there is none, that is 1.
+  [[nodiscard]] const std::optional<product>& denominator() const { return denominator_; }
+  /// Empty where it is not available.
+  [[nodiscard]] const std::optional<exact_series>& series() const { return series_; }
+  /// The function and its derivative over the box, undefined where the denominator may vanish.
+  [[nodiscard]] jet<ball, 1> over() const;
+  [[nodiscard]] ball at_point() const;
+
+  friend function_structure operator+(const function_structure& x) { return x; }
+  friend function_structure operator-(const function_structure& x);
+  friend function_structure operator+(const function_structure& x, const function_structure& y);
+  friend function_structure operator-(const function_structure& x, const function_structure& y);
+  friend function_structure operator*(const function_structure& x, const function_structure& y);
+  friend function_structure operator/(const function_structure& x, const function_structure& y);
+  function_structure& operator+=(const function_structure& y) { return *this = *this + y; }
+  function_structure& operator-=(const function_structure& y) { return *this = *this - y; }
+  function_structure& operator*=(const function_structure& y) { return *this = *this * y; }
+  function_structure& operator/=(const function_structure& y) { return *this = *this / y; }
+
+  /// A new factor f(x): on_jets is called with jets of balls and with balls, natural with balls, and
+  /// on_series with exact_series (or it is nullptr, where f has none). never_zero: f has no zero.
+  template <class OnJets, class Natural, class OnSeries>
+  [[nodiscard]] static function_structure applied(const function_structure& x, OnJets&& on_jets,
+                                                  Natural&& natural, OnSeries&& on_series,
+                                                  bool never_zero = false) {
+    function_structure r = x.fresh(on_jets(x.over()), on_jets(x.at_point()), never_zero);
+    if (x.natural_) r.natural_ = natural(*x.natural_);
+    if constexpr (!std::same_as<std::remove_cvref_t<OnSeries>, std::nullptr_t>) {
+      if (x.series_) r.series_ = on_series(*x.series_);
+    }
+    return r;
+  }
+  /// The same for a function of two.
+  template <class OnJets, class Natural>
+  [[nodiscard]] static function_structure applied_to_two(const function_structure& x,
+                                                         const function_structure& y,
+                                                         OnJets&& on_jets, Natural&& natural) {
+    function_structure r =
+        x.fresh(on_jets(x.over(), y.over()), on_jets(x.at_point(), y.at_point()), false);
+    if (x.natural_ && y.natural_) r.natural_ = natural(*x.natural_, *y.natural_);
+    return r;
+  }
+  /// A series with the value alone, for a function with breaks.
+  [[nodiscard]] static exact_series value_alone(const exact_series& like,
+                                                const detail::known_number& value);
+
+  friend function_structure pow(const function_structure& x, long n);
+
+ private:
+  /// Without a natural range (nowhere defined), polynomial and series.
+  [[nodiscard]] function_structure fresh(jet<ball, 1> over, ball at_point, bool never_zero) const;
+  [[nodiscard]] function_structure constant(const ball& c) const;
+  void forget_if_long();
+
+  std::optional<rational_polynomial> polynomial_;
+  product numerator_;
+  std::optional<product> denominator_;
+  std::optional<ball> natural_;
+  std::optional<exact_series> series_;
+  std::shared_ptr<long> ids_;  // the greatest id given away
+};
+
+// With exact numbers and balls.
+template <class N>
+concept structure_constant = exact_number<N> || std::same_as<N, ball>;
+namespace detail {
+template <structure_constant N>
+[[nodiscard]] function_structure constant_structure(const N& n, const function_structure& like) {
+  if constexpr (std::same_as<N, ball>) {
+    return like.constant_like(n);
+  } else {
+    return like.constant_like(rational(n));
+  }
+}
+}  // namespace detail
+#define POLHODE_WITH_CONSTANTS(sign)                                               \
+  template <structure_constant N>                                                  \
+  [[nodiscard]] function_structure operator sign(const function_structure& x,      \
+                                                 const N& n) {                     \
+    return x sign detail::constant_structure(n, x);                                \
+  }                                                                                \
+  template <structure_constant N>                                                  \
+  [[nodiscard]] function_structure operator sign(const N& n,                       \
+                                                 const function_structure& x) {    \
+    return detail::constant_structure(n, x) sign x;                                \
+  }
+POLHODE_WITH_CONSTANTS(+)
+POLHODE_WITH_CONSTANTS(-)
+POLHODE_WITH_CONSTANTS(*)
+POLHODE_WITH_CONSTANTS(/)
+#undef POLHODE_WITH_CONSTANTS
+
+[[nodiscard]] function_structure square(const function_structure& x);
+[[nodiscard]] function_structure sqrt(const function_structure& x);
+[[nodiscard]] function_structure exp(const function_structure& x);
+[[nodiscard]] function_structure log(const function_structure& x);
+[[nodiscard]] function_structure sin(const function_structure& x);
+[[nodiscard]] function_structure cos(const function_structure& x);
+[[nodiscard]] function_structure tan(const function_structure& x);
+[[nodiscard]] function_structure asin(const function_structure& x);
+[[nodiscard]] function_structure acos(const function_structure& x);
+[[nodiscard]] function_structure atan(const function_structure& x);
+[[nodiscard]] function_structure sinh(const function_structure& x);
+[[nodiscard]] function_structure cosh(const function_structure& x);
+[[nodiscard]] function_structure tanh(const function_structure& x);
+[[nodiscard]] function_structure asinh(const function_structure& x);
+[[nodiscard]] function_structure acosh(const function_structure& x);
+[[nodiscard]] function_structure atanh(const function_structure& x);
+[[nodiscard]] function_structure erf(const function_structure& x);
+[[nodiscard]] function_structure erfc(const function_structure& x);
+[[nodiscard]] function_structure abs(const function_structure& x);
+[[nodiscard]] function_structure floor(const function_structure& x);
+[[nodiscard]] function_structure ceil(const function_structure& x);
+[[nodiscard]] function_structure min(const function_structure& x, const function_structure& y);
+[[nodiscard]] function_structure max(const function_structure& x, const function_structure& y);
+namespace detail {
+/// The range of x^y where it is defined, or more: as pow(x, y) has it, a whole y for every x.
+[[nodiscard]] std::optional<ball> natural_power(const ball& x, const ball& y);
+}  // namespace detail
+/// x^y for x > 0.
+[[nodiscard]] function_structure pow(const function_structure& x, const function_structure& y);
+template <rational_like N>
+[[nodiscard]] function_structure pow(const function_structure& x, const N& y) {
+  return pow(x, detail::constant_structure(y, x));
+}
+
+}  // namespace polhode

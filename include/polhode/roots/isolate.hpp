@@ -1,0 +1,187 @@
+#pragma once
+
+// All roots of a function of one variable in an interval, each proved to exist and to be the only one in its
+// box, or said not to be.
+//
+//   root_set s = isolate_roots([](const auto& x) { return cos(x) - x; }, 0, 1);
+//   refined_root r = refine(s.regions[0], 100);       // a hundred digits
+//
+// Outside the regions of the answer f has no root in the interval: they cover what could not be excluded,
+// without gaps. A region says what is proved of it (root_verdict, newton.hpp).
+//
+// How: the interval is cut into boxes. Over a box X with its middle m f and f' are enclosed by evaluation and by
+// Taylor's formula about m. A box whose range does not hold 0 has no root; one on which f' has one
+// sign and which interval Newton maps into itself has exactly one. Where this fails the box is halved, with more
+// bits where rounding is in the way. A root found is looked for in a box wider than its own, which is then
+// taken out of the others, so that a root at a common end is found once. What halving cannot decide is asked of
+// the function's structure (function_structure.hpp):
+//   a polynomial with rational coefficients is made free of multiple roots exactly (Yun) before the search;
+//   a factor g^m, g with one simple root in the box and the other factors without one: multiplicity m;
+//   f, f', ..., f^(m-1) exactly 0 at a rational point and f^(m) not 0 over the box: that point, m times, and by
+//     Rolle's theorem no other;
+//   no factor of the numerator vanishes: no root, but a pole where the denominator does.
+// A multiple root that none of these proves stays unresolved, however many bits are spent; the number of complex
+// roots near it, which Rouche's theorem gives, is reported with it.
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/roots/newton.hpp"
+#include "polhode/roots/real_function.hpp"
+
+namespace polhode {
+
+/// An end of the interval that is searched: an exact number, a real number that can be had to any precision,
+/// or an infinity.
+class range_end {
+ public:
+  template <machine_integer N>
+  range_end(N n)  // NOLINT(google-explicit-constructor): exact
+      : range_end(rational(n)) {}
+  range_end(const rational& q)  // NOLINT(google-explicit-constructor): exact
+      : exact_(q) {}
+  /// A number that at(p) encloses with p bits.
+  explicit range_end(std::function<ball(precision)> at) : at_(std::move(at)) {}
+  template <std::floating_point N>
+  range_end(N) = delete;
+  [[nodiscard]] static range_end infinity() { return range_end(infinite{1}); }
+  [[nodiscard]] static range_end minus_infinity() { return range_end(infinite{-1}); }
+
+  /// 1, -1, or 0 for a number.
+  [[nodiscard]] int infinite_sign() const { return infinite_; }
+  [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
+  [[nodiscard]] ball at(precision p) const { return exact_ ? ball(*exact_, p) : at_(p); }
+
+ private:
+  struct infinite {
+    int sign;
+  };
+  explicit range_end(infinite i) : infinite_(i.sign) {}
+
+  std::optional<rational> exact_;
+  std::function<ball(precision)> at_;
+  int infinite_ = 0;
+};
+
+/// What is known of the roots in one part of the interval.
+struct root_region {
+  root_verdict verdict = root_verdict::unresolved;
+  ball box;        // what the verdict is about; unbounded towards infinity
+  ball enclosure;  // holds every root of f in the box
+  /// Of the root, where the verdict is unique (then 1) or multiple; else 0.
+  long multiplicity = 0;
+  /// The root, where it is known to be this rational number.
+  std::optional<rational> exact;
+  /// The complex roots of f in a disc around the box, counted with their multiplicities, where proved.
+  std::optional<long> complex_roots;
+  /// It is not decided on which side of an end of the interval the root lies.
+  bool may_lie_outside = false;
+  /// Why it is not resolved, in words: what f meets in the box, or which limit was reached.
+  std::string remark;
+  std::shared_ptr<const real_function> function;  // f
+  /// A function with the same root, there simple: f itself, or the factor of f that vanishes.
+  std::shared_ptr<const real_function> simple;
+};
+
+/// A place where f is not defined, and is proved to have no root.
+struct singular_place {
+  ball place;
+  /// The order of the one pole in the place; 0 where f is not defined on the whole of the place.
+  long pole_order = 0;
+};
+
+struct isolation_account {
+  long evaluations = 0;  // of f, over boxes and at points, in all arithmetics
+  long boxes = 0;
+  precision most_bits = 0;
+};
+
+struct root_set {
+  /// In ascending order, with disjoint enclosures.
+  std::vector<root_region> regions;
+  std::vector<singular_place> singular;
+  /// f is 0 everywhere; there are no regions then.
+  bool identically_zero = false;
+  /// The whole interval was searched: no limit was reached.
+  bool complete = true;
+  isolation_account account;
+
+  /// Every region has the verdict unique or multiple, and none may lie outside.
+  [[nodiscard]] bool is_resolved() const;
+};
+
+struct isolation_progress {
+  long boxes_done = 0;
+  long boxes_waiting = 0;
+  long roots = 0;
+};
+
+struct isolate_options {
+  /// Boxes that may be examined in one run.
+  long most_boxes = 100'000;
+  /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval, or the like.
+  long most_unresolved = 2'000;
+  /// The time that one run may take.
+  std::optional<std::chrono::milliseconds> most_time = std::nullopt;
+  /// How often a box may be halved before it is left unresolved.
+  int most_halvings = 200;
+  /// Bits that cancellation may raise the working precision to.
+  precision most_precision = 1L << 14;
+  /// Called every few boxes; false ends the run as a limit does.
+  std::function<bool(const isolation_progress&)> progress = {};
+};
+
+/// A search that can be stopped and gone on with: its state is a value.
+///
+///   root_search s(f, 0, 1);
+///   s.run({.most_boxes = 1000});
+///   root_set so_far = s.result();           // what was not examined is unresolved
+///   if (!s.is_finished()) s.run({});
+class root_search {
+ public:
+  /// Throws input_error where the interval is the wrong way round, or is one infinity.
+  root_search(const real_function& f, const range_end& lower, const range_end& upper);
+
+  void run(const isolate_options& options = {});
+  [[nodiscard]] bool is_finished() const;
+  [[nodiscard]] root_set result() const;
+
+  struct state;
+
+ private:
+  std::shared_ptr<const state> state_;
+};
+
+/// The roots of f with lower <= x <= upper.
+[[nodiscard]] root_set isolate_roots(const real_function& f, const range_end& lower,
+                                     const range_end& upper, const isolate_options& options = {});
+
+/// A root to many digits.
+struct refined_root {
+  ball enclosure;
+  std::optional<rational> exact;
+  /// Certified where the radius is at most 10^-digits of the root, or of the box where the root is 0.
+  status verdict = status::not_certified;
+  int evaluations_of_f = 0;
+  int evaluations_of_derivative = 0;
+};
+
+/// The root of a region that is unique or multiple, to a radius of 10^-digits of its size (of the box's where
+/// the root is so near 0 that it cannot be told from it), by interval Newton with precision doubling:
+/// refine_root of newton.hpp. f is evaluated once with the full precision, and f' once with half of it, and once
+/// more with the bits that cancellation costs where it does; a multiple root is refined as the simple root of a
+/// factor of f. Of another region, the enclosure as it is.
+/// Throws std::invalid_argument for digits < 1.
+[[nodiscard]] refined_root refine(const root_region& region, long digits);
+
+/// A point x in the box at which derivative(x) is certainly not f'(x); std::nullopt where none was found at
+/// `points` equally spaced points. f' comes from jets; derivative is a function object ball -> ball.
+[[nodiscard]] std::optional<rational> refute_derivative(
+    const real_function& f, const std::function<ball(const ball&)>& derivative,
+    const rational& lower, const rational& upper, int points = 16);
+
+}  // namespace polhode

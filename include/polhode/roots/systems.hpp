@@ -1,0 +1,145 @@
+#pragma once
+
+// All roots of n equations in n variables in a box, each proved to exist and to be the only one near it.
+//
+//   const auto f = [](const auto& x) { return std::vector{square(x[0]) + x[1] - 11, x[0] + square(x[1]) - 7}; };
+//   system_root_set s = solve_system(f, {{-5, 5}, {-5, 5}});
+//
+// f is a generic function of a std::vector, called with balls and with jets (of order 1, once for each variable:
+// the columns of the Jacobian).
+//
+// How: branch and prune. A box is discarded where a component of f, or of the mean value form
+// f(m) + J(X) (X - m), does not hold 0, or where the preconditioned interval Newton method in Gauss-Seidel form
+// (E. Hansen, S. Sengupta, 1981) leaves nothing of it. It has exactly one root where Krawczyk's operator maps it
+// into its interior. What is left is halved. The proof is tried on a wider box, which is then taken out, so that a
+// root on a face of boxes is found once.
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/verdict.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "polhode/roots/newton.hpp"
+
+namespace polhode {
+
+class real_system {
+ public:
+  template <class F>
+  requires(!std::same_as<std::remove_cvref_t<F>, real_system>)
+  real_system(F f)  // NOLINT(google-explicit-constructor): the same function
+      : value_([f](const std::vector<ball>& x) { return as_vector<ball>(f(x)); }),
+        slope_([f](const std::vector<jet<ball, 1>>& x) { return as_vector<jet<ball, 1>>(f(x)); }) {}
+
+  [[nodiscard]] std::vector<ball> operator()(const std::vector<ball>& x) const {
+    return value_(x);
+  }
+  /// Row i, column j: an enclosure of the derivative of f_i by x_j over the box. The values of f over the box
+  /// come with it.
+  struct linearised {
+    std::vector<ball> value;
+    std::vector<std::vector<ball>> jacobian;
+  };
+  [[nodiscard]] linearised linearise(const std::vector<ball>& x) const;
+
+ private:
+  template <class T, class V>
+  static std::vector<T> as_vector(const V& values) {
+    return {std::begin(values), std::end(values)};
+  }
+  std::function<std::vector<ball>(const std::vector<ball>&)> value_;
+  std::function<std::vector<jet<ball, 1>>(const std::vector<jet<ball, 1>>&)> slope_;
+};
+
+/// One step of Krawczyk's method: K(X) = m - Y f(m) + (I - Y J(X)) (X - m), m the middle of X and Y near the
+/// inverse of the middle of J(X).
+///
+/// Theorem (R. Krawczyk, 1969; R. E. Moore, SIAM J. Numer. Anal. 14 (1977); A. Neumaier, Interval Methods for
+/// Systems of Equations, 1990, Thm 5.1.8). Let f be continuously differentiable on X with its derivatives in
+/// J(X). (1) Every root of f in X lies in K(X). (2) If K(X) lies in the interior of X, f has exactly one
+/// root in X, and J there is regular.
+/// Proof. For x in X, f(x) - f(m) = A (x - m) with a matrix A in J(X), row by row by the mean value theorem, so
+/// that x - Y f(x) = m - Y f(m) + (I - Y A)(x - m) lies in K(X): hence (1). (2) The width of K(X) is at least
+/// that of (I - Y A)(X - m), which is |I - Y A| times that of X; it is less than that of X, so |I - Y A| w < w
+/// for the positive vector w of widths. So the spectral radius of I - Y A is below 1, and Y and every such A are
+/// regular. By Brouwer x - Y f(x) has a fixed point in X, a root since Y is regular; for two roots
+/// A (x - x') = 0 with such an A, so they are equal.
+struct krawczyk_step {
+  std::vector<ball> image;  // undefined where f or J is, or Y was not found
+  std::vector<std::vector<ball>> jacobian;
+  std::vector<ball> value_at_middle;
+  std::vector<std::vector<ball>> preconditioner;  // Y, of points
+};
+[[nodiscard]] krawczyk_step krawczyk(const real_system& f, const std::vector<ball>& x, precision p);
+
+/// What is known of the roots in one part of the box: unique or unresolved.
+struct system_region {
+  root_verdict verdict = root_verdict::unresolved;
+  std::vector<ball> box;        // what the verdict is about
+  std::vector<ball> enclosure;  // holds every root in the box
+  bool may_lie_outside = false;  // it is not decided on which side of the given box's faces the root lies
+  std::string remark;            // why it is not resolved
+};
+
+struct system_root_set {
+  /// In ascending order of the first component, then the second, ...
+  std::vector<system_region> regions;
+  bool complete = true;  // no limit was reached
+  isolation_account account;
+
+  [[nodiscard]] bool is_resolved() const;
+};
+
+struct system_options {
+  long most_boxes = 200'000;
+  /// Boxes narrower than 2^-most_halvings of the given box, in every direction, are left unresolved.
+  int most_halvings = 60;
+  std::function<bool(const isolation_progress&)> progress = {};
+};
+
+/// A search that can be stopped and gone on with, as root_search.
+class system_search {
+ public:
+  /// The box's ends, one pair for each variable. Throws input_error where a pair is the wrong way round, where
+  /// there are none, or where f has not as many components as there are variables.
+  system_search(real_system f, std::vector<std::pair<rational, rational>> box);
+
+  void run(const system_options& options = {});
+  [[nodiscard]] bool is_finished() const { return pending_.empty(); }
+  [[nodiscard]] system_root_set result() const;
+
+ private:
+  friend class system_searcher;
+  struct waiting {
+    std::vector<ball> x;
+  };
+  real_system f_;
+  std::vector<std::pair<rational, rational>> range_;
+  std::vector<waiting> pending_;
+  std::vector<waiting> stuck_;
+  std::vector<system_region> found_;
+  isolation_account account_;
+};
+
+/// The roots of f in the box, faces included.
+[[nodiscard]] system_root_set solve_system(const real_system& f,
+                                           std::vector<std::pair<rational, rational>> box,
+                                           const system_options& options = {});
+
+struct refined_system_root {
+  std::vector<ball> enclosure;
+  /// Certified where each radius is at most 10^-digits of its component, or of the box where that may be 0.
+  status verdict = status::not_certified;
+  int evaluations_of_f = 0;
+  int evaluations_of_jacobian = 0;
+};
+
+/// The root of a unique region to so many digits by Krawczyk's method, with f(m) at the precision of
+/// each step and the Jacobian and its inverse at half of it; the precision doubles from step to step.
+[[nodiscard]] refined_system_root refine(const real_system& f, const system_region& region,
+                                         long digits);
+
+}  // namespace polhode

@@ -1,0 +1,311 @@
+// polhode roots: all roots of a formula in an interval, each proved.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "formula.hpp"
+#include "formula_function.hpp"
+#include "memory_limit.hpp"
+#include "options.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/certificate.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct roots_options {
+  std::string formula;
+  std::string range;
+  std::string variable = "x";
+  let_option let;
+  digits_option digits;
+  format_option format{{"text", "csv", "json"}};
+  memory_limit_option memory_limit;
+};
+
+/// An end as it is given: inf, -inf, or a formula without variables.
+range_end read_end(const std::string& text, const let_option& let) {
+  const std::size_t first = text.find_first_not_of(' ');
+  const std::size_t last = text.find_last_not_of(' ');
+  const std::string given =
+      first == std::string::npos ? "" : text.substr(first, last - first + 1);
+  if (given == "inf" || given == "+inf") return range_end::infinity();
+  if (given == "-inf") return range_end::minus_infinity();
+  const expression f = read_formula(given, {}, let);
+  if (f.exact_value()) return {*f.exact_value()};
+  return range_end([f](precision p) { return f.value(p); });
+}
+
+/// LO..HI. A number may end or begin with a point (1...5), so every ".." is tried.
+std::pair<range_end, range_end> read_range(const std::string& text, const let_option& let) {
+  std::optional<usage_error> first_error;
+  for (std::size_t at = text.find(".."); at != std::string::npos; at = text.find("..", at + 1)) {
+    try {
+      return {read_end(text.substr(0, at), let), read_end(text.substr(at + 2), let)};
+    } catch (const usage_error& error) {
+      if (!first_error) first_error = error;
+    }
+  }
+  if (first_error) {
+    throw usage_error(fmt::format("--in {}: {}", in_quotes(text), first_error->what()));
+  }
+  throw usage_error(fmt::format(
+      "--in {}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", in_quotes(text)));
+}
+
+/// A region, with its root to the digits asked for where it is proved.
+struct listed_root {
+  root_region region;
+  ball enclosure;
+  std::optional<rational> exact;
+  bool has_digits = false;  // as many as were asked for, or all there are
+
+  /// Of a number with so many digits, or of two ends that show as many.
+  [[nodiscard]] bool is_certified() const {
+    return region.multiplicity > 0 && has_digits && !region.may_lie_outside;
+  }
+};
+
+listed_root listed(const root_region& r, long digits) {
+  listed_root result{r, r.enclosure, r.exact, false};
+  if (r.multiplicity == 0) return result;
+  for (const long more : {1L, 6L}) {
+    const refined_root finer = refine(r, digits + more);
+    result.enclosure = finer.enclosure;
+    result.exact = finer.exact;
+    if (finer.verdict != status::certified) break;
+    result.has_digits = true;
+    const decimal_enclosure d = to_decimal_enclosure(finer.enclosure, digits);
+    if (d.exact || d.digits >= digits) break;
+  }
+  return result;
+}
+
+struct answer {
+  root_set roots;
+  std::vector<listed_root> list;
+
+  [[nodiscard]] bool is_certified() const {
+    return roots.complete && std::all_of(list.begin(), list.end(), [](const listed_root& r) {
+             return r.is_certified();
+           });
+  }
+};
+
+answer find_roots(const expression& f, const std::pair<range_end, range_end>& range, long digits) {
+  const progress line;
+  line.show("looking for roots");
+  isolate_options options;
+  options.progress = [&](const isolation_progress& p) {
+    line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done,
+                          p.boxes_waiting, p.roots));
+    return true;
+  };
+  answer result;
+  result.roots = isolate_roots(function_of(f), range.first, range.second, options);
+  long done = 0;
+  for (const root_region& r : result.roots.regions) {
+    line.show(fmt::format("root {} of {}", ++done, result.roots.regions.size()));
+    result.list.push_back(listed(r, digits));
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The formats
+
+std::string verdict_text(const listed_root& r) {
+  if (r.region.verdict == root_verdict::multiple) {
+    return fmt::format("multiple {}", r.region.multiplicity);
+  }
+  return to_text(r.region.verdict);
+}
+
+std::string remark_on(const listed_root& r) {
+  std::string result = r.region.remark;
+  const auto append = [&](const std::string& more) {
+    result += (result.empty() ? "" : "; ") + more;
+  };
+  if (r.region.complex_roots) {
+    append(fmt::format("{} complex roots near it, counted with multiplicities",
+                       *r.region.complex_roots));
+  }
+  if (r.region.may_lie_outside) append("at an end of the interval, inside or outside");
+  if (r.region.multiplicity > 0 && !r.has_digits) append("fewer digits than asked for");
+  return result;
+}
+
+/// Its digits; both ends where they share too few.
+std::string number_text(const listed_root& r, long digits) {
+  if (r.exact) return to_text(*r.exact) + " exactly";
+  if (!r.enclosure.is_bounded()) return fmt::format("{}", "unbounded");
+  const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);
+  if (d.exact || d.digits >= std::min(digits, 3L)) {
+    return r.has_digits && d.digits < digits && !d.exact
+               ? fmt::format("from {} to {}", d.lower, d.upper)
+               : to_decimal(r.enclosure, digits);
+  }
+  constexpr long few = 12;
+  const decimal_enclosure brief =
+      to_decimal_enclosure(r.enclosure, r.has_digits ? digits : std::min(digits, few));
+  return fmt::format("from {} to {}", brief.lower, brief.upper);
+}
+
+std::string bound_text(const ball& x) {
+  constexpr long few = 12;
+  if (x.is_bounded()) return to_decimal(x, few);
+  return x.is_undefined() || (!certainly_greater(x, 0) && !certainly_less(x, ball(0, 64)))
+             ? "the whole line"
+             : (certainly_greater(x, 0) ? "towards infinity" : "towards -infinity");
+}
+
+std::string counted(std::size_t n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string summary(const answer& a) {
+  const isolation_account& account = a.roots.account;
+  const std::string work = fmt::format("{} boxes, {} evaluations", account.boxes,
+                                       account.evaluations);
+  if (a.roots.identically_zero) return "certified: the formula is 0 everywhere\n";
+  if (a.is_certified()) {
+    if (a.list.empty()) return fmt::format("certified: no root ({})\n", work);
+    return fmt::format("certified: {}, all there are ({})\n", counted(a.list.size(), "root"), work);
+  }
+  const auto proved = static_cast<std::size_t>(std::count_if(
+      a.list.begin(), a.list.end(), [](const listed_root& r) { return r.is_certified(); }));
+  return fmt::format("not certified: {} proved, {} left open ({})\n", counted(proved, "root"),
+                     counted(a.list.size() - proved, "region"), work);
+}
+
+std::string as_text(const answer& a, long digits) {
+  std::string result;
+  for (const listed_root& r : a.list) {
+    const std::string remark = remark_on(r);
+    result += fmt::format("{}  {}{}\n",
+                          r.enclosure.is_bounded() ? number_text(r, digits)
+                                                   : bound_text(r.enclosure),
+                          verdict_text(r), remark.empty() ? "" : " (" + remark + ")");
+  }
+  for (const singular_place& s : a.roots.singular) {
+    result += s.pole_order > 0
+                  ? fmt::format("no root: a pole of order {} at {}\n", s.pole_order,
+                                bound_text(s.place))
+                  : fmt::format("no root: not defined everywhere in {}\n", bound_text(s.place));
+  }
+  return result + summary(a);
+}
+
+std::string csv_cell(const std::string& text) {
+  return text.find_first_of(",\"") == std::string::npos ? text : '"' + text + '"';
+}
+
+std::string as_csv(const answer& a, long digits) {
+  std::string result = "verdict,multiplicity,value,lower,upper,digits,exact,remark\n";
+  for (const listed_root& r : a.list) {
+    decimal_enclosure d;
+    if (r.enclosure.is_bounded()) d = to_decimal_enclosure(r.enclosure, digits);
+    result += fmt::format(
+        "{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
+        r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "", d.value, d.lower,
+        d.upper, d.digits, r.exact ? to_text(*r.exact) : "", csv_cell(remark_on(r)));
+  }
+  return result;
+}
+
+std::string as_json(const expression& f, const roots_options& options, const answer& a,
+                    long digits) {
+  json result{{"function", f.to_text()},
+              {"variable", options.variable},
+              {"in", options.range},
+              {"verdict", to_text(a.is_certified() ? status::certified : status::not_certified)},
+              {"identically_zero", a.roots.identically_zero},
+              {"complete", a.roots.complete}};
+  json list = json::array();
+  for (const listed_root& r : a.list) {
+    json entry{{"verdict", to_text(r.region.verdict)}};
+    if (r.region.multiplicity > 0) entry["multiplicity"] = r.region.multiplicity;
+    if (r.region.complex_roots) entry["complex_roots"] = *r.region.complex_roots;
+    const std::string remark = remark_on(r);
+    if (!remark.empty()) entry["remark"] = remark;
+    entry["number"] = to_json(r.enclosure, digits);
+    if (r.exact) entry["number"]["rational"] = to_text(*r.exact);
+    list.push_back(std::move(entry));
+  }
+  result["roots"] = std::move(list);
+  json places = json::array();
+  for (const singular_place& s : a.roots.singular) {
+    json entry{{"pole_order", s.pole_order}};
+    entry["place"] = to_json(s.place, 15);
+    places.push_back(std::move(entry));
+  }
+  result["singular"] = std::move(places);
+  result["account"] = {{"boxes", a.roots.account.boxes},
+                       {"evaluations", a.roots.account.evaluations},
+                       {"precision", a.roots.account.most_bits}};
+  return result.dump(2) + '\n';
+}
+
+// ---------------------------------------------------------------------------------------------
+// The command
+
+exit_status run(const roots_options& options) {
+  const long digits = options.digits.value();
+  const std::string format = options.format.value();
+  const expression f = read_formula(options.formula, {options.variable}, options.let);
+  const auto range = read_range(options.range, options.let);
+  constexpr double bytes_per_digit = 0.4153;
+  const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
+  options.memory_limit.check({fmt::format("roots to {} digits", digits),
+                              bytes_per_digit * numbers * static_cast<double>(digits)});
+  const answer a = find_roots(f, range, digits);
+  print(format == "json" ? as_json(f, options, a, digits)
+                         : (format == "csv" ? as_csv(a, digits) : as_text(a, digits)));
+  return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<roots_options>();
+  app.add_option("EXPR", options->formula, "A formula in x")->type_name("")->required();
+  app.add_option("--in", options->range,
+                 "The interval, ends included: formulas without variables,\nor -inf and inf")
+      ->type_name("LO..HI")
+      ->required();
+  app.add_option("--variable", options->variable, "The variable's name, if it is not x")
+      ->type_name("NAME");
+  options->let.declare(app);
+  options->digits.declare(app);
+  options->format.declare(app);
+  options->memory_limit.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command roots_command() {
+  return {
+      "roots", "Find all roots of a formula in an interval, with a proof",
+      "  polhode roots \"cos(x) - x\" --in 0..1 --digits 100\n"
+      "  polhode roots \"(x-1)*(x^2-2)^3\" --in -inf..inf\n"
+      "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n\n"
+      "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
+      "  unique         a simple root, the only one in its place\n"
+      "  multiple M     a root of multiplicity M, the only one in its place\n"
+      "  at least one   a root, perhaps with others beside it\n"
+      "  unresolved     perhaps a root, perhaps none; the remark says what is in the way\n"
+      "Poles, and places where the formula is not defined, are told apart. The status is 0 where\n"
+      "every root is unique or multiple.\n",
+      declare};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,335 @@
+#include "polhode/roots/function_structure.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+
+namespace polhode {
+
+std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
+  const bool some_positive = !x.is_undefined() && upper(x) > 0;
+  const bool none_negative = !x.is_undefined() && lower(x) >= 0;
+  // Of negative numbers, and of 0 alone, the whole powers are defined too.
+  if (!some_positive || !none_negative) return pow(x, y);
+  return natural_domain::pow(x, y);
+}
+
+using detail::known_number;
+using product = function_structure::product;
+using factor = function_structure::factor;
+
+namespace {
+
+// Beyond these a polynomial is not kept: what is exact would cost more than it tells.
+constexpr long most_degree = 128;
+constexpr std::size_t most_height = 1U << 15;
+
+void multiply_factors(std::vector<factor>& factors, const std::vector<factor>& more) {
+  for (const factor& g : more) {
+    const auto same =
+        std::find_if(factors.begin(), factors.end(), [&](const factor& h) { return h.id == g.id; });
+    if (same == factors.end()) {
+      factors.push_back(g);
+    } else {
+      same->power += g.power;
+    }
+  }
+}
+
+product multiplied(const product& x, const product& y, long id) {
+  product r{id, x.factors, x.over * y.over, x.at_point * y.at_point};
+  multiply_factors(r.factors, y.factors);
+  return r;
+}
+
+}  // namespace
+
+function_structure function_structure::variable(const ball& box, const ball& point) {
+  function_structure x;
+  x.ids_ = std::make_shared<long>(1);
+  x.polynomial_ = rational_polynomial::variable();
+  x.numerator_.id = 1;
+  x.numerator_.over = jet<ball, 1>::variable(box);
+  x.numerator_.at_point = point;
+  x.numerator_.factors = {{1, 1, x.numerator_.over, point}};
+  x.natural_ = box;
+  return x;
+}
+
+function_structure function_structure::variable_at(const rational& c, int order, precision p) {
+  const ball point(c, p);
+  function_structure x = variable(point, point);
+  x.series_ = exact_series::variable(known_number(c, p), order);
+  return x;
+}
+
+jet<ball, 1> function_structure::over() const {
+  return denominator_ ? numerator_.over / denominator_->over : numerator_.over;
+}
+ball function_structure::at_point() const {
+  return denominator_ ? numerator_.at_point / denominator_->at_point : numerator_.at_point;
+}
+
+function_structure function_structure::fresh(jet<ball, 1> over, ball at_point,
+                                             bool never_zero) const {
+  function_structure r;
+  r.ids_ = ids_;
+  r.numerator_.id = ++*ids_;
+  if (!never_zero) r.numerator_.factors = {{r.numerator_.id, 1, over, at_point}};
+  r.numerator_.over = std::move(over);
+  r.numerator_.at_point = std::move(at_point);
+  return r;
+}
+
+function_structure function_structure::constant(const ball& c) const {
+  function_structure r = fresh(jet<ball, 1>::constant(c), c, !contains_zero(c));
+  r.natural_ = c;
+  return r;
+}
+function_structure function_structure::constant_like(const rational& c) const {
+  const precision p = numerator_.at_point.precision();
+  function_structure r = constant(ball(c, p));
+  r.polynomial_ = rational_polynomial({c});
+  if (series_) r.series_ = exact_series::constant(known_number(c, p), series_->order());
+  r.forget_if_long();
+  return r;
+}
+function_structure function_structure::constant_like(const ball& c) const {
+  if (c.is_exact()) return constant_like(lower_rational(c));
+  function_structure r = constant(c);
+  if (series_) r.series_ = exact_series::constant(known_number(c), series_->order());
+  return r;
+}
+
+void function_structure::forget_if_long() {
+  if (polynomial_ && (polynomial_->degree() > most_degree || polynomial_->height() > most_height)) {
+    polynomial_.reset();
+  }
+}
+
+function_structure::exact_series function_structure::value_alone(const exact_series& like,
+                                                                 const known_number& value) {
+  exact_series r = exact_series::constant(value, like.order());
+  for (int k = 1; k <= r.order(); ++k) {
+    r[k] = known_number(ball::undefined(value.enclosure().precision()));
+  }
+  return r;
+}
+
+function_structure operator-(const function_structure& x) {
+  function_structure r = x;  // the same factors
+  r.numerator_.id = ++*x.ids_;
+  r.numerator_.over = -x.numerator_.over;
+  r.numerator_.at_point = -x.numerator_.at_point;
+  if (x.natural_) r.natural_ = -*x.natural_;
+  if (x.polynomial_) r.polynomial_ = rational_polynomial() - *x.polynomial_;
+  if (x.series_) r.series_ = -*x.series_;
+  return r;
+}
+
+function_structure operator+(const function_structure& x, const function_structure& y) {
+  // n/d + m/d = (n + m)/d, n/d + m/e = (ne + md)/(de).
+  jet<ball, 1> over = x.numerator_.over;
+  ball at_point = x.numerator_.at_point;
+  std::optional<product> denominator = x.denominator_;
+  if (x.denominator_ && y.denominator_ && x.denominator_->id == y.denominator_->id) {
+    over += y.numerator_.over;
+    at_point += y.numerator_.at_point;
+  } else {
+    if (y.denominator_) {
+      over *= y.denominator_->over;
+      at_point *= y.denominator_->at_point;
+    }
+    if (x.denominator_) {
+      over += y.numerator_.over * x.denominator_->over;
+      at_point += y.numerator_.at_point * x.denominator_->at_point;
+    } else {
+      over += y.numerator_.over;
+      at_point += y.numerator_.at_point;
+    }
+    if (y.denominator_) {
+      denominator = x.denominator_ ? multiplied(*x.denominator_, *y.denominator_, ++*x.ids_)
+                                   : *y.denominator_;
+    }
+  }
+  function_structure r = x.fresh(std::move(over), std::move(at_point), false);
+  r.denominator_ = std::move(denominator);
+  if (x.natural_ && y.natural_) r.natural_ = *x.natural_ + *y.natural_;
+  if (x.polynomial_ && y.polynomial_) r.polynomial_ = *x.polynomial_ + *y.polynomial_;
+  if (x.series_ && y.series_) r.series_ = *x.series_ + *y.series_;
+  r.forget_if_long();
+  return r;
+}
+function_structure operator-(const function_structure& x, const function_structure& y) {
+  return x + (-y);
+}
+
+function_structure operator*(const function_structure& x, const function_structure& y) {
+  function_structure r;
+  r.ids_ = x.ids_;
+  r.numerator_ = multiplied(x.numerator_, y.numerator_, ++*x.ids_);
+  if (x.denominator_ && y.denominator_) {
+    r.denominator_ = multiplied(*x.denominator_, *y.denominator_, ++*x.ids_);
+  } else {
+    r.denominator_ = x.denominator_ ? x.denominator_ : y.denominator_;
+  }
+  if (x.natural_ && y.natural_) {
+    const bool same = x.numerator_.id == y.numerator_.id &&
+                      x.denominator_.has_value() == y.denominator_.has_value() &&
+                      (!x.denominator_ || x.denominator_->id == y.denominator_->id);
+    r.natural_ = same ? square(*x.natural_) : *x.natural_ * *y.natural_;
+  }
+  if (x.polynomial_ && y.polynomial_ &&
+      x.polynomial_->degree() + y.polynomial_->degree() <= most_degree) {
+    r.polynomial_ = *x.polynomial_ * *y.polynomial_;
+  }
+  if (x.series_ && y.series_) r.series_ = *x.series_ * *y.series_;
+  r.forget_if_long();
+  return r;
+}
+
+function_structure operator/(const function_structure& x, const function_structure& y) {
+  function_structure r;
+  r.ids_ = x.ids_;
+  const product& divisor = y.numerator_;
+  // (n/d) / (m/e) = (n e) / (d m). The e is one more condition: y is not defined where it vanishes.
+  r.numerator_ =
+      y.denominator_ ? multiplied(x.numerator_, *y.denominator_, ++*x.ids_) : x.numerator_;
+  if (x.denominator_) {
+    r.denominator_ = multiplied(*x.denominator_, divisor, ++*x.ids_);
+  } else {
+    r.denominator_ = divisor;
+  }
+  if (x.natural_ && y.natural_) r.natural_ = natural_domain::divide(*x.natural_, *y.natural_);
+  if (x.polynomial_ && y.polynomial_ && y.polynomial_->degree() == 0) {
+    r.polynomial_ = *x.polynomial_ * rational_polynomial({rational(1) / y.polynomial_->leading()});
+  }
+  if (x.series_ && y.series_) r.series_ = *x.series_ / *y.series_;
+  r.forget_if_long();
+  return r;
+}
+
+function_structure pow(const function_structure& x, long n) {
+  if (n == 0) {
+    function_structure one = x.constant_like(rational(1));
+    if (!x.natural_ || x.over()[0].is_undefined()) one.natural_ = x.natural_;
+    if (x.over()[0].is_undefined()) {  // 1 where x is defined, but nothing is known where not
+      one.polynomial_ = x.polynomial_ ? one.polynomial_ : std::nullopt;
+      one.numerator_.over[0] = ball::undefined(x.numerator_.at_point.precision());
+    }
+    return one;
+  }
+  constexpr long most_power = 1L << 40;
+  const auto bits = static_cast<unsigned long>(n);
+  const auto m = static_cast<long>(
+      std::min(n < 0 ? 0UL - bits : bits, static_cast<unsigned long>(most_power) + 1));
+  const auto raised = [&](const product& g) {
+    product r{++*x.ids_, g.factors, pow(g.over, m), pow(g.at_point, m)};
+    r.over[0] = pow(g.over[0], m);
+    for (factor& h : r.factors) h.power *= m;
+    return r;
+  };
+  const auto too_high = [&](const std::vector<factor>& factors) {
+    return m > most_power || std::any_of(factors.begin(), factors.end(),
+                                         [](const factor& h) { return h.power > (1L << 20); });
+  };
+  function_structure r;
+  if (too_high(x.numerator_.factors) ||
+      (x.denominator_ && too_high(x.denominator_->factors))) {  // powers would overflow
+    r = x.fresh(pow(x.over(), n), pow(x.at_point(), n), false);
+  } else {
+    r.ids_ = x.ids_;
+    r.numerator_ = raised(x.numerator_);
+    if (x.denominator_) r.denominator_ = raised(*x.denominator_);
+    if (n < 0) {
+      const product top =
+          r.denominator_ ? *r.denominator_ : x.constant_like(rational(1)).numerator_;
+      r.denominator_ = r.numerator_;
+      r.numerator_ = top;
+    }
+  }
+  if (x.natural_) r.natural_ = natural_domain::pow(*x.natural_, n);
+  if (x.polynomial_ && n > 0 && n <= most_degree && x.polynomial_->degree() * n <= most_degree &&
+      x.polynomial_->height() * static_cast<std::size_t>(n) <= most_height) {
+    rational_polynomial power({rational(1)});
+    for (long k = 0; k < n; ++k) power = power * *x.polynomial_;
+    r.polynomial_ = power;
+  }
+  if (x.series_) r.series_ = pow(*x.series_, n);
+  r.forget_if_long();
+  return r;
+}
+
+function_structure square(const function_structure& x) { return pow(x, 2); }
+
+// Those that are defined everywhere.
+#define POLHODE_ENTIRE(f, never_zero)                                                          \
+  function_structure f(const function_structure& x) {                                          \
+    const auto apply = [](const auto& t) { return f(t); };                                     \
+    return function_structure::applied(                                                        \
+        x, apply, [](const ball& t) { return std::optional<ball>(f(t)); }, apply, never_zero); \
+  }
+POLHODE_ENTIRE(exp, true)
+POLHODE_ENTIRE(sin, false)
+POLHODE_ENTIRE(cos, false)
+POLHODE_ENTIRE(atan, false)
+POLHODE_ENTIRE(sinh, false)
+POLHODE_ENTIRE(cosh, true)
+POLHODE_ENTIRE(tanh, false)
+POLHODE_ENTIRE(asinh, false)
+#undef POLHODE_ENTIRE
+#define POLHODE_PARTIAL(f)                                                    \
+  function_structure f(const function_structure& x) {                         \
+    const auto apply = [](const auto& t) { return f(t); };                    \
+    return function_structure::applied(                                       \
+        x, apply, [](const ball& t) { return natural_domain::f(t); }, apply); \
+  }
+POLHODE_PARTIAL(sqrt)
+POLHODE_PARTIAL(log)
+POLHODE_PARTIAL(asin)
+POLHODE_PARTIAL(acos)
+POLHODE_PARTIAL(acosh)
+POLHODE_PARTIAL(atanh)
+#undef POLHODE_PARTIAL
+#define POLHODE_WITHOUT_SERIES(f)                                          \
+  function_structure f(const function_structure& x) {                      \
+    return function_structure::applied(                                    \
+        x, [](const auto& t) { return f(t); },                             \
+        [](const ball& t) { return std::optional<ball>(f(t)); }, nullptr); \
+  }
+POLHODE_WITHOUT_SERIES(erf)
+POLHODE_WITHOUT_SERIES(erfc)
+POLHODE_WITHOUT_SERIES(floor)
+POLHODE_WITHOUT_SERIES(ceil)
+#undef POLHODE_WITHOUT_SERIES
+
+function_structure tan(const function_structure& x) { return sin(x) / cos(x); }
+
+function_structure abs(const function_structure& x) {
+  return function_structure::applied(
+      x, [](const auto& t) { return abs(t); },
+      [](const ball& t) { return std::optional<ball>(abs(t)); },
+      [](const function_structure::exact_series& s) {
+        const auto value =
+            s[0].exact() ? s[0].like(abs(*s[0].exact())) : known_number(abs(s[0].enclosure()));
+        return function_structure::value_alone(s, value);
+      });
+}
+function_structure min(const function_structure& x, const function_structure& y) {
+  return function_structure::applied_to_two(
+      x, y, [](const auto& s, const auto& t) { return min(s, t); },
+      [](const ball& s, const ball& t) { return std::optional<ball>(min(s, t)); });
+}
+function_structure max(const function_structure& x, const function_structure& y) {
+  return function_structure::applied_to_two(
+      x, y, [](const auto& s, const auto& t) { return max(s, t); },
+      [](const ball& s, const ball& t) { return std::optional<ball>(max(s, t)); });
+}
+function_structure pow(const function_structure& x, const function_structure& y) {
+  return function_structure::applied_to_two(
+      x, y, [](const auto& s, const auto& t) { return pow(s, t); },
+      [](const ball& s, const ball& t) { return detail::natural_power(s, t); });
+}
+
+}  // namespace polhode

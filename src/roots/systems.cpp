@@ -1,0 +1,500 @@
+#include "polhode/roots/systems.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode {
+namespace {
+
+using vector = std::vector<ball>;
+using matrix = std::vector<vector>;
+
+bool is_undefined(const vector& x) {
+  return std::any_of(x.begin(), x.end(), [](const ball& t) { return t.is_undefined(); });
+}
+bool all_overlap(const vector& x, const vector& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!overlaps(x[i], y[i])) return false;
+  }
+  return true;
+}
+bool holds(const vector& x, const vector& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!contains(x[i], y[i])) return false;
+  }
+  return true;
+}
+bool holds_inside(const vector& x, const vector& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!is_interior(y[i], x[i])) return false;
+  }
+  return true;
+}
+bool holds_zero(const vector& x) {
+  return std::all_of(x.begin(), x.end(), [](const ball& t) { return contains_zero(t); });
+}
+vector middle_of(const vector& x) {
+  vector r;
+  for (const ball& t : x) r.push_back(t.middle());
+  return r;
+}
+vector with_precision(const vector& x, precision p) {
+  vector r;
+  for (const ball& t : x) r.push_back(t.with_precision(p));
+  return r;
+}
+/// Undefined in a component where there is no common part.
+vector common(const vector& x, const vector& y) {
+  vector r;
+  for (std::size_t i = 0; i < x.size(); ++i) r.push_back(intersection(x[i], y[i]));
+  return r;
+}
+vector joined(const vector& x, const vector& y) {
+  vector r;
+  for (std::size_t i = 0; i < x.size(); ++i) r.push_back(hull(x[i], y[i]));
+  return r;
+}
+magnitude widest(const vector& x) {
+  magnitude r;
+  for (const ball& t : x) r = max(r, t.radius());
+  return r;
+}
+
+/// Points near the inverse of the middles of a, by elimination with the largest pivot; empty where a pivot
+/// is 0. Nothing rests on how near they are.
+matrix approximate_inverse(const matrix& a, precision p) {
+  const std::size_t n = a.size();
+  matrix left;
+  matrix right;
+  for (std::size_t i = 0; i < n; ++i) {
+    left.push_back(with_precision(middle_of(a[i]), p));
+    left.back() = middle_of(left.back());
+    right.emplace_back(n, ball(0, p));
+    right.back()[i] = ball(1, p);
+    if (is_undefined(left.back())) return {};
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      if (left[i][k].magnitude_upper() > left[pivot][k].magnitude_upper()) pivot = i;
+    }
+    if (contains_zero(left[pivot][k])) return {};
+    std::swap(left[k], left[pivot]);
+    std::swap(right[k], right[pivot]);
+    const ball scale_by = (1 / left[k][k]).middle();
+    for (std::size_t j = 0; j < n; ++j) {
+      left[k][j] = (left[k][j] * scale_by).middle();
+      right[k][j] = (right[k][j] * scale_by).middle();
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == k || sign_of(left[i][k]) == sign::zero) continue;
+      const ball factor = left[i][k];
+      for (std::size_t j = 0; j < n; ++j) {
+        left[i][j] = (left[i][j] - factor * left[k][j]).middle();
+        right[i][j] = (right[i][j] - factor * right[k][j]).middle();
+      }
+    }
+  }
+  return right;
+}
+
+vector product(const matrix& a, const vector& x) {
+  vector r;
+  for (const vector& row : a) {
+    ball sum(0, x.front().precision());
+    for (std::size_t j = 0; j < x.size(); ++j) sum += row[j] * x[j];
+    r.push_back(std::move(sum));
+  }
+  return r;
+}
+matrix product(const matrix& a, const matrix& b) {
+  matrix r;
+  for (const vector& row : a) {
+    vector line;
+    for (std::size_t j = 0; j < b.front().size(); ++j) {
+      ball sum(0, row.front().precision());
+      for (std::size_t k = 0; k < row.size(); ++k) sum += row[k] * b[k][j];
+      line.push_back(std::move(sum));
+    }
+    r.push_back(std::move(line));
+  }
+  return r;
+}
+
+/// K(X) for y = Y f(m) and a = Y J(X).
+vector krawczyk_image(const vector& m, const vector& y, const matrix& a, const vector& difference) {
+  vector r;
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    ball sum = m[i] - y[i];
+    for (std::size_t j = 0; j < m.size(); ++j) {
+      const ball entry = i == j ? 1 - a[i][j] : -a[i][j];
+      sum += entry * difference[j];
+    }
+    r.push_back(std::move(sum));
+  }
+  return r;
+}
+
+vector difference_of(const vector& x, const vector& y) {
+  vector r;
+  for (std::size_t i = 0; i < x.size(); ++i) r.push_back(x[i] - y[i]);
+  return r;
+}
+
+bool ends_before(const vector& x, const vector& y) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (certainly_less(x[i], y[i])) return true;
+    if (certainly_less(y[i], x[i])) return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+real_system::linearised real_system::linearise(const std::vector<ball>& x) const {
+  const std::size_t n = x.size();
+  linearised r;
+  r.jacobian.assign(n, {});
+  for (std::size_t j = 0; j < n; ++j) {
+    std::vector<jet<ball, 1>> t;
+    t.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      t.push_back(j == k ? jet<ball, 1>::variable(x[k]) : jet<ball, 1>::constant(x[k]));
+    }
+    const auto f = slope_(t);
+    for (std::size_t i = 0; i < n; ++i) r.jacobian[i].push_back(f[i][1]);
+    if (j == 0) {
+      for (const auto& f_i : f) r.value.push_back(f_i[0]);
+    }
+  }
+  return r;
+}
+
+krawczyk_step krawczyk(const real_system& f, const std::vector<ball>& x, precision p) {
+  krawczyk_step r;
+  const auto over = f.linearise(x);
+  r.jacobian = over.jacobian;
+  const vector m = with_precision(middle_of(x), std::max(p, x.front().precision()));
+  r.value_at_middle = f(m);
+  r.preconditioner =
+      approximate_inverse(r.jacobian, std::max<precision>(x.front().precision(), 53));
+  // Where f has a jump its derivative alone may be defined: f itself must be, over the whole box.
+  if (r.preconditioner.empty() || is_undefined(over.value)) {
+    r.image.assign(x.size(), ball::undefined(p));
+    return r;
+  }
+  r.image = krawczyk_image(m, product(r.preconditioner, r.value_at_middle),
+                           product(r.preconditioner, r.jacobian), difference_of(x, m));
+  return r;
+}
+
+/// One run of a search.
+class system_searcher {
+ public:
+  system_searcher(system_search& s, const system_options& options) : s_(s), options_(options) {
+    for (const auto& [low, high] : s.range_) whole_.push_back(from_end_points(low, high, 64));
+  }
+
+  bool run() {
+    constexpr long between_looks = 64;
+    for (long boxes = 0; !s_.pending_.empty(); ++boxes) {
+      if (boxes >= options_.most_boxes) return false;
+      if (options_.progress && boxes % between_looks == 0 &&
+          !options_.progress({s_.account_.boxes, static_cast<long>(s_.pending_.size()),
+                              static_cast<long>(s_.found_.size())})) {
+        return false;
+      }
+      vector x = std::move(s_.pending_.back().x);
+      s_.pending_.pop_back();
+      ++s_.account_.boxes;
+      examine(std::move(x));
+    }
+    return true;
+  }
+
+ private:
+  void examine(vector x) {
+    for (const system_region& known : s_.found_) {
+      if (holds(known.box, x)) return;  // its root is known
+    }
+    constexpr int most_steps = 8;
+    for (int step = 0; step < most_steps; ++step) {
+      const precision p = bits_for(x);
+      s_.account_.most_bits = std::max(s_.account_.most_bits, p);
+      x = with_precision(x, p);
+      ++s_.account_.evaluations;
+      const vector value = s_.f_(x);
+      if (value.size() != x.size()) {
+        throw input_error("a system of " + std::to_string(value.size()) + " equations in " +
+                          std::to_string(x.size()) + " variables: there must be as many of both");
+      }
+      if (!is_undefined(value) && !holds_zero(value)) return;
+      if (is_undefined(value)) break;
+      const magnitude before = widest(x);
+      if (prune(x)) return;
+      if (widest(x) > scale(multiply_up(before, magnitude::from_integer_up(3)), -2)) break;
+      if (step > 0 && prove(x)) return;
+    }
+    if (prove(x)) return;
+    halve(x);
+  }
+
+  /// Bits that tell the ends apart, twice over: f may cancel.
+  [[nodiscard]] precision bits_for(const vector& x) const {
+    precision bits = 64;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const magnitude radius = x[i].radius();
+      if (radius.is_zero()) continue;
+      const magnitude size = max(x[i].magnitude_upper(), whole_[i].radius());
+      bits = std::max<precision>(bits, 64 + 2 * (size.log2_floor() - radius.log2_floor()));
+    }
+    return bits;
+  }
+
+  /// Makes x narrower by the mean value form and by Gauss-Seidel; true where nothing is left.
+  bool prune(vector& x) {
+    const vector m = middle_of(x);
+    const auto over = s_.f_.linearise(x);
+    const matrix& jacobian = over.jacobian;
+    s_.account_.evaluations += static_cast<long>(x.size());
+    // The mean value theorem needs f itself on the whole of x.
+    if (is_undefined(over.value)) return false;
+    const vector at_middle = s_.f_(m);
+    ++s_.account_.evaluations;
+    if (is_undefined(at_middle)) return false;
+    for (const vector& row : jacobian) {
+      if (is_undefined(row)) return false;
+    }
+    const vector difference = difference_of(x, m);
+    const vector change = product(jacobian, difference);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!contains_zero(at_middle[i] + change[i])) return true;
+    }
+    const matrix y = approximate_inverse(jacobian, 53);
+    if (y.empty()) return false;
+    const vector b = product(y, at_middle);
+    const matrix a = product(y, jacobian);
+    // Row i of Y (f(m) + A (x - m)) = 0, solved for x_i.
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (a[i][i].is_undefined() || contains_zero(a[i][i])) continue;
+      ball sum = b[i];
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        if (j != i) sum += a[i][j] * (x[j] - m[j]);
+      }
+      const ball image = m[i] - sum / a[i][i];
+      if (image.is_undefined()) continue;
+      if (!overlaps(image, x[i])) return true;
+      x[i] = intersection(image, x[i]);
+    }
+    return false;
+  }
+
+  /// Exactly one root in a box around x?
+  bool prove(const vector& x) {
+    const precision p = bits_for(x);
+    vector wide;
+    for (const ball& t : with_precision(x, p)) {
+      // No face is without room, be x a point.
+      const magnitude least = scale(max(t.magnitude_upper(), widest(x)), -p / 2);
+      wide.push_back(t.enlarged(max(scale(widest(x), -1), least)));
+    }
+    const krawczyk_step step = krawczyk(s_.f_, wide, p);
+    s_.account_.evaluations += static_cast<long>(x.size()) + 1;
+    if (is_undefined(step.image)) return false;
+    if (!holds_inside(wide, step.image)) return false;
+    system_region r;
+    r.verdict = root_verdict::unique;
+    r.box = wide;
+    r.enclosure = common(step.image, wide);
+    for (system_region& known : s_.found_) {
+      if (is_the_same(known, r)) return true;
+    }
+    s_.found_.push_back(std::move(r));
+    return true;
+  }
+
+  bool is_the_same(system_region& known, system_region& more) {
+    if (known.verdict != root_verdict::unique || !all_overlap(known.box, more.box)) return false;
+    for (long digits = 15; digits <= 15L << 6; digits *= 2) {
+      if (holds(known.box, more.enclosure) || holds(more.box, known.enclosure)) return true;
+      if (!all_overlap(known.enclosure, more.enclosure)) return false;
+      known.enclosure = refine(s_.f_, known, digits).enclosure;
+      more.enclosure = refine(s_.f_, more, digits).enclosure;
+    }
+    known.box = joined(known.box, more.box);
+    known.enclosure = joined(known.enclosure, more.enclosure);
+    known.verdict = root_verdict::at_least_one;
+    known.remark = "one root or two";
+    return true;
+  }
+
+  /// In the direction in which x is widest beside the given box.
+  void halve(const vector& x) {
+    std::size_t widest_one = 0;
+    magnitude most;
+    bool any = false;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (whole_[i].radius().is_zero()) continue;
+      const magnitude ratio = divide_up(x[i].radius(), whole_[i].radius());
+      if (!any || most < ratio) {
+        most = ratio;
+        widest_one = i;
+        any = true;
+      }
+    }
+    if (!any || most <= magnitude::power_of_two(-options_.most_halvings)) {
+      s_.stuck_.push_back({x});
+      return;
+    }
+    const auto [low, high] = split(x[widest_one]);
+    vector left = x;
+    vector right = x;
+    left[widest_one] = low;
+    right[widest_one] = high;
+    s_.pending_.push_back({std::move(right)});
+    s_.pending_.push_back({std::move(left)});
+  }
+
+  system_search& s_;
+  const system_options& options_;
+  vector whole_;
+};
+
+system_search::system_search(real_system f, std::vector<std::pair<rational, rational>> box)
+    : f_(std::move(f)), range_(std::move(box)) {
+  if (range_.empty()) throw input_error("a system without variables: there must be at least one");
+  waiting all;
+  for (const auto& [low, high] : range_) {
+    if (low > high) {
+      throw input_error(
+          "the box is the wrong way round: a lower end is greater than its upper end");
+    }
+    all.x.push_back(from_end_points(low, high, 64));
+  }
+  pending_.push_back(std::move(all));
+}
+
+void system_search::run(const system_options& options) { system_searcher(*this, options).run(); }
+
+bool system_root_set::is_resolved() const {
+  return complete && std::all_of(regions.begin(), regions.end(), [](const system_region& r) {
+           return r.verdict == root_verdict::unique && !r.may_lie_outside;
+         });
+}
+
+system_root_set system_search::result() const {
+  system_root_set result;
+  result.complete = pending_.empty();
+  result.account = account_;
+  enum class side { inside, outside, undecided };
+  const auto side_of = [&](const vector& x) {
+    side r = side::inside;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const ball low(range_[i].first, x[i].precision() + 64);
+      const ball high(range_[i].second, x[i].precision() + 64);
+      if (certainly_less(x[i], low) || certainly_less(high, x[i])) return side::outside;
+      if (!certainly_less_equal(low, x[i]) || !certainly_less_equal(x[i], high))
+        r = side::undecided;
+    }
+    return r;
+  };
+  for (system_region r : found_) {
+    side where = side_of(r.enclosure);
+    for (long digits = 20; digits <= 320 && where == side::undecided; digits *= 4) {
+      r.enclosure = refine(f_, r, digits).enclosure;
+      where = side_of(r.enclosure);
+    }
+    if (where == side::outside) continue;
+    r.may_lie_outside = where == side::undecided;
+    result.regions.push_back(std::move(r));
+  }
+  // Boxes that touch are one cluster.
+  std::vector<vector> open;
+  for (const auto* boxes : {&pending_, &stuck_}) {
+    for (const waiting& b : *boxes) {
+      const bool known = std::any_of(found_.begin(), found_.end(),
+                                     [&](const system_region& r) { return holds(r.box, b.x); });
+      if (!known) open.push_back(b.x);
+    }
+  }
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    for (std::size_t j = i + 1; j < open.size();) {
+      if (!all_overlap(open[i], open[j])) {
+        ++j;
+        continue;
+      }
+      open[i] = joined(open[i], open[j]);
+      open.erase(open.begin() + static_cast<std::ptrdiff_t>(j));
+      j = i + 1;
+    }
+  }
+  for (vector& x : open) {
+    system_region r;
+    r.box = r.enclosure = std::move(x);
+    r.remark = result.complete ? "not resolved by halving"
+                               : "the limit on the number of boxes was reached";
+    result.regions.push_back(std::move(r));
+  }
+  std::stable_sort(result.regions.begin(), result.regions.end(),
+                   [](const system_region& x, const system_region& y) {
+                     return ends_before(x.enclosure, y.enclosure);
+                   });
+  return result;
+}
+
+system_root_set solve_system(const real_system& f, std::vector<std::pair<rational, rational>> box,
+                             const system_options& options) {
+  system_search s(f, std::move(box));
+  s.run(options);
+  return s.result();
+}
+
+refined_system_root refine(const real_system& f, const system_region& region, long digits) {
+  if (digits < 1) throw std::invalid_argument("refine: at least one digit must be asked for");
+  refined_system_root r;
+  r.enclosure = region.enclosure;
+  if (region.verdict != root_verdict::unique) return r;
+  const precision goal = bits_for_digits(digits) + 8;
+  const auto bits_of = [&](const vector& x) {  // how narrow the widest component is beside its size
+    std::int64_t least = goal;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const magnitude radius = x[i].radius();
+      if (radius.is_zero()) continue;
+      const magnitude size = (contains_zero(x[i]) ? region.box[i] : x[i]).magnitude_upper();
+      least = std::min(least, size.log2_floor() - radius.log2_floor());
+    }
+    return least;
+  };
+  constexpr precision guard = 32;
+  precision more = guard;  // for what cancels
+  while (true) {
+    const std::int64_t bits = bits_of(r.enclosure);
+    if (bits >= goal) {
+      r.verdict = status::certified;
+      return r;
+    }
+    const precision next = std::min<precision>(goal, 2 * std::max<precision>(bits, 16)) + more;
+    const vector x = with_precision(
+        r.enclosure, std::max<precision>(next / 2 + more, static_cast<precision>(bits) + more));
+    const krawczyk_step step = krawczyk(f, x, next);
+    ++r.evaluations_of_f;
+    ++r.evaluations_of_jacobian;
+    const vector narrower = is_undefined(step.image)
+                                ? r.enclosure
+                                : common(step.image, with_precision(r.enclosure, next));
+    if (is_undefined(narrower)) {
+      throw std::logic_error("refine: the enclosures of f and its Jacobian contradict");
+    }
+    r.enclosure = narrower;
+    if (bits_of(r.enclosure) <= bits) {
+      more *= 2;
+      if (more > 4 * goal + (1L << 12)) return r;
+    }
+  }
+}
+
+}  // namespace polhode

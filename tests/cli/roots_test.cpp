@@ -1,0 +1,146 @@
+// polhode roots: what it prints, its verdicts and its exit statuses.
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "enclosure.hpp"
+#include "program.hpp"
+
+namespace polhode::test {
+namespace {
+
+outcome roots(const std::string& formula, const std::string& range,
+              const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"roots", formula, "--in", range};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run(arguments);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(Roots, DigitsAreTheFirstOfTheTrueValue) {
+  const outcome result = roots("cos(x) - x", "0..1", {"--digits", "60"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.err, "");
+  // The Dottie number: mpmath 1.3.0.
+  EXPECT_EQ(result.out.rfind(
+                "0.739085133215160641655312087673873404013411758900757464965680...  unique\n", 0),
+            0U)
+      << result.out;
+  EXPECT_NE(result.out.find("\ncertified: 1 root, all there are"), std::string::npos);
+}
+
+TEST(Roots, VerdictsOfEveryKind) {
+  struct expected {
+    std::string formula, range;
+    int status;
+    std::vector<std::string> words;
+  };
+  for (const auto& [formula, range, status, words] : std::vector<expected>{
+           {"(x-1)*(x^2-2)^3*(x^3-2)^4",
+            "-inf..inf",
+            0,
+            {"multiple 3", "1 exactly  unique", "multiple 4", "certified: 4 roots"}},
+           {"exp(x)-x-1", "-1..1", 0, {"0 exactly  multiple 2"}},
+           {"x^20", "-1..1", 0, {"0 exactly  multiple 20"}},
+           {"1/x", "-1..1", 0, {"no root: a pole of order 1 at 0", "certified: no root"}},
+           {"tan(x)", "-10..10", 0, {"certified: 7 roots", "pole of order 1 at 1.57079632679..."}},
+           {"sqrt(x)-1/2",
+            "-1..1",
+            0,
+            {"1/4 exactly  unique", "not defined everywhere in [-1, 0]"}},
+           {"abs(x)", "-1..1", 1, {"0 exactly  at least one (the kink of abs)", "not certified"}},
+           {"floor(x)-1/2", "0..2", 1, {"unresolved (the jump of floor)"}},
+           {"1-cos(x)", "6..7", 1, {"unresolved", "2 complex roots near it"}},
+           {"sin(x)", "1..pi", 1, {"unique (at an end of the interval, inside or outside)"}},
+           {"(x-1/3)^2-1e-40", "0..1", 0, {"certified: 2 roots"}},
+           {"(x-1/3)^2+1e-40", "0..1", 0, {"certified: no root"}},
+           {"x-x", "0..1", 0, {"0 everywhere"}},
+           {"1", "0..1", 0, {"certified: no root"}},
+           {"x-1e300", "-inf..inf", 0, {"000 exactly  unique"}},
+           {"exp(x)-1e-300", "-inf..inf", 0, {"-690.77552789821"}},
+           {"log1p(x)*expm1(x)", "-1/2..1", 0, {"0 exactly  multiple 2"}},
+           {"cbrt(x)", "-1..1", 1, {"0 exactly  at least one"}},
+           {"x^x-2", "0..2", 0, {"1.5596104694623693499703887"}},
+           {"gamma(x)-2", "5/2..7/2", 1, {"unresolved"}}}) {
+    const outcome result = roots(formula, range, {"--digits", "30"});
+    EXPECT_EQ(result.status, status) << formula << '\n' << result.out << result.err;
+    for (const std::string& w : words) {
+      EXPECT_NE(result.out.find(w), std::string::npos) << formula << ": " << w << '\n'
+                                                       << result.out;
+    }
+  }
+}
+
+TEST(Roots, TheInterval) {
+  EXPECT_EQ(lines_of(roots("sin(x)", "-pi*3/2..3*pi/2").out).size(), 4U);
+  EXPECT_EQ(lines_of(roots("sin(x)", "-h .. h", {"--let", "h=7/2"}).out).size(), 4U);
+  EXPECT_EQ(roots("x-2", "1...2.5").status, 0);  // 1. to 2.5, or 1 to .2.5, which is none
+  EXPECT_EQ(roots("-x+1/2", "0..1").out.rfind("1/2 exactly", 0), 0U);
+  EXPECT_EQ(roots("t-1", "-5..5", {"--variable", "t"}).out.rfind("1 exactly", 0), 0U);
+}
+
+TEST(Roots, BadInputIsOneLineThatSaysWhatWouldBeRight) {
+  const auto expect_refusal = [](const outcome& result, const std::string& words) {
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find('\n'), result.err.size() - 1) << result.err;
+  };
+  expect_refusal(roots("x", "1..0"), "the wrong way round");
+  expect_refusal(roots("x", "inf..0"), "the wrong way round");
+  expect_refusal(roots("y", "0..1"), "column 1: there is no \"y\"");
+  expect_refusal(roots("x", "0..k"), "there is no \"k\"");
+  expect_refusal(roots("x", "0"), "LO..HI");
+  expect_refusal(roots("x", "0.."), "--in \"0..\"");
+  expect_refusal(roots("x", "..1"), "--in \"..1\"");
+  expect_refusal(roots("x", "0..log(-pi)"), "not defined");
+  expect_refusal(roots("x", "0..1", {"--digits", "0"}), "--digits \"0\"");
+  expect_refusal(roots("x", "0..1", {"--format", "xml"}), "text, csv, json");
+  expect_refusal(roots("x", "0..1", {"--digits", "1000000000"}), "memory");
+  expect_refusal(run({"roots", "x"}), "--in");
+}
+
+TEST(Roots, CsvHasALineForEveryRoot) {
+  const outcome result = roots("(x-1/3)*(x^2-2)^2", "-5..5", {"--format", "csv", "--digits", "20"});
+  EXPECT_EQ(result.status, 0);
+  const auto lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0], "verdict,multiplicity,value,lower,upper,digits,exact,remark");
+  EXPECT_EQ(lines[1].rfind("multiple,2,-1.4142135623730950488,", 0), 0U) << lines[1];
+  EXPECT_EQ(lines[2].rfind("unique,1,0.33333333333333333333,", 0), 0U) << lines[2];
+  EXPECT_NE(lines[2].find(",20,1/3,"), std::string::npos);
+}
+
+TEST(Roots, JsonHasTheEnclosuresAndTheVerdict) {
+  const outcome result = roots("tan(x)*(x-4)^2", "2..5", {"--format", "json", "--digits", "25"});
+  EXPECT_EQ(result.status, 0);
+  const json answer = json::parse(result.out);
+  EXPECT_EQ(answer.at("verdict"), "certified");
+  EXPECT_EQ(answer.at("in"), "2..5");
+  ASSERT_EQ(answer.at("roots").size(), 2U);
+  EXPECT_EQ(answer.at("roots")[0].at("verdict"), "unique");
+  expect_enclosure(answer.at("roots")[0].at("number"), 25);
+  EXPECT_EQ(answer.at("roots")[1].at("multiplicity"), 2);
+  EXPECT_EQ(answer.at("roots")[1].at("number").at("rational"), "4");
+  ASSERT_EQ(answer.at("singular").size(), 1U);
+  EXPECT_EQ(answer.at("singular")[0].at("pole_order"), 1);
+  EXPECT_GT(answer.at("account").at("evaluations"), 3);
+  const outcome open = roots("1-cos(x)", "6..7", {"--format", "json"});
+  EXPECT_EQ(open.status, 1);
+  const json left = json::parse(open.out);
+  EXPECT_EQ(left.at("verdict"), "not certified");
+  EXPECT_EQ(left.at("roots")[0].at("complex_roots"), 2);
+}
+
+}  // namespace
+}  // namespace polhode::test

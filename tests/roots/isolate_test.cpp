@@ -1,0 +1,538 @@
+// All roots of one function: none lost, none claimed twice, none called simple that is not.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "support/random.hpp"
+#include "support/reference.hpp"
+
+namespace polhode {
+namespace {
+
+using support::agrees;
+using support::random_source;
+using support::repeat;
+
+std::vector<long> multiplicities(const root_set& s) {
+  std::vector<long> r;
+  for (const root_region& region : s.regions) r.push_back(region.multiplicity);
+  return r;
+}
+
+/// Every region is proved, in ascending order and apart from the others.
+void expect_resolved(const root_set& s, std::size_t count) {
+  EXPECT_TRUE(s.is_resolved());
+  EXPECT_EQ(s.regions.size(), count);
+  for (std::size_t i = 0; i + 1 < s.regions.size(); ++i) {
+    EXPECT_TRUE(certainly_less(s.regions[i].enclosure, s.regions[i + 1].enclosure)) << i;
+  }
+  for (const root_region& r : s.regions) EXPECT_TRUE(contains(r.box, r.enclosure));
+}
+
+/// A polynomial as a generic function whose type tells nothing of polynomials: e^x p(x).
+struct disguised {
+  std::vector<rational> coefficients;
+  template <class T>
+  auto operator()(const T& x) const {
+    T value = x * 0 + coefficients.back();
+    for (std::size_t k = coefficients.size() - 1; k-- > 0;) value = value * x + coefficients[k];
+    return exp(x) * value;
+  }
+};
+
+rational_polynomial with_roots(const std::vector<std::pair<rational, long>>& roots) {
+  rational_polynomial p({rational(1)});
+  for (const auto& [r, m] : roots) {
+    for (long k = 0; k < m; ++k) p = p * rational_polynomial({rational(-r), rational(1)});
+  }
+  return p;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Sets with known roots
+
+TEST(IsolateRoots, Wilkinson) {
+  std::vector<std::pair<rational, long>> roots;
+  for (long k = 1; k <= 20; ++k) roots.emplace_back(k, 1);
+  const root_set s = isolate_roots(real_function::of(with_roots(roots)),
+                                   range_end::minus_infinity(), range_end::infinity());
+  expect_resolved(s, 20);
+  for (long k = 1; k <= 20; ++k) {
+    const refined_root r = refine(s.regions[static_cast<std::size_t>(k - 1)], 100);
+    EXPECT_EQ(r.verdict, status::certified);
+    ASSERT_TRUE(r.exact.has_value());
+    EXPECT_EQ(*r.exact, k);
+  }
+  // Wilkinson's change of one coefficient by 2^-23: ten real roots are left, the others are complex.
+  rational_polynomial p = with_roots(roots);
+  std::vector<rational> c = p.coefficients();
+  c[19] -= rational(1, 1L << 23);
+  const rational_polynomial changed(c);
+  const root_set t = isolate_roots(real_function::of(changed), 0, 30);
+  expect_resolved(t, static_cast<std::size_t>(count_real_roots(changed, 0, 30)));
+  EXPECT_EQ(t.regions.size(), 10U);
+  // The first digits are Wilkinson's (Rounding Errors in Algebraic Processes, 1963): 8.91725 and 20.84691.
+  EXPECT_EQ(to_decimal(refine(t.regions[7], 20).enclosure, 7), "8.007267...");
+  EXPECT_EQ(to_decimal(refine(t.regions[8], 20).enclosure, 6), "8.91725...");
+  EXPECT_EQ(to_decimal(refine(t.regions[9], 20).enclosure, 7), "20.84690...");
+}
+
+TEST(IsolateRoots, OneTwoAndThreeWithTheirMultiplicities) {
+  const auto f = [](const auto& x) {
+    return (x - 1) * pow(square(x) - 2, 3) * pow(pow(x, 3) - 2, 4);
+  };
+  const root_set s = isolate_roots(f, -3, 3);
+  expect_resolved(s, 4);
+  EXPECT_EQ(multiplicities(s), (std::vector<long>{3, 1, 4, 3}));
+  EXPECT_TRUE(agrees(refine(s.regions[2], 60).enclosure,  // the cube root of 2; mpmath 1.3.0
+                     "1.25992104989487316476721060727822835057025146470150798008198", 50));
+  // The same, not a polynomial for the eye: by its factors.
+  const auto g = [&](const auto& x) { return exp(x) * f(x); };
+  const root_set t = isolate_roots(g, -3, 3);
+  expect_resolved(t, 4);
+  EXPECT_EQ(multiplicities(t), (std::vector<long>{3, 1, 4, 3}));
+  const refined_root r = refine(t.regions[2], 200);
+  EXPECT_EQ(r.verdict, status::certified);
+  EXPECT_TRUE(contains(pow(r.enclosure, 3), 2L));
+}
+
+TEST(IsolateRoots, DoubleRootOfATranscendentalFunction) {
+  const root_set s = isolate_roots([](const auto& x) { return exp(x) - x - 1; }, -1, 1);
+  expect_resolved(s, 1);
+  EXPECT_EQ(s.regions[0].verdict, root_verdict::multiple);
+  EXPECT_EQ(s.regions[0].multiplicity, 2);
+  EXPECT_EQ(s.regions[0].exact, rational(0));
+  const root_set t = isolate_roots([](const auto& x) { return sin(x) - x; }, -1, 2);
+  expect_resolved(t, 1);
+  EXPECT_EQ(t.regions[0].multiplicity, 3);
+}
+
+TEST(IsolateRoots, UnprovableMultipleRootsAreLeftOpenAndCounted) {
+  // cos touches 1 at 2 pi, no rational number: nothing here can tell that it touches.
+  const root_set s = isolate_roots([](const auto& x) { return 1 - cos(x); }, 1, 10);
+  EXPECT_FALSE(s.is_resolved());
+  EXPECT_TRUE(s.complete);
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_EQ(s.regions[0].verdict, root_verdict::unresolved);
+  EXPECT_EQ(s.regions[0].complex_roots, 2);
+  EXPECT_TRUE(overlaps(s.regions[0].enclosure, 2 * pi(300)));
+  EXPECT_TRUE(s.regions[0].enclosure.radius() < magnitude::power_of_two(-150));
+  EXPECT_EQ(refine(s.regions[0], 30).verdict, status::not_certified);
+  // Three times: there is a change of sign.
+  const root_set t = isolate_roots([](const auto& x) { return (1 - cos(x)) * sin(x); }, 6, 7);
+  ASSERT_EQ(t.regions.size(), 1U);
+  EXPECT_NE(t.regions[0].verdict, root_verdict::unique);
+  const root_set u = isolate_roots([](const auto& x) { return tan(x) - sin(x); }, 6, 7);
+  ASSERT_EQ(u.regions.size(), 1U);
+  EXPECT_EQ(u.regions[0].verdict, root_verdict::at_least_one);
+  EXPECT_EQ(u.regions[0].complex_roots, 3);
+}
+
+TEST(IsolateRoots, PolesAreNoRoots) {
+  const root_set s = isolate_roots([](const auto& x) { return 1 / x; }, -1, 1);
+  expect_resolved(s, 0);
+  ASSERT_EQ(s.singular.size(), 1U);
+  EXPECT_EQ(s.singular[0].pole_order, 1);
+  EXPECT_TRUE(contains(s.singular[0].place, 0L));
+
+  const root_set t = isolate_roots([](const auto& x) { return tan(x); }, -10, 10);
+  expect_resolved(t, 7);
+  EXPECT_EQ(t.singular.size(), 6U);
+  for (const singular_place& p : t.singular) {
+    EXPECT_EQ(p.pole_order, 1);
+    EXPECT_TRUE(contains_zero(cos(p.place)));
+  }
+  // Defined nowhere at 0, though it could be continued there.
+  for (const root_set& v : {isolate_roots([](const auto& x) { return 1 / (1 / x); }, -1, 1),
+                            isolate_roots([](const auto& x) { return pow(1 / x, -2); }, -1, 1),
+                            isolate_roots([](const auto& x) { return x * x / x; }, -1, 1)}) {
+    ASSERT_EQ(v.regions.size(), 1U);
+    EXPECT_EQ(v.regions[0].verdict, root_verdict::unresolved);
+  }
+  // Poles and roots side by side, and of a higher order.
+  const auto f = [](const auto& x) {
+    return 1 / square(x - rational(1, 3)) - rational(1, 100) / x;
+  };
+  const root_set u = isolate_roots(f, -1, 1);
+  expect_resolved(u, 1);
+  EXPECT_EQ(u.singular.size(), 2U);
+}
+
+TEST(IsolateRoots, ManyRootsTowardsAPoint) {
+  // 1/(k pi) for k = 1 ... 318.
+  const root_set s = isolate_roots([](const auto& x) { return sin(1 / x); }, rational(1, 1000), 1);
+  expect_resolved(s, 318);
+  for (std::size_t i = 0; i < s.regions.size(); ++i) {
+    const auto k = 318 - static_cast<long>(i);
+    EXPECT_TRUE(overlaps(s.regions[i].enclosure, 1 / (k * pi(128)))) << k;
+  }
+}
+
+TEST(IsolateRoots, TouchingByAHairAndMissingByOne) {
+  const rational hair = parse_rational("1e-40");
+  for (const rational& at : {rational(1, 3), rational(1, 2), rational(0)}) {
+    for (const bool transcendental : {false, true}) {
+      const auto shifted = [&](const rational& by) {
+        return [=](const auto& x) {
+          auto y = square(x - at) + by;
+          return transcendental ? y * exp(x) + (sin(x) - sin(x)) * 0 : y;
+        };
+      };
+      const root_set below = isolate_roots(shifted(-hair), -1, 1);
+      expect_resolved(below, 2);
+      for (const root_region& r : below.regions) EXPECT_EQ(r.verdict, root_verdict::unique);
+      expect_resolved(isolate_roots(shifted(hair), -1, 1), 0);
+      const root_set touching = isolate_roots(shifted(0), -1, 1);
+      expect_resolved(touching, 1);
+      EXPECT_EQ(touching.regions[0].multiplicity, 2);
+    }
+  }
+}
+
+TEST(IsolateRoots, PowersOfX) {
+  const root_set s = isolate_roots([](const auto& x) { return pow(x, 20); }, -1, 1);
+  expect_resolved(s, 1);
+  EXPECT_EQ(s.regions[0].multiplicity, 20);
+  const root_set t = isolate_roots([](const auto& x) { return sin(pow(x, 20)); }, -1, 1);
+  expect_resolved(t, 1);
+  EXPECT_EQ(t.regions[0].multiplicity, 20);
+}
+
+TEST(IsolateRoots, AtEndPoints) {
+  const auto f = [](const auto& x) { return (x - rational(1, 3)) * (x - 2); };
+  const auto g = [&](const auto& x) { return f(x) * exp(x); };
+  for (const root_set& s :
+       {isolate_roots(f, rational(1, 3), 2), isolate_roots(g, rational(1, 3), 2)}) {
+    expect_resolved(s, 2);
+    EXPECT_EQ(refine(s.regions[0], 30).exact, rational(1, 3));
+    EXPECT_EQ(refine(s.regions[1], 30).exact, rational(2));
+  }
+  // Just outside.
+  const rational little(1, 1L << 50);
+  expect_resolved(isolate_roots(g, rational(1, 3) + little, 2 - little), 0);
+  expect_resolved(isolate_roots(g, rational(1, 3) - little, 2 + little), 2);
+  // A point.
+  expect_resolved(isolate_roots(g, 2, 2), 1);
+  expect_resolved(isolate_roots(g, 1, 1), 0);
+  // An end that is no rational number, and a root there: it is not decided on which side.
+  const range_end at_pi([](precision p) { return pi(p); });
+  const root_set s = isolate_roots([](const auto& x) { return sin(x); }, 1, at_pi);
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_EQ(s.regions[0].verdict, root_verdict::unique);
+  EXPECT_TRUE(s.regions[0].may_lie_outside);
+  EXPECT_FALSE(s.is_resolved());
+}
+
+TEST(IsolateRoots, AtBisectionPointsOnce) {
+  // Every dyadic number with denominator 8 in [0, 8] is a root and a point where boxes are cut.
+  const auto f = [](const auto& x) { return sin(x * 8 * pi(256)); };
+  const root_set s = isolate_roots(f, 0, 8);
+  EXPECT_EQ(s.regions.size(), 65U);
+  for (std::size_t k = 0; k < s.regions.size(); ++k) {
+    EXPECT_EQ(s.regions[k].verdict, root_verdict::unique);
+    EXPECT_TRUE(contains(s.regions[k].enclosure, rational(static_cast<long>(k), 8))) << k;
+  }
+}
+
+TEST(IsolateRoots, TowardsInfinity) {
+  const range_end infinity = range_end::infinity();
+  const range_end minus_infinity = range_end::minus_infinity();
+  expect_resolved(
+      isolate_roots([](const auto& x) { return square(x) - exp(x); }, minus_infinity, infinity), 1);
+  expect_resolved(
+      isolate_roots([](const auto& x) { return exp(-x) * (x - 1); }, minus_infinity, infinity), 1);
+  expect_resolved(
+      isolate_roots([](const auto& x) { return atan(x) - 1; }, minus_infinity, infinity), 1);
+  expect_resolved(isolate_roots([](const auto& x) { return log(x) - 100; }, 1, infinity), 1);
+  // No proof: sin has a root beyond every bound.
+  const root_set s =
+      isolate_roots([](const auto& x) { return sin(x); }, 1, infinity, {.most_boxes = 500});
+  EXPECT_FALSE(s.complete);
+  EXPECT_FALSE(s.is_resolved());
+  EXPECT_EQ(s.regions.back().verdict, root_verdict::unresolved);
+  EXPECT_FALSE(s.regions.back().box.is_bounded());
+  // A limit of 0 from above is no root, and is not proved to be none.
+  const root_set t = isolate_roots([](const auto& x) { return 1 / (1 + exp(x)); }, 0, infinity);
+  EXPECT_LE(t.regions.size(), 1U);
+  for (const root_region& r : t.regions) EXPECT_EQ(r.verdict, root_verdict::unresolved);
+}
+
+TEST(IsolateRoots, WhereTheFunctionIsNotDefined) {
+  const root_set s = isolate_roots([](const auto& x) { return sqrt(x) - rational(1, 2); }, -1, 1);
+  expect_resolved(s, 1);
+  EXPECT_EQ(refine(s.regions[0], 20).exact, rational(1, 4));
+  ASSERT_EQ(s.singular.size(), 1U);
+  EXPECT_EQ(s.singular[0].pole_order, 0);
+  EXPECT_TRUE(contains(s.singular[0].place, -1L));
+
+  const auto remark_of = [](const root_set& set) {
+    return set.regions.size() == 1 ? set.regions[0].remark : std::string("?");
+  };
+  // Told apart from roots, by what is met.
+  EXPECT_EQ(remark_of(isolate_roots([](const auto& x) { return floor(x) - rational(1, 2); }, 0, 2)),
+            "the jump of floor");
+  const root_set kink = isolate_roots([](const auto& x) { return abs(x); }, -1, 1);
+  EXPECT_EQ(remark_of(kink), "the kink of abs");
+  EXPECT_EQ(kink.regions[0].verdict, root_verdict::at_least_one);
+  EXPECT_EQ(kink.regions[0].exact, rational(0));
+  const root_set branch = isolate_roots([](const auto& x) { return sqrt(x); }, 0, 1);
+  EXPECT_EQ(branch.regions[0].verdict, root_verdict::at_least_one);
+  EXPECT_EQ(remark_of(isolate_roots([](const auto& x) { return sin(x) / x; }, -1, 1)),
+            "the pole of /");
+}
+
+TEST(IsolateRoots, Constants) {
+  EXPECT_TRUE(isolate_roots([](const auto&) { return 0; }, 0, 1).identically_zero);
+  EXPECT_TRUE(isolate_roots([](const auto& x) { return x - x; }, 0, 1).identically_zero);
+  expect_resolved(isolate_roots([](const auto&) { return 1; }, 0, 1), 0);
+  expect_resolved(isolate_roots([](const auto& x) { return exp(x * 0); }, 0, 1), 0);
+  // 0 everywhere, which no enclosure proves: left open, without an endless search.
+  const root_set s =
+      isolate_roots([](const auto& x) { return square(sin(x)) + square(cos(x)) - 1; }, 0, 1,
+                    {.most_unresolved = 50});
+  EXPECT_FALSE(s.is_resolved());
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_TRUE(contains(s.regions[0].box, rational(1, 3)));
+}
+
+TEST(IsolateRoots, BadInput) {
+  const auto f = [](const auto& x) { return x; };
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, 1, 0)), input_error);
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, range_end::infinity(), 0)), input_error);
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, 0, range_end::minus_infinity())), input_error);
+  EXPECT_THROW(static_cast<void>(
+                   isolate_roots(f, 0, range_end([](precision p) { return log(ball(-1, p)); }))),
+               input_error);
+  EXPECT_THROW(static_cast<void>(refine(isolate_roots(f, -1, 1).regions[0], 0)),
+               std::invalid_argument);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Properties
+
+TEST(IsolateRoots, ChosenRationalRootsAreAllThereAre) {
+  random_source random(20);
+  for (repeat trial(25); trial.again();) {
+    std::vector<std::pair<rational, long>> roots;
+    const long count = random.between(1, 3);
+    for (long k = 0; k < count; ++k) {
+      const rational r(random.between(-40, 40), random.one_in(2) ? 8 : random.between(1, 12));
+      const bool known =
+          std::any_of(roots.begin(), roots.end(), [&](const auto& s) { return s.first == r; });
+      if (!known) roots.emplace_back(r, random.one_in(2) ? 1 : random.between(2, 3));
+    }
+    std::sort(roots.begin(), roots.end());
+    const rational_polynomial p =
+        with_roots(roots) * rational_polynomial({rational(1), rational(1, 2), rational(1)});
+    // Exactly, as a polynomial.
+    const root_set s = isolate_roots(real_function::of(p), -50, 50);
+    expect_resolved(s, roots.size());
+    ASSERT_EQ(s.regions.size(), roots.size());
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+      EXPECT_EQ(s.regions[k].multiplicity, roots[k].second);
+      EXPECT_EQ(refine(s.regions[k], 30).exact, roots[k].first);
+    }
+    // As a function of which only values and derivatives are known: whatever is claimed is true.
+    const root_set t = isolate_roots(disguised{p.coefficients()}, -5, 5);
+    for (const auto& [r, m] : roots) {
+      const rational root = r;
+      const long multiplicity = m;
+      if (abs(root) > 5) continue;
+      const auto holding =
+          std::count_if(t.regions.begin(), t.regions.end(), [&](const root_region& region) {
+            if (!contains(region.enclosure, root)) return false;
+            EXPECT_TRUE(region.multiplicity == 0 || region.multiplicity == multiplicity)
+                << root << ": " << multiplicity;
+            return true;
+          });
+      EXPECT_EQ(holding, 1) << root;
+    }
+    for (const root_region& region : t.regions) {
+      if (region.multiplicity == 0) continue;
+      const auto inside = std::count_if(
+          roots.begin(), roots.end(), [&](const auto& r) { return contains(region.box, r.first); });
+      EXPECT_EQ(inside, 1);
+    }
+  }
+}
+
+TEST(IsolateRoots, ASearchCanBeStoppedAndGoneOnWith) {
+  const auto f = [](const auto& x) { return sin(square(x)) - rational(1, 10); };
+  const root_set whole = isolate_roots(f, 0, 10);
+  root_search search(f, 0, 10);
+  int runs = 0;
+  std::size_t before = 0;
+  while (!search.is_finished() && runs < 1000) {
+    const root_search kept = search;  // a value
+    search.run({.most_boxes = 7});
+    ++runs;
+    const root_set so_far = search.result();
+    const auto found = static_cast<std::size_t>(
+        std::count_if(so_far.regions.begin(), so_far.regions.end(),
+                      [](const root_region& r) { return r.verdict == root_verdict::unique; }));
+    EXPECT_GE(found, before);
+    before = found;
+    EXPECT_EQ(so_far.complete, search.is_finished());
+    // Nothing is lost on the way: every root of the whole lies in a region.
+    for (const root_region& r : whole.regions) {
+      EXPECT_TRUE(std::any_of(so_far.regions.begin(), so_far.regions.end(),
+                              [&](const auto& q) { return overlaps(q.enclosure, r.enclosure); }));
+    }
+    EXPECT_LE(so_far.account.boxes, kept.result().account.boxes + 7);
+  }
+  EXPECT_GT(runs, 5);
+  const root_set result = search.result();
+  expect_resolved(result, whole.regions.size());
+  EXPECT_EQ(result.account.boxes, whole.account.boxes);
+  for (std::size_t i = 0; i < whole.regions.size(); ++i) {
+    EXPECT_EQ(to_exact_text(result.regions[i].enclosure),
+              to_exact_text(whole.regions[i].enclosure));
+  }
+}
+
+TEST(IsolateRoots, LimitsAndProgress) {
+  const auto f = [](const auto& x) { return sin(square(x)); };
+  long calls = 0;
+  isolate_options options;
+  options.progress = [&](const isolation_progress& p) {
+    EXPECT_GE(p.boxes_waiting, 0);
+    return ++calls < 3;
+  };
+  const root_set s = isolate_roots(f, 1, 60, options);
+  EXPECT_EQ(calls, 3);
+  EXPECT_FALSE(s.complete);
+  EXPECT_EQ(s.regions.back().remark, "a request to stop was reached");
+  const root_set t = isolate_roots(f, 1, 60, {.most_time = std::chrono::milliseconds(0)});
+  EXPECT_FALSE(t.complete);
+}
+
+// ---------------------------------------------------------------------------------------------
+// What it costs
+
+TEST(IsolateRoots, EvaluationsAreFew) {
+  const root_set s = isolate_roots([](const auto& x) { return sin(square(x)); }, 0, 60);
+  expect_resolved(s, 1146);
+  EXPECT_EQ(s.regions[0].multiplicity, 2);      // x^2 at 0
+  EXPECT_LE(s.account.evaluations, 10 * 1146);  // 50 are allowed
+  EXPECT_LE(isolate_roots([](const auto& x) { return cos(x) - x; }, 0, 1).account.evaluations, 4);
+}
+
+TEST(Refine, CostsOneEvaluationWithTheFullPrecision) {
+  // The bits of every evaluation are counted by a function object of the library's own kind.
+  struct counted {
+    std::vector<precision>* bits;
+    auto operator()(const ball& x) const {
+      bits->push_back(x.precision());
+      return cos(x) - x;
+    }
+    auto slope(const ball& x) const {
+      bits->push_back(x.precision());
+      return -sin(x) - 1;
+    }
+  };
+  std::vector<precision> bits;
+  const counted f{&bits};
+  const real_function g =
+      real_function::with_derivative(f, [f](const ball& x) { return f.slope(x); });
+  const root_set s = isolate_roots(g, 0, 1);
+  expect_resolved(s, 1);
+  bits.clear();
+  const refined_root r = refine(s.regions[0], 10'000);
+  EXPECT_EQ(r.verdict, status::certified);
+  // In units of an evaluation with the full precision, as if the cost grew with its first power.
+  double cost = 0;
+  const auto most = static_cast<double>(*std::max_element(bits.begin(), bits.end()));
+  for (const precision b : bits) cost += static_cast<double>(b) / most;
+  EXPECT_LE(cost, 3.1);
+  EXPECT_EQ(std::count_if(bits.begin(), bits.end(),
+                          [&](precision b) { return static_cast<double>(b) > 0.6 * most; }),
+            1);
+}
+
+TEST(Refine, SeesThroughCancellation) {
+  std::vector<std::pair<rational, long>> roots;
+  for (long k = 1; k <= 20; ++k) roots.emplace_back(k, 1);
+  std::vector<rational> c = with_roots(roots).coefficients();
+  c[0] += rational(1, 1000);
+  const rational_polynomial p(c);
+  const root_set s = isolate_roots(real_function::of(p), 0, 30);
+  expect_resolved(s, 20);
+  for (const root_region& region : s.regions) {
+    const refined_root r = refine(region, 200);
+    EXPECT_EQ(r.verdict, status::certified);
+    const rational low = lower_rational(r.enclosure);
+    const rational high = upper_rational(r.enclosure);
+    EXPECT_LE(rational(p(low) * p(high)), 0);  // decided in rationals
+  }
+}
+
+TEST(RealFunction, UserSuppliedDerivativesAreChecked) {
+  const auto f = [](const auto& x) { return cos(x) - x; };
+  EXPECT_FALSE(refute_derivative(
+                   f, [](const ball& x) { return -sin(x) - 1; }, 0, 1)
+                   .has_value());
+  const auto wrong = refute_derivative(
+      f, [](const ball& x) { return sin(x) - 1; }, 0, 1);
+  ASSERT_TRUE(wrong.has_value());
+  EXPECT_NE(*wrong, 0);
+}
+
+TEST(RealFunction, WithADerivativeOnly) {
+  const real_function g = real_function::with_derivative(
+      [](const ball& x) { return agm(ball(1, x.precision()), x) - rational(3, 2); },
+      // By the first order in x of the mean's integral, in a crude but sound form: the mean increases, with a
+      // slope between 1/4 and 1 on [1, 3].
+      [](const ball& x) {
+        return hull(ball(rational(1, 4), x.precision()), ball(1, x.precision()));
+      });
+  const root_set s = isolate_roots(g, 1, 3);
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_EQ(s.regions[0].verdict, root_verdict::unique);
+}
+
+// ---------------------------------------------------------------------------------------------
+// The structure
+
+TEST(FunctionStructure, KnowsFactorsPolesAndPolynomials) {
+  const ball box = hull(ball(-1, 64), ball(1, 64));
+  const auto x = function_structure::variable(box, ball(0, 64));
+  const auto f = square(sin(x)) * exp(x) * (x - 3) / pow(cos(x), 3);
+  ASSERT_EQ(f.numerator().factors.size(), 2U);
+  EXPECT_EQ(f.numerator().factors[0].power, 2);
+  EXPECT_EQ(f.numerator().factors[1].power, 1);
+  ASSERT_EQ(f.denominator()->factors.size(), 1U);
+  EXPECT_EQ(f.denominator()->factors[0].power, 3);
+  EXPECT_FALSE(f.polynomial().has_value());
+  const auto s = sin(x);
+  EXPECT_EQ((s * s).numerator().factors.size(), 1U);
+  EXPECT_EQ((sin(x) * sin(x)).numerator().factors.size(), 2U);  // not known to be the same
+  const auto p = pow(x + 1, 2) - x * 2 - 1;
+  EXPECT_EQ(*p.polynomial(), rational_polynomial({rational(0), rational(0), rational(1)}));
+  EXPECT_FALSE((x / x).polynomial().has_value());
+  EXPECT_FALSE(sqrt(x - 2).natural_range().has_value());
+  EXPECT_TRUE(contains(*sqrt(x).natural_range(), rational(1, 2)));
+  EXPECT_TRUE(sqrt(x).over()[0].is_undefined());
+}
+
+TEST(FunctionStructure, SeriesAreExactWhereTheyAreEvidentlyRational) {
+  const auto x = function_structure::variable_at(0, 4, 64);
+  const auto f = exp(x) * cos(x) - 1 - x;
+  ASSERT_TRUE(f.series().has_value());
+  EXPECT_TRUE((*f.series())[0].is_exactly(0));
+  EXPECT_TRUE((*f.series())[1].is_exactly(0));
+  EXPECT_TRUE((*f.series())[2].is_exactly(0));
+  EXPECT_EQ((*f.series())[3].exact(), rational(-1, 3));
+  // Not at pi, nor of a constant that is no rational number.
+  const auto y = function_structure::variable_at(rational(22, 7), 1, 64);
+  EXPECT_FALSE((*sin(y).series())[0].exact().has_value());
+  EXPECT_FALSE((*(y * pi(64) - pi(64) * y).series())[0].exact().has_value());
+  EXPECT_TRUE((*(y * pi(64) * 0).series())[0].is_exactly(0));
+}
+
+}  // namespace
+}  // namespace polhode
