@@ -99,6 +99,32 @@ ball carlson_rj(const ball& x, const ball& y, const ball& z, const ball& p) {
   return detail::homogeneous_range<4>({x, y, z, p}, {-1, -1, -1, -1}, 3, bits, of_numbers);
 }
 
+carlson_pair carlson_rf_rj(const ball& x, const ball& y, const ball& z, const ball& p) {
+  const precision bits = greatest_precision_of(x, y, z, p);
+  const std::array<ball, 4> arguments{x, y, z, p};
+  const magnitude r = detail::greatest_relative_radius(arguments);
+  std::optional<ball> rf;
+  if (in_domain(x, y, z) && certainly_positive(p) &&
+      (r.is_zero() || r <= magnitude::power_of_two(10 - bits))) {
+    // As homogeneous_range does for each alone.
+    const ball rj = detail::to_accuracy(bits, [&](precision q) {
+      const auto raised = [q](const ball& a) {
+        return a.middle().with_precision(std::max(q, a.precision()));
+      };
+      return detail::rj_at(raised(x), raised(y), raised(z), raised(p), q, &rf);
+    });
+    const auto grown = [&](const ball& value, std::uint64_t steepness) {
+      return value.enlarged(multiply_up(multiply_up(r, magnitude::from_integer_up(steepness)),
+                                        value.magnitude_upper()));
+    };
+    const ball found = rf ? rf->with_precision(bits) : ball::undefined(bits);
+    return {rf && scale(found.radius(), bits - 1) <= found.magnitude_lower() ? grown(found, 1)
+                                                                             : carlson_rf(x, y, z),
+            grown(rj, 3)};
+  }
+  return {carlson_rf(x, y, z), carlson_rj(x, y, z, p)};
+}
+
 ball carlson_rd(const ball& x, const ball& y, const ball& z) {
   const precision p = greatest_precision_of(x, y, z);
   if (!in_domain(x, y, z) || !certainly_positive(z)) return ball::undefined(p);

@@ -281,38 +281,42 @@ struct landen_values {
   std::int64_t lost = 0;
 };
 
-/// R_F = pi/(2 M) and, where P is given, R_J for x = 0 < y <= z, P > 0: the same with w = 0, where H = oo, in (5):
-/// K = (1/2) F sum of Q_n, and what is left out is at most |Q_N| F as before.
+/// log2 of the relative difference at which an AGM of q bits has converged: not the last bits, which rounding
+/// errors take, fewer of them from a number than from a ball's radius.
+template <elliptic_scalar T>
+[[nodiscard]] std::int64_t last_difference(precision q) {
+  return (std::same_as<T, ball> ? 12 : 4) - q;
+}
+
+/// R_F and R_J for x = 0 < y <= z, P > 0: the same with w = 0, where H = oo in (5), so that
+/// K = (1/2) F sum of Q_n, F = pi/(2 M); what is left out is at most |Q_N| F as before.
 template <elliptic_scalar T>
 [[nodiscard]] std::optional<landen_values<T>> complete_by_landen(const T& y, const T& z, const T& P,
-                                                                 bool third, precision q) {
-  const std::int64_t wanted = 12 - q;
+                                                                 precision q) {
+  const std::int64_t wanted = last_difference<T>(q);
   T a = root_of(z);
   T b = root_of(y);
-  T s = third ? root_of(P) : whole<T>(0, q);
+  T s = root_of(P);
   T weight = whole<T>(1, q);
   T weights = whole<T>(0, q);
   magnitude weight_up = magnitude::power_of_two(0);
   constexpr int most_steps = 200;
   for (int n = 0; n < most_steps; ++n) {
     const bool mean_found = log2_up(divide_up(size_up(T(a - b)), size_down(b))) <= wanted;
-    if (mean_found && (!third || log2_up(weight_up) <= wanted)) {
+    if (mean_found && log2_up(weight_up) <= wanted) {
       landen_values<T> result{T(pi_of<T>(q) / scaled(between(b, a), 1)), undefined_of<T>(q), 0};
-      if (!third) return result;
       const T sum = with_error(weights, scale(weight_up, 1));
       result.lost = bits_lost(sum, whole<T>(1, q), q);
       result.rj = T(3 * result.rf * scaled(sum, -1) / P);
       return result;
     }
     const T ab = T(a * b);
-    if (third) {
-      weights += weight;
-      const T r = T(ab / s);
-      const T total = T(s + r);
-      weight = scaled(T(weight * ((s - r) / total)), -1);
-      weight_up = size_up(weight);
-      s = scaled(total, -1);
-    }
+    weights += weight;
+    const T r = T(ab / s);
+    const T total = T(s + r);
+    weight = scaled(T(weight * ((s - r) / total)), -1);
+    weight_up = size_up(weight);
+    s = scaled(total, -1);
     if (!mean_found) {
       a = scaled(T(a + b), -1);
       b = root_of(ab);
@@ -329,7 +333,7 @@ template <elliptic_scalar T>
 [[nodiscard]] std::optional<landen_values<T>> by_landen(const T& x, const T& y, const T& z,
                                                         const T& P, third_kind kind, precision q) {
   constexpr precision rough_bits = 96;
-  const std::int64_t wanted = 12 - q;  // log2; not the last bits, which rounding errors take
+  const std::int64_t wanted = last_difference<T>(q);
   const bool third = kind != third_kind::absent;
   const bool product_wanted = kind == third_kind::general;
   T a = root_of(T(z - x));

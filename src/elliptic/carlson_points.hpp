@@ -33,13 +33,13 @@ template <elliptic_scalar T>
 
 template <elliptic_scalar T>
 [[nodiscard]] T rf_at(T x, T y, T z, precision q) {
+  if (!is_number(x) || !is_number(y) || !is_number(z)) return undefined_of<T>(q);
   sort(x, y, z);
   if (sign_in(y) <= 0 || sign_in(x) < 0) return undefined_of<T>(q);
   if (are_equal(y, z)) return rc_at(x, y, q);
   if (are_equal(x, y)) return rc_at(z, x, q);
   if (sign_in(x) == 0) {
-    const auto values = complete_by_landen(y, z, z, false, q);
-    if (values) return values->rf;
+    return T(pi_of<T>(q) / (2 * agm_of(root_of(z), root_of(y))));  // C. F. Gauss; DLMF 19.22.1
   } else if (q >= least_bits_for_landen_rf && !are_close(x, z, q)) {
     const auto values = by_landen(x, y, z, z, third_kind::absent, q);
     if (values) return values->rf;
@@ -47,10 +47,11 @@ template <elliptic_scalar T>
   return rf_by_duplication(x, y, z, q);
 }
 
-/// R_F and R_J (R_D where P is z or y) for x < y < z, P > x, at full accuracy or by duplication.
+/// R_J (R_D where p is z or y) for x < y < z, p > x, at full accuracy or by duplication. Where R_F comes with it,
+/// *rf is set.
 template <elliptic_scalar T>
 [[nodiscard]] T rj_of_distinct(const T& x, const T& y, const T& z, const T& p, third_kind kind,
-                               precision q) {
+                               precision q, std::optional<T>* rf = nullptr) {
   const bool complete = sign_in(x) == 0;
   const bool worthwhile = (complete || q >= least_bits_for_landen_rj) && !are_close(x, z, q) &&
                           std::abs(exponent_of(T(p - x)) - exponent_of(T(z - x))) < q / 4;
@@ -62,8 +63,9 @@ template <elliptic_scalar T>
     const T Z = raised(z, bits);
     const T P = raised(p, bits);
     const auto values =
-        complete ? complete_by_landen(Y, Z, P, true, bits) : by_landen(X, Y, Z, P, kind, bits);
+        complete ? complete_by_landen(Y, Z, P, bits) : by_landen(X, Y, Z, P, kind, bits);
     if (!values) break;
+    if (rf != nullptr) *rf = values->rf;
     if (values->lost <= more + 48) return values->rj;
     more = static_cast<precision>(values->lost);
     if (more > q || bits == long_double_bits) break;
@@ -75,7 +77,8 @@ template <elliptic_scalar T>
 
 /// R_J for numbers x <= y <= z, the first one >= 0 and the second > 0, and p > 0.
 template <elliptic_scalar T>
-[[nodiscard]] T rj_of_sorted(const T& x, const T& y, const T& z, const T& p, precision q) {
+[[nodiscard]] T rj_of_sorted(const T& x, const T& y, const T& z, const T& p, precision q,
+                             std::optional<T>* rf = nullptr) {
   const bool low = are_equal(p, x);
   const bool middle = are_equal(p, y);
   const bool high = are_equal(p, z);
@@ -83,7 +86,7 @@ template <elliptic_scalar T>
   const bool landen_wanted = q >= least_bits_for_landen_rj || sign_in(x) == 0;
   if (distinct && is_below(x, p) && landen_wanted && !low) {
     return rj_of_distinct(x, y, z, p,
-                          middle || high ? third_kind::equals_y_or_z : third_kind::general, q);
+                          middle || high ? third_kind::equals_y_or_z : third_kind::general, q, rf);
   }
   if (distinct && landen_wanted && q > long_double_bits && !are_close(x, z, q)) {
     // p <= x: with (z-p)(z-r) = (z-x)(z-y), y <= r < z,
@@ -110,11 +113,12 @@ template <elliptic_scalar T>
 }
 
 template <elliptic_scalar T>
-[[nodiscard]] T rj_at(T x, T y, T z, const T& p, precision q) {
+[[nodiscard]] T rj_at(T x, T y, T z, const T& p, precision q, std::optional<T>* rf = nullptr) {
+  if (!is_number(x) || !is_number(y) || !is_number(z) || !is_number(p)) return undefined_of<T>(q);
   sort(x, y, z);
   const int sign = sign_in(p);
   if (sign_in(y) <= 0 || sign_in(x) < 0 || sign == 0 || sign == 2) return undefined_of<T>(q);
-  if (sign > 0) return rj_of_sorted(x, y, z, p, q);
+  if (sign > 0) return rj_of_sorted(x, y, z, p, q, rf);
   // p = -s: with r = y + (z-y)(y-x)/(y+s),
   //   (y+s) R_J(-s) = (r-y) R_J(r) - 3 R_F + 3 sqrt(xyz/(xz+rs)) R_C(xz+rs, rs)
   // (Carlson 1995, (2.22); DLMF 19.20.14).
@@ -136,6 +140,7 @@ template <elliptic_scalar T>
 
 template <elliptic_scalar T>
 [[nodiscard]] T rd_at(const T& x, const T& y, const T& z, precision q) {
+  if (!is_number(x) || !is_number(y) || !is_number(z)) return undefined_of<T>(q);
   if (sign_in(x) < 0 || sign_in(y) < 0 || sign_in(z) <= 0) return undefined_of<T>(q);
   if (sign_in(x) == 0 && sign_in(y) == 0) return undefined_of<T>(q);
   T a = x;
@@ -148,6 +153,7 @@ template <elliptic_scalar T>
 /// 2 R_G = y R_F + (z-y)(y-x) R_D(x,z,y)/3 + sqrt(xz/y) for x <= y <= z: no term is negative (DLMF 19.21.10).
 template <elliptic_scalar T>
 [[nodiscard]] T rg_at(T x, T y, T z, precision q) {
+  if (!is_number(x) || !is_number(y) || !is_number(z)) return undefined_of<T>(q);
   sort(x, y, z);
   if (sign_in(x) < 0) return undefined_of<T>(q);
   if (sign_in(y) == 0) return scaled(root_of(z), -1);  // DLMF 19.20.4
@@ -160,6 +166,7 @@ template <elliptic_scalar T>
 
 template <elliptic_scalar T>
 [[nodiscard]] T rc_point(const T& x, const T& y, precision q) {
+  if (!is_number(x) || !is_number(y)) return undefined_of<T>(q);
   const int sign = sign_in(y);
   if (sign_in(x) < 0 || sign == 0 || sign == 2) return undefined_of<T>(q);
   if (sign > 0) return rc_at(x, y, q);

@@ -17,7 +17,11 @@ template <class F>
   ball best = ball::undefined(p);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     const ball value = f(q);
-    if (value.is_undefined()) return best;
+    if (value.is_undefined()) {  // maybe only for want of bits
+      if (attempt >= 2) break;
+      q += q;
+      continue;
+    }
     best = best.is_undefined() ? value : intersection(best, value);
     const magnitude size = value.magnitude_lower();
     if (value.is_bounded() && scale(value.radius(), p + 4) <= size) break;

@@ -119,6 +119,22 @@ POLHODE_OF_REALS(sinh_of, polhode::sinh, mpfr_sinh, std::sinh)
 }
 [[nodiscard]] inline long double angle_of(long double y, long double x) { return std::atan2(y, x); }
 
+[[nodiscard]] inline ball agm_of(const ball& x, const ball& y) { return agm(x, y); }
+[[nodiscard]] inline mpfr_float agm_of(const mpfr_float& x, const mpfr_float& y) {
+  mpfr_float r = zero_of_precision(std::max(precision_of(x), precision_of(y)));
+  mpfr_agm(r.backend().data(), x.backend().data(), y.backend().data(), MPFR_RNDN);
+  return r;
+}
+/// For x >= y > 0: the distance is squared at each step, after the ratio's logarithm was halved.
+[[nodiscard]] inline long double agm_of(long double x, long double y) {
+  for (int n = 0; n < 40 && x - y > x * 0x1p-30L; ++n) {
+    const long double product = x * y;
+    x = (x + y) / 2;
+    y = std::sqrt(product);
+  }
+  return (x + y) / 2 - (x - y) * (x - y) / (16 * x);
+}
+
 [[nodiscard]] inline std::pair<ball, ball> sine_cosine(const ball& x) { return sin_cos(x); }
 [[nodiscard]] inline std::pair<mpfr_float, mpfr_float> sine_cosine(const mpfr_float& x) {
   return sin_cos(x);
@@ -199,6 +215,13 @@ template <elliptic_scalar T>
   if (x < 0) return -1;
   return x == 0 ? 0 : 2;  // NOLINT: the sign of the number that it is
 }
+
+/// Neither undefined, NaN nor infinite.
+[[nodiscard]] inline bool is_number(const ball& x) { return x.is_bounded(); }
+[[nodiscard]] inline bool is_number(const mpfr_float& x) {
+  return mpfr_number_p(x.backend().data()) != 0;
+}
+[[nodiscard]] inline bool is_number(long double x) { return std::isfinite(x); }
 
 /// How many of about q leading bits are lost in `value`, which is a sum of terms of the size of `term`: read off
 /// the radius of a ball, and guessed by cancellation for numbers without.

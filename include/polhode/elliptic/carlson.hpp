@@ -35,6 +35,13 @@ namespace polhode {
 [[nodiscard]] ball carlson_rd(const ball& x, const ball& y, const ball& z);
 [[nodiscard]] ball carlson_rg(const ball& x, const ball& y, const ball& z);
 
+/// R_F(x,y,z) and R_J(x,y,z,p), mostly for the price of R_J alone: the third kind needs both.
+struct carlson_pair {
+  ball rf, rj;
+};
+[[nodiscard]] carlson_pair carlson_rf_rj(const ball& x, const ball& y, const ball& z,
+                                         const ball& p);
+
 [[nodiscard]] mpfr_float carlson_rf(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z);
 [[nodiscard]] mpfr_float carlson_rc(const mpfr_float& x, const mpfr_float& y);
 [[nodiscard]] mpfr_float carlson_rj(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z,
