@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 
 namespace polhode::detail {

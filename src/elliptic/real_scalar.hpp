@@ -22,6 +22,10 @@ concept elliptic_scalar =
 
 inline constexpr precision long_double_bits = std::numeric_limits<long double>::digits;
 
+[[nodiscard]] inline precision bits_in(const ball& x) { return x.precision(); }
+[[nodiscard]] inline precision bits_in(const mpfr_float& x) { return precision_of(x); }
+[[nodiscard]] inline precision bits_in(long double) { return long_double_bits; }
+
 /// The integer n with q bits.
 template <elliptic_scalar T>
 [[nodiscard]] T whole(long n, precision q) {
