@@ -131,22 +131,52 @@ template <std::size_t Count, elliptic_scalar T>
   constexpr auto count = static_cast<long>(Count);
   std::array<T, Count + 2> last;  // T_(N-1), T_(N-2), ...
   last.fill(whole<T>(0, q));
-  last[0] = whole<T>(0, q);  // T_1
   last[1] = whole<T>(1, q);  // T_0
   T sum = whole<T>(1, q);
   for (long n = 2; n < terms; ++n) {
     T next = whole<T>(0, q);
-    for (long j = 2; j < count + 2; ++j) {
-      if (j > n) break;
-      next -= T(d[static_cast<std::size_t>(j - 2)] * (2 * n - j)) *
+    for (long j = 2; j < count + 2 && j <= n; ++j) {
+      next -= T(d[static_cast<std::size_t>(j - 2)] * times<T>(2 * n - j)) *
               last[static_cast<std::size_t>(j - 1)];
     }
-    next = T(next / (2 * n));
-    sum += T(next * factor) / (2 * n + factor);
+    next = over(next, 2 * n);
+    sum += over(T(next * times<T>(factor)), 2 * n + factor);
     for (std::size_t j = Count + 1; j > 0; --j) last[j] = std::move(last[j - 1]);
     last[0] = std::move(next);
   }
   return sum;
+}
+
+/// Whether spread 4^(-n)/mean <= 2^wanted: an upper bound of the |X_i| after n steps.
+template <elliptic_scalar T>
+[[nodiscard]] bool is_close(const magnitude& spread, const T& mean, int n, std::int64_t wanted) {
+  return log2_up(divide_up(scale(spread, -2L * n), size_down(mean))) <= wanted;
+}
+[[nodiscard]] inline bool is_close(long double spread, long double mean, int n,
+                                   std::int64_t wanted) {
+  return scaled(spread, -2L * n - wanted) <= mean;
+}
+/// The greatest of |x - mean|.
+template <elliptic_scalar T, class... Rest>
+[[nodiscard]] auto spread_of(const T& mean, const Rest&... x) {
+  if constexpr (std::same_as<T, long double>) {
+    return std::max({std::abs(x - mean)...});
+  } else {
+    magnitude result;
+    ((result = max(result, size_up(T(x - mean)))), ...);
+    return result;
+  }
+}
+/// A bound of the series' rest, from one of the |X_i|.
+template <elliptic_scalar T, class F, class... Rest>
+[[nodiscard]] T with_rest(const T& series, const F& bound, const Rest&... x) {
+  if constexpr (std::same_as<T, ball>) {
+    magnitude size;
+    ((size = max(size, x.magnitude_upper())), ...);
+    return series.enlarged(bound(size));
+  } else {
+    return series;
+  }
 }
 
 /// The integral was not reached with so many steps: arguments that lie apart by thousands of orders.
@@ -163,10 +193,8 @@ template <elliptic_scalar T>
   const std::int64_t wanted = -(q / terms) - 1;  // log2 of the greatest |X_i|
   const auto mean_of = [&] { return T((x + y + z) / 3); };
   T mean = mean_of();
-  const magnitude spread = max(size_up(T(mean - x)), size_up(T(z - mean)));
-  for (int n = 0;; ++n) {
-    const magnitude size = divide_up(scale(spread, -2L * n), size_down(mean));
-    if (log2_up(size) <= wanted) break;
+  const auto spread = spread_of(mean, x, y, z);
+  for (int n = 0; !is_close(spread, mean, n, wanted); ++n) {
     if (n == most_duplications) return undefined_of<T>(q);
     const T rx = root_of(x);
     const T ry = root_of(y);
@@ -182,10 +210,10 @@ template <elliptic_scalar T>
   const T dz = T(-(dx + dy));
   const T product = T(dx * dy);
   const std::array<T, 2> d{T(product - square_of(dz)), T(-(product * dz))};
-  const magnitude size = max(max(size_up(dx), size_up(dy)), size_up(dz));
-  const magnitude tail =
-      divide_up(power_up(size, terms), subtract_down(magnitude::power_of_two(0), size));
-  return T(with_error(symmetric_series(d, 1, terms, q), tail) / root_of(mean));
+  const auto rest = [terms](const magnitude& size) {
+    return divide_up(power_up(size, terms), subtract_down(magnitude::power_of_two(0), size));
+  };
+  return T(with_rest(symmetric_series(d, 1, terms, q), rest, dx, dy, dz) / root_of(mean));
 }
 
 /// R_J for p > 0; where p_is_z R_D(x, y, z), and p is not read. It needs of its arguments no order.
@@ -196,14 +224,11 @@ template <elliptic_scalar T>
   const std::int64_t wanted = -(q / terms) - 1;
   const auto mean_of = [&] { return T((x + y + z + 2 * p) / 5); };
   T mean = mean_of();
-  const magnitude spread = max(max(size_up(T(mean - x)), size_up(T(mean - y))),
-                               max(size_up(T(mean - z)), size_up(T(mean - p))));
+  const auto spread = spread_of(mean, x, y, z, p);
   T delta = p_is_z ? whole<T>(0, q) : T((p - x) * (p - y) * (p - z));
   T sum = whole<T>(0, q);
   int n = 0;
-  for (;; ++n) {
-    const magnitude size = divide_up(scale(spread, -2L * n), size_down(mean));
-    if (log2_up(size) <= wanted) break;
+  for (; !is_close(spread, mean, n, wanted); ++n) {
     if (n == most_duplications) return undefined_of<T>(q);
     const T rx = root_of(x);
     const T ry = root_of(y);
@@ -235,13 +260,12 @@ template <elliptic_scalar T>
   const T pp = square_of(dp);
   const std::array<T, 4> d{T(e2 - 3 * pp), T(2 * pp * dp - 2 * dp * e2 - e3),
                            T(2 * dp * e3 + pp * e2), T(-(pp * e3))};
-  const magnitude size = max(max(size_up(dx), size_up(dy)), max(size_up(dz), size_up(dp)));
-  const magnitude rest = subtract_down(magnitude::power_of_two(0), size);
-  const magnitude tail =
-      divide_up(multiply_up(power_up(size, terms),
-                            magnitude::from_integer_up(static_cast<std::uint64_t>(terms) + 1)),
-                multiply_down(rest, rest));
-  const T series = with_error(symmetric_series(d, 3, terms, q), tail);
+  const auto rest = [terms](const magnitude& size) {
+    const magnitude below = subtract_down(magnitude::power_of_two(0), size);
+    const auto count = magnitude::from_integer_up(static_cast<std::uint64_t>(terms) + 1);
+    return divide_up(multiply_up(power_up(size, terms), count), multiply_down(below, below));
+  };
+  const T series = with_rest(symmetric_series(d, 3, terms, q), rest, dx, dy, dz, dp);
   return T(6 * sum + scaled(T(series / (mean * root_of(mean))), -2L * n));
 }
 
@@ -289,7 +313,8 @@ template <elliptic_scalar T>
 }
 
 /// R_F and R_J for x = 0 < y <= z, P > 0: the same with w = 0, where H = oo in (5), so that
-/// K = (1/2) F sum of Q_n, F = pi/(2 M); what is left out is at most |Q_N| F as before.
+/// K = (1/2) F sum of Q_n, F = pi/(2 M); what is left out is at most |Q_N| F as before. For one step of the AGM,
+/// (a+b)/2 >= M >= sqrt(ab) = (a+b)/2 - (sqrt a - sqrt b)^2/2 >= (a+b)/2 - (a-b)^2/(8 min(a,b)).
 template <elliptic_scalar T>
 [[nodiscard]] std::optional<landen_values<T>> complete_by_landen(const T& y, const T& z, const T& P,
                                                                  precision q) {
@@ -302,9 +327,13 @@ template <elliptic_scalar T>
   magnitude weight_up = magnitude::power_of_two(0);
   constexpr int most_steps = 200;
   for (int n = 0; n < most_steps; ++n) {
-    const bool mean_found = log2_up(divide_up(size_up(T(a - b)), size_down(b))) <= wanted;
-    if (mean_found && log2_up(weight_up) <= wanted) {
-      landen_values<T> result{T(pi_of<T>(q) / scaled(between(b, a), 1)), undefined_of<T>(q), 0};
+    const magnitude difference = divide_up(size_up(T(a - b)), size_down(b));
+    if (2 * log2_up(difference) - 3 <= wanted && log2_up(weight_up) <= wanted) {
+      // a >= b/2, also where rounding has hidden which of them is the greater
+      const magnitude error =
+          scale(multiply_up(multiply_up(difference, difference), size_up(b)), -2);
+      const T twice_mean = with_error(T(a + b), scale(error, 1));
+      landen_values<T> result{T(pi_of<T>(q) / twice_mean), undefined_of<T>(q), 0};
       const T sum = with_error(weights, scale(weight_up, 1));
       result.lost = bits_lost(sum, whole<T>(1, q), q);
       result.rj = T(3 * result.rf * scaled(sum, -1) / P);
@@ -317,10 +346,8 @@ template <elliptic_scalar T>
     weight = scaled(T(weight * ((s - r) / total)), -1);
     weight_up = size_up(weight);
     s = scaled(total, -1);
-    if (!mean_found) {
-      a = scaled(T(a + b), -1);
-      b = root_of(ab);
-    }
+    a = scaled(T(a + b), -1);
+    b = root_of(ab);
   }
   return std::nullopt;
 }

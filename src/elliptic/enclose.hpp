@@ -14,7 +14,7 @@ namespace polhode::detail {
 template <class F>
 [[nodiscard]] ball to_accuracy(precision p, const F& f) {
   constexpr int most_attempts = 5;
-  precision q = p + 40;
+  precision q = p + 24;
   ball best = ball::undefined(p);
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     const ball value = f(q);
@@ -33,7 +33,7 @@ template <class F>
                                   : size.log2_floor() - value.radius().log2_floor();
     const std::int64_t more = p + 16 - kept;
     if (more > (std::int64_t{1} << 22)) break;
-    q += static_cast<precision>(std::max<std::int64_t>(more, 16));
+    q += static_cast<precision>(std::max<std::int64_t>(more, 24));
   }
   return best.with_precision(p);
 }

@@ -4,6 +4,7 @@
 
 #include "elliptic/carlson_points.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/complete.hpp"
 
 namespace polhode::detail {
 
@@ -135,15 +136,43 @@ template <elliptic_scalar T>
 
 template <elliptic_scalar T>
 [[nodiscard]] T k_at(const modulus<T>& k, precision q) {
-  return rf_of(whole<T>(0, q), k.m1, whole<T>(1, q), q);
+  if (sign_in(k.m1) != 1) return undefined_of<T>(q);
+  return T(pi_of<T>(q) / (2 * agm_of(whole<T>(1, q), root_of(k.m1))));  // C. F. Gauss; DLMF 19.8.5
 }
 template <elliptic_scalar T>
 [[nodiscard]] T d_at(const modulus<T>& k, precision q) {
   return T(rd_of(whole<T>(0, q), k.m1, whole<T>(1, q), q) / 3);
 }
+/// E = K (1 - m/2 - sum of 2^(n-1) c_n^2), n >= 1, from the AGM of 1 and sqrt m1 (DLMF 19.8.6): near m = 1 as many bits
+/// are lost as log2 K says. What is left out after c_n: see agm_with_sum in complete.hpp.
 template <elliptic_scalar T>
 [[nodiscard]] T e_at(const modulus<T>& k, precision q) {
-  return T(2 * rg_of(whole<T>(0, q), k.m1, whole<T>(1, q), q));
+  const int sign = sign_in(k.m1);
+  if (sign == 0) return whole<T>(1, q);
+  if (sign != 1) return undefined_of<T>(q);
+  const T one = whole<T>(1, q);
+  if constexpr (std::same_as<T, ball>) {
+    const agm_sums sums = agm_with_sum(one, sqrt(k.m1));
+    return pi(q) * (1 - scale(k.m, -1) - sums.sum) / scale(sums.mean, 1);
+  } else {
+    const T small = scaled(one, last_difference<T>(q) / 2 - 2);
+    T a = one;
+    T b = root_of(k.m1);
+    T sum = T(1 - scaled(k.m, -1));
+    constexpr int most_steps = 100;
+    for (int n = 0; n < most_steps; ++n) {
+      const T c = scaled(T(a - b), -1);
+      sum -= scaled(square_of(c), n);
+      const T mean = scaled(T(a + b), -1);
+      if (is_below(T(c * c), T(square_of(T(b * small))))) {
+        // c' = c^2/(4a) is below the last place but for the mean
+        return T(sum * pi_of<T>(q) / (2 * (mean - square_of(c) / (4 * mean))));
+      }
+      b = root_of(T(a * b));
+      a = mean;
+    }
+    return undefined_of<T>(q);
+  }
 }
 
 /// (a cos^2 + b sin^2)/(cos^2 + p sin^2) integrated: with v = cot t it is (a v^2 + b)/(v^2 + p), and K the integral

@@ -6,6 +6,7 @@
 //   long double   the same, in which values for `double` are computed (11 bits more than its 53 on x86)
 // A working precision q is handed down as an argument; a long double has its own.
 
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -72,9 +73,9 @@ template <elliptic_scalar T>
   return r;
 }
 [[nodiscard]] inline long double scaled(long double x, long n) {
-  if (n >= -62 && n <= 62) {
-    const auto power = static_cast<long double>(1ULL << (n < 0 ? -n : n));
-    return n < 0 ? x / power : x * power;
+  if (n >= -60 && n <= 60) {  // 2^n is 2^60 2^(n-60), without a division
+    return n >= 0 ? x * static_cast<long double>(1ULL << n)
+                  : x * (static_cast<long double>(1ULL << (60 + n)) * 0x1p-60L);
   }
   return std::ldexp(x, static_cast<int>(n));
 }
@@ -129,9 +130,9 @@ POLHODE_OF_REALS(sinh_of, polhode::sinh, mpfr_sinh, std::sinh)
   mpfr_agm(r.backend().data(), x.backend().data(), y.backend().data(), MPFR_RNDN);
   return r;
 }
-/// For x >= y > 0: the distance is squared at each step, after the ratio's logarithm was halved.
+/// For x, y > 0: the distance is squared at each step, after the ratio's logarithm was halved.
 [[nodiscard]] inline long double agm_of(long double x, long double y) {
-  for (int n = 0; n < 40 && x - y > x * 0x1p-30L; ++n) {
+  for (int n = 0; n < 40 && std::abs(x - y) > x * 0x1p-30L; ++n) {
     const long double product = x * y;
     x = (x + y) / 2;
     y = std::sqrt(product);
@@ -173,10 +174,40 @@ POLHODE_OF_REALS(sinh_of, polhode::sinh, mpfr_sinh, std::sinh)
                                    exponent - 62);
 }
 
+/// A small integer as a factor, and a quotient by one, which a long double has as a product.
+template <elliptic_scalar T>
+[[nodiscard]] auto times(long n) {
+  if constexpr (std::same_as<T, long double>) {
+    return static_cast<long double>(n);
+  } else {
+    return n;
+  }
+}
+inline constexpr std::size_t listed_reciprocals = 64;
+inline constexpr auto reciprocals = [] {
+  std::array<long double, listed_reciprocals> result{};
+  for (std::size_t n = 1; n < listed_reciprocals; ++n)
+    result[n] = 1.0L / static_cast<long double>(n);
+  return result;
+}();
+template <elliptic_scalar T>
+[[nodiscard]] T over(const T& x, long n) {
+  if constexpr (std::same_as<T, long double>) {
+    const auto i = static_cast<std::size_t>(n);
+    return i < listed_reciprocals ? x * reciprocals[i] : x / static_cast<long double>(n);
+  } else {
+    return T(x / n);
+  }
+}
+
 /// About log2 |x|, for heuristic decisions; a very small number for 0.
 template <elliptic_scalar T>
 [[nodiscard]] std::int64_t exponent_of(const T& x) {
   constexpr std::int64_t of_zero = -(std::int64_t{1} << 40);
+  if constexpr (std::same_as<T, long double>) {
+    if (x == 0) return of_zero;
+    return std::isfinite(x) ? std::ilogb(x) : -of_zero;
+  }
   const magnitude m = size_up(x);
   return m.is_zero() ? of_zero : (m.is_infinite() ? -of_zero : m.log2_floor());
 }
