@@ -105,7 +105,7 @@ carlson_pair carlson_rf_rj(const ball& x, const ball& y, const ball& z, const ba
   const magnitude r = detail::greatest_relative_radius(arguments);
   std::optional<ball> rf;
   if (in_domain(x, y, z) && certainly_positive(p) &&
-      (r.is_zero() || r <= magnitude::power_of_two(10 - bits))) {
+      (r.is_zero() || r <= magnitude::power_of_two(std::min<long>(10 - bits, -2)))) {
     // As homogeneous_range does for each alone.
     const ball rj = detail::to_accuracy(bits, [&](precision q) {
       const auto raised = [q](const ball& a) {

@@ -10,8 +10,8 @@
 namespace polhode::detail {
 
 /// From so many bits on Landen's transformation is the faster one (bench/elliptic.cpp).
-inline constexpr precision least_bits_for_landen_rf = 250;
-inline constexpr precision least_bits_for_landen_rj = 250;
+inline constexpr precision least_bits_for_landen_rf = 175;
+inline constexpr precision least_bits_for_landen_rj = 240;
 
 template <elliptic_scalar T>
 [[nodiscard]] bool are_equal(const T& x, const T& y) {

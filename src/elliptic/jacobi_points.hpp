@@ -100,7 +100,6 @@ template <elliptic_scalar T>
   const auto values = jacobi_below_one(u, k.m1, q, rough);
   if (!is_number(values.sn) || !is_number(values.cn)) return undefined_of<T>(q);
   const T angle = angle_of(values.sn, values.cn);
-  if (exponent_of(u) < -2) return angle;
   const auto result = unwrapped(angle, rough, bits_in(rough));
   return result ? *result : undefined_of<T>(q);
 }

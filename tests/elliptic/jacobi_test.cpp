@@ -153,6 +153,11 @@ TEST(Jacobi, HasItsLimitsAndItsEnds) {
         jacobi_sn(ball(power_of_ten(1000), 3400), parameter(ball(rational(1, 2), 64))), 3000));
     EXPECT_TRUE(meet(jacobi_am(ball(far, more), half),
                      turns * 2 * pi(more) + jacobi_am(rest, ball(rational(1, 2), more))));
+    // m far below 0, where a small u is many periods.
+    const ball deep(-1'000'000, p);
+    EXPECT_TRUE(meet(jacobi_am(20 * elliptic_k(deep), deep), 10 * pi(p)));
+    EXPECT_TRUE(
+        meet(elliptic_f(jacobi_am(ball(rational(1, 5), p), deep), deep), ball(rational(1, 5), p)));
     // Small ones.
     EXPECT_TRUE(as_narrow_as(jacobi_sn(ball(power_of_ten(-1000), p), half), p - 6));
   }

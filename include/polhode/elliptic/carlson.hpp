@@ -21,7 +21,7 @@
 // carlson_rg_gradient). Principal values are put together from these, over wide balls with some excess.
 // mpfr_float and double give the uncertified value (NaN outside the domain), the first at the greatest precision
 // among the arguments; both come from the templates that give the balls (src/elliptic/carlson_core.hpp, with the
-// proofs): duplication with a series, and above some 100 digits Landen's transformation, which converges quadratically.
+// proofs): duplication with a series, and from some 60 digits on Landen's transformation, which converges quadratically.
 
 #include <array>
 
