@@ -140,7 +140,7 @@ theta_values theta(int j, const ball& z, const ball& q) {
     throw std::invalid_argument("theta functions are numbered 1 to 4, not " + std::to_string(j));
   }
   const precision p = std::max(z.precision(), q.precision());
-  const theta_values none{ball::undefined(p), ball::undefined(p)};
+  theta_values none{ball::undefined(p), ball::undefined(p)};
   if (!z.is_bounded() || !detail::not_negative(q) || !certainly_less(q, 1)) return none;
   if (sign_of(q) == sign::zero) return {ball(j <= 2 ? 0 : 1, p), ball(0, p)};
   const bool exact = z.is_exact() && q.is_exact();

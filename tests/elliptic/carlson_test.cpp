@@ -219,7 +219,7 @@ TEST(Carlson, HoldsEveryMemberOfABox) {
     std::array<rational, 4> member;
     for (std::size_t i = 0; i < 4; ++i) {
       const rational low = any_argument(random);
-      const rational high = low * (1 + power_of_two(-random.between(0, 70)));
+      const rational high = low * (1 + power_of_two(-random.between(0, 79)));
       box[i] = hull(ball(low, p), ball(high, p));
       member[i] = low + (high - low) * rational(random.between(0, 16), 16);
     }
