@@ -268,7 +268,7 @@ ball elliptic_nome(const parameter& m) {
                                    [&](const std::array<ball, 1>& x) {
                                      return detail::to_accuracy(p, [&](precision q) {
                                        const auto [k, m1] = modulus_at(x[0], m, q);
-                                       const ball one(1, q);
+                                       ball one(1, q);
                                        if (certainly_negative(k) || certainly_negative(m1))
                                          return ball::undefined(q);
                                        if (sign_of(k) == sign::zero) return ball(0, q);

@@ -46,7 +46,7 @@ template <elliptic_scalar T>
 [[nodiscard]] jacobi_values<T> jacobi_below_one(const T& u, const T& m1, precision q, T& angle) {
   const std::int64_t before_point = std::max<std::int64_t>(exponent_of(u) + 1, 0);
   if (!is_number(u) || before_point > most_bits_before_point) return undefined_values<T>(q);
-  const precision more = static_cast<precision>(before_point);
+  const auto more = static_cast<precision>(before_point);
   const auto ladder = ladder_of(raised(m1, q + more), q + more);
   if (!ladder) return undefined_values<T>(q);
   angle = T(ladder->mean * raised(u, q + more));

@@ -3,7 +3,7 @@
 // The parameter of elliptic integrals and functions, m = k^2 (not the modulus k), given by m or by m1 = 1 - m: near
 // m = 1 only m1 tells how near.
 
-#include <concepts>
+#include <utility>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 
@@ -13,8 +13,8 @@ namespace polhode {
 template <class T>
 class elliptic_parameter {
  public:
-  elliptic_parameter(const T& m)  // NOLINT(google-explicit-constructor): what it most often is
-      : given_(m) {}
+  elliptic_parameter(T m)  // NOLINT(google-explicit-constructor): what it most often is
+      : given_(std::move(m)) {}
   static elliptic_parameter with_complement(const T& m1) {
     elliptic_parameter result(m1);
     result.by_complement_ = true;
