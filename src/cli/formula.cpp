@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "elliptic_functions.hpp"
 #include "errors.hpp"
 #include "layout.hpp"
 #include "polhode/expression/functions.hpp"
@@ -72,7 +73,7 @@ expression read_formula(const std::string& given, const std::vector<std::string>
                         const let_option& let) {
   const std::string text = given.substr(std::min(given.find_first_not_of(' '), given.size()));
   try {
-    return expression(text, {variables, let.value()});
+    return expression(text, {variables, let.value(), elliptic_functions()});
   } catch (const input_error& error) {
     throw usage_error(fmt::format("{}: {}", in_quotes(text), error.what()));
   }
@@ -84,6 +85,11 @@ std::string table_of_functions() {
     result += fmt::format("  {:<14}{:<42}{}\n", f.name + '(' + f.arguments + ')', f.description,
                           f.domain);
   }
+  result += "elliptic integrals and functions, of the parameter m = k^2 (docs/elliptic.md)\n";
+  for (const further_function& f : *elliptic_functions()) {
+    result += fmt::format("  {:<25}{:<32}{}\n", f.what.name + '(' + f.what.arguments + ')',
+                          f.what.description, f.what.domain);
+  }
   result += "constants\n";
   for (const expression_constant& c : expression_constants()) {
     result += fmt::format("  {:<14}{}\n", c.name, c.description);
@@ -94,6 +100,11 @@ std::string table_of_functions() {
 std::string names_of_functions() {
   std::string names;
   for (const expression_function& f : expression_functions()) names += f.name + ' ';
+  std::string last;
+  for (const further_function& f : *elliptic_functions()) {
+    if (f.what.name != last) names += f.what.name + ' ';
+    last = f.what.name;
+  }
   names += "and the constants";
   for (const expression_constant& c : expression_constants()) names += ' ' + c.name;
   std::string result;

@@ -104,6 +104,21 @@ POLHODE_OF_TWO(atan2)
 #undef POLHODE_OF_TWO
 symmetry root_of(const symmetry& v, long n) { return root(v, n); }
 
+/// What every arithmetic answers of a function that it has not.
+constexpr auto not_available = [](const auto& v, const auto&, long) {
+  using T = std::remove_cvref_t<decltype(v)>;
+  constexpr const char* name = "a function of a formula";
+  if constexpr (std::same_as<T, ball>) {
+    return ball::undefined(v.precision());
+  } else if constexpr (std::same_as<T, region>) {
+    return region::blocked(obstacle::unknown, name);
+  } else if constexpr (is_jet<T>::value) {
+    return T::constant(ball::undefined(v[0].precision()), v.order());
+  } else {
+    return v.blocked(name);
+  }
+};
+
 }  // namespace
 
 template <>
@@ -131,6 +146,12 @@ struct supplement<symmetry> {
   static symmetry power_integer(const symmetry& v, long n) { return pow(v, n); }
   static symmetry power(const symmetry& u, const symmetry& v) { return pow(u, v); }
   static symmetry root(const symmetry& v, long n) { return root_of(v, n); }
+  /// Under what leaves all arguments as they are, so is the value: as any function of them.
+  static symmetry further(const further_function&, const std::vector<symmetry>& x) {
+    symmetry all = x.front();
+    for (const symmetry& v : x) all = agm_of(all, v);
+    return gamma_of(all);
+  }
 };
 
 /// As for balls.
@@ -159,6 +180,11 @@ struct supplement<angle> {
   }
   static angle power(const angle& x, const angle& y) { return of_two(on_balls::power, x, y); }
   static angle root(const angle& x, long n) { return angle(on_balls::root(x.value(), n)); }
+  static angle further(const further_function& f, const std::vector<angle>& x) {
+    std::vector<ball> values;
+    for (const angle& a : x) values.push_back(a.value());
+    return angle(f.value(values));
+  }
 
  private:
   static angle of_two(ball (*f)(const ball&, const ball&), const angle& x, const angle& y) {
@@ -205,6 +231,9 @@ struct supplement<recorded> {
                        return supplement<std::remove_cvref_t<decltype(v)>>::root(v, order);
                      }),
                      x, n);
+  }
+  static recorded further(const further_function&, const std::vector<recorded>& x) {
+    return x.front().applied(recorded_operation::of(not_available), x.front());
   }
 
  private:
@@ -282,6 +311,9 @@ struct supplement<jet<region, 1>> {
   /// (2/sqrt(pi)) e^(-x^2) x'.
   static series erf(const series& x) { return from(on_regions::erf(x[0]), bell(x)); }
   static series erfc(const series& x) { return from(on_regions::erfc(x[0]), -bell(x)); }
+  static series further(const further_function& f, const std::vector<series>&) {
+    return not_available(f.what.name);
+  }
 
  private:
   static series from(const region& value, const region& slope) {

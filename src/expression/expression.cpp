@@ -29,13 +29,16 @@ std::string quoted(const std::string& name) {
   return '"' + (name.size() <= most ? name : name.substr(0, most) + "...") + '"';
 }
 
-void check_name(const std::string& name, const name_table& variables, const name_table& known) {
+void check_name(const std::string& name, const name_table& variables, const name_table& known,
+                const further_functions* further) {
   if (!is_identifier(name)) {
     throw input_error(quoted(name) +
                       " cannot be a name: it must be a letter or _, then letters, digits and _");
   }
   const char* taken = nullptr;
-  if (detail::find_function(name) != nullptr) taken = "function";
+  if (detail::find_function(name) != nullptr || detail::has_further(further, name)) {
+    taken = "function";
+  }
   if (detail::find_constant(name) != nullptr) taken = "constant";
   if (taken != nullptr) {
     throw input_error(quoted(name) + " is the name of a " + taken +
@@ -50,16 +53,16 @@ void check_name(const std::string& name, const name_table& variables, const name
 
 expression::expression(std::string_view text, const expression_names& names)
     : variables_(names.variables) {
-  const auto g = std::make_shared<detail::graph>();
+  const auto g = std::make_shared<detail::graph>(names.further);
   name_table variables;
   name_table definitions;
   for (const std::string& name : variables_) {
-    check_name(name, variables, definitions);
+    check_name(name, variables, definitions, names.further.get());
     const node_id id = g->variable(static_cast<long>(variables.size()));
     variables[name] = id;
   }
   for (const auto& [name, value] : names.definitions) {
-    check_name(name, variables, definitions);
+    check_name(name, variables, definitions, names.further.get());
     try {
       definitions[name] = detail::read_expression(*g, value, definitions);
     } catch (const expression_error& error) {

@@ -319,6 +319,20 @@ std::vector<What> published(const std::vector<Row>& rows) {
 }
 }  // namespace
 
+bool has_further(const further_functions* further, std::string_view name) {
+  return further != nullptr &&
+         std::any_of(further->begin(), further->end(),
+                     [name](const further_function& f) { return f.what.name == name; });
+}
+const further_function* find_further(const further_functions* further, std::string_view name,
+                                     std::size_t arity) {
+  if (further == nullptr) return nullptr;
+  const auto found = std::find_if(further->begin(), further->end(), [&](const further_function& f) {
+    return f.what.name == name && f.arity == arity;
+  });
+  return found == further->end() ? nullptr : &*found;
+}
+
 const function_row* find_function(std::string_view name) { return find_row(function_rows(), name); }
 const constant_row* find_constant(std::string_view name) { return find_row(constant_rows(), name); }
 

@@ -139,8 +139,34 @@ std::string brief(const rational& q) {
 }
 
 int operands_of(operation what) {
-  if (what < operation::negate) return 0;
+  if (what < operation::negate || what == operation::further) return 0;
   return what < operation::add ? 1 : 2;
+}
+
+std::vector<node_id> operands_at(const graph& g, node_id i) {
+  const node& n = g[i];
+  if (n.what == operation::further) {
+    std::vector<node_id> result = g.call_at(i).operands;
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+  switch (operands_of(n.what)) {
+    case 0:
+      return {};
+    case 1:
+      return {n.left};
+    default:
+      if (n.left == n.right) return {n.left};
+      return {n.left, n.right};
+  }
+}
+
+node_id graph::call(const further_call& c) {
+  if (const auto known = known_calls_.find(c); known != known_calls_.end()) return known->second;
+  calls_.push_back(c);
+  nodes_.push_back({operation::further, 0, 0, static_cast<long>(calls_.size()) - 1});
+  return known_calls_[c] = size() - 1;
 }
 
 node_id graph::plain(const node& n) {
@@ -235,9 +261,7 @@ std::vector<char> reachable(const graph& g) {
   marks[g.root] = 1;
   for (node_id i = g.root + 1; i-- > 0;) {
     if (marks[i] == 0) continue;
-    const int operands = operands_of(g[i].what);
-    if (operands >= 1) marks[g[i].left] = 1;
-    if (operands == 2) marks[g[i].right] = 1;
+    for (const node_id x : operands_at(g, i)) marks[x] = 1;
   }
   return marks;
 }
@@ -247,10 +271,8 @@ std::vector<char> varying(const graph& g) {
   std::vector<char> marks(g.size(), 0);
   for (node_id i = 0; i <= g.root; ++i) {
     if (used[i] == 0) continue;
-    const int operands = operands_of(g[i].what);
-    const bool varies = g[i].what == operation::variable ||
-                        (operands >= 1 && marks[g[i].left] != 0) ||
-                        (operands == 2 && marks[g[i].right] != 0);
+    bool varies = g[i].what == operation::variable;
+    for (const node_id x : operands_at(g, i)) varies = varies || marks[x] != 0;
     marks[i] = varies ? 1 : 0;
   }
   return marks;
@@ -267,9 +289,7 @@ tape assemble(const graph& g, const std::vector<node_id>& code, const std::vecto
   result.inputs = inputs;
   std::vector<std::size_t> last_use(g.size(), 0);
   for (std::size_t i = 0; i < code.size(); ++i) {
-    const int operands = operands_of(g[code[i]].what);
-    if (operands >= 1) last_use[g[code[i]].left] = i;
-    if (operands == 2) last_use[g[code[i]].right] = i;
+    for (const node_id x : operands_at(g, code[i])) last_use[x] = i;
   }
   for (const node_id o : outputs) last_use[o] = code.size();
   std::vector<std::uint32_t> free;
@@ -281,12 +301,18 @@ tape assemble(const graph& g, const std::vector<node_id>& code, const std::vecto
     const int operands = operands_of(n.what);
     const std::uint32_t left = operands >= 1 ? place[n.left] : 0;
     const std::uint32_t right = operands == 2 ? place[n.right] : left;
-    if (operands >= 1) release(n.left, i);
-    if (operands == 2 && n.right != n.left) release(n.right, i);
+    long number = n.number;
+    if (n.what == operation::further) {
+      const further_call& call = g.call_at(code[i]);
+      number = static_cast<long>(result.calls.size());
+      result.calls.push_back({call.function, {}});
+      for (const node_id x : call.operands) result.calls.back().operands.push_back(place[x]);
+    }
+    for (const node_id x : operands_at(g, code[i])) release(x, i);
     if (free.empty()) free.push_back(inputs + result.slots++);
     place[code[i]] = free.back();
     free.pop_back();
-    result.code.push_back({n.what, place[code[i]] - inputs, left, right, n.number});
+    result.code.push_back({n.what, place[code[i]] - inputs, left, right, number});
   }
   for (const node_id o : outputs) result.outputs.push_back(place[o]);
   return result;
@@ -296,6 +322,7 @@ tape assemble(const graph& g, const std::vector<node_id>& code, const std::vecto
 
 program compile(const graph& g, std::size_t variables) {
   program result;
+  result.further = g.further();
   result.variables = static_cast<std::uint32_t>(variables);
   const std::vector<char> used = reachable(g);
   const std::vector<char> varies = varying(g);
@@ -315,9 +342,7 @@ program compile(const graph& g, std::size_t variables) {
       constant_code.push_back(i);
     } else {
       body_code.push_back(i);
-      const int operands = operands_of(g[i].what);
-      if (operands >= 1) wanted[g[i].left] = 1;
-      if (operands == 2) wanted[g[i].right] = 1;
+      for (const node_id x : operands_at(g, i)) wanted[x] = 1;
     }
   }
   wanted[g.root] = 1;

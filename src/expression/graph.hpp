@@ -38,8 +38,20 @@ class undefined_operation : public std::domain_error {
   using std::domain_error::domain_error;
 };
 
+/// A call of a function that is not this room's.
+struct further_call {
+  const further_function* function;
+  std::vector<node_id> operands;
+  friend bool operator<(const further_call& x, const further_call& y) {
+    return std::tie(x.function, x.operands) < std::tie(y.function, y.operands);
+  }
+};
+
 class graph {
  public:
+  explicit graph(std::shared_ptr<const further_functions> further = nullptr)
+      : further_(std::move(further)) {}
+
   [[nodiscard]] node_id number(const rational& q);
   [[nodiscard]] node_id variable(long index) { return plain({operation::variable, 0, 0, index}); }
   /// The node of the operation as it stands; the functions below fold and simplify first.
@@ -47,6 +59,12 @@ class graph {
     return plain({what, left, right, number});
   }
 
+  [[nodiscard]] node_id call(const further_call& c);
+
+  [[nodiscard]] const std::shared_ptr<const further_functions>& further() const { return further_; }
+  [[nodiscard]] const further_call& call_at(node_id i) const {
+    return calls_[static_cast<std::size_t>(nodes_[i].number)];
+  }
   [[nodiscard]] const node& operator[](node_id i) const { return nodes_[i]; }
   [[nodiscard]] node_id size() const { return static_cast<node_id>(nodes_.size()); }
   [[nodiscard]] const rational& number_at(long index) const {
@@ -71,7 +89,10 @@ class graph {
   };
   [[nodiscard]] node_id plain(const node& n);
 
+  std::shared_ptr<const further_functions> further_;
   std::vector<node> nodes_;
+  std::vector<further_call> calls_;
+  std::map<further_call, node_id> known_calls_;
   std::deque<rational> numbers_;  // whose elements stay where they are
   std::map<node, node_id> known_;
   std::map<rational, node_id, by_parts> known_numbers_;
@@ -92,6 +113,8 @@ class graph {
 [[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);
 
 [[nodiscard]] int operands_of(operation what);
+/// The operands of a node, each once.
+[[nodiscard]] std::vector<node_id> operands_at(const graph& g, node_id i);
 /// The nodes that the root depends on, as a mark for each.
 [[nodiscard]] std::vector<char> reachable(const graph& g);
 /// Those of them that depend on a variable.
@@ -120,6 +143,10 @@ struct constant_row {
 /// nullptr where there is none of that name.
 [[nodiscard]] const function_row* find_function(std::string_view name);
 [[nodiscard]] const constant_row* find_constant(std::string_view name);
+/// Whether a further function has the name; the one of so many arguments, or nullptr.
+[[nodiscard]] bool has_further(const further_functions* further, std::string_view name);
+[[nodiscard]] const further_function* find_further(const further_functions* further,
+                                                   std::string_view name, std::size_t arity);
 
 /// Reads a text into the graph; names are those of variables and definitions.
 [[nodiscard]] node_id read_expression(graph& g, std::string_view text,

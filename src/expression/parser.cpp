@@ -84,13 +84,16 @@ class reader {
       throw expression_error(where, function->what.name + " is a function: write " +
                                         function->what.name + "(" + function->what.arguments + ")");
     }
+    if (has_further(further(), given)) {
+      throw expression_error(where, further_usage(given, " is a function: write "));
+    }
     throw expression_error(where, "there is no " + quoted(given) + "; the nearest name is " +
                                       nearest_name(given, all_names()));
   }
   void begin_call() {
     called_.back().first_argument = values_.size();
     const std::string_view given = view(called_.back().name);
-    if (find_function(given) != nullptr) return;
+    if (find_function(given) != nullptr || has_further(further(), given)) return;
     const std::size_t where = column(called_.back().name.begin());
     if (names_.find(given) != names_.end() || find_constant(given) != nullptr) {
       throw expression_error(where, quoted(given) +
@@ -103,10 +106,11 @@ class reader {
   void end_call() {
     const call last = called_.back();
     called_.pop_back();
-    const function_row& function = *find_function(view(last.name));
     const std::vector<node_id> arguments(
         values_.begin() + static_cast<std::ptrdiff_t>(last.first_argument), values_.end());
     values_.resize(last.first_argument);
+    if (find_function(view(last.name)) == nullptr) return end_call_of_further(last.name, arguments);
+    const function_row& function = *find_function(view(last.name));
     if (static_cast<int>(arguments.size()) != function.arity) {
       throw expression_error(column(last.name.begin()),
                              function.what.name + " takes " + std::to_string(function.arity) +
@@ -224,9 +228,47 @@ class reader {
     }
   }
 
-  static std::vector<std::string> function_names() {
+  [[nodiscard]] const further_functions* further() const { return graph_.further().get(); }
+  /// "ellipticE is a function: write ellipticE(m) or ellipticE(phi, m)".
+  [[nodiscard]] std::string further_usage(std::string_view name, const std::string& what) const {
+    std::string usage;
+    for (const further_function& f : *further()) {
+      if (f.what.name != name) continue;
+      usage += (usage.empty() ? "" : " or ") + f.what.name + "(" + f.what.arguments + ")";
+    }
+    return std::string(name) + what + usage;
+  }
+  void end_call_of_further(const range& name, const std::vector<node_id>& arguments) {
+    const further_function* function = find_further(further(), view(name), arguments.size());
+    if (function == nullptr) {
+      throw expression_error(
+          column(name.begin()),
+          further_usage(view(name), " does not take " + std::to_string(arguments.size()) +
+                                        " arguments: write "));
+    }
+    std::vector<rational> numbers;
+    std::string text;
+    for (const node_id x : arguments) {
+      if (const rational* q = graph_.value(x)) {
+        numbers.push_back(*q);
+        text += (text.empty() ? "" : ", ") + brief(*q);
+      }
+    }
+    if (numbers.size() == arguments.size() && function->may_be_defined &&
+        !function->may_be_defined(numbers)) {
+      throw expression_error(
+          column(name.begin()),
+          function->what.name + "(" + text + ") is not defined: it needs " + function->what.domain);
+    }
+    push(graph_.call({function, arguments}));
+  }
+
+  [[nodiscard]] std::vector<std::string> function_names() const {
     std::vector<std::string> names;
     for (const function_row& f : function_rows()) names.push_back(f.what.name);
+    if (further() != nullptr) {
+      for (const further_function& f : *further()) names.push_back(f.what.name);
+    }
     return names;
   }
   [[nodiscard]] std::vector<std::string> all_names() const {

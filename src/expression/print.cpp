@@ -125,6 +125,16 @@ std::vector<piece> pieces_of(const graph& g, node_id i, const std::vector<std::s
     default:
       break;
   }
+  if (n.what == operation::further) {
+    const further_call& call = g.call_at(i);
+    std::vector<piece> result{call.function->what.name};
+    for (std::size_t k = 0; k < call.operands.size(); ++k) {
+      result.emplace_back(std::string(k == 0 ? "(" : ", "));
+      result.push_back(at(call.operands[k], of_sum));
+    }
+    result.emplace_back(std::string(")"));
+    return result;
+  }
   const std::string name = name_of(n.what);
   if (n.what == operation::zeta) return {"zeta(" + std::to_string(n.number) + ")"};
   if (n.what == operation::root) {

@@ -288,6 +288,68 @@ void execute(const instruction& i, mpfr_float& r, const mpfr_float& x, const mpf
 template <>
 void execute(const instruction& i, double& r, const double& x, const double& y);
 
+/// The value of a further function over any type, from its values over balls; supplement<T>::further(f, arguments) has it
+/// for a T that has a way of its own.
+template <class T>
+[[nodiscard]] T value_of_further(const further_function& f, const std::vector<T>& x) {
+  const auto at_balls = [&](auto&& ball_of) {
+    std::vector<ball> arguments;
+    arguments.reserve(x.size());
+    for (const T& argument : x) arguments.push_back(ball_of(argument));
+    return f.value(arguments);
+  };
+  if constexpr (requires { supplement<T>::further(f, x); }) {
+    return supplement<T>::further(f, x);
+  } else if constexpr (std::same_as<T, ball>) {
+    return f.value(x);
+  } else if constexpr (std::same_as<T, mpfr_float>) {
+    return midpoint(at_balls([](const mpfr_float& a) { return ball(a); }));
+  } else if constexpr (std::same_as<T, double>) {
+    const mpfr_float middle = midpoint(at_balls([](double a) { return ball::exactly(a, 64); }));
+    return mpfr_get_d(middle.backend().data(), MPFR_RNDN);
+  } else if constexpr (std::same_as<T, double_interval>) {
+    return double_interval::from_ball(at_balls([](double_interval a) { return to_ball(a, 64); }));
+  } else if constexpr (std::same_as<T, complex_ball>) {
+    for (const complex_ball& a : x) {
+      if (sign_of(a.im) != sign::zero) return complex_ball::undefined(a.precision());
+    }
+    return complex_ball(at_balls([](const complex_ball& a) { return a.re; }));
+  } else if constexpr (std::same_as<T, region>) {
+    for (const region& a : x) {
+      if (!a.is_analytic()) return a;
+    }
+    return region::blocked(obstacle::unknown, f.what.name.c_str());
+  } else if constexpr (is_jet<T>::value) {
+    T result = x.front();
+    result[0] = at_balls([](const T& a) { return a[0]; });
+    const ball none = ball::undefined(result[0].precision());
+    for (int k = 1; k <= result.order(); ++k) result[k] = none;
+    if (f.gradient && result.order() >= 1) {
+      std::vector<ball> arguments;
+      for (const T& a : x) arguments.push_back(a[0]);
+      const std::vector<ball> slopes = f.gradient(arguments);
+      ball sum(0, result[0].precision());
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        // What does not vary needs no derivative.
+        if (sign_of(x[i][1]) != sign::zero) sum += slopes[i] * x[i][1];
+      }
+      result[1] = sum;
+    }
+    return result;
+  } else {
+    return x.front().blocked(f.what.name.c_str());
+  }
+}
+/// The operand's number -> the operand, in `operand`.
+template <class T, class Operand>
+[[nodiscard]] T value_of_call(const tape& t, const instruction& i, const Operand& operand) {
+  const call_of_further& call = t.calls[static_cast<std::size_t>(i.number)];
+  std::vector<T> arguments;
+  arguments.reserve(call.operands.size());
+  for (const std::uint32_t o : call.operands) arguments.push_back(operand(o));
+  return value_of_further<T>(*call.function, arguments);
+}
+
 /// The real number enclosed by x, as a T.
 template <class T>
 [[nodiscard]] T converted(const ball& x) {
@@ -330,7 +392,9 @@ template <class T, class Number, class Constant>
   };
   for (const instruction& i : t.code) {
     T& r = slots[i.result];
-    if (i.what >= operation::negate) {
+    if (i.what == operation::further) {
+      r = value_of_call<T>(t, i, operand);
+    } else if (i.what >= operation::negate) {
       execute<T>(i, r, operand(i.left), operand(i.right));
     } else {
       r = constant(i);
@@ -410,6 +474,10 @@ T compiled_expression<T>::evaluate(std::span<const T> values, const T& like) con
     return i < variables ? values[i] : (*constants)[i - variables];
   };
   for (const detail::instruction& i : body.code) {
+    if (i.what == detail::operation::further) {
+      slots[i.result] = detail::value_of_call<T>(body, i, operand);
+      continue;
+    }
     detail::execute<T>(i, slots[i.result], operand(i.left), operand(i.right));
   }
   const std::uint32_t result = body.outputs.front();

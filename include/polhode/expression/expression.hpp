@@ -39,6 +39,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
+#include "polhode/expression/functions.hpp"
 #include "polhode/expression/program.hpp"
 
 namespace polhode {
@@ -65,6 +66,8 @@ struct expression_names {
   std::vector<std::string> variables;
   /// Names with their values as texts: formulas in numbers, constants and earlier names.
   std::vector<std::pair<std::string, std::string>> definitions;
+  /// Functions beside those of functions.hpp.
+  std::shared_ptr<const further_functions> further = nullptr;
 };
 
 /// How the cost of an evaluation grows with the precision p: nearly as p for sums, products, quotients and

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/expression/functions.hpp"
 
 namespace polhode::detail {
 
@@ -63,6 +64,8 @@ enum class operation : std::uint8_t {
   hypot,
   agm,
   atan2,  // of the point with abscissa y and ordinate x: in the order of the arguments
+  // Of any number of operands: n is the place in a list of calls.
+  further,
 };
 
 /// Operands of a tape are numbered: first its inputs, then its slots, which are used again.
@@ -74,10 +77,17 @@ struct instruction {
   long number;
 };
 
+/// A call of a function that is not this room's.
+struct call_of_further {
+  const further_function* function;
+  std::vector<std::uint32_t> operands;
+};
+
 struct tape {
   std::uint32_t inputs = 0;
   std::uint32_t slots = 0;
   std::vector<instruction> code;
+  std::vector<call_of_further> calls;
   std::vector<std::uint32_t> outputs;
 };
 
@@ -87,6 +97,7 @@ struct program {
   std::vector<rational> numbers;  // the inputs of `constants`
   tape constants;
   tape body;  // its inputs: the variables, then the outputs of `constants`; one output
+  std::shared_ptr<const further_functions> further;  // where the calls' functions are kept
 };
 
 }  // namespace polhode::detail

@@ -1,0 +1,13 @@
+#pragma once
+
+// The elliptic room's functions under the names that formulas call them by.
+
+#include <memory>
+
+#include "polhode/expression/functions.hpp"
+
+namespace polhode::cli {
+
+[[nodiscard]] std::shared_ptr<const further_functions> elliptic_functions();
+
+}  // namespace polhode::cli
