@@ -10,17 +10,17 @@ namespace detail {
 namespace {
 
 /// A function of the supplement: over jets of balls and balls, and over its natural domain.
-#define POLHODE_SUPPLEMENTED(f, domain)                                              \
-  static function_structure f(const function_structure& x) {                         \
-    return function_structure::applied(                                              \
-        x, [](const auto& t) { return on<decltype(t)>::f(t); },                      \
-        [](const ball& t) { return std::optional<ball>(domain(t)); }, nullptr);      \
+#define POLHODE_SUPPLEMENTED(f, domain)                                         \
+  static function_structure f(const function_structure& x) {                    \
+    return function_structure::applied(                                         \
+        x, [](const auto& t) { return on<decltype(t)>::f(t); },                 \
+        [](const ball& t) { return std::optional<ball>(domain(t)); }, nullptr); \
   }
-#define POLHODE_SUPPLEMENTED_TWO(f, domain)                                          \
+#define POLHODE_SUPPLEMENTED_TWO(f, domain)                                               \
   static function_structure f(const function_structure& x, const function_structure& y) { \
-    return function_structure::applied_to_two(                                       \
-        x, y, [](const auto& s, const auto& t) { return on<decltype(s)>::f(s, t); }, \
-        [](const ball& s, const ball& t) { return std::optional<ball>(domain(s, t)); }); \
+    return function_structure::applied_to_two(                                            \
+        x, y, [](const auto& s, const auto& t) { return on<decltype(s)>::f(s, t); },      \
+        [](const ball& s, const ball& t) { return std::optional<ball>(domain(s, t)); });  \
   }
 
 template <class T>
@@ -66,6 +66,12 @@ struct supplement<function_structure> {
   POLHODE_SUPPLEMENTED_TWO(agm, on_balls::agm)
   POLHODE_SUPPLEMENTED_TWO(atan2, on_balls::atan2)
   POLHODE_SUPPLEMENTED_TWO(power, natural_power)
+  static function_structure further(const further_function& f,
+                                    const std::vector<function_structure>& x) {
+    return function_structure::applied_to_many(
+        x, [&](const std::vector<jet<ball, 1>>& t) { return value_of_further(f, t); },
+        [&](const std::vector<ball>& t) { return f.value(t); });
+  }
   static function_structure abs(const function_structure& x) { return size_of(x); }
   static function_structure floor(const function_structure& x) { return step_below(x); }
   static function_structure ceil(const function_structure& x) { return step_above(x); }
@@ -77,15 +83,11 @@ struct supplement<function_structure> {
   }
   static function_structure erf(const function_structure& x) { return error_function(x); }
   static function_structure erfc(const function_structure& x) { return complementary(x); }
-  static function_structure power_integer(const function_structure& x, long n) {
-    return pow(x, n);
-  }
+  static function_structure power_integer(const function_structure& x, long n) { return pow(x, n); }
   static function_structure root(const function_structure& x, long n) {
     return function_structure::applied(
         x, [n](const auto& t) { return on<decltype(t)>::root(t, n); },
-        [n](const ball& t) {
-          return natural_domain::root(t, static_cast<unsigned long>(n));
-        },
+        [n](const ball& t) { return natural_domain::root(t, static_cast<unsigned long>(n)); },
         [n](const series& t) {
           const known_number value = t[0].is_exactly(0) || t[0].is_exactly(1)
                                          ? t[0]

@@ -96,6 +96,22 @@ class function_structure {
     if (x.natural_ && y.natural_) r.natural_ = natural(*x.natural_, *y.natural_);
     return r;
   }
+  /// The same for a function of any number of them, which is given vectors.
+  template <class OnJets, class OnBalls>
+  [[nodiscard]] static function_structure applied_to_many(const std::vector<function_structure>& x,
+                                                          OnJets&& on_jets, OnBalls&& on_balls) {
+    std::vector<jet<ball, 1>> over;
+    std::vector<ball> at_point;
+    std::vector<ball> natural;
+    for (const function_structure& operand : x) {
+      over.push_back(operand.over());
+      at_point.push_back(operand.at_point());
+      if (operand.natural_) natural.push_back(*operand.natural_);
+    }
+    function_structure r = x.front().fresh(on_jets(over), on_balls(at_point), false);
+    if (natural.size() == x.size()) r.natural_ = on_balls(natural);
+    return r;
+  }
   /// A series with the value alone, for a function with breaks.
   [[nodiscard]] static exact_series value_alone(const exact_series& like,
                                                 const detail::known_number& value);
@@ -129,16 +145,14 @@ template <structure_constant N>
   }
 }
 }  // namespace detail
-#define POLHODE_WITH_CONSTANTS(sign)                                               \
-  template <structure_constant N>                                                  \
-  [[nodiscard]] function_structure operator sign(const function_structure& x,      \
-                                                 const N& n) {                     \
-    return x sign detail::constant_structure(n, x);                                \
-  }                                                                                \
-  template <structure_constant N>                                                  \
-  [[nodiscard]] function_structure operator sign(const N& n,                       \
-                                                 const function_structure& x) {    \
-    return detail::constant_structure(n, x) sign x;                                \
+#define POLHODE_WITH_CONSTANTS(sign)                                                        \
+  template <structure_constant N>                                                           \
+  [[nodiscard]] function_structure operator sign(const function_structure& x, const N& n) { \
+    return x sign detail::constant_structure(n, x);                                         \
+  }                                                                                         \
+  template <structure_constant N>                                                           \
+  [[nodiscard]] function_structure operator sign(const N& n, const function_structure& x) { \
+    return detail::constant_structure(n, x) sign x;                                         \
   }
 POLHODE_WITH_CONSTANTS(+)
 POLHODE_WITH_CONSTANTS(-)
