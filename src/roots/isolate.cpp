@@ -904,6 +904,27 @@ root_set isolate_roots(const real_function& f, const range_end& lower, const ran
   return s.result();
 }
 
+namespace {
+
+/// The half of the enclosure that holds the root of f, which is simple and the only one in it: on either side of
+/// it f has one sign. std::nullopt where the signs are not certain.
+std::optional<ball> half_with_root(const real_function& f, const ball& enclosure, precision p) {
+  const exact_box whole = exact_ends(enclosure);
+  const auto sign_at = [&](const rational& x) { return sign_of(f.at(p)->value(ball(x, p))); };
+  const auto is_certain = [](sign s) { return s == sign::negative || s == sign::positive; };
+  const ball middle = enclosure.middle();
+  const sign at_middle =
+      sign_of(f.at(p)->value(middle.with_precision(std::max(p, middle.precision()))));
+  const sign at_upper = sign_at(*whole.upper);
+  if (!is_certain(at_middle) || !is_certain(at_upper)) return std::nullopt;
+  const rational cut = lower_rational(middle);
+  const exact_box half =
+      at_middle == at_upper ? exact_box{whole.lower, cut} : exact_box{cut, whole.upper};
+  return half.to_ball(std::max(p, enclosure.precision()));
+}
+
+}  // namespace
+
 refined_root refine(const root_region& region, long digits) {
   if (digits < 1) throw std::invalid_argument("refine: at least one digit must be asked for");
   refined_root result;
@@ -924,6 +945,8 @@ refined_root refine(const root_region& region, long digits) {
   // Bits beside those of x that f is evaluated with, because it cancels.
   precision more = 0;
   const precision most = 8 * p + (1L << 14);
+  constexpr int most_halvings = 60;
+  int halvings = 0;
   while (true) {
     const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };
     const auto value = [&](const ball& x) { return f.at(x.precision() + more)->value(raised(x)); };
@@ -931,7 +954,8 @@ refined_root refine(const root_region& region, long digits) {
       return slope_over(*f.at(x.precision() + more), raised(x), f);
     };
     // A little room, so that a root at the end of its enclosure is inside.
-    const ball& known = result.enclosure;
+    const ball known = result.enclosure;
+    const magnitude before = known.radius();
     const ball room = intersection(known.enlarged(known.radius()), region.box);
     const root_enclosure r = refine_root(value, slope, room.is_undefined() ? known : room, p);
     if (r.verdict == root_verdict::none) {
@@ -941,7 +965,16 @@ refined_root refine(const root_region& region, long digits) {
     result.evaluations_of_derivative += r.evaluations_of_derivative;
     const ball both = intersection(r.root, known);
     result.enclosure = (both.is_undefined() ? r.root : both).with_precision(p + 16);
-    if (is_narrow(result.enclosure) || more >= most) break;
+    if (is_narrow(result.enclosure)) break;
+    // Newton's method may not contract yet on a wide enclosure.
+    if (result.enclosure.radius() > scale(before, -1) && halvings < most_halvings) {
+      ++halvings;
+      if (const auto half = half_with_root(f, result.enclosure, p + more)) {
+        result.enclosure = *half;
+        continue;
+      }
+    }
+    if (more >= most) break;
     more = std::min(std::max<precision>(2 * more, 64), most);
   }
   const ball& x = result.enclosure;

@@ -471,6 +471,17 @@ TEST(Refine, SeesThroughCancellation) {
   }
 }
 
+TEST(Refine, HalvesWhereNewtonDoesNotContractYet) {
+  // One Newton step proves the root in [-50, 50], and leaves an enclosure too wide for the next one.
+  const rational_polynomial p = with_roots({{rational(1, 2), 1}}) *
+                                rational_polynomial({rational(1), rational(1, 2), rational(1)});
+  const root_set s = isolate_roots(real_function::of(p), -50, 50);
+  expect_resolved(s, 1);
+  const refined_root r = refine(s.regions[0], 30);
+  EXPECT_EQ(r.verdict, status::certified);
+  EXPECT_EQ(r.exact, rational(1, 2));
+}
+
 TEST(RealFunction, UserSuppliedDerivativesAreChecked) {
   const auto f = [](const auto& x) { return cos(x) - x; };
   EXPECT_FALSE(refute_derivative(
