@@ -40,12 +40,18 @@ TEST(Truncation, IsBoundedInBothMethods) {
       check(detail::rj_by_duplication(x, y, z, p, false, few), rj, "R_J by duplication");
       check(detail::rj_by_duplication(x, y, z, z, true, few), rd, "R_D by duplication");
       const auto first = detail::by_landen(x, y, z, z, detail::third_kind::absent, few);
-      if (first) EXPECT_TRUE(meet(first->rf, rf)) << few;
+      if (first) {
+        EXPECT_TRUE(meet(first->rf, rf)) << few;
+      }
       const auto second = detail::by_landen(x, y, z, z, detail::third_kind::equals_y_or_z, few);
-      if (second) EXPECT_TRUE(meet(second->rj, rd)) << few;
+      if (second) {
+        EXPECT_TRUE(meet(second->rj, rd)) << few;
+      }
       if (certainly_less(x, p)) {
         const auto third = detail::by_landen(x, y, z, p, detail::third_kind::general, few);
-        if (third && third->rj.is_bounded()) EXPECT_TRUE(meet(third->rj, rj)) << few;
+        if (third && third->rj.is_bounded()) {
+          EXPECT_TRUE(meet(third->rj, rj)) << few;
+        }
       }
       const auto complete = detail::complete_by_landen(y, z, p, few);
       ASSERT_TRUE(complete);
