@@ -90,7 +90,7 @@ std::vector<std::string> with_formulas_marked(int argc, const char* const* argv)
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const bool takes_formulas =
       !arguments.empty() && (arguments.front() == "eval" || arguments.front() == "integrate" ||
-                               arguments.front() == "roots");
+                             arguments.front() == "roots");
   for (std::size_t i = 1; takes_formulas && i < arguments.size(); ++i) {
     const std::string& before = arguments[i - 1];
     if (before == "--") break;

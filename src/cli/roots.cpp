@@ -37,8 +37,7 @@ struct roots_options {
 range_end read_end(const std::string& text, const let_option& let) {
   const std::size_t first = text.find_first_not_of(' ');
   const std::size_t last = text.find_last_not_of(' ');
-  const std::string given =
-      first == std::string::npos ? "" : text.substr(first, last - first + 1);
+  const std::string given = first == std::string::npos ? "" : text.substr(first, last - first + 1);
   if (given == "inf" || given == "+inf") return range_end::infinity();
   if (given == "-inf") return range_end::minus_infinity();
   const expression f = read_formula(given, {}, let);
@@ -59,8 +58,8 @@ std::pair<range_end, range_end> read_range(const std::string& text, const let_op
   if (first_error) {
     throw usage_error(fmt::format("--in {}: {}", in_quotes(text), first_error->what()));
   }
-  throw usage_error(fmt::format(
-      "--in {}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", in_quotes(text)));
+  throw usage_error(
+      fmt::format("--in {}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", in_quotes(text)));
 }
 
 /// A region, with its root to the digits asked for where it is proved.
@@ -96,9 +95,8 @@ struct answer {
   std::vector<listed_root> list;
 
   [[nodiscard]] bool is_certified() const {
-    return roots.complete && std::all_of(list.begin(), list.end(), [](const listed_root& r) {
-             return r.is_certified();
-           });
+    return roots.complete && std::all_of(list.begin(), list.end(),
+                                         [](const listed_root& r) { return r.is_certified(); });
   }
 };
 
@@ -107,8 +105,8 @@ answer find_roots(const expression& f, const std::pair<range_end, range_end>& ra
   line.show("looking for roots");
   isolate_options options;
   options.progress = [&](const isolation_progress& p) {
-    line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done,
-                          p.boxes_waiting, p.roots));
+    line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done, p.boxes_waiting,
+                          p.roots));
     return true;
   };
   answer result;
@@ -175,8 +173,8 @@ std::string counted(std::size_t n, const std::string& what) {
 
 std::string summary(const answer& a) {
   const isolation_account& account = a.roots.account;
-  const std::string work = fmt::format("{} boxes, {} evaluations", account.boxes,
-                                       account.evaluations);
+  const std::string work =
+      fmt::format("{} boxes, {} evaluations", account.boxes, account.evaluations);
   if (a.roots.identically_zero) return "certified: the formula is 0 everywhere\n";
   if (a.is_certified()) {
     if (a.list.empty()) return fmt::format("certified: no root ({})\n", work);
@@ -192,16 +190,15 @@ std::string as_text(const answer& a, long digits) {
   std::string result;
   for (const listed_root& r : a.list) {
     const std::string remark = remark_on(r);
-    result += fmt::format("{}  {}{}\n",
-                          r.enclosure.is_bounded() ? number_text(r, digits)
-                                                   : bound_text(r.enclosure),
-                          verdict_text(r), remark.empty() ? "" : " (" + remark + ")");
+    result += fmt::format(
+        "{}  {}{}\n", r.enclosure.is_bounded() ? number_text(r, digits) : bound_text(r.enclosure),
+        verdict_text(r), remark.empty() ? "" : " (" + remark + ")");
   }
   for (const singular_place& s : a.roots.singular) {
-    result += s.pole_order > 0
-                  ? fmt::format("no root: a pole of order {} at {}\n", s.pole_order,
-                                bound_text(s.place))
-                  : fmt::format("no root: not defined everywhere in {}\n", bound_text(s.place));
+    result +=
+        s.pole_order > 0
+            ? fmt::format("no root: a pole of order {} at {}\n", s.pole_order, bound_text(s.place))
+            : fmt::format("no root: not defined everywhere in {}\n", bound_text(s.place));
   }
   return result + summary(a);
 }
@@ -215,10 +212,10 @@ std::string as_csv(const answer& a, long digits) {
   for (const listed_root& r : a.list) {
     decimal_enclosure d;
     if (r.enclosure.is_bounded()) d = to_decimal_enclosure(r.enclosure, digits);
-    result += fmt::format(
-        "{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
-        r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "", d.value, d.lower,
-        d.upper, d.digits, r.exact ? to_text(*r.exact) : "", csv_cell(remark_on(r)));
+    result += fmt::format("{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
+                          r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "",
+                          d.value, d.lower, d.upper, d.digits, r.exact ? to_text(*r.exact) : "",
+                          csv_cell(remark_on(r)));
   }
   return result;
 }

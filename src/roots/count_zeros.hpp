@@ -9,8 +9,8 @@
 namespace polhode {
 
 struct counted_zeros {
-  long count = 0;    // with their multiplicities
-  rational radius;   // of the disc
+  long count = 0;   // with their multiplicities
+  rational radius;  // of the disc
   long evaluations = 0;
 };
 

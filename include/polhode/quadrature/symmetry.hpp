@@ -78,7 +78,9 @@ class symmetry {
   // sin(e v + k pi) = (-1)^k e sin v, cos(e v + k pi) = (-1)^k cos v, tan(e v + k pi) = e tan v for whole k; with
   // pi as the unit for sinpi and cospi.
   friend symmetry sin(const symmetry& v) { return v.under_circular_function(true, v.half_turns()); }
-  friend symmetry cos(const symmetry& v) { return v.under_circular_function(false, v.half_turns()); }
+  friend symmetry cos(const symmetry& v) {
+    return v.under_circular_function(false, v.half_turns());
+  }
   friend symmetry sinpi(const symmetry& v) { return v.under_circular_function(true, v.halves()); }
   friend symmetry cospi(const symmetry& v) { return v.under_circular_function(false, v.halves()); }
   friend symmetry tan(const symmetry& v);

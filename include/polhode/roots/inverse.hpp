@@ -29,8 +29,8 @@ template <class G, class Derivative, class Value>
   constexpr precision guard = 24;
   // An error of t is a relative error of e^t; t has so many bits before the point.
   const auto before_point = static_cast<precision>(
-      magnitude::from_integer_up(static_cast<std::uint64_t>(
-                                     std::max(std::abs(least_exponent), std::abs(greatest_exponent))))
+      magnitude::from_integer_up(static_cast<std::uint64_t>(std::max(std::abs(least_exponent),
+                                                                     std::abs(greatest_exponent))))
           .log2_floor());
   const precision goal = p + before_point + guard;
   const auto h = [&](const ball& t) { return g(exp(t)) - value(t.precision()); };

@@ -30,13 +30,11 @@ class real_system {
  public:
   template <class F>
   requires(!std::same_as<std::remove_cvref_t<F>, real_system>)
-  real_system(F f)  // NOLINT(google-explicit-constructor): the same function
+      real_system(F f)  // NOLINT(google-explicit-constructor): the same function
       : value_([f](const std::vector<ball>& x) { return as_vector<ball>(f(x)); }),
         slope_([f](const std::vector<jet<ball, 1>>& x) { return as_vector<jet<ball, 1>>(f(x)); }) {}
 
-  [[nodiscard]] std::vector<ball> operator()(const std::vector<ball>& x) const {
-    return value_(x);
-  }
+  [[nodiscard]] std::vector<ball> operator()(const std::vector<ball>& x) const { return value_(x); }
   /// Row i, column j: an enclosure of the derivative of f_i by x_j over the box. The values of f over the box
   /// come with it.
   struct linearised {
@@ -80,8 +78,9 @@ struct system_region {
   root_verdict verdict = root_verdict::unresolved;
   std::vector<ball> box;        // what the verdict is about
   std::vector<ball> enclosure;  // holds every root in the box
-  bool may_lie_outside = false;  // it is not decided on which side of the given box's faces the root lies
-  std::string remark;            // why it is not resolved
+  bool may_lie_outside =
+      false;           // it is not decided on which side of the given box's faces the root lies
+  std::string remark;  // why it is not resolved
 };
 
 struct system_root_set {
