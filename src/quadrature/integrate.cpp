@@ -385,6 +385,7 @@ class integrator {
   outcome sum(double log2_goal);
   [[nodiscard]] complex_ball part_of_panel(panel& p, double share, precision most_precision,
                                            bool& exhausted);
+  [[nodiscard]] bool has_room_for(const panel& p, precision working);
   [[nodiscard]] magnitude truncation_error(const panel& p) const;
   [[nodiscard]] complex_ball sum_of_panel(const panel& p, precision& working);
   [[nodiscard]] ball clenshaw_curtis_part(const panel& p, precision working);
@@ -406,6 +407,8 @@ class integrator {
   std::vector<panel> panels_;
   double planned_nodes_ = 0;
   std::vector<double> log2_scales_;
+  std::map<long, double> bytes_of_rules_;  // by their numbers of nodes
+  bool memory_exhausted_ = false;
   std::map<std::pair<long, precision>, std::shared_ptr<const chebyshev_points_rule<ball>>>
       clenshaw_curtis_rules_;
   long deepest_ = 0;
@@ -777,6 +780,11 @@ complex_ball integrator::part_of_panel(panel& p, double share, precision most_pr
   double last_radius = 1e18;
   while (true) {
     auto working = static_cast<precision>(std::max(needed, 53.0));
+    if (!has_room_for(p, working)) {
+      memory_exhausted_ = true;
+      exhausted = true;
+      return at_most(s, scale(p.supremum, -p.level)) * scale_of(s, 64);
+    }
     const complex_ball sum = sum_of_panel(p, working);
     result_.account.evaluations += p.nodes;
     result_.account.precision = std::max(result_.account.precision, working);
@@ -796,6 +804,19 @@ complex_ball integrator::part_of_panel(panel& p, double share, precision most_pr
     needed =
         std::min(bits_used + (helps && radius < 1e17 ? radius - share + 4 : bits_used), allowed);
   }
+}
+
+/// The nodes and weights of the panel's rule, beside those of the others, keep to the limit.
+bool integrator::has_room_for(const panel& p, precision working) {
+  if (!options_.most_memory || p.rule == quadrature_rule::trapezoid) return true;
+  // A number takes its bits, and some more for its place on the heap and its radius; of nodes that lie
+  // symmetrically one half is kept.
+  const double bytes_of_number = static_cast<double>(working) / 8 + 96;
+  double& bytes = bytes_of_rules_[p.nodes];
+  bytes = std::max(bytes, static_cast<double>(p.nodes) * bytes_of_number);
+  double sum = 0;
+  for (const auto& [nodes, size] : bytes_of_rules_) sum += size;
+  return sum <= *options_.most_memory;
 }
 
 integrator::outcome integrator::sum(double log2_goal) {
@@ -911,7 +932,7 @@ contour_integral integrator::run() {
     log2_scales_.push_back(approximate_log2(scale_of(s, p).magnitude_upper()));
   }
   // Along a path nothing is gained by coming nearer to a cut or a pole that is met.
-  const double least_depth = segments_.front().along ? 160 : 420;
+  const double least_depth = !segments_.empty() && segments_.front().along ? 160 : 420;
   deepest_ = options_.most_depth.value_or(static_cast<long>(least_depth + 1.1 * log2_digits));
   auto start = clock::now();
   outcome o = estimate_size();
@@ -947,6 +968,11 @@ contour_integral integrator::run() {
         (options_.absolute_exponent &&
          radius <= magnitude::power_of_two(*options_.absolute_exponent))) {
       result_.verdict = status::certified;
+      return result_;
+    }
+    if (o == outcome::precision_exhausted && memory_exhausted_) {
+      result_.why = reason::evaluation_limit;
+      result_.obstacle = "more memory needed than allowed";
       return result_;
     }
     if (o == outcome::precision_exhausted) {

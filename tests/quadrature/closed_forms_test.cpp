@@ -683,6 +683,16 @@ TEST(Integrate, StopsAtTheLimits) {
   EXPECT_EQ(coarse.verdict, status::certified);
   EXPECT_TRUE(coarse.enclosure.radius() <= magnitude::power_of_two(-10));
   EXPECT_LE(coarse.account.evaluations, 5);
+  options = {};
+  options.digits = 60;
+  options.most_memory = 1000;
+  const auto f = [](const auto& x) { return 1 / (1 + x * x); };
+  const integral cramped = integrate(f, 0, 1, options);
+  EXPECT_EQ(cramped.why, reason::evaluation_limit);
+  EXPECT_EQ(cramped.obstacle, "more memory needed than allowed");
+  EXPECT_TRUE(contains(cramped.enclosure, pi(100) / 4));
+  options.most_memory = 100'000;
+  EXPECT_EQ(integrate(f, 0, 1, options).verdict, status::certified);
 }
 
 }  // namespace

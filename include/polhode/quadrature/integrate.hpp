@@ -57,6 +57,8 @@ struct integrate_options {
   std::optional<long> most_depth = std::nullopt;
   /// Bits that rounding errors may raise the working precision to; by default 64 times the goal's.
   std::optional<precision> most_precision = std::nullopt;
+  /// Bytes that the nodes and weights of the rules may take together, by an estimate; by default without limit.
+  std::optional<double> most_memory = std::nullopt;
   /// A rule to insist on. Where it does not apply the verdict says so (not_applicable), and what is missing.
   quadrature_rule rule = quadrature_rule::automatic;
   /// On how many threads f is evaluated at the nodes; 0 for as many as the machine has processors, which are the
