@@ -269,6 +269,12 @@ region::scaled_interval region::modulus() const {
   return {both.is_undefined() ? of_rectangle : both, exponent_};
 }
 
+region region::convex_hull() const {
+  region r = *this;
+  if (knows_modulus()) r.modulus_ = {0, modulus_.upper()};
+  return r;
+}
+
 region region::with_modulus(const scaled_interval& m) && {
   if (!is_analytic() || !is_in_hardware() || m.m.is_undefined()) return std::move(*this);
   const double_interval own = hypot(hardware_.re, hardware_.im);

@@ -102,10 +102,10 @@ bool is_right_of_zero(const region& z) { return certainly_positive(z.to_complex_
 
 region log_gamma(const region& z) {
   if (!z.is_analytic()) return z;
-  if (!is_right_of_zero(z)) return region::blocked(obstacle::branch_cut, "log_gamma");
+  if (!is_right_of_zero(z)) return region::blocked(obstacle::unknown, "log_gamma");
   // log Gamma(m) and z - m times a mean of the derivative over the segment between them.
   const auto [set, m] = about_middle(z);
-  return series_of_log(m) + (set - m) * series_of_derivative(set);
+  return series_of_log(m) + (set - m) * series_of_derivative(set).convex_hull();
 }
 
 region gamma(const region& z) {

@@ -83,8 +83,11 @@ listed_root listed(const root_region& r, long digits) {
     result.enclosure = finer.enclosure;
     result.exact = finer.exact;
     if (finer.verdict != status::certified) break;
-    result.has_digits = true;
     const decimal_enclosure d = to_decimal_enclosure(finer.enclosure, digits);
+    // Two ends that differ by less than a unit of the last digit may share fewer.
+    const magnitude unit =
+        divide_down(finer.enclosure.magnitude_lower(), pow(ball(10, 64), digits).magnitude_upper());
+    result.has_digits = d.exact || d.digits >= digits || finer.enclosure.radius() <= unit;
     if (d.exact || d.digits >= digits) break;
   }
   return result;

@@ -41,6 +41,8 @@ ball jacobi_am(const ball& u, const parameter& m) {
   };
   if (u.is_exact() && m.given().is_exact()) return value(u, m.given());
   if (!u.is_bounded() || !m.given().is_bounded()) return ball::undefined(p);
+  // Monotone for m <= 1, which all members must be.
+  if (!detail::not_negative(m.m1())) return ball::undefined(p);
   // With m where u < 0, against it where u > 0; for m1 the other way round.
   const auto corner = [&](int side, const ball& end) {
     const int with_m = detail::sign_in(end) < 0 ? side : -side;
@@ -172,7 +174,7 @@ namespace {
 template <class F>
 ball inverse(const ball& x, const parameter& m, bool reflected, const F& f) {
   const precision p = precision_for(x, m);
-  if (certainly_negative(m.m()) || certainly_negative(m.m1())) return ball::undefined(p);
+  if (!detail::not_negative(m.m()) || !detail::not_negative(m.m1())) return ball::undefined(p);
   const auto value = [&](precision q) {
     const auto [k, k1] = modulus_at(m.given(), m, q);
     const ball at = raised(x, q);

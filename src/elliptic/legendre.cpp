@@ -87,6 +87,18 @@ ball elliptic_f(const ball& phi, const parameter& m) {
       phi, m, 1, [](const ball& at, const auto& k, precision q) { return detail::f_at(at, k, q); });
 }
 ball elliptic_e(const ball& phi, const parameter& m) {
+  if (!phi.is_exact() || !m.given().is_exact()) {
+    // It decreases in m: what is least and greatest is not where the domain, m sin^2 <= 1 up to phi, ends first.
+    const ball greatest_m =
+        m.is_complement() ? detail::lower_end(m.given()) : detail::upper_end(m.given());
+    const precision q = precision_for(phi, m) + 64;
+    for (const ball& end : {detail::lower_end(phi), detail::upper_end(phi)}) {
+      const bool is_defined =
+          end.is_bounded() && greatest_m.is_bounded() &&
+          !detail::e_at(raised(end, q), modulus_at(greatest_m, m, q), q).is_undefined();
+      if (!is_defined) return ball::undefined(precision_for(phi, m));
+    }
+  }
   return of_amplitude(phi, m, -1, [](const ball& at, const auto& k, precision q) {
     return detail::e_at(at, k, q);
   });

@@ -174,7 +174,7 @@ region regions::erf(const region& z) {
   if (!re.is_bounded() || !im.is_bounded()) return region::blocked(obstacle::undefined, "erf");
   const double_interval middle(re.midpoint());
   const region w(hull(re, middle), hull(im, double_interval(0)));
-  const region slope = exp(-square(w)) * 2 / region(polhode::sqrt(pi(64)));
+  const region slope = (exp(-square(w)) * 2 / region(polhode::sqrt(pi(64)))).convex_hull();
   const region value(polhode::erf(to_ball(middle, 64)));
   return value + (z - region(middle)) * slope;
 }

@@ -9,9 +9,20 @@ namespace polhode {
 namespace {
 
 template <class Jet>
-Jet without_last(const Jet& x, int dropped_at_start, int order) {
+Jet without_last(const Jet& x, int order) {
   Jet r(order);
-  for (int k = 0; k <= order; ++k) r[k] = x[k + dropped_at_start];
+  for (int k = 0; k <= order; ++k) r[k] = x[k];
+  return r;
+}
+
+const detail::exact_ball& mean_of(const detail::exact_ball& x) { return x; }
+region mean_of(const region& x) { return x.convex_hull(); }
+
+/// G's jet -> that of G/t, of one order less: at 0 its coefficients, moved down, and over the square means of them.
+template <class Jet>
+Jet divided_by_t(const Jet& x) {
+  Jet r(x.order() - 1);
+  for (int k = 0; k < x.order(); ++k) r[k] = mean_of(x[k + 1]);
   return r;
 }
 
@@ -202,7 +213,7 @@ end_series operator+(const end_series& x, const end_series& y) {
   std::vector<end_series::term> sum;
   for (std::size_t k = 0; k < count; ++k) {
     const auto cut = [&](const end_series::term& g) {
-      return end_series::term{without_last(g.at_0, 0, n), without_last(g.over, 0, n)};
+      return end_series::term{without_last(g.at_0, n), without_last(g.over, n)};
     };
     if (k >= r.terms_.size()) {
       sum.push_back(cut(other.terms_[k]));
@@ -238,9 +249,8 @@ end_series operator*(const end_series& x, const end_series& y) {
   std::vector<std::optional<end_series::term>> product(count);
   for (std::size_t i = 0; i < x.terms_.size(); ++i) {
     for (std::size_t j = 0; j < y.terms_.size(); ++j) {
-      end_series::term g{
-          without_last(x.terms_[i].at_0, 0, n) * without_last(y.terms_[j].at_0, 0, n),
-          without_last(x.terms_[i].over, 0, n) * without_last(y.terms_[j].over, 0, n)};
+      end_series::term g{without_last(x.terms_[i].at_0, n) * without_last(y.terms_[j].at_0, n),
+                         without_last(x.terms_[i].over, n) * without_last(y.terms_[j].over, n)};
       auto& target = product[i + j];
       if (target) {
         target->at_0 += g.at_0;
@@ -263,8 +273,7 @@ end_series end_series::simplified() const {
   };
   while (vanish()) {
     for (term& g : r.terms_) {
-      const int n = g.at_0.order();
-      g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
+      g = {divided_by_t(g.at_0), divided_by_t(g.over)};
     }
     r.m_ += 1;
   }
@@ -286,9 +295,8 @@ end_series end_series::normalised(std::string_view name) const {
   end_series r = *this;
   term& g = r.terms_.front();
   while (g.at_0[0].is_zero()) {
-    const int n = g.at_0.order();
-    if (n < 1) return blocked(name, remedy::more_orders);
-    g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
+    if (g.at_0.order() < 1) return blocked(name, remedy::more_orders);
+    g = {divided_by_t(g.at_0), divided_by_t(g.over)};
     r.m_ += 1;
   }
   if (contains_zero(g.at_0[0].enclosure())) return blocked(name, remedy::none);
@@ -306,8 +314,7 @@ end_series end_series::plain(std::string_view name) const {
     end_series r = *this;
     while (r.m_ < 0 && r.terms_.front().at_0[0].is_zero() && r.terms_.front().at_0.order() > 0) {
       term& g = r.terms_.front();
-      const int n = g.at_0.order();
-      g = {without_last(g.at_0, 1, n - 1), without_last(g.over, 1, n - 1)};
+      g = {divided_by_t(g.at_0), divided_by_t(g.over)};
       r.m_ += 1;
     }
     if (r.m_ == 0) return r;

@@ -121,6 +121,12 @@ TEST(Roots, CsvHasALineForEveryRoot) {
   EXPECT_NE(lines[2].find(",20,1/3,"), std::string::npos);
 }
 
+TEST(Roots, CertifiesOnlyWhatHasTheDigitsAskedFor) {
+  const outcome result = roots("(x-1e300)*(x+1e-300)", "-inf..inf", {"--digits", "20"});
+  EXPECT_NE(result.status, 0) << result.out;
+  EXPECT_EQ(roots("x^2-2", "0..2", {"--digits", "300"}).status, 0);
+}
+
 TEST(Roots, JsonHasTheEnclosuresAndTheVerdict) {
   const outcome result = roots("tan(x)*(x-4)^2", "2..5", {"--format", "json", "--digits", "25"});
   EXPECT_EQ(result.status, 0);

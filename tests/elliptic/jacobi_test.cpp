@@ -393,6 +393,23 @@ TEST(Jacobi, IsUndefinedOutsideItsDomain) {
   EXPECT_TRUE(jacobi_sn(ball::entire(64), half).is_undefined());
   EXPECT_TRUE(jacobi_am(half, ball(2, 64)).is_undefined());
   EXPECT_TRUE(jacobi_sn(half, hull(half, ball(2, 64))).is_undefined());
+  // A member is outside, if not one of the corners that bound the rest.
+  const auto set = [](const rational& low, const rational& high) {
+    return hull(ball(low, 64), ball(high, 64));
+  };
+  const ball across = set(rational(-1, 10), 5);
+  const ball beyond = set(rational(999, 1000), rational(3, 2));
+  EXPECT_TRUE(jacobi_am(across, beyond).is_undefined());
+  EXPECT_TRUE(jacobi_sn(across, beyond).is_undefined());
+  EXPECT_TRUE(
+      jacobi_cn(across, elliptic_parameter<ball>::with_complement(1 - beyond)).is_undefined());
+  EXPECT_TRUE(jacobi_arcsn(half, set(rational(78, 100), rational(123, 100))).is_undefined());
+  EXPECT_TRUE(jacobi_arccd(half, set(rational(-1, 100), rational(1, 100))).is_undefined());
+  EXPECT_TRUE(
+      elliptic_e(set(rational(36, 100), rational(64, 100)), set(rational(96, 100), rational(9, 2)))
+          .is_undefined());
+  EXPECT_FALSE(elliptic_e(set(rational(36, 100), rational(64, 100)), set(rational(96, 100), 2))
+                   .is_undefined());
   EXPECT_TRUE(elliptic_nome(ball(2, 64)).is_undefined());
   EXPECT_TRUE(elliptic_nome(ball(-1, 64)).is_undefined());
 }

@@ -267,7 +267,7 @@ TEST(Legendre, HasItsDerivatives) {
       EXPECT_TRUE(meet((last - first) / step, slope)) << name << " " << n << " " << phi << " " << m;
       EXPECT_TRUE(as_narrow_as(slope, 10)) << name << " " << n << " " << phi << " " << m;
     };
-    const auto number = [p](const rational& x) { return ball(x, p); };
+    const auto number = [&](const rational& x) { return ball(x, p); };
     const auto later = [&](const rational& x) { return ball(rational(x + h), p); };
     const auto over = [&](const rational& x) { return hull(number(x), later(x)); };
     check(elliptic_k(number(m)), elliptic_k(later(m)), elliptic_k_derivative(over(m)), "K");

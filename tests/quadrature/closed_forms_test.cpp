@@ -668,6 +668,19 @@ TEST(Integrate, RefusesWhatItCannotProve) {
       decay);
 }
 
+// A large constant hides nothing: the pole at 2 pi i/80 limits the panels.
+TEST(Integrate, OfPlanckBesideAConstant) {
+  const rational large("1000000000000000000000000000000");
+  const auto f = [=](const auto& x) { return large + x / (exp(80 * x) - 1); };
+  const auto g = [](const auto& x) { return x / (exp(80 * x) - 1); };
+  const integral whole = integrate(f, 0, 1, {.digits = 120});
+  const integral part = integrate(g, 0, 1, {.digits = 120});
+  EXPECT_EQ(whole.verdict, status::certified) << whole.obstacle;
+  EXPECT_EQ(part.verdict, status::certified) << part.obstacle;
+  EXPECT_TRUE(overlaps(whole.enclosure, part.enclosure + large));
+  EXPECT_TRUE(part.enclosure.radius() <= magnitude::power_of_two(-390));
+}
+
 TEST(Integrate, StopsAtTheLimits) {
   integrate_options options;
   options.most_evaluations = 1000;

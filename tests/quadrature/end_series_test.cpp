@@ -195,6 +195,20 @@ TEST(EndSeries, KeepsTheSizeOfConstantsBeyondDoubles) {
   EXPECT_TRUE((x * huge).supremum(0) <= ball(huge, 64).magnitude_upper());
 }
 
+// The ring that holds the values of e^(c t) over the square leaves out 0, and a mean of them does not: t/(e^(c t) - 1)
+// has poles at 2 pi i k/c.
+TEST(EndSeries, OfAQuotientKnowsThePolesInItsSquare) {
+  const auto planck = [](const end_series& t, long c) { return t / (exp(t * c) - 1); };
+  const auto argument = [](double r) {
+    return end_series::argument(exact_ball(), exact_ball(rational(1)), 1, r);
+  };
+  for (const long c : {13L, 40L, 80L}) {
+    EXPECT_TRUE(planck(argument(0.5), c).is_blocked()) << c;
+    EXPECT_FALSE(planck(argument(0x1p-8), c).is_blocked()) << c;
+  }
+  EXPECT_FALSE(planck(argument(0.25), 2).is_blocked());
+}
+
 template <class F>
 void bounds_the_tail(const char* name, const F& f, const rational& s, double r, const rational& y) {
   const tail_series tail = f(tail_series::argument(exact_ball(s), r));

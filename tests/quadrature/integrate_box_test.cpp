@@ -205,6 +205,13 @@ TEST(IntegrateBox, WhereNoDerivativeIsHadTheDirectEnclosureStands) {
               contains(decay.enclosure, rational(10, 11)));
 }
 
+TEST(IntegrateBox, GivesUpSoonWhereABreakMovesWithAParameter) {
+  const box_integral i =
+      integrate_box([](const auto& x, const auto& p) { return sqrt(square(x - p[0])); }, 0, 1,
+                    {{rational(3, 10), rational(4, 10)}}, {.digits = 10});
+  EXPECT_NE(i.verdict, status::certified);
+}
+
 TEST(IntegrateBox, MisuseThrows) {
   EXPECT_THROW(parameter_range(2, 1), std::invalid_argument);
   EXPECT_THROW(parameter_range(ball::undefined(64)), std::invalid_argument);

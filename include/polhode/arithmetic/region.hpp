@@ -13,7 +13,8 @@
 //
 // Beside the rectangle a region may know more of |z| than the rectangle tells: exp(z) with a large imaginary
 // part lies in a ring, whose rectangle holds 0, and yet 1/exp(z) or 1/(1 + exp(z)) has no pole there. What exp, sin,
-// cos, sinh and cosh know of their size goes through + - * / and powers.
+// cos, sinh and cosh know of their size goes through + - * / and powers. Such a set is not convex: what a mean value
+// lies in is its convex_hull().
 //
 // What the functions mean off the real line: abs(z) is z where Re z > 0 and -z where Re z < 0, the
 // continuation of |x| from either side; min and max likewise pick the one that is smaller or greater in
@@ -137,6 +138,8 @@ class region {
   /// Bounds of |z| over the set; infinite and 0 where it is not analytic.
   [[nodiscard]] magnitude magnitude_upper() const;
   [[nodiscard]] magnitude magnitude_lower() const;
+  /// A convex set that holds this one: without a lower bound of |z| that is not its rectangle's.
+  [[nodiscard]] region convex_hull() const;
   /// The parts, rounded outward; undefined where not analytic.
   [[nodiscard]] double_interval re() const;
   [[nodiscard]] double_interval im() const;

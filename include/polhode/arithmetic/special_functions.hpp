@@ -21,7 +21,7 @@ class region;
 [[nodiscard]] ball log_gamma(const ball& x);
 
 /// Their continuations over a region, by Stirling's series: Gamma where it has no pole, down to Re z = -1000;
-/// log Gamma, with its cut (-inf, 0], for Re z > 0.
+/// log Gamma for Re z > 0; elsewhere it is not available (obstacle::unknown).
 [[nodiscard]] region gamma(const region& z);
 [[nodiscard]] region log_gamma(const region& z);
 

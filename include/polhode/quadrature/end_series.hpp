@@ -19,8 +19,8 @@
 //
 // DIVISION BY t. Where G(0) = 0 is known exactly, G(t) = t H(t) with H(t) = integral of G'(s t) over
 // 0 <= s <= 1, so that H^(j)(t)/j! = integral of (j+1) s^j [G^(j+1)(s t)/(j+1)!] ds is a mean of values of
-// G's coefficient of order j+1 (the square is convex and holds s t): H's coefficients are G's, moved
-// down by one, at 0 and over the square.
+// G's coefficient of order j+1 (the square is convex and holds s t): H's coefficients at 0 are G's, moved
+// down by one, and over the square they lie in the convex hulls of the sets that hold G's.
 
 #include <memory>
 #include <optional>
