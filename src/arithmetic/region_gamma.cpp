@@ -70,7 +70,7 @@ region series_of_log(const region& z) {
 /// The digamma function, the derivative of log Gamma, for Re z > 0.
 region series_of_derivative(const region& z) {
   static const region error =
-      remainder(bernoulli_numbers().back() / (2 * terms), 2 * terms + 1, 2 * terms);
+      remainder(bernoulli_numbers().back() / (2 * terms), 2 * terms + 1, 2L * terms);
   const long steps = steps_from(z);
   const region w = z + steps;
   const region inverse = 1 / w;

@@ -182,6 +182,7 @@ struct supplement<angle> {
   static angle root(const angle& x, long n) { return angle(on_balls::root(x.value(), n)); }
   static angle further(const further_function& f, const std::vector<angle>& x) {
     std::vector<ball> values;
+    values.reserve(x.size());
     for (const angle& a : x) values.push_back(a.value());
     return angle(f.value(values));
   }

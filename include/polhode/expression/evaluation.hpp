@@ -326,6 +326,7 @@ template <class T>
     for (int k = 1; k <= result.order(); ++k) result[k] = none;
     if (f.gradient && result.order() >= 1) {
       std::vector<ball> arguments;
+      arguments.reserve(x.size());
       for (const T& a : x) arguments.push_back(a[0]);
       const std::vector<ball> slopes = f.gradient(arguments);
       ball sum(0, result[0].precision());

@@ -39,7 +39,7 @@ class path_point {
   path_point(const complex_ball& z)  // NOLINT(google-explicit-constructor): the same set
       : path_point(limit(z.re), limit(z.im)) {}
   /// A number that at(p) encloses with p bits.
-  explicit path_point(std::function<complex_ball(precision)> at)
+  explicit path_point(const std::function<complex_ball(precision)>& at)
       : re_([at](precision p) { return at(p).re; }), im_([at](precision p) { return at(p).im; }) {}
 
   [[nodiscard]] complex_ball at(precision p) const { return {re_.at(p), im_.at(p)}; }

@@ -150,7 +150,7 @@ template <class G>
   integrand result;
   result.over = g;
   result.evaluator = [g](precision) -> std::function<ball(const ball&)> { return g; };
-  result.near_end = [](const end_series& x) { return x.blocked(name); };
+  result.near_end = [](const end_series&) { return end_series::blocked(name); };
   result.near_infinity = [](const tail_series& x) { return x.blocked(name); };
   return result;
 }
