@@ -99,6 +99,23 @@ TEST(Gamma, OverRegionsHoldsTheValuesAtMembers) {
   }
 }
 
+// In balls of many bits what is left of the width is the bound of Stirling's remainder, which the value needs.
+TEST(Gamma, OverRegionsHasRoomForTheRemainder) {
+  for (const long quarters : {1L, 2L, 5L, 12L, 28L, 29L, 33L}) {
+    const ball x(rational(quarters, 4), 256);
+    const region z = region::in_balls({x, ball(0, 256)});
+    const complex_ball value = gamma(z).to_complex_ball();
+    const complex_ball logarithm = log_gamma(z).to_complex_ball();
+    EXPECT_TRUE(overlaps(value.re, gamma(x))) << x;
+    EXPECT_TRUE(overlaps(logarithm.re, log_gamma(x))) << x;
+    EXPECT_TRUE(logarithm.re.radius() <= magnitude::power_of_two(-38)) << x;
+    // A square around the point: the slope's remainder too, and the digamma function.
+    const ball side = x + ball(0, 256).enlarged(magnitude::power_of_two(-60));
+    const complex_ball wide = log_gamma(region::in_balls({side, ball(0, 256)})).to_complex_ball();
+    EXPECT_TRUE(contains(wide.re, log_gamma(side))) << x;
+  }
+}
+
 TEST(Gamma, OverRegionsIsRefusedAtPolesAndTheCut) {
   const region across(double_interval(-1.25, -0.75), double_interval(-0.5, 0.5));
   EXPECT_EQ(gamma(across).why(), obstacle::pole);

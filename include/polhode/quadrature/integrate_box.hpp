@@ -70,7 +70,7 @@ struct box_options {
   /// The box is cut, where that promises most, into so many at most.
   long most_boxes = 1;
   /// Of each integral.
-  long most_evaluations = 200'000;
+  long most_evaluations = 50'000;
 };
 
 struct box_integral {
