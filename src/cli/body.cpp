@@ -154,7 +154,7 @@ std::string json_of(const answer& a, long digits) {
       result["moments"][axis_names[i]] = exact_json((*a.moments)[i], digits);
     }
   }
-  if (a.is_ordered) {
+  if (a.is_ordered && (a.moments || a.is_uncertain)) {
     // Of I_x, I_y, I_z, which of the moments given it is.
     for (const int given : a.order) result["order"].push_back(given + 1);
   }
