@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "proofs/beta.hpp"
@@ -39,13 +40,8 @@ const constant* find_constant(const std::string& name) {
 }
 
 ball enclose_to_digits(const constant& c, long digits) {
-  const precision needed = bits_for_digits(digits);
   // Certain digits are missing only by bad luck (a run of 0s or 9s) once the radius is small enough.
-  for (precision guard = 32; guard <= 15 * needed + 1024; guard *= 2) {
-    ball x = c.enclose(needed + guard);
-    if (x.is_bounded() && to_decimal_enclosure(x, digits).digits >= digits) return x;
-  }
-  return ball::undefined(needed);
+  return polhode::enclose_to_digits(c.enclose, digits, 15 * bits_for_digits(digits) + 1024);
 }
 
 double estimated_memory(const constant& c, long digits) {

@@ -8,16 +8,18 @@
 
 namespace polhode::cli {
 
+[[nodiscard]] command body_command();
 [[nodiscard]] command certify_command();
 [[nodiscard]] command constants_command();
 [[nodiscard]] command eval_command();
 [[nodiscard]] command integrate_command();
+[[nodiscard]] command phase_command();
 [[nodiscard]] command roots_command();
 
 /// In the order of the help.
 [[nodiscard]] inline std::vector<command> all_commands() {
   return {certify_command(), constants_command(), eval_command(), integrate_command(),
-          roots_command()};
+          roots_command(),   body_command(),      phase_command()};
 }
 
 }  // namespace polhode::cli

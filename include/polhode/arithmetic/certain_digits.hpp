@@ -1,0 +1,23 @@
+#pragma once
+
+// Precision raised until the digits asked for are certain.
+
+#include <functional>
+
+#include "polhode/arithmetic/exact.hpp"
+
+namespace polhode {
+
+/// Encloses one and the same real number with about so many bits; its radius shrinks with them.
+using enclosing_function = std::function<ball(precision)>;
+
+/// f(p) for growing p = bits_for_digits(digits) + guard bits, guard = 32, 64, 128, ... up to most_guard: the first
+/// enclosure that has `digits` certain significant digits (or is exact), or the undefined ball where none has.
+[[nodiscard]] ball enclose_to_digits(const enclosing_function& f, long digits,
+                                     precision most_guard);
+
+/// Bits that the numerator and the denominator of q have together: a measure of how near a number made from q may come to
+/// another, and so of the guard bits that it may need.
+[[nodiscard]] precision size_in_bits(const rational& q);
+
+}  // namespace polhode

@@ -1,0 +1,30 @@
+#pragma once
+
+// Rational numbers as decimals, for output.
+
+#include <string>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/certificate/certificate.hpp"
+
+namespace polhode::cli {
+
+/// The leading digits of a number's decimal expansion, cut off.
+struct leading_digits {
+  std::string value;
+  long digits = 0;
+  bool all = false;  // nothing but zeros would follow
+};
+[[nodiscard]] leading_digits leading_digits_of(const rational& q, long most);
+
+/// Whether a rational number is written out in full: where a part has no more digits than were asked
+/// for, or than a line.
+[[nodiscard]] bool is_short(const rational& q, long digits);
+
+/// Dots behind the digits, and before an exponent, where more digits would follow.
+[[nodiscard]] std::string with_dots(const leading_digits& d);
+
+/// Its decimals, as every number has them, with "exact": true and the quotient under "rational".
+[[nodiscard]] json exact_json(const rational& q, long digits);
+
+}  // namespace polhode::cli

@@ -1,0 +1,210 @@
+#include "polhode/rigid_body/body.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/arithmetic/elementary.hpp"
+
+namespace polhode {
+namespace {
+
+std::string listed(const std::array<rational, 3>& moments) {
+  return to_text(moments[0]) + ", " + to_text(moments[1]) + ", " + to_text(moments[2]);
+}
+
+void refuse_unless_positive(const std::array<rational, 3>& moments) {
+  for (const rational& moment : moments) {
+    if (moment > 0) continue;
+    throw input_error("moments of inertia " + listed(moments) + ": " + to_text(moment) +
+                      " is not positive; all three must be");
+  }
+}
+
+/// For I_x >= I_y >= I_z.
+body_kind kind_of(const std::array<rational, 3>& sorted) {
+  const rational excess(sorted[0] - sorted[1] - sorted[2]);
+  if (excess == 0) return body_kind::planar;
+  return excess < 0 ? body_kind::physical : body_kind::non_physical;
+}
+
+/// Sorts order so that the greatest comes first; those that are equal keep their order.
+template <class Greater>
+void sort_axes(std::array<int, 3>& order, const Greater& is_greater) {
+  std::stable_sort(order.begin(), order.end(), is_greater);
+}
+
+template <class T>
+std::array<T, 3> in_order(const std::array<T, 3>& given, const std::array<int, 3>& order) {
+  const auto at = [&given](int i) { return given[static_cast<std::size_t>(i)]; };
+  return {at(order[0]), at(order[1]), at(order[2])};
+}
+
+/// The square root of q >= 0 where it is rational.
+std::optional<rational> exact_root(const rational& q) {
+  const integer above = numerator(q);
+  const integer below = denominator(q);
+  if (mpz_perfect_square_p(above.backend().data()) == 0 ||
+      mpz_perfect_square_p(below.backend().data()) == 0) {
+    return std::nullopt;
+  }
+  return rational(integer(sqrt(above)), integer(sqrt(below)));
+}
+
+rational square_of_geometric_constant(const rational& a, const rational& b) {
+  return rational((1 - b) * (1 - b) / (b * (a + b)));
+}
+/// Of J + 1.
+rational square_of_second_constant(const rational& a, const rational& b) {
+  return rational((a + 1) * (a + 1) / (a * (a + b)));
+}
+
+}  // namespace
+
+std::string to_text(body_kind kind) {
+  switch (kind) {
+    case body_kind::physical:
+      return "physical";
+    case body_kind::planar:
+      return "planar";
+    case body_kind::non_physical:
+      return "non-physical";
+    case body_kind::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+// ---------------------------------------------------------------------------------------------
+// Exact moments
+
+body::body(rational a, rational b) : a_(std::move(a)), b_(std::move(b)) {
+  if (a_ == 0 || b_ == 0) {
+    throw input_error("a = " + to_text(a_) + ", b = " + to_text(b_) +
+                      ": two moments are equal, a symmetric top, which has no intermediate axis; a "
+                      "must be positive, b between 0 and 1");
+  }
+  if (a_ < 0) {
+    throw input_error("a = " + to_text(a_) + ": it must be positive (I_y/I_z - 1 with I_z < I_y)");
+  }
+  if (b_ < 0 || b_ >= 1) {
+    throw input_error("b = " + to_text(b_) +
+                      ": it must be between 0 and 1, ends excluded (1 - I_y/I_x with 0 < I_y < "
+                      "I_x)");
+  }
+}
+
+body body::from_moments(const std::array<rational, 3>& given) {
+  refuse_unless_positive(given);
+  std::array<int, 3> order{0, 1, 2};
+  const auto moment = [&given](int i) { return given[static_cast<std::size_t>(i)]; };
+  sort_axes(order, [&moment](int i, int j) { return moment(i) > moment(j); });
+  const std::array<rational, 3> sorted = in_order(given, order);
+  const auto& [x, y, z] = sorted;
+  if (x == y || y == z) {
+    throw input_error(
+        "moments of inertia " + listed(given) +
+        (x == z ? ": all are equal, a spherical top" : ": two are equal, a symmetric top") +
+        ", which has no intermediate axis; three different moments are needed (as a "
+        "mass distribution it is " +
+        to_text(kind_of(sorted)) + ")");
+  }
+  body result(rational(y / z - 1), rational(1 - y / x));
+  result.moments_ = sorted;
+  result.order_ = order;
+  return result;
+}
+
+body_kind body::kind() const {
+  const rational sum(a_ * b_ + 2 * b_);
+  if (sum == 1) return body_kind::planar;
+  return sum < 1 ? body_kind::physical : body_kind::non_physical;
+}
+
+ball body::geometric_constant(precision p) const {
+  return sqrt(ball(square_of_geometric_constant(a_, b_), p));
+}
+std::optional<rational> body::exact_geometric_constant() const {
+  return exact_root(square_of_geometric_constant(a_, b_));
+}
+
+ball body::second_geometric_constant(precision p) const {
+  const rational excess((1 + 2 * a_ - a_ * b_) / (a_ * (a_ + b_)));
+  return ball(excess, p) / (sqrt(ball(square_of_second_constant(a_, b_), p)) + 1);
+}
+std::optional<rational> body::exact_second_geometric_constant() const {
+  auto root = exact_root(square_of_second_constant(a_, b_));
+  if (root) *root -= 1;
+  return root;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Moments in ranges
+
+uncertain_body::uncertain_body(const std::array<uncertain_moment, 3>& given) {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto& [value, sigma] = given[i];
+    if (sigma < 0) {
+      throw input_error("moment of inertia " + to_text(value) + " with sigma " + to_text(sigma) +
+                        ": sigma must not be negative");
+    }
+    given_[i] = {rational(value - sigma), rational(value + sigma)};
+    if (given_[i].lower > 0) continue;
+    throw input_error("moment of inertia " + to_text(value) + " with sigma " + to_text(sigma) +
+                      ": value - sigma = " + to_text(given_[i].lower) +
+                      " is not positive; a moment must be");
+  }
+  sort_axes(order_, [&given](int i, int j) {
+    return given[static_cast<std::size_t>(i)].value > given[static_cast<std::size_t>(j)].value;
+  });
+  const std::array<range, 3> sorted = in_order(given_, order_);
+  if (sorted[0].lower > sorted[1].upper && sorted[1].lower > sorted[2].upper) ordered_ = sorted;
+}
+
+body_kind uncertain_body::kind() const {
+  bool all_physical = true;
+  bool all_planar = false;
+  for (std::size_t i = 0; i < given_.size(); ++i) {
+    const range& one = given_[i];
+    const range& second = given_[(i + 1) % 3];
+    const range& third = given_[(i + 2) % 3];
+    if (one.lower > second.upper + third.upper) return body_kind::non_physical;
+    all_physical = all_physical && one.upper <= second.lower + third.lower;
+    all_planar = all_planar || (one.upper == second.lower + third.lower &&
+                                one.lower == second.upper + third.upper);
+  }
+  if (all_planar) return body_kind::planar;
+  return all_physical ? body_kind::physical : body_kind::undecided;
+}
+
+std::array<body, 2> uncertain_body::corners(bool x_up, bool y_up, bool z_up) const {
+  const auto& [x, y, z] = *ordered_;
+  const auto end = [](const range& r, bool up) { return up ? r.upper : r.lower; };
+  return {body::from_moments({end(x, x_up), end(y, y_up), end(z, z_up)}),
+          body::from_moments({end(x, !x_up), end(y, !y_up), end(z, !z_up)})};
+}
+
+ball uncertain_body::geometric_constant(precision p) const {
+  if (!ordered_) return ball::undefined(p);
+  const auto [least, greatest] = corners(true, false, false);
+  return hull(least.geometric_constant(p), greatest.geometric_constant(p));
+}
+
+ball uncertain_body::second_geometric_constant(precision p) const {
+  if (!ordered_) return ball::undefined(p);
+  const auto [least, greatest] = corners(true, true, false);
+  return hull(least.second_geometric_constant(p), greatest.second_geometric_constant(p));
+}
+
+ball uncertain_body::a(precision p) const {
+  if (!ordered_) return ball::undefined(p);
+  const auto [least, greatest] = corners(true, false, true);
+  return hull(ball(least.a(), p), ball(greatest.a(), p));
+}
+
+ball uncertain_body::b(precision p) const {
+  if (!ordered_) return ball::undefined(p);
+  const auto [least, greatest] = corners(false, true, false);
+  return hull(ball(least.b(), p), ball(greatest.b(), p));
+}
+
+}  // namespace polhode

@@ -1,0 +1,127 @@
+#include "polhode/rigid_body/montgomery_phase.hpp"
+
+#include <string>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/carlson.hpp"
+
+namespace polhode {
+namespace {
+
+void check_range(const body& rigid, const rational& c, const rational& u) {
+  const regime r = regime_of(rigid, c);  // refuses c outside [-b, a]
+  if (r == regime::equilibrium_x) {
+    throw input_error("c = " + to_text(c) + ": it must be above -b for F(c,u)");
+  }
+  if (u < 0 || u >= 1) {
+    throw input_error("u = " + to_text(u) + ": it must be at least 0 and below 1");
+  }
+  if (rigid.b() * u + c < 0) {
+    throw input_error("u = " + to_text(u) +
+                      ": it must be at least -c/b = " + to_text(rational(-c / rigid.b())));
+  }
+  if (c == 0 && u == 0) {
+    throw input_error("c = 0, u = 0: F(c,u) is infinite there; one of them must not be 0");
+  }
+}
+
+/// The lower limit of the phase's integral; input_error where there is no phase.
+rational turning_point(const body& rigid, const rational& c) {
+  switch (const regime r = regime_of(rigid, c); r) {
+    case regime::oscillating:
+      return rational(-c / rigid.b());
+    case regime::rotating:
+      return 0;
+    case regime::separatrix:
+      throw input_error(
+          "c = 0: on the separatrix the Montgomery phase is infinite; give c < 0 or "
+          "c > 0");
+    case regime::equilibrium_x:
+    case regime::equilibrium_z:
+      throw input_error("c = " + to_text(c) + ": " + to_text(r) +
+                        ", where the angular momentum does not move in the body; give c between "
+                        "-b and a, ends excluded");
+  }
+  return 0;
+}
+
+/// Nothing cancels: digits are missing only by a run of 0s or 9s, once the radius is small enough.
+precision guard_without_cancellation(long digits) { return 15 * bits_for_digits(digits) + 1024; }
+
+certain_number to_digits(const enclosing_function& f, long digits, precision most_guard) {
+  certain_number result;
+  result.enclosure = enclose_to_digits(f, digits, most_guard);
+  if (result.enclosure.is_undefined()) return result;
+  result.verdict = status::certified;
+  result.why = reason::none;
+  return result;
+}
+
+}  // namespace
+
+ball phase_integral(const body& rigid, const rational& c, const rational& u, precision p) {
+  check_range(rigid, c, u);
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const rational left(1 - u);
+  const ball x(u, p);
+  const ball y(rational((a + b * u) / (a + b)), p);
+  const ball z(rational((c + b * u) / (c + b)), p);
+  const carlson_pair integrals = carlson_rf_rj(x, y, z, ball(1, p));
+  const ball sum =
+      ball(rational(1 - b), p) * integrals.rf + ball(rational(b * left / 3), p) * integrals.rj;
+  return 2 * sqrt(ball(rational(left / ((a + b) * (b + c))), p)) * sum;
+}
+
+ball phase_integral_slope(const body& rigid, const rational& c, const rational& u, precision p) {
+  check_range(rigid, c, u);
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const rational last(c + b * u);
+  if (u == 0 || last == 0) {
+    throw input_error("c = " + to_text(c) + ", u = " + to_text(u) +
+                      ": dF/du is infinite there; u must be above 0 and above -c/b");
+  }
+  const rational radicand(u * (1 - u) * (a + b * u) * last);
+  return ball(rational(b * u - 1), p) / sqrt(ball(radicand, p));
+}
+
+ball montgomery_phase(const body& rigid, const rational& c, precision p) {
+  return 2 * phase_integral(rigid, c, turning_point(rigid, c), p);
+}
+
+ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
+  const regime r = regime_of(rigid, c);
+  if (r == regime::separatrix) {
+    throw input_error("c = 0: the separatrix belongs to neither regime; give c < 0 or c > 0");
+  }
+  const bool oscillating = r == regime::oscillating || r == regime::equilibrium_x;
+  return 2 * pi(p) *
+         (oscillating ? rigid.geometric_constant(p) : rigid.second_geometric_constant(p));
+}
+
+certain_number montgomery_phase_to_digits(const body& rigid, const rational& c, long digits) {
+  return to_digits([&](precision p) { return montgomery_phase(rigid, c, p); }, digits,
+                   guard_without_cancellation(digits));
+}
+
+certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c, long digits) {
+  return to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); }, digits,
+                   guard_without_cancellation(digits));
+}
+
+certain_number montgomery_phase_excess_to_digits(const body& rigid, const rational& c,
+                                                 long digits) {
+  certain_number phase = montgomery_phase_to_digits(rigid, c, 1);
+  if (phase.verdict != status::certified) return phase;
+  // What cancels is of the order of (b + c)/b or (a - c)/a, numbers of no more bits than a, b and c together.
+  const precision cancelled = size_in_bits(rigid.a()) + size_in_bits(rigid.b()) + size_in_bits(c);
+  const auto excess = [&](precision p) {
+    return montgomery_phase(rigid, c, p) - montgomery_phase_limit(rigid, c, p);
+  };
+  return to_digits(excess, digits, 2 * cancelled + guard_without_cancellation(digits));
+}
+
+}  // namespace polhode

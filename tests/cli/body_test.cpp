@@ -1,0 +1,156 @@
+// polhode body and polhode phase: what is printed, exit statuses, refusals.
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "enclosure.hpp"
+#include "program.hpp"
+
+namespace polhode::test {
+namespace {
+
+std::string certified(const std::vector<std::string>& arguments) {
+  const outcome result = run(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  return result.out;
+}
+
+void expect_refused(const std::vector<std::string>& arguments,
+                    const std::vector<std::string>& words) {
+  const outcome result = run(arguments);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err.rfind("polhode: ", 0), 0U) << result.err;
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  for (const std::string& word : words) {
+    EXPECT_NE(result.err.find(word), std::string::npos) << word << " in " << result.err;
+  }
+}
+
+TEST(BodyCommand, PrintsKindAndConstants) {
+  EXPECT_EQ(certified({"body", "--ab", "12.65,0.0629", "--digits", "12"}),
+            "a = 253/20 exactly\nb = 629/10000 exactly\nI = 1.04794454120...\n"
+            "J = 0.0763786457135...\nphysical (ab + 2b < 1)\n");
+  EXPECT_EQ(certified({"body", "--moments", "2, 3, 1"}),
+            "I_x = 3 exactly\nI_y = 2 exactly\nI_z = 1 exactly\n"
+            "reordered: I_x, I_y, I_z are the 2nd, 1st, 3rd of the moments given\n"
+            "a = 1 exactly\nb = 1/3 exactly\nI = 1 exactly\n"
+            "J = 0.73205080756887729352744634150587236694280525381038...\n"
+            "planar (ab + 2b = 1): physical, with all mass in a plane\n");
+  // A non-physical body is computed, and flagged.
+  EXPECT_NE(certified({"body", "--ab", "18.27,0.0629"}).find("non-physical"), std::string::npos);
+  // The kind is decided where no enclosure of I would tell.
+  EXPECT_NE(
+      certified({"body", "--ab", "2," + ("0." + std::string(500, '0') + "1"), "--digits", "1"})
+          .find("\nphysical"),
+      std::string::npos);
+}
+
+TEST(BodyCommand, Json) {
+  const json result =
+      json::parse(certified({"body", "--moments", "7,11,9", "--digits", "30", "--format", "json"}));
+  EXPECT_EQ(result.at("kind"), "physical");
+  EXPECT_EQ(result.at("verdict"), "certified");
+  EXPECT_EQ(result.at("order"), json({2, 3, 1}));
+  EXPECT_EQ(result.at("a").at("rational"), "2/7");
+  EXPECT_EQ(result.at("moments").at("x").at("value"), "11");
+  expect_enclosure(result.at("geometric_constant"), 30);
+  expect_enclosure(result.at("second_geometric_constant"), 30);
+}
+
+TEST(BodyCommand, UncertainMoments) {
+  const outcome undecided = run({"body", "--moments", "3.01,2,1", "--sigma", "0.1,0.1,0.05"});
+  EXPECT_EQ(undecided.status, 1);
+  EXPECT_NE(undecided.out.find("undecided"), std::string::npos);
+  EXPECT_NE(undecided.out.find("I from 0.831 to 1.21\n"), std::string::npos) << undecided.out;
+  const std::string decided = certified({"body", "--moments", "2,2,2", "--sigma", "0.1,0,1/10"});
+  EXPECT_EQ(decided,
+            "the order of the axes is undecided, and so are a, b, I and J\nphysical: all within "
+            "these ranges\n");
+  const json result = json::parse(
+      run({"body", "--moments", "3,2,1", "--sigma", "0.1,0.1,0.1", "--format", "json"}).out);
+  EXPECT_EQ(result.at("kind"), "undecided");
+  EXPECT_EQ(result.at("verdict"), "not certified");
+  expect_refused({"body", "--moments", "3,2,1", "--sigma", "1,1,1"},
+                 {"value - sigma = 0", "not positive"});
+  expect_refused({"body", "--moments", "3,2,1", "--sigma", "1,-1,1"}, {"sigma"});
+  expect_refused({"body", "--ab", "1,0.1", "--sigma", "1,1,1"}, {"--sigma is for --moments"});
+}
+
+TEST(BodyCommand, RefusesWhatIsNoBody) {
+  expect_refused({"body"}, {"no body", "--ab", "--moments"});
+  expect_refused({"body", "--ab", "1,1/2", "--moments", "3,2,1"}, {"one of them"});
+  expect_refused({"body", "--ab", "1"}, {"\"1\"", "2 numbers", "12.65,0.0629"});
+  expect_refused({"body", "--ab", "1,x"}, {"--ab", "\"1,x\""});
+  expect_refused({"body", "--ab", "0,1/2"}, {"symmetric top"});
+  expect_refused({"body", "--ab", "-1,1/2"}, {"a = -1", "positive"});
+  expect_refused({"body", "--ab", "1,1"}, {"b = 1", "between 0 and 1"});
+  expect_refused({"body", "--moments", "1,2"}, {"3 numbers", "3,2,1"});
+  expect_refused({"body", "--moments", "2,2,1"}, {"two are equal", "symmetric top"});
+  expect_refused({"body", "--moments", "2,0,1"}, {"0 is not positive"});
+  expect_refused({"body", "--moments", "2,nan,1"}, {"nan"});
+  expect_refused({"body", "--ab", "1,1/2", "--digits", "0"}, {"--digits"});
+}
+
+// ---------------------------------------------------------------------------------------------
+
+TEST(PhaseCommand, PrintsTheDigitsOfTheHardCases) {
+  const std::vector<std::string> top{"--ab", "12.65,0.0629", "--digits", "44", "--c"};
+  const auto first_line = [&](const std::string& c) {
+    std::vector<std::string> arguments{"phase"};
+    arguments.insert(arguments.end(), top.begin(), top.end());
+    arguments.push_back(c);
+    return lines_of(certified(arguments)).at(0);
+  };
+  EXPECT_EQ(first_line("1e-20"), "phase = 102.97516428440435512242550472912352913583304...");
+  EXPECT_EQ(first_line("-1e-300"), "phase = 1548.5252048506593064755949029755012390169355...");
+}
+
+TEST(PhaseCommand, SaysTheRegime) {
+  const auto phase = [](const std::string& c) {
+    return certified({"phase", "--ab", "2,1/4", "--digits", "10", "--c", c});
+  };
+  EXPECT_EQ(phase("-1/8"),
+            "phase = 8.218091986...\noscillating\ngreatest lower bound 2 pi I = 6.283185307...\n");
+  EXPECT_EQ(lines_of(phase("1"))[1], "rotating");
+  EXPECT_EQ(phase("0"), "separatrix: the phase is infinite\n");
+  EXPECT_EQ(phase("-1/4"),
+            "equilibrium about x: the angular momentum does not move in the body: there is no "
+            "phase, but a limit for c towards this end\nlimit 2 pi I = 6.283185307...\n");
+  EXPECT_NE(phase("2").find("limit 2 pi J = 2.6"), std::string::npos) << phase("2");
+  EXPECT_NE(certified({"phase", "--ab", "18.27,0.0629", "--c", "-0.01"}).find("non-physical"),
+            std::string::npos);
+}
+
+TEST(PhaseCommand, JsonWithTheExcess) {
+  const json result =
+      json::parse(certified({"phase", "--ab", "12.65,0.0629", "--c", "-0.0628999999999999999999",
+                             "--excess", "--digits", "40", "--format", "json"}));
+  EXPECT_EQ(result.at("regime"), "oscillating");
+  EXPECT_EQ(result.at("verdict"), "certified");
+  expect_enclosure(result.at("phase"), 40);
+  expect_enclosure(result.at("greatest_lower_bound"), 40);
+  EXPECT_EQ(result.at("excess").at("digits"), 40);
+  EXPECT_EQ(result.at("excess").at("value").get<std::string>().rfind("2.98", 0), 0U)
+      << result.at("excess");
+  const json infinite =
+      json::parse(certified({"phase", "--ab", "2,1/4", "--c", "0", "--format", "json"}));
+  EXPECT_TRUE(infinite.at("phase").is_null());
+  EXPECT_EQ(infinite.at("remark"), "the phase is infinite");
+}
+
+TEST(PhaseCommand, RefusesBadInput) {
+  expect_refused({"phase", "--ab", "2,1/4"}, {"no motion", "--c"});
+  expect_refused({"phase", "--c", "1"}, {"no body"});
+  expect_refused({"phase", "--ab", "2,1/4", "--c", "3"}, {"--c \"3\"", "-1/4", "a = 2"});
+  expect_refused({"phase", "--ab", "2,1/4", "--c", "-0.26"}, {"--c \"-0.26\"", "from -b = -1/4"});
+  expect_refused({"phase", "--ab", "2,1/4", "--c", "inf"}, {"--c", "inf"});
+  expect_refused({"phase", "--ab", "2,1/4", "--c", "1", "--digits", "1000000000"}, {"memory"});
+}
+
+}  // namespace
+}  // namespace polhode::test
