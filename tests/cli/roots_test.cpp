@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -37,6 +38,25 @@ TEST(Roots, DigitsAreTheFirstOfTheTrueValue) {
             0U)
       << result.out;
   EXPECT_NE(result.out.find("\ncertified: 1 root, all there are"), std::string::npos);
+}
+
+TEST(Roots, TheNumberOfThreadsChangesNothing) {
+  for (const auto& [formula, range] :
+       std::vector<std::pair<std::string, std::string>>{{"exp(x) - 4*sin(7*x)^2 - 1", "-2..pi"},
+                                                        {"sin(x^2)*(1-cos(x))", "0..12"},
+                                                        {"(x^2-2)^2*(x^5-x+1)", "-inf..inf"}}) {
+    const std::vector<std::string> json{"--format", "json", "--digits", "70"};
+    const outcome one = roots(formula, range, json);
+    for (const std::string count : {"0", "2", "3", "8"}) {
+      std::vector<std::string> more = json;
+      more.insert(more.end(), {"--threads", count});
+      const outcome other = roots(formula, range, more);
+      EXPECT_EQ(other.out, one.out) << formula << ", " << count;
+      EXPECT_EQ(other.status, one.status);
+    }
+  }
+  EXPECT_EQ(roots("x", "0..1", {"--threads", "-1"}).status, 2);
+  EXPECT_EQ(roots("x", "0..1", {"--threads", "two"}).status, 2);
 }
 
 TEST(Roots, VerdictsOfEveryKind) {

@@ -131,6 +131,10 @@ struct isolate_options {
   int most_halvings = 200;
   /// Bits that cancellation may raise the working precision to.
   precision most_precision = 1L << 14;
+  /// On how many threads boxes are examined; 0 for as many as the machine has processors, which are the most. The
+  /// result is the same bit for bit. Unless it is 1, f is called by several threads at a time, and so are its member
+  /// evaluator<T>(p) and copies; but what evaluator made is called by one thread only.
+  int threads = 1;
   /// Called every few boxes; false ends the run as a limit does.
   std::function<bool(const isolation_progress&)> progress = {};
 };
@@ -177,6 +181,9 @@ struct refined_root {
 /// factor of f. Of another region, the enclosure as it is.
 /// Throws std::invalid_argument for digits < 1.
 [[nodiscard]] refined_root refine(const root_region& region, long digits);
+/// The same for each region, on so many threads (isolate_options).
+[[nodiscard]] std::vector<refined_root> refine(const std::vector<root_region>& regions, long digits,
+                                               int threads);
 
 /// A point x in the box at which derivative(x) is certainly not f'(x); std::nullopt where none was found at
 /// `points` equally spaced points. f' comes from jets; derivative is a function object ball -> ball.
