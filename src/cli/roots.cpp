@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "formula.hpp"
 #include "formula_function.hpp"
+#include "formula_integrand.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -42,7 +43,7 @@ range_end read_end(const std::string& text, const let_option& let) {
   if (given == "inf" || given == "+inf") return range_end::infinity();
   if (given == "-inf") return range_end::minus_infinity();
   const expression f = read_formula(given, {}, let);
-  if (f.exact_value()) return {*f.exact_value()};
+  if (const auto form = limit_of(f).form()) return range_end(*form);
   return range_end([f](precision p) { return f.value(p); });
 }
 

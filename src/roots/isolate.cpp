@@ -887,8 +887,9 @@ side side_of(const root_region& given, const range_end& end, bool is_lower, cons
     if (is_lower ? certainly_less(x, e) : certainly_less(e, x)) return side::outside;
     if (is_lower ? certainly_less_equal(e, x) : certainly_less_equal(x, e)) return side::inside;
     // The end itself, exactly a root?
-    if (end.exact() && is_proved && contains(x, *end.exact())) {
-      const auto s = f.structure(function_structure::variable_at(*end.exact(), 0, p));
+    const bool is_in_region = end.exact() ? contains(x, *end.exact()) : contains(x, e);
+    if (end.form() && is_proved && is_in_region) {
+      const auto s = f.structure(function_structure::variable_at(*end.form(), 0, p));
       if (s && s->series() && (*s->series())[0].is_exactly(0)) {
         sharper.exact = end.exact();
         return side::inside;

@@ -30,6 +30,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/pi_combination.hpp"
 #include "polhode/roots/newton.hpp"
 #include "polhode/roots/real_function.hpp"
 
@@ -43,7 +44,12 @@ class range_end {
   range_end(N n)  // NOLINT(google-explicit-constructor): exact
       : range_end(rational(n)) {}
   range_end(const rational& q)  // NOLINT(google-explicit-constructor): exact
-      : exact_(q) {}
+      : range_end(pi_combination{q, 0}) {}
+  /// q + r pi, known as such: a root that is exactly there, as sin(x) has at pi, is found to be inside.
+  explicit range_end(const pi_combination& x)
+      : form_(x), at_([x](precision p) { return x.at(p); }) {
+    if (x.is_rational()) exact_ = x.q;
+  }
   /// A number that at(p) encloses with p bits.
   explicit range_end(std::function<ball(precision)> at) : at_(std::move(at)) {}
   template <std::floating_point N>
@@ -54,7 +60,9 @@ class range_end {
   /// 1, -1, or 0 for a number.
   [[nodiscard]] int infinite_sign() const { return infinite_; }
   [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
-  [[nodiscard]] ball at(precision p) const { return exact_ ? ball(*exact_, p) : at_(p); }
+  /// q + r pi, where it is known to be that.
+  [[nodiscard]] const std::optional<pi_combination>& form() const { return form_; }
+  [[nodiscard]] ball at(precision p) const { return at_(p); }
 
  private:
   struct infinite {
@@ -63,6 +71,7 @@ class range_end {
   explicit range_end(infinite i) : infinite_(i.sign) {}
 
   std::optional<rational> exact_;
+  std::optional<pi_combination> form_;
   std::function<ball(precision)> at_;
   int infinite_ = 0;
 };
