@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "formula.hpp"
 #include "formula_function.hpp"
+#include "formula_integrand.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -29,6 +30,7 @@ struct roots_options {
   std::string variable = "x";
   let_option let;
   digits_option digits;
+  int threads = 1;
   format_option format{{"text", "csv", "json"}};
   memory_limit_option memory_limit;
 };
@@ -41,7 +43,7 @@ range_end read_end(const std::string& text, const let_option& let) {
   if (given == "inf" || given == "+inf") return range_end::infinity();
   if (given == "-inf") return range_end::minus_infinity();
   const expression f = read_formula(given, {}, let);
-  if (f.exact_value()) return {*f.exact_value()};
+  if (const auto form = limit_of(f).form()) return range_end(*form);
   return range_end([f](precision p) { return f.value(p); });
 }
 
@@ -75,20 +77,30 @@ struct listed_root {
   }
 };
 
-listed_root listed(const root_region& r, long digits) {
-  listed_root result{r, r.enclosure, r.exact, false};
-  if (r.multiplicity == 0) return result;
-  for (const long more : {1L, 6L}) {
-    const refined_root finer = refine(r, digits + more);
-    result.enclosure = finer.enclosure;
-    result.exact = finer.exact;
-    if (finer.verdict != status::certified) break;
-    const decimal_enclosure d = to_decimal_enclosure(finer.enclosure, digits);
+/// The regions with their roots, whose enclosures show the digits where a few more let them.
+std::vector<listed_root> listed(const std::vector<root_region>& regions, long digits, int threads) {
+  std::vector<refined_root> roots = refine(regions, digits + 1, threads);
+  std::vector<listed_root> result;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const root_region& r = regions[i];
+    result.push_back({r, r.enclosure, r.exact, false});
+    if (r.multiplicity == 0) continue;
+    refined_root& root = roots[i];
+    const auto shows_digits = [&] {
+      const decimal_enclosure d = to_decimal_enclosure(root.enclosure, digits);
+      return d.exact || d.digits >= digits;
+    };
+    if (root.verdict == status::certified && !shows_digits()) {
+      refined_root finer = refine(r, digits + 6);
+      if (finer.verdict == status::certified) root = std::move(finer);
+    }
+    result.back().enclosure = root.enclosure;
+    result.back().exact = root.exact;
     // Two ends that differ by less than a unit of the last digit may share fewer.
     const magnitude unit =
-        divide_down(finer.enclosure.magnitude_lower(), pow(ball(10, 64), digits).magnitude_upper());
-    result.has_digits = d.exact || d.digits >= digits || finer.enclosure.radius() <= unit;
-    if (d.exact || d.digits >= digits) break;
+        divide_down(root.enclosure.magnitude_lower(), pow(ball(10, 64), digits).magnitude_upper());
+    result.back().has_digits =
+        root.verdict == status::certified && (shows_digits() || root.enclosure.radius() <= unit);
   }
   return result;
 }
@@ -103,10 +115,12 @@ struct answer {
   }
 };
 
-answer find_roots(const expression& f, const std::pair<range_end, range_end>& range, long digits) {
+answer find_roots(const expression& f, const std::pair<range_end, range_end>& range, long digits,
+                  int threads) {
   const progress line;
   line.show("looking for roots");
   isolate_options options;
+  options.threads = threads;
   options.progress = [&](const isolation_progress& p) {
     line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done, p.boxes_waiting,
                           p.roots));
@@ -114,10 +128,15 @@ answer find_roots(const expression& f, const std::pair<range_end, range_end>& ra
   };
   answer result;
   result.roots = isolate_roots(function_of(f), range.first, range.second, options);
-  long done = 0;
-  for (const root_region& r : result.roots.regions) {
-    line.show(fmt::format("root {} of {}", ++done, result.roots.regions.size()));
-    result.list.push_back(listed(r, digits));
+  const std::vector<root_region>& regions = result.roots.regions;
+  const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
+  for (auto first = regions.begin(); first != regions.end();) {
+    const auto last = first + std::min(at_a_time, regions.end() - first);
+    line.show(fmt::format("root {} of {}", first - regions.begin() + 1, regions.size()));
+    for (listed_root& r : listed({first, last}, digits, threads)) {
+      result.list.push_back(std::move(r));
+    }
+    first = last;
   }
   return result;
 }
@@ -268,7 +287,7 @@ exit_status run(const roots_options& options) {
   const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
                               bytes_per_digit * numbers * static_cast<double>(digits)});
-  const answer a = find_roots(f, range, digits);
+  const answer a = find_roots(f, range, digits, options.threads);
   print(format == "json" ? as_json(f, options, a, digits)
                          : (format == "csv" ? as_csv(a, digits) : as_text(a, digits)));
   return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
@@ -283,6 +302,10 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->required();
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
+  app.add_option("--threads", options->threads,
+                 "Search on so many threads; 0 for all processors. The digits are the same")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);

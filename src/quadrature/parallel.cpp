@@ -3,32 +3,11 @@
 #include <algorithm>
 #include <vector>
 
-#include <mpfr.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_scheduler_observer.h>
+
+#include "arithmetic/worker_threads.hpp"
 
 namespace polhode::detail {
-
-namespace {
-
-/// MPFR keeps constants for each thread, which a thread that ends has to give back.
-class cache_keeper : public tbb::task_scheduler_observer {
- public:
-  explicit cache_keeper(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
-    observe(true);
-  }
-  ~cache_keeper() override { observe(false); }
-  cache_keeper(const cache_keeper&) = delete;
-  cache_keeper& operator=(const cache_keeper&) = delete;
-  void on_scheduler_exit(bool is_worker) override {
-    if (is_worker) mpfr_free_cache();
-  }
-};
-
-}  // namespace
 
 ball sum_in_chunks(long count, precision p, int threads, const std::function<add_terms()>& make) {
   constexpr long most_chunks = 256;
@@ -45,10 +24,8 @@ ball sum_in_chunks(long count, precision p, int threads, const std::function<add
     const add_terms add = make();
     for (long chunk = 0; chunk < chunks; ++chunk) add_chunk(add, chunk);
   } else {
-    const int processors = tbb::info::default_concurrency();
-    tbb::task_arena arena(threads == 0 ? processors : std::min(threads, processors));
-    const cache_keeper keeper(arena);
-    arena.execute([&] {
+    worker_threads workers(threads);
+    workers.execute([&] {
       tbb::enumerable_thread_specific<add_terms> adders(make);
       tbb::parallel_for(0L, chunks, [&](long chunk) { add_chunk(adders.local(), chunk); });
     });

@@ -57,8 +57,9 @@ function_structure function_structure::variable(const ball& box, const ball& poi
   return x;
 }
 
-function_structure function_structure::variable_at(const rational& c, int order, precision p) {
-  const ball point(c, p);
+function_structure function_structure::variable_at(const pi_combination& c, int order,
+                                                   precision p) {
+  const ball point = c.at(p);
   function_structure x = variable(point, point);
   x.series_ = exact_series::variable(known_number(c, p), order);
   return x;

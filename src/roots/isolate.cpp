@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <iterator>
 #include <map>
 #include <utility>
 
+#include <tbb/enumerable_thread_specific.h>
+
+#include "arithmetic/worker_threads.hpp"
 #include "count_zeros.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
@@ -57,12 +62,29 @@ exact_box widened(const exact_box& b) {
   return {*b.lower - more, *b.upper + more};
 }
 
+struct outcome;
+
 struct work_box {
   exact_box x;
   int halvings = 0;
   precision bits = first_bits;
   std::size_t problem = 0;
   std::string remark;  // why it is left unresolved
+  /// What its examination gives, where it was examined before its turn.
+  std::shared_ptr<outcome> ahead = nullptr;
+};
+
+/// What the examination of a box gives. It depends on the box and the options alone.
+struct outcome {
+  std::vector<work_box> rest;  // left to do, in the order of a stack
+  std::vector<work_box> stuck;
+  std::vector<singular_place> singular;
+  /// All roots in this part are known: the region's, or none where there is no region.
+  std::optional<exact_box> done;
+  std::optional<root_region> region;
+  long evaluations = 0;
+  precision most_bits = 0;
+  std::exception_ptr error;  // what f threw
 };
 
 /// A function whose roots are looked for: f, or a factor of the polynomial f with simple roots only.
@@ -201,45 +223,28 @@ std::vector<work_box> joined(std::vector<work_box> boxes, const std::vector<foun
   return result;
 }
 
-/// One run of a search.
-class searcher {
- public:
-  searcher(root_search::state& s, const isolate_options& options) : s_(s), options_(options) {}
+/// The evaluators of one thread.
+using evaluators =
+    std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>>;
 
-  void run() {
-    const auto start = std::chrono::steady_clock::now();
-    s_.limit.clear();
-    constexpr long between_looks = 64;
-    for (long boxes = 0; !s_.pending.empty(); ++boxes) {
-      if (boxes >= options_.most_boxes) {
-        s_.limit = "the limit on the number of boxes";
-        return;
-      }
-      if (static_cast<long>(s_.stuck.size()) > options_.most_unresolved) {
-        s_.limit = "the limit on unresolved boxes";
-        return;
-      }
-      if (options_.most_time && std::chrono::steady_clock::now() - start > *options_.most_time) {
-        s_.limit = "the limit on the time";
-        return;
-      }
-      if (options_.progress && boxes % between_looks == 0 &&
-          !options_.progress({s_.account.boxes, static_cast<long>(s_.pending.size()),
-                              static_cast<long>(s_.found.size())})) {
-        s_.limit = "a request to stop";
-        return;
-      }
-      work_box b = std::move(s_.pending.back());
-      s_.pending.pop_back();
-      ++s_.account.boxes;
-      if (b.x.is_bounded()) {
-        examine(std::move(b));
-      } else {
-        examine_tail(std::move(b));
-      }
+/// The examination of one box.
+class examination {
+ public:
+  examination(const root_search::state& s, const isolate_options& options, evaluators& known)
+      : s_(s), options_(options), evaluators_(known) {}
+
+  [[nodiscard]] outcome of_box(work_box b) && {
+    if (b.x.is_bounded()) {
+      examine(std::move(b));
+    } else {
+      examine_tail(std::move(b));
     }
-    if (!s_.concluded) conclude();
-    s_.concluded = true;
+    return std::move(result_);
+  }
+  /// The region that a cluster of boxes is, which are as narrow as they get.
+  [[nodiscard]] outcome of_cluster(const work_box& b) && {
+    conclude(b);
+    return std::move(result_);
   }
 
  private:
@@ -247,17 +252,17 @@ class searcher {
     return s_.problems[b.problem];
   }
   const function_evaluator& evaluator(std::size_t problem, precision p) {
-    s_.account.most_bits = std::max(s_.account.most_bits, p);
+    result_.most_bits = std::max(result_.most_bits, p);
     auto& known = evaluators_[{problem, p}];
     if (known == nullptr) known = s_.problems[problem].g->at(p);
     return *known;
   }
   series_type series(const work_box& b, const ball& x, int n) {
-    ++s_.account.evaluations;
+    ++result_.evaluations;
     return evaluator(b.problem, b.bits).series(x, n);
   }
   std::optional<function_structure> structure(const root_problem& p, const function_structure& x) {
-    ++s_.account.evaluations;
+    ++result_.evaluations;
     return p.g->structure(x);
   }
 
@@ -325,7 +330,7 @@ class searcher {
     // A root near an end, or at it: in a wider box.
     const exact_box wide = widened(b.x);
     const ball wider = wide.to_ball(b.bits);
-    ++s_.account.evaluations;
+    ++result_.evaluations;
     const jet<ball, 1> over = evaluator(b.problem, b.bits).slope(wider);
     if (!over[0].is_undefined() && is_certainly_not_zero(over[1])) {
       const ball wider_image = middle - value / over[1];
@@ -344,22 +349,22 @@ class searcher {
     if (*rest.x.upper < *rest.x.lower) return true;
     if (rest.x.width() > b.x.width() * rational(3, 4) || b.x.width() == 0) return false;
     if (++rest.halvings > options_.most_halvings) return false;
-    s_.pending.push_back(std::move(rest));
+    result_.rest.push_back(std::move(rest));
     return true;
   }
 
   void halve(work_box b) {
     if (b.halvings >= options_.most_halvings || b.x.width() == 0) {
       b.remark = "not resolved by " + std::to_string(b.halvings) + " halvings";
-      s_.stuck.push_back(std::move(b));
+      result_.stuck.push_back(std::move(b));
       return;
     }
     ++b.halvings;
     work_box right = b;
     right.x.lower = b.x.middle();
     b.x.upper = right.x.lower;
-    s_.pending.push_back(std::move(right));
-    s_.pending.push_back(std::move(b));
+    result_.rest.push_back(std::move(right));
+    result_.rest.push_back(std::move(b));
   }
 
   // -------------------------------------------------------------------------------------------
@@ -371,7 +376,7 @@ class searcher {
     const auto s =
         structure(problem(b), function_structure::variable(x, ball(b.x.middle(), b.bits)));
     if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
-    s_.singular.push_back({x, 0});
+    result_.singular.push_back({x, 0});
     return true;
   }
 
@@ -386,7 +391,7 @@ class searcher {
     const jet<ball, 1> over = s->over();
     const bool is_defined = !over[0].is_undefined();
     if (!s->natural_range() || is_certainly_not_zero(*s->natural_range())) {
-      if (!is_defined) s_.singular.push_back({b.x.to_ball(b.bits), 0});
+      if (!is_defined) result_.singular.push_back({b.x.to_ball(b.bits), 0});
       return true;
     }
     const auto vanishing = [](const std::vector<function_structure::factor>& factors) {
@@ -410,30 +415,30 @@ class searcher {
       if (poles.size() == 1) {
         if (const auto pole = only_root(*poles.front())) {
           const real_function g = factor_of(*problem(b).g, poles.front()->id);
-          s_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
-          take_out(b.problem, wide);
+          result_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
+          result_.done = wide;
           return true;
         }
       }
       if (poles.empty()) {
-        if (!is_defined) s_.singular.push_back({b.x.to_ball(b.bits), 0});
+        if (!is_defined) result_.singular.push_back({b.x.to_ball(b.bits), 0});
         return true;
       }
       // The poles are told apart first.
       if (b.halvings < options_.most_halvings) return false;
-      s_.singular.push_back({b.x.to_ball(b.bits), 0});
+      result_.singular.push_back({b.x.to_ball(b.bits), 0});
       return true;
     }
     if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
       // The quotient may be defined where f is not: 1/(1/x) is x/1.
-      ++s_.account.evaluations;
+      ++result_.evaluations;
       const jet<ball, 1> plain = evaluator(b.problem, b.bits).slope(x);
       const bool f_is_defined = !plain[0].is_undefined() && !plain[1].is_undefined();
       const auto root = f_is_defined ? only_root(*zeros.front()) : std::nullopt;
       if (root) {
         const long m = zeros.front()->power;
         const auto& f = *problem(b).g;
-        add(b.problem, wide, x, *root, m, std::nullopt,
+        add(wide, x, *root, m, std::nullopt,
             std::make_shared<real_function>(factor_of(f, zeros.front()->id)));
         return true;
       }
@@ -448,7 +453,7 @@ class searcher {
     const auto slope = [&](const ball& t) { return g.at(t.precision())->derivative(t); };
     const root_enclosure r =
         refine_root(value, slope, intersection(root.enlarged(root.radius()), box), p);
-    s_.account.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
+    result_.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
     const ball both = intersection(r.root, root);
     return both.is_undefined() ? root : both;
   }
@@ -488,7 +493,7 @@ class searcher {
       if (over[k].is_undefined()) return false;
     }
     if (contains_zero(over[m])) return false;
-    add(b.problem, wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
+    add(wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
     return true;
   }
 
@@ -519,7 +524,7 @@ class searcher {
       b.x = {rational(-1), rational(1)};
       left.x.upper = -1;
       right.x.lower = 1;
-      for (work_box* part : {&right, &b, &left}) s_.pending.push_back(std::move(*part));
+      for (work_box* part : {&right, &b, &left}) result_.rest.push_back(std::move(*part));
       return;
     }
     const bool rightward = b.x.lower.has_value();
@@ -539,7 +544,7 @@ class searcher {
         if (nowhere || std::all_of(factors.begin(), factors.end(), [](const auto& g) {
               return is_certainly_not_zero(g.over[0]);
             })) {
-          if (s->over()[0].is_undefined()) s_.singular.push_back({x, 0});
+          if (s->over()[0].is_undefined()) result_.singular.push_back({x, 0});
           return;
         }
       }
@@ -547,7 +552,7 @@ class searcher {
     const rational farthest = rational(integer(1) << 1024U);
     if (size > farthest) {
       b.remark = "the sign towards infinity is not proved";
-      s_.stuck.push_back(std::move(b));
+      result_.stuck.push_back(std::move(b));
       return;
     }
     const rational next_size = size < 1 ? rational(1) : rational(2 * size + 1);
@@ -556,21 +561,20 @@ class searcher {
     (rightward ? near.x.upper : near.x.lower) = cut;
     (rightward ? b.x.lower : b.x.upper) = cut;
     if (rightward) std::swap(near, b);
-    s_.pending.push_back(std::move(near));
-    s_.pending.push_back(std::move(b));
+    result_.rest.push_back(std::move(near));
+    result_.rest.push_back(std::move(b));
   }
 
   // -------------------------------------------------------------------------------------------
   // Roots
 
   void add_simple_root(const work_box& b, const exact_box& done, const ball& x, const ball& image) {
-    add(b.problem, done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
+    add(done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
   }
 
   /// The only root in the box; `done`, which lies in the box, need not be searched any more.
-  void add(std::size_t problem, const exact_box& done, const ball& box, const ball& enclosure,
-           long multiplicity, std::optional<rational> exact,
-           std::shared_ptr<const real_function> simple) {
+  void add(const exact_box& done, const ball& box, const ball& enclosure, long multiplicity,
+           std::optional<rational> exact, std::shared_ptr<const real_function> simple) {
     root_region r;
     r.verdict = multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
     r.box = box;
@@ -579,10 +583,195 @@ class searcher {
     r.exact = std::move(exact);
     r.function = s_.f;
     r.simple = std::move(simple);
-    take_out(problem, done);
+    result_.done = done;
+    result_.region = std::move(r);
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // The end
+
+  /// What can be said of a cluster.
+  void conclude(const work_box& b) {
+    root_region r;
+    r.box = r.enclosure = b.x.to_ball(b.bits);
+    r.remark = b.remark;
+    r.function = s_.f;
+    r.simple = problem(b).g;
+    if (b.x.is_bounded()) {
+      // A structure that no single one of its boxes had.
+      if (by_structure(b)) return;
+      if (const auto zero = exact_zero_in(b)) {
+        r.verdict = root_verdict::at_least_one;
+        r.exact = zero->at;
+      } else if (changes_sign(b)) {
+        r.verdict = root_verdict::at_least_one;
+      }
+      const region over = problem(b).g->over(region(r.box));
+      if (!over.is_analytic() && over.why() != obstacle::unknown) {
+        r.remark = "the " + to_text(over.why()) + " of " + std::string(over.where());
+      }
+      const auto zeros = count_zeros(*problem(b).g, b.x.middle(), b.x.width() / 2, 2 * b.bits);
+      if (zeros) {
+        result_.evaluations += zeros->evaluations;
+        if (zeros->count == 0) return;
+        r.complex_roots = zeros->count;
+      }
+    }
+    result_.region = std::move(r);
+  }
+
+  /// f is continuously differentiable on the box and has opposite signs at its ends.
+  bool changes_sign(const work_box& b) {
+    const ball x = b.x.to_ball(b.bits);
+    const series_type over = series(b, x, 1);
+    if (over[0].is_undefined() || over[1].is_undefined()) return false;
+    const auto sign_at = [&](const rational& end) {
+      for (precision p = b.bits; p <= std::max(4 * b.bits, options_.most_precision); p *= 2) {
+        ++result_.evaluations;
+        const sign s = sign_of(evaluator(b.problem, p).value(ball(end, p)));
+        if (s != sign::unknown) return s;
+      }
+      return sign::unknown;
+    };
+    const sign left = sign_at(*b.x.lower);
+    const sign right = sign_at(*b.x.upper);
+    return (left == sign::negative && right == sign::positive) ||
+           (left == sign::positive && right == sign::negative);
+  }
+
+  const root_search::state& s_;
+  const isolate_options& options_;
+  evaluators& evaluators_;
+  outcome result_;
+};
+
+/// One run of a search. Boxes are examined from left to right, each result before the next box; more threads examine
+/// boxes before their turn, and what they find waits for it. So their number changes nothing in the answer.
+class searcher {
+ public:
+  searcher(root_search::state& s, const isolate_options& options) : s_(s), options_(options) {
+    if (options.threads == 1) return;
+    workers_.emplace(options.threads);
+    constexpr long boxes_for_each = 16;
+    most_at_a_time_ =
+        boxes_for_each * (options.threads == 0 ? workers_->processors() : options.threads);
+  }
+
+  void run() {
+    search();
+    for (work_box& b : s_.pending) b.ahead = nullptr;
+  }
+
+ private:
+  void search() {
+    const auto start = std::chrono::steady_clock::now();
+    s_.limit.clear();
+    constexpr long between_looks = 64;
+    for (long boxes = 0; !s_.pending.empty(); ++boxes) {
+      if (boxes >= options_.most_boxes) {
+        s_.limit = "the limit on the number of boxes";
+        return;
+      }
+      if (static_cast<long>(s_.stuck.size()) > options_.most_unresolved) {
+        s_.limit = "the limit on unresolved boxes";
+        return;
+      }
+      if (options_.most_time && std::chrono::steady_clock::now() - start > *options_.most_time) {
+        s_.limit = "the limit on the time";
+        return;
+      }
+      if (options_.progress && boxes % between_looks == 0 &&
+          !options_.progress({s_.account.boxes, static_cast<long>(s_.pending.size()),
+                              static_cast<long>(s_.found.size())})) {
+        s_.limit = "a request to stop";
+        return;
+      }
+      if (s_.pending.back().ahead == nullptr) examine_next();
+      const work_box b = std::move(s_.pending.back());
+      s_.pending.pop_back();
+      ++s_.account.boxes;
+      --waiting_;
+      merge(b.problem, std::move(*b.ahead));
+    }
+    if (!s_.concluded) conclude();
+    s_.concluded = true;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Examining
+
+  /// The outcome of examine(of an examination), or the exception that it was left by.
+  template <class Examine>
+  std::shared_ptr<outcome> outcome_of(const Examine& examine) {
+    auto r = std::make_shared<outcome>();
+    try {
+      *r = examine(examination(s_, options_, evaluators_.local()));
+    } catch (...) {
+      r->error = std::current_exception();
+    }
+    return r;
+  }
+
+  /// The next box, and with more threads some of those that come after it.
+  void examine_next() {
+    std::vector<work_box*> boxes;
+    collect(s_.pending, boxes);
+    const auto step = [&](long i) {
+      work_box& b = *boxes[static_cast<std::size_t>(i)];
+      b.ahead = outcome_of([&b](examination e) { return std::move(e).of_box(b); });
+    };
+    const auto count = static_cast<long>(boxes.size());
+    if (count == 1) {
+      step(0);
+    } else {
+      workers_->for_each(count, step);
+    }
+    waiting_ += count;
+  }
+
+  /// The boxes that are to be examined, in the order in which the search will meet them, as far as that is known.
+  void collect(std::vector<work_box>& stack, std::vector<work_box*>& boxes) const {
+    constexpr long most_waiting = 4096;  // they take memory
+    const long most = workers_ && waiting_ < most_waiting ? most_at_a_time_ : 1;
+    for (std::size_t i = stack.size(); i-- > 0 && static_cast<long>(boxes.size()) < most;) {
+      if (stack[i].ahead == nullptr) {
+        boxes.push_back(&stack[i]);
+      } else {
+        collect(stack[i].ahead->rest, boxes);
+      }
+    }
+  }
+
+  /// What it is worth if the search goes another way.
+  void forget_ahead(work_box& b) {
+    if (b.ahead == nullptr) return;
+    --waiting_;
+    for (work_box& part : b.ahead->rest) forget_ahead(part);
+    b.ahead = nullptr;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Merging
+
+  void merge(std::size_t problem, outcome o) {
+    if (o.error) std::rethrow_exception(o.error);
+    s_.account.evaluations += o.evaluations;
+    s_.account.most_bits = std::max(s_.account.most_bits, o.most_bits);
+    const auto append = [](auto& to, auto& from) {
+      to.insert(to.end(), std::make_move_iterator(from.begin()),
+                std::make_move_iterator(from.end()));
+    };
+    append(s_.singular, o.singular);
+    if (o.done) take_out(problem, *o.done);
+    if (o.region) add(problem, std::move(*o.region));
+    append(s_.stuck, o.stuck);
+    append(s_.pending, o.rest);
+  }
+
+  void add(std::size_t problem, root_region r) {
     const auto about = double_interval::from_ball(r.box);
     for (found_root& known : s_.found) {
-      if (known.problem == problem && overlaps(known.about, about) &&
+      if (r.multiplicity > 0 && known.problem == problem && overlaps(known.about, about) &&
           is_the_same(known.region, r)) {
         known.about = double_interval::from_ball(known.region.box);
         return;
@@ -621,6 +810,14 @@ class searcher {
           left.push_back(std::move(b));
           continue;
         }
+        // It may only touch.
+        const bool is_whole = (b.x.lower && *b.x.lower == *done.upper && b.x.lower != b.x.upper) ||
+                              (b.x.upper && *b.x.upper == *done.lower && b.x.lower != b.x.upper);
+        if (is_whole) {
+          left.push_back(std::move(b));
+          continue;
+        }
+        forget_ahead(b);
         // The right part first: the leftmost box is on top.
         if (!b.x.upper || *b.x.upper > *done.upper) {
           left.push_back(b);
@@ -635,70 +832,32 @@ class searcher {
     }
   }
 
-  // -------------------------------------------------------------------------------------------
-  // The end
-
+  /// What can be said of the boxes that were left unresolved.
   void conclude() {
     const std::vector<work_box> clusters = joined(std::move(s_.stuck), s_.found);
     s_.stuck.clear();
-    for (const work_box& b : clusters) conclude(b);
-  }
-
-  /// What can be said of a cluster.
-  void conclude(const work_box& b) {
-    root_region r;
-    r.box = r.enclosure = b.x.to_ball(b.bits);
-    r.remark = b.remark;
-    r.function = s_.f;
-    r.simple = problem(b).g;
-    if (b.x.is_bounded()) {
-      // A structure that no single one of its boxes had.
-      const std::size_t known = s_.found.size();
-      if (by_structure(b) || s_.found.size() != known) return;
-      if (const auto zero = exact_zero_in(b)) {
-        r.verdict = root_verdict::at_least_one;
-        r.exact = zero->at;
-      } else if (changes_sign(b)) {
-        r.verdict = root_verdict::at_least_one;
-      }
-      const region over = problem(b).g->over(region(r.box));
-      if (!over.is_analytic() && over.why() != obstacle::unknown) {
-        r.remark = "the " + to_text(over.why()) + " of " + std::string(over.where());
-      }
-      const auto zeros = count_zeros(*problem(b).g, b.x.middle(), b.x.width() / 2, 2 * b.bits);
-      if (zeros) {
-        s_.account.evaluations += zeros->evaluations;
-        if (zeros->count == 0) return;
-        r.complex_roots = zeros->count;
-      }
-    }
-    const auto about = double_interval::from_ball(r.box);
-    s_.found.push_back({std::move(r), b.problem, about});
-  }
-
-  /// f is continuously differentiable on the box and has opposite signs at its ends.
-  bool changes_sign(const work_box& b) {
-    const ball x = b.x.to_ball(b.bits);
-    const series_type over = series(b, x, 1);
-    if (over[0].is_undefined() || over[1].is_undefined()) return false;
-    const auto sign_at = [&](const rational& end) {
-      for (precision p = b.bits; p <= std::max(4 * b.bits, options_.most_precision); p *= 2) {
-        ++s_.account.evaluations;
-        const sign s = sign_of(evaluator(b.problem, p).value(ball(end, p)));
-        if (s != sign::unknown) return s;
-      }
-      return sign::unknown;
+    std::vector<std::shared_ptr<outcome>> outcomes(clusters.size());
+    const auto step = [&](long i) {
+      const auto k = static_cast<std::size_t>(i);
+      outcomes[k] = outcome_of([&](examination e) { return std::move(e).of_cluster(clusters[k]); });
     };
-    const sign left = sign_at(*b.x.lower);
-    const sign right = sign_at(*b.x.upper);
-    return (left == sign::negative && right == sign::positive) ||
-           (left == sign::positive && right == sign::negative);
+    const auto count = static_cast<long>(clusters.size());
+    if (workers_) {
+      workers_->for_each(count, step);
+    } else {
+      for (long i = 0; i < count; ++i) step(i);
+    }
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      merge(clusters[i].problem, std::move(*outcomes[i]));
+    }
   }
 
   root_search::state& s_;
   const isolate_options& options_;
-  std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>>
-      evaluators_;
+  std::optional<detail::worker_threads> workers_;
+  tbb::enumerable_thread_specific<evaluators> evaluators_;
+  long most_at_a_time_ = 1;
+  long waiting_ = 0;  // boxes that were examined and not merged yet
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -728,8 +887,9 @@ side side_of(const root_region& given, const range_end& end, bool is_lower, cons
     if (is_lower ? certainly_less(x, e) : certainly_less(e, x)) return side::outside;
     if (is_lower ? certainly_less_equal(e, x) : certainly_less_equal(x, e)) return side::inside;
     // The end itself, exactly a root?
-    if (end.exact() && is_proved && contains(x, *end.exact())) {
-      const auto s = f.structure(function_structure::variable_at(*end.exact(), 0, p));
+    const bool is_in_region = end.exact() ? contains(x, *end.exact()) : contains(x, e);
+    if (end.form() && is_proved && is_in_region) {
+      const auto s = f.structure(function_structure::variable_at(*end.form(), 0, p));
       if (s && s->series() && (*s->series())[0].is_exactly(0)) {
         sharper.exact = end.exact();
         return side::inside;
@@ -749,6 +909,11 @@ std::optional<rational> outer_end(const range_end& end, bool is_lower) {
         "an end of the interval is not defined: it must be a real number, or an infinity");
   }
   return is_lower ? lower_rational(x) : upper_rational(x);
+}
+
+void require_threads(const std::string& function, int threads) {
+  if (threads >= 0) return;
+  throw std::invalid_argument(function + ": threads must be at least 0 (0: all processors)");
 }
 
 /// The boxes of the regions of a polynomial's factors hold roots of other factors: they are made narrower.
@@ -829,6 +994,7 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
 }
 
 void root_search::run(const isolate_options& options) {
+  require_threads("isolate_roots", options.threads);
   auto next = std::make_shared<state>(*state_);
   searcher(*next, options).run();
   state_ = std::move(next);
@@ -995,6 +1161,23 @@ refined_root refine(const root_region& region, long digits) {
         result.enclosure = ball(q, p);
       }
     }
+  }
+  return result;
+}
+
+std::vector<refined_root> refine(const std::vector<root_region>& regions, long digits,
+                                 int threads) {
+  require_threads("refine", threads);
+  std::vector<refined_root> result(regions.size());
+  const auto step = [&](long i) {
+    const auto k = static_cast<std::size_t>(i);
+    result[k] = refine(regions[k], digits);
+  };
+  const auto count = static_cast<long>(regions.size());
+  if (threads == 1 || count < 2) {
+    for (long i = 0; i < count; ++i) step(i);
+  } else {
+    detail::worker_threads(threads).for_each(count, step);
   }
   return result;
 }

@@ -1,5 +1,7 @@
 #include "polhode/roots/known_number.hpp"
 
+#include <array>
+
 namespace polhode::detail {
 
 known_number sqrt(const known_number& x) {
@@ -23,9 +25,6 @@ known_number sqrt(const known_number& x) {
   }
 POLHODE_KNOWN_AT(exp, 0, 1)
 POLHODE_KNOWN_AT(log, 1, 0)
-POLHODE_KNOWN_AT(sin, 0, 0)
-POLHODE_KNOWN_AT(cos, 0, 1)
-POLHODE_KNOWN_AT(tan, 0, 0)
 POLHODE_KNOWN_AT(asin, 0, 0)
 POLHODE_KNOWN_AT(acos, 1, 0)
 POLHODE_KNOWN_AT(atan, 0, 0)
@@ -36,5 +35,34 @@ POLHODE_KNOWN_AT(asinh, 0, 0)
 POLHODE_KNOWN_AT(acosh, 1, 0)
 POLHODE_KNOWN_AT(atanh, 0, 0)
 #undef POLHODE_KNOWN_AT
+
+namespace {
+
+/// k where x is k pi/2, counted modulo 4.
+std::optional<int> quarter_turns(const known_number& x) {
+  if (x.is_exactly(0)) return 0;
+  if (!x.with_pi() || x.with_pi()->q != 0) return std::nullopt;
+  const rational twice = 2 * x.with_pi()->r;
+  if (denominator(twice) != 1) return std::nullopt;
+  return static_cast<int>(mpz_fdiv_ui(mpq_numref(twice.backend().data()), 4));
+}
+
+}  // namespace
+
+known_number sin(const known_number& x) {
+  constexpr std::array<long, 4> values = {0, 1, 0, -1};
+  if (const auto k = quarter_turns(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
+  return known_number(sin(x.enclosure()));
+}
+known_number cos(const known_number& x) {
+  constexpr std::array<long, 4> values = {1, 0, -1, 0};
+  if (const auto k = quarter_turns(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
+  return known_number(cos(x.enclosure()));
+}
+known_number tan(const known_number& x) {
+  const auto k = quarter_turns(x);
+  if (k && *k % 2 == 0) return x.like(0);
+  return known_number(tan(x.enclosure()));
+}
 
 }  // namespace polhode::detail

@@ -203,8 +203,18 @@ std::optional<rational> simplest_between(const rational& lower, const rational& 
              mpq_denref(lower.backend().data()));
   if (rational(whole) <= upper) return rational(whole);
   // Both lie strictly between the same two integers.
-  const auto below = rational(integer(whole - 1));
-  const auto rest = simplest_between(1 / (upper - below), 1 / (lower - below), most_terms - 1);
+  const integer below = whole - 1;
+  /// 1 / (q - below) = d / (n - below d) for q = n/d, in lowest terms because q is, and positive.
+  const auto turned = [&below](const rational& q) {
+    const mpq_srcptr given = q.backend().data();
+    rational r;
+    const mpq_ptr result = r.backend().data();
+    mpz_set(mpq_numref(result), mpq_denref(given));
+    mpz_set(mpq_denref(result), mpq_numref(given));
+    mpz_submul(mpq_denref(result), below.backend().data(), mpq_denref(given));
+    return r;
+  };
+  const auto rest = simplest_between(turned(upper), turned(lower), most_terms - 1);
   if (!rest) return std::nullopt;
   return rational(below + 1 / *rest);
 }

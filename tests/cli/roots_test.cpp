@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -39,6 +40,25 @@ TEST(Roots, DigitsAreTheFirstOfTheTrueValue) {
   EXPECT_NE(result.out.find("\ncertified: 1 root, all there are"), std::string::npos);
 }
 
+TEST(Roots, TheNumberOfThreadsChangesNothing) {
+  for (const auto& [formula, range] :
+       std::vector<std::pair<std::string, std::string>>{{"exp(x) - 4*sin(7*x)^2 - 1", "-2..pi"},
+                                                        {"sin(x^2)*(1-cos(x))", "0..12"},
+                                                        {"(x^2-2)^2*(x^5-x+1)", "-inf..inf"}}) {
+    const std::vector<std::string> json{"--format", "json", "--digits", "70"};
+    const outcome one = roots(formula, range, json);
+    for (const std::string count : {"0", "2", "3", "8"}) {
+      std::vector<std::string> more = json;
+      more.insert(more.end(), {"--threads", count});
+      const outcome other = roots(formula, range, more);
+      EXPECT_EQ(other.out, one.out) << formula << ", " << count;
+      EXPECT_EQ(other.status, one.status);
+    }
+  }
+  EXPECT_EQ(roots("x", "0..1", {"--threads", "-1"}).status, 2);
+  EXPECT_EQ(roots("x", "0..1", {"--threads", "two"}).status, 2);
+}
+
 TEST(Roots, VerdictsOfEveryKind) {
   struct expected {
     std::string formula, range;
@@ -61,7 +81,9 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"abs(x)", "-1..1", 1, {"0 exactly  at least one (the kink of abs)", "not certified"}},
            {"floor(x)-1/2", "0..2", 1, {"unresolved (the jump of floor)"}},
            {"1-cos(x)", "6..7", 1, {"unresolved", "2 complex roots near it"}},
-           {"sin(x)", "1..pi", 1, {"unique (at an end of the interval, inside or outside)"}},
+           {"sin(x)", "0..2*pi", 0, {"certified: 3 roots"}},
+           {"sin(x)*exp(x)^2", "-pi/2-pi/2..1", 0, {"certified: 2 roots"}},
+           {"exp(x)-2", "0..log(2)", 1, {"unique (at an end of the interval, inside or outside)"}},
            {"(x-1/3)^2-1e-40", "0..1", 0, {"certified: 2 roots"}},
            {"(x-1/3)^2+1e-40", "0..1", 0, {"certified: no root"}},
            {"x-x", "0..1", 0, {"0 everywhere"}},

@@ -228,6 +228,35 @@ TEST(IsolateRoots, AtEndPoints) {
   EXPECT_FALSE(s.is_resolved());
 }
 
+// An end q + r pi is known exactly, and so is whether f is 0 there.
+TEST(IsolateRoots, AtEndsThatAreMultiplesOfPi) {
+  const auto at = [](const rational& q, const rational& r) {
+    return range_end(pi_combination{q, r});
+  };
+  const auto sine = [](const auto& x) { return sin(x); };
+  expect_resolved(isolate_roots(sine, 1, at(0, 1)), 1);
+  expect_resolved(isolate_roots(sine, at(0, -2), at(0, 2)), 5);
+  EXPECT_EQ(multiplicities(
+                isolate_roots([](const auto& x) { return exp(x) * square(sin(x)); }, 1, at(0, 1))),
+            (std::vector<long>{2}));
+  expect_resolved(isolate_roots([](const auto& x) { return 1 + cos(2 * x) * exp(cos(x)); }, 1,
+                                at(0, rational(1, 2))),
+                  2);
+  expect_resolved(isolate_roots([](const auto& x) { return tan(x - 1) * x; }, 2, at(1, 1)), 1);
+  // Just beside.
+  const rational little(1, integer(1) << 100);
+  expect_resolved(isolate_roots(sine, 1, at(-little, 1)), 0);
+  expect_resolved(isolate_roots(sine, at(little, 1), at(-little, 2)), 0);
+  expect_resolved(isolate_roots(sine, at(-little, 1), at(little, 2)), 2);
+  // A root beside an end that is none: further off than any enclosure that was tried may be wide.
+  const rational less(1, integer(1) << 3000);
+  const root_set s = isolate_roots([&](const auto& x) { return sin(x + less); }, 1, at(0, 1));
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_TRUE(s.regions[0].may_lie_outside);
+  // No root at all.
+  expect_resolved(isolate_roots([](const auto& x) { return cos(x); }, at(0, 1), at(0, 1)), 0);
+}
+
 TEST(IsolateRoots, AtBisectionPointsOnce) {
   // Every dyadic number with denominator 8 in [0, 8] is a root and a point where boxes are cut.
   const auto f = [](const auto& x) { return sin(x * 8 * pi(256)); };
@@ -543,6 +572,40 @@ TEST(FunctionStructure, SeriesAreExactWhereTheyAreEvidentlyRational) {
   EXPECT_FALSE((*sin(y).series())[0].exact().has_value());
   EXPECT_FALSE((*(y * pi(64) - pi(64) * y).series())[0].exact().has_value());
   EXPECT_TRUE((*(y * pi(64) * 0).series())[0].is_exactly(0));
+}
+
+TEST(FunctionStructure, SeriesAreExactAtMultiplesOfPi) {
+  const auto known = [](const rational& q, const rational& r) {
+    return detail::known_number(pi_combination{q, r}, 64);
+  };
+  // sin, cos and tan at k pi/2, and enclosures at other points.
+  for (long k = -9; k <= 9; ++k) {
+    const auto x = known(0, rational(k, 2));
+    const ball enclosed = ball(k, 64) * pi(64) / 2;
+    ASSERT_TRUE(sin(x).exact() && cos(x).exact()) << k;
+    EXPECT_TRUE(contains(sin(enclosed), *sin(x).exact())) << k;
+    EXPECT_TRUE(contains(cos(enclosed), *cos(x).exact())) << k;
+    EXPECT_EQ(*sin(x).exact() * *sin(x).exact() + *cos(x).exact() * *cos(x).exact(), 1);
+    EXPECT_EQ(tan(x).is_exactly(0), k % 2 == 0);
+    EXPECT_EQ(tan(x).enclosure().is_undefined(), k % 2 != 0);
+  }
+  for (const auto& x : {known(0, rational(1, 3)), known(rational(1, 7), 1), known(1, 0)}) {
+    EXPECT_FALSE(sin(x).exact() || cos(x).exact() || tan(x).exact());
+  }
+  // Arithmetic of q + r pi: 0 only where both are.
+  const auto x = known(rational(1, 3), 2);
+  EXPECT_EQ((x - known(0, 2)).exact(), rational(1, 3));
+  EXPECT_EQ((x * 3 - known(1, 6)).exact(), rational(0));
+  EXPECT_EQ((x / 2 - known(0, 1)).exact(), rational(1, 6));
+  EXPECT_EQ((known(3, 0) * x + known(-1, -6)).exact(), rational(0));
+  EXPECT_EQ((x * known(0, 0)).exact(), rational(0));
+  EXPECT_FALSE((x * x).exact() || (x / x).exact() || x.exact() || (known(1, 0) / x).exact());
+  EXPECT_TRUE(overlaps((-x).enclosure(), -x.enclosure()));
+  // 1 + cos has a double root at pi.
+  const auto t = function_structure::variable_at(pi_combination{0, 1}, 2, 64);
+  const auto f = *(1 + cos(t)).series();
+  EXPECT_TRUE(f[0].is_exactly(0) && f[1].is_exactly(0));
+  EXPECT_EQ(f[2].exact(), rational(1, 2));
 }
 
 }  // namespace

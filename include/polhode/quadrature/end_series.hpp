@@ -29,8 +29,8 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/pi_combination.hpp"
 #include "polhode/arithmetic/region.hpp"
-#include "polhode/quadrature/pi_combination.hpp"
 
 namespace polhode {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/quadrature/pi_combination.hpp"
+#include "polhode/arithmetic/pi_combination.hpp"
 
 namespace polhode {
 

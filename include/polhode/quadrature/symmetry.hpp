@@ -22,7 +22,7 @@
 #include <optional>
 
 #include "polhode/arithmetic/ball.hpp"
-#include "polhode/quadrature/pi_combination.hpp"
+#include "polhode/arithmetic/pi_combination.hpp"
 
 namespace polhode {
 

@@ -7,7 +7,7 @@
 //     the factors sin(x), twice, and x - 1, and tan(x) is sin(x)/cos(x), so that poles are roots of the
 //     denominator;
 //   its range over that part of the box on which it is defined (natural_domain.hpp);
-//   its Taylor coefficients at a rational point, exactly where they are evidently rational.
+//   its Taylor coefficients at a point q + r pi, q and r rational, exactly where they are evidently rational.
 // This is what multiple roots and poles are proved by: enclosures alone cannot tell a double root from two
 // roots or none.
 
@@ -43,8 +43,12 @@ class function_structure {
 
   /// The identity over the box, at the point, which lies in it.
   [[nodiscard]] static function_structure variable(const ball& box, const ball& point);
-  /// The identity with its Taylor series at the rational point c, to the order; p bits where not exact.
-  [[nodiscard]] static function_structure variable_at(const rational& c, int order, precision p);
+  /// The identity with its Taylor series at the point c, to the order; p bits where not exact.
+  [[nodiscard]] static function_structure variable_at(const pi_combination& c, int order,
+                                                      precision p);
+  [[nodiscard]] static function_structure variable_at(const rational& c, int order, precision p) {
+    return variable_at(pi_combination{c, 0}, order, p);
+  }
 
   // As the evaluation of formulas needs them: a constant beside a value.
   [[nodiscard]] function_structure constant_like(const rational& c) const;

@@ -30,6 +30,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/pi_combination.hpp"
 #include "polhode/roots/newton.hpp"
 #include "polhode/roots/real_function.hpp"
 
@@ -43,7 +44,12 @@ class range_end {
   range_end(N n)  // NOLINT(google-explicit-constructor): exact
       : range_end(rational(n)) {}
   range_end(const rational& q)  // NOLINT(google-explicit-constructor): exact
-      : exact_(q) {}
+      : range_end(pi_combination{q, 0}) {}
+  /// q + r pi, known as such: a root that is exactly there, as sin(x) has at pi, is found to be inside.
+  explicit range_end(const pi_combination& x)
+      : form_(x), at_([x](precision p) { return x.at(p); }) {
+    if (x.is_rational()) exact_ = x.q;
+  }
   /// A number that at(p) encloses with p bits.
   explicit range_end(std::function<ball(precision)> at) : at_(std::move(at)) {}
   template <std::floating_point N>
@@ -54,7 +60,9 @@ class range_end {
   /// 1, -1, or 0 for a number.
   [[nodiscard]] int infinite_sign() const { return infinite_; }
   [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
-  [[nodiscard]] ball at(precision p) const { return exact_ ? ball(*exact_, p) : at_(p); }
+  /// q + r pi, where it is known to be that.
+  [[nodiscard]] const std::optional<pi_combination>& form() const { return form_; }
+  [[nodiscard]] ball at(precision p) const { return at_(p); }
 
  private:
   struct infinite {
@@ -63,6 +71,7 @@ class range_end {
   explicit range_end(infinite i) : infinite_(i.sign) {}
 
   std::optional<rational> exact_;
+  std::optional<pi_combination> form_;
   std::function<ball(precision)> at_;
   int infinite_ = 0;
 };
@@ -131,6 +140,10 @@ struct isolate_options {
   int most_halvings = 200;
   /// Bits that cancellation may raise the working precision to.
   precision most_precision = 1L << 14;
+  /// On how many threads boxes are examined; 0 for as many as the machine has processors, which are the most. The
+  /// result is the same bit for bit. Unless it is 1, f is called by several threads at a time, and so are its member
+  /// evaluator<T>(p) and copies; but what evaluator made is called by one thread only.
+  int threads = 1;
   /// Called every few boxes; false ends the run as a limit does.
   std::function<bool(const isolation_progress&)> progress = {};
 };
@@ -177,6 +190,9 @@ struct refined_root {
 /// factor of f. Of another region, the enclosure as it is.
 /// Throws std::invalid_argument for digits < 1.
 [[nodiscard]] refined_root refine(const root_region& region, long digits);
+/// The same for each region, on so many threads (isolate_options).
+[[nodiscard]] std::vector<refined_root> refine(const std::vector<root_region>& regions, long digits,
+                                               int threads);
 
 /// A point x in the box at which derivative(x) is certainly not f'(x); std::nullopt where none was found at
 /// `points` equally spaced points. f' comes from jets; derivative is a function object ball -> ball.

@@ -100,8 +100,11 @@ template <class F, class Derivative>
     precision next = (proved ? p : std::max<precision>(p, bits)) + guard;
     while (next > 64 && next > 2 * bits + 2 * guard) next = next / 2 + guard;
     // The derivative is needed to the bits that the step gains only; the box is not made wider for it.
-    const ball current = result.root.with_precision(
+    const ball rounded = result.root.with_precision(
         std::max<precision>(std::max(next / 2 + guard, std::min(next, bits + 4)), 53));
+    // By midpoint and radius, as f' over a narrow ball is cheapest.
+    constexpr std::int64_t narrow = 12;
+    const ball current = bits > narrow ? rounded.middle().enlarged(rounded.radius()) : rounded;
     if (!contains(domain, current)) {
       ++result.evaluations_of_f;
       if (f(current).is_undefined()) break;

@@ -87,7 +87,7 @@ namespace detail {
 
 /// What f calls with arguments of type X and p bits: f itself, or what it makes for the purpose.
 template <class X, class F>
-[[nodiscard]] auto evaluator_of(const F& f, precision p) {
+[[nodiscard]] auto called_with(const F& f, precision p) {
   if constexpr (requires { f.template evaluator<X>(p); }) {
     return f.template evaluator<X>(p);
   } else {
@@ -116,21 +116,21 @@ template <class X, class V>
 
 template <class F>
 requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::real_function(F f) {
-  using detail::evaluator_of;
+  using detail::called_with;
   using detail::value_of_function;
   using slope_type = jet<ball, 1>;
   using series_type = jet<ball, dynamic_order>;
   at_ = [f](precision p) {
     function_evaluator e;
-    e.value = [g = evaluator_of<ball>(f, p)](const ball& x) {
+    e.value = [g = called_with<ball>(f, p)](const ball& x) {
       return value_of_function<ball>(g(x), x);
     };
-    e.slope = [g = evaluator_of<slope_type>(f, p)](const ball& x) {
+    e.slope = [g = called_with<slope_type>(f, p)](const ball& x) {
       const auto t = slope_type::variable(x);
       return value_of_function<slope_type>(g(t), t);
     };
     e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
-    e.series = [g = evaluator_of<series_type>(f, p)](const ball& x, int n) {
+    e.series = [g = called_with<series_type>(f, p)](const ball& x, int n) {
       const auto t = series_type::variable(x, n);
       return value_of_function<series_type>(g(t), t);
     };
@@ -141,11 +141,11 @@ requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::re
   }
   over_ = [f](const region& x) {
     return value_of_function<region>(
-        evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x), x);
+        called_with<region>(f, std::max<precision>(x.precision(), 64))(x), x);
   };
   structure_ = [f](const function_structure& x) {
     return value_of_function<function_structure>(
-        evaluator_of<function_structure>(f, x.numerator().at_point.precision())(x), x);
+        called_with<function_structure>(f, x.numerator().at_point.precision())(x), x);
   };
 }
 
