@@ -32,7 +32,14 @@ class worker_threads {
   }
 
  private:
-  /// MPFR keeps constants for each thread, which a thread that ends has to give back.
+  /// MPFR keeps constants for each thread, which a thread that ends has to give back. A worker may
+  /// leave the arena after the observer has gone, and so the thread itself sees to it.
+  struct mpfr_constants {
+    mpfr_constants() = default;
+    ~mpfr_constants() { mpfr_free_cache(); }
+    mpfr_constants(const mpfr_constants&) = delete;
+    mpfr_constants& operator=(const mpfr_constants&) = delete;
+  };
   class cache_keeper : public tbb::task_scheduler_observer {
    public:
     explicit cache_keeper(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
@@ -41,8 +48,8 @@ class worker_threads {
     ~cache_keeper() override { observe(false); }
     cache_keeper(const cache_keeper&) = delete;
     cache_keeper& operator=(const cache_keeper&) = delete;
-    void on_scheduler_exit(bool is_worker) override {
-      if (is_worker) mpfr_free_cache();
+    void on_scheduler_entry(bool is_worker) override {
+      if (is_worker) thread_local const mpfr_constants kept;
     }
   };
 
