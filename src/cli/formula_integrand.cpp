@@ -211,8 +211,6 @@ template <>
 struct supplement<recorded> {
   POLHODE_RECORDED(expm1)
   POLHODE_RECORDED(log1p)
-  POLHODE_RECORDED(sinpi)
-  POLHODE_RECORDED(cospi)
   POLHODE_RECORDED(gamma)
   POLHODE_RECORDED(log_gamma)
   POLHODE_RECORDED(erf)
@@ -221,6 +219,22 @@ struct supplement<recorded> {
   POLHODE_RECORDED_OF_TWO(agm)
   POLHODE_RECORDED_OF_TWO(atan2)
   POLHODE_RECORDED_OF_TWO(power)
+  static recorded sinpi(const recorded& x) {
+    return circular(
+        x,
+        [](const auto& v, const auto&, long) {
+          return supplement<std::remove_cvref_t<decltype(v)>>::sinpi(v);
+        },
+        recorded_rule::sinpi);
+  }
+  static recorded cospi(const recorded& x) {
+    return circular(
+        x,
+        [](const auto& v, const auto&, long) {
+          return supplement<std::remove_cvref_t<decltype(v)>>::cospi(v);
+        },
+        recorded_rule::cospi);
+  }
   static recorded abs(const recorded& x) { return size_of(x); }
   static recorded floor(const recorded& x) { return integer_below(x); }
   static recorded ceil(const recorded& x) { return integer_above(x); }
@@ -238,6 +252,12 @@ struct supplement<recorded> {
   }
 
  private:
+  template <class F>
+  static recorded circular(const recorded& x, F f, recorded_rule rule) {
+    recorded_operation operation = recorded_operation::of(f);
+    operation.rule = rule;
+    return x.applied(operation, x);
+  }
   // Found by their arguments, under names that no member hides.
   static recorded size_of(const recorded& x) {
     using polhode::abs;

@@ -7,17 +7,13 @@
 #include <utility>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "polhode/quadrature/recorded.hpp"
+#include "recorded_formula.hpp"
 
 namespace polhode::detail {
 
 namespace {
 
 using kind = recorded_node::kind;
-
-/// Of each node the branch that is taken: of abs 1 where the operand is >= 0, else -1; of min and max the sign of
-/// left - right; of floor and ceil the value. Nothing where the node is left as it is.
-using choices = std::vector<std::optional<long>>;
 
 bool not_negative(const ball& x) { return certainly_less_equal(ball(0, 64), x); }
 bool not_positive(const ball& x) { return certainly_less_equal(x, ball(0, 64)); }
@@ -31,171 +27,6 @@ std::optional<long> integer_below(const ball& x) {
   mpz_fdiv_q(n.backend().data(), numerator(q).backend().data(), denominator(q).backend().data());
   if (abs(n) >= most) return std::nullopt;
   return static_cast<long>(n);
-}
-
-// ---------------------------------------------------------------------------------------------
-// A recording, evaluated.
-
-ball operate(const recorded_operation& op, const ball& x, const ball& y, long n) {
-  return op.on_balls(x, y, n);
-}
-slope_jet operate(const recorded_operation& op, const slope_jet& x, const slope_jet& y, long n) {
-  return op.on_jets(x, y, n);
-}
-region operate(const recorded_operation& op, const region& x, const region& y, long n) {
-  return op.on_regions(x, y, n);
-}
-end_series operate(const recorded_operation& op, const end_series& x, const end_series& y, long n) {
-  return op.on_series(x, y, n);
-}
-
-template <class N>
-ball constant_beside(const ball& x, const N& n) {
-  return value_as<ball>(n, x);
-}
-template <class N>
-slope_jet constant_beside(const slope_jet& x, const N& n) {
-  return slope_jet::constant(value_as<ball>(n, x[0]));
-}
-template <class N>
-region constant_beside(const region& x, const N& n) {
-  return constant_region(n, x);
-}
-template <class N>
-end_series constant_beside(const end_series& x, const N& n) {
-  return x.is_blocked() ? x : x.constant_like(n);
-}
-
-ball power_of(const ball& x, const rational& e) { return pow(x, e); }
-slope_jet power_of(const slope_jet& x, const rational& e) {
-  return pow(x, ball(e, x[0].precision()));
-}
-region power_of(const region& x, const rational& e) { return pow(x, e); }
-end_series power_of(const end_series& x, const rational& e) { return pow(x, e); }
-template <class T>
-T power(const T& x, const rational& e) {
-  if (denominator(e) == 1 && abs(numerator(e)) < 1L << 40) {
-    return pow(x, static_cast<long>(numerator(e)));
-  }
-  return power_of(x, e);
-}
-
-/// The values of the nodes at x, made one after the other.
-template <class T>
-class evaluation {
- public:
-  evaluation(const recorded_nodes& nodes, T x) : nodes_(nodes), x_(std::move(x)) {
-    values_.resize(nodes.size());
-  }
-  /// The argument, where nodes were made that do not depend on it.
-  void set_argument(const T& x) { x_ = x; }
-  /// Node i; a piecewise one by its branch, where that is given.
-  void step(std::size_t i, const std::optional<long>& branch) {
-    const recorded_node& node = nodes_[i];
-    const T& left = values_[node.left];
-    const T& right = values_[node.right];
-    T& value = values_[i];
-    switch (node.what) {
-      case kind::argument:
-        value = x_;
-        return;
-      case kind::constant:
-        value = node.exact ? constant_beside(x_, *node.exact) : constant_beside(x_, node.enclosure);
-        return;
-      case kind::function:
-        value = operate(node.operation, left, right, node.number);
-        return;
-      case kind::power:
-        value = power(left, *node.exact);
-        return;
-      case kind::abs:
-        value = branch ? (*branch > 0 ? left : -left) : abs(left);
-        return;
-      case kind::min:
-        value = branch ? (*branch > 0 ? right : left) : min(left, right);
-        return;
-      case kind::max:
-        value = branch ? (*branch > 0 ? left : right) : max(left, right);
-        return;
-      case kind::floor:
-        value = branch ? constant_beside(x_, rational(*branch)) : floor(left);
-        return;
-      case kind::ceil:
-        value = branch ? constant_beside(x_, rational(*branch)) : ceil(left);
-        return;
-    }
-  }
-  [[nodiscard]] const T& operator[](std::size_t i) const { return values_[i]; }
-  [[nodiscard]] T& operator[](std::size_t i) { return values_[i]; }
-
- private:
-  const recorded_nodes& nodes_;
-  T x_;
-  std::vector<T> values_;
-};
-
-/// f's recording, with its constants to as many bits as are asked for; safe to be used by several threads.
-class formula {
- public:
-  explicit formula(std::function<recorded(const recorded& x, precision p)> record)
-      : record_(std::move(record)), first_(record_(recorded::argument(), least_bits)) {
-    const recorded_nodes& nodes = first_.nodes();
-    needed_.resize(nodes.size());
-    needed_[first_.node()] = true;
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      const recorded_node& node = nodes[i];
-      if (!needed_[i] || node.what == kind::argument || node.what == kind::constant) continue;
-      needed_[node.left] = needed_[node.right] = true;
-      if (node.is_piecewise()) needed_[node.decider] = true;
-      if (node.is_piecewise()) has_breaks_ = true;
-    }
-  }
-
-  [[nodiscard]] std::size_t size() const { return needed_.size(); }
-  [[nodiscard]] std::size_t result() const { return first_.node(); }
-  /// The result is made of it.
-  [[nodiscard]] bool needs(std::size_t i) const { return needed_[i]; }
-  [[nodiscard]] bool has_breaks() const { return has_breaks_; }
-  [[nodiscard]] const recorded_node& node(std::size_t i) const { return first_.nodes()[i]; }
-
-  [[nodiscard]] const recorded_nodes& at(precision p) const {
-    if (p <= least_bits) return first_.nodes();
-    precision bits = 2 * least_bits;
-    while (bits < p) bits *= 2;
-    const std::lock_guard lock(mutex_);
-    const auto found = precise_.find(bits);
-    if (found != precise_.end()) return found->second.nodes();
-    const recorded again = record_(recorded::argument(), bits);
-    // What is said of a node by its number is said of the same node.
-    bool same = again.nodes().size() == size() && again.node() == result();
-    for (std::size_t i = 0; same && i < size(); ++i) {
-      const recorded_node& x = node(i);
-      const recorded_node& y = again.nodes()[i];
-      same = x.what == y.what && x.left == y.left && x.right == y.right && x.decider == y.decider &&
-             x.operation == y.operation && x.number == y.number;
-    }
-    return precise_.emplace(bits, same ? again : first_).first->second.nodes();
-  }
-
- private:
-  static constexpr precision least_bits = 192;
-  std::function<recorded(const recorded& x, precision p)> record_;
-  recorded first_;
-  std::vector<bool> needed_;
-  bool has_breaks_ = false;
-  mutable std::mutex mutex_;
-  mutable std::map<precision, recorded> precise_;
-};
-
-/// Nodes up to the last, with these branches.
-template <class T>
-evaluation<T> evaluate(const formula& f, precision p, const T& x, const choices& chosen,
-                       std::size_t last) {
-  evaluation<T> values(f.at(p), x);
-  for (std::size_t i = 0; i <= last; ++i) {
-    if (f.needs(i)) values.step(i, chosen[i]);
-  }
-  return values;
 }
 
 // ---------------------------------------------------------------------------------------------

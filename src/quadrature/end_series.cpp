@@ -353,7 +353,8 @@ end_series pow(const end_series& x, long n) {
   if (x.blocked_) return x;
   if (n < 0) return x.constant_like(1) / pow(x, -n);
   end_series result = x.constant_like(1);
-  end_series base = x;
+  // Not t^0 G with G(0) = 0, whose n-th power is not seen to be t^n times what is not 0.
+  end_series base = x.simplified();
   for (auto k = static_cast<unsigned long>(n); k != 0; k >>= 1) {
     if ((k & 1) != 0) result = result * base;
     if (k > 1) base = base * base;

@@ -6,6 +6,7 @@ namespace polhode {
 
 using detail::recorded_node;
 using detail::recorded_operation;
+using detail::recorded_rule;
 
 recorded recorded::argument() {
   auto nodes = std::make_shared<detail::recorded_nodes>();
@@ -64,40 +65,44 @@ recorded recorded::piecewise(kind what, const recorded& y, const recorded& decid
 }
 
 recorded operator-(const recorded& x) {
-  return x.applied(recorded_operation::of([](const auto& v, const auto&, long) { return -v; }), x);
+  return x.applied(recorded_operation::analytic([](const auto& v, const auto&, long) { return -v; },
+                                                recorded_rule::negative),
+                   x);
 }
-#define POLHODE_RECORDED_OPERATOR(sign)                                                          \
-  recorded operator sign(const recorded& x, const recorded& y) {                                 \
-    return x.applied(                                                                            \
-        recorded_operation::of([](const auto& v, const auto& w, long) { return v sign w; }), y); \
+#define POLHODE_RECORDED_OPERATOR(sign, rule)                                                \
+  recorded operator sign(const recorded& x, const recorded& y) {                             \
+    return x.applied(recorded_operation::analytic(                                           \
+                         [](const auto& v, const auto& w, long) { return v sign w; }, rule), \
+                     y);                                                                     \
   }
-POLHODE_RECORDED_OPERATOR(+)
-POLHODE_RECORDED_OPERATOR(-)
-POLHODE_RECORDED_OPERATOR(*)
-POLHODE_RECORDED_OPERATOR(/)
+POLHODE_RECORDED_OPERATOR(+, recorded_rule::sum)
+POLHODE_RECORDED_OPERATOR(-, recorded_rule::difference)
+POLHODE_RECORDED_OPERATOR(*, recorded_rule::product)
+POLHODE_RECORDED_OPERATOR(/, recorded_rule::quotient)
 #undef POLHODE_RECORDED_OPERATOR
 
-#define POLHODE_RECORDED(f)                                                                \
-  recorded f(const recorded& x) {                                                          \
-    return x.applied(                                                                      \
-        recorded_operation::of([](const auto& v, const auto&, long) { return f(v); }), x); \
+#define POLHODE_RECORDED(f, rule)                                                                  \
+  recorded f(const recorded& x) {                                                                  \
+    return x.applied(                                                                              \
+        recorded_operation::analytic([](const auto& v, const auto&, long) { return f(v); }, rule), \
+        x);                                                                                        \
   }
-POLHODE_RECORDED(square)
-POLHODE_RECORDED(sqrt)
-POLHODE_RECORDED(exp)
-POLHODE_RECORDED(log)
-POLHODE_RECORDED(sin)
-POLHODE_RECORDED(cos)
-POLHODE_RECORDED(tan)
-POLHODE_RECORDED(asin)
-POLHODE_RECORDED(acos)
-POLHODE_RECORDED(atan)
-POLHODE_RECORDED(sinh)
-POLHODE_RECORDED(cosh)
-POLHODE_RECORDED(tanh)
-POLHODE_RECORDED(asinh)
-POLHODE_RECORDED(acosh)
-POLHODE_RECORDED(atanh)
+POLHODE_RECORDED(square, recorded_rule::square)
+POLHODE_RECORDED(sqrt, recorded_rule::sqrt)
+POLHODE_RECORDED(exp, recorded_rule::other)
+POLHODE_RECORDED(log, recorded_rule::other)
+POLHODE_RECORDED(sin, recorded_rule::sin)
+POLHODE_RECORDED(cos, recorded_rule::cos)
+POLHODE_RECORDED(tan, recorded_rule::other)
+POLHODE_RECORDED(asin, recorded_rule::other)
+POLHODE_RECORDED(acos, recorded_rule::other)
+POLHODE_RECORDED(atan, recorded_rule::other)
+POLHODE_RECORDED(sinh, recorded_rule::other)
+POLHODE_RECORDED(cosh, recorded_rule::other)
+POLHODE_RECORDED(tanh, recorded_rule::other)
+POLHODE_RECORDED(asinh, recorded_rule::other)
+POLHODE_RECORDED(acosh, recorded_rule::other)
+POLHODE_RECORDED(atanh, recorded_rule::other)
 #undef POLHODE_RECORDED
 
 recorded pow(const recorded& x, long n) { return pow(x, rational(n)); }
@@ -110,7 +115,8 @@ recorded pow(const recorded& x, const rational& e) {
 }
 recorded pow(const recorded& x, const recorded& y) {
   return x.applied(
-      recorded_operation::of([](const auto& v, const auto& w, long) { return pow(v, w); }), y);
+      recorded_operation::analytic([](const auto& v, const auto& w, long) { return pow(v, w); }),
+      y);
 }
 
 recorded abs(const recorded& x) { return x.piecewise(recorded::kind::abs, x, x); }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "breaks.hpp"
+#include "oscillation.hpp"
 #include "periodic.hpp"
 #include "polhode/arithmetic/text.hpp"
 
@@ -345,6 +346,10 @@ double log2_of_samples(const integrand& f, const ball& p, const ball& s,
   return size < -1e17 ? 0 : size;
 }
 
+double approximate_log2_of(const ball& x) {
+  return x.magnitude_upper().is_zero() ? 0 : static_cast<double>(x.magnitude_upper().log2_floor());
+}
+
 /// The least Y = 1/t >= 1/r, to about a tenth, at which what is left is at most `goal`; 0 where there is none.
 double cut_for(const std::function<magnitude(const ball& y)>& left, double r,
                const magnitude& goal) {
@@ -406,6 +411,35 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
   return false;
 }
 
+void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
+              long bits);
+
+/// A function that oscillates ever faster towards a finite end, or without an end up to infinity.
+bool add_oscillating_part(preparation& result, const integrand& f, const end_of_range& end,
+                          int direction, long bits) {
+  const ball s = end.distance.at(64);
+  const ball p = end.at.at(64);
+  const double size = end.infinite
+                          ? log2_of_samples(f, p, s, {8, 9, 12, 20, 40}) + approximate_log2_of(s)
+                          : log2_of_samples(f, p, s, {1, 2, 4, 7, 8}) + approximate_log2_of(s);
+  const std::optional<oscillating_end> found =
+      oscillations_at(f, end.at, end.distance, end.infinite, direction,
+                      size - 1.05 * static_cast<double>(bits) - 48);
+  if (!found) return false;
+  if (found->steady) {
+    add_part(result, *found->steady, {limit(0), limit(found->start), true}, 1, bits);
+    if (result.why != reason::none) return true;
+  }
+  for (const segment& line : found->segments) result.segments.push_back(line);
+  result.remainder = result.remainder.enlarged(found->rest);
+  result.has_tail = true;
+  const limit start = sum_of(end.at, end.distance, 1);
+  const limit far = sum_of(end.at, end.distance, found->far);
+  const bool away = (direction > 0) == end.infinite;  // from start to far, as the integral runs
+  add_analytic_pieces(result, f, away ? start : far, away ? far : start, bits);
+  return true;
+}
+
 /// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away from the end
 /// as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
@@ -444,6 +478,7 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       break;
   }
   if (add_decaying_part(result, f, end, direction, bits)) return;
+  if (add_oscillating_part(result, f, end, direction, bits)) return;
   if (end.infinite) {
     result.why = reason::not_analytic;
     result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";

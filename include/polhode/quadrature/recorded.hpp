@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/arithmetic/analytic_ball.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/quadrature/end_series.hpp"
@@ -25,12 +26,31 @@ namespace detail {
 
 using slope_jet = jet<ball, 1>;
 
+/// What an operation does to sums of oscillations (oscillation.hpp in src/quadrature).
+enum class recorded_rule : std::uint8_t {
+  other,
+  negative,
+  sum,
+  difference,
+  product,
+  quotient,
+  square,
+  sqrt,
+  sin,
+  cos,
+  sinpi,
+  cospi
+};
+
 /// One operation of at most two operands and an integer, in each arithmetic.
 struct recorded_operation {
   ball (*on_balls)(const ball& x, const ball& y, long n) = nullptr;
   slope_jet (*on_jets)(const slope_jet& x, const slope_jet& y, long n) = nullptr;
   region (*on_regions)(const region& x, const region& y, long n) = nullptr;
   end_series (*on_series)(const end_series& x, const end_series& y, long n) = nullptr;
+  /// Where it is the function that on_regions is of; else null.
+  analytic_ball (*on_complex)(const analytic_ball& x, const analytic_ball& y, long n) = nullptr;
+  recorded_rule rule = recorded_rule::other;
 
   /// Of a generic function object without a state.
   template <class F>
@@ -39,6 +59,16 @@ struct recorded_operation {
             [](const slope_jet& x, const slope_jet& y, long n) { return F{}(x, y, n); },
             [](const region& x, const region& y, long n) { return F{}(x, y, n); },
             [](const end_series& x, const end_series& y, long n) { return F{}(x, y, n); }};
+  }
+  /// Of one that analytic balls have too.
+  template <class F>
+  [[nodiscard]] static recorded_operation analytic(F f, recorded_rule rule = recorded_rule::other) {
+    recorded_operation result = of(f);
+    result.on_complex = [](const analytic_ball& x, const analytic_ball& y, long n) {
+      return F{}(x, y, n);
+    };
+    result.rule = rule;
+    return result;
   }
   bool operator==(const recorded_operation&) const = default;
 };

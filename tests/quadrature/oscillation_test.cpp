@@ -1,0 +1,190 @@
+// Integrals that converge by oscillation.
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quadrature/known_integrals.hpp"
+#include "support/exact_set.hpp"
+
+namespace polhode {
+namespace {
+
+using support::known;
+using support::known_integral;
+using support::real_power;
+
+const limit infinity = limit::infinity();
+ball number(long n, precision p) { return ball(n, p); }
+ball half_pi(precision p) { return pi(p) / 2; }
+
+const std::string rotated = "derivation: residue at i, or at 1 + i";
+
+std::vector<known_integral> oscillating() {
+  return {
+      known(
+          "sin(x)/x", "DLMF 6.2.14", [](const auto& x) { return sin(x) / x; }, 0, infinity,
+          half_pi),
+      known(
+          "sin(x)/x both ways", "DLMF 6.2.14", [](const auto& x) { return sin(x) / x; }, -infinity,
+          infinity, [](precision p) { return pi(p); }),
+      known(
+          "sin(x)^2/x^2", "derivation: by parts", [](const auto& x) { return square(sin(x) / x); },
+          0, infinity, half_pi),
+      known(
+          "(sin(x)/x)^8", "derivation: by parts, seven times",
+          [](const auto& x) { return pow(sin(x) / x, 8); }, 0, infinity,
+          [](precision p) { return 151 * pi(p) / 630; }),
+      known(
+          "(1-cos(x))/x^2", "derivation: by parts",
+          [](const auto& x) { return (1 - cos(x)) / square(x); }, 0, infinity, half_pi),
+      known(
+          "sin(x)sin(2x)/x^2", "derivation: half of pi min(1, 2)",
+          [](const auto& x) { return sin(x) * sin(2 * x) / square(x); }, 0, infinity, half_pi),
+      known(
+          "cos(x)/(1+x^2)", rotated, [](const auto& x) { return cos(x) / (1 + square(x)); }, 0,
+          infinity, [](precision p) { return pi(p) / (2 * exp(number(1, p))); }),
+      known(
+          "x sin(x)/(1+x^2)", rotated, [](const auto& x) { return x * sin(x) / (1 + square(x)); },
+          0, infinity, [](precision p) { return pi(p) / (2 * exp(number(1, p))); }),
+      known(
+          "cos(x)/((x-1)^2+1)", rotated, [](const auto& x) { return cos(x) / (square(x - 1) + 1); },
+          -infinity, infinity,
+          [](precision p) { return pi(p) * cos(number(1, p)) / exp(number(1, p)); }),
+      known(
+          "sin(x)/((x-1)^2+1)", rotated, [](const auto& x) { return sin(x) / (square(x - 1) + 1); },
+          -infinity, infinity,
+          [](precision p) { return pi(p) * sin(number(1, p)) / exp(number(1, p)); }),
+      known(
+          "Fresnel", "DLMF 7.2.9", [](const auto& x) { return sin(square(x)); }, 0, infinity,
+          [](precision p) { return sqrt(pi(p) / 8); }),
+      known(
+          "sin(x)/sqrt(x)", "DLMF 5.9.7",
+          [](const auto& x) { return sin(x) * real_power(x, rational(-1, 2)); }, 0, infinity,
+          [](precision p) { return sqrt(pi(p) / 2); }),
+      known(
+          "sin(1/x)/x", "DLMF 6.2.14", [](const auto& x) { return sin(1 / x) / x; }, 0, infinity,
+          half_pi),
+      known(
+          "sin(1/(1-x))/(1-x)", "the same to 1, with 1 - x for x",
+          [](const auto& x) { return sin(1 / (x - 1)) / (x - 1); }, -infinity, 1, half_pi),
+      known(
+          "sin(x+1/x)(1-1/x^2)/(x+1/x)", "derivation: x + 1/x as the variable",
+          [](const auto& x) { return sin(x + 1 / x) * (1 - 1 / square(x)) / (x + 1 / x); }, 1,
+          infinity,
+          // With v = x + 1/x >= 2: the integral of sin(v)/v from 2.
+          [](precision p) {
+            ball sum(0, p);
+            ball term(2, p);
+            for (long k = 1; k < 200; k += 2) {
+              sum += term / k;
+              term *= ball(rational(-4, (k + 1) * (k + 2)), p);
+            }
+            return half_pi(p) - sum;
+          }),
+  };
+}
+
+TEST(Oscillation, OfClosedForms) {
+  for (const known_integral& k : oscillating()) {
+    for (const long digits : {12L, 60L}) {
+      const integral i = k.run({.digits = digits});
+      EXPECT_EQ(i.verdict, status::certified) << k.name << ": " << i.obstacle;
+      EXPECT_TRUE(support::holds(i, k.value(400))) << k.name;
+      EXPECT_LE(i.account.evaluations, 2000) << k.name;
+    }
+  }
+}
+
+// Another way to the same: a range cut in two, of which the first part has no end at infinity.
+TEST(Oscillation, DoesNotDependOnTheStart) {
+  const auto f = [](const auto& x) {
+    return cos(3 * x - rational(1, 2)) * sin(x) * log(x) / (x + rational(1, 3));
+  };
+  const integrate_options options{.digits = 40};
+  const integral whole = integrate(f, 1, infinity, options);
+  ASSERT_EQ(whole.verdict, status::certified) << whole.obstacle;
+  for (const long start : {2L, 7L, 40L}) {
+    const integral first = integrate(f, 1, start, options);
+    const integral rest = integrate(f, start, infinity, options);
+    EXPECT_EQ(rest.verdict, status::certified) << rest.obstacle;
+    EXPECT_TRUE(overlaps(first.enclosure + rest.enclosure, whole.enclosure)) << start;
+    EXPECT_TRUE((first.enclosure + rest.enclosure).radius() <= magnitude::power_of_two(-120));
+  }
+}
+
+// The square of a cosine has a term whose frequency is 0.
+TEST(Oscillation, KnowsFrequenciesThatCancel) {
+  const auto g = [](const auto& x) { return square(cos(rational(7, 5) * x)) / (1 + square(x)); };
+  const integral i = integrate(g, 0, infinity, {.digits = 50});
+  EXPECT_EQ(i.verdict, status::certified) << i.obstacle;
+  const ball value = pi(300) / 4 * (1 + exp(ball(rational(-14, 5), 300)));
+  EXPECT_TRUE(support::holds(i, value));
+}
+
+template <class F>
+void refused(const char* name, F f, const limit& a, const limit& b, reason why) {
+  const integral i = integrate(f, a, b, {.digits = 10});
+  EXPECT_EQ(i.verdict, status::not_certified) << name;
+  EXPECT_EQ(i.why, why) << name << ": " << i.obstacle;
+  EXPECT_FALSE(i.enclosure.is_bounded()) << name << ": " << i.enclosure;
+}
+
+TEST(Oscillation, IsNoDecay) {
+  refused(
+      "sin(x)", [](const auto& x) { return sin(x); }, 0, infinity, reason::not_analytic);
+  refused(
+      "x sin(x)", [](const auto& x) { return x * sin(x); }, 0, infinity, reason::not_analytic);
+  refused(
+      "x sin(x)/(x+1)", [](const auto& x) { return x * sin(x) / (x + 1); }, 0, infinity,
+      reason::not_analytic);
+  // What does not oscillate diverges.
+  refused(
+      "sin(x)^2/x", [](const auto& x) { return square(sin(x)) / x; }, 1, infinity,
+      reason::not_integrable);
+  refused(
+      "(1+sin(x))/x", [](const auto& x) { return (1 + sin(x)) / x; }, 1, infinity,
+      reason::not_integrable);
+  refused(
+      "tan(x)/x^2", [](const auto& x) { return tan(x) / square(x); }, 2, infinity,
+      reason::not_analytic);
+  refused(
+      "1/(2+sin(x))/x^2", [](const auto& x) { return 1 / (2 + sin(x)) / square(x); }, 1, infinity,
+      reason::not_analytic);
+  refused(
+      "sin(x^2+x)", [](const auto& x) { return sin(square(x) + x); }, 0, infinity,
+      reason::not_analytic);
+  refused(
+      "sin(1/x)/x^2", [](const auto& x) { return sin(1 / x) / pow(x, 2); }, 0, 1,
+      reason::not_analytic);
+}
+
+TEST(Oscillation, OfAnUnknownFrequencyIsRefused) {
+  const ball w = ball(0, 64).enlarged(magnitude::power_of_two(-40));
+  const integral i =
+      integrate([=](const auto& x) { return sin(w * x) / x; }, 1, infinity, {.digits = 10});
+  EXPECT_EQ(i.verdict, status::not_certified);
+  EXPECT_FALSE(i.enclosure.is_bounded());
+}
+
+// The quadrature takes w as the set that it is: the integrals for all its members.
+TEST(Oscillation, HoldsTheIntegralsForAllFrequencies) {
+  const ball w = ball(1, 64).enlarged(magnitude::power_of_two(-10));
+  const auto f = [=](const auto& x) { return cos(w * x) / (1 + square(x)); };
+  const integral i = integrate(f, 0, infinity, {.digits = 2});
+  for (const rational& member : {rational(1023, 1024), rational(1), rational(1025, 1024)}) {
+    EXPECT_TRUE(support::holds(i, half_pi(300) * exp(ball(rational(-member), 300))));
+  }
+  EXPECT_TRUE(i.enclosure.radius() <= magnitude::power_of_two(-3));
+}
+
+TEST(Oscillation, IsTheSameOnThreads) {
+  const auto f = [](const auto& x) { return sin(x) / x; };
+  const integral one = integrate(f, 0, infinity, {.digits = 100});
+  const integral two = integrate(f, 0, infinity, {.digits = 100, .threads = 2});
+  EXPECT_TRUE(support::identical(one.enclosure, two.enclosure));
+}
+
+}  // namespace
+}  // namespace polhode
