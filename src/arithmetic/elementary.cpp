@@ -524,12 +524,16 @@ void sinh(ball& result, const ball& x) {
   const magnitude radius = ball_access::radius(x);
   // |sinh(m+h) - s| <= |s| (cosh r - 1) + cosh m sinh r, with cosh m = sqrt(1 + s^2),
   // cosh r - 1 <= r^2 and sinh r <= r + r^3 for r <= 1.
-  monotone(result, x, mpfr_sinh, true, [&](mpfr_srcptr value) {
-    const magnitude s = true_value_up(value);
-    const magnitude r2 = multiply_up(radius, radius);
-    const magnitude cosh_m = sqrt_up(add_up(one, multiply_up(s, s)));
-    return add_up(multiply_up(s, r2), multiply_up(cosh_m, multiply_up(radius, add_up(one, r2))));
-  });
+  monotone(
+      result, x, mpfr_sinh, true,
+      [&](mpfr_srcptr value) {
+        const magnitude s = true_value_up(value);
+        const magnitude r2 = multiply_up(radius, radius);
+        const magnitude cosh_m = sqrt_up(add_up(one, multiply_up(s, s)));
+        return add_up(multiply_up(s, r2),
+                      multiply_up(cosh_m, multiply_up(radius, add_up(one, r2))));
+      },
+      detail::near_sinh);
 }
 
 void cosh(ball& result, const ball& x) {
@@ -540,13 +544,17 @@ void cosh(ball& result, const ball& x) {
     const magnitude m = magnitude::abs_up(ball_access::first(x));
     // |cosh(m+h) - c| <= c (cosh r - 1) + |sinh m| sinh r, and |sinh m| is the lesser of |m| c and
     // sqrt((c - 1)(c + 1)).
-    at_midpoint(result, x, mpfr_cosh, [&](mpfr_srcptr value) {
-      const magnitude c = true_value_up(value);
-      const magnitude r2 = multiply_up(radius, radius);
-      const magnitude sinh_m =
-          min(multiply_up(m, c), sqrt_up(multiply_up(subtract_up(c, one), add_up(c, one))));
-      return add_up(multiply_up(c, r2), multiply_up(sinh_m, multiply_up(radius, add_up(one, r2))));
-    });
+    at_midpoint(
+        result, x, mpfr_cosh,
+        [&](mpfr_srcptr value) {
+          const magnitude c = true_value_up(value);
+          const magnitude r2 = multiply_up(radius, radius);
+          const magnitude sinh_m =
+              min(multiply_up(m, c), sqrt_up(multiply_up(subtract_up(c, one), add_up(c, one))));
+          return add_up(multiply_up(c, r2),
+                        multiply_up(sinh_m, multiply_up(radius, add_up(one, r2))));
+        },
+        detail::near_cosh);
     return;
   }
   const ball size = abs(x);  // cosh is even, and increasing on [0, inf)

@@ -486,6 +486,63 @@ bool near_exp(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   return store(r, value, w, 1, exponent, units, error);
 }
 
+namespace {
+/// (e^|x| + e^-|x|)/2, or (e^|x| - e^-|x|)/2 with x's sign.
+///
+/// e^|x| = 2^n V with V = e^t, 1 <= V < 2, is computed as near_exp does, with E units of error and V >= 1. Its inverse,
+/// cut off, is then wrong by E + 2 at most, and 2^-2n/V by E + 3. The value is 2^(n-1) times
+/// V + 2^-2n/V <= 5/2, or V - 2^-2n/V >= 0: for n = 0 and small t the bits that V and 1/V have in common are lost.
+bool near_hyperbolic(mpfr_ptr r, mpfr_srcptr x, magnitude& error, bool sine) {
+  constexpr mpfr_exp_t least_exponent = -32;
+  if (mpfr_regular_p(x) == 0) return false;
+  const mpfr_exp_t exponent = mpfr_get_exp(x);
+  const long in_common = sine ? std::max<long>(0, -static_cast<long>(exponent)) : 0;
+  const long w = limbs_for(mpfr_get_prec(r), in_common);
+  if (w > most_limbs || exponent > range_log2 || exponent < least_exponent || !has_wide_range()) {
+    return false;
+  }
+  number t;
+  load(t, x, exponent, w);
+  const constant log2(mpfr_const_log2, w);
+  const std::uint64_t n = reduce(t, log2.value, w);
+  fraction m;
+  const std::uint64_t units = expm1_of_fraction(m, t.data(), w) + 2 * (n + 2) + 1;
+  number value;
+  mpn_copyi(value.data(), m.data(), w);
+  value[w] = 1;
+  const std::uint64_t shift = 2 * n;
+  std::uint64_t both = units;
+  if (shift < static_cast<std::uint64_t>(64 * w)) {
+    // floor((2^(128 w) - 1) / V), in units, is below 2^(64 w) unless V = 1; and then too.
+    double_fraction dividend;
+    for (long i = 0; i < 2 * w; ++i) dividend[i] = ~limb{0};
+    double_fraction quotient;
+    number remainder;
+    mpn_tdiv_qr(quotient.data(), remainder.data(), 0, dividend.data(), 2 * w, value.data(), w + 1);
+    number inverse{};
+    const auto limbs_away = static_cast<long>(shift / 64);
+    const auto bits_away = static_cast<unsigned>(shift % 64);
+    mpn_copyi(inverse.data(), quotient.data() + limbs_away, w - limbs_away);
+    if (bits_away != 0) mpn_rshift(inverse.data(), inverse.data(), w, bits_away);
+    if (sine) {
+      mpn_sub_n(value.data(), value.data(), inverse.data(), w + 1);
+    } else {
+      mpn_add_n(value.data(), value.data(), inverse.data(), w + 1);
+    }
+  }
+  both += units + 3;  // what is below a unit, if nothing was added
+  const int sign = sine && mpfr_sgn(x) < 0 ? -1 : 1;
+  return store(r, value, w, sign, static_cast<mpfr_exp_t>(n) - 1, both, error);
+}
+}  // namespace
+
+bool near_cosh(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
+  return near_hyperbolic(r, x, error, false);
+}
+bool near_sinh(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
+  return near_hyperbolic(r, x, error, true);
+}
+
 bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   constexpr mpfr_exp_t most_exponent = mpfr_exp_t{1} << 20;
   if (mpfr_regular_p(x) == 0 || mpfr_sgn(x) < 0 || mpfr_get_exp(x) > most_exponent ||

@@ -1,6 +1,6 @@
 #pragma once
 
-// exp, log, sin, cos and atan at moderate precisions, where MPFR's functions take several times
+// exp, sinh, cosh, log, sin, cos and atan at moderate precisions, where MPFR's functions take several times
 // as long as they need.
 
 #include <mpfr.h>
@@ -14,6 +14,8 @@ namespace polhode::detail {
 /// arguments and precisions that it leaves to MPFR. Hypothesis: r is not x.
 using near_function = bool (*)(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
 bool near_exp(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
+bool near_sinh(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
+bool near_cosh(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
 bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
 bool near_atan(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
 bool near_sin(mpfr_ptr r, mpfr_srcptr x, magnitude& error);

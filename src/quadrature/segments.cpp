@@ -133,6 +133,10 @@ bool is_regular(const integrand& f, const end_of_range& end) {
   const precision p = 192;
   const ball start = end.at.at(p);
   const ball distance = end.distance.at(p);
+  const double_interval in_doubles(-0x1p-10, 0x1p-10);
+  if (f.over(region(start) + region(distance) * region(in_doubles, in_doubles)).is_analytic()) {
+    return true;
+  }
   for (const double size : {0x1p-10, 0x1p-20, 0x1p-40}) {
     const ball side = to_ball(double_interval(-size, size), p);
     const region x = start + distance * region::in_balls({side, side});
@@ -389,9 +393,14 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
   const magnitude goal =
       magnitude::power_of_two(static_cast<long>(size - 1.05 * static_cast<double>(bits) - 48));
   for (const double r : {0.5, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-24}) {
-    const tail_series tail = f.near_infinity(
-        end.infinite ? tail_series::argument(exactly(end.distance), r)
-                     : tail_series::argument(exactly(end.at), exactly(end.distance), r));
+    const auto with_orders = [&](int orders) {
+      return f.near_infinity(
+          end.infinite ? tail_series::argument(exactly(end.distance), r, orders)
+                       : tail_series::argument(exactly(end.at), exactly(end.distance), r, orders));
+    };
+    // Few orders cost less and mostly suffice.
+    tail_series tail = with_orders(2);
+    if (tail.is_blocked()) tail = with_orders(end_series::most_orders);
     if (tail.is_blocked()) continue;
     const auto left = [&](const ball& y) {
       return end.infinite ? tail.integral_beyond(y) : tail.integral_before(y);

@@ -1,4 +1,4 @@
-// exp, log, sin, cos and atan have algorithms of their own up to some thousands of bits. MPFR's, at a
+// exp, sinh, cosh, log, sin, cos and atan have algorithms of their own up to some thousands of bits. MPFR's, at a
 // higher precision, judge them.
 
 #include <array>
@@ -22,7 +22,9 @@ struct function {
   void (*of)(ball&, const ball&);
   int (*reference)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 };
-constexpr std::array<function, 5> functions = {{{"exp", exp, mpfr_exp},
+constexpr std::array<function, 7> functions = {{{"exp", exp, mpfr_exp},
+                                                {"sinh", sinh, mpfr_sinh},
+                                                {"cosh", cosh, mpfr_cosh},
                                                 {"log", log, mpfr_log},
                                                 {"sin", sin, mpfr_sin},
                                                 {"cos", cos, mpfr_cos},

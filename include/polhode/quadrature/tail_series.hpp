@@ -20,7 +20,8 @@ class tail_series {
   /// Blocked.
   tail_series() = default;
   /// s/t for 0 < t <= r. An r above 1 counts as 1: of y = 1/t it is used that 0 <= log y <= y.
-  [[nodiscard]] static tail_series argument(const detail::exact_ball& s, double r);
+  [[nodiscard]] static tail_series argument(const detail::exact_ball& s, double r,
+                                            int orders = end_series::most_orders);
 
   [[nodiscard]] tail_series blocked(std::string_view where) const;
   [[nodiscard]] bool is_blocked() const { return h_.is_blocked() || (phi_ && phi_->is_blocked()); }
@@ -30,7 +31,8 @@ class tail_series {
 
   /// a + s t for 0 < t <= r: for a function that vanishes exponentially at a finite end.
   [[nodiscard]] static tail_series argument(const detail::exact_ball& a,
-                                            const detail::exact_ball& s, double r);
+                                            const detail::exact_ball& s, double r,
+                                            int orders = end_series::most_orders);
 
   /// The sign for 0 < t <= r; 0 where it is not known to be one.
   [[nodiscard]] int sign() const { return certainly_positive(u_) ? h_.sign() : 0; }
