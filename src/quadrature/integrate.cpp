@@ -11,6 +11,7 @@
 #include "insisted_double_exponential.hpp"
 #include "parallel.hpp"
 #include "periodic.hpp"
+#include "poles.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/clenshaw_curtis.hpp"
 #include "polhode/quadrature/contour.hpp"
@@ -352,12 +353,15 @@ void note(quadrature_rule rule, std::vector<quadrature_rule>& rules) {
 class integrator {
  public:
   /// `known` are points that were tried as cuts, or are ends of segments: they are of no interest again.
+  /// pole_in(x): what holds a pole in the set x, for which the integral is proved to diverge; may be empty.
   integrator(const preparation& prepared, const integrate_options& options,
-             const std::vector<rational>& known)
+             const std::vector<rational>& known,
+             std::function<std::optional<ball>(const ball& x)> pole_in = {})
       : segments_(prepared.segments),
         remainder_(prepared.remainder),
         options_(options),
-        known_points_(known) {}
+        known_points_(known),
+        pole_in_(std::move(pole_in)) {}
 
   contour_integral run();
   /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting the range
@@ -370,6 +374,7 @@ class integrator {
     too_many_evaluations,
     obstructed,
     cut_needed,
+    divergent,
     precision_exhausted,
     not_applicable
   };
@@ -392,6 +397,7 @@ class integrator {
   [[nodiscard]] ball gauss_legendre_part(const panel& p, const gauss_legendre_rule& rule) const;
   [[nodiscard]] ball trapezoid_part(const panel& p, precision working) const;
   [[nodiscard]] double log2_of_typical(const panel& p, double log2_goal) const;
+  [[nodiscard]] ball range_of(const panel& p) const;
   [[nodiscard]] std::optional<rational> point_in(const panel& p) const;
   [[nodiscard]] double log2_of_planned_size() const;
   outcome estimate_size();
@@ -402,6 +408,7 @@ class integrator {
   const ball& remainder_;
   const integrate_options& options_;
   const std::vector<rational>& known_points_;
+  std::function<std::optional<ball>(const ball& x)> pole_in_;
   std::vector<rational> points_;
   bool hopeless_ = false;  // a function is not available over regions
   std::vector<panel> panels_;
@@ -599,14 +606,18 @@ integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal
                                                      : outcome::done;
 }
 
+/// From one end to the other.
+ball integrator::range_of(const panel& p) const {
+  const segment& s = segments_[p.segment];
+  const rational half = p.half_length();
+  return hull(s.position(ball(rational(p.centre - half), 192)),
+              s.position(ball(rational(p.centre + half), 192)));
+}
+
 /// A rational number of small denominator in the panel that is not known yet; at most one of a few
 /// neighbouring panels has the same.
 std::optional<rational> integrator::point_in(const panel& p) const {
-  const segment& s = segments_[p.segment];
-  const rational half = p.half_length();
-  const ball left = s.position(ball(rational(p.centre - half), 192));
-  const ball right = s.position(ball(rational(p.centre + half), 192));
-  const ball both = hull(left, right);
+  const ball both = range_of(p);
   if (!both.is_bounded()) return std::nullopt;
   const rational q = simplest_rational(lower_rational(both), upper_rational(both));
   constexpr long greatest_denominator = 10'000;
@@ -636,6 +647,10 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   constexpr long suspicious_level = 40;
   const bool is_real = !segments_[p.segment].along;
   if (is_real && p.level == suspicious_level && own_nodes > 1e17) {
+    if (const auto pole = pole_in_ ? pole_in_(range_of(p)) : std::nullopt) {
+      result_.obstacle = "the integrand has a pole near x = " + to_decimal(pole->middle(), 20);
+      return outcome::divergent;
+    }
     if (const std::optional<rational> point = point_in(p)) {
       constexpr std::size_t most_points = 200;
       points_.push_back(*point);
@@ -958,6 +973,10 @@ contour_integral integrator::run() {
       result_.why = reason::not_applicable;
       return result_;
     }
+    if (o == outcome::divergent) {
+      result_.why = reason::not_integrable;
+      return result_;
+    }
     if (o == outcome::obstructed || o == outcome::cut_needed) {
       result_.why = reason::not_analytic;
       return result_;
@@ -1057,6 +1076,16 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
   for (const limit& end : {a, b}) {
     if (end.is_exact()) known.push_back(end.exact_value());
   }
+  // In the set, or, for a pole at the set's end, in a larger one; but in the range.
+  const auto is_in_range = [&](const ball& x) {
+    return is_inside(lower_rational(x), a, b) && is_inside(upper_rational(x), a, b);
+  };
+  const auto pole_in_range = [&](const ball& x) -> std::optional<ball> {
+    if (!x.is_bounded()) return std::nullopt;
+    const ball more = x.enlarged(scale(x.radius(), 3));
+    if (is_in_range(more)) return pole_in(f, more);
+    return is_in_range(x) ? pole_in(f, x) : std::nullopt;
+  };
   constexpr std::size_t most_points = 2000;
   for (int attempts = 0; attempts < 3;) {
     const preparation prepared = prepare(f, a, b, cuts, bits);
@@ -1065,7 +1094,7 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
       result.obstacle = prepared.obstacle;
       return result;
     }
-    integrator work(prepared, options, known);
+    integrator work(prepared, options, known, pole_in_range);
     const contour_integral found = work.run();
     result = {found.enclosure.re, found.verdict, found.why, found.obstacle, found.account};
     if (!work.points_of_interest().empty() && known.size() < most_points) {

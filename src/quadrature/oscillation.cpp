@@ -76,6 +76,52 @@ frequency negative(frequency x) {
   return x;
 }
 
+/// u + i v in any arithmetic.
+class program {
+ public:
+  program(const recorded& y, const amplitude& a) : y_(y) {
+    for (const auto* part : {&a.re, &a.im}) {
+      results_.push_back(*part ? std::optional((*part)->node()) : std::nullopt);
+    }
+    prepare();
+  }
+  program(const recorded& y, std::size_t node) : y_(y), results_{node} { prepare(); }
+
+  /// Part k, if it is not 0, at a point.
+  template <class T>
+  [[nodiscard]] std::vector<std::optional<T>> operator()(const T& z) const {
+    evaluation<T> values(y_.nodes(), z);
+    for (const std::size_t i : steps_) values.step(i, std::nullopt);
+    std::vector<std::optional<T>> parts;
+    parts.reserve(results_.size());
+    for (const auto& node : results_) {
+      parts.push_back(node ? std::optional<T>(values[*node]) : std::nullopt);
+    }
+    return parts;
+  }
+
+ private:
+  void prepare() {
+    const recorded_nodes& nodes = y_.nodes();
+    std::vector<bool> needed(nodes.size());
+    for (const auto& node : results_) {
+      if (node) needed[*node] = true;
+    }
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      const recorded_node& node = nodes[i];
+      if (!needed[i]) continue;
+      steps_.push_back(i);
+      if (node.what == recorded_node::kind::function) needed[node.left] = needed[node.right] = true;
+      if (node.what == recorded_node::kind::power) needed[node.left] = true;
+    }
+    std::reverse(steps_.begin(), steps_.end());
+  }
+
+  recorded y_;
+  std::vector<std::optional<std::size_t>> results_;
+  std::vector<std::size_t> steps_;
+};
+
 /// f(x) times a factor as a function of y, taken apart. The recording that is made does not depend on the precision, but
 /// for the enclosures of its constants.
 class splitter {
@@ -347,13 +393,23 @@ class splitter {
       case recorded_rule::cospi:
         if (!is_constant(x)) return circular_of_pi(x, node.operation.rule == recorded_rule::sinpi);
         break;
+      case recorded_rule::tan:
       case recorded_rule::other:
         break;
     }
     if (!x.is_steady() || !y.is_steady()) return std::nullopt;
-    const recorded v = value(x).applied(node.operation, value(y), node.number);
-    if (!is_constant(x) || !is_constant(y)) return steady(v);
+    const bool is_known = is_constant(x) && is_constant(y);
+    if (node.operation.on_complex == nullptr && !is_known) return std::nullopt;
+    recorded v = value(x).applied(node.operation, value(y), node.number);
+    if (!is_known) return steady(v);
+    // A number, also where the function is one of real numbers only.
+    if (node.operation.on_complex == nullptr) v = y_.constant_like(constant_value(v));
     return steady(v, power_sum{{rational(0), coefficient{1, v}}});
+  }
+
+  /// Of a node that does not depend on y.
+  [[nodiscard]] ball constant_value(const recorded& x) const {
+    return *program(y_, x.node())(ball(1, bits_)).front();
   }
 
   const recorded_nodes& nodes_;
@@ -365,52 +421,6 @@ class splitter {
   std::optional<recorded> pi_;
   std::optional<rational> growth_;
   wave result_;
-};
-
-/// u + i v in any arithmetic.
-class program {
- public:
-  program(const recorded& y, const amplitude& a) : y_(y) {
-    for (const auto* part : {&a.re, &a.im}) {
-      results_.push_back(*part ? std::optional((*part)->node()) : std::nullopt);
-    }
-    prepare();
-  }
-  program(const recorded& y, std::size_t node) : y_(y), results_{node} { prepare(); }
-
-  /// Part k, if it is not 0, at a point.
-  template <class T>
-  [[nodiscard]] std::vector<std::optional<T>> operator()(const T& z) const {
-    evaluation<T> values(y_.nodes(), z);
-    for (const std::size_t i : steps_) values.step(i, std::nullopt);
-    std::vector<std::optional<T>> parts;
-    parts.reserve(results_.size());
-    for (const auto& node : results_) {
-      parts.push_back(node ? std::optional<T>(values[*node]) : std::nullopt);
-    }
-    return parts;
-  }
-
- private:
-  void prepare() {
-    const recorded_nodes& nodes = y_.nodes();
-    std::vector<bool> needed(nodes.size());
-    for (const auto& node : results_) {
-      if (node) needed[*node] = true;
-    }
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-      const recorded_node& node = nodes[i];
-      if (!needed[i]) continue;
-      steps_.push_back(i);
-      if (node.what == recorded_node::kind::function) needed[node.left] = needed[node.right] = true;
-      if (node.what == recorded_node::kind::power) needed[node.left] = true;
-    }
-    std::reverse(steps_.begin(), steps_.end());
-  }
-
-  recorded y_;
-  std::vector<std::optional<std::size_t>> results_;
-  std::vector<std::size_t> steps_;
 };
 
 /// One frequency, or none, with the constants to some precision.

@@ -24,11 +24,8 @@ ball sum_in_chunks(long count, precision p, int threads, const std::function<add
     const add_terms add = make();
     for (long chunk = 0; chunk < chunks; ++chunk) add_chunk(add, chunk);
   } else {
-    worker_threads workers(threads);
-    workers.execute([&] {
-      tbb::enumerable_thread_specific<add_terms> adders(make);
-      tbb::parallel_for(0L, chunks, [&](long chunk) { add_chunk(adders.local(), chunk); });
-    });
+    tbb::enumerable_thread_specific<add_terms> adders(make);
+    worker_threads(threads).for_each(chunks, [&](long chunk) { add_chunk(adders.local(), chunk); });
   }
   ball sum(0, p);
   for (const ball& part : sums) sum += part;

@@ -542,13 +542,26 @@ TEST(Integrate, RefusesPolesInsideAndNamesThem) {
       "at x = 0.5");
   refused(
       "1/|x|", [](const auto& x) { return 1 / abs(x); }, -1, 1, diverges, "at x = 0");
-  const reason why = reason::not_analytic;
+  // And at others.
   refused(
-      "1/(x^2-2)", [](const auto& x) { return 1 / (x * x - 2); }, 1, 2, why,
+      "1/(x^2-2)", [](const auto& x) { return 1 / (x * x - 2); }, 1, 2, diverges,
       "near x = 1.41421356237309504");
   refused(
-      "tan", [](const auto& x) { return tan(x); }, 0, 2, why,
-      "pole of tan near x = 1.57079632679489661");
+      "tan", [](const auto& x) { return tan(x); }, 0, 2, diverges, "near x = 1.57079632679489661");
+  refused(
+      "a pole of order 4 beside others",
+      [](const auto& x) { return 5 + exp(x) * pow(square(x) - 3, -4) + 1 / (x + 7); }, 1, 2,
+      diverges, "near x = 1.73205080756887729");
+  refused(
+      "1/cos^2", [](const auto& x) { return 1 / square(cos(x)); }, 0, 2, diverges,
+      "near x = 1.57079632679489661");
+  refused(
+      "1/(1/x-e)", [](const auto& x) { return 1 / (1 / x - exp(x - x + 1)); }, rational(1, 10), 1,
+      diverges, "near x = 0.36787944117144232");
+  // Without the proof: the residue is 0, or may be.
+  const reason why = reason::not_analytic;
+  refused(
+      "tan(x) cos(x)", [](const auto& x) { return tan(x) * cos(x); }, 1, 2, why, "near x = ");
 }
 
 // What is not in the range is not held against it.

@@ -26,7 +26,7 @@ namespace detail {
 
 using slope_jet = jet<ball, 1>;
 
-/// What an operation does to sums of oscillations (oscillation.hpp in src/quadrature).
+/// What an operation is, for those who take a formula apart (oscillation.hpp and poles.hpp in src/quadrature).
 enum class recorded_rule : std::uint8_t {
   other,
   negative,
@@ -38,6 +38,7 @@ enum class recorded_rule : std::uint8_t {
   sqrt,
   sin,
   cos,
+  tan,
   sinpi,
   cospi
 };

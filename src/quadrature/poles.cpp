@@ -1,0 +1,216 @@
+#include "poles.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "recorded_formula.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+/// A function over a set: its values and slopes, and its values at the ends.
+struct function_over {
+  slope_jet over;
+  ball at_low;
+  ball at_high;
+};
+
+template <class F>
+function_over each(const function_over& x, const function_over& y, F&& f) {
+  return {f(x.over, y.over), f(x.at_low, y.at_low), f(x.at_high, y.at_high)};
+}
+
+/// numerator / product of D_i^k_i, the D_i by the numbers of the nodes that brought them in.
+struct quotient {
+  function_over numerator;
+  std::map<std::size_t, long> divisors;
+  /// Where the numerator is known to be a power: of what, and which.
+  std::optional<function_over> root = std::nullopt;
+  long exponent = 1;
+};
+
+class pole_search {
+ public:
+  pole_search(const formula& f, const ball& x) : f_(f), nodes_(f.at(x.precision())) {
+    const ball low(lower_rational(x), x.precision());
+    const ball high(upper_rational(x), x.precision());
+    x_ = {slope_jet::variable(x), low, high};
+  }
+
+  /// Newton's step from x's lower end l, l - D(l)/D'(x), which holds the pole that is proved.
+  [[nodiscard]] std::optional<ball> found() {
+    values_.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!f_.needs(i)) continue;
+      values_[i] = value_of(i);
+      if (!values_[i]) return std::nullopt;
+    }
+    const quotient& f = *values_[f_.result()];
+    if (may_vanish(f.numerator) || f.divisors.size() != 1) return std::nullopt;
+    const function_over& d = divisors_.at(f.divisors.begin()->first);
+    const ball& slope = d.over[1];
+    const bool is_monotone =
+        slope.is_bounded() && (certainly_positive(slope) || certainly_negative(slope));
+    const bool changes_sign = (certainly_negative(d.at_low) && certainly_positive(d.at_high)) ||
+                              (certainly_positive(d.at_low) && certainly_negative(d.at_high));
+    if (!is_monotone || !changes_sign) return std::nullopt;
+    return x_.at_low - d.at_low / slope;
+  }
+
+ private:
+  using maybe = std::optional<quotient>;
+  using kind = recorded_node::kind;
+
+  [[nodiscard]] function_over constant(const ball& c) const {
+    return {slope_jet::constant(c), c, c};
+  }
+  static bool may_vanish(const function_over& x) {
+    return x.over[0].is_undefined() || contains_zero(x.over[0]);
+  }
+  static function_over times(const function_over& x, const function_over& y) {
+    return each(x, y, [](const auto& u, const auto& v) { return u * v; });
+  }
+  static function_over power_of(function_over x, long k) {
+    const function_over base = x;
+    for (long j = 1; j < k; ++j) x = times(x, base);
+    return x;
+  }
+  /// x's numerator over the divisors of both.
+  [[nodiscard]] function_over numerator_beside(const quotient& x, const quotient& y) const {
+    function_over result = x.numerator;
+    for (const auto& [i, k] : y.divisors) {
+      const auto own = x.divisors.find(i);
+      const long missing = k - (own == x.divisors.end() ? 0 : own->second);
+      if (missing > 0) result = times(result, power_of(divisors_.at(i), missing));
+    }
+    return result;
+  }
+  template <class F>
+  [[nodiscard]] maybe sum(const quotient& x, const quotient& y, F&& f) const {
+    quotient r{each(numerator_beside(x, y), numerator_beside(y, x), f), x.divisors};
+    for (const auto& [i, k] : y.divisors) r.divisors[i] = std::max(r.divisors[i], k);
+    return r;
+  }
+  static maybe product(const quotient& x, const quotient& y) {
+    quotient r{times(x.numerator, y.numerator), x.divisors};
+    for (const auto& [i, k] : y.divisors) r.divisors[i] += k;
+    return r;
+  }
+  /// x over a function without divisors, which node i brings in.
+  maybe over(std::size_t i, const quotient& x, const function_over& d, long k) {
+    quotient r = x;
+    if (may_vanish(d)) {
+      divisors_[i] = d;
+      r.divisors[i] += k;
+    } else {
+      const function_over power = power_of(d, k);
+      r.numerator = each(r.numerator, power, [](const auto& u, const auto& v) { return u / v; });
+    }
+    return r;
+  }
+
+  maybe value_of(std::size_t i) {
+    const recorded_node& node = nodes_[i];
+    if (node.what == kind::argument) return quotient{x_, {}};
+    if (node.what == kind::constant) {
+      const precision p = x_.at_low.precision();
+      return quotient{constant(node.exact ? ball(*node.exact, p) : node.enclosure), {}};
+    }
+    if (node.is_piecewise()) return std::nullopt;
+    const quotient& x = *values_[node.left];
+    if (node.what == kind::power) return power(i, x, *node.exact);
+    const quotient& y = *values_[node.right];
+    switch (node.operation.rule) {
+      case recorded_rule::sum:
+        return sum(x, y, [](const auto& u, const auto& v) { return u + v; });
+      case recorded_rule::difference:
+        return sum(x, y, [](const auto& u, const auto& v) { return u - v; });
+      case recorded_rule::negative:
+        return quotient{
+            each(x.numerator, x.numerator, [](const auto& u, const auto&) { return -u; }),
+            x.divisors};
+      case recorded_rule::product:
+        return product(x, y);
+      case recorded_rule::square:
+        return power(i, x, 2);
+      case recorded_rule::quotient: {
+        // x times y's divisors, over y's numerator.
+        quotient u = x;
+        for (const auto& [j, k] : y.divisors) {
+          const long cancelled = std::min(u.divisors[j], k);
+          u.divisors[j] -= cancelled;
+          if (u.divisors[j] == 0) u.divisors.erase(j);
+          if (k > cancelled) {
+            u.numerator = times(u.numerator, power_of(divisors_.at(j), k - cancelled));
+          }
+        }
+        u.root.reset();
+        return over(i, u, y.root ? *y.root : y.numerator, y.exponent);
+      }
+      case recorded_rule::tan: {
+        if (!x.divisors.empty()) return std::nullopt;
+        const quotient sine{
+            each(x.numerator, x.numerator, [](const auto& u, const auto&) { return sin(u); }), {}};
+        return over(
+            i, sine,
+            each(x.numerator, x.numerator, [](const auto& u, const auto&) { return cos(u); }), 1);
+      }
+      default:
+        break;
+    }
+    // Any other function, of what has no pole.
+    if (!x.divisors.empty() || !y.divisors.empty()) return std::nullopt;
+    const auto f = [&](const auto& u, const auto& v) {
+      return operate(node.operation, u, v, node.number);
+    };
+    return quotient{each(x.numerator, y.numerator, f), {}};
+  }
+  maybe power(std::size_t i, const quotient& x, const rational& e) {
+    constexpr long most = 16;
+    if (denominator(e) != 1 || abs(numerator(e)) > most || e == 0) {
+      if (!x.divisors.empty()) return std::nullopt;
+      const auto f = [&](const auto& u, const auto&) { return polhode::detail::power(u, e); };
+      return quotient{each(x.numerator, x.numerator, f), {}};
+    }
+    const auto n = static_cast<long>(numerator(e));
+    if (n > 0) {
+      quotient r{power_of(x.numerator, n), x.divisors, x.root ? x.root : x.numerator,
+                 n * x.exponent};
+      for (auto& [j, k] : r.divisors) k *= n;
+      return r;
+    }
+    if (!x.divisors.empty()) return std::nullopt;
+    return over(i, {constant(ball(1, x_.at_low.precision())), {}}, x.root ? *x.root : x.numerator,
+                -n * x.exponent);
+  }
+
+  const formula& f_;
+  const recorded_nodes& nodes_;
+  function_over x_;
+  std::vector<maybe> values_;
+  std::map<std::size_t, function_over> divisors_;
+};
+
+}  // namespace
+
+std::optional<ball> pole_in(const integrand& f, const ball& x) {
+  if (!f.record || !x.is_bounded()) return std::nullopt;
+  const formula recorded_f(f.record);
+  std::optional<ball> pole;
+  ball set = x;
+  constexpr int most_steps = 8;
+  for (int k = 0; k < most_steps; ++k) {
+    const std::optional<ball> step = pole_search(recorded_f, set).found();
+    if (!step) break;
+    pole = intersection(*step, set);
+    if (pole->is_undefined() || pole->radius() > scale(set.radius(), -1)) break;
+    // The pole need not lie inside of what the step gives, but does inside of this.
+    set = intersection(pole->enlarged(pole->radius()), set);
+  }
+  return pole;
+}
+
+}  // namespace polhode::detail
