@@ -84,6 +84,8 @@ precision greatest_working_precision(const expression& f, precision needed) {
       return 8 * needed + (precision{1} << 20);
     case expression_cost::elementary:
       return 8 * needed + (precision{1} << 18);
+    case expression_cost::further:
+      return 4 * needed + (precision{1} << 16);
     case expression_cost::special:
       break;
   }
@@ -131,9 +133,14 @@ std::optional<std::string> possible_exact_value(const ball& x, precision needed)
   return leading_digits_of(q, few).value;
 }
 
-std::string remark_on(const answer& a, long digits) {
+std::string remark_on(const expression& f, const answer& a, long digits) {
   const ball& x = a.enclosure;
   if (a.why == reason::not_defined) {
+    if (const auto function = f.undefined_function(bits_for_digits(digits))) {
+      return fmt::format(
+          "{}({}) is not defined, or is not proved to be, where it is taken; it needs {}",
+          function->name, function->arguments, function->domain);
+    }
     return "a function in it is not defined, or is not proved to be, where it is taken";
   }
   if (!x.is_bounded()) return "it is beyond the greatest exponent, or a part of it is";
@@ -147,10 +154,10 @@ std::string remark_on(const answer& a, long digits) {
   return fmt::format("computed with {} bits", a.bits);
 }
 
-std::string as_text(const answer& a, long digits) {
+std::string as_text(const expression& f, const answer& a, long digits) {
   std::string result = to_decimal(a.enclosure, digits) + '\n';
   if (a.why == reason::none) return result;
-  return result + fmt::format("not certified: {} ({})\n", to_text(a.why), remark_on(a, digits));
+  return result + fmt::format("not certified: {} ({})\n", to_text(a.why), remark_on(f, a, digits));
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -162,7 +169,7 @@ std::string as_json(const expression& f, json number, const answer& a, long digi
       {"verdict", to_text(a.why == reason::none ? status::certified : status::not_certified)}};
   if (a.why != reason::none) {
     result["reason"] = to_text(a.why);
-    result["remark"] = remark_on(a, digits);
+    result["remark"] = remark_on(f, a, digits);
   }
   result["number"] = std::move(number);
   return result.dump(2) + '\n';
@@ -176,6 +183,7 @@ double numbers_of_mpfr(expression_cost cost) {
       return 20;
     case expression_cost::elementary:
       return 100;
+    case expression_cost::further:
     case expression_cost::special:
       break;
   }
@@ -211,7 +219,7 @@ exit_status run(const eval_options& options) {
     return exit_status::all_certified;
   }
   const answer a = enclose(f, digits);
-  print(json_wanted ? as_json(f, to_json(a.enclosure, digits), a, digits) : as_text(a, digits));
+  print(json_wanted ? as_json(f, to_json(a.enclosure, digits), a, digits) : as_text(f, a, digits));
   return a.why == reason::none ? exit_status::all_certified : exit_status::not_certified;
 }
 

@@ -87,7 +87,7 @@ std::string table_of_functions() {
   }
   result += "elliptic integrals and functions, of the parameter m = k^2 (docs/elliptic.md)\n";
   for (const further_function& f : *elliptic_functions()) {
-    result += fmt::format("  {:<25}{:<32}{}\n", f.what.name + '(' + f.what.arguments + ')',
+    result += fmt::format("  {:<25}{:<31} {}\n", f.what.name + '(' + f.what.arguments + ')',
                           f.what.description, f.what.domain);
   }
   result += "constants\n";

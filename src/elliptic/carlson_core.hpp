@@ -422,6 +422,7 @@ template <elliptic_scalar T>
     o = scaled(T(c * o), 1);
     c = T(cc - oo);
     d = T(cc + oo);
+    keep_in_range(exponent_of(d), c, d, e, o);
     if (third) {
       weights += weight;
       if (product_wanted) {
@@ -438,9 +439,11 @@ template <elliptic_scalar T>
             re = T(square_re * twice - square_im * part);
             im = T(square_im * twice + square_re * part);
           }
+          keep_in_range(std::max(exponent_of(re), exponent_of(im)), re, im);
         } else {  // atanh(k/H) = (1/2) log((2e + k o)/(2e - k o))
           re = n == 0 ? T(twice + part) : T(square_of(re) * (twice + part));
           im = n == 0 ? T(twice - part) : T(square_of(im) * (twice - part));
+          keep_in_range(std::max(exponent_of(re), exponent_of(im)), re, im);
         }
       } else {
         terms += scaled(T(weight * o / e), -n - 1);

@@ -84,6 +84,17 @@ template <elliptic_scalar T>
   const bool high = are_equal(p, z);
   const bool distinct = is_below(x, y) && is_below(y, z);
   const bool landen_wanted = q >= least_bits_for_landen_rj || sign_in(x) == 0;
+  if (exponent_of(p) - exponent_of(z) > q / 4) {
+    // p far above z: with (p-z)(r-z) = (z-x)(z-y), z <= r,
+    //   (p-z) R_J(p) = 3 R_F - 3 R_C(xy/z, pr/z) - (r-z) R_J(r)     (DLMF 19.21.12),
+    // of which the last two are of the order of (z/p)^(1/2) and z/p beside the first.
+    const T above = T((z - x) * (z - y) / (p - z));
+    const T r = T(z + above);
+    const T rj = rj_by_duplication(x, y, z, r, false, q);
+    const T first = rf_at(x, y, z, q);
+    if (rf != nullptr) *rf = first;
+    return T((3 * (first - rc_at(T(x * y / z), T(p * r / z), q)) - above * rj) / (p - z));
+  }
   if (distinct && is_below(x, p) && landen_wanted && !low) {
     return rj_of_distinct(x, y, z, p,
                           middle || high ? third_kind::equals_y_or_z : third_kind::general, q, rf);

@@ -9,6 +9,10 @@
 
 namespace polhode::detail {
 
+/// Not more bits than these, beside a few times those asked for, are looked for behind cancellation. A value that is 0
+/// has no good bits ever.
+inline constexpr std::int64_t most_bits_lost = std::int64_t{1} << 16;
+
 /// f(q), an enclosure computed with q bits, for growing q until it has p good bits, or until more bits
 /// are of no use. The result has p bits.
 template <class F>
@@ -19,7 +23,7 @@ template <class F>
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     const ball value = f(q);
     if (value.is_undefined()) {  // maybe only for want of bits
-      if (attempt >= 2) break;
+      if (attempt >= 2 || 2 * q > p + most_bits_lost) break;
       q += q;
       continue;
     }
@@ -32,7 +36,7 @@ template <class F>
                                   ? -q
                                   : size.log2_floor() - value.radius().log2_floor();
     const std::int64_t more = p + 16 - kept;
-    if (more > (std::int64_t{1} << 22)) break;
+    if (q + more > 4 * p + most_bits_lost) break;
     q += static_cast<precision>(std::max<std::int64_t>(more, 24));
   }
   return best.with_precision(p);

@@ -41,12 +41,29 @@ template <elliptic_scalar T>
   return std::nullopt;
 }
 
+/// m and m1 with so many bits, which beyond 1 in size the one that is not given does not have.
+template <elliptic_scalar T>
+[[nodiscard]] modulus<T> with_bits(const modulus<T>& k, precision bits) {
+  if constexpr (std::same_as<T, ball>) {
+    if (k.m.is_exact()) return modulus_of(k.m, false, bits);
+    return k.m1.is_exact() ? modulus_of(k.m1, true, bits) : k;
+  } else {
+    return modulus_of(exponent_of(k.m1) < -1 ? k.m1 : k.m, exponent_of(k.m1) < -1, bits);
+  }
+}
+/// Bits that M u has before the point: M is at most max(1, sqrt m1).
+template <elliptic_scalar T>
+[[nodiscard]] std::int64_t bits_before_point(const T& u, const T& m1) {
+  return std::max<std::int64_t>(
+      exponent_of(u) + 1 + std::max<std::int64_t>(exponent_of(m1) / 2 + 1, 0), 0);
+}
+
 /// sn, cn, dn for numbers u and m < 1; M u is set too.
 template <elliptic_scalar T>
 [[nodiscard]] jacobi_values<T> jacobi_below_one(const T& u, const T& m1, precision q, T& angle) {
-  const std::int64_t before_point = std::max<std::int64_t>(exponent_of(u) + 1, 0);
+  const std::int64_t before_point = bits_before_point(u, m1);
   if (!is_number(u) || before_point > most_bits_before_point) return undefined_values<T>(q);
-  const auto more = static_cast<precision>(before_point);
+  const precision more = std::same_as<T, long double> ? 0 : static_cast<precision>(before_point);
   const auto ladder = ladder_of(raised(m1, q + more), q + more);
   if (!ladder) return undefined_values<T>(q);
   angle = T(ladder->mean * raised(u, q + more));
@@ -63,6 +80,7 @@ template <elliptic_scalar T>
     z = T(z * g);
     g = T(hh - eo);
     h = T(hh + eo);
+    keep_in_range(exponent_of(h), o, z, g, h);
   }
   const T sn = T(o / h);
   const T cn = T(z / h);
@@ -79,14 +97,20 @@ template <elliptic_scalar T>
     return {tanh_of(u), sech, sech};
   }
   T angle = u;
-  if (sign > 0) return jacobi_below_one(u, k.m1, q, angle);
+  if (sign > 0) {
+    const std::int64_t more = bits_before_point(u, k.m1);
+    if (more > most_bits_before_point) return undefined_values<T>(q);
+    return jacobi_below_one(u, with_bits(k, q + static_cast<precision>(more)).m1, q, angle);
+  }
   // m > 1: k sn(u|m) = sn(k u | 1/m), cn(u|m) = dn(k u | 1/m), dn(u|m) = cn(k u | 1/m), where 1 - 1/m = -m1/m.
+  // With q bits and as many more as k u has before the point, so that those of its argument are enough for the AGM.
   const std::int64_t more = std::max<std::int64_t>(exponent_of(u) + exponent_of(k.m) + 8, 0);
   if (more > most_bits_before_point) return undefined_values<T>(q);
   const precision bits = q + static_cast<precision>(more);
-  const T root = root_of(raised(k.m, bits));
+  const modulus<T> w = with_bits(k, bits + static_cast<precision>(more));
+  const T root = root_of(raised(w.m, bits));
   const auto values = jacobi_below_one(T(root * raised(u, bits)),
-                                       T(-raised(k.m1, bits) / raised(k.m, bits)), bits, angle);
+                                       T(-raised(w.m1, bits) / raised(w.m, bits)), q, angle);
   return {T(values.sn / root), values.dn, values.cn};
 }
 
@@ -97,7 +121,10 @@ template <elliptic_scalar T>
   if (!is_number(u) || sign < 0 || sign == 2) return undefined_of<T>(q);
   if (sign == 0) return atan_of(sinh_of(u));
   T rough = u;
-  const auto values = jacobi_below_one(u, k.m1, q, rough);
+  const std::int64_t more = bits_before_point(u, k.m1);
+  if (more > most_bits_before_point) return undefined_of<T>(q);
+  const auto values =
+      jacobi_below_one(u, with_bits(k, q + static_cast<precision>(more)).m1, q, rough);
   if (!is_number(values.sn) || !is_number(values.cn)) return undefined_of<T>(q);
   const T angle = angle_of(values.sn, values.cn);
   const auto result = unwrapped(angle, rough, bits_in(rough));

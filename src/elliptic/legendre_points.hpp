@@ -209,9 +209,17 @@ template <elliptic_scalar T, class F>
   return T(part + 2 * turns * complete());
 }
 
+/// The amplitude is beyond pi/2, where F, D and Pi need m < 1.
+template <elliptic_scalar T>
+[[nodiscard]] bool is_beyond(const amplitude<T>& w, const modulus<T>& k) {
+  const int turns = sign_in(w.turns);
+  return (turns == 1 || turns == -1) && sign_in(k.m1) <= 0;
+}
+
 template <elliptic_scalar T>
 [[nodiscard]] T f_at(const T& phi, const modulus<T>& k, precision q) {
   const amplitude<T> w = amplitude_of(phi, q);
+  if (is_beyond(w, k)) return undefined_of<T>(q);
   const T Y = T(w.X + k.m1 * square_of(w.s));
   const T part = T(w.s * rf_of(w.X, Y, whole<T>(1, q), q));
   return with_turns(part, w.turns, [&] { return k_at(k, q); });
@@ -219,6 +227,7 @@ template <elliptic_scalar T>
 template <elliptic_scalar T>
 [[nodiscard]] T d_at(const T& phi, const modulus<T>& k, precision q) {
   const amplitude<T> w = amplitude_of(phi, q);
+  if (is_beyond(w, k)) return undefined_of<T>(q);
   const T ss = square_of(w.s);
   const T Y = T(w.X + k.m1 * ss);
   const T part = T(w.s * ss * rd_of(w.X, Y, whole<T>(1, q), q) / 3);
@@ -244,6 +253,7 @@ template <elliptic_scalar T>
 template <elliptic_scalar T>
 [[nodiscard]] T pi_at(const T& n, const T& phi, const modulus<T>& k, precision q) {
   const amplitude<T> w = amplitude_of(phi, q);
+  if (is_beyond(w, k)) return undefined_of<T>(q);
   const T one = whole<T>(1, q);
   const T ss = square_of(w.s);
   const T p = T(1 - n);

@@ -212,6 +212,17 @@ template <elliptic_scalar T>
   return m.is_zero() ? of_zero : (m.is_infinite() ? -of_zero : m.log2_floor());
 }
 
+/// Multiplies numbers of which only the ratios matter by one power of two, where their exponent, about so great, has left
+/// the middle of the range: repeated squaring would leave the range.
+template <elliptic_scalar T, class... Rest>
+void keep_in_range(std::int64_t exponent, T& x, Rest&... rest) {
+  constexpr std::int64_t moderate = std::same_as<T, long double> ? 1 << 11 : 1 << 24;
+  constexpr std::int64_t most = std::int64_t{1} << 31;
+  if (std::abs(exponent) <= moderate || std::abs(exponent) >= most) return;
+  x = scaled(x, -static_cast<long>(exponent));
+  ((rest = scaled(rest, -static_cast<long>(exponent))), ...);
+}
+
 /// The set grown by a truncation error; a number stays what it is.
 template <elliptic_scalar T>
 [[nodiscard]] T with_error(const T& x, const magnitude& error) {

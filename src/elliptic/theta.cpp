@@ -92,9 +92,12 @@ theta_values by_poisson(int j, const ball& z, const ball& q, precision p) {
   const ball half_turns = scale(turns, -1);
   const bool negative = alternating && !overlaps(half_turns, round_ties_to_even(half_turns));
   theta_values result{ball(0, p), ball(0, p)};
-  const magnitude greatest = exp(-square(from) / L).magnitude_lower();
-  const magnitude negligible = magnitude::power_of_two(-(std::int64_t{1} << 40));
-  const auto add = [&](long n) {  // false where the term is below the last place
+  const ball first = exp(-square(from) / L);
+  const magnitude greatest =
+      first.magnitude_lower().is_zero() ? first.magnitude_upper() : first.magnitude_lower();
+  const magnitude negligible =
+      magnitude::power_of_two(-1'000'000'000);  // MPFR's least is 2^(-2^30)
+  const auto add = [&](long n) {                // false where the term is below the last place
     const ball x = from + n * period;
     ball term = exp(-square(x) / L);
     if (alternating && n % 2 != 0) term = -term;
@@ -144,6 +147,13 @@ theta_values theta(int j, const ball& z, const ball& q) {
   if (!z.is_bounded() || !detail::not_negative(q) || !certainly_less(q, 1)) return none;
   if (sign_of(q) == sign::zero) return {ball(j <= 2 ? 0 : 1, p), ball(0, p)};
   const bool exact = z.is_exact() && q.is_exact();
+  // A set longer than the period, pi or 2 pi: [-4, 4] stands for it, whole periods away.
+  if (magnitude::power_of_two(3) <= z.radius()) {
+    constexpr precision few_bits = 64;
+    const theta_values range = theta(j, ball(0, few_bits).enlarged(magnitude::power_of_two(2)),
+                                     q.with_precision(few_bits));
+    return {range.value.with_precision(p), range.derivative.with_precision(p)};
+  }
   const std::int64_t before_point = std::max<std::int64_t>(
       z.magnitude_upper().is_zero() ? 0 : z.magnitude_upper().log2_floor() + 1, 0);
   if (before_point > (std::int64_t{1} << 24)) return none;

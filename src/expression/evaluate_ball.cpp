@@ -36,6 +36,17 @@ std::vector<ball> constants_of(const program& f, precision p) {
       [p](const instruction& i) { return without_operands(i, p); });
 }
 
+std::optional<instruction> first_undefined(const program& f, precision p) {
+  std::optional<instruction> first;
+  static_cast<void>(evaluate_constants<ball>(
+      f, [p](const rational& q) { return ball(q, p); },
+      [p](const instruction& i) { return without_operands(i, p); },
+      [&first](const instruction& i, const ball& x) {
+        if (!first && x.is_undefined()) first = i;
+      }));
+  return first;
+}
+
 std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f, precision p) {
   std::vector<possibly_exact_constant> result;
   std::size_t k = 0;

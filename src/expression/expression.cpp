@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "graph.hpp"
+#include "polhode/expression/evaluation.hpp"
 
 namespace polhode {
 
@@ -86,6 +87,16 @@ ball expression::value(precision p) const {
   return any.empty() ? f(ball(0, p)) : f(any);
 }
 
+std::optional<expression_function> expression::undefined_function(precision p) const {
+  const auto i = detail::first_undefined(*program_, p);
+  if (!i) return std::nullopt;
+  if (i->what == operation::further) {
+    return program_->constants.calls[static_cast<std::size_t>(i->number)].function->what;
+  }
+  const detail::function_row* row = detail::find_function(detail::name_of(i->what));
+  return row == nullptr ? std::nullopt : std::optional(row->what);
+}
+
 std::vector<std::string> expression::used_variables() const {
   const std::vector<char> used = detail::reachable(*graph_);
   std::vector<std::string> result;
@@ -159,6 +170,8 @@ expression_cost cost_of(operation what) {
     case operation::max:
     case operation::hypot:
       return expression_cost::algebraic;
+    case operation::further:
+      return expression_cost::further;
     default:
       return expression_cost::elementary;
   }

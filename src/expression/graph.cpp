@@ -280,6 +280,52 @@ std::vector<char> varying(const graph& g) {
 
 namespace {
 
+/// As known_value; looks at no more nodes than `rest` says, as sums of sums could be long.
+std::optional<pi_combination> known_value(const graph& g, node_id i, int& rest) {
+  if (--rest < 0) return std::nullopt;
+  if (const rational* q = g.value(i)) return pi_combination{*q, 0};
+  const node& n = g[i];
+  const auto part = [&](node_id x) { return known_value(g, x, rest); };
+  switch (n.what) {
+    case operation::pi:
+      return pi_combination{0, 1};
+    case operation::negate:
+      if (const auto x = part(n.left)) return -*x;
+      return std::nullopt;
+    case operation::add:
+      if (const auto x = part(n.left), y = part(n.right); x && y) return *x + *y;
+      return std::nullopt;
+    case operation::subtract:
+      if (const auto x = part(n.left), y = part(n.right); x && y) return *x - *y;
+      return std::nullopt;
+    case operation::multiply:
+    case operation::divide: {
+      const rational* left = g.value(n.left);
+      const rational* right = g.value(n.right);
+      const bool quotient = n.what == operation::divide;
+      if (right != nullptr) {
+        const auto x = part(n.left);
+        if (x) return *x * (quotient ? rational(1 / *right) : *right);
+      } else if (left != nullptr && !quotient) {
+        const auto x = part(n.right);
+        if (x) return *x * *left;
+      }
+      return std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<pi_combination> known_value(const graph& g, node_id i) {
+  int most_nodes = 32;
+  return known_value(g, i, most_nodes);
+}
+
+namespace {
+
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
 /// Makes a tape of the nodes in `code`, given where the inputs lie (operand numbers by node).

@@ -112,6 +112,8 @@ class graph {
 /// The real n-th root where it is a rational number.
 [[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);
 
+/// The name of a constant or function in a text; empty for an operator.
+[[nodiscard]] const char* name_of(operation what);
 [[nodiscard]] int operands_of(operation what);
 /// The operands of a node, each once.
 [[nodiscard]] std::vector<node_id> operands_at(const graph& g, node_id i);
@@ -147,6 +149,9 @@ struct constant_row {
 [[nodiscard]] bool has_further(const further_functions* further, std::string_view name);
 [[nodiscard]] const further_function* find_further(const further_functions* further,
                                                    std::string_view name, std::size_t arity);
+
+/// q + r pi where a node is a short sum of numbers and multiples of pi.
+[[nodiscard]] std::optional<pi_combination> known_value(const graph& g, node_id i);
 
 /// Reads a text into the graph; names are those of variables and definitions.
 [[nodiscard]] node_id read_expression(graph& g, std::string_view text,

@@ -238,6 +238,20 @@ class reader {
     }
     return std::string(name) + what + usage;
   }
+  [[nodiscard]] static std::string brief(const pi_combination& x) {
+    if (x.r == 0) return detail::brief(x.q);
+    const std::string multiple = x.r == 1 ? "pi" : (x.r == -1 ? "-pi" : detail::brief(x.r) + "*pi");
+    return x.q == 0 ? multiple : detail::brief(x.q) + " + " + multiple;
+  }
+  /// "x", "y" of "x, y".
+  [[nodiscard]] static std::vector<std::string> names_between_commas(const std::string& list) {
+    std::vector<std::string> names(1);
+    for (const char c : list) {
+      if (c == ',') names.emplace_back();
+      if (c != ',' && c != ' ') names.back() += c;
+    }
+    return names;
+  }
   void end_call_of_further(const range& name, const std::vector<node_id>& arguments) {
     const further_function* function = find_further(further(), view(name), arguments.size());
     if (function == nullptr) {
@@ -246,19 +260,25 @@ class reader {
           further_usage(view(name), " does not take " + std::to_string(arguments.size()) +
                                         " arguments: write "));
     }
-    std::vector<rational> numbers;
+    const std::vector<std::string> names = names_between_commas(function->what.arguments);
+    std::vector<std::optional<pi_combination>> known;
     std::string text;
     for (const node_id x : arguments) {
-      if (const rational* q = graph_.value(x)) {
-        numbers.push_back(*q);
-        text += (text.empty() ? "" : ", ") + brief(*q);
-      }
+      known.push_back(known_value(graph_, x));
+      text += (text.empty() ? "" : ", ") +
+              (known.back() ? brief(*known.back()) : names[known.size() - 1]);
     }
-    if (numbers.size() == arguments.size() && function->may_be_defined &&
-        !function->may_be_defined(numbers)) {
+    if (function->may_be_defined && !function->may_be_defined(known)) {
       throw expression_error(
           column(name.begin()),
           function->what.name + "(" + text + ") is not defined: it needs " + function->what.domain);
+    }
+    if (function->simpler) {
+      if (const auto formula = function->simpler(known)) {
+        name_table by_name;
+        for (std::size_t i = 0; i < names.size(); ++i) by_name[names[i]] = arguments[i];
+        return push(read_expression(graph_, *formula, by_name));
+      }
     }
     push(graph_.call({function, arguments}));
   }

@@ -5,13 +5,6 @@
 #include "graph.hpp"
 
 namespace polhode::detail {
-namespace {
-
-// How tightly a text holds together; an operand is put in parentheses where it holds less than its
-// place asks for.
-enum binding { of_sum = 1, of_product, of_sign, of_power, of_operand };
-
-/// The name of a function in the table whose node is `what`.
 const char* name_of(operation what) {
   switch (what) {
     case operation::pi:
@@ -63,6 +56,12 @@ const char* name_of(operation what) {
       return "";
   }
 }
+
+namespace {
+
+// How tightly a text holds together; an operand is put in parentheses where it holds less than its
+// place asks for.
+enum binding { of_sum = 1, of_product, of_sign, of_power, of_operand };
 
 binding binding_of_number(const rational& q) {
   if (denominator(q) != 1) return of_product;

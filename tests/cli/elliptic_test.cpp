@@ -33,6 +33,65 @@ TEST(Elliptic, HasKnownValues) {
   EXPECT_EQ(value("ellipticK(1 - 1e-300)"), "346.774058310...\n");
 }
 
+TEST(Elliptic, KnowsValuesThatAreExact) {
+  const auto exactly = [](const std::string& formula, const std::string& expected) {
+    EXPECT_EQ(value(formula).substr(0, expected.size() + 8), expected + " exactly") << formula;
+  };
+  exactly("ellipticE(pi/2, 1)", "1");
+  exactly("ellipticE(-7*pi/2, 1)", "-7");
+  exactly("ellipticE(1)", "1");
+  exactly("ellipticF(1/3, 0)", "1/3");
+  exactly("ellipticPi(2, 0)", "0");
+  exactly("jacobiTheta1(0, 1/2)", "0");
+  exactly("jacobiTheta1(-3*pi, 1/2)", "0");
+  exactly("jacobiTheta2(pi/2, 1/2)", "0");
+  exactly("jacobiTheta2Prime(pi, 1/2)", "0");
+  exactly("jacobiTheta1Prime(pi/2, 1/2)", "0");
+  exactly("jacobiTheta4Prime(pi/2, 1/2)", "0");
+  exactly("jacobiAM(-2/7, 0)", "-2/7");
+  exactly("jacobiCN(0, sqrt(2))", "1");
+  exactly("jacobiSN(5*pi/2, 0)", "1");
+  exactly("jacobiCN(3*pi, 0)", "-1");
+  exactly("jacobiSC(pi, 0)", "0");
+  exactly("jacobiArcCN(1, 1/2)", "0");
+  exactly("carlsonRF(1/9, 1/9, 1/9)", "3");
+  exactly("carlsonRJ(4, 4, 4, 4)", "1/8");
+  exactly("carlsonRG(0, 9, 0)", "3/2");
+  exactly("carlsonRC(0, -2)", "0");
+  EXPECT_EQ(value("bulirschCel(1, 4, 1, -2)"), "0\n");
+  // Nearly those arguments: other values.
+  EXPECT_EQ(value("jacobiTheta1(pi, 1/2) + jacobiTheta2(0, 1/2)"), value("jacobiTheta2(0, 1/2)"));
+  EXPECT_EQ(value("jacobiTheta2(pi, 1/2)"), "-" + value("jacobiTheta2(0, 1/2)"));
+  EXPECT_EQ(value("jacobiTheta1(pi/2, 1/2)"), value("jacobiTheta2(0, 1/2)"));
+  EXPECT_EQ(value("ellipticE(pi/2, 1/2)"), value("ellipticE(1/2)"));
+  EXPECT_EQ(value("ellipticPi(-3, 0)"), value("pi/4"));
+  EXPECT_EQ(value("bulirschCel(1, 4, 1, 3)"), value("5*pi/12"));
+  EXPECT_EQ(value("jacobiArcSD(-5/3, 16/25)"), "-" + value("ellipticK(16/25)"));
+  EXPECT_EQ(value("jacobiArcDN(3/5, 16/25)"), value("ellipticK(16/25)"));
+  EXPECT_EQ(value("jacobiSC(1, 0)"), value("tan(1)"));
+}
+
+TEST(Elliptic, AnswersFarArguments) {
+  EXPECT_EQ(value("carlsonRJ(1, 2, 3, 1e100000)"), "2.18083780640...e-100000\n");
+  EXPECT_EQ(value("carlsonRF(1e-100000, 1, 1e100000)"), "1.15130640944...e-49995\n");
+  EXPECT_EQ(value("jacobiSN(1, 1e30)"), "8.58272793170...e-16\n");
+  EXPECT_EQ(value("jacobiSN(1, -1e1000)"), "-1.49587478792...e-490\n");
+  EXPECT_EQ(value("jacobiTheta3(1e1000, 1/2)"), "1.02494916924...\n");
+  EXPECT_EQ(value("ellipticK(1 - 1e-10000)"), "11514.3117593...\n");
+}
+
+TEST(Elliptic, NamesTheConditionThatIsNotProved) {
+  const outcome result = run({"eval", "ellipticE(asin(1/sqrt(2)), 2) + 1"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.out.find("ellipticE(phi, m) is not defined, or is not proved to be, where it is "
+                            "taken; it needs m sin^2 <= 1 up to phi"),
+            std::string::npos)
+      << result.out;
+  const outcome plain = run({"eval", "1 + log(-pi)"});
+  EXPECT_NE(plain.out.find("log(x) is not defined, or is not proved to be"), std::string::npos)
+      << plain.out;
+}
+
 TEST(Elliptic, RefusesWhatIsNotDefinedAndSaysWhatIsNeeded) {
   const auto expect_refused = [](const std::string& formula, const std::string& word) {
     const outcome result = run({"eval", "--", formula});
@@ -47,6 +106,24 @@ TEST(Elliptic, RefusesWhatIsNotDefinedAndSaysWhatIsNeeded) {
   expect_refused("ellipticPi(1, 1/2)", "n != 1");
   expect_refused("ellipticNome(-1)", "0 <= m <= 1");
   expect_refused("jacobiTheta3(0, 1)", "0 <= q < 1");
+  expect_refused("ellipticF(pi/2, 1)",
+                 "ellipticF(1/2*pi, 1) is not defined: it needs m sin^2 <= 1 up to phi, |phi| < "
+                 "pi/2 if m = 1");
+  expect_refused("ellipticF(pi/2 + 1e-1000, 1)", "|phi| < pi/2 if m = 1");
+  expect_refused("ellipticE(1, 2)", "m sin^2 <= 1");
+  expect_refused("ellipticE(3*pi/4, 3/2)", "m sin^2 <= 1");
+  expect_refused("ellipticPi(1, -pi/2, 1/2)", "n sin(phi)^2 != 1");
+  expect_refused("jacobiNS(0, pi)", "sn != 0");
+  expect_refused("jacobiDC(pi/2, 0)", "cn != 0");
+  expect_refused("jacobiAM(1, 2)", "m <= 1");
+  expect_refused("jacobiArcSN(1, 1)", "|x| < 1 if m = 1");
+  expect_refused("jacobiArcCN(0, 1)", "x > 0 if m = 1");
+  expect_refused("jacobiArcDN(0.7, 1/2)", "sqrt(1-m) <= x <= 1");
+  expect_refused("jacobiArcDN(1, 0)", "0 < m");
+  expect_refused("jacobiArcND(2, 0.7)", "x <= 1/sqrt(1-m)");
+  expect_refused("jacobiArcSD(-2, 0.7)", "|x| <= 1/sqrt(1-m)");
+  expect_refused("jacobiArcDS(0, 1)", "x > 0");
+  expect_refused("jacobiArcCD(1, 1)", "m < 1");
   expect_refused("ellipticPi(1/2)", "ellipticPi(n, m) or ellipticPi(n, phi, m)");
   expect_refused("ellipticK", "write ellipticK(m)");
   expect_refused("elipticK(1/2)", "the nearest is ellipticK");

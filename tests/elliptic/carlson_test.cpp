@@ -211,6 +211,40 @@ TEST(Carlson, ReachesFarArguments) {
   }
 }
 
+TEST(Carlson, OfAThirdKindFarAboveTheRest) {
+  // p R_J/3 = R_F - (1/2) int_0^oo t/((t+p) s(t)) dt, s^2 = (t+x)(t+y)(t+z). With t^(-1/2) above t/s above
+  // t (t+c)^(-3/2), c the greatest of x, y, z, and t+p >= p in the difference of the first and the last, which is
+  // 4 sqrt c on the whole, the integral lies between pi/(2 sqrt p) - 2 sqrt(c)/p and pi/(2 sqrt p).
+  for (const precision p : precisions) {
+    for (const long exponent : {30L, 200L, 1000L, 60'000L, 1'000'000L}) {
+      const ball far = scale(ball(3, p), exponent);
+      for (const std::array<long, 3>& a :
+           {std::array<long, 3>{1, 2, 3}, {0, 1, 2}, {5, 5, 7}, {2, 4, 4}, {3, 3, 3}, {0, 6, 6}}) {
+        const ball x(a[0], p);
+        const ball y(a[1], p);
+        const ball z(a[2], p);
+        const ball rest = 2 * sqrt(z) / far;
+        const ball expected =
+            3 * (carlson_rf(x, y, z) - pi(p) / (2 * sqrt(far)) + hull(ball(0, p), rest)) / far;
+        const ball value = carlson_rj(x, y, z, far);
+        EXPECT_TRUE(meet(value, expected)) << p << ' ' << exponent << ' ' << value;
+        EXPECT_TRUE(as_narrow_as(value, p - 3)) << p << ' ' << exponent;
+        const auto both = carlson_rf_rj(x, y, z, far);
+        EXPECT_TRUE(meet(both.rj, value));
+        EXPECT_TRUE(meet(both.rf, carlson_rf(x, y, z)));
+      }
+    }
+  }
+  // Squares of squares of such numbers leave the range of exponents.
+  const ball tiny = scale(ball(1, 300), -400'000);
+  const ball huge = scale(ball(1, 300), 400'000);
+  const ball value = carlson_rf(tiny, ball(1, 300), huge);
+  // R_F(x, y, z) sqrt z is log(16 z/(sqrt x + sqrt y)^2)/2 but for a part of the order of y/z (DLMF 19.27.1).
+  const ball leading = log(16 * huge / square(1 + sqrt(tiny))) / 2;
+  EXPECT_TRUE(as_narrow_as(value, 290));
+  EXPECT_TRUE(meet(value * sqrt(huge), leading.enlarged(magnitude::power_of_two(-1000))));
+}
+
 TEST(Carlson, HoldsEveryMemberOfABox) {
   support::random_source random(13);
   for (support::repeat trial(60); trial.again();) {

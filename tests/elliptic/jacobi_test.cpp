@@ -163,6 +163,33 @@ TEST(Jacobi, HasItsLimitsAndItsEnds) {
   }
 }
 
+TEST(Jacobi, OfGreatParameters) {
+  const precision p = 200;
+  const auto power = [](long n) {
+    return ball(support::power_of_two(n), precision(std::abs(n) + 8));
+  };
+  for (const long n : {3L, 40L, 100L, 3000L}) {
+    const ball m = power(n).with_precision(p);
+    const ball u = ball(rational(7, 4), p);
+    // Jacobi's real transformation: k sn(u | m) = sn(k u | 1/m), cn and dn in each other's place.
+    const auto w = jacobi_elliptic(u, parameter(m));
+    const ball k = sqrt(power(n).with_precision(p + n));
+    const auto v = jacobi_elliptic(k * u, parameter(power(-n).with_precision(p + n)));
+    EXPECT_TRUE(as_narrow_as(w.sn, p - 3)) << n;
+    EXPECT_TRUE(meet(k * w.sn, v.sn)) << n;
+    EXPECT_TRUE(meet(w.cn, v.dn)) << n;
+    EXPECT_TRUE(meet(w.dn, v.cn)) << n;
+    // sn(u | -m) = sd(u sqrt(1+m) | m/(1+m))/sqrt(1+m).
+    const auto below = jacobi_elliptic(u, parameter(-m));
+    const ball one_more = 1 + m.with_precision(p + 2 * n);
+    const ball root = sqrt(one_more);
+    const auto of = parameter::with_complement(1 / one_more);
+    EXPECT_TRUE(as_narrow_as(below.sn, p - 3)) << n;
+    EXPECT_TRUE(meet(below.sn * root, jacobi_sd(u * root, of))) << n;
+    EXPECT_TRUE(meet(below.dn, jacobi_nd(u * root, of))) << n;
+  }
+}
+
 TEST(Jacobi, HoldsEveryMemberOfABox) {
   support::random_source random(33);
   const precision p = 90;
@@ -306,6 +333,24 @@ TEST(Theta, HasTheValuesOfMpmath) {
         const auto i = static_cast<std::size_t>(j) - 1;
         EXPECT_TRUE(agrees(w.value, r.values[i], digits)) << j << " " << r.z << " " << r.q;
         EXPECT_TRUE(agrees(w.derivative, r.values[i + 4], digits)) << j << " " << r.z << " " << r.q;
+      }
+    }
+  }
+}
+
+TEST(Theta, OfSetsLongerThanThePeriodIsItsRange) {
+  const precision p = 90;
+  const ball q(rational(1, 2), p);
+  for (const long half_length : {1L, 3L, 5L, 9L, 1L << 40, 1L << 60}) {
+    const ball z = ball(3, p).enlarged(magnitude::power_of_two(0)) * half_length;
+    for (int j = 1; j <= 4; ++j) {
+      const theta_values range = theta(j, z, q);
+      EXPECT_TRUE(range.value.is_bounded() && range.derivative.is_bounded());
+      for (const rational& part :
+           {rational(-1), rational(-1, 3), rational(0), rational(1, 2), rational(1)}) {
+        const theta_values w = theta(j, ball(rational((3 + part) * half_length), p + 70), q);
+        EXPECT_TRUE(meet(range.value, w.value)) << j << ' ' << half_length;
+        EXPECT_TRUE(meet(range.derivative, w.derivative)) << j << ' ' << half_length;
       }
     }
   }

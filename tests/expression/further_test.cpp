@@ -22,7 +22,7 @@ expression_names names(std::vector<std::string> variables) {
                          [](std::span<const ball> x) {
                            return std::vector<ball>{x[1] * x[2], x[2] * x[0], x[0] * x[1]};
                          },
-                         [](std::span<const rational> x) { return x[0] > 0; }},
+                         [](known_arguments x) { return !x[0] || x[0]->r != 0 || x[0]->q > 0; }},
                         {{"volume", "x", "of a cube", "all x"}, 1, [](std::span<const ball> x) {
                            return pow(x[0], 3);
                          }}});

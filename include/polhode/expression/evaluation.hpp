@@ -311,13 +311,15 @@ template <class T>
     return double_interval::from_ball(at_balls([](double_interval a) { return to_ball(a, 64); }));
   } else if constexpr (std::same_as<T, complex_ball>) {
     for (const complex_ball& a : x) {
-      if (sign_of(a.im) != sign::zero) return complex_ball::undefined(a.precision());
+      if (sign_of(a.im) == sign::zero) continue;
+      return f.over_complex ? f.over_complex(x) : complex_ball::undefined(a.precision());
     }
     return complex_ball(at_balls([](const complex_ball& a) { return a.re; }));
   } else if constexpr (std::same_as<T, region>) {
     for (const region& a : x) {
       if (!a.is_analytic()) return a;
     }
+    if (f.over_regions) return f.over_regions(x);
     return region::blocked(obstacle::unknown, f.what.name.c_str());
   } else if constexpr (is_jet<T>::value) {
     T result = x.front();
@@ -379,10 +381,10 @@ template <class T>
 }
 
 /// What the part of a program without variables gives: number(q) is a number of the formula, and constant(i) a
-/// constant such as pi.
-template <class T, class Number, class Constant>
+/// constant such as pi; seen(i, x) is told the result of each instruction.
+template <class T, class Number, class Constant, class Observer>
 [[nodiscard]] std::vector<T> evaluate_constants(const program& f, const Number& number,
-                                                const Constant& constant) {
+                                                const Constant& constant, const Observer& seen) {
   const tape& t = f.constants;
   std::vector<T> numbers;
   numbers.reserve(f.numbers.size());
@@ -400,11 +402,18 @@ template <class T, class Number, class Constant>
     } else {
       r = constant(i);
     }
+    seen(i, r);
   }
   std::vector<T> result;
   result.reserve(t.outputs.size());
   for (const std::uint32_t o : t.outputs) result.push_back(operand(o));
   return result;
+}
+
+template <class T, class Number, class Constant>
+[[nodiscard]] std::vector<T> evaluate_constants(const program& f, const Number& number,
+                                                const Constant& constant) {
+  return evaluate_constants<T>(f, number, constant, [](const instruction&, const T&) {});
 }
 
 /// A T that knows more of a constant than an enclosure: supplement<T>::number(q) is the rational number,
@@ -417,7 +426,9 @@ concept symbolic = requires(const rational& q, const instruction& i) {
 
 /// What the part of a program without variables gives, at p bits.
 [[nodiscard]] std::vector<ball> constants_of(const program& f, precision p);
-/// The same, exactly where it is a number of the formula.
+/// The first instruction of that part whose value is undefined.
+[[nodiscard]] std::optional<instruction> first_undefined(const program& f, precision p);
+/// The values, exactly where it is a number of the formula.
 [[nodiscard]] std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f,
                                                                                precision p);
 

@@ -72,7 +72,8 @@ struct expression_names {
 
 /// How the cost of an evaluation grows with the precision p: nearly as p for sums, products, quotients and
 /// roots; a little faster for the elementary functions; as p^2 and more for gamma and its kin.
-enum class expression_cost { algebraic, elementary, special };
+/// Further functions are taken to grow as the elementary ones do, from a higher price.
+enum class expression_cost { algebraic, elementary, further, special };
 
 // Limits that keep a short text from taking much time or memory.
 inline constexpr std::size_t longest_expression = 100'000;  // characters
@@ -174,6 +175,9 @@ class expression {
   /// The value of a formula without variables, computed with p bits. Throws std::invalid_argument
   /// where there are variables in it.
   [[nodiscard]] ball value(precision p) const;
+  /// Where the value is undefined at p bits: the function, with its domain, that is the first in it not to be defined;
+  /// none where that is an operator.
+  [[nodiscard]] std::optional<expression_function> undefined_function(precision p) const;
   /// The formula with its constants converted to p bits (of their balls; a region or a double has
   /// a precision of its own).
   template <class T>

@@ -4,13 +4,17 @@
 // program and the check of docs/expressions.md are made.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/pi_combination.hpp"
+#include "polhode/arithmetic/region.hpp"
 
 namespace polhode {
 
@@ -26,10 +30,13 @@ struct expression_constant {
   std::string description;
 };
 
+/// The arguments of a call: those that are known to be q + r pi, and nothing for the others.
+using known_arguments = std::span<const std::optional<pi_combination>>;
+
 /// A function of real arguments that whoever reads formulas adds to those of this room
-/// (expression_names::further), known by what it is over balls. Its values over other types are made of these; it is
-/// not available over regions and series, off the real line, nor in derivatives beyond the first. Functions may share a
-/// name where their numbers of arguments differ.
+/// (expression_names::further), known by what it is over balls. Its values over other real types are made of
+/// these; it is not available over series, nor in derivatives beyond the first. Functions may share a name where their
+/// numbers of arguments differ.
 struct further_function {
   expression_function what;
   std::size_t arity = 1;
@@ -37,8 +44,14 @@ struct further_function {
   std::function<ball(std::span<const ball>)> value;
   /// The partial derivatives over the balls, in the order of the arguments; empty where there are none.
   std::function<std::vector<ball>(std::span<const ball>)> gradient = nullptr;
-  /// False for numbers of which it is certain that the function is not defined there; may be empty.
-  std::function<bool(std::span<const rational>)> may_be_defined = nullptr;
+  /// False where it is certain that the function is not defined at the arguments; may be empty.
+  std::function<bool(known_arguments)> may_be_defined = nullptr;
+  /// A formula in the names of what.arguments that has the same values, for arguments that have one; may be empty.
+  std::function<std::optional<std::string>(known_arguments)> simpler = nullptr;
+  /// The analytic continuation over regions and over complex balls, as region.hpp and complex_ball.hpp have it of other
+  /// functions; not available where empty.
+  std::function<region(std::span<const region>)> over_regions = nullptr;
+  std::function<complex_ball(std::span<const complex_ball>)> over_complex = nullptr;
 };
 using further_functions = std::vector<further_function>;
 
