@@ -314,6 +314,8 @@ void continue_analytically(further_functions& all) {
                                 static_cast<char>(std::toupper(p)),
                                 static_cast<char>(std::toupper(q))};
       of(name.c_str(), 2, [p, q](auto x) { return jacobi_quotient(p, q, x[0], x[1]); });
+      const std::string inverse_name = "jacobiArc" + name.substr(name.size() - 2);
+      of(inverse_name.c_str(), 2, [p, q](auto x) { return jacobi_inverse(p, q, x[0], x[1]); });
     }
   }
   for (const int j : {1, 2, 3, 4}) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
@@ -53,12 +55,7 @@ struct plane<region> {
   static precision bits(const region&) { return 30; }
   static bool is_known(const region& z) { return z.is_analytic(); }
   static region number(long n, const region& like) { return detail::constant_region(n, like); }
-  static region failed(const region&, const char* name) {
-    return region::blocked(obstacle::unknown, name);
-  }
-  static region at_cut(const region&, const char* name) {
-    return region::blocked(obstacle::branch_cut, name);
-  }
+  static region failed(const region&) { return region::blocked(obstacle::unknown, ""); }
   static complex_ball set(const region& z) { return z.to_complex_ball(); }
   static region root(const region& z) { return sqrt(z); }
   static region enlarged(const region& z, const magnitude& error) {
@@ -72,11 +69,8 @@ struct plane<complex_ball> {
   static precision bits(const complex_ball& z) { return z.precision() + 8; }
   static bool is_known(const complex_ball& z) { return !z.is_undefined(); }
   static complex_ball number(long n, const complex_ball& like) { return {n, like.precision()}; }
-  static complex_ball failed(const complex_ball& like, const char*) {
+  static complex_ball failed(const complex_ball& like) {
     return complex_ball::undefined(like.precision());
-  }
-  static complex_ball at_cut(const complex_ball& like, const char* name) {
-    return failed(like, name);
   }
   static const complex_ball& set(const complex_ball& z) { return z; }
   static complex_ball root(const complex_ball& z) {
@@ -170,20 +164,38 @@ struct plan {
   long terms;
   std::int64_t wanted;
 };
-constexpr int most_steps = 2000;
+/// Steps that bring numbers together as far as `wanted` says: x + L >= x/4 + sqrt(x y) more than halves the logarithm of the
+/// ratio of the greatest to the next in as many steps as it has quaternary digits. For more the sets are too wide.
+template <class Z>
+int most_steps(const std::vector<Z>& x, std::int64_t wanted) {
+  std::vector<std::int64_t> sizes;
+  for (const Z& argument : x) {
+    const magnitude m = size(argument);
+    if (!m.is_zero() && !m.is_infinite()) sizes.push_back(m.log2_floor());
+  }
+  if (sizes.empty()) return 0;
+  const auto [least, greatest] = std::minmax_element(sizes.begin(), sizes.end());
+  constexpr std::int64_t most = 100'000;
+  return static_cast<int>(std::min(16 + (*greatest - *least) - wanted, most));
+}
 
 /// R_F with the roots of its arguments given: for these the formulas that tell where they lie may be better.
 template <class Z>
 Z rf_with_roots(std::array<Z, 3> x, std::array<Z, 3> root) {
   const plan p(plane<Z>::bits(x[0]));
   shrinking spread(p.wanted);
-  for (int n = 0; n < most_steps; ++n) {
+  const int steps = most_steps<Z>({x[0], x[1], x[2]}, p.wanted);
+  // (A - x_i) 4^n, which stays the same.
+  Z from_x = (x[1] + x[2] - 2 * x[0]) / 3;
+  Z from_y = (x[0] + x[2] - 2 * x[1]) / 3;
+  Z from_z = (x[0] + x[1] - 2 * x[2]) / 3;
+  for (int n = 0; n < steps; ++n) {
     const Z mean = (x[0] + x[1] + x[2]) / 3;
     if (!is_known(mean)) break;
     if (is_right_of(mean, 0)) {
-      const Z dx = 1 - x[0] / mean;
-      const Z dy = 1 - x[1] / mean;
-      const Z dz = -(dx + dy);
+      const Z dx = from_x / mean;
+      const Z dy = from_y / mean;
+      const Z dz = from_z / mean;
       const magnitude greatest = max(max(size(dx), size(dy)), size(dz));
       if (spread.is_done(greatest)) {
         const Z series =
@@ -196,8 +208,9 @@ Z rf_with_roots(std::array<Z, 3> x, std::array<Z, 3> root) {
     }
     const Z lambda = root[0] * (root[1] + root[2]) + root[1] * root[2];
     for (Z& argument : x) argument = (argument + lambda) / 4;
+    for (Z* difference : {&from_x, &from_y, &from_z}) *difference = *difference / 4;
   }
-  return plane<Z>::failed(x[0], "R_F");
+  return plane<Z>::failed(x[0]);
 }
 
 template <class Z>
@@ -207,19 +220,19 @@ bool one_zero_at_most(const Z& x, const Z& y, const Z& z) {
 
 template <class Z>
 Z rf(const Z& x, const Z& y, const Z& z) {
-  if (!one_zero_at_most(x, y, z)) return plane<Z>::at_cut(x, "R_F");
+  if (!one_zero_at_most(x, y, z)) return plane<Z>::failed(x);
   const std::array<Z, 3> roots{root_in_plane(x), root_in_plane(y), root_in_plane(z)};
   for (const Z& root : roots) {
-    if (!is_known(root)) return plane<Z>::at_cut(x, "R_F");
+    if (!is_known(root)) return root;
   }
   return rf_with_roots<Z>({x, y, z}, roots);
 }
 
-/// R_C(1, w) for w within 1 of 1: the sum of (1-w)^k/(2k+1), what is left out after n terms being at most
-/// |1-w|^n/(1-|1-w|), or R_F(1, w, w).
+/// R_C(1, w) for w = 1 + e within 1 of 1: the sum of (-e)^k/(2k+1), what is left out after n terms being at most
+/// |e|^n/(1-|e|), or R_F(1, w, w).
 template <class Z>
-Z rc_of_one(const Z& w) {
-  const Z rest = 1 - w;
+Z rc_of_one(const Z& w, const Z& e) {
+  const Z rest = -e;
   const magnitude size_of_rest = size(rest);
   if (!(size_of_rest <= magnitude::power_of_two(-2))) return rf(plane<Z>::number(1, w), w, w);
   const std::int64_t bits =
@@ -231,24 +244,30 @@ Z rc_of_one(const Z& w) {
 }
 
 template <class Z>
-Z rj(std::array<Z, 3> x, Z p, const char* name) {
+Z rj(std::array<Z, 3> x, Z p) {
   if (!is_right_of(p, 0) || !one_zero_at_most(x[0], x[1], x[2])) {
-    return plane<Z>::failed(p, name);
+    return plane<Z>::failed(p);
   }
   for (const Z& argument : x) {
-    if (!is_right_of(argument, 0) && !is_zero(argument)) return plane<Z>::failed(p, name);
+    if (!is_right_of(argument, 0) && !is_zero(argument)) return plane<Z>::failed(p);
   }
   const plan q(plane<Z>::bits(p));
   shrinking spread(q.wanted);
   Z sum = plane<Z>::number(0, p);
   Z power = plane<Z>::number(1, p);  // 4^(-n)
-  for (int n = 0; n < most_steps; ++n) {
+  // (A - x_i) 4^n and (p-x)(p-y)(p-z) 64^n, which stay the same.
+  std::array<Z, 4> from{x[1] + x[2] + 2 * p - 4 * x[0], x[0] + x[2] + 2 * p - 4 * x[1],
+                        x[0] + x[1] + 2 * p - 4 * x[2], x[0] + x[1] + x[2] - 3 * p};
+  for (Z& difference : from) difference = difference / 5;
+  Z product = (p - x[0]) * (p - x[1]) * (p - x[2]);
+  const int steps = most_steps<Z>({x[0], x[1], x[2], p}, q.wanted);
+  for (int n = 0; n < steps; ++n) {
     const Z mean = (x[0] + x[1] + x[2] + 2 * p) / 5;
     if (!is_right_of(mean, 0)) break;
-    const Z dx = 1 - x[0] / mean;
-    const Z dy = 1 - x[1] / mean;
-    const Z dz = 1 - x[2] / mean;
-    const Z dp = -(dx + dy + dz) / 2;
+    const Z dx = from[0] / mean;
+    const Z dy = from[1] / mean;
+    const Z dz = from[2] / mean;
+    const Z dp = from[3] / mean;
     const magnitude greatest = max(max(size(dx), size(dy)), max(size(dz), size(dp)));
     if (spread.is_done(greatest)) {
       const Z e2 = dx * dy + (dx + dy) * dz;
@@ -270,25 +289,27 @@ Z rj(std::array<Z, 3> x, Z p, const char* name) {
     const Z rp = plane<Z>::root(p);
     const Z lambda = root[0] * (root[1] + root[2]) + root[1] * root[2];
     const Z d = (rp + root[0]) * (rp + root[1]) * (rp + root[2]);
-    const Z rc = rc_of_one(2 * rp * (p + lambda) / d);
+    const Z rc = rc_of_one<Z>(2 * rp * (p + lambda) / d, product / square(d));
     if (!is_known(rc)) break;
     sum += rc * power / d;
     for (Z& argument : x) argument = (argument + lambda) / 4;
     p = (p + lambda) / 4;
     power = power / 4;
+    product = product / 64;
+    for (Z& difference : from) difference = difference / 4;
   }
-  return plane<Z>::failed(p, name);
+  return plane<Z>::failed(p);
 }
 
 /// 2 R_G = z R_F - (x-z)(y-z) R_D/3 + sqrt x sqrt y/sqrt z (DLMF 19.21.10), z not 0.
 template <class Z>
 Z rg(Z x, Z y, Z z) {
   if (is_zero(z)) std::swap(y, z);
-  if (!is_right_of(z, 0)) return plane<Z>::failed(z, "R_G");
+  if (!is_right_of(z, 0)) return plane<Z>::failed(z);
   const Z last = is_zero(x) || is_zero(y)
                      ? plane<Z>::number(0, z)
                      : Z(plane<Z>::root(x) * plane<Z>::root(y) / plane<Z>::root(z));
-  return (z * rf(x, y, z) - (x - z) * (y - z) * rj<Z>({x, y, z}, z, "R_G") / 3 + last) / 2;
+  return (z * rf(x, y, z) - (x - z) * (y - z) * rj<Z>({x, y, z}, z) / 3 + last) / 2;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -336,14 +357,13 @@ std::optional<kinds<Z>> complete_kinds(const Z& r) {
   return kinds<Z>{first, second};
 }
 template <class Z>
-kinds<Z> complete(const Z& m, const char* name) {
+kinds<Z> complete(const Z& m) {
   const Z r = plane<Z>::root(1 - m);
   if (!is_known(r)) {
-    const Z none = is_known(m) ? plane<Z>::at_cut(m, name) : m;
-    return {none, none};
+    return {r, r};
   }
   const auto result = complete_kinds(r);
-  const Z none = plane<Z>::failed(m, name);
+  const Z none = plane<Z>::failed(m);
   return result ? *result : kinds<Z>{none, none};
 }
 
@@ -352,7 +372,7 @@ template <class Z>
 Z complete_third(const Z& n, const Z& m) {
   const Z zero = plane<Z>::number(0, m);
   const Z one = plane<Z>::number(1, m);
-  return rf<Z>(zero, 1 - m, one) + n * rj<Z>({zero, 1 - m, one}, 1 - n, "Pi") / 3;
+  return rf<Z>(zero, 1 - m, one) + n * rj<Z>({zero, 1 - m, one}, 1 - n) / 3;
 }
 
 /// phi = centre + rest: a multiple j pi/2 of pi/2 and what is left.
@@ -398,8 +418,8 @@ std::optional<parts<Z>> to_amplitude(const Z& phi, const Z& m, bool d_wanted, co
   const Z one = plane<Z>::number(1, m);
   parts<Z> result{s * rf_with_roots<Z>({cc, Y, one}, {c, plane<Z>::root(Y), one}), one, one};
   const Z cube = s * ss / 3;
-  if (d_wanted) result.d = cube * rj<Z>({cc, Y, one}, one, "D");
-  if (n != nullptr) result.pi = result.f + *n * cube * rj<Z>({cc, Y, one}, 1 - *n * ss, "Pi");
+  if (d_wanted) result.d = cube * rj<Z>({cc, Y, one}, one);
+  if (n != nullptr) result.pi = result.f + *n * cube * rj<Z>({cc, Y, one}, 1 - *n * ss);
   return result;
 }
 
@@ -409,11 +429,11 @@ enum class integral { f, e, d, pi };
 /// M = -m/(1-m) and N = -n/(1-n),
 ///   1 - m sin^2 t = (1-m)(1 - M sin^2 theta),  1 - n sin^2 t = (1-n)(1 - N sin^2 theta),  sin^2 t = 1 - sin^2 theta.
 template <class Z>
-Z incomplete(integral which, const Z* n, const Z& phi, const Z& m, const char* name) {
+Z incomplete(integral which, const Z* n, const Z& phi, const Z& m) {
   if (!is_known(m)) return m;
   if (!is_known(phi)) return phi;
   const auto place = quarter_of(phi);
-  if (!place) return plane<Z>::failed(phi, name);
+  if (!place) return plane<Z>::failed(phi);
   const bool odd = place->j % 2 != 0;
   const bool d_wanted = which == integral::e || which == integral::d;
   Z result = plane<Z>::number(0, m);
@@ -421,10 +441,10 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m, const char* n
   if (odd) {
     const Z m1 = 1 - m;
     const Z root = plane<Z>::root(m1);
-    if (!is_known(root)) return plane<Z>::at_cut(m, name);
+    if (!is_known(root)) return root;
     std::optional<Z> N;
     if (n != nullptr) {
-      if (!is_left_of(*n, 1)) return plane<Z>::failed(m, name);
+      if (!is_left_of(*n, 1)) return plane<Z>::failed(m);
       N = -*n / (1 - *n);
     }
     part = to_amplitude<Z>(place->rest, -m / m1, d_wanted, N ? &*N : nullptr);
@@ -436,12 +456,12 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m, const char* n
   } else {
     part = to_amplitude(place->rest, m, d_wanted, n);
   }
-  if (!part) return plane<Z>::failed(phi, name);
+  if (!part) return plane<Z>::failed(phi);
   if (place->j != 0) {
     if (which == integral::pi) {
       part->pi += place->j * complete_third(*n, m);
     } else {
-      const kinds<Z> whole = complete(m, name);
+      const kinds<Z> whole = complete(m);
       part->f += place->j * whole.k;
       part->d += place->j * whole.d;
     }
@@ -460,7 +480,7 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m, const char* n
       result = part->pi;
       break;
   }
-  return is_known(result) ? result : plane<Z>::failed(phi, name);
+  return result;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -469,8 +489,8 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m, const char* n
 /// exp(-pi K(1-m)/K(m)).
 template <class Z>
 Z nome(const Z& m) {
-  const kinds<Z> of_m = complete(m, "nome");
-  const kinds<Z> other = complete(Z(1 - m), "nome");
+  const kinds<Z> of_m = complete(m);
+  const kinds<Z> other = complete(Z(1 - m));
   return exp(other.k / of_m.k * -pi(plane<Z>::bits(m) + 34));
 }
 
@@ -480,11 +500,10 @@ Z nome(const Z& m) {
 template <class Z>
 Z theta_series(int j, bool derivative, const Z& z, const Z& q) {
   const bool half = j <= 2;
-  const char* const name = "theta";
   const Z quarter_power = half ? plane<Z>::root(plane<Z>::root(q)) : plane<Z>::number(1, q);
-  if (!is_known(z) || !is_known(quarter_power)) return plane<Z>::failed(q, name);
+  if (!is_known(z) || !is_known(quarter_power)) return plane<Z>::failed(q);
   const magnitude size_of_q = size(q);
-  if (!(size_of_q <= scale(magnitude::from_integer_up(63), -6))) return plane<Z>::failed(q, name);
+  if (!(size_of_q <= scale(magnitude::from_integer_up(63), -6))) return plane<Z>::failed(q);
   const magnitude growth = exp(abs(plane<Z>::set(z).im).with_precision(64)).magnitude_upper();
   const magnitude growth_of_two = multiply_up(growth, growth);
   const Z qq = square(q);
@@ -524,7 +543,7 @@ Z theta_series(int j, bool derivative, const Z& z, const Z& q) {
     power *= ratio;
     ratio *= qq;
   }
-  return plane<Z>::failed(q, name);
+  return plane<Z>::failed(q);
 }
 
 template <class Z>
@@ -550,7 +569,7 @@ std::optional<triple<Z>> triple_of(const Z& u, const Z& m) {
     return triple<Z>{t->s / k, t->d, t->c, t->n};
   }
   const Z q = nome(m);
-  const Z k = complete(m, "sn").k;
+  const Z k = complete(m).k;
   if (!is_known(q) || !is_known(k)) return std::nullopt;
   const Z zero = plane<Z>::number(0, m);
   const Z z = u / k * scale(pi(plane<Z>::bits(m) + 34), -1);
@@ -564,18 +583,7 @@ std::optional<triple<Z>> triple_of(const Z& u, const Z& m) {
 }
 template <class Z>
 const Z& part_of(const triple<Z>& t, char letter) {
-  switch (letter) {
-    case 's':
-      return t.s;
-    case 'c':
-      return t.c;
-    case 'd':
-      return t.d;
-    case 'n':
-      return t.n;
-    default:
-      throw std::invalid_argument("Jacobi's functions have the letters s, c, d and n");
-  }
+  return letter == 's' ? t.s : (letter == 'c' ? t.c : (letter == 'd' ? t.d : t.n));
 }
 
 /// am u = z + 2 sum of q^n sin(2nz)/(n (1 + q^(2n))), z = pi u/(2K), for |q| e^(2 |Im z|) = x < 1 (DLMF 22.16.9): the terms
@@ -584,14 +592,14 @@ template <class Z>
 Z amplitude(const Z& u, const Z& m) {
   if (!is_known(u)) return u;
   const Z q = nome(m);
-  const Z k = complete(m, "am").k;
-  if (!is_known(q) || !is_known(k)) return plane<Z>::failed(m, "am");
+  const Z k = complete(m).k;
+  if (!is_known(q) || !is_known(k)) return plane<Z>::failed(m);
   const Z z = u / k * scale(pi(plane<Z>::bits(m) + 34), -1);
-  if (!is_known(z)) return plane<Z>::failed(m, "am");
+  if (!is_known(z)) return plane<Z>::failed(m);
   const magnitude growth = exp(abs(plane<Z>::set(z).im).with_precision(64) * 2).magnitude_upper();
   const magnitude x = multiply_up(size(q), growth);
   const magnitude one = magnitude::power_of_two(0);
-  if (!(x <= scale(magnitude::from_integer_up(31), -5))) return plane<Z>::failed(m, "am");
+  if (!(x <= scale(magnitude::from_integer_up(31), -5))) return plane<Z>::failed(m);
   const magnitude all =
       divide_up(magnitude::power_of_two(1), subtract_down(one, multiply_up(size(q), size(q))));
   Z sum = z;
@@ -604,50 +612,213 @@ Z amplitude(const Z& u, const Z& m) {
     sum += 2 * power * sin(z * (2 * n)) / (n * (1 + square(power)));
     power *= q;
   }
-  return plane<Z>::failed(m, "am");
+  return plane<Z>::failed(m);
 }
 
+/// Where letters p and q stand in "scdn", as a place in a list of pairs.
+std::size_t place_of(char p, char q) {
+  const std::string_view letters = "scdn";
+  const std::size_t first = letters.find(p);
+  const std::size_t second = letters.find(q);
+  if (first == std::string_view::npos || second == std::string_view::npos || p == q) {
+    throw std::invalid_argument("Jacobi's functions have two of the letters s, c, d and n");
+  }
+  return 4 * first + second;
+}
+constexpr std::array<const char*, 16> names_of_jacobi = {
+    "",         "jacobiSC", "jacobiSD", "jacobiSN", "jacobiCS", "",         "jacobiCD", "jacobiCN",
+    "jacobiDS", "jacobiDC", "",         "jacobiDN", "jacobiNS", "jacobiNC", "jacobiND", ""};
+constexpr std::array<const char*, 16> names_of_inverse = {
+    "", "jacobiArcSC", "jacobiArcSD", "jacobiArcSN", "jacobiArcCS",
+    "", "jacobiArcCD", "jacobiArcCN", "jacobiArcDS", "jacobiArcDC",
+    "", "jacobiArcDN", "jacobiArcNS", "jacobiArcNC", "jacobiArcND",
+    ""};
+
+/// As in jacobi.cpp: R_F of three polynomials in x^2 times a square root, for Re x > 0 (the odd ones: anywhere), where the
+/// roots of x^2 are x; 2K - u(-x) of cn, cs and cd for Re x < 0.
 template <class Z>
-Z named(const Z& value, const Z& like, const char* name) {
-  return is_known(value) ? value : plane<Z>::failed(like, name);
+Z inverse_function(char p, char q, const Z& x, const Z& m) {
+  const bool odd = p == 's';
+  const bool reflected = p == 'c';
+  if (reflected && is_left_of(x, 0)) {
+    return 2 * complete(m).k - inverse_function<Z>(p, q, -x, m);
+  }
+  if (!odd && !is_right_of(x, 0)) return plane<Z>::failed(x);
+  const Z m1 = 1 - m;
+  const Z xx = square(x);
+  const Z one = plane<Z>::number(1, x);
+  const auto below_one = [&] { return plane<Z>::root(1 - x) * plane<Z>::root(1 + x); };
+  const auto above_one = [&] { return plane<Z>::root(x - 1) * plane<Z>::root(x + 1); };
+  switch (place_of(p, q)) {
+    case 1:  // sc
+      return x * rf<Z>(one, 1 + m1 * xx, 1 + xx);
+    case 2:  // sd
+      return x * rf<Z>(1 - m1 * xx, one, 1 + m * xx);
+    case 3:  // sn
+      return x * rf<Z>(1 - xx, 1 - m * xx, one);
+    case 4:  // cs
+      return rf<Z>(xx, xx + m1, xx + 1);
+    case 6:  // cd
+      return below_one() * rf<Z>(m1 * xx, m1, 1 - m * xx);
+    case 7:  // cn
+      return below_one() * rf<Z>(xx, m1 + m * xx, one);
+    case 8:  // ds
+      return rf<Z>(xx - m1, xx, xx + m);
+    case 9:  // dc
+      return above_one() * rf<Z>(m1, m1 * xx, xx - m);
+    case 11:  // dn
+      return below_one() * rf<Z>(xx - m1, m * xx, m);
+    case 12:  // ns
+      return rf<Z>(xx - 1, xx - m, xx);
+    case 13:  // nc
+      return above_one() * rf<Z>(one, m + m1 * xx, xx);
+    default:  // nd
+      return above_one() * rf<Z>(1 - m1 * xx, m, m * xx);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+
+/// f(x...), with its name on an obstacle. Over regions, where f is not available there but is at the middle, the set is too
+/// wide, it or an enclosure made of it reaching a cut; smaller ones are of use.
+template <class F>
+complex_ball answered(const char*, const F& f, const std::same_as<complex_ball> auto&... x) {
+  return f(x...);
+}
+template <class F>
+region answered(const char* name, const F& f, const std::same_as<region> auto&... x) {
+  region value = f(x...);
+  if (value.is_analytic()) return value;
+  for (const region* argument : {&x...}) {
+    if (!argument->is_analytic()) return *argument;
+  }
+  const auto middle = [](const region& z) {
+    return region(double_interval(z.re().midpoint()), double_interval(z.im().midpoint()));
+  };
+  const bool is_point = (... && (x.re().is_exact() && x.im().is_exact()));
+  if (value.why() != obstacle::unknown) return region::blocked(value.why(), name);
+  const bool smaller_would_do = !is_point && f(middle(x)...).is_analytic();
+  return region::blocked(smaller_would_do ? obstacle::branch_cut : obstacle::unknown, name);
 }
 
 }  // namespace
 
 #define POLHODE_COMPLEX_ELLIPTIC(Z)                                                              \
-  Z carlson_rf(const Z& x, const Z& y, const Z& z) { return rf(x, y, z); }                       \
-  Z carlson_rc(const Z& x, const Z& y) { return rf(x, y, y); }                                   \
+  Z carlson_rf(const Z& x, const Z& y, const Z& z) {                                             \
+    return answered(                                                                             \
+        "carlsonRF", [&](const Z& x_, const Z& y_, const Z& z_) -> Z { return rf(x_, y_, z_); }, \
+        x, y, z);                                                                                \
+  }                                                                                              \
+  Z carlson_rc(const Z& x, const Z& y) {                                                         \
+    return answered(                                                                             \
+        "carlsonRC", [&](const Z& x_, const Z& y_) -> Z { return rf(x_, y_, y_); }, x, y);       \
+  }                                                                                              \
   Z carlson_rj(const Z& x, const Z& y, const Z& z, const Z& p) {                                 \
-    return rj<Z>({x, y, z}, p, "R_J");                                                           \
+    return answered(                                                                             \
+        "carlsonRJ",                                                                             \
+        [&](const Z& x_, const Z& y_, const Z& z_, const Z& p_) -> Z {                           \
+          return rj<Z>({x_, y_, z_}, p_);                                                        \
+        },                                                                                       \
+        x, y, z, p);                                                                             \
   }                                                                                              \
-  Z carlson_rd(const Z& x, const Z& y, const Z& z) { return rj<Z>({x, y, z}, z, "R_D"); }        \
-  Z carlson_rg(const Z& x, const Z& y, const Z& z) { return named(rg(x, y, z), x, "R_G"); }      \
-  Z elliptic_k(const Z& m) { return complete(m, "ellipticK").k; }                                \
-  Z elliptic_d(const Z& m) { return complete(m, "ellipticD").d; }                                \
+  Z carlson_rd(const Z& x, const Z& y, const Z& z) {                                             \
+    return answered(                                                                             \
+        "carlsonRD",                                                                             \
+        [&](const Z& x_, const Z& y_, const Z& z_) -> Z {                                        \
+          return rj<Z>({x_, y_, z_}, z_);                                                        \
+        },                                                                                       \
+        x, y, z);                                                                                \
+  }                                                                                              \
+  Z carlson_rg(const Z& x, const Z& y, const Z& z) {                                             \
+    return answered(                                                                             \
+        "carlsonRG", [&](const Z& x_, const Z& y_, const Z& z_) -> Z { return rg(x_, y_, z_); }, \
+        x, y, z);                                                                                \
+  }                                                                                              \
+  Z elliptic_k(const Z& m) {                                                                     \
+    return answered(                                                                             \
+        "ellipticK", [&](const Z& m_) -> Z { return complete(m_).k; }, m);                       \
+  }                                                                                              \
+  Z elliptic_d(const Z& m) {                                                                     \
+    return answered(                                                                             \
+        "ellipticD", [&](const Z& m_) -> Z { return complete(m_).d; }, m);                       \
+  }                                                                                              \
   Z elliptic_e(const Z& m) {                                                                     \
-    const kinds<Z> w = complete(m, "ellipticE");                                                 \
-    return w.k - m * w.d;                                                                        \
+    return answered(                                                                             \
+        "ellipticE",                                                                             \
+        [&](const Z& m_) -> Z {                                                                  \
+          const kinds<Z> w = complete(m_);                                                       \
+          return w.k - m_ * w.d;                                                                 \
+        },                                                                                       \
+        m);                                                                                      \
   }                                                                                              \
-  Z elliptic_pi(const Z& n, const Z& m) { return named(complete_third(n, m), m, "ellipticPi"); } \
+  Z elliptic_pi(const Z& n, const Z& m) {                                                        \
+    return answered(                                                                             \
+        "ellipticPi", [&](const Z& n_, const Z& m_) -> Z { return complete_third(n_, m_); }, n,  \
+        m);                                                                                      \
+  }                                                                                              \
   Z elliptic_f(const Z& phi, const Z& m) {                                                       \
-    return incomplete<Z>(integral::f, nullptr, phi, m, "ellipticF");                             \
+    return answered(                                                                             \
+        "ellipticF",                                                                             \
+        [&](const Z& phi_, const Z& m_) -> Z {                                                   \
+          return incomplete<Z>(integral::f, nullptr, phi_, m_);                                  \
+        },                                                                                       \
+        phi, m);                                                                                 \
   }                                                                                              \
   Z elliptic_e(const Z& phi, const Z& m) {                                                       \
-    return incomplete<Z>(integral::e, nullptr, phi, m, "ellipticE");                             \
+    return answered(                                                                             \
+        "ellipticE",                                                                             \
+        [&](const Z& phi_, const Z& m_) -> Z {                                                   \
+          return incomplete<Z>(integral::e, nullptr, phi_, m_);                                  \
+        },                                                                                       \
+        phi, m);                                                                                 \
   }                                                                                              \
   Z elliptic_d(const Z& phi, const Z& m) {                                                       \
-    return incomplete<Z>(integral::d, nullptr, phi, m, "ellipticD");                             \
+    return answered(                                                                             \
+        "ellipticD",                                                                             \
+        [&](const Z& phi_, const Z& m_) -> Z {                                                   \
+          return incomplete<Z>(integral::d, nullptr, phi_, m_);                                  \
+        },                                                                                       \
+        phi, m);                                                                                 \
   }                                                                                              \
   Z elliptic_pi(const Z& n, const Z& phi, const Z& m) {                                          \
-    return incomplete<Z>(integral::pi, &n, phi, m, "ellipticPi");                                \
+    return answered(                                                                             \
+        "ellipticPi",                                                                            \
+        [&](const Z& n_, const Z& phi_, const Z& m_) -> Z {                                      \
+          return incomplete<Z>(integral::pi, &n_, phi_, m_);                                     \
+        },                                                                                       \
+        n, phi, m);                                                                              \
   }                                                                                              \
-  Z elliptic_nome(const Z& m) { return named(nome(m), m, "ellipticNome"); }                      \
-  Z theta_value(int j, const Z& z, const Z& q) { return theta_series(j, false, z, q); }          \
-  Z theta_derivative(int j, const Z& z, const Z& q) { return theta_series(j, true, z, q); }      \
-  Z jacobi_am(const Z& u, const Z& m) { return amplitude(u, m); }                                \
+  Z elliptic_nome(const Z& m) {                                                                  \
+    return answered(                                                                             \
+        "ellipticNome", [&](const Z& m_) -> Z { return nome(m_); }, m);                          \
+  }                                                                                              \
+  Z theta_value(int j, const Z& z, const Z& q) {                                                 \
+    return answered(                                                                             \
+        "jacobiTheta",                                                                           \
+        [&](const Z& z_, const Z& q_) -> Z { return theta_series(j, false, z_, q_); }, z, q);    \
+  }                                                                                              \
+  Z theta_derivative(int j, const Z& z, const Z& q) {                                            \
+    return answered(                                                                             \
+        "jacobiThetaPrime",                                                                      \
+        [&](const Z& z_, const Z& q_) -> Z { return theta_series(j, true, z_, q_); }, z, q);     \
+  }                                                                                              \
+  Z jacobi_am(const Z& u, const Z& m) {                                                          \
+    return answered(                                                                             \
+        "jacobiAM", [&](const Z& u_, const Z& m_) -> Z { return amplitude(u_, m_); }, u, m);     \
+  }                                                                                              \
   Z jacobi_quotient(char p, char q, const Z& u, const Z& m) {                                    \
-    const auto t = triple_of(u, m);                                                              \
-    return t ? Z(part_of(*t, p) / part_of(*t, q)) : plane<Z>::failed(u, "Jacobi's function");    \
+    return answered(                                                                             \
+        names_of_jacobi[place_of(p, q)],                                                         \
+        [&](const Z& u_, const Z& m_) -> Z {                                                     \
+          const auto t = triple_of(u_, m_);                                                      \
+          return t ? Z(part_of(*t, p) / part_of(*t, q)) : plane<Z>::failed(u_);                  \
+        },                                                                                       \
+        u, m);                                                                                   \
+  }                                                                                              \
+  Z jacobi_inverse(char p, char q, const Z& x, const Z& m) {                                     \
+    return answered(                                                                             \
+        names_of_inverse[place_of(p, q)],                                                        \
+        [&](const Z& x_, const Z& m_) -> Z { return inverse_function<Z>(p, q, x_, m_); }, x, m); \
   }
 POLHODE_COMPLEX_ELLIPTIC(complex_ball)
 POLHODE_COMPLEX_ELLIPTIC(region)
