@@ -6,6 +6,7 @@
 #include <concepts>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,10 +29,10 @@
 // and |(1+t)/(1-t)| > 1 says the same as Re t > 0: so Re a/b > 0, and 1 + e = 2/(1 + a/b) is within 1 of 1, where R_C
 // is analytic. With x = 0 all this holds but for |(1+u)/(1-u)| = 1.
 //
-// SERIES. With A the mean (p taken twice), X_i = 1 - x_i/A, and |X_i| <= s < 1, Re A > 0: R_F(1-X_1, ...) is the
+// SERIES. With A the mean (p taken twice), X_i = 1 - x_i/A, and |X_i| <= s < 1: R_F(1-X_1, ...) is the
 // power series of carlson_core.hpp, whose proof of convergence and of the rest is by absolute values, and
-// R_F(A t) = A^(-1/2) R_F(t) (R_J: A^(-3/2)) for all t_i with |t_i - 1| < 1, Re A > 0, since A t_i stays in the cut plane:
-// that set is connected.
+// R_F(A t) = A^(-1/2) R_F(t) (R_J: A^(-3/2)) for all t_i with |t_i - 1| <= s, where the disc of radius s |A| around A stays
+// off (-oo, 0]: that says |arg A| + asin s < pi, so that A may turn from |A| to where it is, with A t_i in the cut plane.
 //
 // COMPLETE INTEGRALS. With r = sqrt(1-m), Re r > 0, k = (1-r)/(1+r), r' = 2 sqrt r/(1+r) = 2/(sqrt r + 1/sqrt r), Re r' > 0:
 //   K(m) = 2 K(k^2)/(1+r),   D(m) = (K(k^2) + k D(k^2))/(1+r),   1 - k^2 = r'^2
@@ -129,8 +130,9 @@ class shrinking {
  public:
   explicit shrinking(std::int64_t wanted) : wanted_(wanted) {}
   bool is_done(const magnitude& now) {
+    const magnitude half = magnitude::power_of_two(-1);
     const bool done = now <= magnitude::power_of_two(wanted_) ||
-                      (now <= magnitude::power_of_two(-1) && last_ <= scale(now, 1));
+                      (now <= half && last_ <= half && last_ <= scale(now, 1));
     last_ = now;
     return done;
   }
@@ -192,16 +194,15 @@ Z rf_with_roots(std::array<Z, 3> x, std::array<Z, 3> root) {
   for (int n = 0; n < steps; ++n) {
     const Z mean = (x[0] + x[1] + x[2]) / 3;
     if (!is_known(mean)) break;
-    if (is_right_of(mean, 0)) {
-      const Z dx = from_x / mean;
-      const Z dy = from_y / mean;
-      const Z dz = from_z / mean;
-      const magnitude greatest = max(max(size(dx), size(dy)), size(dz));
-      if (spread.is_done(greatest)) {
-        const Z series =
-            symmetric_series<Z>({dx * dy - dz * dz, -(dx * dy * dz)}, 1, p.terms, mean);
-        return plane<Z>::enlarged(series, geometric_rest(greatest, p.terms)) / plane<Z>::root(mean);
-      }
+    const Z dx = from_x / mean;
+    const Z dy = from_y / mean;
+    const Z dz = from_z / mean;
+    const magnitude greatest = max(max(size(dx), size(dy)), size(dz));
+    if (spread.is_done(greatest)) {
+      const Z disc = plane<Z>::enlarged(mean, multiply_up(greatest, size(mean)));
+      if (!is_known(plane<Z>::root(disc))) break;
+      const Z series = symmetric_series<Z>({dx * dy - dz * dz, -(dx * dy * dz)}, 1, p.terms, mean);
+      return plane<Z>::enlarged(series, geometric_rest(greatest, p.terms)) / plane<Z>::root(mean);
     }
     if (n > 0) {
       for (std::size_t i = 0; i < 3; ++i) root[i] = plane<Z>::root(x[i]);
@@ -499,6 +500,9 @@ Z nome(const Z& m) {
 /// most 1/6, the terms from l >= 1 on have ratios of at most (l+2)/l/6 <= 1/2, and their sum is at most twice the first.
 template <class Z>
 Z theta_series(int j, bool derivative, const Z& z, const Z& q) {
+  if (j < 1 || j > 4) {
+    throw std::invalid_argument("theta functions are numbered 1 to 4, not " + std::to_string(j));
+  }
   const bool half = j <= 2;
   const Z quarter_power = half ? plane<Z>::root(plane<Z>::root(q)) : plane<Z>::number(1, q);
   if (!is_known(z) || !is_known(quarter_power)) return plane<Z>::failed(q);
