@@ -487,14 +487,6 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m) {
 // ---------------------------------------------------------------------------------------------
 // Theta functions, and Jacobi's through them.
 
-/// exp(-pi K(1-m)/K(m)).
-template <class Z>
-Z nome(const Z& m) {
-  const kinds<Z> of_m = complete(m);
-  const kinds<Z> other = complete(Z(1 - m));
-  return exp(other.k / of_m.k * -pi(plane<Z>::bits(m) + 34));
-}
-
 /// The sum of the definition, DLMF 20.2(i): with l = 2n+1 (theta_1, theta_2) or 2n, the terms are in size at most
 /// b_l = 2 |q|^(l^2/4) e^(l |Im z|), times l in the derivative. b_(l+2)/b_l = |q|^(l+1) e^(2 |Im z|) falls; where it is at
 /// most 1/6, the terms from l >= 1 on have ratios of at most (l+2)/l/6 <= 1/2, and their sum is at most twice the first.
@@ -550,54 +542,74 @@ Z theta_series(int j, bool derivative, const Z& z, const Z& q) {
   return plane<Z>::failed(q);
 }
 
+/// K(m) and the nome.
 template <class Z>
-struct triple {
-  Z s, c, d;  // theta functions that sn, cn, dn are proportional to, and that of the divisor
-  Z n;
+struct period {
+  Z k, q;
 };
-/// sn, cn, dn = s/n, c/n, d/n by DLMF 22.2.4-6; for Re m < 0 and Re m > 1 by 22.17(i) and J. Jacobi's transformation:
+template <class Z>
+period<Z> period_of(const Z& m) {
+  const Z k = complete(m).k;
+  return {k, exp(complete(Z(1 - m)).k / k * -pi(plane<Z>::bits(m) + 34))};
+}
+
+/// What sn, cn, dn and 1 are proportional to at u: with k = sqrt m and k' = sqrt(1-m), z = pi u/(2K),
+///   theta_1(z)/sqrt k, theta_2(z) sqrt(k'/k), theta_3(z) sqrt k', theta_4(z)      (DLMF 22.2.4-6 with 22.2.2);
+/// the one of the letter s, c, d or n. For Re m < 0 and Re m > 1 by 22.17(i) and C. G. J. Jacobi's real transformation:
 ///   sn(u|m) = sd(r u|M)/r, cn = cd, dn = nd, r^2 = 1 - m, M = -m/(1-m);   k sn(u|m) = sn(k u|1/m), cn = dn, dn = cn, k^2 = m.
 template <class Z>
-std::optional<triple<Z>> triple_of(const Z& u, const Z& m) {
-  if (!is_known(u) || !is_known(m)) return std::nullopt;
-  if (is_left_of(m, 0)) {
-    const Z r = plane<Z>::root(1 - m);
-    auto t = triple_of<Z>(r * u, -m / (1 - m));
-    if (!t) return std::nullopt;
-    return triple<Z>{t->s / r, t->c, t->n, t->d};
+class jacobi_parts {
+ public:
+  jacobi_parts(const Z& u, const Z& m) : sine_(plane<Z>::number(1, m)) {
+    if (is_left_of(m, 0)) {
+      const Z r = plane<Z>::root(1 - m);
+      sine_ = 1 / r;
+      letters_ = "scnd";
+      prepare(r * u, -m / (1 - m));
+    } else if (is_right_of(m, 1)) {
+      const Z k = plane<Z>::root(m);
+      sine_ = 1 / k;
+      letters_ = "sdcn";
+      prepare(k * u, 1 / m);
+    } else {
+      prepare(u, m);
+    }
   }
-  if (is_right_of(m, 1)) {
-    const Z k = plane<Z>::root(m);
-    auto t = triple_of<Z>(k * u, 1 / m);
-    if (!t) return std::nullopt;
-    return triple<Z>{t->s / k, t->d, t->c, t->n};
+  [[nodiscard]] Z operator()(char letter) const {
+    const std::string_view names = "scdn";
+    switch (letters_[names.find(letter)]) {
+      case 's':
+        return sine_ * theta_series(1, false, z_, q_) / root_k_;
+      case 'c':
+        return theta_series(2, false, z_, q_) * root_k1_ / root_k_;
+      case 'd':
+        return theta_series(3, false, z_, q_) * root_k1_;
+      default:
+        return theta_series(4, false, z_, q_);
+    }
   }
-  const Z q = nome(m);
-  const Z k = complete(m).k;
-  if (!is_known(q) || !is_known(k)) return std::nullopt;
-  const Z zero = plane<Z>::number(0, m);
-  const Z z = u / k * scale(pi(plane<Z>::bits(m) + 34), -1);
-  const Z two = theta_series(2, false, zero, q);
-  const Z three = theta_series(3, false, zero, q);
-  const Z four = theta_series(4, false, zero, q);
-  triple<Z> t{theta_series(1, false, z, q) * three / two, theta_series(2, false, z, q) * four / two,
-              theta_series(3, false, z, q) * four / three, theta_series(4, false, z, q)};
-  const bool known = is_known(t.s) && is_known(t.c) && is_known(t.d) && is_known(t.n);
-  return known ? std::optional(t) : std::nullopt;
-}
-template <class Z>
-const Z& part_of(const triple<Z>& t, char letter) {
-  return letter == 's' ? t.s : (letter == 'c' ? t.c : (letter == 'd' ? t.d : t.n));
-}
+
+ private:
+  void prepare(const Z& u, const Z& m) {
+    const period<Z> w = period_of(m);
+    q_ = w.q;
+    z_ = u / w.k * scale(pi(plane<Z>::bits(m) + 34), -1);
+    root_k_ = plane<Z>::root(plane<Z>::root(m));
+    root_k1_ = plane<Z>::root(plane<Z>::root(1 - m));
+  }
+
+  std::string_view letters_ = "scdn";  // of the transformed function
+  Z sine_;                             // a factor of sn
+  Z z_, q_, root_k_, root_k1_;
+};
 
 /// am u = z + 2 sum of q^n sin(2nz)/(n (1 + q^(2n))), z = pi u/(2K), for |q| e^(2 |Im z|) = x < 1 (DLMF 22.16.9): the terms
 /// from n on are at most 2 x^n/(1 - |q|^2) together times 1/(1-x), as |sin 2nz| <= e^(2n |Im z|).
 template <class Z>
 Z amplitude(const Z& u, const Z& m) {
   if (!is_known(u)) return u;
-  const Z q = nome(m);
-  const Z k = complete(m).k;
-  if (!is_known(q) || !is_known(k)) return plane<Z>::failed(m);
+  const auto [k, q] = period_of(m);
+  if (!is_known(q)) return q;
   const Z z = u / k * scale(pi(plane<Z>::bits(m) + 34), -1);
   if (!is_known(z)) return plane<Z>::failed(m);
   const magnitude growth = exp(abs(plane<Z>::set(z).im).with_precision(64) * 2).magnitude_upper();
@@ -794,7 +806,7 @@ region answered(const char* name, const F& f, const std::same_as<region> auto&..
   }                                                                                              \
   Z elliptic_nome(const Z& m) {                                                                  \
     return answered(                                                                             \
-        "ellipticNome", [&](const Z& m_) -> Z { return nome(m_); }, m);                          \
+        "ellipticNome", [&](const Z& m_) -> Z { return period_of(m_).q; }, m);                   \
   }                                                                                              \
   Z theta_value(int j, const Z& z, const Z& q) {                                                 \
     return answered(                                                                             \
@@ -814,8 +826,8 @@ region answered(const char* name, const F& f, const std::same_as<region> auto&..
     return answered(                                                                             \
         names_of_jacobi[place_of(p, q)],                                                         \
         [&](const Z& u_, const Z& m_) -> Z {                                                     \
-          const auto t = triple_of(u_, m_);                                                      \
-          return t ? Z(part_of(*t, p) / part_of(*t, q)) : plane<Z>::failed(u_);                  \
+          const jacobi_parts<Z> parts(u_, m_);                                                   \
+          return parts(p) / parts(q);                                                            \
         },                                                                                       \
         u, m);                                                                                   \
   }                                                                                              \
