@@ -712,7 +712,9 @@ region answered(const char* name, const F& f, const std::same_as<region> auto&..
     return region(double_interval(z.re().midpoint()), double_interval(z.im().midpoint()));
   };
   const bool is_point = (... && (x.re().is_exact() && x.im().is_exact()));
-  if (value.why() != obstacle::unknown) return region::blocked(value.why(), name);
+  // A pole that sets of less than a double's last place do not get past is one of f's.
+  const bool at_pole = value.why() == obstacle::pole && (... && !x.is_in_hardware());
+  if (value.why() != obstacle::unknown && !at_pole) return region::blocked(value.why(), name);
   const bool smaller_would_do = !is_point && f(middle(x)...).is_analytic();
   return region::blocked(smaller_would_do ? obstacle::branch_cut : obstacle::unknown, name);
 }

@@ -88,6 +88,21 @@ template <elliptic_scalar T>
   return {sn, cn, dn};
 }
 
+/// The same for u and m < 1; for m < -1, where sn may come with a cancellation of as many bits as sqrt m1 has, by
+///   sn(u|m) = sd(r u|M)/r, cn = cd, dn = nd,  r^2 = m1, 1 - M = 1/m1     (DLMF 22.17(i)), M u being the same.
+template <elliptic_scalar T>
+[[nodiscard]] jacobi_values<T> jacobi_of_number(const T& u, const modulus<T>& k, precision q,
+                                                T& angle) {
+  const std::int64_t more = bits_before_point(u, k.m1);
+  if (!is_number(u) || more > most_bits_before_point) return undefined_values<T>(q);
+  const T m1 = with_bits(k, q + static_cast<precision>(more)).m1;
+  if (!is_below(T(k.m + 1), whole<T>(0, q))) return jacobi_below_one(u, m1, q, angle);
+  const T r = root_of(m1);
+  const auto w =
+      jacobi_below_one(T(r * raised(u, bits_in(m1))), T(whole<T>(1, bits_in(m1)) / m1), q, angle);
+  return {T(w.sn / (w.dn * r)), T(w.cn / w.dn), T(1 / w.dn)};
+}
+
 template <elliptic_scalar T>
 [[nodiscard]] jacobi_values<T> jacobi_at(const T& u, const modulus<T>& k, precision q) {
   const int sign = sign_in(k.m1);
@@ -97,11 +112,7 @@ template <elliptic_scalar T>
     return {tanh_of(u), sech, sech};
   }
   T angle = u;
-  if (sign > 0) {
-    const std::int64_t more = bits_before_point(u, k.m1);
-    if (more > most_bits_before_point) return undefined_values<T>(q);
-    return jacobi_below_one(u, with_bits(k, q + static_cast<precision>(more)).m1, q, angle);
-  }
+  if (sign > 0) return jacobi_of_number(u, k, q, angle);
   // m > 1: k sn(u|m) = sn(k u | 1/m), cn(u|m) = dn(k u | 1/m), dn(u|m) = cn(k u | 1/m), where 1 - 1/m = -m1/m.
   // With q bits and as many more as k u has before the point, so that those of its argument are enough for the AGM.
   const std::int64_t more = std::max<std::int64_t>(exponent_of(u) + exponent_of(k.m) + 8, 0);
@@ -121,10 +132,7 @@ template <elliptic_scalar T>
   if (!is_number(u) || sign < 0 || sign == 2) return undefined_of<T>(q);
   if (sign == 0) return atan_of(sinh_of(u));
   T rough = u;
-  const std::int64_t more = bits_before_point(u, k.m1);
-  if (more > most_bits_before_point) return undefined_of<T>(q);
-  const auto values =
-      jacobi_below_one(u, with_bits(k, q + static_cast<precision>(more)).m1, q, rough);
+  const auto values = jacobi_of_number(u, k, q, rough);
   if (!is_number(values.sn) || !is_number(values.cn)) return undefined_of<T>(q);
   const T angle = angle_of(values.sn, values.cn);
   const auto result = unwrapped(angle, rough, bits_in(rough));
