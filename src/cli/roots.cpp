@@ -217,10 +217,14 @@ std::string as_text(const answer& a, long digits) {
         verdict_text(r), remark.empty() ? "" : " (" + remark + ")");
   }
   for (const singular_place& s : a.roots.singular) {
-    result +=
-        s.pole_order > 0
-            ? fmt::format("no root: a pole of order {} at {}\n", s.pole_order, bound_text(s.place))
-            : fmt::format("no root: not defined everywhere in {}\n", bound_text(s.place));
+    const std::string place = bound_text(s.place);
+    if (s.pole_order > 0) {
+      result += fmt::format("no root: a pole of order {} at {}\n", s.pole_order, place);
+    } else {
+      const bool is_direction = place.rfind("towards", 0) == 0;
+      result +=
+          fmt::format("no root: not defined everywhere {}{}\n", is_direction ? "" : "in ", place);
+    }
   }
   return result + summary(a);
 }

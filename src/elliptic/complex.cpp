@@ -401,13 +401,14 @@ std::optional<quarter<Z>> quarter_of(const Z& phi) {
 }
 
 /// The integrals from 0 to phi with |Re phi| < pi/2 (F = s R_F(c^2, 1 - m s^2, 1) and so on, DLMF 19.25(i)), those of
-/// the second and third kind where they are wanted.
+/// the second and third kind where they are wanted. Hypothesis, checked: Re (factor sqrt(1 - m s^2)) > 0.
 template <class Z>
 struct parts {
   Z f, d, pi;
 };
 template <class Z>
-std::optional<parts<Z>> to_amplitude(const Z& phi, const Z& m, bool d_wanted, const Z* n) {
+std::optional<parts<Z>> to_amplitude(const Z& phi, const Z& m, bool d_wanted, const Z* n,
+                                     const Z& factor) {
   const Z s = sin(phi);
   const Z c = cos(phi);
   if (!is_right_of(c, 0)) return std::nullopt;  // |Re phi| < pi/2, or that and whole turns:
@@ -416,8 +417,10 @@ std::optional<parts<Z>> to_amplitude(const Z& phi, const Z& m, bool d_wanted, co
   const Z cc = square(c);
   const Z ss = square(s);
   const Z Y = 1 - m * ss;
+  const Z root = plane<Z>::root(Y);
+  if (!is_right_of<Z>(factor * root, 0)) return std::nullopt;
   const Z one = plane<Z>::number(1, m);
-  parts<Z> result{s * rf_with_roots<Z>({cc, Y, one}, {c, plane<Z>::root(Y), one}), one, one};
+  parts<Z> result{s * rf_with_roots<Z>({cc, Y, one}, {c, root, one}), one, one};
   const Z cube = s * ss / 3;
   if (d_wanted) result.d = cube * rj<Z>({cc, Y, one}, one);
   if (n != nullptr) result.pi = result.f + *n * cube * rj<Z>({cc, Y, one}, 1 - *n * ss);
@@ -429,6 +432,9 @@ enum class integral { f, e, d, pi };
 /// Beyond, from the nearest multiple of pi by whole periods, or from the nearest odd multiple j pi/2: with t = j pi/2 + theta,
 /// M = -m/(1-m) and N = -n/(1-n),
 ///   1 - m sin^2 t = (1-m)(1 - M sin^2 theta),  1 - n sin^2 t = (1-n)(1 - N sin^2 theta),  sin^2 t = 1 - sin^2 theta.
+/// Both forms are the same function where they meet: on the real line, where 1 - m sin^2 t runs on the segment from 1 to
+/// 1 - m, its root is that of 1 - m times the other; and from there as far as the product of these two has a positive
+/// real part, as is required, so that the derivatives agree. Across a cut of one of the forms it has not.
 template <class Z>
 Z incomplete(integral which, const Z* n, const Z& phi, const Z& m) {
   if (!is_known(m)) return m;
@@ -448,14 +454,14 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m) {
       if (!is_left_of(*n, 1)) return plane<Z>::failed(m);
       N = -*n / (1 - *n);
     }
-    part = to_amplitude<Z>(place->rest, -m / m1, d_wanted, N ? &*N : nullptr);
+    part = to_amplitude<Z>(place->rest, -m / m1, d_wanted, N ? &*N : nullptr, root);
     if (part) {
       part->f = part->f / root;
       part->d = part->f - part->d / root;
       if (n != nullptr) part->pi = part->pi / ((1 - *n) * root);
     }
   } else {
-    part = to_amplitude(place->rest, m, d_wanted, n);
+    part = to_amplitude<Z>(place->rest, m, d_wanted, n, plane<Z>::number(1, m));
   }
   if (!part) return plane<Z>::failed(phi);
   if (place->j != 0) {
