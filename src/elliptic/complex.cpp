@@ -447,7 +447,7 @@ Z incomplete(integral which, const Z* n, const Z& phi, const Z& m) {
   std::optional<parts<Z>> part;
   if (odd) {
     const Z m1 = 1 - m;
-    const Z root = plane<Z>::root(m1);
+    Z root = plane<Z>::root(m1);
     if (!is_known(root)) return root;
     std::optional<Z> N;
     if (n != nullptr) {
