@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
 namespace {
@@ -45,18 +46,6 @@ rational turning_point(const body& rigid, const rational& c) {
                         "-b and a, ends excluded");
   }
   return 0;
-}
-
-/// Nothing cancels: digits are missing only by a run of 0s or 9s, once the radius is small enough.
-precision guard_without_cancellation(long digits) { return 15 * bits_for_digits(digits) + 1024; }
-
-certain_number to_digits(const enclosing_function& f, long digits, precision most_guard) {
-  certain_number result;
-  result.enclosure = enclose_to_digits(f, digits, most_guard);
-  if (result.enclosure.is_undefined()) return result;
-  result.verdict = status::certified;
-  result.why = reason::none;
-  return result;
 }
 
 }  // namespace
@@ -103,13 +92,13 @@ ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
 }
 
 certain_number montgomery_phase_to_digits(const body& rigid, const rational& c, long digits) {
-  return to_digits([&](precision p) { return montgomery_phase(rigid, c, p); }, digits,
-                   guard_without_cancellation(digits));
+  return detail::number_to_digits([&](precision p) { return montgomery_phase(rigid, c, p); },
+                                  digits, detail::guard_for(digits));
 }
 
 certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c, long digits) {
-  return to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); }, digits,
-                   guard_without_cancellation(digits));
+  return detail::number_to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); },
+                                  digits, detail::guard_for(digits));
 }
 
 certain_number montgomery_phase_excess_to_digits(const body& rigid, const rational& c,
@@ -121,7 +110,7 @@ certain_number montgomery_phase_excess_to_digits(const body& rigid, const ration
   const auto excess = [&](precision p) {
     return montgomery_phase(rigid, c, p) - montgomery_phase_limit(rigid, c, p);
   };
-  return to_digits(excess, digits, 2 * cancelled + guard_without_cancellation(digits));
+  return detail::number_to_digits(excess, digits, 2 * cancelled + detail::guard_for(digits));
 }
 
 }  // namespace polhode
