@@ -11,79 +11,13 @@
 #include "polhode/rigid_body/phase_integrands.hpp"
 #include "polhode/roots/newton.hpp"
 #include "rigid_body/half_phase.hpp"
+#include "rigid_body/quarter.hpp"
 #include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
 namespace {
 
-/// The motion on its first quarters, by S = sinh w = tan am(lambda t), t the time from the middle of the twist in I_y/J:
-///
-///                oscillating               rotating, separatrix
-///   kappa^2      (a+b)/(a-c)               (a+b)/a
-///   m1 = 1 - m   -c (a+b)/(b (a-c))        c (a+b)/(a (b+c))
-///   lambda^2     b (a-c)                   a (b+c)
-///   eta          (b+c)/b                   1
-///   tan psi      sqrt(eta) T/sqrt(1+m1 S^2)   T              with T = kappa S
-///
-/// and in both, with x = cos^2 psi,
-///   1 - x = eta T^2/(1+T^2),   a + b x = (a+b)(1+S^2)/(1+T^2),                                               (1)
-///   {x, (c + b x)/(b+c)} = {(1+m1 S^2)/(1+T^2), 1/(1+T^2)} when oscillating, the other way round when rotating.  (2)
-/// Proof of (1), (2): eta = 1 + c/b is 1 - u for the turning point u = -c/b; put 1 - x = eta sin^2 alpha, T = tan alpha (alpha
-/// = psi when rotating). Then c + b x = (b+c) cos^2 alpha when oscillating; the rest is multiplying out, with
-/// m1 = kappa^2 (-c/b), kappa^2 c/(b+c).
-///
-/// The phase from psi = 0 on is F(c,x)/2 = (montgomery_phase.hpp) sqrt((1-x)/((a+b)(b+c))) [(1-b) R_F + (b (1-x)/3) R_J] at
-/// the arguments x, (a+bx)/(a+b), (c+bx)/(b+c). R_F and R_J are symmetric in them and homogeneous, of the degrees -1/2 and -3/2;
-/// multiplied by 1 + T^2 they are 1, 1+S^2, 1+m1 S^2, and so
-///   phi = (S/lambda) [ (1-b) R_F(1, 1+S^2, 1+m1 S^2) + (b eta T^2/3) R_J(1, 1+S^2, 1+m1 S^2, 1+T^2) ],      (3)
-/// odd in S, with nothing that cancels; lambda t = S R_F(1, 1+S^2, 1+m1 S^2), which is F(am | m).
-/// Since dphi/dt = sin^2 psi + (I_y/I_x) cos^2 psi = 1 - b x and dw/d(lambda t) = dn/cn with dn/cn = sqrt(1+m1 S^2),
-///   dphi/dw = (1 - b x)/(lambda sqrt(1+m1 S^2)).                                                              (4)
-/// Counted from the end of the quarter, with w' in the place of w, lambda t becomes K - lambda t and S becomes
-/// S = 1/(sqrt(m1) sinh w') (DLMF 22.4.3), and by dn/cn = 1/sn there
-///   dphi/dw' = -(1 - b x)/(lambda sqrt(1+m1 sinh^2 w')).                                                      (5)
-/// So phi is nearly linear in w up to S = m1^(-1/4), the middle in time, and in w' beyond, however near c is to 0.
-class quarter {
- public:
-  quarter(const body& rigid, const rational& c, regime motion, precision p)
-      : b_(rigid.b(), p), rest_(rational(1 - rigid.b()), p) {
-    const rational& a = rigid.a();
-    const rational& b = rigid.b();
-    const rational total(a + b);
-    const bool oscillating = motion == regime::oscillating;
-    const rational first(oscillating ? a - c : a);
-    const rational second(oscillating ? b : b + c);
-    kappa2_ = ball(rational(total / first), p);
-    m1_ = ball(rational(abs(c) * total / (first * second)), p);
-    lambda_ = sqrt(ball(rational(first * second), p));
-    eta_ = ball(oscillating ? rational((b + c) / b) : rational(1), p);
-  }
-
-  [[nodiscard]] const ball& m1() const { return m1_; }
-  [[nodiscard]] const ball& lambda() const { return lambda_; }
-  [[nodiscard]] const ball& eta() const { return eta_; }
-  [[nodiscard]] ball tangent(const ball& s) const { return sqrt(kappa2_) * s; }
-
-  /// (3)
-  [[nodiscard]] ball phase(const ball& s) const {
-    const ball s2 = square(s);
-    const ball t2 = kappa2_ * s2;
-    const carlson_pair w = carlson_rf_rj(ball(1, s.precision()), 1 + s2, 1 + m1_ * s2, 1 + t2);
-    return s / lambda_ * (rest_ * w.rf + b_ * eta_ * t2 / 3 * w.rj);
-  }
-  /// 1 - b x
-  [[nodiscard]] ball rate(const ball& s) const {
-    const ball t2 = kappa2_ * square(s);
-    return rest_ + b_ * eta_ * t2 / (1 + t2);
-  }
-  /// The sizes of (4) and (5), the second by sinh w'.
-  [[nodiscard]] ball rate_in_w(const ball& s, const ball& sinh_w) const {
-    return rate(s) / (lambda_ * sqrt(1 + m1_ * square(sinh_w)));
-  }
-
- private:
-  ball b_, rest_, kappa2_, m1_, lambda_, eta_;
-};
+using detail::quarter;
 
 // ---------------------------------------------------------------------------------------------
 // The branch
@@ -124,7 +58,7 @@ std::optional<branch> branch_of(const body& rigid, const rational& c, regime mot
     constexpr int enough = 20;
     if (!certainly_positive(left) || left.radius() > scale(left.magnitude_lower(), -enough))
       continue;
-    const quarter way(rigid, c, motion, p);
+    const quarter<ball> way(rigid, c, motion, p);
     result.late = certainly_positive(abs(r) - way.phase(1 / sqrt(sqrt(way.m1()))));
     result.lost = std::max(0L, log2_of(result.n * q) - (result.late ? log2_of(left) : 0)) + 8;
     return result;
@@ -135,93 +69,111 @@ std::optional<branch> branch_of(const body& rigid, const rational& c, regime mot
 // ---------------------------------------------------------------------------------------------
 // The root
 
-/// f(w) = 0 with f increasing, at any precision.
-struct increasing_equation {
-  std::function<ball(const ball& w)> f;
-  std::function<ball(const ball& w)> slope;
-};
+/// The phase at w, or from the end of the quarter at w', less `target`, so that it increases; and its derivative.
+template <class T>
+T excess_at(const quarter<T>& way, const T& w, bool late, const T& target) {
+  using std::sinh;
+  return late ? T(target - way.phase(way.from_end(sinh(w)))) : T(way.phase(sinh(w)) - target);
+}
+template <class T>
+T slope_in_w(const quarter<T>& way, const T& w, bool late) {
+  using std::sinh;
+  const T s = sinh(w);
+  return way.rate_in_w(late ? way.from_end(s) : s, s);
+}
 
-/// A number near the root between the two, found by Newton's method within halves. It proves nothing.
-ball approximate_root(const increasing_equation& equation, ball low, ball high) {
-  ball w = low;
+int side_of(double x) { return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0); }
+int side_of(const ball& x) { return certainly_positive(x) ? 1 : (certainly_negative(x) ? -1 : 0); }
+double centre(double x) { return x; }
+ball centre(const ball& x) { return x.middle(); }
+magnitude size_of(double x) { return ball::exactly(x).magnitude_upper(); }
+magnitude size_of(const ball& x) { return x.magnitude_upper(); }
+
+constexpr int bits_of_search = 30;
+
+/// A number near the root between the two, by Newton's method kept between them. It proves nothing.
+template <class T>
+T approximate_root(const quarter<T>& way, bool late, const T& target, T low, T high) {
+  using std::sqrt;
+  T w = low;
   constexpr int most_steps = 200;
-  constexpr int enough = 24;
   for (int i = 0; i < most_steps; ++i) {
-    const ball value = equation.f(w);
-    if (value.is_undefined() || contains_zero(value)) break;
-    (certainly_positive(value) ? high : low) = w;
-    const ball step = (value / equation.slope(w)).middle();
-    ball next = (w - step).middle();
-    const bool near = step.magnitude_upper() <= scale(w.magnitude_lower(), -enough);
-    if (!certainly_less(low, next) || !certainly_less(next, high)) next = sqrt(low * high).middle();
+    const T value = excess_at(way, w, late, target);
+    if (side_of(value) == 0) break;  // or a NaN
+    (side_of(value) > 0 ? high : low) = w;
+    const T step = centre(T(value / slope_in_w(way, w, late)));
+    T next = centre(T(w - step));
+    const bool near = size_of(step) <= scale(size_of(w), -bits_of_search);
+    if (side_of(T(next - low)) <= 0 || side_of(T(high - next)) <= 0)
+      next = centre(T(sqrt(low * high)));
     w = next;
     if (near) break;
   }
   return w;
 }
 
-/// The root proved, to a relative radius of about 2^-p, or undefined. start is near it, up to `uncertainty`.
-ball proved_root(const increasing_equation& equation, const ball& start,
-                 const magnitude& uncertainty, precision p) {
-  for (const int bits : {20, 12, 6}) {
-    const ball box = start.enlarged(std::max(scale(start.magnitude_upper(), -bits), uncertainty));
-    const root_enclosure found = refine_root(equation.f, equation.slope, box, p);
-    if (found.verdict == root_verdict::unique) return found.root;
-  }
-  return ball::undefined(p);
+/// The same in double, or nothing where it has no room for the numbers; their bits suffice for a start.
+std::optional<ball> quick_root(const body& rigid, const rational& c, regime motion, bool late,
+                               const ball& target, const ball& low, const ball& high) {
+  const auto number = [](const ball& x) { return midpoint(x).convert_to<double>(); };
+  constexpr double most = 100;
+  constexpr double least = 1e-3;
+  const quarter<double> way(rigid, c, motion, 53);
+  const bool has_room = number(low) > least && number(high) < most && way.m1() > 1e-100;
+  if (!has_room) return std::nullopt;
+  const double w = approximate_root(way, late, number(target), number(low), number(high));
+  if (!(w > least && w < most)) return std::nullopt;
+  return ball::exactly(w);
 }
 
 /// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is near 0.
 ball find_s(const body& rigid, const rational& c, regime motion, const branch& at, precision p) {
-  const auto way = [&](const ball& x) { return quarter(rigid, c, motion, x.precision()); };
-  const auto rest = [&](const ball& x) { return rest_of(rigid, c, at.n, x.precision()); };
+  const auto way_at = [&](const ball& x) { return quarter<ball>(rigid, c, motion, x.precision()); };
   const precision coarse = 64 + at.lost;
   const ball r = rest_of(rigid, c, at.n, coarse);
   const bool backwards = certainly_negative(r);
-  const quarter q(rigid, c, motion, coarse);
-  const ball most_rate_inverse = 1 / ball(rational(1 - rigid.b()), coarse);
+  const auto target = [&](precision q) {
+    const ball rest = rest_of(rigid, c, at.n, q);
+    return backwards ? -rest : rest;
+  };
+  const auto excess = [&](const ball& w) {
+    const quarter<ball> way = way_at(w);
+    if (motion != regime::separatrix) return excess_at(way, w, at.late, target(w.precision()));
+    // In closed form: t - arctan(sqrt(b/a) tanh w), w = lambda t = sqrt(ab) t.
+    const ball root = sqrt(ball(rational(rigid.b() / rigid.a()), w.precision()));
+    return w / way.lambda() - atan(root * tanh(w)) - pi(w.precision());
+  };
+  const auto slope = [&](const ball& w) { return slope_in_w(way_at(w), w, at.late); };
 
-  increasing_equation equation;
-  ball low;
-  if (!at.late) {
-    equation.f = [=](const ball& w) {
-      const ball target = backwards ? -rest(w) : rest(w);
-      if (motion != regime::separatrix) return way(w).phase(sinh(w)) - target;
-      // In closed form: t - arctan(sqrt(b/a) tanh w), w = lambda t = sqrt(ab) t.
-      const ball root = sqrt(ball(rational(rigid.b() / rigid.a()), w.precision()));
-      return w / way(w).lambda() - atan(root * tanh(w)) - target;
-    };
-    equation.slope = [=](const ball& w) {
-      const ball s = sinh(w);
-      return way(w).rate_in_w(s, s);
-    };
-    low = abs(r) * q.lambda();
-  } else {
-    equation.f = [=](const ball& w) {
-      const quarter here = way(w);
-      return (backwards ? -rest(w) : rest(w)) - here.phase(1 / (sqrt(here.m1()) * sinh(w)));
-    };
-    equation.slope = [=](const ball& w) {
-      const quarter here = way(w);
-      const ball from_end = sinh(w);
-      return here.rate_in_w(1 / (sqrt(here.m1()) * from_end), from_end);
-    };
-    low = (scale(half_phase(rigid, c, coarse), -1) - abs(r)) * q.lambda();
-  }
-  // From (4) and (5), with m1 S^2 <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
-  const ball high = 2 * low * most_rate_inverse;
+  const quarter<ball> way(rigid, c, motion, coarse);
+  const ball span = at.late ? scale(half_phase(rigid, c, coarse), -1) - abs(r) : abs(r);
+  // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
+  const ball low = span * way.lambda();
+  const ball high = 2 * low / rational(1 - rigid.b());
   if (!high.is_bounded()) return ball::undefined(p);
-  const bool through_zero = contains_zero(r);
   const precision bits = coarse + std::max(0L, log2_of(high));
-  const ball start = through_zero ? ball(0, bits)
-                                  : approximate_root(equation, low.with_precision(bits).middle(),
-                                                     high.with_precision(bits).middle());
-  const magnitude uncertainty = through_zero ? high.magnitude_upper() : high.radius();
-  const ball w =
-      proved_root(equation, start, uncertainty, p + at.lost + std::max(0L, log2_of(start)));
-  if (w.is_undefined()) return w;
-  const ball s = at.late ? 1 / (sqrt(way(w).m1()) * sinh(w)) : sinh(w);
-  return backwards ? -s : s;
+  ball start(0, bits);
+  magnitude uncertainty = high.magnitude_upper();
+  if (!contains_zero(r)) {
+    const auto quick = quick_root(rigid, c, motion, at.late, abs(r), low, high);
+    start = quick ? quick->with_precision(bits)
+                  : approximate_root(quarter<ball>(rigid, c, motion, bits), at.late, target(bits),
+                                     low.with_precision(bits).middle(),
+                                     high.with_precision(bits).middle());
+    uncertainty = low.radius();
+  }
+  const precision goal = p + at.lost + std::max(0L, log2_of(start));
+  for (const int wider : {0, 8, 16, 24}) {
+    // The step that maps the box into itself proves a root in it; there is no other, as phi increases with w.
+    const ball box = start.enlarged(std::max(scale(start.magnitude_upper(), wider - bits_of_search),
+                                             scale(uncertainty, wider)));
+    const root_enclosure found = refine_root(excess, slope, box, goal);
+    if (found.verdict != root_verdict::unique) continue;
+    const ball sine = sinh(found.root);
+    const ball s = at.late ? way_at(found.root).from_end(sine) : sine;
+    return backwards ? -s : s;
+  }
+  return ball::undefined(p);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -230,7 +182,7 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
 bool is_odd(const integer& n) { return n % 2 != 0; }
 
 /// epsilon, by an angle between 0 and pi whose smallness is not lost.
-ball epsilon_at(const quarter& way, const ball& s, regime motion, const integer& n) {
+ball epsilon_at(const quarter<ball>& way, const ball& s, regime motion, const integer& n) {
   const precision p = s.precision();
   ball tangent = way.tangent(s);
   if (motion == regime::oscillating) {
@@ -254,7 +206,7 @@ ball epsilon_at(const quarter& way, const ball& s, regime motion, const integer&
 /// -1/(2 (c + b x)) = -(t+1)/(2 (b+c)(t+Z)), and (1 - b x)(t+1) = (1-b)(t+1) + b (1-u) = (1-b)(t+Z) + b (1-u)(1+c)/(b+c), since
 /// 1 - Z = b (1-u)/(b+c). The integral of 1/sqrt(...) is 2 R_F, that of 1/((t+Z) sqrt(...)) is (2/3) R_D(X,Y,Z); then homogeneity,
 /// as for (3), with R_D of the degree -3/2.
-ball slope_at(const body& rigid, const rational& c, regime motion, const quarter& way,
+ball slope_at(const body& rigid, const rational& c, regime motion, const quarter<ball>& way,
               const ball& s, const integer& n) {
   const precision p = s.precision();
   const bool oscillating = motion == regime::oscillating;
@@ -302,7 +254,7 @@ twist twist_on(const body& rigid, const rational& c, regime motion, const branch
   result.epsilon = result.slope = ball::undefined(p);
   const ball s = find_s(rigid, c, motion, at, p + guard);
   if (!s.is_bounded()) return result;
-  const quarter way(rigid, c, motion, s.precision());
+  const quarter<ball> way(rigid, c, motion, s.precision());
   result.epsilon = epsilon_at(way, s, motion, at.n).with_precision(p + guard);
   if (slope == with_slope::yes) {
     result.slope = slope_at(rigid, c, motion, way, s, at.n).with_precision(p + guard);
