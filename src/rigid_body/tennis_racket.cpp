@@ -192,7 +192,9 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
   const bool intersection = m % 2 != 0;
   const bool beyond = m % 4 == 3;  // k even
   const precision needed = bits_for_digits(digits);
-  for (precision guard = 32; guard <= detail::guard_for(digits); guard *= 2) {
+  // Where m I is near 2, to first order 1 - u is a rational number times pi over others: its digits may repeat for as long.
+  const precision most_guard = detail::guard_for(digits) + 2 * range->lost;
+  for (precision guard = 32; guard <= most_guard; guard *= 2) {
     const ball x = oscillating_root(rigid, m, *range, needed + guard);
     if (!x.is_bounded()) continue;
     // Near 1, u = 1 - x is resolved by as many bits as x is small.

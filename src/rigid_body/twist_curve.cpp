@@ -60,7 +60,7 @@ std::optional<branch> branch_of(const body& rigid, const rational& c, regime mot
       continue;
     const quarter<ball> way(rigid, c, motion, p);
     result.late = certainly_positive(abs(r) - way.phase(1 / sqrt(sqrt(way.m1()))));
-    result.lost = std::max(0L, log2_of(result.n * q) - (result.late ? log2_of(left) : 0)) + 8;
+    result.lost = std::max(0L, log2_of(result.n * q) - log2_of(result.late ? left : q)) + 8;
     return result;
   }
   return std::nullopt;
@@ -117,7 +117,7 @@ std::optional<ball> quick_root(const body& rigid, const rational& c, regime moti
                                const ball& target, const ball& low, const ball& high) {
   const auto number = [](const ball& x) { return midpoint(x).convert_to<double>(); };
   constexpr double most = 100;
-  constexpr double least = 1e-3;
+  constexpr double least = 1e-100;
   const quarter<double> way(rigid, c, motion, 53);
   const bool has_room = number(low) > least && number(high) < most && way.m1() > 1e-100;
   if (!has_room) return std::nullopt;
@@ -136,16 +136,20 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
     const ball rest = rest_of(rigid, c, at.n, q);
     return backwards ? -rest : rest;
   };
-  const auto excess = [&](const ball& w) {
-    const quarter<ball> way = way_at(w);
-    if (motion != regime::separatrix) return excess_at(way, w, at.late, target(w.precision()));
+  // The unknown of the equation is w', or w and about 1/kappa: near 0 an error of kappa w is one of epsilon.
+  const quarter<ball> way(rigid, c, motion, coarse);
+  const long unit = -log2_of(way.tangent(ball(1, coarse)));
+  const ball shift = at.late ? ball(0, coarse) : scale(ball(1, coarse), unit);
+  const auto excess = [&](const ball& x) {
+    const ball w = x.with_precision(x.precision() + at.lost) - shift;
+    const quarter<ball> here = way_at(w);
+    if (motion != regime::separatrix) return excess_at(here, w, at.late, target(w.precision()));
     // In closed form: t - arctan(sqrt(b/a) tanh w), w = lambda t = sqrt(ab) t.
     const ball root = sqrt(ball(rational(rigid.b() / rigid.a()), w.precision()));
-    return w / way.lambda() - atan(root * tanh(w)) - pi(w.precision());
+    return w / here.lambda() - atan(root * tanh(w)) - pi(w.precision());
   };
-  const auto slope = [&](const ball& w) { return slope_in_w(way_at(w), w, at.late); };
+  const auto slope = [&](const ball& x) { return slope_in_w(way_at(x), ball(x - shift), at.late); };
 
-  const quarter<ball> way(rigid, c, motion, coarse);
   const ball span = at.late ? scale(half_phase(rigid, c, coarse), -1) - abs(r) : abs(r);
   // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
   const ball low = span * way.lambda();
@@ -162,15 +166,16 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
                                      high.with_precision(bits).middle());
     uncertainty = low.radius();
   }
-  const precision goal = p + at.lost + std::max(0L, log2_of(start));
+  const precision goal = p + std::max(0L, at.late ? 0 : log2_of(start) - unit);
+  const ball x = start + shift;
   for (const int wider : {0, 8, 16, 24}) {
     // The step that maps the box into itself proves a root in it; there is no other, as phi increases with w.
-    const ball box = start.enlarged(std::max(scale(start.magnitude_upper(), wider - bits_of_search),
-                                             scale(uncertainty, wider)));
-    const root_enclosure found = refine_root(excess, slope, box, goal);
+    const magnitude radius =
+        std::max(scale(start.magnitude_upper(), wider - bits_of_search), scale(uncertainty, wider));
+    const root_enclosure found = refine_root(excess, slope, x.enlarged(radius), goal);
     if (found.verdict != root_verdict::unique) continue;
-    const ball sine = sinh(found.root);
-    const ball s = at.late ? way_at(found.root).from_end(sine) : sine;
+    const ball sine = sinh(found.root - shift);
+    const ball s = at.late ? way_at(sine).from_end(sine) : sine;
     return backwards ? -s : s;
   }
   return ball::undefined(p);
