@@ -102,17 +102,14 @@ T approximate_root(const quarter<T>& way, bool late, const T& target, T low, T h
     if (side_of(value) == 0) break;  // or a NaN
     (side_of(value) > 0 ? high : low) = w;
     const T step = centre(T(value / slope_in_w(way, w, late)));
-    T next = centre(T(w - step));
-    const bool near = size_of(step) <= scale(size_of(w), -bits_of_search);
-    if (side_of(T(next - low)) <= 0 || side_of(T(high - next)) <= 0)
-      next = centre(T(sqrt(low * high)));
-    w = next;
-    if (near) break;
+    w = centre(T(w - step));
+    if (size_of(step) <= scale(size_of(w), -bits_of_search)) break;
+    if (side_of(T(w - low)) <= 0 || side_of(T(high - w)) <= 0) w = centre(T(sqrt(low * high)));
   }
   return w;
 }
 
-/// The same in double, or nothing where it has no room for the numbers; their bits suffice for a start.
+/// The same in double, or nothing where it has no room for the numbers; a start where few bits are lost.
 std::optional<ball> quick_root(const body& rigid, const rational& c, regime motion, bool late,
                                const ball& target, const ball& low, const ball& high) {
   const auto number = [](const ball& x) { return midpoint(x).convert_to<double>(); };
@@ -159,7 +156,10 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
   ball start(0, bits);
   magnitude uncertainty = high.magnitude_upper();
   if (!contains_zero(r)) {
-    const auto quick = quick_root(rigid, c, motion, at.late, abs(r), low, high);
+    constexpr precision most_lost = 16;
+    const auto quick = at.lost <= most_lost
+                           ? quick_root(rigid, c, motion, at.late, abs(r), low, high)
+                           : std::nullopt;
     start = quick ? quick->with_precision(bits)
                   : approximate_root(quarter<ball>(rigid, c, motion, bits), at.late, target(bits),
                                      low.with_precision(bits).middle(),
