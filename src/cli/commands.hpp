@@ -14,12 +14,13 @@ namespace polhode::cli {
 [[nodiscard]] command eval_command();
 [[nodiscard]] command integrate_command();
 [[nodiscard]] command phase_command();
+[[nodiscard]] command racket_command();
 [[nodiscard]] command roots_command();
 
 /// In the order of the help.
 [[nodiscard]] inline std::vector<command> all_commands() {
-  return {certify_command(), constants_command(), eval_command(), integrate_command(),
-          roots_command(),   body_command(),      phase_command()};
+  return {certify_command(), constants_command(), eval_command(),  integrate_command(),
+          roots_command(),   body_command(),      phase_command(), racket_command()};
 }
 
 }  // namespace polhode::cli

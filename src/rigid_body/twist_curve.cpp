@@ -92,16 +92,16 @@ magnitude size_of(const ball& x) { return x.magnitude_upper(); }
 constexpr int bits_of_search = 30;
 
 /// A number near the root between the two, by Newton's method kept between them. It proves nothing.
-template <class T>
-T approximate_root(const quarter<T>& way, bool late, const T& target, T low, T high) {
+template <class T, class F, class Slope>
+T approximate_root(const F& f, const Slope& slope, T low, T high) {
   using std::sqrt;
   T w = low;
   constexpr int most_steps = 200;
   for (int i = 0; i < most_steps; ++i) {
-    const T value = excess_at(way, w, late, target);
+    const T value = f(w);
     if (side_of(value) == 0) break;  // or a NaN
     (side_of(value) > 0 ? high : low) = w;
-    const T step = centre(T(value / slope_in_w(way, w, late)));
+    const T step = centre(T(value / slope(w)));
     w = centre(T(w - step));
     if (size_of(step) <= scale(size_of(w), -bits_of_search)) break;
     if (side_of(T(w - low)) <= 0 || side_of(T(high - w)) <= 0) w = centre(T(sqrt(low * high)));
@@ -118,7 +118,10 @@ std::optional<ball> quick_root(const body& rigid, const rational& c, regime moti
   const quarter<double> way(rigid, c, motion, 53);
   const bool has_room = number(low) > least && number(high) < most && way.m1() > 1e-100;
   if (!has_room) return std::nullopt;
-  const double w = approximate_root(way, late, number(target), number(low), number(high));
+  const double rest = number(target);
+  const double w = approximate_root<double>([&](double x) { return excess_at(way, x, late, rest); },
+                                            [&](double x) { return slope_in_w(way, x, late); },
+                                            number(low), number(high));
   if (!(w > least && w < most)) return std::nullopt;
   return ball::exactly(w);
 }
@@ -161,9 +164,10 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
                            ? quick_root(rigid, c, motion, at.late, abs(r), low, high)
                            : std::nullopt;
     start = quick ? quick->with_precision(bits)
-                  : approximate_root(quarter<ball>(rigid, c, motion, bits), at.late, target(bits),
-                                     low.with_precision(bits).middle(),
-                                     high.with_precision(bits).middle());
+                  : approximate_root<ball>([&](const ball& w) { return excess(w + shift); },
+                                           [&](const ball& w) { return slope(w + shift); },
+                                           low.with_precision(bits).middle(),
+                                           high.with_precision(bits).middle());
     uncertainty = low.radius();
   }
   const precision goal = p + std::max(0L, at.late ? 0 : log2_of(start) - unit);
