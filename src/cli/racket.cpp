@@ -47,6 +47,19 @@ struct answer {
   twist at_c;
 };
 
+/// As certain(), of a number of the size e^(-pi sqrt(ab)) or its square.
+ball certain_small(const certain_number& n, const body& rigid, const char* what, long digits) {
+  const rational beyond_exponents("10000000000000");
+  if (n.verdict == status::certified || rigid.a() * rigid.b() < beyond_exponents) {
+    return certain(n, what, digits);
+  }
+  throw not_certified_error(
+      fmt::format("{} was not certified to {} digits: for so large an a b, {} being about e^(-pi "
+                  "sqrt(a b)) or its "
+                  "square, it may be below the exponents that numbers have here, 2^(-2^30)",
+                  what, digits, what));
+}
+
 answer answer_of(const racket_options& options, const body& rigid, const std::optional<rational>& c,
                  long digits) {
   const progress line;
@@ -54,13 +67,16 @@ answer answer_of(const racket_options& options, const body& rigid, const std::op
   result.kind = rigid.kind();
   result.injective = is_injective(rigid);
   line.show("computing epsilon0");
-  result.epsilon0 = certain(separatrix_defect_to_digits(rigid, digits), "epsilon0", digits);
+  result.epsilon0 =
+      certain_small(separatrix_defect_to_digits(rigid, digits), rigid, "epsilon0", digits);
   line.show("computing c0");
   if (has_perfect_twist(rigid)) {
-    result.perfect_twist = certain(perfect_twist_to_digits(rigid, digits), "c0", digits);
+    result.perfect_twist =
+        certain_small(perfect_twist_to_digits(rigid, digits), rigid, "c0", digits);
   }
   if (has_full_turn(rigid)) {
-    result.full_turn = certain(full_turn_to_digits(rigid, digits), "the full turn's c", digits);
+    result.full_turn =
+        certain_small(full_turn_to_digits(rigid, digits), rigid, "the full turn's c", digits);
   }
   result.meeting_count = meeting_count(rigid);
   result.intersections = intersection_count(rigid);

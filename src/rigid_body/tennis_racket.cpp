@@ -40,10 +40,9 @@ certain_number refuted() {
   return result;
 }
 
-/// A lower bound, to 1, of the exponents e with 2^e <= x; nothing where it is below the exponents that are used: a tenth of a
-/// part of those of MPFR.
+/// A lower bound, to 1, of the exponents e with 2^e <= x; nothing below the exponents that MPFR has unless they are changed.
 std::optional<long> exponent_below(const ball& log_2_of_x) {
-  constexpr long least = -(1L << 58);
+  constexpr long least = -(1L << 30);
   if (!log_2_of_x.is_bounded()) return std::nullopt;
   const integer below = numerator(lower_rational(floor(log_2_of_x)));
   if (below < least) return std::nullopt;

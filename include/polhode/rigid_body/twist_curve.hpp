@@ -41,7 +41,7 @@ enum class with_slope : bool { no, yes };
 /// Certified: n by an enclosure of pi/Q + 1/2 without an integer in it, at growing precision; psi_1 by an interval Newton step
 /// that maps a box into itself, which proves that the box holds a root. There is no other, since phi increases with psi.
 /// Not certified, precision_limit: c is so near a meeting of C and S (or such a perfect twist) that n is not decided with some
-/// multiple of the bits that c has; or e^(pi sqrt(ab)) is beyond the exponents of MPFR, some 2^(2^62).
+/// multiple of the bits that c has; or e^(pi sqrt(ab)) is beyond the exponents of MPFR, some 2^(2^30).
 [[nodiscard]] twist twist_at(const body& rigid, const rational& c, precision p,
                              with_slope slope = with_slope::yes);
 
