@@ -38,7 +38,7 @@ struct curve_options {
 struct point {
   rational c;
   ball epsilon;
-  std::optional<ball> turning;  // epsilon of S, for c <= 0
+  std::optional<ball> turning;  // epsilon of S up to pi/2, for c <= 0
 };
 
 /// The middles of N equal parts of the range.
@@ -125,13 +125,16 @@ std::string short_decimal(const rational& q) {
 
 std::string as_svg(const body& rigid, const std::vector<point>& points) {
   constexpr long drawn = 12;
+  if (points.size() < 2) throw usage_error("--points 1: a picture needs at least 2");
   std::string program =
       "set terminal svg size 900,600 font 'Helvetica,15' background 'white'\n"
-      "set xlabel 'c'\nset ylabel 'epsilon' norotate\n"
+      "set xlabel 'c'\nset ylabel 'epsilon'\n"
       "set key top right\nset grid lc rgb '#dddddd'\n"
       "set xzeroaxis lt 1 lc rgb '#888888'\nset yzeroaxis lt 1 lc rgb '#888888'\n"
       "set ytics ('-pi' -pi, '-pi/2' -pi/2, '0' 0, 'pi/4' pi/4, 'pi/2' pi/2, '3pi/4' 3*pi/4, 'pi' "
       "pi)\n";
+  program += fmt::format("set xrange [{}:{}]\n", leading_digits_of(points.front().c, drawn).value,
+                         leading_digits_of(points.back().c, drawn).value);
   program += fmt::format("set title 'a = {}, b = {}: {}'\n", short_decimal(rigid.a()),
                          short_decimal(rigid.b()), to_text(rigid.kind()));
   const auto decimals = [](const ball& x) { return to_decimal_enclosure(x, drawn).value; };
@@ -147,7 +150,10 @@ std::string as_svg(const body& rigid, const std::vector<point>& points) {
   program += "EOD\n";
   const bool oscillates = points.front().c <= 0;
   program += "plot $curve with lines lw 2 lc rgb '#20406a' title 'C'";
-  if (oscillates) program += ", $turning with lines lw 2 dt 2 lc rgb '#b03020' title 'S'";
+  if (oscillates)
+    program +=
+        ", $turning with lines lw 2 dt 2 lc rgb '#b03020' title 'S'"
+        ", $turning using 1:(pi-$2) with lines lw 2 dt 2 lc rgb '#b03020' notitle";
   return run_gnuplot(program + '\n');
 }
 

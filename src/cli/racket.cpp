@@ -104,10 +104,6 @@ answer answer_of(const racket_options& options, const body& rigid, const std::op
 
 bool is_intersection(const meeting& m) { return m.m % 2 != 0; }
 
-std::string times(const integer& n) {
-  return n == 0 ? "never" : (n == 1 ? "once" : n.str() + " times");
-}
-
 std::string text_of(const answer& a, long digits) {
   const auto decimals = [digits](const ball& x) { return to_decimal(x, digits); };
   std::string result = described(a.kind) + '\n';
@@ -117,8 +113,8 @@ std::string text_of(const answer& a, long digits) {
                             : "c0: there is no perfect twist, since J >= 2\n";
   result += a.full_turn ? fmt::format("full turn at c = {}\n", decimals(*a.full_turn))
                         : "there is no full turn, since J >= 1\n";
-  result += fmt::format("C meets S {} and crosses epsilon = pi/2 {}\n", times(a.intersections),
-                        times(a.crossings));
+  result += fmt::format("points where C meets S: {}; where it crosses epsilon = pi/2: {}\n",
+                        a.intersections.str(), a.crossings.str());
   for (const meeting& m : a.meetings) {
     result += is_intersection(m) ? fmt::format("meets S at c = {}, epsilon = {}\n", decimals(m.c),
                                                decimals(m.epsilon))

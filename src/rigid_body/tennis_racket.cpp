@@ -54,14 +54,21 @@ long exponent_above(const rational& x) {
          static_cast<long>(mpz_sizeinbase(denominator(x).backend().data(), 2)) + 1;
 }
 
-/// -(2 pi/m)/I in units of log 2. F(c,0) >= I log(4b/c) and G(u) >= I log(1/u), so that a root of either at 2 pi/m is not below
-/// e^(2 pi/(m I)) times 4b, or 1. Proof: 1 - b x >= 1 - b, a + b x <= a + b and 1 - x <= 1 in the integrals that define them
-/// (montgomery_phase.hpp) leave I sqrt(b) times the integral of 1/sqrt(x (c + b x)) over (0, 1), which is
-/// (2/sqrt b) arsinh sqrt(b/c) >= (1/sqrt b) log(4b/c); and I times that of 1/sqrt(x (x-u)) over (u, 1), which is
-/// 2 arcosh(1/sqrt u) >= log(1/u).
+/// t such that a root of F(c,0) = 2 pi/m has c >= 2b 2^t, and one of G(u) = 2 pi/m has u >= 2^t/2: t = -(2 pi/m) s/log 2 with
+/// s = 1/I, and also with s = 2 sqrt(b (a+b)).
+/// Proof. F(c,0) and G(u) are the integrals of (1 - b x)/sqrt(x (1-x) (a + b x)) times 1/sqrt(c + b x) over (0, 1), 1/sqrt(b (x-u))
+/// over (u, 1). With 1 - b x >= 1 - b, a + b x <= a + b, 1 - x <= 1 they are at least (1-b)/sqrt(a+b) times
+///   (2/sqrt b) arsinh sqrt(b/c) >= (1/sqrt b) log(4b/c),   (2/sqrt b) arcosh(1/sqrt u) >= (1/sqrt b) log(1/u);
+/// over x < 1/2 alone, where 1 - b x >= 1/2, at least (1/2)/sqrt(a+b) times
+///   (2/sqrt b) arsinh sqrt(b/(2c)) >= (1/sqrt b) log(2b/c),   (2/sqrt b) arcosh(1/sqrt(2u)) >= (1/sqrt b) log(1/(2u)) for u < 1/2.
+/// The first is I log(4b/c) or I log(1/u), the second the logarithm over 2 sqrt(b (a+b)).
 ball least_log2(const body& rigid, const integer& m) {
   constexpr precision p = 192;
-  return -2 * pi(p) / (m * rigid.geometric_constant(p) * log_2(p));
+  const rational& b = rigid.b();
+  const bool first = b < rational(1, 2);
+  const ball inverse =
+      first ? 1 / rigid.geometric_constant(p) : 2 * sqrt(ball(rational(b * (rigid.a() + b)), p));
+  return -2 * pi(p) * inverse / (m * log_2(p));
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -69,7 +76,7 @@ ball least_log2(const body& rigid, const integer& m) {
 
 certain_number rotating_root(const body& rigid, long m, long digits) {
   if (!rotates_beyond(rigid, m)) return refuted();
-  const ball scale_of_b = log2(ball(rational(4 * rigid.b()), 192));
+  const ball scale_of_b = log2(ball(rational(2 * rigid.b()), 192));
   const auto least = exponent_below(least_log2(rigid, integer(m)) + scale_of_b);
   if (!least) return {};
   // F(c,0) goes on decreasing for c > a.
@@ -99,27 +106,42 @@ share share_of(const ball& x, bool from_one) {
   return from_one ? share{1 - x, x} : share{x, 1 - x};
 }
 
+/// 1 - u for a root u > 1/2, to about p bits or to a relative width of about 1 - u, whichever is wider: by the mean value theorem
+/// G(u) - pi I = |G'| (1 - u) with G' at some point between u and 1, and |G'| falls with u. The gap 2/m - I is formed from the
+/// squares, which are rational: it does not cancel.
+ball share_from_one(const body& rigid, const integer& m, precision p) {
+  const rational two_over_m(2, m);
+  const rational squares(two_over_m * two_over_m - 4 / square_of_twice_inverse(rigid));
+  const ball gap = pi(p) * squares / (rigid.geometric_constant(p) + two_over_m);
+  const ball half(rational(1, 2), p);
+  ball x = hull(ball(0, p), half);
+  constexpr int most_steps = 8;
+  for (int i = 0; i < most_steps; ++i) {
+    const ball slope = -detail::oscillating_half_phase_slope(rigid, {1 - x, x});
+    const ball narrower = intersection(gap / slope, x);
+    const bool narrowed = narrower.radius() <= scale(x.radius(), -1);
+    x = narrower;
+    if (!narrowed) break;
+  }
+  return x;
+}
+
 std::optional<equation_range> range_of(const body& rigid, const integer& m) {
   constexpr precision p = 192;
   const share middle = share_of(ball(rational(1, 2), p), false);
   equation_range result;
   const ball excess = detail::oscillating_half_phase(rigid, middle) - 2 * pi(p) / m;
   if (!certainly_positive(excess)) {
-    const auto least = exponent_below(least_log2(rigid, m));
+    const auto least = exponent_below(least_log2(rigid, m) - 1);
     if (!least) return std::nullopt;
     result.least = *least;
     // Undecided: the root may be on either side of 1/2.
     result.greatest = certainly_negative(excess) ? -1 : 0;
     return result;
   }
-  // Beyond 1/2 |G'| <= |G'(1/2)|, so that 1 - u >= (2 pi/m - pi I)/|G'(1/2)|, where 2/m - I is formed from the squares.
   result.from_one = true;
-  const rational two_over_m(2, m);
-  const rational i2 = 4 / square_of_twice_inverse(rigid);
-  const ball gap =
-      pi(p) * rational(two_over_m * two_over_m - i2) / (rigid.geometric_constant(p) + two_over_m);
-  const ball least_share = -gap / detail::oscillating_half_phase_slope(rigid, middle);
-  const auto least = exponent_below(log2(least_share));
+  const ball x = share_from_one(rigid, m, p);
+  const auto least = exponent_below(log2(x));
   if (!least) return std::nullopt;
   result.least = *least;
   result.greatest = -1;
@@ -191,8 +213,7 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
   const bool intersection = m % 2 != 0;
   const bool beyond = m % 4 == 3;  // k even
   const precision needed = bits_for_digits(digits);
-  // Where m I is near 2, to first order 1 - u is a rational number times pi over others: its digits may repeat for as long.
-  const precision most_guard = detail::guard_for(digits) + 2 * range->lost;
+  const precision most_guard = detail::guard_for(digits);
   for (precision guard = 32; guard <= most_guard; guard *= 2) {
     const ball x = oscillating_root(rigid, m, *range, needed + guard);
     if (!x.is_bounded()) continue;
@@ -203,7 +224,7 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
     const ball cosine = sqrt(s.left);
     const ball epsilon =
         intersection ? atan2(sine, beyond ? -cosine : cosine) : ball::undefined(64);
-    if (!detail::has_digits(x, digits) || !detail::has_digits(c, digits) ||
+    if (!detail::has_digits(s.u, digits) || !detail::has_digits(c, digits) ||
         (intersection && !detail::has_digits(epsilon, digits))) {
       continue;
     }

@@ -154,7 +154,8 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
   // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
   const ball low = span * way.lambda();
   const ball high = 2 * low / rational(1 - rigid.b());
-  if (!high.is_bounded()) return ball::undefined(p);
+  constexpr long bits_of_exponents = 31;  // of MPFR's; S = sinh w would be beyond them
+  if (!high.is_bounded() || log2_of(low) > bits_of_exponents) return ball::undefined(p);
   const precision bits = coarse + std::max(0L, log2_of(high));
   ball start(0, bits);
   magnitude uncertainty = high.magnitude_upper();

@@ -55,7 +55,7 @@ struct meeting {
   reason why = reason::precision_limit;
   integer m;
   ball u;            // -c/b
-  ball one_minus_u;  // to as many digits of its own where it is below 1/2
+  ball one_minus_u;  // to as small a relative radius, where it is below 1/2
   ball c;
   ball epsilon;  // undefined where m is even: it is pi/2 exactly
 };
