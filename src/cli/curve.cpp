@@ -44,20 +44,7 @@ struct point {
 /// The middles of N equal parts of the range.
 std::vector<rational> motions_of(const curve_options& options, const body& rigid, long points) {
   motion_range range{rational(-rigid.b()), std::min(rigid.a(), rigid.b()), {}};
-  if (options.c) {
-    range = read_motions(*options.c);
-    if (range.steps || range.low == range.high) {
-      throw usage_error(fmt::format("--c {}: it must be LO..HI; --points says how many points",
-                                    in_quotes(*options.c)));
-    }
-    for (const rational& end : {range.low, range.high}) {
-      try {
-        (void)regime_of(rigid, end);
-      } catch (const input_error& error) {
-        throw usage_error(fmt::format("--c {}: {}", in_quotes(*options.c), error.what()));
-      }
-    }
-  }
+  if (options.c) range = read_motion_range(*options.c, rigid);
   std::vector<rational> result;
   result.reserve(static_cast<std::size_t>(points));
   for (long k = 0; k < points; ++k) {

@@ -37,7 +37,30 @@ std::optional<motion_range> range_in(const std::string& text) {
   return std::nullopt;
 }
 
+void refuse_unless_ascending(const std::string& text, const motion_range& range) {
+  if (range.low < range.high) return;
+  throw usage_error(
+      fmt::format("--c {}: the lower end must be below the upper one", in_quotes(text)));
+}
+
 }  // namespace
+
+motion_range read_motion_range(const std::string& text, const body& rigid) {
+  const auto result = range_in(text);
+  if (!result) {
+    throw usage_error(
+        fmt::format("--c {}: it must be LO..HI, such as -0.06..0.06", in_quotes(text)));
+  }
+  refuse_unless_ascending(text, *result);
+  for (const rational& end : {result->low, result->high}) {
+    try {
+      (void)regime_of(rigid, end);
+    } catch (const input_error& error) {
+      throw usage_error(fmt::format("--c {}: {}", in_quotes(text), error.what()));
+    }
+  }
+  return *result;
+}
 
 rational read_motion(const std::string& text, const body& rigid) {
   const rational c = read_number("--c", text);
@@ -65,7 +88,7 @@ motion_range read_motions(const std::string& text) {
   // The number of steps is behind the last "/": 0..1/3 is three steps, 0..1/3/10 ten.
   const std::size_t slash = text.rfind('/');
   std::optional<motion_range> result;
-  if (slash != std::string::npos) {
+  if (slash != std::string::npos && slash > text.rfind("..")) {
     const auto steps = steps_in(text.substr(slash + 1));
     result = range_in(text.substr(0, slash));
     if (result && !steps) {
@@ -81,10 +104,7 @@ motion_range read_motions(const std::string& text) {
     throw usage_error(fmt::format(
         "--c {}: it must be LO..HI/N, such as -0.06..0.06/12, or one number", in_quotes(text)));
   }
-  if (result->low >= result->high) {
-    throw usage_error(
-        fmt::format("--c {}: the lower end must be below the upper one", in_quotes(text)));
-  }
+  refuse_unless_ascending(text, *result);
   return *result;
 }
 
