@@ -21,6 +21,7 @@ constexpr const char* right =
     R"({"tensor": [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]})";
 
 /// Builds the value with every number as the text that it has in the file.
+// NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class exact_reader : public nlohmann::json_sax<json> {
  public:
   json result;
@@ -104,11 +105,11 @@ std::array<rational, Count> numbers_in(const json& value, const std::string& nam
 }
 
 std::array<rational, 6> tensor_in(const json& value) {
-  if (!value.is_array() || value.size() != 3) refuse("\"tensor\" must be an array of 3 rows");
+  if (!value.is_array() || value.size() != 3) refuse(R"("tensor" must be an array of 3 rows)");
   std::array<std::array<rational, 3>, 3> rows;
   for (std::size_t i = 0; i < 3; ++i) rows[i] = numbers_in<3>(value[i], "tensor");
   if (rows[0][1] != rows[1][0] || rows[0][2] != rows[2][0] || rows[1][2] != rows[2][1]) {
-    refuse("\"tensor\" must be symmetric");
+    refuse(R"("tensor" must be symmetric)");
   }
   return {rows[0][0], rows[1][1], rows[2][2], rows[0][1], rows[0][2], rows[1][2]};
 }
@@ -154,7 +155,7 @@ body_file read_body_file(const std::string& path) {
     }
   }
   if (bodies != 1) refuse(bodies == 0 ? "there is no body" : "there are several bodies");
-  if (result.sigma && !result.moments) refuse("\"sigma\" goes with \"moments\"");
+  if (result.sigma && !result.moments) refuse(R"("sigma" goes with "moments")");
   return result;
 }
 

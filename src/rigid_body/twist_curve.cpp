@@ -119,9 +119,9 @@ std::optional<ball> quick_root(const body& rigid, const rational& c, regime moti
   const bool has_room = number(low) > least && number(high) < most && way.m1() > 1e-100;
   if (!has_room) return std::nullopt;
   const double rest = number(target);
-  const double w = approximate_root<double>([&](double x) { return excess_at(way, x, late, rest); },
-                                            [&](double x) { return slope_in_w(way, x, late); },
-                                            number(low), number(high));
+  const auto w = approximate_root<double>([&](double x) { return excess_at(way, x, late, rest); },
+                                          [&](double x) { return slope_in_w(way, x, late); },
+                                          number(low), number(high));
   if (!(w > least && w < most)) return std::nullopt;
   return ball::exactly(w);
 }
