@@ -162,30 +162,15 @@ std::string json_of(const answer& a, long digits) {
   return result.dump(2) + '\n';
 }
 
-uncertain_body read_uncertain(const body_options& options) {
-  if (!options.which.moments || options.which.ab) {
-    throw usage_error("--sigma is for --moments");
-  }
-  const std::string& text = *options.which.moments;
-  const auto moments = read_triple("--moments", text);
-  const auto sigma = read_triple("--sigma", *options.sigma);
-  try {
-    return uncertain_body(
-        {{{moments[0], sigma[0]}, {moments[1], sigma[1]}, {moments[2], sigma[2]}}});
-  } catch (const input_error& error) {
-    throw usage_error(fmt::format("--moments {} --sigma {}: {}", in_quotes(text),
-                                  in_quotes(*options.sigma), error.what()));
-  }
-}
-
 exit_status run(const body_options& options) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
   constexpr double bytes_per_digit = 20;
   options.memory_limit.check(
       {fmt::format("{} digits of I and J", digits), bytes_per_digit * static_cast<double>(digits)});
-  const answer a = options.sigma ? answer_of(read_uncertain(options), digits)
-                                 : answer_of(options.which.value(), digits);
+  const auto uncertain = options.which.uncertain(options.sigma);
+  const answer a =
+      uncertain ? answer_of(*uncertain, digits) : answer_of(options.which.value(), digits);
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
   return a.kind == body_kind::undecided ? exit_status::not_certified : exit_status::all_certified;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -12,19 +13,32 @@
 
 namespace polhode::cli {
 
-/// --ab A,B or --moments IX,IY,IZ
+/// --ab A,B, --moments IX,IY,IZ, --rotational A,B,C or --body FILE
 struct body_option {
   std::optional<std::string> ab;
   std::optional<std::string> moments;
+  std::optional<std::string> rotational;
+  std::optional<std::string> file;
 
   void declare(CLI::App& app);
-  /// Throws usage_error where not exactly one was given, or where it cannot be read or is not a body.
+  /// Throws usage_error where not exactly one was given, where it cannot be read or is not a body, and for a file with sigma.
   [[nodiscard]] body value() const;
+  /// A body with ranges: by --moments and this sigma, or by a file that has one. Nothing where there is no sigma.
+  [[nodiscard]] std::optional<uncertain_body> uncertain(
+      const std::optional<std::string>& sigma) const;
 };
 
-/// Three numbers between commas, the value of the option so named; throws usage_error.
-[[nodiscard]] std::array<rational, 3> read_triple(const std::string& option,
-                                                  const std::string& text);
+/// The same options, each as often as wanted.
+struct bodies_option {
+  std::vector<std::string> ab;
+  std::vector<std::string> moments;
+  std::vector<std::string> rotational;
+  std::vector<std::string> files;
+
+  void declare(CLI::App& app);
+  /// Those by --ab first, then --moments, --rotational, --body. Throws usage_error where there is none.
+  [[nodiscard]] std::vector<body> value() const;
+};
 
 /// The number that is an option's value, exactly; throws usage_error.
 [[nodiscard]] rational read_number(const std::string& option, const std::string& text);

@@ -80,6 +80,11 @@ std::string with_dots(const leading_digits& d) {
   return d.value.substr(0, exponent) + "..." + d.value.substr(exponent);
 }
 
+std::string exact_text(const rational& q, long digits) {
+  const leading_digits d = leading_digits_of(q, digits);
+  return d.all ? d.value : to_text(q);
+}
+
 json exact_json(const rational& q, long digits) {
   const leading_digits d = leading_digits_of(q, digits);
   json number = to_json(ball(q, bits_for_digits(digits) + 64), digits);

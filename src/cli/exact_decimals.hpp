@@ -24,6 +24,9 @@ struct leading_digits {
 /// Dots behind the digits, and before an exponent, where more digits would follow.
 [[nodiscard]] std::string with_dots(const leading_digits& d);
 
+/// All its decimals where these are at most so many, else the quotient.
+[[nodiscard]] std::string exact_text(const rational& q, long digits);
+
 /// Its decimals, as every number has them, with "exact": true and the quotient under "rational".
 [[nodiscard]] json exact_json(const rational& q, long digits);
 

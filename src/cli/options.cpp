@@ -12,7 +12,8 @@
 namespace polhode::cli {
 
 void digits_option::declare(CLI::App& app) {
-  app.add_option("--digits", text, "Significant digits of every number, at least 1 [50]")
+  app.add_option("--digits", text,
+                 fmt::format("Significant digits of every number, at least 1 [{}]", text))
       ->type_name("N");
 }
 

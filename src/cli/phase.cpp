@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "exact_decimals.hpp"
 #include "memory_limit.hpp"
+#include "motion_option.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
@@ -23,6 +24,7 @@ struct phase_options {
   body_option which;
   std::optional<std::string> c;
   bool excess = false;
+  bool parts = false;
   digits_option digits;
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
@@ -36,27 +38,31 @@ struct answer {
   std::optional<ball> phase;
   std::optional<ball> bound;
   std::optional<ball> excess;
+  std::optional<ball> period;
+  std::optional<ball> dynamic;
+  std::optional<ball> geometric;
 };
 
 bool is_moving(regime r) { return r == regime::oscillating || r == regime::rotating; }
 bool is_equilibrium(regime r) { return r == regime::equilibrium_x || r == regime::equilibrium_z; }
 
-ball certain(const certain_number& n, const char* what, long digits) {
-  if (n.verdict == status::certified) return n.enclosure;
-  throw not_certified_error(
-      fmt::format("{} was not certified to {} digits ({})", what, digits, to_text(n.why)));
-}
-
 answer answer_of(const phase_options& options, const body& rigid, const rational& c, long digits) {
   const progress line;
   line.show("computing the phase");
-  answer result{rigid.kind(), c, regime_of(rigid, c), {}, {}, {}};
+  answer result{rigid.kind(), c, regime_of(rigid, c), {}, {}, {}, {}, {}, {}};
   if (result.motion == regime::separatrix) return result;
   if (is_moving(result.motion)) {
     result.phase = certain(montgomery_phase_to_digits(rigid, c, digits), "the phase", digits);
     if (options.excess) {
       result.excess =
           certain(montgomery_phase_excess_to_digits(rigid, c, digits), "the excess", digits);
+    }
+    if (options.parts) {
+      result.period = certain(rotation_period_to_digits(rigid, c, digits), "the period", digits);
+      result.dynamic =
+          certain(dynamic_phase_to_digits(rigid, c, digits), "the dynamic part", digits);
+      result.geometric =
+          certain(geometric_phase_to_digits(rigid, c, digits), "the geometric part", digits);
     }
   }
   result.bound = certain(montgomery_phase_limit_to_digits(rigid, c, digits), "the bound", digits);
@@ -85,6 +91,11 @@ std::string text_of(const answer& a, long digits) {
     result += fmt::format("{} {} = {}\n", is_moving(a.motion) ? "greatest lower bound" : "limit",
                           bound_formula(a.motion), to_decimal(*a.bound, digits));
   }
+  if (a.period) {
+    result += fmt::format("dynamic part (1 + c) T = {}\n", to_decimal(*a.dynamic, digits));
+    result += fmt::format("geometric part = {}\n", to_decimal(*a.geometric, digits));
+    result += fmt::format("period T = {} I_y/J\n", to_decimal(*a.period, digits));
+  }
   if (a.excess) result += fmt::format("above it by {}\n", to_decimal(*a.excess, digits));
   if (a.kind == body_kind::non_physical) result += described(a.kind) + '\n';
   return result;
@@ -100,6 +111,11 @@ std::string json_of(const answer& a, long digits) {
   if (a.bound) {
     result[is_moving(a.motion) ? "greatest_lower_bound" : "limit"] = to_json(*a.bound, digits);
   }
+  if (a.period) {
+    result["dynamic"] = to_json(*a.dynamic, digits);
+    result["geometric"] = to_json(*a.geometric, digits);
+    result["period"] = to_json(*a.period, digits);
+  }
   if (a.excess) result["excess"] = to_json(*a.excess, digits);
   return result.dump(2) + '\n';
 }
@@ -109,12 +125,7 @@ exit_status run(const phase_options& options) {
   const bool json_wanted = options.format.value() == "json";
   const body rigid = options.which.value();
   if (!options.c) throw usage_error("there is no motion; give --c C, from -b to a");
-  const rational c = read_number("--c", *options.c);
-  try {
-    (void)regime_of(rigid, c);
-  } catch (const input_error& error) {
-    throw usage_error(fmt::format("--c {}: {}", in_quotes(*options.c), error.what()));
-  }
+  const rational c = read_motion(*options.c, rigid);
   constexpr double bytes_per_digit = 40;  // measured at 10^6 digits: 33
   options.memory_limit.check({fmt::format("{} digits of the phase", digits),
                               bytes_per_digit * static_cast<double>(digits)});
@@ -132,6 +143,8 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("C");
   app.add_flag("--excess", options->excess,
                "Print by how much the phase is above its greatest lower bound, too");
+  app.add_flag("--parts", options->parts,
+               "Print its dynamic and its geometric part, and the period in time, too");
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);

@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
 namespace {
@@ -47,18 +48,6 @@ rational turning_point(const body& rigid, const rational& c) {
   return 0;
 }
 
-/// Nothing cancels: digits are missing only by a run of 0s or 9s, once the radius is small enough.
-precision guard_without_cancellation(long digits) { return 15 * bits_for_digits(digits) + 1024; }
-
-certain_number to_digits(const enclosing_function& f, long digits, precision most_guard) {
-  certain_number result;
-  result.enclosure = enclose_to_digits(f, digits, most_guard);
-  if (result.enclosure.is_undefined()) return result;
-  result.verdict = status::certified;
-  result.why = reason::none;
-  return result;
-}
-
 }  // namespace
 
 ball phase_integral(const body& rigid, const rational& c, const rational& u, precision p) {
@@ -92,6 +81,25 @@ ball montgomery_phase(const body& rigid, const rational& c, precision p) {
   return 2 * phase_integral(rigid, c, turning_point(rigid, c), p);
 }
 
+ball rotation_period(const body& rigid, const rational& c, precision p) {
+  (void)turning_point(rigid, c);  // refuses where there is no period
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const rational first(c < 0 ? a - c : a);
+  const rational second(c < 0 ? b : b + c);
+  const ball lambda2(rational(first * second), p);
+  const ball m1(rational(abs(c) * (a + b) / (first * second)), p);
+  return 4 * carlson_rf(ball(0, p), m1, ball(1, p)) / sqrt(lambda2);
+}
+
+ball dynamic_phase(const body& rigid, const rational& c, precision p) {
+  return rational(1 + c) * rotation_period(rigid, c, p);
+}
+
+ball geometric_phase(const body& rigid, const rational& c, precision p) {
+  return montgomery_phase(rigid, c, p) - dynamic_phase(rigid, c, p);
+}
+
 ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
   const regime r = regime_of(rigid, c);
   if (r == regime::separatrix) {
@@ -103,13 +111,29 @@ ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
 }
 
 certain_number montgomery_phase_to_digits(const body& rigid, const rational& c, long digits) {
-  return to_digits([&](precision p) { return montgomery_phase(rigid, c, p); }, digits,
-                   guard_without_cancellation(digits));
+  return detail::number_to_digits([&](precision p) { return montgomery_phase(rigid, c, p); },
+                                  digits, detail::guard_for(digits));
 }
 
 certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c, long digits) {
-  return to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); }, digits,
-                   guard_without_cancellation(digits));
+  return detail::number_to_digits([&](precision p) { return montgomery_phase_limit(rigid, c, p); },
+                                  digits, detail::guard_for(digits));
+}
+
+certain_number rotation_period_to_digits(const body& rigid, const rational& c, long digits) {
+  return detail::number_to_digits([&](precision p) { return rotation_period(rigid, c, p); }, digits,
+                                  detail::guard_for(digits));
+}
+
+certain_number dynamic_phase_to_digits(const body& rigid, const rational& c, long digits) {
+  return detail::number_to_digits([&](precision p) { return dynamic_phase(rigid, c, p); }, digits,
+                                  detail::guard_for(digits));
+}
+
+certain_number geometric_phase_to_digits(const body& rigid, const rational& c, long digits) {
+  const precision sizes = size_in_bits(rigid.a()) + size_in_bits(rigid.b()) + size_in_bits(c);
+  return detail::number_to_digits([&](precision p) { return geometric_phase(rigid, c, p); }, digits,
+                                  2 * sizes + detail::guard_for(digits));
 }
 
 certain_number montgomery_phase_excess_to_digits(const body& rigid, const rational& c,
@@ -121,7 +145,7 @@ certain_number montgomery_phase_excess_to_digits(const body& rigid, const ration
   const auto excess = [&](precision p) {
     return montgomery_phase(rigid, c, p) - montgomery_phase_limit(rigid, c, p);
   };
-  return to_digits(excess, digits, 2 * cancelled + guard_without_cancellation(digits));
+  return detail::number_to_digits(excess, digits, 2 * cancelled + detail::guard_for(digits));
 }
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // polhode body and polhode phase: what is printed, exit statuses, refusals.
 
-#include <algorithm>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -8,28 +8,10 @@
 
 #include "enclosure.hpp"
 #include "program.hpp"
+#include "refusal.hpp"
 
 namespace polhode::test {
 namespace {
-
-std::string certified(const std::vector<std::string>& arguments) {
-  const outcome result = run(arguments);
-  EXPECT_EQ(result.status, 0) << result.err;
-  EXPECT_EQ(result.err, "");
-  return result.out;
-}
-
-void expect_refused(const std::vector<std::string>& arguments,
-                    const std::vector<std::string>& words) {
-  const outcome result = run(arguments);
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.out, "");
-  EXPECT_EQ(result.err.rfind("polhode: ", 0), 0U) << result.err;
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  for (const std::string& word : words) {
-    EXPECT_NE(result.err.find(word), std::string::npos) << word << " in " << result.err;
-  }
-}
 
 TEST(BodyCommand, PrintsKindAndConstants) {
   EXPECT_EQ(certified({"body", "--ab", "12.65,0.0629", "--digits", "12"}),
@@ -79,6 +61,68 @@ TEST(BodyCommand, UncertainMoments) {
                  {"value - sigma = 0", "not positive"});
   expect_refused({"body", "--moments", "3,2,1", "--sigma", "1,-1,1"}, {"sigma"});
   expect_refused({"body", "--ab", "1,0.1", "--sigma", "1,1,1"}, {"--sigma is for --moments"});
+}
+
+TEST(BodyCommand, RotationalConstants) {
+  // Water in its ground state.
+  const json water = json::parse(certified(
+      {"body", "--rotational", "9.28,14.52,27.88", "--digits", "45", "--format", "json"}));
+  EXPECT_EQ(water.at("geometric_constant").at("value"),
+            "0.939995686340632609491131612197346752681353788");
+  EXPECT_EQ(water.at("kind"), "non-physical");
+  EXPECT_EQ(water.at("moments").at("x").at("rational"), "25/232");
+  expect_refused({"body", "--rotational", "9.28,0,1"},
+                 {"rotational constants", "0 is not positive"});
+  expect_refused({"body", "--rotational", "1,1,2"}, {"symmetric top"});
+  expect_refused({"body", "--rotational", "1,2"}, {"3 numbers"});
+}
+
+TEST(BodyCommand, Files) {
+  const scratch_directory scratch;
+  const std::string path = scratch.path("body.json");
+  const auto write = [&](const std::string& text) { std::ofstream(path) << text; };
+  const auto body_in = [&](const std::string& text) {
+    write(text);
+    return certified({"body", "--body", path, "--digits", "5"});
+  };
+  const auto refused = [&](const std::string& text, const std::vector<std::string>& words) {
+    write(text);
+    expect_refused({"body", "--body", path}, words);
+  };
+  const std::string top = certified({"body", "--moments", "3,5/2,1", "--digits", "5"});
+  EXPECT_EQ(body_in(R"({"name": "top", "moments": [3, "5/2", 1]})"), top);
+  EXPECT_EQ(body_in(R"({"tensor": [[2, -1, 0], [-1, 2, 0], [0, 0, 2.50]]})"), top);
+  // Numbers are exact: the decimal is not a double.
+  EXPECT_NE(body_in(R"({"ab": [12.65, 0.0629]})").find("b = 629/10000 exactly"), std::string::npos);
+  EXPECT_NE(body_in(R"({"ab": [2, 0.25000000000000000000000000000001]})").find("non-physical"),
+            std::string::npos);
+  EXPECT_NE(body_in(R"({"rotational": [27.88, 14.52, 9.28]})").find("I = 0.93999..."),
+            std::string::npos);
+  write(R"({"moments": [3.01, 2, 1], "sigma": [0.1, 0.1, 0.05]})");
+  EXPECT_EQ(run({"body", "--body", path}).status, 1);
+  expect_refused({"racket", "--body", path}, {"sigma", "polhode body"});
+  refused(R"({"tensor": [[2, -1, 0], [-1, 2, 0.1], [0, 0.1, 2.5]]})",
+          {"3.00985", "2.49347", "0.99666", "not all rational"});
+  refused(R"({"tensor": [[2, 0, 0], [0, 2, 0], [0, 0, 1]]})", {"two principal moments are equal"});
+  refused(R"({"tensor": [[1, 3, 0], [3, 2, 0], [0, 0, 1]]})", {"not positive"});
+  refused(R"({"tensor": [[1, 3, 0], [2, 2, 0], [0, 0, 1]]})", {"symmetric"});
+  refused(R"({"tensor": [[1e-2000, 0, 0], [0, 2, 0], [0, 0, 1]]})", {"bits"});
+  refused(R"({"moments": [3, 2, 1], "ab": [1, 0.5]})", {"several bodies"});
+  refused(R"({"moments": [3, 2, 1], "moments": [1, 2, 3]})", {"appears twice"});
+  refused(R"({"moment": [3, 2, 1]})", {"\"moment\"", "not known"});
+  refused(R"({"moments": [3, 2]})", {"3 numbers"});
+  refused(R"({"moments": [3, 2, null]})", {"must hold numbers"});
+  refused(R"({"moments": [3, 2, "x"]})", {"\"x\"", "not a number"});
+  refused(R"({"moments": [1e400, 2, 1]})", {"exponent", "quotes"});
+  refused(R"({"ab": [1, 0.5], "sigma": [0, 0, 0]})", {"sigma"});
+  refused(R"({"moments": [3, 2, 1)", {"no JSON from byte"});
+  refused("[1, 2]", {"no JSON object"});
+  refused("", {"empty"});
+  refused(std::string(100'000, '['), {"nested too deeply"});
+  refused(std::string(5'000'000, ' '), {"longer than"});
+  expect_refused({"body", "--body", scratch.path("missing.json")}, {"No such file"});
+  expect_refused({"body", "--body", scratch.path("")}, {"--body"});
+  expect_refused({"body", "--body", path, "--sigma", "1,1,1"}, {"--sigma is for --moments"});
 }
 
 TEST(BodyCommand, RefusesWhatIsNoBody) {
@@ -141,6 +185,21 @@ TEST(PhaseCommand, JsonWithTheExcess) {
       json::parse(certified({"phase", "--ab", "2,1/4", "--c", "0", "--format", "json"}));
   EXPECT_TRUE(infinite.at("phase").is_null());
   EXPECT_EQ(infinite.at("remark"), "the phase is infinite");
+}
+
+TEST(PhaseCommand, Parts) {
+  const json result = json::parse(certified(
+      {"phase", "--ab", "2,1/4", "--c", "-1/8", "--parts", "--digits", "20", "--format", "json"}));
+  expect_enclosure(result.at("dynamic"), 20);
+  expect_enclosure(result.at("geometric"), 20);
+  expect_enclosure(result.at("period"), 20);
+  const auto number = [&](const char* name) {
+    return parse_rational(result.at(name).at("value").get<std::string>());
+  };
+  const rational sum(number("dynamic") + number("geometric") - number("phase"));
+  EXPECT_LT(abs(sum), parse_rational("1e-17"));
+  EXPECT_LT(abs(rational(number("dynamic") - rational(7, 8) * number("period"))),
+            parse_rational("1e-17"));
 }
 
 TEST(PhaseCommand, RefusesBadInput) {

@@ -29,6 +29,18 @@ class body {
   /// equal: such a symmetric top has no intermediate axis.
   static body from_moments(const std::array<rational, 3>& given);
 
+  /// The rotational constants of a molecule in any order and any one unit (1/cm, MHz): its moments are as their inverses.
+  /// moments() are these inverses. Throws input_error as from_moments does.
+  static body from_rotational_constants(const std::array<rational, 3>& given);
+
+  /// The inertia tensor in any axes, by its entries xx, yy, zz, xy, xz, yz. Throws input_error where it is not positive
+  /// definite, where two principal moments are equal, or where they are not all rational: a body is exact.
+  ///
+  /// With the least common denominator L the entries of L times the tensor are integers, and so its characteristic polynomial
+  /// has integer coefficients and leads with 1: its rational roots are integers. Each of its roots is enclosed between
+  /// integers by Sturm's theorem, and tried.
+  static body from_inertia_tensor(const std::array<rational, 6>& given);
+
   [[nodiscard]] const rational& a() const { return a_; }
   [[nodiscard]] const rational& b() const { return b_; }
 

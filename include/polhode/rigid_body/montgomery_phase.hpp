@@ -44,6 +44,18 @@ namespace polhode {
 /// input_error on the separatrix.
 [[nodiscard]] ball montgomery_phase_limit(const body& rigid, const rational& c, precision p);
 
+/// The period T of the angular momentum in the body, in units of I_y/J, to about p bits:
+///   T = (4/lambda) R_F(0, 1-m, 1),  lambda^2 = b (a-c), 1-m = -c (a+b)/(b (a-c)) where the body oscillates,
+///                                   lambda^2 = a (b+c), 1-m =  c (a+b)/(a (b+c)) where it rotates,
+/// four quarter periods K/lambda of Euler's equations (L. D. Landau, E. M. Lifshitz, Mechanics, 37; proved here in
+/// src/rigid_body/quarter.hpp, where dphi/dt = 1 - b x). Throws input_error as montgomery_phase does.
+[[nodiscard]] ball rotation_period(const body& rigid, const rational& c, precision p);
+
+/// The two parts of the Montgomery phase (R. Montgomery, Am. J. Phys. 59, 1991): dynamic, 2 H T/J = (1 + c) T in units of I_y/J,
+/// and geometric, the phase less that, -(the integral of cos theta dpsi around) = -(the integral of c + b x over a period) < 0.
+[[nodiscard]] ball dynamic_phase(const body& rigid, const rational& c, precision p);
+[[nodiscard]] ball geometric_phase(const body& rigid, const rational& c, precision p);
+
 /// A number asked for to so many digits.
 struct certain_number {
   status verdict = status::not_certified;
@@ -58,6 +70,14 @@ struct certain_number {
 /// The same of montgomery_phase_limit.
 [[nodiscard]] certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c,
                                                               long digits);
+
+/// The same of these. The geometric part cancels near c = -b, where it is of the order of 1 + c/b.
+[[nodiscard]] certain_number rotation_period_to_digits(const body& rigid, const rational& c,
+                                                       long digits);
+[[nodiscard]] certain_number dynamic_phase_to_digits(const body& rigid, const rational& c,
+                                                     long digits);
+[[nodiscard]] certain_number geometric_phase_to_digits(const body& rigid, const rational& c,
+                                                       long digits);
 
 /// By how much the phase is above its greatest lower bound, to so many certain digits of this difference, which
 /// cancels near the end: of the order of 1 - u = 1 + c/b or of a - c.

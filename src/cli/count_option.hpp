@@ -1,0 +1,44 @@
+#pragma once
+
+// An option that is a whole number within limits.
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "errors.hpp"
+
+namespace polhode::cli {
+
+class count_option {
+ public:
+  count_option(std::string name, long by_default, long least, long most)
+      : name_(std::move(name)), text_(std::to_string(by_default)), least_(least), most_(most) {}
+
+  void declare(CLI::App& app, const std::string& description) {
+    app.add_option(name_, text_, fmt::format("{} [{}]", description, text_))->type_name("N");
+  }
+
+  /// Throws usage_error for anything but a whole number within the limits.
+  [[nodiscard]] long value() const {
+    long result = 0;
+    const char* end = text_.data() + text_.size();
+    const auto [rest, error] = std::from_chars(text_.data(), end, result);
+    if (error != std::errc() || rest != end || result < least_ || result > most_) {
+      throw usage_error(fmt::format("{} {}: it must be a whole number from {} to {}", name_,
+                                    in_quotes(text_), least_, most_));
+    }
+    return result;
+  }
+
+ private:
+  std::string name_;
+  std::string text_;
+  long least_;
+  long most_;
+};
+
+}  // namespace polhode::cli

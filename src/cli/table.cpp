@@ -1,0 +1,265 @@
+// polhode table: a quantity of the rotation for many bodies and motions.
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "body_option.hpp"
+#include "commands.hpp"
+#include "exact_decimals.hpp"
+#include "memory_limit.hpp"
+#include "motion_option.hpp"
+#include "options.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/tennis_racket.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct quantity {
+  std::string name;
+  std::string description;
+  bool of_motion;  // of a body and c, or of a body alone
+  certain_number (*compute)(const body&, const rational& c, long digits);
+  /// Throws usage_error where there is none.
+  void (*check)(const body&, const rational& c);
+};
+
+void check_phase(const body& rigid, const rational& c) {
+  refuse_equilibrium(rigid, c, "phase");
+  if (c == 0) {
+    throw usage_error(
+        "c = 0: on the separatrix the phase is infinite; choose the range of --c so that 0 is not "
+        "in it");
+  }
+}
+
+const std::vector<quantity>& all_quantities() {
+  static const std::vector<quantity> quantities{
+      {"phase", "Montgomery phase, unwrapped", true, montgomery_phase_to_digits, check_phase},
+      {"epsilon", "defect epsilon(c) of the tennis racket effect", true,
+       [](const body& rigid, const rational& c, long digits) {
+         const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
+         return certain_number{t.verdict, t.why, t.epsilon};
+       },
+       [](const body& rigid, const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); }},
+      {"epsilon0", "defect on the separatrix", false,
+       [](const body& rigid, const rational&, long digits) {
+         return separatrix_defect_to_digits(rigid, digits);
+       },
+       [](const body&, const rational&) {}},
+      {"c0", "motion of the perfect twist", false,
+       [](const body& rigid, const rational&, long digits) {
+         return perfect_twist_to_digits(rigid, digits);
+       },
+       [](const body& rigid, const rational&) {
+         if (has_perfect_twist(rigid)) return;
+         throw usage_error(
+             fmt::format("a = {}, b = {}: there is no perfect twist and no c0, since J >= 2",
+                         to_text(rigid.a()), to_text(rigid.b())));
+       }}};
+  return quantities;
+}
+
+struct row {
+  rational a;
+  rational b;
+  std::optional<rational> c;
+  ball value;
+};
+
+struct table_options {
+  std::vector<std::string> quantity;
+  bodies_option bodies;
+  std::optional<std::string> c;
+  digits_option digits;
+  format_option format{{"csv", "json", "cpp"}};
+  memory_limit_option memory_limit;
+};
+
+// ---------------------------------------------------------------------------------------------
+// The formats
+
+constexpr long digits_of_arguments = 1000;
+
+std::string as_csv(const quantity& q, const std::vector<row>& rows, long digits) {
+  std::string result = q.of_motion ? "a,b,c," : "a,b,";
+  result += q.name + ",lower,upper,digits\n";
+  for (const row& r : rows) {
+    const decimal_enclosure d = to_decimal_enclosure(r.value, digits);
+    result +=
+        exact_text(r.a, digits_of_arguments) + ',' + exact_text(r.b, digits_of_arguments) + ',';
+    if (r.c) result += exact_text(*r.c, digits_of_arguments) + ',';
+    result += fmt::format("{},{},{},{}\n", d.value, d.lower, d.upper, d.digits);
+  }
+  return result;
+}
+
+std::string as_json(const quantity& q, const std::vector<row>& rows, long digits) {
+  json result{{"quantity", q.name},
+              {"description", q.description},
+              {"verdict", to_text(status::certified)},
+              {"rows", json::array()}};
+  for (const row& r : rows) {
+    json one{{"a", exact_json(r.a, digits)}, {"b", exact_json(r.b, digits)}};
+    if (r.c) one["c"] = exact_json(*r.c, digits);
+    one[q.name] = to_json(r.value, digits);
+    result["rows"].push_back(std::move(one));
+  }
+  return result.dump(2) + '\n';
+}
+
+constexpr long digits_of_literals = 50;
+
+/// Decimals as a floating point literal.
+std::string literal(const std::string& decimals) {
+  return decimals.find_first_of(".e") == std::string::npos ? decimals + ".0" : decimals;
+}
+std::string literal(const rational& q) {
+  return literal(leading_digits_of(q, digits_of_literals).value);
+}
+
+std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits) {
+  std::string result = fmt::format(
+      "// Written by polhode {}: the {}. The decimals are the first {} significant\n"
+      "// digits of the true values, cut off, not rounded; the floating point numbers are rounded "
+      "by the "
+      "compiler\n"
+      "// from {} digits.\n"
+      "#pragma once\n\n#include <array>\n#include <string_view>\n\nnamespace polhode_tables {{\n\n",
+      POLHODE_VERSION, q.description, digits, digits_of_literals);
+  result += fmt::format(
+      "struct {}_row {{\n  double a;\n  double b;\n{}  double {};\n  std::string_view "
+      "decimal;\n}};\n\n",
+      q.name, q.of_motion ? "  double c;\n" : "", q.name);
+  result += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows.size());
+  for (const row& r : rows) {
+    result += "    {" + literal(r.a) + ", " + literal(r.b) + ", ";
+    if (r.c) result += literal(*r.c) + ", ";
+    result += fmt::format("{}, \"{}\"}},\n",
+                          literal(to_decimal_enclosure(r.value, digits_of_literals).value),
+                          to_decimal_enclosure(r.value, digits).value);
+  }
+  return result + "}};\n\n}  // namespace polhode_tables\n";
+}
+
+// ---------------------------------------------------------------------------------------------
+// The command
+
+const quantity& selected(const table_options& options) {
+  const std::vector<std::string> all = names_of(all_quantities());
+  const std::vector<std::string> names =
+      known_names(options.quantity, all, "quantity", "polhode table --help");
+  if (names.size() != 1) {
+    throw usage_error(
+        fmt::format("{}; give one of {}",
+                    names.empty() ? "there is no quantity" : "there are several quantities",
+                    fmt::join(all, ", ")));
+  }
+  return *std::find_if(all_quantities().begin(), all_quantities().end(),
+                       [&](const quantity& q) { return q.name == names.front(); });
+}
+
+/// The rows without their values, each of which is known to exist.
+std::vector<row> rows_of(const table_options& options, const quantity& q) {
+  const std::vector<body> bodies = options.bodies.value();
+  if (q.of_motion != options.c.has_value()) {
+    throw usage_error(
+        q.of_motion ? fmt::format("{} is that of a motion; give --c LO..HI/N, or --c C", q.name)
+                    : fmt::format("--c: {} is that of a body and of no motion", q.name));
+  }
+  std::vector<rational> motions;
+  if (q.of_motion) {
+    const motion_range range = read_motions(*options.c);
+    if (!range.steps && range.low != range.high) {
+      throw usage_error(
+          fmt::format("--c {}: the number of steps is missing; give LO..HI/N, such as {}/10",
+                      in_quotes(*options.c), *options.c));
+    }
+    motions = range.values();
+  }
+  std::vector<row> result;
+  result.reserve(bodies.size() * std::max<std::size_t>(motions.size(), 1));
+  for (const body& rigid : bodies) {
+    if (!q.of_motion) {
+      q.check(rigid, 0);
+      result.push_back({rigid.a(), rigid.b(), {}, {}});
+    }
+    for (const rational& c : motions) {
+      try {
+        (void)regime_of(rigid, c);
+      } catch (const input_error& error) {
+        throw usage_error(fmt::format("--c {}: {}", in_quotes(*options.c), error.what()));
+      }
+      q.check(rigid, c);
+      result.push_back({rigid.a(), rigid.b(), c, {}});
+    }
+  }
+  return result;
+}
+
+exit_status run(const table_options& options) {
+  const quantity& q = selected(options);
+  const long digits = options.digits.value();
+  const std::string& format = options.format.value();
+  const long computed = format == "cpp" ? std::max(digits, digits_of_literals) : digits;
+  std::vector<row> rows = rows_of(options, q);
+  constexpr double bytes_per_digit = 60;
+  constexpr double bytes_kept = 12;
+  options.memory_limit.check({fmt::format("{} numbers of {} digits", rows.size(), digits),
+                              (bytes_per_digit + bytes_kept * static_cast<double>(rows.size())) *
+                                  static_cast<double>(computed)});
+  const progress line;
+  std::size_t done = 0;
+  for (row& r : rows) {
+    line.show(fmt::format("computing {} ({}/{})", q.name, ++done, rows.size()));
+    const std::string where = fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.a),
+                                          to_text(r.b), r.c ? ", c = " + to_text(*r.c) : "");
+    r.value =
+        certain(q.compute(body(r.a, r.b), r.c ? *r.c : rational(0), computed), where, computed);
+  }
+  print(format == "csv" ? as_csv(q, rows, digits)
+                        : (format == "json" ? as_json(q, rows, digits) : as_cpp(q, rows, digits)));
+  return exit_status::all_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<table_options>();
+  app.add_option("QUANTITY", options->quantity,
+                 fmt::format("What to tabulate: {}", fmt::join(names_of(all_quantities()), ", ")))
+      ->type_name("");
+  options->bodies.declare(app);
+  app.add_option(
+         "--c", options->c,
+         "The motions, for phase and epsilon: N equal steps from LO to HI, both included; or one")
+      ->type_name("LO..HI/N");
+  options->digits.declare(app);
+  options->format.declare(app);
+  options->memory_limit.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command table_command() {
+  return {
+      "table", "Tabulate a quantity of free rotations, every number certified",
+      "  polhode table phase --ab 12.65,0.0629 --c -0.06..-0.01/5\n"
+      "  polhode table epsilon --ab 12.65,0.0629 --ab 18.27,0.0629 --c -0.06..0.06/24 --digits 20\n"
+      "  polhode table c0 --moments 3,2,1 --moments 5,4,3 --format json\n\n"
+      "phase is the Montgomery phase, epsilon the defect of the tennis racket effect at c, "
+      "epsilon0 that on\n"
+      "the separatrix, c0 the motion of the perfect twist. The numbers of --c are formed exactly. "
+      "Either\n"
+      "every number is certified, or nothing is printed.\n",
+      declare};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <concepts>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/elliptic/carlson.hpp"
+#include "polhode/rigid_body/regime.hpp"
+
+namespace polhode::detail {
+
+/// The motion on its first quarters, by S = sinh w = tan am(lambda t), t the time from the middle of the twist in I_y/J:
+///
+///                oscillating               rotating, separatrix
+///   kappa^2      (a+b)/(a-c)               (a+b)/a
+///   m1 = 1 - m   -c (a+b)/(b (a-c))        c (a+b)/(a (b+c))
+///   lambda^2     b (a-c)                   a (b+c)
+///   eta          (b+c)/b                   1
+///   tan psi      sqrt(eta) T/sqrt(1+m1 S^2)   T              with T = kappa S
+///
+/// and in both, with x = cos^2 psi,
+///   1 - x = eta T^2/(1+T^2),   a + b x = (a+b)(1+S^2)/(1+T^2),                                               (1)
+///   {x, (c + b x)/(b+c)} = {(1+m1 S^2)/(1+T^2), 1/(1+T^2)} when oscillating, the other way round when rotating.  (2)
+/// Proof of (1), (2): eta = 1 + c/b is 1 - u for the turning point u = -c/b; put 1 - x = eta sin^2 alpha, T = tan alpha (alpha
+/// = psi when rotating). Then c + b x = (b+c) cos^2 alpha when oscillating; the rest is multiplying out, with
+/// m1 = kappa^2 (-c/b), kappa^2 c/(b+c).
+///
+/// The phase from psi = 0 on is F(c,x)/2 = (montgomery_phase.hpp) sqrt((1-x)/((a+b)(b+c))) [(1-b) R_F + (b (1-x)/3) R_J] at
+/// the arguments x, (a+bx)/(a+b), (c+bx)/(b+c). R_F and R_J are symmetric in them and homogeneous, of the degrees -1/2 and -3/2;
+/// multiplied by 1 + T^2 they are 1, 1+S^2, 1+m1 S^2, and so
+///   phi = (S/lambda) [ (1-b) R_F(1, 1+S^2, 1+m1 S^2) + (b eta T^2/3) R_J(1, 1+S^2, 1+m1 S^2, 1+T^2) ],      (3)
+/// odd in S, with nothing that cancels; lambda t = S R_F(1, 1+S^2, 1+m1 S^2), which is F(am | m).
+/// Since dphi/dt = sin^2 psi + (I_y/I_x) cos^2 psi = 1 - b x and dw/d(lambda t) = dn/cn with dn/cn = sqrt(1+m1 S^2),
+///   dphi/dw = (1 - b x)/(lambda sqrt(1+m1 S^2)).                                                              (4)
+/// Counted from the end of the quarter, with w' in the place of w, lambda t becomes K - lambda t and S becomes
+/// S = 1/(sqrt(m1) sinh w') (DLMF 22.4.3), and by dn/cn = 1/sn there
+///   dphi/dw' = -(1 - b x)/(lambda sqrt(1+m1 sinh^2 w')).                                                      (5)
+/// So phi is nearly linear in w up to S = m1^(-1/4), the middle in time, and in w' beyond, however near c is to 0.
+///
+/// T is ball; or double, to search for a root.
+template <class T>
+class quarter {
+ public:
+  quarter(const body& rigid, const rational& c, regime motion, precision p) {
+    using std::sqrt;
+    const auto number = [=](const rational& q) {
+      if constexpr (std::same_as<T, ball>) {
+        return ball(q, p);
+      } else {
+        return static_cast<T>(q);
+      }
+    };
+    const rational& a = rigid.a();
+    const rational& b = rigid.b();
+    const rational total(a + b);
+    const bool oscillating = motion == regime::oscillating;
+    const rational first(oscillating ? a - c : a);
+    const rational second(oscillating ? b : b + c);
+    b_ = number(b);
+    rest_ = number(rational(1 - b));
+    one_ = number(rational(1));
+    kappa2_ = number(rational(total / first));
+    m1_ = number(rational(abs(c) * total / (first * second)));
+    lambda_ = sqrt(number(rational(first * second)));
+    eta_ = number(oscillating ? rational((b + c) / b) : rational(1));
+  }
+
+  [[nodiscard]] const T& m1() const { return m1_; }
+  [[nodiscard]] const T& lambda() const { return lambda_; }
+  [[nodiscard]] const T& eta() const { return eta_; }
+  [[nodiscard]] T tangent(const T& s) const {
+    using std::sqrt;
+    return sqrt(kappa2_) * s;
+  }
+
+  /// (3)
+  [[nodiscard]] T phase(const T& s) const {
+    const T s2 = s * s;
+    const T t2 = kappa2_ * s2;
+    const T y = 1 + s2;
+    const T z = 1 + m1_ * s2;
+    const T p = 1 + t2;
+    if constexpr (std::same_as<T, ball>) {
+      const carlson_pair w = carlson_rf_rj(one_, y, z, p);
+      return s / lambda_ * (rest_ * w.rf + b_ * eta_ * t2 / 3 * w.rj);
+    } else {
+      return s / lambda_ *
+             (rest_ * carlson_rf(one_, y, z) + b_ * eta_ * t2 / 3 * carlson_rj(one_, y, z, p));
+    }
+  }
+  /// 1 - b x
+  [[nodiscard]] T rate(const T& s) const {
+    const T t2 = kappa2_ * s * s;
+    return rest_ + b_ * eta_ * t2 / (1 + t2);
+  }
+  /// The sizes of (4), where `sinh` is sinh w, and (5), where it is sinh w'.
+  [[nodiscard]] T rate_in_w(const T& s, const T& sinh) const {
+    using std::sqrt;
+    return rate(s) / (lambda_ * sqrt(T(1 + m1_ * sinh * sinh)));
+  }
+  /// S by w'.
+  [[nodiscard]] T from_end(const T& sinh) const {
+    using std::sqrt;
+    return 1 / (sqrt(m1_) * sinh);
+  }
+
+ private:
+  T b_, rest_, one_, kappa2_, m1_, lambda_, eta_;
+};
+
+}  // namespace polhode::detail

@@ -1,0 +1,33 @@
+#pragma once
+
+// Numbers of a rigid body to so many digits.
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+
+namespace polhode::detail {
+
+/// Where nothing cancels: digits are missing only by a run of 0s or 9s, once the radius is small enough.
+[[nodiscard]] inline precision guard_for(long digits) {
+  return 15 * bits_for_digits(digits) + 1024;
+}
+
+[[nodiscard]] inline bool has_digits(const ball& x, long digits) {
+  if (!x.is_bounded()) return false;
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  return d.exact || d.digits >= digits;
+}
+
+/// enclose_to_digits with a verdict.
+[[nodiscard]] inline certain_number number_to_digits(const enclosing_function& f, long digits,
+                                                     precision most_guard) {
+  certain_number result;
+  result.enclosure = enclose_to_digits(f, digits, most_guard);
+  if (result.enclosure.is_undefined()) return result;
+  result.verdict = status::certified;
+  result.why = reason::none;
+  return result;
+}
+
+}  // namespace polhode::detail

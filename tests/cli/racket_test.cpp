@@ -1,0 +1,161 @@
+// polhode racket, curve and table: what is printed, exit statuses, refusals.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "enclosure.hpp"
+#include "program.hpp"
+#include "refusal.hpp"
+
+namespace polhode::test {
+namespace {
+
+TEST(RacketCommand, PrintsTheTwists) {
+  EXPECT_EQ(certified({"racket", "--ab", "39.95,0.0629", "--digits", "12", "--c", "-0.03"}),
+            "non-physical (ab + 2b > 1): no mass distribution has these moments\n"
+            "epsilon(c) is not injective\n"
+            "epsilon0 = 0.0128995391459...\n"
+            "c0 = 0.0000418182972729...\n"
+            "full turn at c = 0.00575123957004...\n"
+            "points where C meets S: 2; where it crosses epsilon = pi/2: 1\n"
+            "meets S at c = -0.0000419148565559..., epsilon = 0.0258170677743...\n"
+            "crosses pi/2 at c = -0.00652918154567...\n"
+            "meets S at c = -0.0403010291282..., epsilon = 2.21355156014...\n"
+            "epsilon(c) = 2.33946528330...\n"
+            "d epsilon/dc = 6.94564862500...\n"
+            "oscillating, branch 1\n");
+  EXPECT_EQ(certified({"racket", "--ab", "1/10,1/10", "--digits", "5"}),
+            "physical (ab + 2b < 1)\nepsilon(c) is injective\nepsilon0 = 1.1074...\n"
+            "c0: there is no perfect twist, since J >= 2\n"
+            "there is no full turn, since J >= 1\n"
+            "points where C meets S: 0; where it crosses epsilon = pi/2: 0\n");
+}
+
+TEST(RacketCommand, HardCase) {
+  const json result = json::parse(certified(
+      {"racket", "--ab", "1e4,0.5", "--digits", "44", "--meetings", "3", "--format", "json"}));
+  EXPECT_EQ(result.at("c0").at("value"), "3.2872039529379814758201731819069049779972171e-193");
+  EXPECT_EQ(result.at("intersections_with_s"), 141);
+  EXPECT_EQ(result.at("crossings_of_half_pi"), 141);
+  EXPECT_EQ(result.at("meetings").size(), 3U);
+  EXPECT_EQ(result.at("injective"), false);
+  expect_enclosure(result.at("epsilon0"), 44);
+  expect_enclosure(result.at("full_turn"), 44);
+  for (const json& m : result.at("meetings")) {
+    expect_enclosure(m.at("c"), 44);
+    EXPECT_EQ(m.contains("epsilon"), m.at("kind") == "intersection");
+  }
+}
+
+TEST(RacketCommand, SaysWhatIsBeyondTheExponents) {
+  const outcome result = run({"racket", "--ab", "1e40,0.5", "--digits", "5"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("exponents"), std::string::npos) << result.err;
+}
+
+TEST(RacketCommand, RefusesBadInput) {
+  expect_refused({"racket"}, {"no body"});
+  expect_refused({"racket", "--ab", "2,1/4", "--c", "2"}, {"equilibrium about z", "a = 2"});
+  expect_refused({"racket", "--ab", "2,1/4", "--c", "-1/4"}, {"equilibrium about x"});
+  expect_refused({"racket", "--ab", "2,1/4", "--c", "3"}, {"--c \"3\""});
+  expect_refused({"racket", "--ab", "2,1/4", "--meetings", "-1"}, {"--meetings \"-1\""});
+  expect_refused({"racket", "--moments", "2,2,1"}, {"symmetric top"});
+  expect_refused({"racket", "--ab", "2,1/4", "--digits", "0"}, {"--digits"});
+  expect_refused({"racket", "--ab", "2,1/4", "--digits", "1000000000"}, {"GiB"});
+}
+
+TEST(CurveCommand, CsvAndJson) {
+  EXPECT_EQ(
+      certified({"curve", "--ab", "12.65,0.0629", "--points", "5"}),
+      "c,epsilon,lower,upper,digits,epsilon_of_s\n"
+      "-0.05032,1.41955541963756,1.41955541963756187,1.41955541963756188,15,1.10714871779409\n"
+      "-0.02516,0.916008835358980,0.916008835358980215,0.916008835358980216,15,"
+      "0.684719203002282\n"
+      "0,0.113594382341433,0.113594382341433383,0.113594382341433384,15,0\n"
+      "0.02516,-0.819202695115456,-0.819202695115456053,-0.819202695115456052,15,\n"
+      "0.05032,-1.63819777593649,-1.63819777593649431,-1.6381977759364943,15,\n");
+  const json result = json::parse(
+      certified({"curve", "--ab", "2,1/4", "--c", "-1/4..2", "--points", "9", "--format", "json"}));
+  ASSERT_EQ(result.at("points").size(), 9U);
+  EXPECT_EQ(result.at("points")[0].at("c").at("rational"), "-1/8");
+  EXPECT_EQ(result.at("points")[8].at("c").at("rational"), "15/8");
+  for (const json& point : result.at("points")) {
+    expect_enclosure(point.at("epsilon"), 15);
+    EXPECT_EQ(point.contains("epsilon_of_s"), point.at("c").at("rational") == "-1/8");
+  }
+  EXPECT_EQ(result.at("points")[0].at("epsilon_of_s").at("value"), "0.785398163397448");  // pi/4
+}
+
+TEST(CurveCommand, SvgWhereGnuplotIs) {
+  const outcome result = run({"curve", "--ab", "2,1/4", "--points", "20", "--format", "svg"});
+  if (result.status == 0) {
+    EXPECT_NE(result.out.find("<svg"), std::string::npos);
+    EXPECT_NE(result.out.find("</svg>"), std::string::npos);
+  } else {
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
+  }
+}
+
+TEST(CurveCommand, RefusesBadInput) {
+  expect_refused({"curve", "--ab", "2,1/4", "--points", "0"}, {"--points"});
+  expect_refused({"curve", "--ab", "2,1/4", "--c", "-1..1"}, {"c = -1", "-1/4"});
+  expect_refused({"curve", "--ab", "2,1/4", "--c", "1..0"}, {"below"});
+  expect_refused({"curve", "--ab", "2,1/4", "--c", "0..1/x"}, {"LO..HI"});
+  expect_refused({"curve", "--ab", "2,1/4", "--c", "0"}, {"LO..HI"});
+  expect_refused({"curve", "--ab", "2,1/4", "--format", "svg", "--points", "1"}, {"at least 2"});
+}
+
+TEST(TableCommand, Csv) {
+  EXPECT_EQ(certified({"table", "phase", "--ab", "12.65,0.0629", "--c", "-0.06..-0.01/2",
+                       "--digits", "10"}),
+            "a,b,c,phase,lower,upper,digits\n"
+            "12.65,0.0629,-0.06,6.673109757,6.67310975745,6.673109757451,10\n"
+            "12.65,0.0629,-0.035,7.708621444,7.708621444764,7.708621444765,10\n"
+            "12.65,0.0629,-0.01,10.25608489,10.25608489197,10.25608489198,10\n");
+  // Several bodies, a third that is no decimal, and a quantity without a motion.
+  EXPECT_EQ(
+      certified({"table", "epsilon0", "--moments", "3,2,1", "--ab", "2,1/4", "--digits", "6"}),
+      "a,b,epsilon0,lower,upper,digits\n"
+      "2,0.25,0.161119,0.161119404,0.161119405,6\n"
+      "1,1/3,0.210236,0.210236295,0.210236296,6\n");
+}
+
+TEST(TableCommand, JsonAndCpp) {
+  const json result = json::parse(certified({"table", "epsilon", "--ab", "2,1/4", "--c", "0..1/3/4",
+                                             "--digits", "20", "--format", "json"}));
+  ASSERT_EQ(result.at("rows").size(), 5U);
+  EXPECT_EQ(result.at("rows")[4].at("c").at("rational"), "1/3");
+  for (const json& row : result.at("rows")) expect_enclosure(row.at("epsilon"), 20);
+  const std::string cpp =
+      certified({"table", "c0", "--ab", "2,1/4", "--digits", "5", "--format", "cpp"});
+  EXPECT_NE(cpp.find("{2.0, 0.25, 0.0255288942837229826160811439352799112744140634152"),
+            std::string::npos)
+      << cpp;
+  EXPECT_NE(cpp.find("\"0.025528\"},"), std::string::npos) << cpp;
+}
+
+TEST(TableCommand, RefusesBadInput) {
+  expect_refused({"table"}, {"no quantity", "epsilon0"});
+  expect_refused({"table", "fase", "--ab", "2,1/4"}, {"nearest is phase"});
+  expect_refused({"table", "phase", "epsilon", "--ab", "2,1/4"}, {"several quantities"});
+  expect_refused({"table", "phase", "--c", "1"}, {"no body"});
+  expect_refused({"table", "phase", "--ab", "2,1/4"}, {"--c LO..HI/N"});
+  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "-0.1..0.1/2"},
+                 {"separatrix", "infinite"});
+  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "1..2/2"}, {"equilibrium about z"});
+  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "1..4/2"}, {"c = 5/2"});
+  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "0..1"}, {"number of steps"});
+  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "0..1/x"}, {"number of steps"});
+  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "x..1/3"}, {"LO..HI/N"});
+  expect_refused({"table", "c0", "--ab", "2,1/4", "--c", "1"}, {"no motion"});
+  expect_refused({"table", "c0", "--ab", "2,1/4", "--ab", "0.1,0.1"},
+                 {"a = 1/10", "no perfect twist"});
+  expect_refused({"table", "c0", "--ab", "2,1/4", "--ab", "1,1"}, {"b = 1"});
+}
+
+}  // namespace
+}  // namespace polhode::test
