@@ -15,13 +15,16 @@ struct request {
   oscillating_motion motion{rational(1265, 100), rational(629, 10000), rational(1, 4)};
 };
 
+/// What of the request the proof's numbers depend on: nothing, the body (a and b), or the body and its motion (u).
+enum class claim_subject { none, body, motion };
+
 /// One statement of the paper and what proves it.
 struct claim {
   std::string name;
-  std::string reference;     // where the paper says it
-  std::string statement;     // one line
-  std::string method;        // one line
-  bool uses_motion = false;  // the numbers asked for depend on request.motion
+  std::string reference;  // where the paper says it
+  std::string statement;  // one line
+  std::string method;     // one line
+  claim_subject subject = claim_subject::none;
   std::function<certificate(const request&)> prove;
 };
 

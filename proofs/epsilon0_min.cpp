@@ -66,7 +66,7 @@ claim epsilon0_min_claim() {
           "The least twist defect on the separatrix that a physical body can have, approached as "
           "a -> inf, b -> 0 with ab -> 1. The paper prints 0.086374.",
           "ball arithmetic; interval Newton on log tan as a second route",
-          false,
+          claim_subject::none,
           prove_epsilon0_min};
 }
 
@@ -76,7 +76,7 @@ claim delta_psi_max_claim() {
           "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min. The paper prints "
           "2.96884.",
           "ball arithmetic; interval Newton on log tan as a second route",
-          false,
+          claim_subject::none,
           prove_delta_psi_max};
 }
 

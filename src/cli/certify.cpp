@@ -84,19 +84,22 @@ oscillating_motion selected_motion(const certify_options& options) {
   return motion;
 }
 
-/// Throws usage_error where a motion is given and no claim depends on it.
+/// Throws usage_error where a body or a motion is given and no chosen claim depends on it.
 void refuse_idle_motion(const certify_options& options, const std::vector<const claim*>& claims) {
-  if (!options.ab && !options.u) return;
-  const auto depends = [](const claim& c) { return c.uses_motion; };
-  if (std::any_of(claims.begin(), claims.end(), [&](const claim* c) { return depends(*c); })) {
-    return;
-  }
-  std::vector<std::string> dependent;
-  for (const claim& c : proofs::all_claims()) {
-    if (depends(c)) dependent.push_back(c.name);
-  }
-  throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
-                                options.ab ? "--ab" : "--u", fmt::join(dependent, ", ")));
+  const auto refuse_unless = [&](const char* option, proofs::claim_subject least) {
+    const auto depends = [least](const claim& c) { return c.subject >= least; };
+    if (std::any_of(claims.begin(), claims.end(), [&](const claim* c) { return depends(*c); })) {
+      return;
+    }
+    std::vector<std::string> dependent;
+    for (const claim& c : proofs::all_claims()) {
+      if (depends(c)) dependent.push_back(c.name);
+    }
+    throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
+                                  option, fmt::join(dependent, ", ")));
+  };
+  if (options.ab) refuse_unless("--ab", proofs::claim_subject::body);
+  if (options.u) refuse_unless("--u", proofs::claim_subject::motion);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -216,7 +219,8 @@ std::string list_as_json(const std::vector<const claim*>& claims) {
                           {"reference", c->reference},
                           {"statement", c->statement},
                           {"method", c->method},
-                          {"uses_motion", c->uses_motion}});
+                          {"uses_body", c->subject >= proofs::claim_subject::body},
+                          {"uses_motion", c->subject == proofs::claim_subject::motion}});
   }
   return as_json_text(result);
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+// The numbers that the paper prints, and the true ones.
+
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+
+namespace polhode::proofs {
+
+/// A decimal as printed, what it is said to be, and the number itself.
+struct printed_number {
+  std::string where;    // "figure 6"
+  std::string what;     // "I for a = 39.95, b = 0.0629"
+  std::string printed;  // "0.59"
+  enclosing_function value;
+};
+
+/// The printed numbers that are right, in the order of the paper.
+[[nodiscard]] const std::vector<printed_number>& right_numbers();
+/// Those that are not.
+[[nodiscard]] const std::vector<printed_number>& wrong_numbers();
+
+/// Whether the number printed is the true one rounded to the decimals printed: |printed - value| is at most half a unit
+/// of the last place.
+enum class rounding { right, wrong, undecided };
+[[nodiscard]] rounding check_rounding(const std::string& printed, const ball& value);
+
+}  // namespace polhode::proofs
