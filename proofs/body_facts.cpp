@@ -48,9 +48,10 @@ rational between(const rational& lower, const rational& upper) {
 }
 
 void add_constant(certificate& c, const std::string& name, const std::optional<rational>& exact,
-                  const enclosing_function& f, long digits, const body& rigid) {
+                  bool exact_holds, const enclosing_function& f, long digits, const body& rigid) {
   if (exact) {
-    c.inputs.emplace_back(name, *exact);
+    c.facts.push_back(
+        {"at the given a, b: " + name + " = " + to_text(*exact) + " exactly", exact_holds});
   } else {
     add_number(c, name, f, digits, rigid);
   }
@@ -73,14 +74,20 @@ void add_number(certificate& c, const std::string& name, const enclosing_functio
 }
 
 void add_geometric_constant(certificate& c, const body& rigid, long digits) {
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const auto exact = rigid.exact_geometric_constant();
   add_constant(
-      c, "I", rigid.exact_geometric_constant(),
+      c, "I", exact, exact && *exact > 0 && *exact * *exact * b * (a + b) == (1 - b) * (1 - b),
       [&](precision p) { return rigid.geometric_constant(p); }, digits, rigid);
 }
 
 void add_second_geometric_constant(certificate& c, const body& rigid, long digits) {
+  const rational& a = rigid.a();
+  const auto exact = rigid.exact_second_geometric_constant();
   add_constant(
-      c, "J", rigid.exact_second_geometric_constant(),
+      c, "J", exact,
+      exact && *exact > 0 && (*exact + 1) * (*exact + 1) * a * (a + rigid.b()) == (a + 1) * (a + 1),
       [&](precision p) { return rigid.second_geometric_constant(p); }, digits, rigid);
 }
 
@@ -117,6 +124,11 @@ std::optional<root_bracket> bracket_root(
     (side == sign::positive ? result.lower : result.upper) = middle;
   }
   return result;
+}
+
+void note_missing_witness(certificate& c, const std::string& what) {
+  c.method += " (For the given body " + what +
+              " was not found: it is too near an end of its range. The proof does not need it.)";
 }
 
 std::string in_decimals(const root_bracket& bracket) {

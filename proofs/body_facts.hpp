@@ -20,7 +20,7 @@ namespace polhode::proofs {
 void add_number(certificate& c, const std::string& name, const enclosing_function& f, long digits,
                 const body& rigid);
 
-/// Adds I or J: to the inputs where it is rational, else to the numbers.
+/// Adds I or J: as a fact where it is rational, else as a number.
 void add_geometric_constant(certificate& c, const body& rigid, long digits);
 void add_second_geometric_constant(certificate& c, const body& rigid, long digits);
 
@@ -42,6 +42,9 @@ struct root_bracket {
 [[nodiscard]] std::optional<root_bracket> bracket_root(
     const std::function<ball(const rational& s, precision p)>& f,
     const std::function<ball(precision p)>& target, int bits = 40);
+
+/// Says at the end of the method that the theorem stands without this witness for the given body.
+void note_missing_witness(certificate& c, const std::string& what);
 
 /// "0.1234567890 and 0.1234567891": both ends, each rounded outward.
 [[nodiscard]] std::string in_decimals(const root_bracket& bracket);

@@ -34,6 +34,11 @@ struct claim {
 /// The claim of that name, or nullptr.
 [[nodiscard]] const claim* find_claim(const std::string& name);
 
+/// The heading of the table of claims in proofs/README.md, in Markdown: two lines.
+[[nodiscard]] std::string table_heading();
+/// A claim's row, but for its last two cells, time and verdict: "| `beta` | eq. (40) | ... | `polhode certify beta` |".
+[[nodiscard]] std::string table_row(const claim& c);
+
 /// A constant of the paper, to any number of digits.
 struct constant {
   std::string name;

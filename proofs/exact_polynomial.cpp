@@ -99,7 +99,7 @@ class reader {
   std::size_t at_ = 0;
 };
 
-/// "q = 1-b, y = 1-x" put into p, all at once: no letter that is defined may stand in a definition.
+/// "q = 1-b, y = 1-x" put into p, one after another.
 exact_polynomial with_letters(exact_polynomial p, std::string_view letters) {
   while (!letters.empty()) {
     const auto comma = letters.find(',');

@@ -38,7 +38,8 @@ std::vector<polynomial_step> half_phase_steps() {
       slope('x', "(1-b*x)^2", "x*(a+b*x)", "-(1-b*x)*(a+(a+2)*b*x)", "the derivative of g^2"),
       positive("1-b*x", "q + b*y", "q = 1-b, y = 1-x", "1 - bx > 0 for 0 < x <= 1"),
       positive("a+(a+2)*b*x", "a + a*b*x + 2*b*x", "", "so g decreases strictly on 0 < x <= 1"),
-      slope('u', "u+(1-u)*k", "1", "1-k", "x increases in u for 0 < t < pi, so G decreases"),
+      identity("(v+(1-v)*k) - (u+(1-u)*k)", "(v-u)*(1-k)",
+               "x is greater for v > u where 0 < t < pi, so G decreases"),
       positive("(a+b)-(a+b*x)", "b*y", "y = 1-x", "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"),
       positive("(u+k)-(u+(1-u)*k)", "u*k", "", "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"),
   };

@@ -42,7 +42,7 @@ ball defect(const body& rigid, const rational& c) {
   return result;
 }
 
-std::string decimals(const rational& q) { return to_decimal(ball(q, 64), 8); }
+std::string decimals(const rational& q) { return to_decimal(ball(q, 64), 12); }
 
 // ---------------------------------------------------------------------------------------------
 // Physical: a decreasing chain
@@ -154,7 +154,8 @@ std::optional<witnesses> find_witnesses(const body& rigid) {
 void add_witnesses(certificate& c, const body& rigid) {
   const auto found = find_witnesses(rigid);
   if (!found) {
-    c.witness["two_c"] = "no witnesses were found: u is too near 0 or 1";
+    c.witness["two_c"] = nullptr;
+    note_missing_witness(c, "a pair of c with one epsilon");
     return;
   }
   const auto place = [&](const rational& u) { return decimals(rational(-rigid.b() * u)); };

@@ -45,7 +45,8 @@ void add_brackets(certificate& c, const body& rigid, const integer& count,
     const auto bracket = bracket_half_phase_root(rigid, q(k));
     json& witness = c.witness[what];
     if (!bracket) {
-      witness.push_back("no bracket was found: u is too near 0 or 1");
+      witness.push_back(nullptr);
+      note_missing_witness(c, "a bracket of G(u) = " + multiple_of_pi(q(k)));
       continue;
     }
     c.facts.push_back({"at the given a, b, by the AGM: G(u) passes " + multiple_of_pi(q(k)) +
@@ -111,7 +112,7 @@ certificate prove_crossing(const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
   const integer count = count_crossings(rigid);
-  c.inputs.emplace_back("crossings", rational(count));
+  c.witness["crossings_count"] = count.str();
   c.facts.push_back(
       {"at the given a, b, in rationals: k < 1/I for " + counted(count) +
            " and no other k >= 1, and the body is " + to_text(rigid.kind()),
@@ -147,7 +148,7 @@ certificate prove_count(const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
   const integer count = count_intersections(rigid);
-  c.inputs.emplace_back("N", rational(count));
+  c.witness["N"] = count.str();
   const auto q = [](const integer& k) { return rational(integer(2), integer(2 * k - 1)); };
   c.facts.push_back({"at the given a, b, in rationals: I < 2/(2k-1) for " + counted(count) +
                          " and no other k >= 1",

@@ -1,4 +1,4 @@
-// The limit a -> infinity, b -> 0, and what it says of physical bodies: the paper's section 6, eqs. (33) to (40).
+// The limit a -> infinity, b -> 0, and what it says of physical bodies: the paper's section 7, eqs. (33) to (40).
 //
 // With X = cos^2 psi, c = b beta: sqrt(ab) h = v (beta + X)^(-1/2), where v^2 = a (1 - b X)^2/(a + b X) and
 // a (1-b)^2/(a+b) <= v^2 <= 1. So sqrt(ab) T(c, psi) lies between sqrt(a/(a+b)) (1-b) t and t, where
@@ -51,7 +51,7 @@ certificate prove_limit(const request&) {
 
 void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
   if (rigid.kind() == body_kind::non_physical) {
-    c.witness["body"] = "the given body is not physical: the bounds are not for it";
+    c.method += " (The given body is not physical: the bounds are not for it.)";
     return;
   }
   const precision p = beta.precision();
@@ -107,7 +107,7 @@ claim limit_formula_claim() {
 
 claim limit_minimum_claim() {
   return {"limit_minimum",
-          "section 6, eqs. (39), (40)",
+          "section 7, eqs. (39), (40)",
           "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min, and that "
           "of c0/b is beta; neither is attained.",
           "one polynomial inequality over all physical bodies; the limit formula",

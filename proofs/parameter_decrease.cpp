@@ -49,10 +49,10 @@ certificate prove_c0(const request& wanted) {
              in_decimals(*first),
          passes_rotating_phase(rigid, 2, *first) && passes_rotating_phase(other, 2, *second) &&
              other.a() * second->upper < rigid.a() * first->lower});
+  } else if (exceeds_second_geometric_constant(2, rigid)) {
+    note_missing_witness(c, "a bracket of c0");
   } else {
-    c.witness["c0"] = exceeds_second_geometric_constant(2, rigid)
-                          ? "no bracket was found: c/a is too near 0 or 1"
-                          : "J >= 2: there is no c0 at the given a, b";
+    c.method += " (At the given a, b J >= 2: there is no c0.)";
   }
   c.conclude();
   return c;

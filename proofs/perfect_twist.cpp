@@ -12,6 +12,8 @@
 namespace polhode::proofs {
 namespace {
 
+std::string in_pi(const rational& q) { return q == 1 ? "pi" : to_text(q) + " pi"; }
+
 /// F(c,0) = q pi: has a root where the polynomial is positive, shown by a bracket, and else none.
 void add_root(certificate& c, const body& rigid, const rational& q, const rational& polynomial,
               const std::string& what, const std::string& key) {
@@ -32,11 +34,12 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
   }
   const auto bracket = bracket_rotating_phase_root(rigid, q);
   if (!bracket) {
-    c.witness[key] = "no bracket was found: c/a is too near 0 or 1";
+    c.witness[key] = nullptr;
+    note_missing_witness(c, "a bracket of the " + what);
     return;
   }
-  c.facts.push_back({"at the given a, b, by the AGM: F(c,0) passes " + to_text(q) +
-                         " pi between c/a = " + in_decimals(*bracket),
+  c.facts.push_back({"at the given a, b, by the AGM: F(c,0) passes " + in_pi(q) +
+                         " between c/a = " + in_decimals(*bracket),
                      passes_rotating_phase(rigid, q, *bracket)});
   c.witness[key] = as_json(*bracket);
 }

@@ -14,6 +14,7 @@ struct printed_number {
   std::string where;    // "figure 6"
   std::string what;     // "I for a = 39.95, b = 0.0629"
   std::string printed;  // "0.59"
+  int places = 0;       // decimals that it claims: 2
   enclosing_function value;
 };
 
@@ -22,9 +23,9 @@ struct printed_number {
 /// Those that are not.
 [[nodiscard]] const std::vector<printed_number>& wrong_numbers();
 
-/// Whether the number printed is the true one rounded to the decimals printed: |printed - value| is at most half a unit
+/// Whether the number printed is the true one rounded to so many decimals: |printed - value| is at most half a unit
 /// of the last place.
 enum class rounding { right, wrong, undecided };
-[[nodiscard]] rounding check_rounding(const std::string& printed, const ball& value);
+[[nodiscard]] rounding check_rounding(const std::string& printed, int places, const ball& value);
 
 }  // namespace polhode::proofs
