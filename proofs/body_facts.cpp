@@ -34,19 +34,6 @@ long halvings(const rational& q) {
   return q < power_of_half(difference) ? difference + 1 : difference;
 }
 
-/// Between lower and upper: in the middle of the exponents while the distances from 0, or from 1, are of different orders.
-rational between(const rational& lower, const rational& upper) {
-  rational middle((lower + upper) / 2);
-  const rational from_one(1 - lower);
-  const rational nearer(1 - upper);
-  if (upper > 4 * lower) {
-    middle = power_of_half((halvings(lower) + halvings(upper)) / 2);
-  } else if (from_one > 4 * nearer) {
-    middle = 1 - power_of_half((halvings(from_one) + halvings(nearer)) / 2);
-  }
-  return lower < middle && middle < upper ? middle : rational((lower + upper) / 2);
-}
-
 void add_constant(certificate& c, const std::string& name, const std::optional<rational>& exact,
                   bool exact_holds, const enclosing_function& f, long digits, const body& rigid) {
   if (exact) {
@@ -100,6 +87,18 @@ bool is_decided(const std::function<bool(precision p)>& condition) {
 
 ball half_phase(const body& rigid, const rational& u, precision p) {
   return scale(montgomery_phase(rigid, rational(-rigid.b() * u), p), -1);
+}
+
+rational between(const rational& lower, const rational& upper) {
+  rational middle((lower + upper) / 2);
+  const rational from_one(1 - lower);
+  const rational nearer(1 - upper);
+  if (upper > 4 * lower) {
+    middle = power_of_half((halvings(lower) + halvings(upper)) / 2);
+  } else if (from_one > 4 * nearer) {
+    middle = 1 - power_of_half((halvings(from_one) + halvings(nearer)) / 2);
+  }
+  return lower < middle && middle < upper ? middle : rational((lower + upper) / 2);
 }
 
 std::optional<root_bracket> bracket_root(

@@ -36,6 +36,10 @@ struct root_bracket {
   rational upper;  // f(upper) < target, proved
 };
 
+/// A number between lower and upper, 0 < lower < upper < 1: in the middle of the exponents while the distances from 0, or from
+/// 1, are of different orders, then the mean.
+[[nodiscard]] rational between(const rational& lower, const rational& upper);
+
 /// A bracket with upper - lower of about 2^-bits of the distances from 0 and 1, for a function that decreases strictly on
 /// (0, 1). Nothing where none was found (no proof that there is none): the ends are sought among 2^-k and
 /// 1 - 2^-k, k <= 4096.

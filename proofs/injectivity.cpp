@@ -32,12 +32,12 @@
 namespace polhode::proofs {
 namespace {
 
-/// epsilon(c) with p bits, for p growing until it is defined; undefined where none does.
-ball defect(const body& rigid, const rational& c) {
-  ball result;
+/// Of epsilon(c) - level, from precisions that grow until it is decided.
+sign side_of(const body& rigid, const rational& c, const ball& level) {
+  sign result = sign::unknown;
   (void)is_decided([&](precision p) {
-    result = twist_defect(rigid, c, p);
-    return result.is_bounded();
+    result = sign_of(twist_defect(rigid, c, p) - level);
+    return result == sign::negative || result == sign::positive;
   });
   return result;
 }
@@ -52,8 +52,8 @@ struct curve_point {
   ball epsilon;
 };
 
-/// Points of the curve from c = a down to near -b.
-std::vector<curve_point> points_of(const body& rigid) {
+/// From c = a down to near -b.
+std::vector<rational> places_on(const body& rigid) {
   std::vector<rational> places;
   for (int k = 12; k >= 1; --k) places.emplace_back(rigid.a() * k / 12);
   for (const int n : {50, 250}) places.emplace_back(rigid.a() / n);
@@ -61,28 +61,43 @@ std::vector<curve_point> points_of(const body& rigid) {
   for (const int n : {250, 50}) places.emplace_back(-rigid.b() / n);
   for (int k = 1; k < 12; ++k) places.emplace_back(-rigid.b() * k / 12);
   for (const int n : {50, 250}) places.emplace_back(-rigid.b() * (n - 1) / n);
+  return places;
+}
+
+/// The points of the curve at these c where p bits enclose them.
+std::vector<curve_point> points_at(const body& rigid, const std::vector<rational>& places,
+                                   precision p) {
   std::vector<curve_point> points;
   points.reserve(places.size());
   for (const rational& c : places) {
-    const ball epsilon = defect(rigid, c);
+    const ball epsilon = twist_defect(rigid, c, p);
     if (epsilon.is_bounded()) points.push_back({c, epsilon});
   }
   return points;
 }
 
-void add_chain(certificate& c, const body& rigid) {
-  const std::vector<curve_point> points = points_of(rigid);
-  bool decreases = points.size() > 2;
+bool is_decreasing_chain(const std::vector<curve_point>& points) {
+  if (points.size() < 3) return false;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    decreases = decreases && certainly_less(points[i - 1].epsilon, points[i].epsilon);
+    if (!certainly_less(points[i - 1].epsilon, points[i].epsilon)) return false;
   }
-  decreases = decreases && certainly_less(2 * points.back().epsilon, pi(128));
-  c.facts.push_back({"at the given a, b: epsilon(c) increases as c goes down a chain of " +
-                         std::to_string(points.size()) +
-                         " points from a to -b, and is below pi/2, its limit there; as it is "
-                         "monotone by the proof, "
-                         "the boxes between neighbouring points cover the curve",
-                     decreases});
+  const ball& last = points.back().epsilon;
+  return certainly_less(last, scale(pi(last.precision()), -1));
+}
+
+void add_chain(certificate& c, const body& rigid) {
+  const std::vector<rational> places = places_on(rigid);
+  std::vector<curve_point> points;
+  const bool decreases = is_decided([&](precision p) {
+    points = points_at(rigid, places, p);
+    return is_decreasing_chain(points);
+  });
+  c.facts.push_back(
+      {"at the given a, b: epsilon(c) increases as c goes down a chain of " +
+           std::to_string(points.size()) +
+           " points from a to -b, and is below pi/2, its limit there; as it is monotone by the "
+           "proof, the boxes between neighbouring points cover the curve",
+       decreases});
   json& chain = c.witness["chain"];
   for (const curve_point& point : points) {
     chain.push_back(json{{"c", to_text(point.c)}, {"epsilon", to_json(point.epsilon, 12)}});
@@ -99,10 +114,10 @@ root_bracket refined(const body& rigid, root_bracket bracket, const ball& level,
   constexpr int steps = 24;
   for (int i = 0; i < steps; ++i) {
     const rational middle((bracket.lower + bracket.upper) / 2);
-    const ball epsilon = defect(rigid, rational(-rigid.b() * middle));
-    const bool below = certainly_less(epsilon, level);
-    if (!below && !certainly_less(level, epsilon)) break;
-    (below == below_at_lower ? bracket.lower : bracket.upper) = middle;
+    const rational c(-rigid.b() * middle);
+    const sign side = side_of(rigid, c, level);
+    if (side != sign::negative && side != sign::positive) break;
+    ((side == sign::negative) == below_at_lower ? bracket.lower : bracket.upper) = middle;
   }
   return bracket;
 }
@@ -137,14 +152,13 @@ std::optional<witnesses> find_witnesses(const body& rigid) {
   if (!crossing || !place || crossing->lower >= place->lower) return std::nullopt;
   const rational left = crossing->lower;
   const rational top = place->lower;
-  const ball at_top = defect(rigid, rational(-rigid.b() * top));
-  const ball at_left = defect(rigid, rational(-rigid.b() * left));
+  const ball at_top = twist_defect(rigid, rational(-rigid.b() * top), p);
   if (!at_top.is_bounded()) return std::nullopt;
   const ball half_pi = scale(pi(p), -1);
   const ball level = scale(half_pi + at_top, -1).middle();
   const auto right = place_near_end(level);
   if (!right || *right <= top || !certainly_less(half_pi, level) ||
-      !certainly_less(level, at_top) || !certainly_less(at_left, level)) {
+      side_of(rigid, rational(-rigid.b() * left), level) != sign::negative) {
     return std::nullopt;
   }
   return witnesses{level, refined(rigid, {left, top}, level, true),
@@ -159,20 +173,21 @@ void add_witnesses(certificate& c, const body& rigid) {
     return;
   }
   const auto place = [&](const rational& u) { return decimals(rational(-rigid.b() * u)); };
-  const auto at = [&](const rational& u) { return defect(rigid, rational(-rigid.b() * u)); };
-  const ball end_of_second =
-      scale(pi(1024), -1) + asin(sqrt(ball(rational(1 - found->second.upper), 1024)));
-  const ball at_end = at(found->second.upper);
+  const auto c_of = [&](const rational& u) { return rational(-rigid.b() * u); };
+  const rational& end = found->second.upper;
+  const precision p = found->level.precision();
+  const ball most_at_end = scale(pi(p), -1) + asin(sqrt(ball(rational(1 - end), p)));
   c.facts.push_back(
       {"at the given a, b: epsilon = " + to_decimal(found->level, 8) +
            " (one exact number) is passed between c = " + place(found->first.lower) + " and " +
            place(found->first.upper) + ", and again between " + place(found->second.lower) +
            " and " + place(found->second.upper) + ": two c with the same epsilon",
        found->first.upper <= found->second.lower &&
-           certainly_less(at(found->first.lower), found->level) &&
-           certainly_less(found->level, at(found->first.upper)) &&
-           certainly_less(found->level, at(found->second.lower)) &&
-           (certainly_less(at_end, found->level) || certainly_less(end_of_second, found->level))});
+           side_of(rigid, c_of(found->first.lower), found->level) == sign::negative &&
+           side_of(rigid, c_of(found->first.upper), found->level) == sign::positive &&
+           side_of(rigid, c_of(found->second.lower), found->level) == sign::positive &&
+           (certainly_less(most_at_end, found->level) ||
+            side_of(rigid, c_of(end), found->level) == sign::negative)});
   c.witness["two_c"] = json{{"epsilon", to_text(lower_rational(found->level))},
                             {"u_first", as_json(found->first)},
                             {"u_second", as_json(found->second)}};

@@ -2,6 +2,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "proofs/body_facts.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -14,26 +15,31 @@ std::optional<integer> common_floor(const ball& x) {
 }
 
 /// An enclosure of arcsin(sqrt(w)) for the w in [0, most] with F(c, 1 - w) = value, where F increases in w from 0.
-/// Hypothesis: value holds a number from 0 to the supremum of F on [0, most).
+/// Hypotheses: 0 < most <= 1, and value holds a number from 0 to the supremum of F on [0, most).
 ball amplitude(const body& rigid, const rational& c, const ball& value, const rational& most,
                precision p) {
-  constexpr int most_halvings = 4096;
-  constexpr int wanted_bits = 40;
+  constexpr unsigned most_halvings = 8192;
+  constexpr unsigned wanted_bits = 40;
   rational lower = 0;
   rational upper = most;
-  int bits = 0;
-  for (int i = 0; i < most_halvings && bits < wanted_bits; ++i) {
-    // The steps count once the lower end has left 0, as w may be small.
-    if (lower > 0) ++bits;
-    const rational middle((lower + upper) / 2);
-    const ball at_middle = phase_integral(rigid, c, rational(1 - middle), p);
-    if (certainly_less_equal(at_middle, value)) {
-      lower = middle;
-    } else if (certainly_less_equal(value, at_middle)) {
-      upper = middle;
+  // Whether w is an end now: F(c, 1 - w) is on one side of value.
+  const auto becomes_end = [&](const rational& w) {
+    const ball at_w = phase_integral(rigid, c, rational(1 - w), p);
+    if (certainly_less_equal(at_w, value)) {
+      lower = w;
+    } else if (certainly_less_equal(value, at_w)) {
+      upper = w;
     } else {
-      break;
+      return false;
     }
+    return true;
+  };
+  for (unsigned k = 1; k <= most_halvings && lower == 0; k *= 2) {
+    if (!becomes_end(rational(most / (integer(1) << k)))) break;
+  }
+  const rational tolerance(integer(1), integer(1) << wanted_bits);
+  while (lower > 0 && upper - lower > tolerance * lower) {
+    if (!becomes_end(upper < 1 ? between(lower, upper) : rational((lower + upper) / 2))) break;
   }
   return asin(sqrt(hull(ball(lower, p), ball(upper, p))));
 }

@@ -60,7 +60,7 @@ body any_body(support::random_source& random) {
 
 TEST(BodyClaims, AreCertifiedForEveryBody) {
   support::random_source random(41);
-  for (support::repeat trial(25); trial.again();) {
+  for (support::repeat trial(8); trial.again();) {
     const body rigid = any_body(random);
     for (const claim& c : all_claims()) {
       if (c.subject != claim_subject::body) continue;
