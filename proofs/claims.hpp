@@ -1,6 +1,6 @@
 #pragma once
 
-// One function a claim; registry.cpp lists them.
+// One function a claim, each in a file of its own; registry.cpp lists them.
 
 #include "proofs/claim.hpp"
 

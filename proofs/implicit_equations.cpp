@@ -1,6 +1,6 @@
 // The implicit equations of the curve C on every branch: the paper's eqs. (26) to (29) and its appendix B.
 //
-// psi_c and G as in intersections.cpp, for -b < c < 0, u' = sin^2 epsilon = cos^2 psi_c(pi). After n intersections with S, that is for
+// psi_c and G as in turning_points.hpp, for -b < c < 0, u' = sin^2 epsilon = cos^2 psi_c(pi). After n intersections with S, that is for
 // (n - 1/2) G < pi < (n + 1/2) G, let pi = n G + r, |r| < G/2. From psi_c(phi + G) = -psi_c(phi): psi_c(pi) = (-1)^n psi_c(r), where psi_c(r) has
 // the sign of r and |r| = F(c,u')/2, since |r| is below the turning point G/2. So 2 pi = 2 n G + F(c,u') for r >= 0 and
 // 2 n G - F(c,u') for r < 0; and epsilon <= pi/2 exactly where psi_c(pi) >= 0:

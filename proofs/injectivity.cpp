@@ -1,6 +1,6 @@
 // epsilon(c) is injective exactly for physical bodies: the paper's theorem 3 and proposition 4.
 //
-// psi_c, G and epsilon(c) = pi/2 - psi_c(pi) as in intersections.cpp; T(c, psi) = integral from 0 to psi of h as in first_equation.cpp. epsilon
+// psi_c, G and epsilon(c) = pi/2 - psi_c(pi) as in turning_points.hpp; T(c, psi) = integral from 0 to psi of h as in first_equation.cpp. epsilon
 // is continuous on (-b, a): theta at psi = 0 is continuous in c, and solutions depend continuously on their initial values.
 //
 // (1) I >= 1: epsilon decreases strictly on (-b, a). Then G(u) > pi I >= pi for all u in (0, 1).

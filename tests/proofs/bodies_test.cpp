@@ -11,7 +11,7 @@
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "proofs/claim.hpp"
 #include "proofs/half_phase.hpp"
-#include "proofs/printed_numbers.hpp"
+#include "proofs/printed_values.hpp"
 #include "proofs/rotating_phase.hpp"
 #include "proofs/separatrix.hpp"
 #include "proofs/twist.hpp"
@@ -20,8 +20,6 @@
 
 namespace polhode::proofs {
 namespace {
-
-body with_ab(const char* a, const char* b) { return {parse_rational(a), parse_rational(b)}; }
 
 certificate prove(const std::string& name, const body& rigid, long digits = 15) {
   request wanted;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/certificate/certificate.hpp"
+#include "polhode/rigid_body/body.hpp"
 
 namespace polhode::proofs {
 
@@ -27,5 +29,14 @@ struct printed_number {
 /// of the last place.
 enum class rounding { right, wrong, undecided };
 [[nodiscard]] rounding check_rounding(const std::string& printed, int places, const ball& value);
+
+/// Adds each of them as a number with so many digits, and the fact that it is right, or wrong, as expected.
+void add_printed_numbers(certificate& c, const std::vector<printed_number>& numbers,
+                         rounding expected, long digits);
+
+/// The body with these a and b, as decimals or quotients.
+[[nodiscard]] body with_ab(const std::string& a, const std::string& b);
+/// The water molecule by the equilibrium rotational constants of section 8.
+[[nodiscard]] body water_at_equilibrium();
 
 }  // namespace polhode::proofs
