@@ -5,8 +5,8 @@
 namespace polhode::proofs {
 
 std::string counted(const integer& count) {
-  if (count == 0) return "no k";
-  return count == 1 ? "k = 1" : "k = 1 ... " + count.str();
+  if (count == 0) return "no k >= 1";
+  return (count == 1 ? "k = 1" : "k = 1 ... " + count.str()) + " and no other k >= 1";
 }
 
 std::string multiple_of_pi(const rational& q) {

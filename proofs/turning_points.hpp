@@ -28,7 +28,7 @@ namespace polhode::proofs {
 /// "2 pi/3", "pi".
 [[nodiscard]] std::string multiple_of_pi(const rational& q);
 
-/// "k = 1", "k = 1 ... 3", "no k".
+/// "k = 1 and no other k >= 1", "k = 1 ... 3 and no other k >= 1", "no k >= 1".
 [[nodiscard]] std::string counted(const integer& count);
 
 /// Adds brackets of the roots of G(u) = q(k) pi for k = 1 ... count, the first six of them, each a fact, and all to
