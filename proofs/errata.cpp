@@ -52,8 +52,8 @@ void add_words(certificate& c) {
   const body twice = with_ab("39.95", "0.0629");
   c.facts.push_back(
       {"theorem 4 says at least n, and one more beyond the n-th, for I < 2/(2n+1): there are "
-       "exactly "
-       "n + 1 for 2/(2n+3) <= I < 2/(2n+1); for a = 39.95, b = 0.0629, where n = 1, there are 2",
+       "exactly n + 1 for 2/(2n+3) <= I < 2/(2n+1); for a = 39.95, b = 0.0629, where n = 1, there "
+       "are 2",
        exceeds_geometric_constant(rational(2, 3), twice) &&
            !exceeds_geometric_constant(rational(2, 5), twice) && count_intersections(twice) == 2});
   const body at_two = with_ab("77/40", "1/10");

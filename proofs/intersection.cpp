@@ -12,12 +12,10 @@ certificate prove_intersection(const request& wanted) {
       "F(-bu,u) = 2 pi for some u in (0, 1)  <=>  I < 2; then u is the only one (u = 1 <=> I = 2)";
   c.method =
       "For all a > 0, 0 < b < 1: G(u) = F(-bu,u) maps (0, 1) one to one onto the values above pi "
-      "I, "
-      "decreasing, and tends to pi I at u = 1 (the steps are those of montgomery_oscillating). "
-      "With "
-      "u = 1 allowed, where F(-b,1) means this limit, the condition is the paper's I <= 2; u = 1 "
-      "is "
-      "the "
+      "I, decreasing, and tends to pi I at u = 1 (the steps are those of montgomery_oscillating). "
+      "With u = 1 allowed, where F(-b,1) means this limit, the condition is the paper's I <= 2; u "
+      "= 1 "
+      "is the "
       "equilibrium c = -b, no motion. For a given body I < 2 is decided in rationals.";
   add_steps(c, half_phase_steps());
   add_steps(c, {identity("4*b*(a+b) - (1-b)^2", "4*a*b + 3*b^2 + 2*b - 1",

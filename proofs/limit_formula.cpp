@@ -21,8 +21,7 @@ certificate prove_limit(const request&) {
   certificate c;
   c.formula =
       "epsilon -> pi/2 - am(pi sqrt(chi(1+beta)) | 1/(1+beta)) as a -> infinity, b -> 0, ab -> "
-      "chi, "
-      "c = b beta";
+      "chi, c = b beta";
   c.method =
       "For all a > 0, 0 < b < 1: sqrt(ab) times the integrand is v (beta + cos^2 psi)^(-1/2) with "
       "(1-b) sqrt(a/(a+b)) <= v <= 1, so the integral divided by its limit form lies between these "

@@ -33,8 +33,7 @@ certificate prove_oscillating(const request& wanted) {
       "= u + (1-u) cos^2(t/2); g decreases strictly in x and x increases in u, so G decreases "
       "strictly in u (the phase increases in c); u <= x <= 1 gives pi I <= G(u) <= pi I g(u)/g(1), "
       "so that pi I is the limit for u -> 1 and the greatest lower bound, which is not attained. "
-      "By "
-      "the "
+      "By the "
       "claim physical it is at least pi exactly for physical bodies. Computed: the polynomial "
       "steps; the rest is monotonicity of the integral.";
   add_steps(c, half_phase_steps());
