@@ -148,6 +148,11 @@ TEST(Brackets, HoldTheRootAndNothingElsePasses) {
     // As periodic quadrature has it.
     EXPECT_TRUE(certainly_less(half_phase(rigid, bracket->upper, 400), pi(400) * q));
   }
+  // The root is at 1 - u of the order of 10^-60: 128 bits don't tell the sides apart.
+  const body nearly_planar(1 + parse_rational("1e-60"), rational(1, 3));
+  const auto near_end = bracket_half_phase_root(nearly_planar, 1);
+  ASSERT_TRUE(near_end);
+  EXPECT_TRUE(passes_half_phase(nearly_planar, 1, *near_end));
   const body rigid = with_ab("12.65", "0.0629");
   const auto c0 = bracket_rotating_phase_root(rigid, 2);
   ASSERT_TRUE(c0);
