@@ -186,7 +186,7 @@ claim beta_claim() {
           "beta, "
           "the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). The paper prints 0.028973.",
           "interval Newton on the AGM; signs by certified quadrature as an independent route",
-          false,
+          claim_subject::none,
           prove_beta};
 }
 

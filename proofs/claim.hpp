@@ -15,13 +15,16 @@ struct request {
   oscillating_motion motion{rational(1265, 100), rational(629, 10000), rational(1, 4)};
 };
 
+/// What of the request the proof's numbers depend on: nothing, the body (a and b), or the body and its motion (u).
+enum class claim_subject { none, body, motion };
+
 /// One statement of the paper and what proves it.
 struct claim {
   std::string name;
-  std::string reference;     // where the paper says it
-  std::string statement;     // one line
-  std::string method;        // one line
-  bool uses_motion = false;  // the numbers asked for depend on request.motion
+  std::string reference;  // where the paper says it
+  std::string statement;  // one line
+  std::string method;     // one line
+  claim_subject subject = claim_subject::none;
   std::function<certificate(const request&)> prove;
 };
 
@@ -30,6 +33,11 @@ struct claim {
 
 /// The claim of that name, or nullptr.
 [[nodiscard]] const claim* find_claim(const std::string& name);
+
+/// The heading of the table of claims in proofs/README.md, in Markdown: two lines.
+[[nodiscard]] std::string table_heading();
+/// A claim's row, but for its last two cells, time and verdict: "| `beta` | eq. (40) | ... | `polhode certify beta` |".
+[[nodiscard]] std::string table_row(const claim& c);
 
 /// A constant of the paper, to any number of digits.
 struct constant {

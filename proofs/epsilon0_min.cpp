@@ -1,27 +1,18 @@
-// epsilon0_min = pi - 2 arctan(e^pi), and delta_psi_max = pi - 2 epsilon0_min.
+// epsilon0_min = pi - 2 arctan(e^pi).
 
+#include "proofs/epsilon0_min.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/roots/newton.hpp"
 #include "proofs/claims.hpp"
 
 namespace polhode::proofs {
 namespace {
 
-/// The root of log(tan(x/2)) + pi near x = 0.086: the same number through log and tan in place of exp
-/// and arctan. Its derivative is 1/sin x.
-root_enclosure by_logarithm(precision p) {
-  const ball box = hull(ball(rational(86, 1000), 64), ball(rational(87, 1000), 64));
-  const auto f = [](const ball& x) { return log(tan(x / 2)) + pi(x.precision()); };
-  const auto derivative = [](const ball& x) { return 1 / sin(x); };
-  return refine_root(f, derivative, box, p);
-}
-
 /// The two routes' enclosures of epsilon0_min and the facts that tie them.
 certificate prove_epsilon0_min(const request& wanted) {
   certificate c;
   const ball x = enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits);
-  const root_enclosure other = by_logarithm(x.precision());
+  const root_enclosure other = epsilon0_min_by_logarithm(x.precision());
   c.formula = "epsilon0_min = pi - 2 arctan(e^pi) = 2 arctan(e^-pi)";
   c.method =
       "On the separatrix of the limit the amplitude is the Gudermannian, am(pi|1) = 2 arctan(e^pi) "
@@ -39,26 +30,14 @@ certificate prove_epsilon0_min(const request& wanted) {
   return c;
 }
 
-certificate prove_delta_psi_max(const request& wanted) {
-  certificate c;
-  const ball x = enclose_to_digits(*find_constant("delta_psi_max"), wanted.digits);
-  const root_enclosure epsilon = by_logarithm(x.precision());
-  const ball second = pi(x.precision()) - 2 * epsilon.root;
-  c.formula = "delta_psi_max = pi - 2 epsilon0_min = 4 arctan(e^pi) - pi";
-  c.method =
-      "The formula in ball arithmetic; the second route takes epsilon0_min from interval Newton on "
-      "log(tan(x/2)) + pi.";
-  c.numbers.push_back({"delta_psi_max", x, wanted.digits});
-  c.facts.push_back(
-      {"pi - 2 epsilon0_min with epsilon0_min from log and tan overlaps the formula in "
-       "exp and arctan",
-       epsilon.verdict == root_verdict::unique && overlaps(second, x)});
-  c.witness["second_route"] = to_json(second, wanted.digits);
-  c.conclude();
-  return c;
-}
-
 }  // namespace
+
+root_enclosure epsilon0_min_by_logarithm(precision p) {
+  const ball box = hull(ball(rational(86, 1000), 64), ball(rational(87, 1000), 64));
+  const auto f = [](const ball& x) { return log(tan(x / 2)) + pi(x.precision()); };
+  const auto derivative = [](const ball& x) { return 1 / sin(x); };
+  return refine_root(f, derivative, box, p);
+}
 
 claim epsilon0_min_claim() {
   return {"epsilon0_min",
@@ -66,18 +45,8 @@ claim epsilon0_min_claim() {
           "The least twist defect on the separatrix that a physical body can have, approached as "
           "a -> inf, b -> 0 with ab -> 1. The paper prints 0.086374.",
           "ball arithmetic; interval Newton on log tan as a second route",
-          false,
+          claim_subject::none,
           prove_epsilon0_min};
-}
-
-claim delta_psi_max_claim() {
-  return {"delta_psi_max",
-          "section 7, after eq. (40)",
-          "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min. The paper prints "
-          "2.96884.",
-          "ball arithmetic; interval Newton on log tan as a second route",
-          false,
-          prove_delta_psi_max};
 }
 
 }  // namespace polhode::proofs

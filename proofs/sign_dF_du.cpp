@@ -122,7 +122,7 @@ claim sign_dF_du_claim() {
       "is "
       "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
       "two enclosures of the value; exact identity and signs; interval sweep over all parameters",
-      true,
+      claim_subject::motion,
       prove_sign};
 }
 

@@ -1,6 +1,7 @@
 // polhode certify: proves claims of the paper and writes down their certificates.
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,7 +31,7 @@ struct certify_options {
   bool all = false;
   digits_option digits;
   std::optional<std::string> directory;
-  format_option format{{"text", "json"}};
+  format_option format{{"text", "json", "markdown"}};
   std::optional<std::string> ab;
   std::optional<std::string> u;
   memory_limit_option memory_limit;
@@ -84,19 +85,22 @@ oscillating_motion selected_motion(const certify_options& options) {
   return motion;
 }
 
-/// Throws usage_error where a motion is given and no claim depends on it.
+/// Throws usage_error where a body or a motion is given and no chosen claim depends on it.
 void refuse_idle_motion(const certify_options& options, const std::vector<const claim*>& claims) {
-  if (!options.ab && !options.u) return;
-  const auto depends = [](const claim& c) { return c.uses_motion; };
-  if (std::any_of(claims.begin(), claims.end(), [&](const claim* c) { return depends(*c); })) {
-    return;
-  }
-  std::vector<std::string> dependent;
-  for (const claim& c : proofs::all_claims()) {
-    if (depends(c)) dependent.push_back(c.name);
-  }
-  throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
-                                options.ab ? "--ab" : "--u", fmt::join(dependent, ", ")));
+  const auto refuse_unless = [&](const char* option, proofs::claim_subject least) {
+    const auto depends = [least](const claim& c) { return c.subject >= least; };
+    if (std::any_of(claims.begin(), claims.end(), [&](const claim* c) { return depends(*c); })) {
+      return;
+    }
+    std::vector<std::string> dependent;
+    for (const claim& c : proofs::all_claims()) {
+      if (depends(c)) dependent.push_back(c.name);
+    }
+    throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
+                                  option, fmt::join(dependent, ", ")));
+  };
+  if (options.ab) refuse_unless("--ab", proofs::claim_subject::body);
+  if (options.u) refuse_unless("--u", proofs::claim_subject::motion);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -138,12 +142,23 @@ certificate prove(const claim& c, const request& wanted) {
   }
 }
 
-std::vector<certificate> prove_all(const std::vector<const claim*>& claims, const request& wanted) {
+struct timed_certificate {
+  certificate result;
+  double seconds = 0;
+};
+
+std::vector<timed_certificate> prove_all(const std::vector<const claim*>& claims,
+                                         const request& wanted) {
+  using clock = std::chrono::steady_clock;
   const progress line;
-  std::vector<certificate> result;
+  std::vector<timed_certificate> result;
+  result.reserve(claims.size());
   for (const claim* c : claims) {
     line.show(fmt::format("certifying {} ({}/{})", c->name, result.size() + 1, claims.size()));
-    result.push_back(prove(*c, wanted));
+    const auto start = clock::now();
+    certificate proved = prove(*c, wanted);
+    const std::chrono::duration<double> time = clock::now() - start;
+    result.push_back({std::move(proved), time.count()});
   }
   return result;
 }
@@ -152,8 +167,8 @@ std::string file_name(const std::string& claim_name) { return claim_name + ".jso
 
 std::string as_json_text(const json& value) { return value.dump(2) + '\n'; }
 
-void write_files(output_directory& directory, const std::vector<certificate>& certificates) {
-  for (const certificate& c : certificates) {
+void write_files(output_directory& directory, const std::vector<timed_certificate>& certificates) {
+  for (const auto& [c, seconds] : certificates) {
     directory.write(file_name(c.claim), as_json_text(to_json(c)));
   }
   directory.publish();
@@ -163,10 +178,10 @@ void write_files(output_directory& directory, const std::vector<certificate>& ce
 // What is printed
 
 /// "4 claims: 3 certified, 1 refuted"
-std::string summary(const std::vector<certificate>& certificates) {
+std::string summary(const std::vector<timed_certificate>& certificates) {
   std::size_t certified = 0;
   std::size_t refuted = 0;
-  for (const certificate& c : certificates) {
+  for (const auto& [c, seconds] : certificates) {
     if (c.verdict == status::certified) {
       ++certified;
     } else if (c.why == reason::refuted) {
@@ -181,16 +196,28 @@ std::string summary(const std::vector<certificate>& certificates) {
   return result + '\n';
 }
 
-std::string certificates_as_text(const std::vector<certificate>& certificates) {
+std::string certificates_as_text(const std::vector<timed_certificate>& certificates) {
   std::string result;
-  for (const certificate& c : certificates) result += to_text(c) + '\n';
+  for (const auto& [c, seconds] : certificates) result += to_text(c) + '\n';
   return result + summary(certificates);
 }
 
-std::string certificates_as_json(const std::vector<certificate>& certificates) {
+std::string certificates_as_json(const std::vector<timed_certificate>& certificates) {
   json result = json::array();
-  for (const certificate& c : certificates) result.push_back(to_json(c));
+  for (const auto& [c, seconds] : certificates) result.push_back(to_json(c));
   return as_json_text(result);
+}
+
+/// The table of proofs/README.md.
+std::string certificates_as_table(const std::vector<const claim*>& claims,
+                                  const std::vector<timed_certificate>& certificates) {
+  std::string result = proofs::table_heading();
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const auto& [c, seconds] = certificates[i];
+    result += fmt::format("{} {:.1f} ms | {} |\n", proofs::table_row(*claims[i]), 1000 * seconds,
+                          to_text(c.verdict));
+  }
+  return result;
 }
 
 std::string list_as_text(const std::vector<const claim*>& claims) {
@@ -216,7 +243,8 @@ std::string list_as_json(const std::vector<const claim*>& claims) {
                           {"reference", c->reference},
                           {"statement", c->statement},
                           {"method", c->method},
-                          {"uses_motion", c->uses_motion}});
+                          {"uses_body", c->subject >= proofs::claim_subject::body},
+                          {"uses_motion", c->subject == proofs::claim_subject::motion}});
   }
   return as_json_text(result);
 }
@@ -225,9 +253,11 @@ exit_status run(const certify_options& options) {
   const std::vector<const claim*> claims = selected_claims(options);
   const request wanted{options.digits.value(), selected_motion(options)};
   const bool as_json = options.format.value() == "json";
+  const bool as_table = options.format.value() == "markdown";
   refuse_idle_motion(options, claims);
   options.memory_limit.check(estimate(claims, wanted.digits));
   if (options.list) {
+    if (as_table) throw usage_error("--format markdown: a list is text or json");
     print(as_json ? list_as_json(claims) : list_as_text(claims));
     return exit_status::all_certified;
   }
@@ -239,12 +269,14 @@ exit_status run(const certify_options& options) {
     for (const claim* c : claims) names.push_back(file_name(c->name));
     directory.emplace(*options.directory, names);
   }
-  const std::vector<certificate> certificates = prove_all(claims, wanted);
+  const std::vector<timed_certificate> certificates = prove_all(claims, wanted);
   if (directory) write_files(*directory, certificates);
-  print(as_json ? certificates_as_json(certificates) : certificates_as_text(certificates));
-  const bool certified =
-      std::all_of(certificates.begin(), certificates.end(),
-                  [](const certificate& c) { return c.verdict == status::certified; });
+  print(as_table  ? certificates_as_table(claims, certificates)
+        : as_json ? certificates_as_json(certificates)
+                  : certificates_as_text(certificates));
+  const bool certified = std::all_of(certificates.begin(), certificates.end(), [](const auto& c) {
+    return c.result.verdict == status::certified;
+  });
   return certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
@@ -280,6 +312,8 @@ command certify_command() {
           "  polhode certify\n"
           "  polhode certify --list\n"
           "  polhode certify beta --digits 1000 --out certificates\n"
+          "  polhode certify injectivity --ab 18.27,0.0629\n"
+          "  polhode certify errata\n"
           "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n",
           declare};
 }

@@ -49,6 +49,28 @@ TEST(Certify, JsonIsAnArrayOfCertificatesWithConsistentEnclosures) {
   }
 }
 
+TEST(Certify, MarkdownIsATableWithARowAClaim) {
+  const outcome result = run({"certify", "beta", "errata", "--format", "markdown"});
+  EXPECT_EQ(result.status, 0);
+  const auto lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_EQ(lines[0] + '\n' + lines[1] + '\n', proofs::table_heading());
+  EXPECT_EQ(lines[2].rfind(proofs::table_row(*proofs::find_claim("beta")), 0), 0U);
+  EXPECT_NE(lines[3].find(" ms | certified |"), std::string::npos);
+  const outcome list = run({"certify", "--list", "--format", "markdown"});
+  EXPECT_EQ(list.status, 2);
+  EXPECT_NE(list.err.find("text or json"), std::string::npos);
+}
+
+TEST(Certify, ABodyIsForTheClaimsAboutBodies) {
+  const outcome result =
+      run({"certify", "injectivity", "count", "--ab", "18.27,0.0629", "--format", "json"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  for (const json& c : json::parse(result.out)) EXPECT_EQ(c.at("inputs").at("a"), "1827/100");
+  EXPECT_EQ(run({"certify", "errata", "--ab", "18.27,0.0629"}).status, 2);
+  EXPECT_EQ(run({"certify", "injectivity", "--u", "1/4"}).status, 2);
+}
+
 TEST(Certify, NamesRunOnceInTheOrderGiven) {
   const outcome result = run({"certify", "beta", "epsilon0_min", "beta", "--format", "json"});
   EXPECT_EQ(claims_in(json::parse(result.out)), (std::vector<std::string>{"beta", "epsilon0_min"}));

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "polhode/arithmetic/text.hpp"
 #include "proofs/claim.hpp"
@@ -26,12 +29,21 @@ certificate prove(const std::string& name, long digits) {
 }
 
 TEST(Claims, AreListed) {
-  ASSERT_EQ(all_claims().size(), 4U);
-  for (const char* name : {"epsilon0_min", "delta_psi_max", "beta", "sign_dF_du"}) {
+  ASSERT_EQ(all_claims().size(), 22U);
+  for (const char* name :
+       {"physical", "montgomery_oscillating", "montgomery_rotating", "first_equation",
+        "separatrix_twist", "perfect_twist", "intersection", "crossing", "injectivity", "count",
+        "c0_decreases", "epsilon0_decreases", "limit_minimum", "half_phase_limits"}) {
     ASSERT_NE(find_claim(name), nullptr) << name;
     EXPECT_EQ(find_claim(name)->name, name);
-    EXPECT_EQ(find_claim(name)->uses_motion, std::string(name) == "sign_dF_du");
+    EXPECT_EQ(find_claim(name)->subject, claim_subject::body) << name;
   }
+  for (const char* name : {"limit_formula", "epsilon0_min", "delta_psi_max", "beta",
+                           "implicit_equations", "printed_numbers", "errata"}) {
+    ASSERT_NE(find_claim(name), nullptr) << name;
+    EXPECT_EQ(find_claim(name)->subject, claim_subject::none) << name;
+  }
+  EXPECT_EQ(find_claim("sign_dF_du")->subject, claim_subject::motion);
   EXPECT_EQ(find_claim("gamma"), nullptr);
   EXPECT_EQ(find_claim(""), nullptr);
 }
@@ -44,12 +56,59 @@ TEST(Claims, AreCertifiedAtEveryLength) {
       EXPECT_EQ(result.claim, c.name);
       EXPECT_EQ(result.statement, c.statement);
       EXPECT_EQ(result.reference, c.reference);
+      EXPECT_FALSE(result.formula.empty());
+      EXPECT_FALSE(result.method.empty());
       EXPECT_FALSE(result.facts.empty());
-      ASSERT_EQ(result.numbers.size(), 1U);
-      EXPECT_EQ(result.numbers[0].digits, digits);
-      EXPECT_GE(to_decimal_enclosure(result.numbers[0].enclosure, digits).digits, digits);
+      EXPECT_EQ(result.inputs.size(),
+                static_cast<std::size_t>(c.subject == claim_subject::none   ? 0
+                                         : c.subject == claim_subject::body ? 2
+                                                                            : 3));
+      for (const enclosed_number& n : result.numbers) {
+        EXPECT_EQ(n.digits, digits);
+        EXPECT_GE(to_decimal_enclosure(n.enclosure, digits).digits, digits) << c.name << n.name;
+      }
       EXPECT_EQ(json::parse(to_json(result).dump()).at("verdict"), "certified");
     }
+  }
+}
+
+TEST(Claims, AreNotCertifiedWithoutAnyOneOfTheirParts) {
+  for (const claim& c : all_claims()) {
+    const certificate result = prove(c.name, 10);
+    for (std::size_t i = 0; i < result.facts.size(); ++i) {
+      certificate sabotaged = result;
+      sabotaged.facts[i].holds = false;
+      sabotaged.conclude();
+      EXPECT_EQ(sabotaged.verdict, status::not_certified) << c.name << result.facts[i].statement;
+    }
+    for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+      certificate sabotaged = result;
+      sabotaged.numbers[i].enclosure = ball::undefined(64);
+      sabotaged.conclude();
+      EXPECT_EQ(sabotaged.verdict, status::not_certified) << c.name << result.numbers[i].name;
+    }
+  }
+}
+
+/// The lines of proofs/README.md that are rows of its table.
+std::vector<std::string> rows_of_readme() {
+  std::ifstream file(POLHODE_PROOFS_DIR "/README.md");
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("| `", 0) == 0) rows.push_back(line);
+  }
+  return rows;
+}
+
+TEST(Claims, AreTheTableOfTheReadme) {
+  // All cells but the time are generated from the claims: `polhode certify --format markdown`.
+  const std::vector<std::string> rows = rows_of_readme();
+  ASSERT_EQ(rows.size(), all_claims().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string expected = table_row(all_claims()[i]);
+    EXPECT_EQ(rows[i].substr(0, expected.size()), expected);
+    const std::string rest = rows[i].substr(std::min(expected.size(), rows[i].size()));
+    EXPECT_TRUE(std::regex_match(rest, std::regex(" [0-9]+\\.[0-9] ms \\| certified \\|"))) << rest;
   }
 }
 
@@ -76,6 +135,7 @@ TEST(Claims, RefuseBadRequests) {
   const auto with = [](rational a, rational b, rational u) {
     request wanted;
     wanted.motion = {std::move(a), std::move(b), std::move(u)};
+    (void)find_claim("injectivity")->prove(wanted);
     return find_claim("sign_dF_du")->prove(wanted);
   };
   EXPECT_THROW((void)with(0, rational(1, 2), rational(1, 2)), input_error);

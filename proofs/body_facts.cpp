@@ -1,0 +1,143 @@
+#include "proofs/body_facts.hpp"
+
+#include <array>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+constexpr std::array<precision, 4> precisions{128, 512, 2048, 8192};
+
+/// Of f(s) - target: proved, or unknown.
+sign side_of(const std::function<ball(const rational& s, precision p)>& f,
+             const std::function<ball(precision p)>& target, const rational& s) {
+  for (const precision p : precisions) {
+    const ball value = f(s, p);
+    const ball wanted = target(p);
+    if (certainly_less(wanted, value)) return sign::positive;
+    if (certainly_less(value, wanted)) return sign::negative;
+  }
+  return sign::unknown;
+}
+
+rational power_of_half(long k) {
+  return rational(integer(1), integer(1) << static_cast<unsigned>(k));
+}
+
+/// The k with 2^-k <= q < 2^(1-k), for 0 < q < 1.
+long halvings(const rational& q) {
+  const auto difference = static_cast<long>(msb(integer(denominator(q)))) -
+                          static_cast<long>(msb(integer(numerator(q))));
+  return q < power_of_half(difference) ? difference + 1 : difference;
+}
+
+void add_constant(certificate& c, const std::string& name, const std::optional<rational>& exact,
+                  bool exact_holds, const enclosing_function& f, long digits, const body& rigid) {
+  if (exact) {
+    c.facts.push_back(
+        {"at the given a, b: " + name + " = " + to_text(*exact) + " exactly", exact_holds});
+  } else {
+    add_number(c, name, f, digits, rigid);
+  }
+}
+
+}  // namespace
+
+body requested_body(certificate& c, const request& wanted) {
+  body rigid(wanted.motion.a, wanted.motion.b);
+  c.inputs.emplace_back("a", rigid.a());
+  c.inputs.emplace_back("b", rigid.b());
+  return rigid;
+}
+
+void add_number(certificate& c, const std::string& name, const enclosing_function& f, long digits,
+                const body& rigid) {
+  const precision guard =
+      15 * bits_for_digits(digits) + 1024 + 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b()));
+  c.numbers.push_back({name, enclose_to_digits(f, digits, guard), digits});
+}
+
+void add_geometric_constant(certificate& c, const body& rigid, long digits) {
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const auto exact = rigid.exact_geometric_constant();
+  add_constant(
+      c, "I", exact, exact && *exact > 0 && *exact * *exact * b * (a + b) == (1 - b) * (1 - b),
+      [&](precision p) { return rigid.geometric_constant(p); }, digits, rigid);
+}
+
+void add_second_geometric_constant(certificate& c, const body& rigid, long digits) {
+  const rational& a = rigid.a();
+  const auto exact = rigid.exact_second_geometric_constant();
+  add_constant(
+      c, "J", exact,
+      exact && *exact > 0 && (*exact + 1) * (*exact + 1) * a * (a + rigid.b()) == (a + 1) * (a + 1),
+      [&](precision p) { return rigid.second_geometric_constant(p); }, digits, rigid);
+}
+
+bool is_decided(const std::function<bool(precision p)>& condition) {
+  for (const precision p : precisions) {
+    if (condition(p)) return true;
+  }
+  return false;
+}
+
+ball half_phase(const body& rigid, const rational& u, precision p) {
+  return scale(montgomery_phase(rigid, rational(-rigid.b() * u), p), -1);
+}
+
+rational between(const rational& lower, const rational& upper) {
+  rational middle((lower + upper) / 2);
+  const rational from_one(1 - lower);
+  const rational nearer(1 - upper);
+  if (upper > 4 * lower) {
+    middle = power_of_half((halvings(lower) + halvings(upper)) / 2);
+  } else if (from_one > 4 * nearer) {
+    middle = 1 - power_of_half((halvings(from_one) + halvings(nearer)) / 2);
+  }
+  return lower < middle && middle < upper ? middle : rational((lower + upper) / 2);
+}
+
+std::optional<root_bracket> bracket_root(
+    const std::function<ball(const rational& s, precision p)>& f,
+    const std::function<ball(precision p)>& target, int bits) {
+  constexpr long most_halvings = 4096;
+  std::optional<rational> lower;
+  std::optional<rational> upper;
+  for (long k = 1; k <= most_halvings && !(lower && upper); k *= 2) {
+    const rational step = power_of_half(k);
+    if (!lower && side_of(f, target, step) == sign::positive) lower = step;
+    if (!upper && side_of(f, target, 1 - step) == sign::negative) upper = rational(1 - step);
+  }
+  if (!lower || !upper) return std::nullopt;
+  root_bracket result{*lower, *upper};
+  const rational tolerance = power_of_half(bits);
+  while (result.upper - result.lower > tolerance * result.lower ||
+         result.upper - result.lower > tolerance * (1 - result.upper)) {
+    const rational middle = between(result.lower, result.upper);
+    const sign side = side_of(f, target, middle);
+    if (side == sign::unknown) break;
+    (side == sign::positive ? result.lower : result.upper) = middle;
+  }
+  return result;
+}
+
+void note_missing_witness(certificate& c, const std::string& what) {
+  c.method += " (For the given body " + what +
+              " was not found: it is too near an end of its range. The proof does not need it.)";
+}
+
+std::string in_decimals(const root_bracket& bracket) {
+  constexpr long digits = 10;
+  const auto decimal = [](const rational& q) { return to_decimal_enclosure(ball(q, 64), digits); };
+  return decimal(bracket.lower).lower + " and " + decimal(bracket.upper).upper;
+}
+
+json as_json(const root_bracket& bracket) {
+  return json{{"lower", to_text(bracket.lower)}, {"upper", to_text(bracket.upper)}};
+}
+
+}  // namespace polhode::proofs

@@ -1,0 +1,105 @@
+// What is not right as printed, beside what is.
+
+#include <array>
+
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+#include "proofs/claims.hpp"
+#include "proofs/half_phase.hpp"
+#include "proofs/printed_values.hpp"
+#include "proofs/rotating_phase.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+bool phase_increases_in_c(const body& rigid) {
+  return is_decided([&](precision p) {
+    return certainly_less(montgomery_phase(rigid, rational(-rigid.b() * 3 / 4), p),
+                          montgomery_phase(rigid, rational(-rigid.b() / 4), p));
+  });
+}
+
+void add_words(certificate& c) {
+  const rational water_a = water_at_equilibrium().a();
+  c.facts.push_back(
+      {"section 2 says \"by definition, a > 1\": a > 0 is right; the water molecule of "
+       "section 8 has a = " +
+           to_decimal(ball(water_a, 64), 8) + " and I > 1",
+       water_a > 0 && water_a < 1 && water_at_equilibrium().kind() == body_kind::physical});
+  c.facts.push_back(
+      {"section 1 says that the phase of oscillating motion is a decreasing function of c: it "
+       "increases, for a = 12.65, b = 0.0629 from c = -3b/4 to -b/4 (for all bodies: the claim "
+       "montgomery_oscillating)",
+       phase_increases_in_c(with_ab("12.65", "0.0629"))});
+  const body rigid = with_ab("12.65", "0.0629");
+  const auto c0 = bracket_rotating_phase_root(rigid, 2);
+  c.facts.push_back(
+      {"proposition 3 seeks c0 in (-b, a): it lies in (0, a), for a = 12.65, b = 0.0629 "
+       "at c0/a between " +
+           (c0 ? in_decimals(*c0) : std::string("?")),
+       c0 && c0->lower > 0 && passes_rotating_phase(rigid, 2, *c0)});
+  const body planar = with_ab("1", "1/3");
+  c.facts.push_back(
+      {"section 8 says \"if and only if I > 1\": theorem 3 has I >= 1; the planar body a "
+       "= 1, b = 1/3 has I = 1, is physical, and epsilon(c) never crosses pi/2",
+       planar.exact_geometric_constant() == rational(1) && planar.kind() == body_kind::planar &&
+           count_crossings(planar) == 0});
+  const body once = with_ab("18.27", "0.0629");
+  c.facts.push_back(
+      {"section 6.2 says that for non-physical bodies C and S intersect several times: "
+       "for 2/3 <= I < 1 exactly once, as for a = 18.27, b = 0.0629",
+       once.kind() == body_kind::non_physical && count_intersections(once) == 1});
+  const body twice = with_ab("39.95", "0.0629");
+  c.facts.push_back(
+      {"theorem 4 says at least n, and one more beyond the n-th, for I < 2/(2n+1): there are "
+       "exactly n + 1 for 2/(2n+3) <= I < 2/(2n+1); for a = 39.95, b = 0.0629, where n = 1, there "
+       "are 2",
+       exceeds_geometric_constant(rational(2, 3), twice) &&
+           !exceeds_geometric_constant(rational(2, 5), twice) && count_intersections(twice) == 2});
+  const body at_two = with_ab("77/40", "1/10");
+  c.facts.push_back(
+      {"lemma 2 says that C and S intersect if and only if I <= 2: at I = 2 the point u "
+       "= 1 is only a limit, as for a = 77/40, b = 1/10, where there is no intersection",
+       at_two.exact_geometric_constant() == rational(2) && count_intersections(at_two) == 0});
+}
+
+certificate prove_errata(const request& wanted) {
+  certificate c;
+  c.formula = "|printed - value| > half a unit of the last place printed";
+  c.method =
+      "The numbers as in the claim printed_numbers; statements by an exact counterexample in "
+      "rationals, or by enclosures of the phase. The numbers of figure 7, but for 1.045, are those "
+      "of b = 0.0629 in place of 0.06, and 0.872 is cut off where 0.873 would be rounded.";
+  add_printed_numbers(c, wrong_numbers(), rounding::wrong, wanted.digits);
+  // What figure 7 meant.
+  const std::array<std::array<const char*, 3>, 4> meant{{{"12.65", "1.045", "wrong"},
+                                                         {"13.89", "1", "right"},
+                                                         {"15.38", "0.951", "right"},
+                                                         {"18.27", "0.872", "wrong"}}};
+  for (const auto& [a, printed, verdict] : meant) {
+    const ball value = with_ab(a, "0.0629").geometric_constant(64);
+    const bool right = std::string(verdict) == "right";
+    c.facts.push_back(
+        {std::string("figure 7 with b = 0.0629 in place of 0.06: ") + printed + " for a = " + a +
+             " would be " + verdict + ", I = " + to_decimal(value, 8),
+         check_rounding(printed, 3, value) == (right ? rounding::right : rounding::wrong)});
+  }
+  add_words(c);
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+claim errata_claim() {
+  return {
+      "errata",
+      "sections 1 to 8, figure 7",
+      "Each printed number that is wrong, beside the certified one, and statements that are not "
+      "right as printed.",
+      "enclosures against the printed decimals; exact counterexamples",
+      claim_subject::none,
+      prove_errata};
+}
+
+}  // namespace polhode::proofs

@@ -1,0 +1,83 @@
+#pragma once
+
+// Identities and signs of polynomials, decided exactly.
+//
+// A polynomial is written as text in single lower-case letters with integer coefficients, "(1-b)^2 - b*(a+b)", and is
+// expanded over the rationals: two polynomials are the same function exactly when their expansions are equal. What a
+// certificate prints is the text that was checked.
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/certificate/certificate.hpp"
+
+namespace polhode::proofs {
+
+/// A polynomial over Q in the letters a ... z, expanded.
+class exact_polynomial {
+ public:
+  using exponents = std::array<int, 26>;
+
+  exact_polynomial() = default;
+  /// A constant.
+  explicit exact_polynomial(const rational& q);
+  /// The variable of that name. Throws std::invalid_argument unless it is a lower-case letter.
+  static exact_polynomial variable(char name);
+  /// Reads +, -, *, ^ with a whole exponent from 0 to 99, parentheses, letters and integers. Throws
+  /// std::invalid_argument for anything else.
+  static exact_polynomial parse(std::string_view text);
+
+  friend exact_polynomial operator+(const exact_polynomial& x, const exact_polynomial& y);
+  friend exact_polynomial operator-(const exact_polynomial& x, const exact_polynomial& y);
+  friend exact_polynomial operator*(const exact_polynomial& x, const exact_polynomial& y);
+  friend bool operator==(const exact_polynomial& x, const exact_polynomial& y) = default;
+
+  [[nodiscard]] exact_polynomial derivative(char name) const;
+  /// The polynomial with another put in the place of a variable.
+  [[nodiscard]] exact_polynomial with(char name, const exact_polynomial& replacement) const;
+
+  /// No coefficient is negative and at least one is positive: then the value is positive wherever all letters are.
+  [[nodiscard]] bool has_positive_coefficients() const;
+
+ private:
+  void add(const exponents& e, const rational& coefficient);
+  std::map<exponents, rational> terms_;  // without zeros
+};
+
+/// One step of a proof that is an exact question about polynomials, and what it is needed for.
+struct polynomial_step {
+  enum class kind {
+    identity,  // "p = q"
+    positive,  // "p = q" and q has positive coefficients; its letters stand for positive quantities
+    slope  // "d/dx (p) / (q) = r": p_x q - p q_x = r, the numerator of the derivative of p/q over q^2
+  };
+  kind what;
+  std::string left;     // p
+  std::string over;     // q of a slope
+  std::string right;    // q, or r
+  std::string letters;  // "q = 1-b, y = 1-x": put into `right` before it is compared, or ""
+  char variable = 'x';  // of a slope
+  std::string meaning;  // what it says in the proof
+
+  /// Decided by expansion. Throws std::invalid_argument where a text is not a polynomial.
+  [[nodiscard]] bool holds() const;
+  /// "(1-b)^2 - b*(a+b) = 1 - 2*b - a*b, expanded over Q"
+  [[nodiscard]] std::string statement() const;
+};
+
+[[nodiscard]] polynomial_step identity(std::string left, std::string right, std::string meaning);
+/// left = right with the letters' meanings put in, and right has positive coefficients.
+[[nodiscard]] polynomial_step positive(std::string left, std::string right, std::string letters,
+                                       std::string meaning);
+[[nodiscard]] polynomial_step slope(char variable, std::string numerator, std::string denominator,
+                                    std::string result, std::string meaning);
+
+/// Adds each step to the certificate's facts, and to witness["polynomials"] in a form that can be checked again.
+/// Returns whether all hold.
+bool add_steps(certificate& c, const std::vector<polynomial_step>& steps);
+
+}  // namespace polhode::proofs

@@ -1,0 +1,242 @@
+// epsilon(c) is injective exactly for physical bodies: the paper's theorem 3 and proposition 4.
+//
+// psi_c, G and epsilon(c) = pi/2 - psi_c(pi) as in turning_points.hpp; T(c, psi) = integral from 0 to psi of h as in first_equation.cpp. epsilon
+// is continuous on (-b, a): theta at psi = 0 is continuous in c, and solutions depend continuously on their initial values.
+//
+// (1) I >= 1: epsilon decreases strictly on (-b, a). Then G(u) > pi I >= pi for all u in (0, 1).
+//   (a) Where pi has come before the first turning point (c >= 0, or G >= 2 pi): T(c, psi_c(pi)) = pi, and epsilon decreases strictly in c by
+//       first_equation. (For c > 0 psi_c passes pi/2 as well; T increases in psi and decreases in c all the same.) These are c >= c_1, with
+//       c_1 = -b u_1, G(u_1) = 2 pi, or all c where I >= 2, as G decreases in u.
+//   (b) Else pi < G < 2 pi, so pi lies between the first turning point and the next return to psi = 0: psi = psi_c(pi) > 0 and
+//       T(c, psi) = G - pi. Let c decrease: G decreases, and T(c, psi) increases for every psi > 0. So psi decreases strictly: for
+//       c' < c in this part, T(c', psi_c(pi)) > T(c, psi_c(pi)) = G - pi > G' - pi = T(c', psi_c'(pi)), where psi_c(pi) is beyond the
+//       turning point of c' the conclusion psi_c'(pi) < psi_c(pi) is immediate.
+//   Both parts are closed at c_1 by continuity, so epsilon decreases strictly throughout.
+// (2) I < 1: epsilon is not injective. By crossing there is a greatest c* in (-b, 0) with epsilon(c*) = pi/2. And epsilon(c) -> pi/2 as c -> -b, because
+//   |psi_c| <= arcsin sqrt(1 - u). So epsilon has the same limits at both ends of (-b, c*). A continuous injective function on an
+//   interval is strictly monotone and has different limits.
+//
+// Of these steps the polynomial ones are computed. Cited: existence, uniqueness and continuous dependence of solutions of ordinary differential
+// equations on their initial values (Picard and Lindeloef), and the intermediate value theorem.
+
+#include <algorithm>
+#include <vector>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+#include "proofs/claims.hpp"
+#include "proofs/half_phase.hpp"
+#include "proofs/twist.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+/// Of epsilon(c) - level, from precisions that grow until it is decided.
+sign side_of(const body& rigid, const rational& c, const ball& level) {
+  sign result = sign::unknown;
+  (void)is_decided([&](precision p) {
+    result = sign_of(twist_defect(rigid, c, p) - level);
+    return result == sign::negative || result == sign::positive;
+  });
+  return result;
+}
+
+std::string decimals(const rational& q) { return to_decimal(ball(q, 64), 12); }
+
+// ---------------------------------------------------------------------------------------------
+// Physical: a decreasing chain
+
+struct curve_point {
+  rational c;
+  ball epsilon;
+};
+
+/// From c = a down to near -b.
+std::vector<rational> places_on(const body& rigid) {
+  std::vector<rational> places;
+  for (int k = 12; k >= 1; --k) places.emplace_back(rigid.a() * k / 12);
+  for (const int n : {50, 250}) places.emplace_back(rigid.a() / n);
+  places.emplace_back(0);
+  for (const int n : {250, 50}) places.emplace_back(-rigid.b() / n);
+  for (int k = 1; k < 12; ++k) places.emplace_back(-rigid.b() * k / 12);
+  for (const int n : {50, 250}) places.emplace_back(-rigid.b() * (n - 1) / n);
+  return places;
+}
+
+/// The points of the curve at these c where p bits enclose them.
+std::vector<curve_point> points_at(const body& rigid, const std::vector<rational>& places,
+                                   precision p) {
+  std::vector<curve_point> points;
+  points.reserve(places.size());
+  for (const rational& c : places) {
+    const ball epsilon = twist_defect(rigid, c, p);
+    if (epsilon.is_bounded()) points.push_back({c, epsilon});
+  }
+  return points;
+}
+
+bool is_decreasing_chain(const std::vector<curve_point>& points) {
+  if (points.size() < 3) return false;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!certainly_less(points[i - 1].epsilon, points[i].epsilon)) return false;
+  }
+  const ball& last = points.back().epsilon;
+  return certainly_less(last, scale(pi(last.precision()), -1));
+}
+
+void add_chain(certificate& c, const body& rigid) {
+  const std::vector<rational> places = places_on(rigid);
+  std::vector<curve_point> points;
+  const bool decreases = is_decided([&](precision p) {
+    points = points_at(rigid, places, p);
+    return is_decreasing_chain(points);
+  });
+  c.facts.push_back(
+      {"at the given a, b: epsilon(c) increases as c goes down a chain of " +
+           std::to_string(points.size()) +
+           " points from a to -b, and is below pi/2, its limit there; as it is monotone by the "
+           "proof, the boxes between neighbouring points cover the curve",
+       decreases});
+  json& chain = c.witness["chain"];
+  for (const curve_point& point : points) {
+    chain.push_back(json{{"c", to_text(point.c)}, {"epsilon", to_json(point.epsilon, 12)}});
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Not physical: two c with the same epsilon
+
+/// Halves the bracket of u while the side of epsilon at the middle is decided; epsilon(lower) is below the level exactly
+/// where below_at_lower.
+root_bracket refined(const body& rigid, root_bracket bracket, const ball& level,
+                     bool below_at_lower) {
+  constexpr int steps = 24;
+  for (int i = 0; i < steps; ++i) {
+    const rational middle((bracket.lower + bracket.upper) / 2);
+    const rational c(-rigid.b() * middle);
+    const sign side = side_of(rigid, c, level);
+    if (side != sign::negative && side != sign::positive) break;
+    ((side == sign::negative) == below_at_lower ? bracket.lower : bracket.upper) = middle;
+  }
+  return bracket;
+}
+
+/// |psi_c(pi)| <= arcsin sqrt(1 - u), with 1 - u = 2^-k: below the level for such an u.
+std::optional<rational> place_near_end(const ball& level) {
+  constexpr int most_halvings = 4096;
+  for (int k = 1; k <= most_halvings; k *= 2) {
+    const ball w = scale(ball(1, level.precision()), -k);
+    const ball most = scale(pi(level.precision()), -1) + asin(sqrt(w));
+    if (certainly_less(most, level)) return rational(1 - lower_rational(w));
+  }
+  return std::nullopt;
+}
+
+struct witnesses {
+  ball level;          // epsilon of both, an exact number
+  root_bracket first;  // of u = -c/b
+  root_bracket second;
+};
+
+/// The curve rises above pi/2 after its first crossing, at G = pi, and comes back to it. Between the crossing and a place
+/// with G = q pi, q = max(3/4, (1 + I)/2), and between that place and one near u = 1, it passes a level between pi/2
+/// and its value there.
+std::optional<witnesses> find_witnesses(const body& rigid) {
+  constexpr precision p = 1024;
+  const rational near_I = lower_rational(rigid.geometric_constant(p));
+  const rational q = std::max(rational(3, 4), rational((1 + near_I) / 2));
+  if (q >= 1) return std::nullopt;
+  const auto crossing = bracket_half_phase_root(rigid, 1);
+  const auto place = bracket_half_phase_root(rigid, q);
+  if (!crossing || !place || crossing->lower >= place->lower) return std::nullopt;
+  const rational left = crossing->lower;
+  const rational top = place->lower;
+  const ball at_top = twist_defect(rigid, rational(-rigid.b() * top), p);
+  if (!at_top.is_bounded()) return std::nullopt;
+  const ball half_pi = scale(pi(p), -1);
+  const ball level = scale(half_pi + at_top, -1).middle();
+  const auto right = place_near_end(level);
+  if (!right || *right <= top || !certainly_less(half_pi, level) ||
+      side_of(rigid, rational(-rigid.b() * left), level) != sign::negative) {
+    return std::nullopt;
+  }
+  return witnesses{level, refined(rigid, {left, top}, level, true),
+                   refined(rigid, {top, *right}, level, false)};
+}
+
+void add_witnesses(certificate& c, const body& rigid) {
+  const auto found = find_witnesses(rigid);
+  if (!found) {
+    c.witness["two_c"] = nullptr;
+    note_missing_witness(c, "a pair of c with one epsilon");
+    return;
+  }
+  const auto place = [&](const rational& u) { return decimals(rational(-rigid.b() * u)); };
+  const auto c_of = [&](const rational& u) { return rational(-rigid.b() * u); };
+  const rational& end = found->second.upper;
+  const precision p = found->level.precision();
+  const ball most_at_end = scale(pi(p), -1) + asin(sqrt(ball(rational(1 - end), p)));
+  c.facts.push_back(
+      {"at the given a, b: epsilon = " + to_decimal(found->level, 8) +
+           " (one exact number) is passed between c = " + place(found->first.lower) + " and " +
+           place(found->first.upper) + ", and again between " + place(found->second.lower) +
+           " and " + place(found->second.upper) + ": two c with the same epsilon",
+       found->first.upper <= found->second.lower &&
+           side_of(rigid, c_of(found->first.lower), found->level) == sign::negative &&
+           side_of(rigid, c_of(found->first.upper), found->level) == sign::positive &&
+           side_of(rigid, c_of(found->second.lower), found->level) == sign::positive &&
+           (certainly_less(most_at_end, found->level) ||
+            side_of(rigid, c_of(end), found->level) == sign::negative)});
+  c.witness["two_c"] = json{{"epsilon", to_text(lower_rational(found->level))},
+                            {"u_first", as_json(found->first)},
+                            {"u_second", as_json(found->second)}};
+}
+
+certificate prove_injectivity(const request& wanted) {
+  certificate c;
+  c.formula = "c -> epsilon(c) is injective on (-b, a)  <=>  I >= 1  <=>  the body is physical";
+  c.method =
+      "For all a > 0, 0 < b < 1. I >= 1: G > pi, so that pi is reached before the first turning "
+      "point, where epsilon decreases by first_equation, or between it and the return to psi = 0, "
+      "where T(c, psi_c(pi)) = G - pi; as c decreases G decreases and T increases for every psi, "
+      "so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: epsilon is pi/2 at c* "
+      "by "
+      "the claim crossing and tends to pi/2 as c -> -b; a continuous injective function would have "
+      "different limits. Computed: the polynomial steps, I against 1 in rationals, and enclosures "
+      "for the given body. Cited: existence, uniqueness and continuous dependence of solutions of "
+      "ordinary differential equations (Picard and Lindeloef); the intermediate value theorem.";
+  add_steps(c, half_phase_steps());
+  add_steps(c, {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
+                      "the derivative in c of the square of T's integrand, negative")});
+  const body rigid = requested_body(c, wanted);
+  add_geometric_constant(c, rigid, wanted.digits);
+  const bool physical = !exceeds_geometric_constant(1, rigid);
+  c.facts.push_back({"at the given a, b, in rationals: I " + std::string(physical ? ">=" : "<") +
+                         " 1, " + to_text(rigid.kind()) + ": epsilon(c) is " +
+                         (physical ? "injective" : "not injective"),
+                     physical == (rigid.kind() != body_kind::non_physical)});
+  if (physical) {
+    add_chain(c, rigid);
+  } else {
+    add_witnesses(c, rigid);
+  }
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+claim injectivity_claim() {
+  return {
+      "injectivity",
+      "theorem 3, proposition 4",
+      "The twist defect epsilon(c) is an injective function of c if and only if I >= 1, that is, "
+      "if and only if the body is physical.",
+      "monotone parts by exact signs; a chain of enclosures, or two c with one epsilon, for a "
+      "body",
+      claim_subject::body,
+      prove_injectivity};
+}
+
+}  // namespace polhode::proofs

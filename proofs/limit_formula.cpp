@@ -1,0 +1,52 @@
+// The limit a -> infinity, b -> 0: the paper's section 7, eqs. (33) to (38).
+//
+// With X = cos^2 psi, c = b beta: sqrt(ab) h = v (beta + X)^(-1/2), where v^2 = a (1 - b X)^2/(a + b X) and
+// a (1-b)^2/(a+b) <= v^2 <= 1. So sqrt(ab) T(c, psi) lies between sqrt(a/(a+b)) (1-b) t and t, where
+// t(beta, psi) = integral from 0 to psi of (beta + cos^2)^(-1/2) = F(psi | 1/(1+beta))/sqrt(1+beta), for beta + cos^2 = (1+beta)(1 - sin^2/(1+beta)).
+// T(c, psi) = pi, so t(beta, psi) tends to pi sqrt(chi) for ab -> chi: psi -> am(pi sqrt(chi (1+beta)) | 1/(1+beta)), as t is continuous and increases
+// strictly in psi. This is the paper's eq. (38), on the part of C that the first implicit equation gives (all of beta >= 0).
+
+#include "proofs/claims.hpp"
+#include "proofs/exact_polynomial.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+polynomial_step upper_step() {
+  return positive("(a+b*x) - a*(1-b*x)^2", "b*x + a*b*x*(1+q+b*y)", "q = 1-b, y = 1-x",
+                  "v^2 = a(1-bX)^2/(a+bX) <= 1");
+}
+
+certificate prove_limit(const request&) {
+  certificate c;
+  c.formula =
+      "epsilon -> pi/2 - am(pi sqrt(chi(1+beta)) | 1/(1+beta)) as a -> infinity, b -> 0, ab -> "
+      "chi, c = b beta";
+  c.method =
+      "For all a > 0, 0 < b < 1: sqrt(ab) times the integrand is v (beta + cos^2 psi)^(-1/2) with "
+      "(1-b) sqrt(a/(a+b)) <= v <= 1, so the integral divided by its limit form lies between these "
+      "bounds, which tend to 1. The limit form is F(psi | 1/(1+beta))/sqrt(1+beta), continuous and "
+      "increasing in psi. Computed: the polynomial steps. Where the first implicit equation holds.";
+  add_steps(c, {upper_step(), positive("(1-b*x) - (1-b)", "b*y", "y = 1-x", "1 - bX >= 1 - b"),
+                positive("(a+b) - (a+b*x)", "b*y", "y = 1-x",
+                         "a + bX <= a + b, so that v^2 >= a(1-b)^2/(a+b)"),
+                identity("d + (1-s)", "(1+d) - s",
+                         "beta + cos^2 = (1+beta)(1 - sin^2/(1+beta)): the limit form is "
+                         "F(psi | 1/(1+beta))/sqrt(1+beta)")});
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+claim limit_formula_claim() {
+  return {"limit_formula",
+          "eqs. (33)-(38)",
+          "As a -> infinity, b -> 0 with ab -> chi and c/b = beta, epsilon tends to pi/2 - "
+          "am(pi sqrt(chi(1+beta)) | 1/(1+beta)).",
+          "two-sided bound of the integrand, by exact signs",
+          claim_subject::none,
+          prove_limit};
+}
+
+}  // namespace polhode::proofs

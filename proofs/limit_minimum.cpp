@@ -1,0 +1,76 @@
+// What the limit a -> infinity, b -> 0 says of physical bodies: the paper's section 7, eqs. (39) and (40). T and t are those of limit_formula.cpp.
+//
+// Physical bodies: (1 - b X)^2 - b (a + b X) = (1 - ab - 2b) + b (1 - X)(2 - b X). For ab + 2b <= 1 and X < 1 it is positive, that is,
+//   h > (beta + X)^(-1/2):  T(c, psi) > t(beta, psi),
+// the limit's integral for chi = 1. So at every c = b beta the twist falls short of the limit's, and
+//   - epsilon0 > epsilon0_min, the limit's defect at beta = 0, chi = 1: t(0, psi) is the inverse Gudermannian function;
+//   - c0/b > beta_min, the paper's beta, where 2 t(beta, pi/2) = 2 pi: F(b beta_min, 0) > 2 pi, and F(c,0) decreases in c.
+// Both bounds are approached, by planar bodies a = 1/b - 2 with b -> 0, and not attained: they are the greatest lower bounds. The paper
+// argues by the decrease in a only.
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "proofs/beta.hpp"
+#include "proofs/claims.hpp"
+#include "proofs/rotating_phase.hpp"
+#include "proofs/separatrix.hpp"
+
+namespace polhode::proofs {
+namespace {
+
+void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
+  if (rigid.kind() == body_kind::non_physical) {
+    c.method += " (The given body is not physical: the bounds are not for it.)";
+    return;
+  }
+  const precision p = beta.precision();
+  c.facts.push_back({"at the given a, b, " + to_text(rigid.kind()) +
+                         ": epsilon0, by interval Newton, is above epsilon0_min",
+                     is_decided([&](precision q) {
+                       return certainly_less(2 * atan(exp(-pi(q))), separatrix_defect(rigid, q));
+                     })});
+  const auto bracket = bracket_rotating_phase_root(rigid, 2);
+  if (!bracket) return;
+  c.facts.push_back(
+      {"at the given a, b: c0/b is above beta (c0/a between " + in_decimals(*bracket) + ")",
+       passes_rotating_phase(rigid, 2, *bracket) &&
+           certainly_less(beta, ball(rational(rigid.a() * bracket->lower / rigid.b()), p))});
+}
+
+certificate prove_minimum(const request& wanted) {
+  certificate c;
+  c.formula =
+      "ab + 2b <= 1  =>  epsilon0 > epsilon0_min = 2 arctan(e^-pi) and c0/b > beta; both are "
+      "greatest lower bounds";
+  c.method =
+      "For all physical bodies: (1-bX)^2 > b(a+bX) for 0 <= X < 1, so that the integrand of "
+      "the implicit equation exceeds (beta + cos^2 psi)^(-1/2), that of the limit for chi = 1, at "
+      "every c = b beta; so epsilon0 and c0/b exceed their limits. Planar bodies a = 1/b - 2 "
+      "approach them for b -> 0 by the limit formula. Computed: the polynomial step and both "
+      "numbers.";
+  add_steps(
+      c, {positive("(1-b*x)^2 - b*(a+b*x)", "p + b*y*(1+q+b*y)", "p = 1-a*b-2*b, q = 1-b, y = 1-x",
+                   "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
+          identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")});
+  c.numbers.push_back({"epsilon0_min",
+                       enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits),
+                       wanted.digits});
+  const ball beta = enclose_to_digits(*find_constant("beta"), wanted.digits);
+  c.numbers.push_back({"beta", beta, wanted.digits});
+  add_physical_body(c, requested_body(c, wanted), enclose_beta(256).root);
+  c.conclude();
+  return c;
+}
+
+}  // namespace
+
+claim limit_minimum_claim() {
+  return {"limit_minimum",
+          "section 7, eqs. (39), (40)",
+          "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min, and that "
+          "of c0/b is beta; neither is attained.",
+          "one polynomial inequality over all physical bodies; the limit formula",
+          claim_subject::body,
+          prove_minimum};
+}
+
+}  // namespace polhode::proofs
