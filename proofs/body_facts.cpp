@@ -1,5 +1,6 @@
 #include "proofs/body_facts.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "polhode/arithmetic/elementary.hpp"
@@ -34,6 +35,12 @@ long halvings(const rational& q) {
   return q < power_of_half(difference) ? difference + 1 : difference;
 }
 
+ball enclosed(const enclosing_function& f, long digits, const body& rigid) {
+  const precision guard =
+      15 * bits_for_digits(digits) + 1024 + 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b()));
+  return enclose_to_digits(f, digits, guard);
+}
+
 void add_constant(certificate& c, const std::string& name, const std::optional<rational>& exact,
                   bool exact_holds, const enclosing_function& f, long digits, const body& rigid) {
   if (exact) {
@@ -55,9 +62,17 @@ body requested_body(certificate& c, const request& wanted) {
 
 void add_number(certificate& c, const std::string& name, const enclosing_function& f, long digits,
                 const body& rigid) {
-  const precision guard =
-      15 * bits_for_digits(digits) + 1024 + 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b()));
-  c.numbers.push_back({name, enclose_to_digits(f, digits, guard), digits});
+  c.numbers.push_back({name, enclosed(f, digits, rigid), digits});
+}
+
+void add_number_or_note(certificate& c, const std::string& name, const enclosing_function& f,
+                        long digits, const body& rigid) {
+  const ball value = enclosed(f, digits, rigid);
+  if (value.is_bounded()) {
+    c.numbers.push_back({name, value, digits});
+  } else {
+    note_missing_witness(c, "an enclosure of " + name);
+  }
 }
 
 void add_geometric_constant(certificate& c, const body& rigid, long digits) {
@@ -127,7 +142,26 @@ std::optional<root_bracket> bracket_root(
 
 void note_missing_witness(certificate& c, const std::string& what) {
   c.method += " (For the given body " + what +
-              " was not found: it is too near an end of its range. The proof does not need it.)";
+              " was not found at the precisions tried. The proof does not need it.)";
+}
+
+void add_comparisons(certificate& c, const std::string& statement, const std::string& what,
+                     const std::function<std::vector<comparison>(precision p)>& comparisons) {
+  bool refuted = false;
+  const bool decided = is_decided([&](precision p) {
+    const std::vector<comparison> all = comparisons(p);
+    refuted = std::any_of(all.begin(), all.end(), [](const comparison& x) {
+      return certainly_less_equal(x.greater, x.less);
+    });
+    return refuted || std::all_of(all.begin(), all.end(), [](const comparison& x) {
+             return certainly_less(x.less, x.greater);
+           });
+  });
+  if (decided) {
+    c.facts.push_back({statement, !refuted});
+  } else {
+    note_missing_witness(c, what);
+  }
 }
 
 std::string in_decimals(const root_bracket& bracket) {

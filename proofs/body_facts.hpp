@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/rigid_body/body.hpp"
@@ -49,6 +50,21 @@ struct root_bracket {
 
 /// Says at the end of the method that the theorem stands without this witness for the given body.
 void note_missing_witness(certificate& c, const std::string& what);
+
+/// Adds a number that illustrates a theorem and that its proof does not need: a note where it has not the digits asked for.
+void add_number_or_note(certificate& c, const std::string& name, const enclosing_function& f,
+                        long digits, const body& rigid);
+
+/// less < greater, as enclosures.
+struct comparison {
+  ball less;
+  ball greater;
+};
+
+/// Adds the fact that all comparisons hold, which illustrates a theorem and which its proof does not need. A certain
+/// opposite makes it a fact that does not hold; where 128, 512, 2048, 8192 bits decide neither, there is a note that `what` is missing.
+void add_comparisons(certificate& c, const std::string& statement, const std::string& what,
+                     const std::function<std::vector<comparison>(precision p)>& comparisons);
 
 /// "0.1234567890 and 0.1234567891": both ends, each rounded outward.
 [[nodiscard]] std::string in_decimals(const root_bracket& bracket);

@@ -32,8 +32,8 @@ certificate prove_delta_psi_max(const request& wanted) {
 claim delta_psi_max_claim() {
   return {"delta_psi_max",
           "section 7, after eq. (40)",
-          "The best quasi-perfect twist on the separatrix, pi - 2 epsilon0_min. The paper prints "
-          "2.96884.",
+          "The least upper bound of the twist on the separatrix over all physical bodies, pi - 2 "
+          "epsilon0_min, not attained (claim limit_minimum). The paper prints 2.96884.",
           "ball arithmetic; interval Newton on log tan as a second route",
           claim_subject::none,
           prove_delta_psi_max};

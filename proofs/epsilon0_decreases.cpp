@@ -18,18 +18,19 @@ certificate prove_epsilon0(const request& wanted) {
   add_steps(c, decrease_in_a_steps());
   const body rigid = requested_body(c, wanted);
   const body other = with_double_a(rigid);
-  add_number(
+  add_number_or_note(
       c, "epsilon0", [&](precision p) { return separatrix_defect(rigid, p); }, wanted.digits,
       rigid);
-  add_number(
+  add_number_or_note(
       c, "epsilon0 for 2a", [&](precision p) { return separatrix_defect(other, p); }, wanted.digits,
       other);
-  c.facts.push_back(
-      {"at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the "
-       "given a",
-       is_decided([&](precision p) {
-         return certainly_less(separatrix_defect(other, p), separatrix_defect(rigid, p));
-       })});
+  add_comparisons(
+      c,
+      "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the "
+      "given a",
+      "the order of epsilon0 for a and 2a", [&](precision p) {
+        return std::vector<comparison>{{separatrix_defect(other, p), separatrix_defect(rigid, p)}};
+      });
   c.conclude();
   return c;
 }

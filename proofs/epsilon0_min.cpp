@@ -40,13 +40,15 @@ root_enclosure epsilon0_min_by_logarithm(precision p) {
 }
 
 claim epsilon0_min_claim() {
-  return {"epsilon0_min",
-          "eq. (39)",
-          "The least twist defect on the separatrix that a physical body can have, approached as "
-          "a -> inf, b -> 0 with ab -> 1. The paper prints 0.086374.",
-          "ball arithmetic; interval Newton on log tan as a second route",
-          claim_subject::none,
-          prove_epsilon0_min};
+  return {
+      "epsilon0_min",
+      "eq. (39)",
+      "The greatest lower bound of the twist defect on the separatrix over all physical bodies, "
+      "approached as a -> inf, b -> 0 with ab -> 1, not attained (claim limit_minimum). The "
+      "paper prints 0.086374.",
+      "ball arithmetic; interval Newton on log tan as a second route",
+      claim_subject::none,
+      prove_epsilon0_min};
 }
 
 }  // namespace polhode::proofs

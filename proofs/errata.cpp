@@ -72,6 +72,7 @@ certificate prove_errata(const request& wanted) {
       "of b = 0.0629 in place of 0.06, and 0.872 is cut off where 0.873 would be rounded.";
   add_printed_numbers(c, wrong_numbers(), rounding::wrong, wanted.digits);
   // What figure 7 meant.
+  constexpr int places = 3;
   const std::array<std::array<const char*, 3>, 4> meant{{{"12.65", "1.045", "wrong"},
                                                          {"13.89", "1", "right"},
                                                          {"15.38", "0.951", "right"},
@@ -80,9 +81,9 @@ certificate prove_errata(const request& wanted) {
     const ball value = with_ab(a, "0.0629").geometric_constant(64);
     const bool right = std::string(verdict) == "right";
     c.facts.push_back(
-        {std::string("figure 7 with b = 0.0629 in place of 0.06: ") + printed + " for a = " + a +
-             " would be " + verdict + ", I = " + to_decimal(value, 8),
-         check_rounding(printed, 3, value) == (right ? rounding::right : rounding::wrong)});
+        {std::string("figure 7 with b = 0.0629 in place of 0.06: ") + as_read(printed, places) +
+             " for a = " + a + " would be " + verdict + ", I = " + to_decimal(value, 8),
+         check_rounding(printed, places, value) == (right ? rounding::right : rounding::wrong)});
   }
   add_words(c);
   c.conclude();

@@ -4,7 +4,7 @@
 //   h > (beta + X)^(-1/2):  T(c, psi) > t(beta, psi),
 // the limit's integral for chi = 1. So at every c = b beta the twist falls short of the limit's, and
 //   - epsilon0 > epsilon0_min, the limit's defect at beta = 0, chi = 1: t(0, psi) is the inverse Gudermannian function;
-//   - c0/b > beta_min, the paper's beta, where 2 t(beta, pi/2) = 2 pi: F(b beta_min, 0) > 2 pi, and F(c,0) decreases in c.
+//   - c0/b > beta_min, the paper's beta, where 2 t(beta, pi/2) = 2 pi: F(b beta_min, 0) > 2 pi, and F(c,0) decreases in c (for bodies with a c0: J < 2).
 // Both bounds are approached, by planar bodies a = 1/b - 2 with b -> 0, and not attained: they are the greatest lower bounds. The paper
 // argues by the decrease in a only.
 
@@ -23,28 +23,45 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
     return;
   }
   const precision p = beta.precision();
-  c.facts.push_back({"at the given a, b, " + to_text(rigid.kind()) +
-                         ": epsilon0, by interval Newton, is above epsilon0_min",
-                     is_decided([&](precision q) {
-                       return certainly_less(2 * atan(exp(-pi(q))), separatrix_defect(rigid, q));
-                     })});
+  add_comparisons(
+      c,
+      "at the given a, b, " + to_text(rigid.kind()) +
+          ": epsilon0, by interval Newton, is above epsilon0_min",
+      "the order of epsilon0 and epsilon0_min", [&](precision q) {
+        return std::vector<comparison>{{2 * atan(exp(-pi(q))), separatrix_defect(rigid, q)}};
+      });
+  if (!exceeds_second_geometric_constant(2, rigid)) {
+    c.method += " (At the given a, b J >= 2: there is no c0.)";
+    return;
+  }
   const auto bracket = bracket_rotating_phase_root(rigid, 2);
-  if (!bracket) return;
+  if (!bracket) {
+    note_missing_witness(c, "a bracket of c0");
+    return;
+  }
+  const auto over_b = [&](const rational& s) {
+    return ball(rational(rigid.a() * s / rigid.b()), p);
+  };
+  const bool above = certainly_less(beta, over_b(bracket->lower));
+  if (!above && !certainly_less(over_b(bracket->upper), beta)) {
+    note_missing_witness(c, "a bracket of c0 that lies on one side of b beta");
+    return;
+  }
   c.facts.push_back(
       {"at the given a, b: c0/b is above beta (c0/a between " + in_decimals(*bracket) + ")",
-       passes_rotating_phase(rigid, 2, *bracket) &&
-           certainly_less(beta, ball(rational(rigid.a() * bracket->lower / rigid.b()), p))});
+       above && passes_rotating_phase(rigid, 2, *bracket)});
 }
 
 certificate prove_minimum(const request& wanted) {
   certificate c;
   c.formula =
-      "ab + 2b <= 1  =>  epsilon0 > epsilon0_min = 2 arctan(e^-pi) and c0/b > beta; both are "
-      "greatest lower bounds";
+      "ab + 2b <= 1  =>  epsilon0 > epsilon0_min = 2 arctan(e^-pi) and, where J < 2, c0/b > beta; "
+      "both are greatest lower bounds";
   c.method =
       "For all physical bodies: (1-bX)^2 > b(a+bX) for 0 <= X < 1, so that the integrand of "
       "the implicit equation exceeds (beta + cos^2 psi)^(-1/2), that of the limit for chi = 1, at "
-      "every c = b beta; so epsilon0 and c0/b exceed their limits. Planar bodies a = 1/b - 2 "
+      "every c = b beta; so epsilon0 and, where there is a c0, c0/b exceed their limits. Planar "
+      "bodies a = 1/b - 2 "
       "approach them for b -> 0 by the limit formula. Computed: the polynomial step and both "
       "numbers.";
   add_steps(
@@ -66,8 +83,8 @@ certificate prove_minimum(const request& wanted) {
 claim limit_minimum_claim() {
   return {"limit_minimum",
           "section 7, eqs. (39), (40)",
-          "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min, and that "
-          "of c0/b is beta; neither is attained.",
+          "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min; over all "
+          "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained.",
           "one polynomial inequality over all physical bodies; the limit formula",
           claim_subject::body,
           prove_minimum};

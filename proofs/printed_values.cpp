@@ -83,6 +83,13 @@ const std::vector<printed_number>& wrong_numbers() {
   return numbers;
 }
 
+std::string as_read(const std::string& printed, int places) {
+  if (places == places_of(printed)) return printed;
+  return printed + " (read as " + printed + "." +
+         std::string(static_cast<std::size_t>(places), '0') + ", as its neighbours have " +
+         std::to_string(places) + " decimals)";
+}
+
 rounding check_rounding(const std::string& printed, int places, const ball& value) {
   const rational decimal = parse_rational(printed);
   const rational half_unit = parse_rational("0.5e-" + std::to_string(places));
@@ -100,7 +107,7 @@ void add_printed_numbers(certificate& c, const std::vector<printed_number>& numb
     c.numbers.push_back({n.where + ": " + n.what, enclosed(n, digits), digits});
     const ball value = enclosed(n, shown_digits);
     c.facts.push_back(
-        {n.where + " prints " + n.printed + " for " + n.what + ", which is " +
+        {n.where + " prints " + as_read(n.printed, n.places) + " for " + n.what + ", which is " +
              to_decimal(value, shown_digits) +
              (expected == rounding::right ? ": right to the last digit printed" : ": wrong"),
          check_rounding(n.printed, n.places, value) == expected});

@@ -43,7 +43,7 @@ certificate prove_separatrix(const request& wanted) {
                       "1 + b w^2 = (a+b)/(a+bx), so that F(0,u) = 2 artanh(sqrt(a) w)/sqrt(ab) - 2 "
                       "arctan(sqrt(b) w), which tends to 0 as u -> 1")});
   const body rigid = requested_body(c, wanted);
-  add_number(
+  add_number_or_note(
       c, "epsilon0", [&](precision p) { return separatrix_defect(rigid, p); }, wanted.digits,
       rigid);
   c.conclude();

@@ -671,6 +671,11 @@ Z inverse_function(char p, char q, const Z& x, const Z& m) {
   const Z one = plane<Z>::number(1, x);
   const auto below_one = [&] { return plane<Z>::root(1 - x) * plane<Z>::root(1 + x); };
   const auto above_one = [&] { return plane<Z>::root(x - 1) * plane<Z>::root(x + 1); };
+  // Of the arguments of R_F two are m1 and m1 x^2, or m and m x^2. Where the product of x and the principal root of m1, or m,
+  // is not the principal root of theirs, R_F is that of another branch, whose pq is -x.
+  const auto has_root_beside = [&](const Z& parameter) {
+    return is_right_of<Z>(x * plane<Z>::root(parameter), 0);
+  };
   switch (place_of(p, q)) {
     case 1:  // sc
       return x * rf<Z>(one, 1 + m1 * xx, 1 + xx);
@@ -681,20 +686,24 @@ Z inverse_function(char p, char q, const Z& x, const Z& m) {
     case 4:  // cs
       return rf<Z>(xx, xx + m1, xx + 1);
     case 6:  // cd
+      if (!has_root_beside(m1)) return plane<Z>::failed(x);
       return below_one() * rf<Z>(m1 * xx, m1, 1 - m * xx);
     case 7:  // cn
       return below_one() * rf<Z>(xx, m1 + m * xx, one);
     case 8:  // ds
       return rf<Z>(xx - m1, xx, xx + m);
     case 9:  // dc
+      if (!has_root_beside(m1)) return plane<Z>::failed(x);
       return above_one() * rf<Z>(m1, m1 * xx, xx - m);
     case 11:  // dn
+      if (!has_root_beside(m)) return plane<Z>::failed(x);
       return below_one() * rf<Z>(xx - m1, m * xx, m);
     case 12:  // ns
       return rf<Z>(xx - 1, xx - m, xx);
     case 13:  // nc
       return above_one() * rf<Z>(one, m + m1 * xx, xx);
     default:  // nd
+      if (!has_root_beside(m)) return plane<Z>::failed(x);
       return above_one() * rf<Z>(1 - m1 * xx, m, m * xx);
   }
 }

@@ -10,6 +10,7 @@
 //
 // Only parentheses recurse, and their depth is limited before the grammar sees the text.
 
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
 
@@ -252,6 +253,26 @@ class reader {
     }
     return names;
   }
+  /// What a simpler formula leaves out must be a rational number, for which the domain has been decided, or, as the first
+  /// argument, q + r pi: of another nobody would see that it is not in the domain, or not defined.
+  [[nodiscard]] static bool keeps(const std::string& formula, const std::vector<std::string>& names,
+                                  const std::vector<std::optional<pi_combination>>& known) {
+    const auto is_letter = [](char c) {
+      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    };
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (known[i] && (i == 0 || known[i]->is_rational())) continue;
+      bool occurs = false;
+      for (std::size_t at = formula.find(names[i]); at != std::string::npos && !occurs;
+           at = formula.find(names[i], at + 1)) {
+        const std::size_t end = at + names[i].size();
+        occurs = (at == 0 || !is_letter(formula[at - 1])) &&
+                 (end == formula.size() || !is_letter(formula[end]));
+      }
+      if (!occurs) return false;
+    }
+    return true;
+  }
   void end_call_of_further(const range& name, const std::vector<node_id>& arguments) {
     const further_function* function = find_further(further(), view(name), arguments.size());
     if (function == nullptr) {
@@ -274,7 +295,7 @@ class reader {
           function->what.name + "(" + text + ") is not defined: it needs " + function->what.domain);
     }
     if (function->simpler) {
-      if (const auto formula = function->simpler(known)) {
+      if (const auto formula = function->simpler(known); formula && keeps(*formula, names, known)) {
         name_table by_name;
         for (std::size_t i = 0; i < names.size(); ++i) by_name[names[i]] = arguments[i];
         return push(read_expression(graph_, *formula, by_name));

@@ -521,8 +521,9 @@ double integrator::try_panel(panel& p, double log2_goal) {
   hopeless_ = bounds.report().why == obstacle::unknown;
   result_.obstacle = in_words(bounds.report());
   // So short that the range of F over it is enough. It says nothing of F being analytic, which it must be along a
-  // path, but for the ends.
-  const bool may_be_range = !s.along || over_panel.is_analytic() || p.is_at_end();
+  // path, but for the ends, and where it is continued.
+  const bool need_not_be_analytic = !s.continued && (!s.along || p.is_at_end());
+  const bool may_be_range = over_panel.is_analytic() || need_not_be_analytic;
   if (p.level >= short_level && may_be_range) {
     const rational half = p.half_length();
     const precision wide = 96 + p.level;
@@ -645,7 +646,8 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   }
   const double bits = std::max(log2_size_ - log2_goal, 16.0);
   constexpr long suspicious_level = 40;
-  const bool is_real = !segments_[p.segment].along;
+  const segment& own = segments_[p.segment];
+  const bool is_real = !own.along && !own.continued;
   if (is_real && p.level == suspicious_level && own_nodes > 1e17) {
     if (const auto pole = pole_in_ ? pole_in_(range_of(p)) : std::nullopt) {
       result_.obstacle = "the integrand has a pole near x = " + to_decimal(pole->middle(), 20);
@@ -659,8 +661,12 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   }
   if (p.level >= deepest_ || hopeless_) {
     const complex_ball x = position_of(segments_[p.segment], ball(p.centre, 64 + p.level));
-    result_.obstacle +=
-        is_real ? " near x = " + to_decimal(x.re, 20) : " near z = " + to_decimal(x, 20);
+    if (own.continued) {
+      result_.obstacle += " on the line that the path is turned to";
+    } else {
+      result_.obstacle +=
+          is_real ? " near x = " + to_decimal(x.re, 20) : " near z = " + to_decimal(x, 20);
+    }
     return outcome::obstructed;
   }
   const std::size_t before = panels_.size();

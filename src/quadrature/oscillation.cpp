@@ -19,6 +19,14 @@ struct coefficient {
   std::optional<recorded> node;
 };
 
+/// About how long the numerator and the denominator are.
+std::size_t bits_of(const rational& q) {
+  return mpz_sizeinbase(numerator(q).backend().data(), 2) +
+         mpz_sizeinbase(denominator(q).backend().data(), 2);
+}
+/// Longer numbers are not followed: nested powers would make them as long as they like.
+constexpr std::size_t most_exact_bits = 4096;
+
 /// The sum of c_e y^e, without zeros.
 using power_sum = std::map<rational, coefficient>;
 
@@ -217,7 +225,7 @@ class splitter {
     if (!x.powers || !y.powers) return std::nullopt;
     power_sum sum = *x.powers;
     for (const auto& [e, c] : *y.powers) add(sum, e, c);
-    return sum;
+    return unless_long(std::move(sum));
   }
   [[nodiscard]] std::optional<power_sum> product_of_powers(const wave& x, const wave& y) const {
     constexpr std::size_t most_terms = 16;
@@ -228,13 +236,20 @@ class splitter {
     for (const auto& [e, c] : *x.powers) {
       for (const auto& [g, d] : *y.powers) add(sum, e + g, times(c, d));
     }
-    return sum;
+    return unless_long(std::move(sum));
+  }
+  [[nodiscard]] static std::optional<power_sum> unless_long(power_sum x) {
+    const bool is_long = std::any_of(x.begin(), x.end(), [](const auto& term) {
+      return bits_of(term.first) + bits_of(term.second.q) > most_exact_bits;
+    });
+    return is_long ? std::nullopt : std::optional(std::move(x));
   }
   /// One power to the e. Of a negative number only a whole one is taken, and of a constant that is not a rational
   /// number none.
   [[nodiscard]] std::optional<power_sum> power_of_powers(const wave& x, const rational& e) const {
     if (!x.powers || x.powers->size() != 1) return std::nullopt;
     const auto& [g, c] = *x.powers->begin();
+    if (16 * (bits_of(c.q) + bits_of(e) + bits_of(g)) > most_exact_bits) return std::nullopt;
     coefficient result = c;
     if (c.node) {
       if (e == -1) {
@@ -591,6 +606,7 @@ segment line_up(const shared_decomposition& f, std::size_t k, long start, long l
   };
   result.scale = [=](precision p) { return ball(length, p); };
   result.position = [=](const ball& t) { return start + t * length; };
+  result.continued = true;
   return result;
 }
 

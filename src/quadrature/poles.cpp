@@ -97,7 +97,15 @@ class pole_search {
   static maybe product(const quotient& x, const quotient& y) {
     quotient r{times(x.numerator, y.numerator), x.divisors};
     for (const auto& [i, k] : y.divisors) r.divisors[i] += k;
-    return r;
+    return unless_high(std::move(r));
+  }
+  /// Nested powers would make exponents as high as they like.
+  static maybe unless_high(quotient x) {
+    constexpr long most = 1000;
+    const bool is_high =
+        x.exponent > most || std::any_of(x.divisors.begin(), x.divisors.end(),
+                                         [](const auto& d) { return d.second > most; });
+    return is_high ? std::nullopt : maybe(std::move(x));
   }
   /// x over a function without divisors, which node i brings in.
   maybe over(std::size_t i, const quotient& x, const function_over& d, long k) {
@@ -109,7 +117,7 @@ class pole_search {
       const function_over power = power_of(d, k);
       r.numerator = each(r.numerator, power, [](const auto& u, const auto& v) { return u / v; });
     }
-    return r;
+    return unless_high(std::move(r));
   }
 
   maybe value_of(std::size_t i) {
@@ -180,7 +188,7 @@ class pole_search {
       quotient r{power_of(x.numerator, n), x.divisors, x.root ? x.root : x.numerator,
                  n * x.exponent};
       for (auto& [j, k] : r.divisors) k *= n;
-      return r;
+      return unless_high(std::move(r));
     }
     if (!x.divisors.empty()) return std::nullopt;
     return over(i, {constant(ball(1, x_.at_low.precision())), {}}, x.root ? *x.root : x.numerator,

@@ -425,7 +425,7 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
 
 /// A function that oscillates ever faster towards a finite end, or without an end up to infinity.
 bool add_oscillating_part(preparation& result, const integrand& f, const end_of_range& end,
-                          int direction, long bits) {
+                          int direction, const std::string& place, long bits) {
   const ball s = end.distance.at(64);
   const ball p = end.at.at(64);
   const double size = end.infinite
@@ -437,6 +437,8 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   if (!found) return false;
   if (found->steady) {
     add_part(result, *found->steady, {limit(0), limit(found->start), true}, 1, bits);
+    if (result.why == reason::not_integrable)
+      result.obstacle = "the integrand grows too fast at " + place;
     if (result.why != reason::none) return true;
   }
   for (const segment& line : found->segments) result.segments.push_back(line);
@@ -487,7 +489,7 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       break;
   }
   if (add_decaying_part(result, f, end, direction, bits)) return;
-  if (add_oscillating_part(result, f, end, direction, bits)) return;
+  if (add_oscillating_part(result, f, end, direction, place, bits)) return;
   if (end.infinite) {
     result.why = reason::not_analytic;
     result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";

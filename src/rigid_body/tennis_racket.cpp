@@ -117,7 +117,8 @@ ball share_from_one(const body& rigid, const integer& m, precision p) {
   ball x = hull(ball(0, p), half);
   constexpr int most_steps = 8;
   for (int i = 0; i < most_steps; ++i) {
-    const ball slope = -detail::oscillating_half_phase_slope(rigid, {1 - x, x});
+    const ball between = hull(ball(0, p), x);  // 1 less the point of the theorem
+    const ball slope = -detail::oscillating_half_phase_slope(rigid, {1 - between, between});
     const ball narrower = intersection(gap / slope, x);
     const bool narrowed = narrower.radius() <= scale(x.radius(), -1);
     x = narrower;

@@ -141,6 +141,29 @@ TEST(ComplexElliptic, InvertsItself) {
   }
 }
 
+// For x and m anywhere: a value of the inverse function is one of that very x, not of -x.
+TEST(ComplexElliptic, InvertsWhatItAnswers) {
+  constexpr precision p = 128;
+  sampler s;
+  int answers = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const complex_ball m = at(s.number(-2, 2), s.number(-2, 2), p);
+    const complex_ball x = at(s.number(-2, 2), s.number(-2, 2), p);
+    for (const char q : {'s', 'c', 'd', 'n'}) {
+      for (const char r : {'s', 'c', 'd', 'n'}) {
+        if (q == r) continue;
+        const complex_ball u = jacobi_inverse(q, r, x, m);
+        if (u.is_undefined()) continue;
+        const complex_ball again = jacobi_quotient(q, r, u, m);
+        if (again.is_undefined()) continue;
+        EXPECT_TRUE(has_bits(again, 40) && meet(again, x)) << q << r << ' ' << x << ' ' << m;
+        ++answers;
+      }
+    }
+  }
+  EXPECT_GT(answers, 100);
+}
+
 TEST(ComplexElliptic, SatisfiesItsIdentities) {
   sampler s;
   for (int trial = 0; trial < 21; ++trial) {

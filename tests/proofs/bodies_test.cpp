@@ -9,6 +9,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "proofs/body_facts.hpp"
 #include "proofs/claim.hpp"
 #include "proofs/half_phase.hpp"
 #include "proofs/printed_values.hpp"
@@ -71,6 +72,7 @@ TEST(BodyClaims, AreCertifiedForEveryBody) {
 TEST(BodyClaims, AreCertifiedFarOut) {
   for (const auto& [a, b] :
        std::vector<std::pair<const char*, const char*>>{{"1e-40", "1/2"},
+                                                        {"1e-20", "0.4"},
                                                         {"1e40", "1e-41"},
                                                         {"1e6", "0.9"},
                                                         {"1e-30", "1e-30"},
@@ -80,6 +82,53 @@ TEST(BodyClaims, AreCertifiedFarOut) {
       const certificate result = prove(c.name, with_ab(a, b));
       EXPECT_EQ(result.verdict, status::certified) << to_text(result);
     }
+  }
+}
+
+TEST(BodyClaims, DoNotNeedTheirWitnesses) {
+  struct row {
+    const char* claim;
+    const char* a;
+    const char* b;
+    const char* missing;
+  };
+  for (const row& r :
+       {row{"first_equation", "1e-2600", "0.4", "the order of some values of F(c,u)"},
+        row{"epsilon0_decreases", "1e-2600", "0.4", "the order of epsilon0 for a and 2a"},
+        row{"epsilon0_decreases", "1e300", "0.5", "an enclosure of epsilon0 for 2a"},
+        row{"separatrix_twist", "1e300", "0.5", "an enclosure of epsilon0"},
+        row{"limit_minimum", "1e40", "planar", "a bracket of c0 that lies on one side"}}) {
+    const body rigid = std::string(r.b) == "planar"
+                           ? body(parse_rational(r.a), rational(1 / (parse_rational(r.a) + 2)))
+                           : with_ab(r.a, r.b);
+    const certificate c = prove(r.claim, rigid);
+    EXPECT_EQ(c.verdict, status::certified) << to_text(c);
+    EXPECT_NE(c.method.find(r.missing), std::string::npos) << c.method;
+    EXPECT_NE(c.method.find("The proof does not need it."), std::string::npos) << c.method;
+  }
+  EXPECT_NE(prove("limit_minimum", with_ab("0.1", "0.1")).method.find("there is no c0"),
+            std::string::npos);
+}
+
+TEST(Comparisons, HoldOrDoNotOrAreNoted) {
+  const auto added = [](const ball& less, const ball& greater) {
+    certificate c;
+    add_comparisons(c, "order", "the order", [&](precision) {
+      return std::vector<comparison>{{ball(0, 64), ball(1, 64)}, {less, greater}};
+    });
+    return c;
+  };
+  const ball one(1, 64);
+  const ball two(2, 64);
+  ASSERT_EQ(added(one, two).facts.size(), 1U);
+  EXPECT_TRUE(added(one, two).facts[0].holds);
+  ASSERT_EQ(added(two, one).facts.size(), 1U);
+  EXPECT_FALSE(added(two, one).facts[0].holds);
+  EXPECT_FALSE(added(one, one).facts[0].holds);
+  for (const ball& wide : {hull(one, two), ball::undefined(64)}) {
+    const certificate c = added(one, wide);
+    EXPECT_TRUE(c.facts.empty());
+    EXPECT_NE(c.method.find("the order was not found"), std::string::npos);
   }
 }
 
@@ -291,6 +340,8 @@ TEST(PrintedNumbers, AreRoundedRightOrWrong) {
   EXPECT_EQ(at("0.59", 2, "0.5849999"), rounding::wrong);
   EXPECT_EQ(at("1", 0, "1.027"), rounding::right);
   EXPECT_EQ(at("1", 3, "1.027"), rounding::wrong);
+  EXPECT_EQ(as_read("1", 3), "1 (read as 1.000, as its neighbours have 3 decimals)");
+  EXPECT_EQ(as_read("0.59", 2), "0.59");
   EXPECT_EQ(check_rounding("0.5", 1, hull(ball(0, 64), ball(1, 64))), rounding::undecided);
   EXPECT_EQ(check_rounding("0.5", 1, ball::undefined(64)), rounding::undecided);
   for (const printed_number& n : right_numbers()) {

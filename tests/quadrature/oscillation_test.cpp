@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/arithmetic/exact.hpp"
 #include "quadrature/known_integrals.hpp"
 #include "support/exact_set.hpp"
 
@@ -158,6 +159,38 @@ TEST(Oscillation, IsNoDecay) {
   refused(
       "sin(1/x)/x^2", [](const auto& x) { return sin(1 / x) / pow(x, 2); }, 0, 1,
       reason::not_analytic);
+}
+
+// On the line up from 2 or 4, 1 + z^4 crosses the cut of sqrt and log, z^2 those of asinh and atan: what principal values are
+// beyond is not the continuation of the function.
+TEST(Oscillation, IsNotContinuedThroughCuts) {
+  const auto check = [](const char* name, const auto& f, const char* value) {
+    for (const long digits : {2L, 4L, 6L, 10L, 30L}) {
+      for (const quadrature_rule rule :
+           {quadrature_rule::automatic, quadrature_rule::clenshaw_curtis}) {
+        const integral i = integrate(f, 1, infinity, {.digits = digits, .rule = rule});
+        const ball near = ball(parse_rational(value), 100).enlarged(magnitude::power_of_two(-40));
+        EXPECT_TRUE(!i.enclosure.is_bounded() || overlaps(i.enclosure, near))
+            << name << ", " << digits << " digits: " << i.enclosure;
+      }
+    }
+  };
+  // Values by summing over half-periods (with another program, to 12 digits).
+  check(
+      "sqrt", [](const auto& x) { return sin(x) * sqrt(1 + pow(x, 4)) / pow(x, 3); },
+      "0.725824637823");
+  check(
+      "log", [](const auto& x) { return sin(x) * log(1 + pow(x, 4)) / x; }, "0.484321800014");
+}
+
+TEST(Oscillation, OfNestedPowersIsGivenUpSoon) {
+  const auto f = [](const auto& x) {
+    auto v = 3 * x;
+    for (int k = 0; k < 12; ++k) v = pow(v, 16);
+    return sin(x) / v;
+  };
+  const integral i = integrate(f, 1, infinity, {.digits = 5, .most_evaluations = 1000});
+  EXPECT_TRUE(i.verdict == status::not_certified || i.enclosure.is_bounded());
 }
 
 TEST(Oscillation, OfAnUnknownFrequencyIsRefused) {

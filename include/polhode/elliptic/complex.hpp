@@ -16,7 +16,8 @@
 //   sn, cn, dn, am, nome   m is not in (-oo, 0] or [1, oo); sn, cn, dn also Re m < 0 and Re m > 1
 //   theta_j                |q| < 1, for j = 1, 2 and q not in (-oo, 0]
 //   inverse functions      where the arguments of R_F are not in (-oo, 0]; all but arcsn, arcsc, arcsd: Re x > 0, and
-//                          arccn, arccs, arccd: also Re x < 0
+//                          arccn, arccs, arccd: also Re x < 0; arccd, arcdc: Re(x sqrt(1 - m)) > 0, arcdn, arcnd:
+//                          Re(x sqrt m) > 0, else the branch is one whose pq is -x
 //
 // Elsewhere, where an operand is too wide, and where a series would be long (a nome near 1), complex balls are undefined
 // and regions not analytic (obstacle::branch_cut where an argument meets a cut, else obstacle::unknown). Over regions

@@ -127,6 +127,9 @@ struct segment {
   /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of ellipses are
   /// looked at too.
   std::optional<complex_piece> along = std::nullopt;
+  /// The values of F count only as its analytic continuation from t = 0 along 0 <= t <= 1: it must be proved analytic
+  /// everywhere there. Its points are then none of the x.
+  bool continued = false;
 };
 
 /// A generic function, in the arithmetics that the library needs.
