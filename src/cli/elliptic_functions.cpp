@@ -327,7 +327,7 @@ void continue_analytically(further_functions& all) {
 
 further_functions make() {
   const std::string amplitude = "m sin^2 <= 1 up to phi";
-  const std::string bounded = amplitude + "; |phi| < pi/2 if m=1";
+  const std::string bounded = amplitude + "; m=1: |phi| < pi/2";
   const auto of_first_kind = [](known_arguments x) { return amplitude_domain(x[0], x[1], false); };
   further_functions f{
       {{"ellipticK", "m", "complete, of the first kind", "m < 1"},

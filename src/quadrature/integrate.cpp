@@ -649,14 +649,14 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   const segment& own = segments_[p.segment];
   const bool is_real = !own.along && !own.continued;
   if (is_real && p.level == suspicious_level && own_nodes > 1e17) {
-    if (const auto pole = pole_in_ ? pole_in_(range_of(p)) : std::nullopt) {
-      result_.obstacle = "the integrand has a pole near x = " + to_decimal(pole->middle(), 20);
-      return outcome::divergent;
-    }
     if (const std::optional<rational> point = point_in(p)) {
       constexpr std::size_t most_points = 200;
       points_.push_back(*point);
       return points_.size() < most_points ? outcome::done : outcome::cut_needed;  // for now
+    }
+    if (const auto pole = pole_in_ ? pole_in_(range_of(p)) : std::nullopt) {
+      result_.obstacle = "the integrand has a pole near x = " + to_decimal(pole->middle(), 20);
+      return outcome::divergent;
     }
   }
   if (p.level >= deepest_ || hopeless_) {
