@@ -13,7 +13,7 @@ library_packages=(
   'libboost1.81-dev|libboost1.83-dev|libboost1.88-dev|libboost-dev'
   libgmp-dev libmpfr-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev
 )
-oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev)
+oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
 
 # Compiled objects are shared between checkouts of this project, wherever they lie.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
