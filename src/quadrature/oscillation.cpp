@@ -87,13 +87,13 @@ frequency negative(frequency x) {
 /// u + i v in any arithmetic.
 class program {
  public:
-  program(const recorded& y, const amplitude& a) : y_(y) {
+  program(recorded y, const amplitude& a) : y_(std::move(y)) {
     for (const auto* part : {&a.re, &a.im}) {
       results_.push_back(*part ? std::optional((*part)->node()) : std::nullopt);
     }
     prepare();
   }
-  program(const recorded& y, std::size_t node) : y_(y), results_{node} { prepare(); }
+  program(recorded y, std::size_t node) : y_(std::move(y)), results_{node} { prepare(); }
 
   /// Part k, if it is not 0, at a point.
   template <class T>
@@ -322,9 +322,9 @@ class splitter {
     if (denominator(e) != 1 || e < 1 || e > most) return std::nullopt;
     wave result = x;
     for (long k = 1; k < static_cast<long>(numerator(e)); ++k) {
-      const std::optional<wave> next = times(result, x);
-      if (!next) return next;
-      result = *next;
+      std::optional<wave> next = times(result, x);
+      if (!next) return std::nullopt;
+      result = *std::move(next);
     }
     return result;
   }
