@@ -76,7 +76,7 @@ class reader {
   }
   exact_polynomial factor() {
     if (accept('-')) return exact_polynomial() - factor();
-    const exact_polynomial base = atom();
+    exact_polynomial base = atom();
     if (!accept('^')) return base;
     const std::string exponent = digits();
     if (exponent.size() > 2) refuse();
