@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -108,7 +107,11 @@ TEST(Claims, AreTheTableOfTheReadme) {
     const std::string expected = table_row(all_claims()[i]);
     EXPECT_EQ(rows[i].substr(0, expected.size()), expected);
     const std::string rest = rows[i].substr(std::min(expected.size(), rows[i].size()));
-    EXPECT_TRUE(std::regex_match(rest, std::regex(" [0-9]+\\.[0-9] ms \\| certified \\|"))) << rest;
+    // A time, whatever it is, and the verdict.
+    const std::size_t after_time = rest.find_first_not_of(" 0123456789.");
+    ASSERT_NE(after_time, std::string::npos) << rest;
+    EXPECT_GT(after_time, 3U) << rest;
+    EXPECT_EQ(rest.substr(after_time), "ms | certified |");
   }
 }
 
