@@ -63,7 +63,7 @@ motion_range read_motion_range(const std::string& text, const body& rigid) {
 }
 
 rational read_motion(const std::string& text, const body& rigid) {
-  const rational c = read_number("--c", text);
+  rational c = read_number("--c", text);
   try {
     (void)regime_of(rigid, c);
   } catch (const input_error& error) {
