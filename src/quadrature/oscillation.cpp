@@ -580,18 +580,21 @@ T amplitude_at(const oscillation& w, const T& z, int sign, const T& zero) {
 /// 2 Re of i e^(i w Y0) W(Y0 + i tau) e^(-w tau) for 0 <= tau <= T, tau = T t.
 segment line_up(const shared_decomposition& f, std::size_t k, long start, long length) {
   segment result;
-  const auto over = [=](const region& t, precision p) {
+  const auto over_with = [=](precision p) {
     const std::shared_ptr<const oscillation> w = f->at(k, p);
-    const region zero = t * 0;
-    const region tau = t * length;
-    const region phase(complex_ball(cos(w->frequency * start), sin(w->frequency * start)));
-    const region conjugate(complex_ball(cos(w->frequency * start), -sin(w->frequency * start)));
-    const region above = amplitude_at(*w, start + times_i(tau), 1, zero) * phase;
-    const region below = amplitude_at(*w, start - times_i(tau), -1, zero) * conjugate;
-    return times_i(above - below) * exp(-(tau * w->frequency));
+    const ball angle = w->frequency * start;
+    const region phase(complex_ball(cos(angle), sin(angle)));
+    const region conjugate(complex_ball(cos(angle), -sin(angle)));
+    return [=](const region& t) {
+      const region zero = t * 0;
+      const region tau = t * length;
+      const region above = amplitude_at(*w, start + times_i(tau), 1, zero) * phase;
+      const region below = amplitude_at(*w, start - times_i(tau), -1, zero) * conjugate;
+      return times_i(above - below) * exp(-(tau * w->frequency));
+    };
   };
-  result.over = [=](const region& t) {
-    return over(t, t.is_in_hardware() ? precision{64} : t.precision() + 64);
+  result.over = [=, in_hardware = over_with(64)](const region& t) {
+    return t.is_in_hardware() ? in_hardware(t) : over_with(t.precision() + 64)(t);
   };
   result.evaluator = [=](precision p) -> std::function<ball(const ball&)> {
     const std::shared_ptr<const oscillation> w = f->at(k, p);

@@ -23,13 +23,22 @@ function_over each(const function_over& x, const function_over& y, F&& f) {
   return {f(x.over, y.over), f(x.at_low, y.at_low), f(x.at_high, y.at_high)};
 }
 
+/// base^exponent.
+struct power_over {
+  function_over base;
+  long exponent = 1;
+};
+
 /// numerator / product of D_i^k_i, the D_i by the numbers of the nodes that brought them in.
 struct quotient {
   function_over numerator;
   std::map<std::size_t, long> divisors;
-  /// Where the numerator is known to be a power: of what, and which.
-  std::optional<function_over> root = std::nullopt;
-  long exponent = 1;
+  /// The numerator as a power, where it was made as one.
+  std::optional<power_over> as_power = std::nullopt;
+
+  [[nodiscard]] power_over numerator_as_power() const {
+    return as_power ? *as_power : power_over{numerator, 1};
+  }
 };
 
 class pole_search {
@@ -102,19 +111,19 @@ class pole_search {
   /// Nested powers would make exponents as high as they like.
   static maybe unless_high(quotient x) {
     constexpr long most = 1000;
-    const bool is_high =
-        x.exponent > most || std::any_of(x.divisors.begin(), x.divisors.end(),
-                                         [](const auto& d) { return d.second > most; });
+    const bool is_high = x.numerator_as_power().exponent > most ||
+                         std::any_of(x.divisors.begin(), x.divisors.end(),
+                                     [](const auto& d) { return d.second > most; });
     return is_high ? std::nullopt : maybe(std::move(x));
   }
-  /// x over a function without divisors, which node i brings in.
-  maybe over(std::size_t i, const quotient& x, const function_over& d, long k) {
-    quotient r = x;
-    if (may_vanish(d)) {
-      divisors_[i] = d;
-      r.divisors[i] += k;
+  /// x over a power of a function without divisors, which node i brings in.
+  maybe over(std::size_t i, const quotient& x, const power_over& d) {
+    quotient r{x.numerator, x.divisors};
+    if (may_vanish(d.base)) {
+      divisors_[i] = d.base;
+      r.divisors[i] += d.exponent;
     } else {
-      const function_over power = power_of(d, k);
+      const function_over power = power_of(d.base, d.exponent);
       r.numerator = each(r.numerator, power, [](const auto& u, const auto& v) { return u / v; });
     }
     return unless_high(std::move(r));
@@ -155,8 +164,7 @@ class pole_search {
             u.numerator = times(u.numerator, power_of(divisors_.at(j), k - cancelled));
           }
         }
-        u.root.reset();
-        return over(i, u, y.root ? *y.root : y.numerator, y.exponent);
+        return over(i, u, y.numerator_as_power());
       }
       case recorded_rule::tan: {
         if (!x.divisors.empty()) return std::nullopt;
@@ -164,7 +172,7 @@ class pole_search {
             each(x.numerator, x.numerator, [](const auto& u, const auto&) { return sin(u); }), {}};
         return over(
             i, sine,
-            each(x.numerator, x.numerator, [](const auto& u, const auto&) { return cos(u); }), 1);
+            {each(x.numerator, x.numerator, [](const auto& u, const auto&) { return cos(u); }), 1});
       }
       default:
         break;
@@ -184,15 +192,15 @@ class pole_search {
       return quotient{each(x.numerator, x.numerator, f), {}};
     }
     const auto n = static_cast<long>(numerator(e));
+    power_over base = x.numerator_as_power();
+    base.exponent *= std::abs(n);
     if (n > 0) {
-      quotient r{power_of(x.numerator, n), x.divisors, x.root ? x.root : x.numerator,
-                 n * x.exponent};
+      quotient r{power_of(x.numerator, n), x.divisors, base};
       for (auto& [j, k] : r.divisors) k *= n;
       return unless_high(std::move(r));
     }
     if (!x.divisors.empty()) return std::nullopt;
-    return over(i, {constant(ball(1, x_.at_low.precision())), {}}, x.root ? *x.root : x.numerator,
-                -n * x.exponent);
+    return over(i, {constant(ball(1, x_.at_low.precision())), {}}, base);
   }
 
   const formula& f_;

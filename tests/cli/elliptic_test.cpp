@@ -5,6 +5,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -78,6 +79,17 @@ TEST(Elliptic, SaysNothingExactOfWhatIsNotDefined) {
         "bulirschCel(sin(1)-sin(1), 1, 0, 0)", "ellipticPi(sqrt(2), 0, exp(2))"}) {
     EXPECT_EQ(run({"eval", "--digits", "12", "--", formula}).out.find("exactly"), std::string::npos)
         << formula;
+  }
+}
+
+// On this path the forms of F left and right of Re x = 1.1 are two branches; and arccd's is that of -x.
+TEST(Elliptic, IsNotTakenFromAnotherBranch) {
+  for (const auto& [formula, path] : std::vector<std::pair<std::string, std::string>>{
+           {"ellipticF(x, 2-3/10*i)", "1+3/10*i, 12/10+3/10*i"},
+           {"jacobiArcCD(x, 637/1000+436/1000*i)", "587/1000-1639/1000*i, 687/1000-1639/1000*i"}}) {
+    const outcome result = run({"integrate", formula, "--along", path, "--digits", "10"});
+    EXPECT_EQ(result.status, 1) << result.out;
+    EXPECT_EQ(result.out.rfind("undefined", 0), 0U) << result.out;
   }
 }
 
