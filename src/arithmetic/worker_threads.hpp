@@ -19,6 +19,8 @@ inline void give_constants_back_at_end() {
     ~constants() { mpfr_free_cache(); }
     constants(const constants&) = delete;
     constants& operator=(const constants&) = delete;
+    constants(constants&&) = delete;
+    constants& operator=(constants&&) = delete;
   };
   thread_local const constants kept;
   (void)kept;

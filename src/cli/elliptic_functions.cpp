@@ -149,6 +149,14 @@ formula simpler_jacobi(const std::string& letters, known_arguments x) {
     const std::string what = letters[0] == 's' ? "sin(u)" : letters[0] == 'c' ? "cos(u)" : "1";
     return what + "/" + over;
   }
+  if (is_exactly(x[1], 1)) {  // sn = tanh, cn = dn = 1/cosh
+    const bool sine_above = letters[0] == 's';
+    const bool sine_below = letters[1] == 's';
+    if (letters[1] == 'n') return sine_above ? "tanh(u)" : "1/cosh(u)";
+    if (letters[0] == 'n') return sine_below ? "1/tanh(u)" : "cosh(u)";
+    if (sine_above) return "sinh(u)";
+    return sine_below ? "1/sinh(u)" : "1";
+  }
   return std::nullopt;
 }
 bool may_be_defined_jacobi(char divisor, known_arguments x) {
@@ -212,6 +220,7 @@ further_function jacobi(const std::string& letters, const std::string& descripti
     result.simpler = [](known_arguments x) -> formula {
       if (is_zero(x[0])) return "0";
       if (is_zero(x[1])) return "u";
+      if (is_exactly(x[1], 1)) return "2*atan(tanh(u/2))";  // Gudermann's function
       return std::nullopt;
     };
     return result;
@@ -417,6 +426,8 @@ further_functions make() {
        of_rationals([](numbers x) { return x[0] >= 0 && x[1] != 0; }),
        [](known_arguments x) -> formula {
          if (is_zero(x[0]) && is_number(x[1]) && x[1]->q < 0) return "0";
+         // DLMF 19.2.20, which is analytic in x.
+         if (is_number(x[1]) && x[1]->q < 0) return "sqrt(x/(x - y))*carlsonRC(x - y, -y)";
          return are_equal(x, 2) ? formula("1/sqrt(x)") : std::nullopt;
        }},
       {{"carlsonRD", "x, y, z", "R_J(x, y, z, z)", "x, y >= 0, not both 0, z > 0"},

@@ -1,6 +1,7 @@
 #include "polhode/quadrature/contour.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 #include "segments.hpp"
@@ -62,10 +63,10 @@ path operator+(path first, const path& second) {
 
 path operator-(const path& reversed_path) {
   path result;
-  for (auto piece = reversed_path.pieces_.rbegin(); piece != reversed_path.pieces_.rend();
-       ++piece) {
-    result.pieces_.push_back(std::visit([](const auto& p) { return reversed(p); }, *piece));
-  }
+  std::transform(reversed_path.pieces_.rbegin(), reversed_path.pieces_.rend(),
+                 std::back_inserter(result.pieces_), [](const path_piece& piece) {
+                   return std::visit([](const auto& p) { return reversed(p); }, piece);
+                 });
   return result;
 }
 

@@ -86,6 +86,7 @@ struct panel {
   long level = 0;
 
   std::optional<complex_ball> closed_by;  // the range of F over it, where that is enough
+  bool by_range_only = false;             // that it is, though nothing else is known of F there
   double rho = 0;      // else: F is analytic inside the Bernstein ellipse with this parameter ...
   magnitude supremum;  // ... and this is a bound of |F| there
   double log2_typical = 0;  // about log2 |F| at its middle, to search with
@@ -399,6 +400,8 @@ class integrator {
   [[nodiscard]] double log2_of_typical(const panel& p, double log2_goal) const;
   [[nodiscard]] ball range_of(const panel& p) const;
   [[nodiscard]] std::optional<rational> point_in(const panel& p) const;
+  [[nodiscard]] bool is_hopeless_beyond(const panel& p) const;
+  outcome obstructed_at(const panel& p);
   [[nodiscard]] double log2_of_planned_size() const;
   outcome estimate_size();
   [[nodiscard]] magnitude least_size() const;
@@ -411,6 +414,10 @@ class integrator {
   std::function<std::optional<ball>(const ball& x)> pole_in_;
   std::vector<rational> points_;
   bool hopeless_ = false;  // a function is not available over regions
+  // Beside a singular point there are few panels of one length of which the range is all that is known. Where they do
+  // not end, F is known on the real line alone.
+  static constexpr long most_ranges_in_a_row = 64;
+  long ranges_in_a_row_ = 0;
   std::vector<panel> panels_;
   double planned_nodes_ = 0;
   std::vector<double> log2_scales_;
@@ -532,6 +539,7 @@ double integrator::try_panel(panel& p, double log2_goal) {
     const complex_ball range = evaluator_of(s, wide)(t);
     if (range.is_bounded() && approximate_log2(radius_of(range)) <= goal - 4) {
       p.closed_by = range;
+      p.by_range_only = true;
       return 0;
     }
   }
@@ -541,6 +549,7 @@ double integrator::try_panel(panel& p, double log2_goal) {
 integrator::outcome integrator::plan(double log2_goal) {
   panels_.clear();
   planned_nodes_ = 0;
+  ranges_in_a_row_ = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const outcome o = plan_segment(i, log2_goal - 6);
     if (o != outcome::done) return o;
@@ -628,6 +637,29 @@ std::optional<rational> integrator::point_in(const panel& p) const {
   return known ? std::nullopt : std::optional(q);
 }
 
+/// Ranges over panels as short as p would take too many of them up to the segment's end: each costs hundreds of evaluations,
+/// with what is tried before.
+bool integrator::is_hopeless_beyond(const panel& p) const {
+  constexpr double evaluations_of_panel = 200;
+  const auto left = static_cast<double>(1 - p.centre);
+  return std::ldexp(left, static_cast<int>(std::min(p.level, 1000L))) * evaluations_of_panel >
+         static_cast<double>(options_.most_evaluations);
+}
+
+/// Says in the result where no way on was found.
+integrator::outcome integrator::obstructed_at(const panel& p) {
+  const segment& own = segments_[p.segment];
+  const complex_ball x = position_of(own, ball(p.centre, 64 + p.level));
+  if (own.continued) {
+    result_.obstacle += " on the line that the path is turned to";
+  } else {
+    const bool is_real = !own.along;
+    result_.obstacle +=
+        is_real ? " near x = " + to_decimal(x.re, 20) : " near z = " + to_decimal(x, 20);
+  }
+  return outcome::obstructed;
+}
+
 /// Appends to panels_ what covers p: itself, or what covers its halves.
 integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   p.log2_typical = log2_of_typical(p, log2_goal);
@@ -640,6 +672,9 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
     return outcome::too_many_evaluations;
   }
   if (accepted) {
+    const bool as_short = !panels_.empty() && panels_.back().level == p.level;
+    ranges_in_a_row_ = p.by_range_only ? (as_short ? ranges_in_a_row_ + 1 : 1) : 0;
+    if (ranges_in_a_row_ > most_ranges_in_a_row && is_hopeless_beyond(p)) return obstructed_at(p);
     planned_nodes_ += own_nodes;
     panels_.push_back(std::move(p));
     return outcome::done;
@@ -659,16 +694,7 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
       return outcome::divergent;
     }
   }
-  if (p.level >= deepest_ || hopeless_) {
-    const complex_ball x = position_of(segments_[p.segment], ball(p.centre, 64 + p.level));
-    if (own.continued) {
-      result_.obstacle += " on the line that the path is turned to";
-    } else {
-      result_.obstacle +=
-          is_real ? " near x = " + to_decimal(x.re, 20) : " near z = " + to_decimal(x, 20);
-    }
-    return outcome::obstructed;
-  }
+  if (p.level >= deepest_ || hopeless_) return obstructed_at(p);
   const std::size_t before = panels_.size();
   const double nodes_before = planned_nodes_;
   for (const int side : {-1, 1}) {

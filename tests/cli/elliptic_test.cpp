@@ -71,6 +71,30 @@ TEST(Elliptic, KnowsValuesThatAreExact) {
   EXPECT_EQ(value("jacobiSC(1, 0)"), value("tan(1)"));
 }
 
+TEST(Elliptic, AgreesAtTheParameterOneWithItsNeighbours) {
+  for (const char* letters :
+       {"AM", "SN", "CN", "DN", "NS", "NC", "ND", "SC", "SD", "CS", "CD", "DS", "DC"}) {
+    const std::string name = std::string("jacobi") + letters;
+    const std::string gap = name + "(7/10, 1) - " + name + "(7/10, 1 - 1e-40)";
+    EXPECT_EQ(value("floor(abs(" + gap + ")*1e39)"), "0\n") << name;
+  }
+  EXPECT_EQ(value("jacobiAM(-2, 1)"), value("-asin(tanh(2))"));
+  EXPECT_EQ(value("carlsonRC(3, -1)"), value("atanh(sqrt(3/4))/2"));
+}
+
+// Real functions that are not continued around the whole of the range: said at once, and not after many small steps.
+TEST(Elliptic, SaysSoonWhereItIsNotContinued) {
+  for (const auto& [formula, to] : std::vector<std::pair<std::string, std::string>>{
+           {"ellipticE(x, 1)", "3"}, {"ellipticF(x, 6/5)", "1.15"}, {"jacobiAM(x, -1)", "1"}}) {
+    const outcome result = run({"integrate", formula, "--from", "0", "--to", to, "--digits", "10"});
+    EXPECT_EQ(result.status, 1) << result.out;
+    EXPECT_NE(result.out.find("not analytic"), std::string::npos) << result.out;
+  }
+  EXPECT_EQ(
+      run({"integrate", "carlsonRC(x, -1)", "--from", "1", "--to", "2", "--digits", "10"}).status,
+      0);
+}
+
 // What a simpler value leaves out has to be defined, and in the domain.
 TEST(Elliptic, SaysNothingExactOfWhatIsNotDefined) {
   for (const char* formula :

@@ -183,7 +183,7 @@ template <class F>
             end_series::argument(detail::exact_ball(at_a ? a : b), at_a ? one : minus, 1, reach);
         series = detail::value_as<end_series>(f(x), x);
       }
-      const std::optional<end_growth> found = growth_from_series(series, reach);
+      std::optional<end_growth> found = growth_from_series(series, reach);
       if (found) return found;
     }
     return given;
