@@ -1,0 +1,13 @@
+(** What the theorems rest on: the axioms of the standard reals. *)
+From Polhode Require GaussIntegral AgmLimit Beta Physical HalfPhase BetaDigits.
+Print Assumptions GaussIntegral.gauss_invariance.
+Print Assumptions AgmLimit.agm_limit.
+Print Assumptions Beta.beta_exists_unique.
+Print Assumptions Beta.beta_agm.
+Print Assumptions Physical.physical_iff.
+Print Assumptions HalfPhase.f_derive.
+Print Assumptions HalfPhase.f_derive_negative.
+Print Assumptions HalfPhase.G_derive.
+Print Assumptions HalfPhase.G_derive_negative.
+Print Assumptions HalfPhase.G_decreasing.
+Print Assumptions BetaDigits.beta_digits.
