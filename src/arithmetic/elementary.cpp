@@ -748,9 +748,11 @@ ball pow(const ball& x, const ball& y) {
   const end_points ex(x, p + guard_bits);
   const end_points ey(y, p + guard_bits);
   const bool zero_base = mpfr_zero_p(ex.lower()) != 0;
-  if (mpfr_sgn(ex.lower()) < 0 || (zero_base && mpfr_sgn(ey.lower()) <= 0) || !x.is_bounded() ||
-      !y.is_bounded()) {
+  if (mpfr_sgn(ex.lower()) < 0 || (zero_base && mpfr_sgn(ey.lower()) <= 0)) {
     return ball::undefined(p);
+  }
+  if (!x.is_bounded() || !y.is_bounded()) {
+    return zero_base ? ball::undefined(p) : exp(y * log(x)).with_precision(p);
   }
   if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y) && !zero_base) {
     // The exponent y log x changes by at most d = |y| (q + q^2) + ry |log x|, q = rx / mx, and the power

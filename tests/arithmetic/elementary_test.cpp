@@ -197,6 +197,27 @@ TEST(Elementary, ArithmeticGeometricMeanWithZero) {
   EXPECT_TRUE(identical(agm(wide, wide), wide));
 }
 
+TEST(Elementary, PowersOfAndWithUnboundedSets) {
+  const ball above = ball::from_end_points(real(64, 3), real::infinity(1), 64);
+  const ball below = ball::from_end_points(real::infinity(-1), real(64, -3), 64);
+  const ball two(2, 64);
+  const auto expect_hull = [](const ball& power, long lower, long upper) {  // 2^-upper .. 2^-lower
+    EXPECT_FALSE(power.is_undefined());
+    EXPECT_TRUE(possibly_less(power, scale(ball(1, 64), -lower + 1)));
+    EXPECT_TRUE(certainly_less(power, scale(ball(9, 64), -lower - 3)));
+    EXPECT_TRUE(contains(power, rational(1, integer(1) << static_cast<unsigned>(upper))));
+  };
+  expect_hull(pow(two, below), 3, 1000);
+  expect_hull(pow(two.with_precision(128), -above), 3, 77);
+  EXPECT_TRUE(contains(pow(two, above), rational(8)));
+  EXPECT_TRUE(contains(pow(two, above), rational(integer(1) << 5000U)));
+  EXPECT_TRUE(certainly_less(ball(7, 64), pow(two, above)));
+  EXPECT_TRUE(contains(pow(above, above), rational(27)));
+  EXPECT_TRUE(contains(pow(1 / above, two), rational(1, 9)));
+  EXPECT_TRUE(pow(below, above).is_undefined());
+  EXPECT_TRUE(pow(ball(0, 64), above).is_undefined());
+}
+
 TEST(Elementary, Constants) {
   random_source random(104);
   for (repeat trial(300); trial.again();) {

@@ -92,6 +92,7 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"exp(x)-1e-300", "-inf..inf", 0, {"-690.77552789821"}},
            {"log1p(x)*expm1(x)", "-1/2..1", 0, {"0 exactly  multiple 2"}},
            {"cbrt(x)", "-1..1", 1, {"0 exactly  at least one"}},
+           {"2^x-8", "-inf..inf", 0, {"unique\ncertified: 1 root, all there are"}},
            {"x^x-2", "0..2", 0, {"1.5596104694623693499703887"}},
            {"gamma(x)-2", "5/2..7/2", 1, {"unresolved"}}}) {
     const outcome result = roots(formula, range, {"--digits", "30"});
