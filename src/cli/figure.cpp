@@ -1,0 +1,131 @@
+#include "figure.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "exact_decimals.hpp"
+#include "gnuplot.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::cli {
+namespace {
+
+/// Longer decimals of an exact number are written as an enclosure.
+constexpr long digits_of_exact = 100;
+
+decimal_enclosure decimals(const coordinate& x, long digits) {
+  if (const auto* exact = std::get_if<rational>(&x)) {
+    const leading_digits d = leading_digits_of(*exact, digits_of_exact);
+    if (d.all) return {d.value, d.value, d.value, d.digits, true};
+    return to_decimal_enclosure(ball(*exact, bits_for_digits(digits) + 64), digits);
+  }
+  return to_decimal_enclosure(std::get<ball>(x), digits);
+}
+
+std::string csv_cells(const coordinate& x, long digits) {
+  const decimal_enclosure d = decimals(x, digits);
+  return fmt::format("{},{},{}", d.value, d.lower, d.upper);
+}
+
+rational width_of(const coordinate& x, long digits) {
+  const decimal_enclosure d = decimals(x, digits);
+  return parse_rational(d.upper) - parse_rational(d.lower);
+}
+
+/// Two significant digits, rounded up.
+std::string rounded_up(const rational& q) {
+  if (q == 0) return "0";
+  rational unit = 1;
+  long exponent = 0;
+  for (; q >= 10 * unit; ++exponent) unit *= 10;
+  for (; q < unit; --exponent) unit /= 10;
+  const rational tenths(10 * q / unit);
+  integer digits;
+  mpz_cdiv_q(digits.backend().data(), mpq_numref(tenths.backend().data()),
+             mpq_denref(tenths.backend().data()));
+  if (digits == 100) {
+    digits = 10;
+    ++exponent;
+  }
+  return fmt::format("{}.{}e{}", integer(digits / 10).str(), integer(digits % 10).str(), exponent);
+}
+
+/// Enough for a picture; gnuplot reads hardware doubles.
+std::string drawn(const coordinate& x) {
+  constexpr long digits = 12;
+  return decimals(x, digits).value;
+}
+
+std::string data_of(const figure_curve& curve) {
+  std::string result;
+  for (const auto& part : curve.parts) {
+    for (const figure_point& p : part) result += drawn(p.x) + ' ' + drawn(p.y) + '\n';
+    result += '\n';  // gnuplot joins nothing across an empty line
+  }
+  return result;
+}
+
+std::string terminal(picture_format format) {
+  return format == picture_format::svg
+             ? "set terminal svg size 900,640 font 'Helvetica,15' background 'white'\n"
+             : "set terminal pngcairo size 1350,960 font 'Sans,16' linewidth 1.5 pointscale 2 "
+               "background "
+               "'white'\n";
+}
+
+}  // namespace
+
+std::string csv_of(const figure& f, const figure_content& content, long digits) {
+  std::string result =
+      fmt::format("curve,part,{0},{0}_lower,{0}_upper,{1},{1}_lower,{1}_upper\n", f.x, f.y);
+  for (const figure_curve& curve : content.curves) {
+    for (std::size_t part = 0; part < curve.parts.size(); ++part) {
+      for (const figure_point& p : curve.parts[part]) {
+        result += fmt::format("{},{},{},{}\n", curve.name, part + 1, csv_cells(p.x, digits),
+                              csv_cells(p.y, digits));
+      }
+    }
+  }
+  return result;
+}
+
+std::string greatest_width(const figure_content& content, long digits) {
+  rational greatest = 0;
+  for (const figure_curve& curve : content.curves) {
+    for (const auto& part : curve.parts) {
+      for (const figure_point& p : part) {
+        greatest = std::max({greatest, width_of(p.x, digits), width_of(p.y, digits)});
+      }
+    }
+  }
+  return rounded_up(greatest);
+}
+
+std::string draw(const figure& f, const figure_content& content, const std::string& width,
+                 picture_format format) {
+  std::string program = terminal(format) +
+                        "set encoding utf8\n"
+                        "set grid lc rgb '#dddddd'\n"
+                        "set bmargin 6.5\n";
+  program += fmt::format("set title \"F{}: {}{}\"\n", f.place.substr(1), f.shows,
+                         f.note.empty() ? "" : "\\n" + f.note);
+  program += fmt::format(
+      "set label \"Every coordinate certified to within {}: {}.csv has the enclosures.\" at screen "
+      "0.5, screen 0.025 center noenhanced\n",
+      width, f.name);
+  program += content.settings;
+  std::string plots;
+  for (std::size_t i = 0; i < content.curves.size(); ++i) {
+    const figure_curve& curve = content.curves[i];
+    program += fmt::format("$curve{} << EOD\n{}EOD\n", i, data_of(curve));
+    for (const auto& [style, title] : curve.drawings) {
+      plots += fmt::format("{}$curve{} with {} {}", plots.empty() ? "plot " : ", ", i, style,
+                           title.empty() ? "notitle" : "title \"" + title + '"');
+    }
+  }
+  return run_gnuplot(program + plots + '\n', "--data-only");
+}
+
+}  // namespace polhode::cli
