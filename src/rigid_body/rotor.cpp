@@ -31,6 +31,11 @@ long double as_scalar<long double>(const ball& x, precision) {
   return mpfr_get_ld(midpoint(x).backend().data(), MPFR_RNDN);
 }
 
+template <>
+double as_scalar<double>(const ball& x, precision) {
+  return mpfr_get_d(midpoint(x).backend().data(), MPFR_RNDN);
+}
+
 template <class T>
 triple<T> as_scalars(const triple<ball>& x, precision bits) {
   return {as_scalar<T>(x[0], bits), as_scalar<T>(x[1], bits), as_scalar<T>(x[2], bits)};
@@ -173,8 +178,8 @@ std::pair<T, T> of_turns(const T& fraction) {
 
 template <class T>
 theta_point<T> steady_point(precision bits) {
-  return {whole<T>(0, bits), whole<T>(0, bits), whole<T>(0, bits), whole<T>(0, bits),
-          whole<T>(1, bits)};
+  const T zero = constant<T>(0, bits);
+  return {zero, zero, zero, zero, constant<T>(1, bits)};
 }
 
 /// What does not depend on time, at `bits` bits; rates with `spare` more.
@@ -401,34 +406,39 @@ three_doubles split(const ball& x) {
   return r;
 }
 
+/// whole + rest + error, |rest| at most about 1/2 and error small beside 1.
 struct whole_and_rest {
   double whole = 0;
-  long double rest = 0;
+  double rest = 0;
+  double error = 0;
 };
 
-/// a + b, exactly result + error (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, Theorem B).
-long double sum_with_error(long double a, long double b, long double& error) {
-  const long double sum = a + b;
-  const long double part = sum - a;
+/// a + b, exactly result + what is added to error (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, Theorem B).
+double sum_with_error(double a, double b, double& error) {
+  const double sum = a + b;
+  const double part = sum - a;
   error += (a - (sum - part)) + (b - part);
   return sum;
 }
 
-/// n x + start as an integer and a rest of at most about 1/2, for |n x| < 2^50. The product by x.high is taken exactly, so that the
-/// rest is off by some 2^-67 of the largest of 1/8, 2^-52 |n x| and itself.
+/// n x + start for |n x| < 2^50, to some 2^-105 (1 + |n x|).
 whole_and_rest product(double n, const three_doubles& x, const three_doubles& start) {
   const double main = n * x.high;
   const double main_error = std::fma(n, x.high, -main);
   const double nearest = std::nearbyint(main);
-  const auto time = static_cast<long double>(n);
-  long double error = time * static_cast<long double>(x.low) + static_cast<long double>(start.low);
-  long double sum = static_cast<long double>(main - nearest);
-  sum = sum_with_error(sum, static_cast<long double>(start.high), error);
-  sum = sum_with_error(sum, static_cast<long double>(main_error), error);
-  sum = sum_with_error(sum, time * static_cast<long double>(x.middle), error);
-  sum = sum_with_error(sum, static_cast<long double>(start.middle), error);
-  const long double more = std::nearbyint(sum);
-  return {nearest + static_cast<double>(more), (sum - more) + error};
+  double error = n * x.low + start.low;
+  double sum = main - nearest;
+  sum = sum_with_error(sum, start.high, error);
+  sum = sum_with_error(sum, main_error, error);
+  sum = sum_with_error(sum, n * x.middle, error);
+  sum = sum_with_error(sum, start.middle, error);
+  const double more = std::nearbyint(sum);
+  return {nearest + more, sum - more, error};
+}
+
+template <std::floating_point T>
+T rest_of(const whole_and_rest& x) {
+  return static_cast<T>(x.rest) + static_cast<T>(x.error);
 }
 
 rotor_sample<double> rounded(const rotor_sample<long double>& x) {
@@ -473,6 +483,7 @@ class rotor_motion<double> {
   rotor_motion(initial_state state, precision) : exact_(std::move(state), exact_bits) {
     const prepared<ball>& by = exact_.prepared_first();
     fast_ = as_scalars<long double>(by);
+    momentum_ = as_scalars<double>(by);
     if (by.regime != rotor_regime::steady) {
       cycles_ = split(by.rates.cycles);
       cycles_0_ = split(by.rates.cycles_0);
@@ -484,6 +495,7 @@ class rotor_motion<double> {
     in_range_ = by.regime == rotor_regime::steady || fast_.series.scale <= greatest_scale;
   }
 
+ private:
   template <class F>
   [[nodiscard]] auto evaluated(const rational& t, const F& f) const {
     const prepared<ball>& by = exact_.prepared_first();
@@ -491,43 +503,30 @@ class rotor_motion<double> {
     const moment<ball> at = reduced(exact_.state(), by.rates, t, by.bits);
     return rounded(f(fast_, as_scalars<long double>(at, by.bits)));
   }
-  template <class F>
-  [[nodiscard]] auto evaluated(double t, const F& f) const {
-    if (!std::isfinite(t)) {
-      throw input_error("time " + std::to_string(t) + ": it must be a finite number");
-    }
-    constexpr double most = 0x1p50;
-    if (!in_range_ || !(std::abs(t * turns_.high) < most) || !(std::abs(t * cycles_.high) < most)) {
-      return evaluated(rational(t), f);
-    }
-    moment<long double> at;
-    double whole = 0;
-    if (fast_.regime == rotor_regime::separatrix) {
-      // Far out, where its low digits are not had, J is at rest.
-      const whole_and_rest u = product(t, cycles_, cycles_0_);
-      at.cycle = static_cast<long double>(u.whole) + u.rest;
-    } else if (fast_.regime != rotor_regime::steady) {
-      const whole_and_rest u = product(t, cycles_, cycles_0_);
-      at.cycle = u.rest;
-      whole = u.whole;
-      at.odd = std::fmod(whole, 2.0) != 0;  // NOLINT: an integer
-    }
-    const whole_and_rest turned = product(t, turns_, {});
-    const whole_and_rest slipped = product(whole, slip_, {});
-    const long double rest = turned.rest - slipped.rest;
-    const long double more = std::nearbyint(rest);
-    at.fraction = rest - more;
-    at.whole =
-        static_cast<long double>(turned.whole) - static_cast<long double>(slipped.whole) + more;
-    return rounded(f(fast_, at));
-  }
-  template <class Time>
-  [[nodiscard]] rotor_sample<double> sample(const Time& t) const {
+
+ public:
+  [[nodiscard]] rotor_sample<double> sample(const rational& t) const {
     return evaluated(t, [](const auto& by, const auto& at) { return by.sample(at); });
   }
-  template <class Time>
-  [[nodiscard]] rotor_attitude<double> attitude(const Time& t) const {
+  [[nodiscard]] rotor_attitude<double> attitude(const rational& t) const {
     return evaluated(t, [](const auto& by, const auto& at) { return by.attitude(at); });
+  }
+  [[nodiscard]] rotor_sample<double> sample(double t) const {
+    if (!is_near(t)) return sample(rational(t));
+    const auto [at, whole] = cycle_at<double>(t);
+    static_cast<void>(whole);
+    return momentum_.sample(at);
+  }
+  [[nodiscard]] rotor_attitude<double> attitude(double t) const {
+    if (!is_near(t)) return attitude(rational(t));
+    auto [at, whole] = cycle_at<long double>(t);
+    const whole_and_rest turned = product(t, turns_, {});
+    const whole_and_rest slipped = product(whole, slip_, {});
+    const long double rest = rest_of<long double>(turned) - rest_of<long double>(slipped);
+    const double more = std::nearbyint(static_cast<double>(rest));
+    at.fraction = rest - static_cast<long double>(more);
+    at.whole = static_cast<long double>((turned.whole - slipped.whole) + more);
+    return rounded(fast_.attitude(at));
   }
   [[nodiscard]] const initial_state& state() const { return exact_.state(); }
   [[nodiscard]] double size() const { return number(exact_.size()); }
@@ -537,9 +536,33 @@ class rotor_motion<double> {
   }
 
  private:
+  /// Throws input_error where t is not finite. Whether t is reduced here, and not by balls.
+  [[nodiscard]] bool is_near(double t) const {
+    if (!std::isfinite(t)) {
+      throw input_error("time " + std::to_string(t) + ": it must be a finite number");
+    }
+    constexpr double most = 0x1p50;
+    return in_range_ && std::abs(t * turns_.high) < most && std::abs(t * cycles_.high) < most;
+  }
+  /// The cycle, and the integer N.
+  template <std::floating_point T>
+  [[nodiscard]] std::pair<moment<T>, double> cycle_at(double t) const {
+    moment<T> at{};
+    if (fast_.regime == rotor_regime::steady) return {at, 0};
+    const whole_and_rest u = product(t, cycles_, cycles_0_);
+    if (fast_.regime == rotor_regime::separatrix) {
+      at.cycle = static_cast<T>(u.whole) + rest_of<T>(u);
+      return {at, 0};
+    }
+    at.cycle = rest_of<T>(u);
+    at.odd = (static_cast<std::int64_t>(u.whole) & 1) != 0;
+    return {at, u.whole};
+  }
+
   static constexpr precision exact_bits = 64;
   rotor_motion<ball> exact_;
   prepared<long double> fast_;
+  prepared<double> momentum_;
   three_doubles cycles_, cycles_0_, turns_, slip_;
   bool in_range_ = true;
 };

@@ -59,8 +59,83 @@
 
 namespace polhode::detail {
 
+// ---------------------------------------------------------------------------------------------
+// The scalars: those of real_scalar.hpp, and double, in which the momentum alone is accurate enough.
+
+template <class T>
+concept rotor_scalar = elliptic_scalar<T> || std::same_as<T, double>;
+
+[[nodiscard]] inline precision bits_in(double) { return std::numeric_limits<double>::digits; }
+[[nodiscard]] inline double square_of(double x) { return x * x; }
+[[nodiscard]] inline double exp_of(double x) { return std::exp(x); }
+template <rotor_scalar T>
+[[nodiscard]] T constant(long n, precision q) {
+  if constexpr (std::same_as<T, double>) {
+    return static_cast<double>(n);
+  } else {
+    return whole<T>(n, q);
+  }
+}
+template <rotor_scalar T>
+[[nodiscard]] T enclosing(const T& x, const magnitude& error) {
+  if constexpr (std::same_as<T, double>) {
+    return x;
+  } else {
+    return with_error(x, error);
+  }
+}
+
+/// {sin pi w, cos pi w}, |w| at most about 1/2.
+template <rotor_scalar T>
+[[nodiscard]] std::pair<T, T> of_half_turns(const T& w, const T& pi_number) {
+  if constexpr (std::floating_point<T>) {
+    if (std::abs(w) <= T(0.25)) {
+      const T angle = w * pi_number;
+      return {std::sin(angle), std::cos(angle)};
+    }
+    const T angle = (T(0.5) - std::abs(w)) * pi_number;
+    return {std::copysign(std::cos(angle), w), std::sin(angle)};
+  } else {
+    return sine_cosine(T(pi_number * w));
+  }
+}
+
+[[nodiscard]] inline bool looks_negative(const ball& x) {
+  return mpfr_sgn(midpoint(x).backend().data()) < 0;
+}
+[[nodiscard]] inline bool looks_negative(const mpfr_float& x) {
+  return mpfr_sgn(x.backend().data()) < 0;
+}
+template <std::floating_point T>
+[[nodiscard]] bool looks_negative(T x) {
+  return x < 0;
+}
+
+/// Whether |x| is below about 1/2: heuristic.
+template <rotor_scalar T>
+[[nodiscard]] bool is_small(const T& x) {
+  if constexpr (std::floating_point<T>) {
+    return std::abs(x) < T(0.5);
+  } else {
+    return exponent_of(x) < -1;
+  }
+}
+
+[[nodiscard]] inline ball expm1_of(const ball& x) { return expm1(x); }
+[[nodiscard]] inline mpfr_float expm1_of(const mpfr_float& x) {
+  mpfr_float r = zero_of_precision(precision_of(x));
+  mpfr_expm1(r.backend().data(), x.backend().data(), MPFR_RNDN);
+  return r;
+}
+template <std::floating_point T>
+[[nodiscard]] T expm1_of(T x) {
+  return std::expm1(x);
+}
+
+// ---------------------------------------------------------------------------------------------
+
 /// What the series need, at working precision.
-template <elliptic_scalar T>
+template <rotor_scalar T>
 struct theta_series {
   bool hyperbolic = false;
   /// Circular pi; hyperbolic log(1/p), or 1 on the separatrix: the argument of the series is this times w.
@@ -75,42 +150,20 @@ struct theta_series {
   magnitude odd_tail, even_tail, lag_sine_tail, lag_cosine_tail;
 };
 
-template <elliptic_scalar T>
+template <rotor_scalar T>
 struct theta_point {
   T sn, cn, dn;  // over of_sn, of_cn, of_dn
   T x, y;        // the lag atan2(x, y), y >= 0; where asked for
 };
 
-[[nodiscard]] inline bool at_most_two(const ball& x) {
-  return x.magnitude_upper() <= magnitude::from_integer_up(2);
-}
-[[nodiscard]] inline bool at_most_two(const mpfr_float&) { return true; }
-[[nodiscard]] inline bool at_most_two(long double) { return true; }
-
-[[nodiscard]] inline bool looks_negative(const ball& x) {
-  return mpfr_sgn(midpoint(x).backend().data()) < 0;
-}
-[[nodiscard]] inline bool looks_negative(const mpfr_float& x) {
-  return mpfr_sgn(x.backend().data()) < 0;
-}
-[[nodiscard]] inline bool looks_negative(long double x) { return x < 0; }
-
-[[nodiscard]] inline ball expm1_of(const ball& x) { return expm1(x); }
-[[nodiscard]] inline mpfr_float expm1_of(const mpfr_float& x) {
-  mpfr_float r = zero_of_precision(precision_of(x));
-  mpfr_expm1(r.backend().data(), x.backend().data(), MPFR_RNDN);
-  return r;
-}
-[[nodiscard]] inline long double expm1_of(long double x) { return std::expm1(x); }
-
-template <bool WithLag, elliptic_scalar T>
+template <bool WithLag, rotor_scalar T>
 [[nodiscard]] theta_point<T> circular_point(const theta_series<T>& k, const T& w) {
-  const auto [sine, cosine] = sine_cosine(T(k.scale * w));
+  const auto [sine, cosine] = of_half_turns(w, k.scale);
   const std::size_t count = k.odd.size();
-  const T first = T(2 - scaled(square_of(sine), 2));  // e_1
-  T before = whole<T>(2, bits_in(sine));
+  const T first = T(2 - 4 * square_of(sine));  // e_1
+  T before = constant<T>(2, bits_in(sine));
   T e = first;
-  T u = whole<T>(1, bits_in(sine));
+  T u = constant<T>(1, bits_in(sine));
   T v = u;
   T s = u;
   T c = u;
@@ -140,21 +193,21 @@ template <bool WithLag, elliptic_scalar T>
     before = std::move(e);
     e = std::move(next);
   }
-  s = with_error(s, k.odd_tail);
-  c = with_error(c, k.odd_tail);
-  third = with_error(third, k.even_tail);
-  const T inverse = T(1 / with_error(fourth, k.even_tail));
+  s = enclosing(s, k.odd_tail);
+  c = enclosing(c, k.odd_tail);
+  third = enclosing(third, k.even_tail);
+  const T inverse = T(1 / enclosing(fourth, k.even_tail));
   r.sn = T(s * sine * inverse);
   r.cn = T(c * cosine * inverse);
   r.dn = T(third * inverse);
   if constexpr (WithLag) {
-    r.x = T(sine * with_error(r.x, k.lag_sine_tail));
-    r.y = T(cosine * with_error(r.y, k.lag_cosine_tail));
+    r.x = T(sine * enclosing(r.x, k.lag_sine_tail));
+    r.y = T(cosine * enclosing(r.y, k.lag_cosine_tail));
   }
   return r;
 }
 
-template <bool WithLag, elliptic_scalar T>
+template <bool WithLag, rotor_scalar T>
 [[nodiscard]] theta_point<T> hyperbolic_point(const theta_series<T>& k, const T& w) {
   const bool negative = looks_negative(w);
   const T v = T(k.scale * w);
@@ -162,7 +215,7 @@ template <bool WithLag, elliptic_scalar T>
   // e^-|v| and 1 - g, each without cancellation.
   T root = exponent;
   T rest = exponent;
-  if (exponent_of(exponent) < -1) {
+  if (is_small(exponent)) {
     const T shrunk = expm1_of(exponent);
     root = T(1 + shrunk);
     rest = T(-shrunk * (2 + shrunk));
@@ -172,7 +225,7 @@ template <bool WithLag, elliptic_scalar T>
   }
   const T g = square_of(root);
   const std::size_t count = k.odd.size();
-  const T one = whole<T>(1, bits_in(w));
+  const T one = constant<T>(1, bits_in(w));
   T c = T(one + g);
   T s = one;
   T third = one;
@@ -184,9 +237,12 @@ template <bool WithLag, elliptic_scalar T>
   }
   if (count > 1) {
     const T ratio = T(k.nome / g);
-    if (!at_most_two(g) || !at_most_two(ratio)) {
-      const T none = undefined_of<T>(bits_in(w));
-      return {none, none, none, none, none};
+    if constexpr (std::same_as<T, ball>) {
+      const magnitude two = magnitude::from_integer_up(2);
+      if (g.magnitude_upper() > two || ratio.magnitude_upper() > two) {
+        const ball none = ball::undefined(bits_in(w));
+        return {none, none, none, none, none};
+      }
     }
     T power = one;  // r^n
     T gn = g;       // g^(2n-1), then g^(2n), g^(2n+1)
@@ -212,20 +268,20 @@ template <bool WithLag, elliptic_scalar T>
     }
   }
   const T signed_rest = negative ? T(-rest) : rest;
-  const T inverse = T(1 / with_error(c, k.odd_tail));
+  const T inverse = T(1 / enclosing(c, k.odd_tail));
   const T decay = T(root * inverse);
-  r.sn = T(with_error(s, k.odd_tail) * signed_rest * inverse);
-  r.cn = T(with_error(fourth, k.even_tail) * decay);
-  r.dn = T(with_error(third, k.even_tail) * decay);
+  r.sn = T(enclosing(s, k.odd_tail) * signed_rest * inverse);
+  r.cn = T(enclosing(fourth, k.even_tail) * decay);
+  r.dn = T(enclosing(third, k.even_tail) * decay);
   if constexpr (WithLag) {
-    r.x = T(signed_rest * with_error(r.x, k.lag_sine_tail));
-    r.y = with_error(r.y, k.lag_cosine_tail);
+    r.x = T(signed_rest * enclosing(r.x, k.lag_sine_tail));
+    r.y = enclosing(r.y, k.lag_cosine_tail);
   }
   return r;
 }
 
 /// At u = 2K w; in the separatrix's case at u = w.
-template <bool WithLag, elliptic_scalar T>
+template <bool WithLag, rotor_scalar T>
 [[nodiscard]] theta_point<T> theta_values_at(const theta_series<T>& k, const T& w) {
   return k.hyperbolic ? hyperbolic_point<WithLag>(k, w) : circular_point<WithLag>(k, w);
 }
