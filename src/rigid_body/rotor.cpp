@@ -99,6 +99,7 @@ moment<ball> reduced(const rotor_rates& rates, rotor_regime regime, const ration
   } else {
     ball cycles = rates.cycles * time + rates.cycles_0;
     if (regime != rotor_regime::separatrix) std::tie(cycles, n) = without_whole(cycles);
+    n += rates.half_turns_0;
     r.cycle = cycles.with_precision(bits);
   }
   r.odd = mpz_odd_p(n.backend().data()) != 0;
@@ -107,6 +108,8 @@ moment<ball> reduced(const rotor_rates& rates, rotor_regime regime, const ration
   r.fraction = fraction.with_precision(bits);
   return r;
 }
+
+constexpr std::int64_t most_bits_before_point = std::int64_t{1} << 24;
 
 /// About how many bits x has before the point.
 std::int64_t bits_of(const ball& x) { return std::max<std::int64_t>(exponent_of(x) + 1, 0); }
@@ -263,6 +266,31 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   return r;
 }
 
+/// Whether every radius is at most 2^-p of the size.
+bool within(const ball& x, const magnitude& size, precision p) {
+  return x.is_bounded() && x.radius() <= scale(size, -p);
+}
+bool within(const matrix3<ball>& x, precision p) {
+  bool good = true;
+  for (const auto& row : x) {
+    for (const ball& entry : row) good = good && within(entry, magnitude::power_of_two(0), p);
+  }
+  return good;
+}
+
+constexpr int most_attempts = 6;
+
+/// With so many bits beside p, or with more where the start is so near to an axis that it needs them.
+prepared<ball> prepare_to(const initial_state& state, precision p, precision guard,
+                          precision spare) {
+  prepared<ball> result = prepare(state, p + guard, spare);
+  for (int i = 0; i < most_attempts && !within(result.base, p + 16); ++i) {
+    guard *= 4;
+    result = prepare(state, p + guard, spare);
+  }
+  return result;
+}
+
 template <class T>
 prepared<T> as_scalars(const prepared<ball>& x) {
   const precision bits = x.bits;
@@ -288,10 +316,6 @@ constexpr precision guard_bits = 64;
 /// More bits of the rates: for times of up to so many periods that nothing is computed anew.
 constexpr precision spare_bits = 128;
 
-/// Whether every radius is at most 2^-p of the size.
-bool within(const ball& x, const magnitude& size, precision p) {
-  return x.is_bounded() && x.radius() <= scale(size, -p);
-}
 bool is_accurate(const rotor_sample<ball>& x, const prepared<ball>& by, precision p) {
   const magnitude size = by.size.magnitude_lower();
   bool good = true;
@@ -303,12 +327,8 @@ bool is_accurate(const rotor_sample<ball>& x, const prepared<ball>& by, precisio
   return good;
 }
 bool is_accurate(const rotor_attitude<ball>& x, const prepared<ball>&, precision p) {
-  const magnitude one = magnitude::power_of_two(0);
-  bool good = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    good = good && within(x.direction[i], one, p);
-    for (const ball& entry : x.matrix[i]) good = good && within(entry, one, p);
-  }
+  bool good = within(x.matrix, p);
+  for (const ball& one : x.direction) good = good && within(one, magnitude::power_of_two(0), p);
   return good;
 }
 template <class Result>
@@ -321,7 +341,10 @@ moment<ball> reduced(const initial_state& state, const rotor_rates& rates, const
   const ball time(t, 64);
   const std::int64_t needed =
       std::max(bits_of(rates.cycles * time), bits_of(rates.turns * time)) + 8;
-  if (bits + needed <= rates.turns.precision()) return reduced(rates, state.regime(), t, bits);
+  // Where a time has more bits than these before the point, the result is as wide as it is.
+  if (bits + needed <= rates.turns.precision() || needed > most_bits_before_point) {
+    return reduced(rates, state.regime(), t, bits);
+  }
   const rotor_tables more(state, bits + static_cast<precision>(needed) + 8);
   return reduced(more.rates, state.regime(), t, bits);
 }
@@ -346,7 +369,6 @@ class rotor_motion {
       return f(by, as_scalars<T>(reduced(state_, by.rates, t, by.bits), by.bits));
     };
     auto result = at(first_);
-    constexpr int most_attempts = 6;
     precision guard = guard_bits;
     for (int i = 0; i < most_attempts && !is_accurate(result, first_, p_); ++i) {
       guard *= 4;
@@ -368,7 +390,7 @@ class rotor_motion {
 
  private:
   [[nodiscard]] prepared<T> made(precision guard) const {
-    prepared<ball> result = prepare(state_, p_ + guard, spare_bits);
+    prepared<ball> result = prepare_to(state_, p_, guard, spare_bits);
     if constexpr (std::same_as<T, ball>) {
       return result;
     } else {
@@ -488,11 +510,16 @@ class rotor_motion<double> {
       cycles_ = split(by.rates.cycles);
       cycles_0_ = split(by.rates.cycles_0);
       slip_ = split(by.rates.slip);
+      half_turns_0_ = static_cast<double>(by.rates.half_turns_0);
     }
     turns_ = split(by.rates.turns);
-    // Beyond, e^(-2v) and the nome are no numbers for a long double, and log(1/p) magnifies the error of a cycle too much.
-    constexpr long double greatest_scale = 2048;
-    in_range_ = by.regime == rotor_regime::steady || fast_.series.scale <= greatest_scale;
+    // e^(-2v) and the nome, from e^-scale on, must be numbers with all their bits.
+    constexpr long double most_for_long_double = 4096;
+    constexpr double most_for_double = 600;
+    if (by.regime != rotor_regime::steady) {
+      in_range_ = fast_.series.scale <= most_for_long_double;
+      in_range_of_double_ = momentum_.series.scale <= most_for_double;
+    }
   }
 
  private:
@@ -513,9 +540,8 @@ class rotor_motion<double> {
   }
   [[nodiscard]] rotor_sample<double> sample(double t) const {
     if (!is_near(t)) return sample(rational(t));
-    const auto [at, whole] = cycle_at<double>(t);
-    static_cast<void>(whole);
-    return momentum_.sample(at);
+    if (in_range_of_double_) return momentum_.sample(cycle_at<double>(t).first);
+    return rounded(fast_.sample(cycle_at<long double>(t).first));
   }
   [[nodiscard]] rotor_attitude<double> attitude(double t) const {
     if (!is_near(t)) return attitude(rational(t));
@@ -555,8 +581,9 @@ class rotor_motion<double> {
       return {at, 0};
     }
     at.cycle = rest_of<T>(u);
-    at.odd = (static_cast<std::int64_t>(u.whole) & 1) != 0;
-    return {at, u.whole};
+    const double whole = u.whole + half_turns_0_;
+    at.odd = (static_cast<std::int64_t>(whole) & 1) != 0;
+    return {at, whole};
   }
 
   static constexpr precision exact_bits = 64;
@@ -564,7 +591,9 @@ class rotor_motion<double> {
   prepared<long double> fast_;
   prepared<double> momentum_;
   three_doubles cycles_, cycles_0_, turns_, slip_;
+  double half_turns_0_ = 0;
   bool in_range_ = true;
+  bool in_range_of_double_ = true;
 };
 
 }  // namespace detail

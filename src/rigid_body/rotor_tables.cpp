@@ -63,7 +63,7 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits) {
   if (state.regime() == rotor_regime::steady) {
     for (std::size_t i = 0; i < 3; ++i) amplitude[i] = sqrt(ball(squares[i], bits)) * senses[i];
     // J parallel to omega: omega = J/I with 2 H/J^2 = 1/I.
-    rates = {ball(0, bits), ball(0, bits), per_turn * rational(1 + c), ball(0, bits)};
+    rates = {ball(0, bits), ball(0, bits), per_turn * rational(1 + c), ball(0, bits), 0};
     return;
   }
 
@@ -103,7 +103,8 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits) {
     u0 *= carlson_rf(ball(cn2, bits), ball(dn2, bits), ball(1, bits)) * per_cycle;
   }
   rates.cycles = unit * lambda * per_cycle;
-  rates.cycles_0 = back ? 1 - u0 : u0;
+  rates.cycles_0 = back ? -u0 : u0;
+  rates.half_turns_0 = back ? 1 : 0;
   rates.turns = per_turn * mu_;
 }
 
@@ -124,8 +125,12 @@ void rotor_tables::set_circular(const rational& b, const rational& m, const rati
     series.lag_cosine = {one};
   } else {
     const ball eta = pole(m, kappa, bits) * agm1;
-    const ball shrunk = expm1(scale(-eta, 1));
-    const ball e = 1 + shrunk;
+    // Each of E and 1 - E without cancellation.
+    const ball exponent = scale(-eta, 1);
+    const bool small = is_small(exponent);
+    ball shrunk = small ? expm1(exponent) : ball(0, bits);
+    const ball e = small ? 1 + shrunk : exp(exponent);
+    if (!small) shrunk = e - 1;
     const ball tangent = -shrunk / (1 + e);  // tanh eta
     const ball ratio = q / e;                // q e^(2 eta), below 1
     ball power = one;                        // ratio^n

@@ -7,10 +7,11 @@
 
 namespace polhode::detail {
 
-/// u = 2K (cycles t + cycles_0), on the separatrix u = cycles t + cycles_0; the angle phi is 2 pi turns t - 2 pi slip N - the lag, where N is
-/// the integer nearest to u/(2K), 0 on the separatrix. A steady motion has turns only.
+/// u = 2K (cycles t + cycles_0 + half_turns_0), |cycles_0| <= 1/2, on the separatrix u = cycles t + cycles_0; the angle phi is
+/// 2 pi turns t - 2 pi slip N - the lag, where N is the integer nearest to u/(2K), 0 on the separatrix. A steady motion has turns only.
 struct rotor_rates {
   ball cycles, cycles_0, turns, slip;
+  long half_turns_0 = 0;
 };
 
 struct rotor_tables {
