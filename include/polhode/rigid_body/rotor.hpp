@@ -1,0 +1,188 @@
+#pragma once
+
+// The free rotation of a rigid body in closed form, at any time: its angular momentum in the body and its attitude in space.
+//
+// Conventions. The body axes are principal axes, right-handed, in the order in which the moments are given; moments may be
+// equal. The attitude is the matrix R that takes coordinates in the body to coordinates in space: its columns are the body
+// axes as seen in space. The angular momentum J and the angular velocity omega are given in the body axes, omega_i = J_i/I_i;
+//   dJ/dt = J x omega,   dR/dt = R [omega]x,   and R J does not change.
+// Units are the caller's: time is in the unit that makes momentum/moment its inverse.
+//
+// Principal axes x, y, z are those of the greatest, the intermediate and the least moment, turned so that they are right-handed and
+// J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): half turns about principal axes are symmetries of the motion.
+// There, in units of |J| and I_y/|J|, with a = I_y/I_z - 1, b = 1 - I_y/I_x and c = 2 I_y H/J^2 - 1 in [-b, a],
+//
+//                 J                                  u = lambda t + u_0     1 - m                   kappa
+//   oscillating   (-A dn u, B sn u, C cn u)          lambda^2 = b (a-c)     -c (a+b)/(b (a-c))      (b+c)/(a-c)
+//   rotating      (-A cn u, B sn u, C dn u)          lambda^2 = a (b+c)     c (a+b)/(a (b+c))       b/a
+//   separatrix    (-A sech u, tanh u, C sech u)      lambda^2 = a b         0                       b/a
+//
+// with A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b), B^2 = (b+c)/b or (a-c)/a (L. D. Landau, E. M. Lifshitz, Mechanics, 37). Which of them
+// it is, and whether the motion is steady, is decided in rationals. About J the body turns by the angle phi of the paper's Euler
+// angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an elliptic integral of the third kind; here it is had from
+// theta functions (C. G. J. Jacobi, J. reine angew. Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and
+// the bounds of what its series leave out.
+
+#include <array>
+#include <concepts>
+#include <memory>
+#include <optional>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/rigid_body/body.hpp"
+
+namespace polhode {
+
+template <class T>
+using triple = std::array<T, 3>;
+/// By rows.
+template <class T>
+using matrix3 = std::array<std::array<T, 3>, 3>;
+
+enum class angle_unit { radians, degrees };
+
+/// How a rotation goes on.
+enum class rotor_regime {
+  steady,  // J parallel to omega: an equilibrium about a principal axis, and every motion of a spherical top
+  oscillating,  // c < 0: J goes around the axis of the greatest moment
+  separatrix,   // c = 0: J goes from one unstable equilibrium to the other, and takes for ever
+  rotating      // c > 0: J goes around the axis of the least moment
+};
+/// "steady", "oscillating", "separatrix", "rotating".
+[[nodiscard]] std::string to_text(rotor_regime r);
+
+/// A body with its motion at time 0, exact.
+class initial_state {
+ public:
+  /// Throw input_error, which says what was given and what would be right, where a moment is not positive, and where the
+  /// momentum (or velocity) is 0: such a body rests. The attitude is that of body axes along the axes of space.
+  static initial_state from_momentum(const triple<rational>& moments,
+                                     const triple<rational>& momentum);
+  static initial_state from_angular_velocity(const triple<rational>& moments,
+                                             const triple<rational>& omega);
+  /// The motion c of a body with I_y = 1 and |J| = 1, axes in the order x, y, z, from the middle of the twist: u_0 = 0, psi = 0.
+  /// Throws input_error for c outside [-b, a].
+  static initial_state at_middle_of_twist(const body& rigid, const rational& c);
+
+  /// The attitude at time 0. Each throws input_error for what is no rotation: a matrix (by rows) with R R^T not exactly 1 or
+  /// determinant -1, a quaternion w + x i + y j + z k of norm 0 (another norm is divided out: it enters R squared).
+  void set_matrix(const matrix3<rational>& rows);
+  void set_quaternion(const std::array<rational, 4>& wxyz);
+  /// R = R_z(phi) R_x(theta) R_z(psi), the classical z-x-z.
+  void set_euler_angles(const triple<rational>& phi_theta_psi,
+                        angle_unit unit = angle_unit::radians);
+
+  [[nodiscard]] const triple<rational>& moments() const { return moments_; }
+  /// J^2 and 2 H.
+  [[nodiscard]] const rational& squared_momentum() const { return squared_momentum_; }
+  [[nodiscard]] rational twice_energy() const;
+  /// Of the principal axes: a >= 0 and 0 <= b < 1, which are 0 where moments are equal; c.
+  [[nodiscard]] const rational& a() const { return a_; }
+  [[nodiscard]] const rational& b() const { return b_; }
+  [[nodiscard]] const rational& c() const { return c_; }
+  [[nodiscard]] rotor_regime regime() const { return regime_; }
+  /// Which body axis (0, 1, 2) is x, y, z, and its sign: J_x = signs()[0] J[order()[0]].
+  [[nodiscard]] const triple<int>& order() const { return order_; }
+  [[nodiscard]] const triple<int>& signs() const { return signs_; }
+  /// J_x^2/J^2, J_y^2/J^2, J_z^2/J^2 and the signs (-1, 0, 1) of J_x, J_y, J_z in the principal axes.
+  [[nodiscard]] const triple<rational>& direction_squares() const { return squares_; }
+  [[nodiscard]] const triple<int>& direction_signs() const { return senses_; }
+  /// R at time 0, to about p bits.
+  [[nodiscard]] matrix3<ball> attitude(precision p) const;
+
+ private:
+  initial_state() = default;
+  /// From moments, order of the axes, squares and signs of J's components in the body axes.
+  void settle(const triple<rational>& squares, const triple<int>& senses);
+
+  triple<rational> moments_;
+  rational squared_momentum_;
+  rational a_, b_, c_;
+  rotor_regime regime_ = rotor_regime::steady;
+  triple<int> order_{0, 1, 2};
+  triple<int> signs_{1, 1, 1};
+  triple<rational> squares_;
+  triple<int> senses_{0, 0, 0};
+  matrix3<rational> matrix_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::optional<triple<rational>> angles_;  // in the place of matrix_
+  angle_unit unit_ = angle_unit::radians;
+};
+
+/// In the body axes.
+template <class T>
+struct rotor_sample {
+  triple<T> momentum;
+  triple<T> angular_velocity;
+};
+
+/// phi is counted from 0 at time 0 and never reduced by turns; theta in [0, pi]; psi in [-pi, pi].
+template <class T>
+struct rotor_angles {
+  T phi, theta, psi;
+};
+
+/// An attitude, with what its other forms are made of.
+template <class T>
+struct rotor_attitude {
+  /// R by rows.
+  matrix3<T> matrix;
+  /// J/|J| in the principal axes x, y, z.
+  triple<T> direction;
+  /// phi is 2 pi (turns - turns_0) - atan2(lag[0], lag[1]) + (the same angle at time 0): of use to angles().
+  T phase;
+  std::array<T, 2> lag;
+
+  /// w, x, y, z of R, of norm 1; of the two, q and -q, the one whose component of greatest size is positive.
+  [[nodiscard]] std::array<T, 4> quaternion() const;
+  /// The paper's angles of the principal axes about J: J = |J| (-sin theta cos psi, sin theta sin psi, cos theta), and
+  /// R_z(phi) R_y(theta) R_z(psi) takes them to axes of which the third is along J. (In z-x-z: phi + pi/2, theta, psi - pi/2.)
+  /// Where J is exactly along z, psi is 0.
+  [[nodiscard]] rotor_angles<T> angles() const;
+};
+
+namespace detail {
+template <class T>
+class rotor_motion;
+}
+
+/// The motion from a state; T is ball, mpfr_float or double, from the same templates. All that does not depend on time is computed once.
+/// A sample costs the same at every time (but for log2(t/T) bits more), momentum without any integral of the third kind. May be
+/// used by many threads at once; copies share what they hold.
+///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of |J|/I_i and of 1: precision is
+///               raised until they do. p = precision.
+///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same sense.
+///   double      the state and t are taken as the exact numbers they are; then the error of J is a few units of |J| in the last
+///               place, at any time below 2^50 periods. Computed in long double.
+template <class T>
+class rotor {
+ public:
+  explicit rotor(const initial_state& state, precision p = 53);
+
+  [[nodiscard]] rotor_sample<T> sample(const rational& t) const;
+  [[nodiscard]] rotor_attitude<T> attitude(const rational& t) const;
+  [[nodiscard]] rotor_sample<T> sample(double t) const requires std::same_as<T, double>;
+  [[nodiscard]] rotor_attitude<T> attitude(double t) const requires std::same_as<T, double>;
+  template <std::floating_point N>
+  rotor_sample<T> sample(N t) const requires(!std::same_as<T, double>) = delete;
+  template <std::floating_point N>
+  rotor_attitude<T> attitude(N t) const requires(!std::same_as<T, double>) = delete;
+
+  [[nodiscard]] const initial_state& state() const;
+  /// |J|.
+  [[nodiscard]] T momentum_size() const;
+  /// The time in which J goes once around, 4 K/lambda; none where it is steady or on the separatrix.
+  [[nodiscard]] std::optional<T> period() const;
+  /// The angle by which the body has then turned about J: the Montgomery phase, unwrapped.
+  [[nodiscard]] std::optional<T> phase_per_period() const;
+  /// The mean of dphi/dt: that phase over the period; |J|/I where it is steady, |J|/I_y on the separatrix.
+  [[nodiscard]] T mean_precession() const;
+
+ private:
+  std::shared_ptr<const detail::rotor_motion<T>> motion_;
+};
+
+extern template class rotor<ball>;
+extern template class rotor<mpfr_float>;
+extern template class rotor<double>;
+
+}  // namespace polhode

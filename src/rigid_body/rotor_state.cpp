@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <string>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/rotor.hpp"
+
+namespace polhode {
+namespace {
+
+std::string listed(const triple<rational>& v) {
+  return to_text(v[0]) + ", " + to_text(v[1]) + ", " + to_text(v[2]);
+}
+
+int sign_of_rational(const rational& q) { return q > 0 ? 1 : (q < 0 ? -1 : 0); }
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+void refuse_unless_positive(const triple<rational>& moments) {
+  for (const rational& moment : moments) {
+    if (moment > 0) continue;
+    throw input_error("moments of inertia " + listed(moments) + ": " + to_text(moment) +
+                      " is not positive; all three must be");
+  }
+}
+
+void refuse_rest(const triple<rational>& v, const char* what) {
+  if (v[0] != 0 || v[1] != 0 || v[2] != 0) return;
+  throw input_error(std::string(what) + " 0, 0, 0: the body rests; one component must not be 0");
+}
+
+/// Bits before the point of q, about.
+precision bits_before_point(const rational& q) {
+  const auto bits = [](const integer& n) {
+    return static_cast<precision>(mpz_sizeinbase(n.backend().data(), 2));
+  };
+  return std::max<precision>(bits(numerator(q)) - bits(denominator(q)) + 1, 0);
+}
+
+rational determinant(const matrix3<rational>& m) {
+  return rational(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                  m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                  m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+}
+
+}  // namespace
+
+std::string to_text(rotor_regime r) {
+  switch (r) {
+    case rotor_regime::steady:
+      return "steady";
+    case rotor_regime::oscillating:
+      return "oscillating";
+    case rotor_regime::separatrix:
+      return "separatrix";
+    case rotor_regime::rotating:
+      break;
+  }
+  return "rotating";
+}
+
+initial_state initial_state::from_momentum(const triple<rational>& moments,
+                                           const triple<rational>& momentum) {
+  refuse_unless_positive(moments);
+  refuse_rest(momentum, "angular momentum");
+  initial_state s;
+  s.moments_ = moments;
+  triple<rational> squares;
+  triple<int> senses{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    squares[i] = momentum[i] * momentum[i];
+    senses[i] = sign_of_rational(momentum[i]);
+  }
+  s.squared_momentum_ = squares[0] + squares[1] + squares[2];
+  for (rational& square : squares) square /= s.squared_momentum_;
+  s.settle(squares, senses);
+  return s;
+}
+
+initial_state initial_state::from_angular_velocity(const triple<rational>& moments,
+                                                   const triple<rational>& omega) {
+  refuse_unless_positive(moments);
+  refuse_rest(omega, "angular velocity");
+  return from_momentum(moments, {rational(moments[0] * omega[0]), rational(moments[1] * omega[1]),
+                                 rational(moments[2] * omega[2])});
+}
+
+initial_state initial_state::at_middle_of_twist(const body& rigid, const rational& c) {
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  if (c < -b || c > a) {
+    throw input_error("c = " + to_text(c) + ": it must be between -b = " + to_text(rational(-b)) +
+                      " and a = " + to_text(a));
+  }
+  initial_state s;
+  s.moments_ = {rational(1 / (1 - b)), 1, rational(1 / (1 + a))};
+  s.squared_momentum_ = 1;
+  const rational x((a - c) / (a + b));
+  const rational z((b + c) / (a + b));
+  s.settle({x, 0, z}, {-sign_of_rational(x), 0, sign_of_rational(z)});
+  return s;
+}
+
+void initial_state::settle(const triple<rational>& squares, const triple<int>& senses) {
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](int i, int j) { return moments_[index(i)] > moments_[index(j)]; });
+  triple<rational> sorted;
+  for (std::size_t i = 0; i < 3; ++i) {
+    sorted[i] = moments_[index(order_[i])];
+    squares_[i] = squares[index(order_[i])];
+    senses_[i] = senses[index(order_[i])];
+  }
+  const auto& [x, y, z] = sorted;
+  a_ = y / z - 1;
+  b_ = 1 - y / x;
+  // 2 I_y H/J^2 = (1-b) J_x^2 + J_y^2 + (1+a) J_z^2 over J^2.
+  c_ = a_ * squares_[2] - b_ * squares_[0];
+  // J x omega = 0: no two components of J belong to different moments.
+  bool steady = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    steady = steady && (senses_[i] == 0 || senses_[j] == 0 || sorted[i] == sorted[j]);
+  }
+  regime_ = steady    ? rotor_regime::steady
+            : c_ < 0  ? rotor_regime::oscillating
+            : c_ == 0 ? rotor_regime::separatrix
+                      : rotor_regime::rotating;
+
+  // Right-handed: an odd order turns y about. Then a half turn about an axis, which changes the signs of the other two.
+  const bool odd = (order_[0] + 1) % 3 != order_[1];
+  signs_ = {1, odd ? -1 : 1, 1};
+  const bool turn_x =
+      (regime_ == rotor_regime::oscillating || regime_ == rotor_regime::separatrix) &&
+      senses_[0] > 0;
+  const bool turn_z =
+      (regime_ == rotor_regime::rotating || regime_ == rotor_regime::separatrix) && senses_[2] < 0;
+  if (turn_x) signs_[0] = -signs_[0];
+  if (turn_z) signs_[2] = -signs_[2];
+  if (turn_x != turn_z) signs_[1] = -signs_[1];
+  for (std::size_t i = 0; i < 3; ++i) senses_[i] *= signs_[i];
+}
+
+rational initial_state::twice_energy() const {
+  const rational& middle = moments_[index(order_[1])];
+  return rational((1 + c_) * squared_momentum_ / middle);
+}
+
+void initial_state::set_matrix(const matrix3<rational>& rows) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = i; j < 3; ++j) {
+      const rational product(rows[i][0] * rows[j][0] + rows[i][1] * rows[j][1] +
+                             rows[i][2] * rows[j][2]);
+      if (product == (i == j ? 1 : 0)) continue;
+      throw input_error(
+          "attitude matrix: rows " + std::to_string(i + 1) + " and " + std::to_string(j + 1) +
+          " have the product " + to_text(product) + ", and must have exactly " +
+          (i == j ? "1" : "0") +
+          ", as of a rotation; a quaternion, whose norm is divided out, can be given instead");
+    }
+  }
+  if (determinant(rows) < 0) {
+    throw input_error("attitude matrix: its determinant is -1, a reflection; it must be 1");
+  }
+  matrix_ = rows;
+  angles_.reset();
+}
+
+void initial_state::set_quaternion(const std::array<rational, 4>& wxyz) {
+  const auto& [w, x, y, z] = wxyz;
+  const rational norm(w * w + x * x + y * y + z * z);
+  if (norm == 0) {
+    throw input_error(
+        "attitude quaternion 0, 0, 0, 0: it must not be 0, and stands for itself over its norm");
+  }
+  // v -> q v q^* / |q|^2.
+  matrix_ = {
+      {{rational((w * w + x * x - y * y - z * z) / norm), rational(2 * (x * y - w * z) / norm),
+        rational(2 * (x * z + w * y) / norm)},
+       {rational(2 * (x * y + w * z) / norm), rational((w * w - x * x + y * y - z * z) / norm),
+        rational(2 * (y * z - w * x) / norm)},
+       {rational(2 * (x * z - w * y) / norm), rational(2 * (y * z + w * x) / norm),
+        rational((w * w - x * x - y * y + z * z) / norm)}}};
+  angles_.reset();
+}
+
+void initial_state::set_euler_angles(const triple<rational>& phi_theta_psi, angle_unit unit) {
+  angles_ = phi_theta_psi;
+  unit_ = unit;
+}
+
+matrix3<ball> initial_state::attitude(precision p) const {
+  matrix3<ball> r;
+  if (!angles_) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) r[i][j] = ball(matrix_[i][j], p);
+    }
+    return r;
+  }
+  triple<ball> s;
+  triple<ball> c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const rational& angle = (*angles_)[i];
+    // Of a large angle p bits are wanted behind the point.
+    const precision bits = p + 8 + bits_before_point(angle);
+    ball x(angle, bits);
+    if (unit_ == angle_unit::degrees) x = ball(rational(angle / 180), bits) * pi(bits);
+    sin_cos(s[i], c[i], x);
+    s[i] = s[i].with_precision(p);
+    c[i] = c[i].with_precision(p);
+  }
+  r[0] = {c[0] * c[2] - s[0] * c[1] * s[2], -(c[0] * s[2]) - s[0] * c[1] * c[2], s[0] * s[1]};
+  r[1] = {s[0] * c[2] + c[0] * c[1] * s[2], c[0] * c[1] * c[2] - s[0] * s[2], -(c[0] * s[1])};
+  r[2] = {s[1] * s[2], s[1] * c[2], c[1]};
+  return r;
+}
+
+}  // namespace polhode
