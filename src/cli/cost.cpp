@@ -1,0 +1,297 @@
+// polhode cost: what accuracy costs in time, measured on this machine.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "cost_report.hpp"
+#include "count_option.hpp"
+#include "gnuplot.hpp"
+#include "layout.hpp"
+#include "options.hpp"
+#include "output_directory.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "progress.hpp"
+#include "streams.hpp"
+
+namespace polhode::cli {
+namespace {
+
+using cost::measurement;
+
+constexpr long most_digits_of_estimate = 1'000'000'000;
+
+struct cost_options {
+  std::vector<std::string> names;
+  bool list = false;
+  bool no_hard_cases = false;
+  bool data_only = false;
+  count_option most_digits{"--max-digits", 1000, 16, 10'000'000};
+  std::string seconds = "2";
+  count_option estimate{"--estimate", 0, 0, most_digits_of_estimate};
+  std::optional<std::string> directory;
+  format_option format{{"text", "csv", "json"}};
+};
+
+double seconds_of(const cost_options& options) {
+  std::optional<rational> q;
+  try {
+    q = parse_rational(options.seconds);
+  } catch (const std::exception&) {  // said below
+  }
+  if (!q || *q <= 0 || *q > 100'000) {
+    throw usage_error(fmt::format("--seconds {}: it must be a number above 0 and at most 100000",
+                                  in_quotes(options.seconds)));
+  }
+  return static_cast<double>(*q);
+}
+
+std::vector<long> digits_up_to(long most) {
+  std::vector<long> result{16, 30, 50};
+  for (long power = 100; power <= 10'000'000; power *= 10) {
+    result.push_back(power);
+    result.push_back(3 * power);
+  }
+  result.erase(std::remove_if(result.begin(), result.end(), [=](long n) { return n > most; }),
+               result.end());
+  return result;
+}
+
+std::vector<const cost::quantity*> selected(const cost_options& options) {
+  const auto names =
+      known_names(options.names, names_of(cost::quantities()), "quantity", "polhode cost --list");
+  std::vector<const cost::quantity*> result;
+  for (const cost::quantity& q : cost::quantities()) {
+    if (names.empty() || std::find(names.begin(), names.end(), q.name) != names.end()) {
+      result.push_back(&q);
+    }
+  }
+  return result;
+}
+
+std::string list_of(const std::vector<const cost::quantity*>& quantities) {
+  std::string result = fmt::format("{:<18}{:<52}{}\n", "QUANTITY", "WHAT IT IS", "METHODS");
+  for (const cost::quantity* q : quantities) {
+    const std::vector<std::string> lines = wrapped(q->description, 50);
+    for (std::size_t i = 0; i < std::max(lines.size(), q->methods.size()); ++i) {
+      const std::string method =
+          i < q->methods.size()
+              ? q->methods[i].name + (q->methods[i].certified ? ", certified" : "")
+              : "";
+      result += fmt::format("{:<18}{:<52}{}\n", i == 0 ? q->name : "",
+                            i < lines.size() ? lines[i] : "", method);
+    }
+  }
+  return result;
+}
+
+/// The true value, to a few digits more than are measured.
+class references {
+ public:
+  explicit references(const cost::quantity& q) : first_(&q.methods.front()) {}
+  const ball& at(long digits) {
+    const auto found = known_.find(digits);
+    if (found != known_.end()) return found->second;
+    constexpr long more = 10;
+    return known_[digits] = first_->compute(digits + more).value;
+  }
+
+ private:
+  const cost::method* first_;
+  std::map<long, ball> known_;
+};
+
+/// The fraction of a method's allowance that its measurement takes at least.
+constexpr double share_of_allowance = 0.02;
+
+measured_quantity measured(const cost::quantity& q, const std::vector<long>& digits, double allowed,
+                           const cost::cold_processes& cold, const progress& line) {
+  const auto index = static_cast<std::size_t>(&q - cost::quantities().data());
+  measured_quantity result;
+  result.what = &q;
+  references known(q);
+  for (std::size_t i = 0; i < q.methods.size(); ++i) {
+    const cost::method& m = q.methods[i];
+    measured_method of_method;
+    of_method.what = &m;
+    for (const long n : digits) {
+      if (n > m.most_digits) break;
+      const auto expected = cost::extrapolated_seconds(of_method.points, n);
+      if (expected && *expected > allowed) break;
+      line.show(fmt::format("{}: {}, {} digits{}", q.name, m.name, n,
+                            expected ? fmt::format(" (about {:.2g} s a call)", *expected) : ""));
+      std::optional<double> first_call;
+      if (i == 0) first_call = cold.seconds(index, i, n);
+      std::optional<ball> reference;
+      if (!m.certified) {
+        // No reference is worth more time than is allowed.
+        const auto certified = cost::extrapolated_seconds(result.methods.front().points, n);
+        if (certified && *certified > 2 * allowed) break;
+        reference = known.at(n);
+      }
+      measurement point =
+          cost::measure(m, n, reference, share_of_allowance * std::min(allowed, 2.0));
+      point.cold_seconds = first_call;
+      of_method.points.push_back(point);
+    }
+    result.methods.push_back(std::move(of_method));
+  }
+  return result;
+}
+
+measured_family measured(const cost::hard_family& f, long digits, double allowed,
+                         const progress& line) {
+  measured_family result;
+  result.what = &f;
+  result.digits = digits;
+  for (const long k : f.exponents) {
+    const cost::quantity q = f.member(k);
+    references known(q);
+    for (std::size_t i = 0; i < q.methods.size(); ++i) {
+      const cost::method& m = q.methods[i];
+      if (m.most_digits < digits) continue;
+      auto found = std::find_if(result.methods.begin(), result.methods.end(),
+                                [&](const auto& x) { return x.name == m.name; });
+      if (found == result.methods.end()) {
+        result.methods.push_back({m.name, m.certified, {}});
+        found = std::prev(result.methods.end());
+      }
+      // A method whose time grows is not asked again once the next call may take more than is allowed.
+      constexpr double growth = 3;
+      const bool ends =
+          !found->points.empty() && found->points.back().second.seconds * growth > allowed;
+      const bool has_ended = !found->points.empty() && k != f.exponents.front() &&
+                             found->points.back().first !=
+                                 *std::prev(std::find(f.exponents.begin(), f.exponents.end(), k));
+      if (ends || has_ended) continue;
+      line.show(fmt::format("hard {}: {}, k = {}", f.name, m.name, k));
+      const std::optional<ball> reference =
+          m.certified ? std::nullopt : std::optional<ball>(known.at(digits));
+      found->points.emplace_back(k, cost::measure(m, digits, reference, share_of_allowance));
+    }
+  }
+  return result;
+}
+
+std::string estimates(const std::vector<const cost::quantity*>& quantities, long digits) {
+  std::string result;
+  for (const cost::quantity* q : quantities) {
+    result += fmt::format("{:<18}{} digits by {}: about {:.2g} s\n", q->name, digits,
+                          q->methods.front().name, cost::estimate_cost(q->name, digits));
+  }
+  return result;
+}
+
+exit_status run(const cost_options& options) {
+  const std::vector<const cost::quantity*> quantities = selected(options);
+  const std::vector<long> digits = digits_up_to(options.most_digits.value());
+  const double allowed = seconds_of(options);
+  const std::string& format = options.format.value();
+  if (options.list) {
+    print(list_of(quantities));
+    return exit_status::all_certified;
+  }
+  if (const long wanted = options.estimate.value(); wanted > 0) {
+    print(estimates(quantities, wanted));
+    return exit_status::all_certified;
+  }
+  std::vector<const cost::hard_family*> families;
+  if (options.names.empty() && !options.no_hard_cases) {
+    for (const cost::hard_family& f : cost::hard_families()) families.push_back(&f);
+  }
+  if (options.data_only && !options.directory) throw usage_error("--data-only: it needs --out DIR");
+  std::optional<output_directory> directory;
+  if (options.directory) {
+    std::vector<std::string> files{"cost.csv", "cost.json"};
+    if (!options.data_only) {
+      (void)run_gnuplot("set terminal svg\nset terminal pngcairo\nset print '-'\nprint 1\n",
+                        "--data-only");
+      for (const std::string& name : picture_names(quantities, families)) {
+        files.push_back(name + ".svg");
+        files.push_back(name + ".png");
+      }
+    }
+    directory.emplace(*options.directory, files);
+  }
+
+  const cost::cold_processes cold;
+  cost_report report;
+  report.digits = digits;
+  {
+    const progress line;
+    for (const cost::quantity* q : quantities) {
+      report.quantities.push_back(measured(*q, digits, allowed, cold, line));
+    }
+    constexpr long digits_of_hard_cases = 30;
+    for (const cost::hard_family* f : families) {
+      report.families.push_back(measured(*f, digits_of_hard_cases, allowed, line));
+    }
+    if (directory) {
+      directory->write("cost.csv", as_csv(report));
+      directory->write("cost.json", as_json(report));
+      if (!options.data_only) {
+        for (const cost_picture& p : pictures_of(report)) {
+          line.show("drawing " + p.name);
+          directory->write(
+              p.name + ".svg",
+              run_gnuplot(
+                  "set terminal svg size 1200,600 font 'Helvetica,13' background 'white'\n" +
+                      p.program,
+                  "--data-only"));
+          directory->write(
+              p.name + ".png",
+              run_gnuplot(
+                  "set terminal pngcairo size 1600,800 font 'Sans,13' background 'white'\n" +
+                      p.program,
+                  "--data-only"));
+        }
+      }
+      directory->publish();
+    }
+  }
+  print(format == "csv" ? as_csv(report) : format == "json" ? as_json(report) : as_text(report));
+  return exit_status::all_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<cost_options>();
+  app.add_option("NAME", options->names,
+                 "Quantities to measure, by name; without any, all of them, and hard cases")
+      ->type_name("");
+  app.add_flag("--list", options->list, "Show the quantities and their methods");
+  options->most_digits.declare(app, "Measure at 16, 30, 50, 100, 300, ... digits up to N");
+  app.add_option("--seconds", options->seconds,
+                 "Leave out what is expected to take more than S seconds a call [2]")
+      ->type_name("S");
+  options->estimate.declare(app, "Measure little, and say what N digits would take; 0: do not");
+  app.add_flag("--no-hard-cases", options->no_hard_cases, "Leave out the hard cases");
+  app.add_option("--out", options->directory,
+                 "Write cost.csv, cost.json and the pictures there, as SVG and PNG; DIR is\n"
+                 "created where it is missing; all files appear, or none")
+      ->type_name("DIR");
+  app.add_flag("--data-only", options->data_only, "Without the pictures, which need gnuplot");
+  options->format.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command cost_command() {
+  return {"cost", "Measure what accuracy costs in time, by every method there is",
+          "  polhode cost\n"
+          "  polhode cost half_phase --max-digits 3000\n"
+          "  polhode cost --max-digits 10000 --seconds 10 --out costs\n"
+          "  polhode cost beta c0 --estimate 1000000\n\n"
+          "Certified methods are measured by their radius, the others by their distance from the "
+          "certified\n"
+          "value. docs/cost.md says how to read it.\n",
+          declare};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,364 @@
+#include "measure.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+
+#include <gmp.h>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/mpfr_cell.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::cost {
+namespace {
+
+double seconds_of(const std::function<void()>& f) {
+  const auto start = std::chrono::steady_clock::now();
+  f();
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return taken.count();
+}
+
+double median(std::vector<double> x) {
+  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+  std::nth_element(x.begin(), middle, x.end());
+  return *middle;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Memory: GMP's functions, through which MPFR allocates too
+
+struct memory_count {
+  std::atomic<std::int64_t> live{0};
+  std::atomic<std::int64_t> most{0};
+
+  void change(std::int64_t bytes) {
+    const std::int64_t now = live += bytes;
+    std::int64_t before = most;
+    while (now > before && !most.compare_exchange_weak(before, now)) {
+    }
+  }
+};
+memory_count& counted_memory() {
+  static memory_count count;
+  return count;
+}
+extern "C" {
+void* counted_allocate(std::size_t n) {
+  counted_memory().change(static_cast<std::int64_t>(n));
+  void* const p = std::malloc(n);
+  if (p == nullptr) std::abort();  // as GMP does
+  return p;
+}
+void* counted_reallocate(void* p, std::size_t before, std::size_t n) {
+  counted_memory().change(static_cast<std::int64_t>(n) - static_cast<std::int64_t>(before));
+  void* const moved = std::realloc(p, n);
+  if (moved == nullptr) std::abort();
+  return moved;
+}
+void counted_free(void* p, std::size_t n) {
+  counted_memory().change(-static_cast<std::int64_t>(n));
+  std::free(p);
+}
+}
+
+/// Counts while it lives. GMP's own functions are malloc, realloc and free too, so that what is allocated by the ones may be
+/// freed by the others.
+class memory_counting {
+ public:
+  memory_counting() {
+    mp_get_memory_functions(&allocate_, &reallocate_, &free_);
+    counted_memory().live = 0;
+    counted_memory().most = 0;
+    mp_set_memory_functions(counted_allocate, counted_reallocate, counted_free);
+  }
+  ~memory_counting() { mp_set_memory_functions(allocate_, reallocate_, free_); }
+  memory_counting(const memory_counting&) = delete;
+  memory_counting& operator=(const memory_counting&) = delete;
+  memory_counting(memory_counting&&) = delete;
+  memory_counting& operator=(memory_counting&&) = delete;
+  [[nodiscard]] static double most() { return static_cast<double>(counted_memory().most.load()); }
+
+ private:
+  void* (*allocate_)(std::size_t) = nullptr;
+  void* (*reallocate_)(void*, std::size_t, std::size_t) = nullptr;
+  void (*free_)(void*, std::size_t) = nullptr;
+};
+
+// ---------------------------------------------------------------------------------------------
+// Accuracy
+
+/// About log10 of a magnitude above 0.
+double log10_of(const magnitude& x) {
+  return log10(upper(ball(0, 64).enlarged(x))).convert_to<double>();
+}
+
+/// log10 of the greatest |x - y|/|y|.
+std::optional<double> log10_of_distance(const ball& x, const ball& y) {
+  if (!x.is_bounded() || !y.is_bounded() || contains_zero(y)) return std::nullopt;
+  const magnitude distance = (x - y).magnitude_upper();
+  if (distance.is_zero()) return -1e9;
+  return log10_of(divide_up(distance, y.magnitude_lower()));
+}
+
+}  // namespace
+
+bool measurement::has_digits() const {
+  return log10_error && *log10_error <= -static_cast<double>(digits);
+}
+bool measurement::claims_too_much() const {
+  return !has_digits() && log10_claimed && (!log10_error || *log10_claimed < *log10_error - 1);
+}
+
+measurement measure(const method& m, long digits, const std::optional<ball>& reference,
+                    double least_seconds) {
+  measurement result;
+  result.digits = digits;
+  {
+    estimate first;
+    {
+      const memory_counting counting;
+      first = m.compute(digits);
+      result.bytes = memory_counting::most();
+    }
+    result.evaluations = first.evaluations;
+    result.log10_claimed = first.log10_claimed;
+    if (m.certified) {
+      const ball& value = first.value;
+      if (value.is_bounded() && !contains_zero(value)) {
+        result.log10_error = value.radius().is_zero()
+                                 ? -1e9
+                                 : log10_of(divide_up(value.radius(), value.magnitude_lower()));
+      }
+    } else if (reference) {
+      result.log10_error = log10_of_distance(first.value, *reference);
+    }
+  }
+  constexpr std::size_t most_calls = 25;
+  std::vector<double> times;
+  double sum = 0;
+  while (times.empty() || (sum < least_seconds && times.size() < most_calls)) {
+    double taken = seconds_of([&] { (void)m.compute(digits); });
+    // Short calls many at a time, so that the clock's grain does not show.
+    constexpr double short_call = 1e-4;
+    if (taken < short_call) {
+      const auto calls = static_cast<int>(short_call / std::max(taken, 1e-7)) + 1;
+      taken = seconds_of([&] {
+                for (int i = 0; i < calls; ++i) (void)m.compute(digits);
+              }) /
+              calls;
+      sum += taken * calls;
+    } else {
+      sum += taken;
+    }
+    times.push_back(taken);
+  }
+  result.seconds = median(times);
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The first call in a process
+
+namespace {
+
+struct cold_request {
+  std::size_t quantity = 0;
+  std::size_t method = 0;
+  long digits = 0;
+};
+
+/// In a child: what it is asked for, each in a child of its own, until there is no more to read.
+[[noreturn]] void serve(int request, int answer) {
+  std::signal(SIGINT, SIG_DFL);
+  // Nothing is kept on disk, and nothing that was is read.
+  setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
+  cold_request what;
+  while (read(request, &what, sizeof what) == ssize_t{sizeof what}) {
+    const pid_t child = fork();
+    if (child == 0) {
+      double taken = -1;
+      try {
+        const method& m = quantities()[what.quantity].methods[what.method];
+        taken = seconds_of([&] { (void)m.compute(what.digits); });
+      } catch (...) {  // nothing was measured
+      }
+      const bool written = write(answer, &taken, sizeof taken) == ssize_t{sizeof taken};
+      _exit(written ? 0 : 1);
+    }
+    int status = 1;
+    if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
+      const double none = -1;
+      if (write(answer, &none, sizeof none) != ssize_t{sizeof none}) break;
+    }
+  }
+  _exit(0);
+}
+
+}  // namespace
+
+cold_processes::cold_processes() {
+  int to[2];
+  int from[2];
+  if (pipe(to) != 0) return;
+  if (pipe(from) != 0) {
+    close(to[0]);
+    close(to[1]);
+    return;
+  }
+  process_ = fork();
+  if (process_ == 0) {
+    close(to[1]);
+    close(from[0]);
+    serve(to[0], from[1]);
+  }
+  close(to[0]);
+  close(from[1]);
+  request_ = to[1];
+  answer_ = from[0];
+}
+
+cold_processes::~cold_processes() {
+  if (request_ >= 0) close(request_);
+  if (answer_ >= 0) close(answer_);
+  if (process_ > 0) waitpid(process_, nullptr, 0);
+}
+
+std::optional<double> cold_processes::seconds(std::size_t q, std::size_t m, long digits) const {
+  if (process_ <= 0) return std::nullopt;
+  const cold_request what{q, m, digits};
+  double taken = -1;
+  if (write(request_, &what, sizeof what) != ssize_t{sizeof what} ||
+      read(answer_, &taken, sizeof taken) != ssize_t{sizeof taken} || taken < 0) {
+    return std::nullopt;
+  }
+  return taken;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Time at other digits
+
+std::optional<double> extrapolated_seconds(const std::vector<measurement>& known, long digits) {
+  if (known.empty()) return std::nullopt;
+  const measurement& last = known.back();
+  constexpr double usual = 2;
+  constexpr double most = 4;
+  double exponent = usual;
+  if (known.size() > 1) {
+    const measurement& before = known[known.size() - 2];
+    const double measured =
+        std::log(last.seconds / before.seconds) /
+        std::log(static_cast<double>(last.digits) / static_cast<double>(before.digits));
+    exponent = std::clamp(measured, 1.0, most);
+  }
+  return last.seconds *
+         std::pow(static_cast<double>(digits) / static_cast<double>(last.digits), exponent);
+}
+
+std::optional<double> growth_exponent(const std::vector<measurement>& known) {
+  constexpr long many = 300;
+  constexpr std::size_t enough = 3;
+  const auto fit = [&](long least) -> std::optional<double> {
+    double n = 0;
+    double x = 0;
+    double y = 0;
+    double xx = 0;
+    double xy = 0;
+    for (const measurement& m : known) {
+      if (m.digits < least || !(m.seconds > 0)) continue;
+      const double u = std::log(static_cast<double>(m.digits));
+      const double v = std::log(m.seconds);
+      n += 1;
+      x += u;
+      y += v;
+      xx += u * u;
+      xy += u * v;
+    }
+    if (n < enough) return std::nullopt;
+    return (n * xy - x * y) / (n * xx - x * x);
+  };
+  const std::optional<double> of_many = fit(many);
+  return of_many ? of_many : fit(0);
+}
+
+double multiplication_seconds(long digits) {
+  const precision bits = bits_for_digits(digits);
+  detail::mpfr_cell x(bits);
+  detail::mpfr_cell y(bits);
+  detail::mpfr_cell product(bits);
+  mpfr_sqrt_ui(x.get(), 2, MPFR_RNDN);
+  mpfr_sqrt_ui(y.get(), 3, MPFR_RNDN);
+  std::vector<double> times;
+  constexpr double short_time = 1e-4;
+  int calls = 1;
+  while (times.size() < 5) {
+    const double taken = seconds_of([&] {
+      for (int i = 0; i < calls; ++i) mpfr_mul(product.get(), x.get(), y.get(), MPFR_RNDN);
+    });
+    if (taken < short_time && times.empty() && calls < (1 << 24)) {
+      calls *= 4;
+      continue;
+    }
+    times.push_back(taken / calls);
+    if (taken > 100 * short_time) break;
+  }
+  return median(times);
+}
+
+cost_model::cost_model(const quantity& q) {
+  const method& m = q.methods.front();
+  constexpr double enough_seconds = 0.03;
+  constexpr long first_digits = 30;
+  constexpr long step = 4;
+  for (long digits = first_digits; digits <= m.most_digits; digits *= step) {
+    const double taken = measure(m, digits, std::nullopt, enough_seconds / 10).seconds;
+    known_.emplace_back(digits, taken);
+    if (taken > enough_seconds) break;
+  }
+  if (known_.size() < 2) return;
+  const auto& [n, t] = known_.back();
+  const auto& [n_before, t_before] = known_[known_.size() - 2];
+  const double multiplications = multiplication_seconds(n) / multiplication_seconds(n_before);
+  const double ratio = static_cast<double>(n) / static_cast<double>(n_before);
+  constexpr double least = -0.5;
+  constexpr double most = 3;
+  exponent_ = std::clamp(std::log(t / t_before / multiplications) / std::log(ratio), least, most);
+}
+
+double cost_model::seconds(long digits) const {
+  const auto& [last, last_seconds] = known_.back();
+  if (digits <= known_.front().first) return known_.front().second;
+  if (digits > last) {
+    return last_seconds * multiplication_seconds(digits) / multiplication_seconds(last) *
+           std::pow(static_cast<double>(digits) / static_cast<double>(last), exponent_);
+  }
+  const auto above = std::find_if(known_.begin() + 1, known_.end(),
+                                  [=](const auto& k) { return digits <= k.first; });
+  const auto& [n0, t0] = *std::prev(above);
+  const auto& [n1, t1] = *above;
+  const double share = std::log(static_cast<double>(digits) / static_cast<double>(n0)) /
+                       std::log(static_cast<double>(n1) / static_cast<double>(n0));
+  return t0 * std::pow(t1 / t0, share);
+}
+
+double estimate_cost(const std::string& name, long digits) {
+  static std::map<std::string, cost_model> models;
+  for (const quantity& q : quantities()) {
+    if (q.name != name) continue;
+    const auto found = models.try_emplace(name, q).first;
+    return found->second.seconds(digits);
+  }
+  throw std::invalid_argument("estimate_cost: there is no quantity " + name);
+}
+
+}  // namespace polhode::cost
