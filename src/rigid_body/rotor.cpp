@@ -137,12 +137,28 @@ triple<T> direction(const triple<T>& amplitude, rotor_regime regime, const theta
 [[nodiscard]] bool is_zero_number(const mpfr_float& x) { return sign_in(x) == 0; }
 [[nodiscard]] bool is_zero_number(long double x) { return sign_in(x) == 0; }
 
+/// {x, y} over their length, and {0, 1} where both are 0: there a long double has nothing left of them.
+template <class T>
+std::array<T, 2> unit_vector(T x, T y) {
+  if constexpr (std::floating_point<T>) {
+    // Squares must not be lost.
+    constexpr T tiny = std::numeric_limits<T>::min() /
+                       (std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon());
+    if (square_of(x) + square_of(y) < tiny) {
+      const T greatest = std::max(std::abs(x), std::abs(y));
+      if (!(greatest > 0)) return {0, 1};
+      x /= greatest;
+      y /= greatest;
+    }
+  }
+  const T length = T(1 / root_of(T(square_of(x) + square_of(y))));
+  return {T(x * length), T(y * length)};
+}
+
 /// R_z(Phi) R_y(theta) R_z(psi), which takes principal axes to axes of which the third is along J; Phi = angle - atan2(x, y).
 template <class T>
 matrix3<T> frame(const triple<T>& j, const std::pair<T, T>& angle, const T& x, const T& y) {
-  const T length = T(1 / root_of(T(square_of(x) + square_of(y))));
-  const T sx = T(x * length);
-  const T cx = T(y * length);
+  const auto [sx, cx] = unit_vector(x, y);
   const auto& [s, c] = angle;
   const T cos_phi = T(c * cx + s * sx);
   const T sin_phi = T(s * cx - c * sx);
@@ -151,9 +167,9 @@ matrix3<T> frame(const triple<T>& j, const std::pair<T, T>& angle, const T& x, c
   T sin_theta = sin_psi;
   if (!is_zero_number(j[0]) || !is_zero_number(j[1])) {
     sin_theta = root_of(T(square_of(j[0]) + square_of(j[1])));
-    const T inverse = T(1 / sin_theta);
-    cos_psi = T(-j[0] * inverse);
-    sin_psi = T(j[1] * inverse);
+    const auto [sine, cosine] = unit_vector(j[1], T(-j[0]));
+    sin_psi = sine;
+    cos_psi = cosine;
   }
   const T across = T(j[2] * cos_psi);
   const T along = T(-j[2] * sin_psi);
@@ -481,20 +497,11 @@ rotor_attitude<double> rounded(const rotor_attitude<long double>& x) {
   r.lag = {static_cast<double>(x.lag[0]), static_cast<double>(x.lag[1])};
   return r;
 }
-template <class Result>
-auto middles(const Result& x, precision bits);
-template <>
-auto middles(const rotor_sample<ball>& x, precision bits) {
-  return rotor_sample<long double>{as_scalars<long double>(x.momentum, bits),
-                                   as_scalars<long double>(x.angular_velocity, bits)};
-}
-template <>
-auto middles(const rotor_attitude<ball>& x, precision bits) {
-  return rotor_attitude<long double>{
-      as_scalars<long double>(x.matrix, bits),
-      as_scalars<long double>(x.direction, bits),
-      as_scalar<long double>(x.phase, bits),
-      {as_scalar<long double>(x.lag[0], bits), as_scalar<long double>(x.lag[1], bits)}};
+template <class T>
+void first_only(theta_series<T>& series) {
+  for (auto* terms : {&series.odd, &series.even, &series.lag_sine, &series.lag_cosine}) {
+    terms->resize(1);
+  }
 }
 
 }  // namespace
@@ -513,12 +520,12 @@ class rotor_motion<double> {
       half_turns_0_ = static_cast<double>(by.rates.half_turns_0);
     }
     turns_ = split(by.rates.turns);
-    // e^(-2v) and the nome, from e^-scale on, must be numbers with all their bits.
-    constexpr long double most_for_long_double = 4096;
-    constexpr double most_for_double = 600;
-    if (by.regime != rotor_regime::steady) {
-      in_range_ = fast_.series.scale <= most_for_long_double;
-      in_range_of_double_ = momentum_.series.scale <= most_for_double;
+    // With L = log(1/p), what n = 1 adds is at most 4 r e^-v <= 4 e^(-L/2), and less further on: nothing for a (long) double, whose exponents
+    // end before p does.
+    constexpr long double enough = 300;
+    if (fast_.series.hyperbolic && fast_.series.scale > enough) {
+      first_only(fast_.series);
+      first_only(momentum_.series);
     }
   }
 
@@ -526,7 +533,6 @@ class rotor_motion<double> {
   template <class F>
   [[nodiscard]] auto evaluated(const rational& t, const F& f) const {
     const prepared<ball>& by = exact_.prepared_first();
-    if (!in_range_) return rounded(middles(exact_.evaluated(t, f), by.bits));
     const moment<ball> at = reduced(exact_.state(), by.rates, t, by.bits);
     return rounded(f(fast_, as_scalars<long double>(at, by.bits)));
   }
@@ -540,8 +546,7 @@ class rotor_motion<double> {
   }
   [[nodiscard]] rotor_sample<double> sample(double t) const {
     if (!is_near(t)) return sample(rational(t));
-    if (in_range_of_double_) return momentum_.sample(cycle_at<double>(t).first);
-    return rounded(fast_.sample(cycle_at<long double>(t).first));
+    return momentum_.sample(cycle_at<double>(t).first);
   }
   [[nodiscard]] rotor_attitude<double> attitude(double t) const {
     if (!is_near(t)) return attitude(rational(t));
@@ -568,7 +573,7 @@ class rotor_motion<double> {
       throw input_error("time " + std::to_string(t) + ": it must be a finite number");
     }
     constexpr double most = 0x1p50;
-    return in_range_ && std::abs(t * turns_.high) < most && std::abs(t * cycles_.high) < most;
+    return std::abs(t * turns_.high) < most && std::abs(t * cycles_.high) < most;
   }
   /// The cycle, and the integer N.
   template <std::floating_point T>
@@ -592,8 +597,6 @@ class rotor_motion<double> {
   prepared<double> momentum_;
   three_doubles cycles_, cycles_0_, turns_, slip_;
   double half_turns_0_ = 0;
-  bool in_range_ = true;
-  bool in_range_of_double_ = true;
 };
 
 }  // namespace detail
