@@ -548,6 +548,7 @@ TEST(Rotor, DoubleIsWithinEightUnits) {
         random_state(random, random.choose(std::array{15L, 15L, 300L, 300L, 6000L}));
     const rotor<double> d(any.state);
     const rotor<ball> r(any.state, 80);
+    if (!std::isfinite(d.momentum_size())) continue;  // no double has it
     const rational span =
         r.period() ? lower_rational(*r.period()) : rational(40 * shortest_time(any.state));
     for (int i = 0; i < 4; ++i) {
