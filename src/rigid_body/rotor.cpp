@@ -122,7 +122,7 @@ T negated_if(bool negative, const T& x) {
   return negative ? T(-x) : x;
 }
 
-/// J/|J| in the principal axes.
+/// J/|J| in the principal axes, x and y over `across` of prepared.
 template <class T>
 triple<T> direction(const triple<T>& amplitude, rotor_regime regime, const theta_point<T>& at,
                     bool odd) {
@@ -156,8 +156,10 @@ std::array<T, 2> unit_vector(T x, T y) {
 }
 
 /// R_z(Phi) R_y(theta) R_z(psi), which takes principal axes to axes of which the third is along J; Phi = angle - atan2(x, y).
+/// J/|J| is (across j_0, across j_1, j_2).
 template <class T>
-matrix3<T> frame(const triple<T>& j, const std::pair<T, T>& angle, const T& x, const T& y) {
+matrix3<T> frame(const triple<T>& j, const T& across, const std::pair<T, T>& angle, const T& x,
+                 const T& y) {
   const auto [sx, cx] = unit_vector(x, y);
   const auto& [s, c] = angle;
   const T cos_phi = T(c * cx + s * sx);
@@ -166,18 +168,18 @@ matrix3<T> frame(const triple<T>& j, const std::pair<T, T>& angle, const T& x, c
   T sin_psi = whole<T>(0, bits_in(x));
   T sin_theta = sin_psi;
   if (!is_zero_number(j[0]) || !is_zero_number(j[1])) {
-    sin_theta = root_of(T(square_of(j[0]) + square_of(j[1])));
+    sin_theta = T(across * root_of(T(square_of(j[0]) + square_of(j[1]))));
     const auto [sine, cosine] = unit_vector(j[1], T(-j[0]));
     sin_psi = sine;
     cos_psi = cosine;
   }
-  const T across = T(j[2] * cos_psi);
-  const T along = T(-j[2] * sin_psi);
-  return {{{T(cos_phi * across - sin_phi * sin_psi), T(cos_phi * along - sin_phi * cos_psi),
+  const T first = T(j[2] * cos_psi);
+  const T second = T(-j[2] * sin_psi);
+  return {{{T(cos_phi * first - sin_phi * sin_psi), T(cos_phi * second - sin_phi * cos_psi),
             T(cos_phi * sin_theta)},
-           {T(sin_phi * across + cos_phi * sin_psi), T(sin_phi * along + cos_phi * cos_psi),
+           {T(sin_phi * first + cos_phi * sin_psi), T(sin_phi * second + cos_phi * cos_psi),
             T(sin_phi * sin_theta)},
-           j}};
+           {T(across * j[0]), T(across * j[1]), j[2]}}};
 }
 
 template <class T>
@@ -208,7 +210,10 @@ struct prepared {
   rotor_regime regime = rotor_regime::steady;
   rotor_rates rates;
   theta_series<T> series;
+  /// That of rotor_tables, the first two over the power of two `across`: J may be so near to the axis z that its other
+  /// components are 0 for a long double, but their ratio is needed.
   triple<T> amplitude;
+  T across;
   T size;
   triple<T> moments;
   triple<int> order;
@@ -227,7 +232,9 @@ struct prepared {
     return regime == rotor_regime::steady ? amplitude : direction(amplitude, regime, at, odd);
   }
   [[nodiscard]] rotor_sample<T> sample(const moment<T>& at) const {
-    const triple<T> j = direction_at(point<false>(at.cycle), at.odd);
+    triple<T> j = direction_at(point<false>(at.cycle), at.odd);
+    j[0] = T(j[0] * across);
+    j[1] = T(j[1] * across);
     rotor_sample<T> r;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t axis = index(order[i]);
@@ -239,10 +246,12 @@ struct prepared {
   [[nodiscard]] rotor_attitude<T> attitude(const moment<T>& at) const {
     const theta_point<T> p = point<true>(at.cycle);
     rotor_attitude<T> r;
-    r.direction = direction_at(p, at.odd);
+    const triple<T> j = direction_at(p, at.odd);
+    r.across = {j[0], j[1]};
     r.lag = {p.x, p.y};
     r.phase = T(scaled(pi_of<T>(bits_in(at.whole)), 1) * T(at.whole + at.fraction) - phase_0);
-    const matrix3<T> turned = frame(r.direction, of_turns(at.fraction), p.x, p.y);
+    const matrix3<T> turned = frame(j, across, of_turns(at.fraction), p.x, p.y);
+    r.direction = turned[2];
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t row = 0; row < 3; ++row) {
         r.matrix[row][index(order[i])] = negated_if(signs[i] < 0, dot(base[row], turned, i));
@@ -263,6 +272,14 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   rotor_tables working(state, bits);
   r.series = std::move(working.series);
   r.amplitude = std::move(working.amplitude);
+  r.across = ball(1, bits);
+  if (r.regime != rotor_regime::steady) {
+    const auto power =
+        static_cast<long>(std::max(exponent_of(r.amplitude[0]), exponent_of(r.amplitude[1])));
+    r.across = scale(r.across, power);
+    r.amplitude[0] = scale(r.amplitude[0], -power);
+    r.amplitude[1] = scale(r.amplitude[1], -power);
+  }
   r.size = std::move(working.size);
   for (std::size_t i = 0; i < 3; ++i) r.moments[i] = ball(state.moments()[i], bits);
 
@@ -270,7 +287,7 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   const theta_point<ball> at = r.point<true>(start.cycle);
   r.phase_0 = scale(pi(bits), 1) * (start.whole + start.fraction) - angle_of(at.x, at.y);
   const matrix3<ball> turned =
-      frame(r.direction_at(at, start.odd), of_turns(start.fraction), at.x, at.y);
+      frame(r.direction_at(at, start.odd), r.across, of_turns(start.fraction), at.x, at.y);
   const matrix3<ball> given = state.attitude(bits);
   for (std::size_t row = 0; row < 3; ++row) {
     triple<ball> principal;
@@ -316,6 +333,7 @@ prepared<T> as_scalars(const prepared<ball>& x) {
   r.rates = x.rates;
   r.series = as_scalars<T>(x.series, bits);
   r.amplitude = as_scalars<T>(x.amplitude, bits);
+  r.across = as_scalar<T>(x.across, bits);
   r.size = as_scalar<T>(x.size, bits);
   r.moments = as_scalars<T>(x.moments, bits);
   r.order = x.order;
@@ -494,6 +512,7 @@ rotor_attitude<double> rounded(const rotor_attitude<long double>& x) {
     for (std::size_t j = 0; j < 3; ++j) r.matrix[i][j] = static_cast<double>(x.matrix[i][j]);
   }
   r.phase = static_cast<double>(x.phase);
+  r.across = {static_cast<double>(x.across[0]), static_cast<double>(x.across[1])};
   r.lag = {static_cast<double>(x.lag[0]), static_cast<double>(x.lag[1])};
   return r;
 }
@@ -668,9 +687,9 @@ rotor_angles<T> rotor_attitude<T>::angles() const {
   const auto& [x, y, z] = direction;
   T psi = T(x - x);
   T sine = psi;
-  if (!is_origin(x, y)) {
+  if (!is_origin(across[0], across[1])) {
     sine = square_root(T(x * x + y * y));
-    psi = arc(y, T(-x));
+    psi = arc(across[1], T(-across[0]));
   }
   return {T(phase - arc(lag[0], lag[1])), arc(sine, z), std::move(psi)};
 }

@@ -128,9 +128,10 @@ struct rotor_attitude {
   matrix3<T> matrix;
   /// J/|J| in the principal axes x, y, z.
   triple<T> direction;
-  /// phi is 2 pi (turns - turns_0) - atan2(lag[0], lag[1]) + (the same angle at time 0): of use to angles().
+  /// What angles() needs: phi is phase - atan2(lag[0], lag[1]); J_x and J_y times a common positive factor.
   T phase;
   std::array<T, 2> lag;
+  std::array<T, 2> across;
 
   /// w, x, y, z of R, of norm 1; of the two, q and -q, the one whose component of greatest size is positive.
   [[nodiscard]] std::array<T, 4> quaternion() const;
