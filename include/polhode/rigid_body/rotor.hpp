@@ -150,7 +150,7 @@ class rotor_motion;
 /// A sample costs the same at every time (but for log2(t/T) bits more), momentum without any integral of the third kind. May be
 /// used by many threads at once; copies share what they hold.
 ///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of |J|/I_i and of 1: precision is
-///               raised until they do. p = precision.
+///               raised until they do (by up to 2^18 bits: beyond, they are as wide as they are). p = precision.
 ///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same sense.
 ///   double      the state and t are taken as the exact numbers they are; then the error of J is a few units of |J| in the last
 ///               place, at any time below 2^50 periods. Computed in long double.
