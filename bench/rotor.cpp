@@ -180,6 +180,7 @@ int main(int argc, char** argv) {
     benchmarks.add(numbers, m.name, [m] { return samples_to_digits<mpfr_float>(m.state, 50); });
   }
   for (const motion& m : motions()) {
+    if (m.name == "c = -1e-300") continue;  // 1,000 such periods take dopri5 minutes
     benchmarks.add_measured(races, m.name, [m] { return against_odeint(m.state); });
   }
   return benchmarks.main(argc, argv);
