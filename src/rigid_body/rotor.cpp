@@ -122,7 +122,7 @@ T negated_if(bool negative, const T& x) {
   return negative ? T(-x) : x;
 }
 
-/// J/|J| in the principal axes.
+/// J/|J| in the principal axes, x and y over `across` of prepared.
 template <class T>
 triple<T> direction(const triple<T>& amplitude, rotor_regime regime, const theta_point<T>& at,
                     bool odd) {
@@ -137,12 +137,30 @@ triple<T> direction(const triple<T>& amplitude, rotor_regime regime, const theta
 [[nodiscard]] bool is_zero_number(const mpfr_float& x) { return sign_in(x) == 0; }
 [[nodiscard]] bool is_zero_number(long double x) { return sign_in(x) == 0; }
 
-/// R_z(Phi) R_y(theta) R_z(psi), which takes principal axes to axes of which the third is along J; Phi = angle - atan2(x, y).
+/// {x, y} over their length, and {0, 1} where both are 0: there a long double has nothing left of them.
 template <class T>
-matrix3<T> frame(const triple<T>& j, const std::pair<T, T>& angle, const T& x, const T& y) {
+std::array<T, 2> unit_vector(T x, T y) {
+  if constexpr (std::floating_point<T>) {
+    // Squares must not be lost.
+    constexpr T tiny = std::numeric_limits<T>::min() /
+                       (std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon());
+    if (square_of(x) + square_of(y) < tiny) {
+      const T greatest = std::max(std::abs(x), std::abs(y));
+      if (!(greatest > 0)) return {0, 1};
+      x /= greatest;
+      y /= greatest;
+    }
+  }
   const T length = T(1 / root_of(T(square_of(x) + square_of(y))));
-  const T sx = T(x * length);
-  const T cx = T(y * length);
+  return {T(x * length), T(y * length)};
+}
+
+/// R_z(Phi) R_y(theta) R_z(psi), which takes principal axes to axes of which the third is along J; Phi = angle - atan2(x, y).
+/// J/|J| is (across j_0, across j_1, j_2).
+template <class T>
+matrix3<T> frame(const triple<T>& j, const T& across, const std::pair<T, T>& angle, const T& x,
+                 const T& y) {
+  const auto [sx, cx] = unit_vector(x, y);
   const auto& [s, c] = angle;
   const T cos_phi = T(c * cx + s * sx);
   const T sin_phi = T(s * cx - c * sx);
@@ -150,18 +168,18 @@ matrix3<T> frame(const triple<T>& j, const std::pair<T, T>& angle, const T& x, c
   T sin_psi = whole<T>(0, bits_in(x));
   T sin_theta = sin_psi;
   if (!is_zero_number(j[0]) || !is_zero_number(j[1])) {
-    sin_theta = root_of(T(square_of(j[0]) + square_of(j[1])));
-    const T inverse = T(1 / sin_theta);
-    cos_psi = T(-j[0] * inverse);
-    sin_psi = T(j[1] * inverse);
+    sin_theta = T(across * root_of(T(square_of(j[0]) + square_of(j[1]))));
+    const auto [sine, cosine] = unit_vector(j[1], T(-j[0]));
+    sin_psi = sine;
+    cos_psi = cosine;
   }
-  const T across = T(j[2] * cos_psi);
-  const T along = T(-j[2] * sin_psi);
-  return {{{T(cos_phi * across - sin_phi * sin_psi), T(cos_phi * along - sin_phi * cos_psi),
+  const T first = T(j[2] * cos_psi);
+  const T second = T(-j[2] * sin_psi);
+  return {{{T(cos_phi * first - sin_phi * sin_psi), T(cos_phi * second - sin_phi * cos_psi),
             T(cos_phi * sin_theta)},
-           {T(sin_phi * across + cos_phi * sin_psi), T(sin_phi * along + cos_phi * cos_psi),
+           {T(sin_phi * first + cos_phi * sin_psi), T(sin_phi * second + cos_phi * cos_psi),
             T(sin_phi * sin_theta)},
-           j}};
+           {T(across * j[0]), T(across * j[1]), j[2]}}};
 }
 
 template <class T>
@@ -192,7 +210,10 @@ struct prepared {
   rotor_regime regime = rotor_regime::steady;
   rotor_rates rates;
   theta_series<T> series;
+  /// That of rotor_tables, the first two over the power of two `across`: J may be so near to the axis z that its other
+  /// components are 0 for a long double, but their ratio is needed.
   triple<T> amplitude;
+  T across;
   T size;
   triple<T> moments;
   triple<int> order;
@@ -211,7 +232,9 @@ struct prepared {
     return regime == rotor_regime::steady ? amplitude : direction(amplitude, regime, at, odd);
   }
   [[nodiscard]] rotor_sample<T> sample(const moment<T>& at) const {
-    const triple<T> j = direction_at(point<false>(at.cycle), at.odd);
+    triple<T> j = direction_at(point<false>(at.cycle), at.odd);
+    j[0] = T(j[0] * across);
+    j[1] = T(j[1] * across);
     rotor_sample<T> r;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t axis = index(order[i]);
@@ -223,10 +246,12 @@ struct prepared {
   [[nodiscard]] rotor_attitude<T> attitude(const moment<T>& at) const {
     const theta_point<T> p = point<true>(at.cycle);
     rotor_attitude<T> r;
-    r.direction = direction_at(p, at.odd);
+    const triple<T> j = direction_at(p, at.odd);
+    r.across = {j[0], j[1]};
     r.lag = {p.x, p.y};
     r.phase = T(scaled(pi_of<T>(bits_in(at.whole)), 1) * T(at.whole + at.fraction) - phase_0);
-    const matrix3<T> turned = frame(r.direction, of_turns(at.fraction), p.x, p.y);
+    const matrix3<T> turned = frame(j, across, of_turns(at.fraction), p.x, p.y);
+    r.direction = turned[2];
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t row = 0; row < 3; ++row) {
         r.matrix[row][index(order[i])] = negated_if(signs[i] < 0, dot(base[row], turned, i));
@@ -247,6 +272,14 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   rotor_tables working(state, bits);
   r.series = std::move(working.series);
   r.amplitude = std::move(working.amplitude);
+  r.across = ball(1, bits);
+  if (r.regime != rotor_regime::steady) {
+    const auto power =
+        static_cast<long>(std::max(exponent_of(r.amplitude[0]), exponent_of(r.amplitude[1])));
+    r.across = scale(r.across, power);
+    r.amplitude[0] = scale(r.amplitude[0], -power);
+    r.amplitude[1] = scale(r.amplitude[1], -power);
+  }
   r.size = std::move(working.size);
   for (std::size_t i = 0; i < 3; ++i) r.moments[i] = ball(state.moments()[i], bits);
 
@@ -254,7 +287,7 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   const theta_point<ball> at = r.point<true>(start.cycle);
   r.phase_0 = scale(pi(bits), 1) * (start.whole + start.fraction) - angle_of(at.x, at.y);
   const matrix3<ball> turned =
-      frame(r.direction_at(at, start.odd), of_turns(start.fraction), at.x, at.y);
+      frame(r.direction_at(at, start.odd), r.across, of_turns(start.fraction), at.x, at.y);
   const matrix3<ball> given = state.attitude(bits);
   for (std::size_t row = 0; row < 3; ++row) {
     triple<ball> principal;
@@ -300,6 +333,7 @@ prepared<T> as_scalars(const prepared<ball>& x) {
   r.rates = x.rates;
   r.series = as_scalars<T>(x.series, bits);
   r.amplitude = as_scalars<T>(x.amplitude, bits);
+  r.across = as_scalar<T>(x.across, bits);
   r.size = as_scalar<T>(x.size, bits);
   r.moments = as_scalars<T>(x.moments, bits);
   r.order = x.order;
@@ -478,23 +512,15 @@ rotor_attitude<double> rounded(const rotor_attitude<long double>& x) {
     for (std::size_t j = 0; j < 3; ++j) r.matrix[i][j] = static_cast<double>(x.matrix[i][j]);
   }
   r.phase = static_cast<double>(x.phase);
+  r.across = {static_cast<double>(x.across[0]), static_cast<double>(x.across[1])};
   r.lag = {static_cast<double>(x.lag[0]), static_cast<double>(x.lag[1])};
   return r;
 }
-template <class Result>
-auto middles(const Result& x, precision bits);
-template <>
-auto middles(const rotor_sample<ball>& x, precision bits) {
-  return rotor_sample<long double>{as_scalars<long double>(x.momentum, bits),
-                                   as_scalars<long double>(x.angular_velocity, bits)};
-}
-template <>
-auto middles(const rotor_attitude<ball>& x, precision bits) {
-  return rotor_attitude<long double>{
-      as_scalars<long double>(x.matrix, bits),
-      as_scalars<long double>(x.direction, bits),
-      as_scalar<long double>(x.phase, bits),
-      {as_scalar<long double>(x.lag[0], bits), as_scalar<long double>(x.lag[1], bits)}};
+template <class T>
+void first_only(theta_series<T>& series) {
+  for (auto* terms : {&series.odd, &series.even, &series.lag_sine, &series.lag_cosine}) {
+    terms->resize(1);
+  }
 }
 
 }  // namespace
@@ -513,12 +539,12 @@ class rotor_motion<double> {
       half_turns_0_ = static_cast<double>(by.rates.half_turns_0);
     }
     turns_ = split(by.rates.turns);
-    // e^(-2v) and the nome, from e^-scale on, must be numbers with all their bits.
-    constexpr long double most_for_long_double = 4096;
-    constexpr double most_for_double = 600;
-    if (by.regime != rotor_regime::steady) {
-      in_range_ = fast_.series.scale <= most_for_long_double;
-      in_range_of_double_ = momentum_.series.scale <= most_for_double;
+    // With L = log(1/p), what n = 1 adds is at most 4 r e^-v <= 4 e^(-L/2), and less further on: nothing for a (long) double, whose exponents
+    // end before p does.
+    constexpr long double enough = 300;
+    if (fast_.series.hyperbolic && fast_.series.scale > enough) {
+      first_only(fast_.series);
+      first_only(momentum_.series);
     }
   }
 
@@ -526,7 +552,6 @@ class rotor_motion<double> {
   template <class F>
   [[nodiscard]] auto evaluated(const rational& t, const F& f) const {
     const prepared<ball>& by = exact_.prepared_first();
-    if (!in_range_) return rounded(middles(exact_.evaluated(t, f), by.bits));
     const moment<ball> at = reduced(exact_.state(), by.rates, t, by.bits);
     return rounded(f(fast_, as_scalars<long double>(at, by.bits)));
   }
@@ -540,8 +565,7 @@ class rotor_motion<double> {
   }
   [[nodiscard]] rotor_sample<double> sample(double t) const {
     if (!is_near(t)) return sample(rational(t));
-    if (in_range_of_double_) return momentum_.sample(cycle_at<double>(t).first);
-    return rounded(fast_.sample(cycle_at<long double>(t).first));
+    return momentum_.sample(cycle_at<double>(t).first);
   }
   [[nodiscard]] rotor_attitude<double> attitude(double t) const {
     if (!is_near(t)) return attitude(rational(t));
@@ -568,7 +592,7 @@ class rotor_motion<double> {
       throw input_error("time " + std::to_string(t) + ": it must be a finite number");
     }
     constexpr double most = 0x1p50;
-    return in_range_ && std::abs(t * turns_.high) < most && std::abs(t * cycles_.high) < most;
+    return std::abs(t * turns_.high) < most && std::abs(t * cycles_.high) < most;
   }
   /// The cycle, and the integer N.
   template <std::floating_point T>
@@ -592,8 +616,6 @@ class rotor_motion<double> {
   prepared<double> momentum_;
   three_doubles cycles_, cycles_0_, turns_, slip_;
   double half_turns_0_ = 0;
-  bool in_range_ = true;
-  bool in_range_of_double_ = true;
 };
 
 }  // namespace detail
@@ -665,9 +687,9 @@ rotor_angles<T> rotor_attitude<T>::angles() const {
   const auto& [x, y, z] = direction;
   T psi = T(x - x);
   T sine = psi;
-  if (!is_origin(x, y)) {
+  if (!is_origin(across[0], across[1])) {
     sine = square_root(T(x * x + y * y));
-    psi = arc(y, T(-x));
+    psi = arc(across[1], T(-across[0]));
   }
   return {T(phase - arc(lag[0], lag[1])), arc(sine, z), std::move(psi)};
 }

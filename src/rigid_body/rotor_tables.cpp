@@ -48,7 +48,8 @@ ball pole(const rational& m, const rational& kappa, precision bits) {
 
 }  // namespace
 
-rotor_tables::rotor_tables(const initial_state& state, precision bits) {
+rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size_t terms)
+    : terms_(terms) {
   const rational& a = state.a();
   const rational& b = state.b();
   const rational& c = state.c();
@@ -115,7 +116,7 @@ void rotor_tables::set_circular(const rational& b, const rational& m, const rati
   series.scale = pi(bits);
   ball& q = series.nome;
   q = m == 0 ? ball(0, bits) : exp(-(pi(bits) * agm1 / agm(one, sqrt(ball(m, bits)))));
-  const std::size_t count = terms_for(q, bits);
+  const std::size_t count = terms_ > 0 ? terms_ : terms_for(q, bits);
   const std::vector<ball> squares = square_powers(q, count);
 
   // E = e^(-2 eta), where for kappa = 0 (then m = 0 too) eta is infinite: tanh eta = 1.
@@ -190,7 +191,7 @@ void rotor_tables::set_hyperbolic(const rational& b, const rational& m, const ra
   series.scale = forever ? one : pi(bits) * agm0 / agm1;
   ball& p = series.nome;
   p = forever ? ball(0, bits) : exp(-series.scale);
-  const std::size_t count = terms_for(p, bits);
+  const std::size_t count = terms_ > 0 ? terms_ : terms_for(p, bits);
   const std::vector<ball> squares = square_powers(p, count);
 
   const ball beta = pole(m, kappa, bits) * agm0;

@@ -15,7 +15,9 @@ struct rotor_rates {
 };
 
 struct rotor_tables {
-  rotor_tables(const initial_state& state, precision bits);
+  /// With so many terms of the series as bits need, or with `terms` >= 2 (where the nome is not 0): what is left out is in the
+  /// bounds either way.
+  rotor_tables(const initial_state& state, precision bits, std::size_t terms = 0);
 
   rotor_rates rates;
   theta_series<ball> series;
@@ -30,6 +32,7 @@ struct rotor_tables {
   void set_hyperbolic(const rational& b, const rational& m, const rational& m1,
                       const rational& kappa, const ball& agm1, const ball& lambda, precision bits);
   void set_factors(const std::vector<ball>& odd_powers, const std::vector<ball>& even_powers);
+  std::size_t terms_;
   /// The mean of phi' in the formula, in units of |J|/I_y: mu of rotor_series.hpp.
   ball mu_;
 };

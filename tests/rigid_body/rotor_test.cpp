@@ -141,7 +141,7 @@ void expect_met(const rotor<ball>& r, const rational& t, const body_at& at, cons
 
 TEST(Rotor, FollowsTheTaylorIntegrationFromItsStart) {
   support::random_source random(901);
-  for (support::repeat trial(12); trial.again();) {
+  for (support::repeat trial(8); trial.again();) {
     const any_state any = random_state(random, 12);
     const rotor<ball> r(any.state, 90);
     const rational h(shortest_time(any.state) / 2);
@@ -440,7 +440,7 @@ TEST(Rotor, SymmetricTopsAreElementary) {
 
 TEST(Rotor, OrderAndSenseOfTheAxesDoNotMatter) {
   support::random_source random(909);
-  for (support::repeat trial(30); trial.again();) {
+  for (support::repeat trial(8); trial.again();) {
     const triple<rational> moments{random.between(1, 9), random.between(1, 9),
                                    random.between(1, 9)};
     const triple<rational> j{random.between(-9, 9), random.between(-9, 9), random.between(1, 9)};
@@ -543,15 +543,18 @@ norm_error error_of(const rotor<double>& d, const rotor<ball>& r, double t) {
 TEST(Rotor, DoubleIsWithinEightUnits) {
   support::random_source random(910);
   norm_error worst;
-  for (support::repeat trial(250); trial.again();) {
-    const any_state any = random_state(random, random.one_in(2) ? 15 : 300);
+  for (support::repeat trial(150); trial.again();) {
+    const any_state any =
+        random_state(random, random.choose(std::array{15L, 15L, 300L, 300L, 6000L}));
     const rotor<double> d(any.state);
     const rotor<ball> r(any.state, 80);
+    if (!std::isfinite(d.momentum_size())) continue;  // no double has it
     const rational span =
         r.period() ? lower_rational(*r.period()) : rational(40 * shortest_time(any.state));
     for (int i = 0; i < 4; ++i) {
       const double t =
           static_cast<double>(rational(span * random.between(-1000000, 1000000) / 1000000));
+      if (!std::isfinite(t)) continue;
       const norm_error e = error_of(d, r, t);
       EXPECT_LE(e.momentum, 8) << any.kind << " " << described(any.state);
       EXPECT_LE(e.attitude, 8) << any.kind << " " << described(any.state);
@@ -561,6 +564,7 @@ TEST(Rotor, DoubleIsWithinEightUnits) {
     const long power = random.between(1, 30);
     const double later = static_cast<double>(
         rational(span * random.between(1, 999999) / 1000000 * power_of_ten(power)));
+    if (!std::isfinite(later)) continue;
     const norm_error e = error_of(d, r, later);
     const double allowed = 8 + std::pow(10.0, static_cast<double>(power));
     EXPECT_LE(e.momentum, allowed);

@@ -128,9 +128,10 @@ struct rotor_attitude {
   matrix3<T> matrix;
   /// J/|J| in the principal axes x, y, z.
   triple<T> direction;
-  /// phi is 2 pi (turns - turns_0) - atan2(lag[0], lag[1]) + (the same angle at time 0): of use to angles().
+  /// What angles() needs: phi is phase - atan2(lag[0], lag[1]); J_x and J_y times a common positive factor.
   T phase;
   std::array<T, 2> lag;
+  std::array<T, 2> across;
 
   /// w, x, y, z of R, of norm 1; of the two, q and -q, the one whose component of greatest size is positive.
   [[nodiscard]] std::array<T, 4> quaternion() const;
@@ -149,7 +150,7 @@ class rotor_motion;
 /// A sample costs the same at every time (but for log2(t/T) bits more), momentum without any integral of the third kind. May be
 /// used by many threads at once; copies share what they hold.
 ///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of |J|/I_i and of 1: precision is
-///               raised until they do. p = precision.
+///               raised until they do (by up to 2^18 bits: beyond, they are as wide as they are). p = precision.
 ///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same sense.
 ///   double      the state and t are taken as the exact numbers they are; then the error of J is a few units of |J| in the last
 ///               place, at any time below 2^50 periods. Computed in long double.
