@@ -16,15 +16,16 @@ namespace polhode::cli {
 [[nodiscard]] command phase_command();
 [[nodiscard]] command racket_command();
 [[nodiscard]] command roots_command();
+[[nodiscard]] command scene_command();
 [[nodiscard]] command table_command();
 [[nodiscard]] command curve_command();
 [[nodiscard]] command figures_command();
 
 /// In the order of the help.
 [[nodiscard]] inline std::vector<command> all_commands() {
-  return {certify_command(), constants_command(), eval_command(),   integrate_command(),
-          roots_command(),   body_command(),      phase_command(),  racket_command(),
-          curve_command(),   table_command(),     figures_command()};
+  return {certify_command(), constants_command(), eval_command(),  integrate_command(),
+          roots_command(),   body_command(),      phase_command(), racket_command(),
+          curve_command(),   table_command(),     scene_command(), figures_command()};
 }
 
 }  // namespace polhode::cli
