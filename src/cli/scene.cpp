@@ -18,6 +18,7 @@
 #include "polhode/arithmetic/sha256.hpp"
 #include "polhode/scene/body_file.hpp"
 #include "progress.hpp"
+#include "scene_page.hpp"
 #include "scene_report.hpp"
 #include "streams.hpp"
 
@@ -30,6 +31,8 @@ struct scene_options {
   std::vector<std::string> files;
   std::optional<std::string> out;
   bool list = false;
+  bool page = false;
+  std::optional<std::string> plot;
   format_option format{{"text", "json", "csv"}};
   memory_limit_option memory_limit;
 };
@@ -50,8 +53,9 @@ std::string hexadecimal(const sha256_digest& digest) {
 }
 
 /// Everything that the results depend on.
-std::string digest_of(const job& one, const scene& what) {
-  std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + one.text;
+std::string digest_of(const scene_options& options, const job& one, const scene& what) {
+  std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + one.text + '\n' +
+                    options.plot.value_or("") + (options.page ? "page" : "");
   for (const auto& [key, value] : one.point) all += '\n' + key + '=' + to_text(value);
   if (what.body.file) all += '\n' + read_text_file(*what.body.file);
   return hexadecimal(sha256(std::as_bytes(std::span(all))));
@@ -125,7 +129,7 @@ std::vector<job> jobs_of(const scene_options& options) {
       job one = whole;
       one.point = points[k];
       if (!one.point.empty()) one.stem += fmt::format("-{:04}", k + 1);
-      one.digest = digest_of(one, one.point.empty() ? what : scene_of(one));
+      one.digest = digest_of(options, one, one.point.empty() ? what : scene_of(one));
       jobs.push_back(std::move(one));
     }
   }
@@ -148,20 +152,25 @@ std::optional<json> kept_report(const std::string& directory, const job& one) {
 bool is_certified(const json& report) { return report["verdict"] == to_text(status::certified); }
 
 /// Writes what one job has come to; its files appear together or not at all.
-void write_job(const std::string& directory, const job& one, const json& report,
+void write_job(const scene_options& options, const job& one, const scene& what, const json& report,
                const scene_report& results) {
   std::vector<std::pair<std::string, std::string>> files;
   files.emplace_back(one.stem + ".txt", scene_text(report));
   for (const effect_result& effect : results.effects) {
     if (effect.table)
       files.emplace_back(one.stem + '.' + effect.name + ".csv", table_csv(*effect.table));
+    if (effect.table && options.plot) {
+      files.emplace_back(one.stem + '.' + effect.name + '.' + *options.plot,
+                         scene_plot(effect.name, *effect.table, *options.plot));
+    }
   }
+  if (options.page) files.emplace_back(one.stem + ".html", scene_page(what, results, report));
   files.emplace_back(one.stem + ".json",
                      report.dump(2) + '\n');  // the last: it says that the others are there
   std::vector<std::string> names;
   names.reserve(files.size());
   for (const auto& [name, contents] : files) names.push_back(name);
-  output_directory out(directory, names);
+  output_directory out(*options.out, names);
   for (const auto& [name, contents] : files) out.write(name, contents);
   out.publish();
 }
@@ -193,6 +202,12 @@ exit_status run(const scene_options& options) {
   }
   if (options.files.empty())
     throw usage_error("there is no scene; give a file, such as scenes/toutatis.toml");
+  if (options.plot && *options.plot != "svg" && *options.plot != "png") {
+    throw usage_error(fmt::format("--plot {}: it must be svg or png", in_quotes(*options.plot)));
+  }
+  if ((options.plot || options.page) && !options.out) {
+    throw usage_error("--plot and --page write files: give --out DIR, too");
+  }
   const std::vector<job> jobs = jobs_of(options);
   const progress line;
   std::vector<json> reports;
@@ -210,7 +225,7 @@ exit_status run(const scene_options& options) {
     const scene what = scene_of(one);
     const scene_report results = compute(what);
     reports.push_back(scene_json(what, results, one.file, one.point, one.digest));
-    if (options.out) write_job(*options.out, one, reports.back(), results);
+    if (options.out) write_job(options, one, what, reports.back(), results);
   }
   if (options.out) {
     output_directory out(*options.out, {"results.csv"});
@@ -237,6 +252,9 @@ std::function<exit_status()> declare(CLI::App& app) {
                  "Write each scene's files there, and all results in one table, results.csv")
       ->type_name("DIR");
   app.add_flag("--list", options->list, "List the effects, one line each");
+  app.add_option("--plot", options->plot, "Have gnuplot draw every curve and series: svg or png")
+      ->type_name("FORMAT");
+  app.add_flag("--page", options->page, "Write an HTML page a scene, in which the body turns");
   options->format.declare(app);
   options->memory_limit.declare(app);
   return [options] { return run(*options); };
@@ -247,7 +265,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 command scene_command() {
   return {"scene", "Compute the effects that a scene file asks for, and no others",
           "  polhode scene scenes/toutatis.toml\n"
-          "  polhode scene scenes/*.toml --out results\n"
+          "  polhode scene scenes/*.toml --out results --page --plot svg\n"
           "  polhode scene --list\n\n"
           "A scene is a body, its state, a time and the effects wanted (docs/scenes.md). Its "
           "numbers are\n"

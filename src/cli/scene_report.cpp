@@ -87,9 +87,9 @@ std::string decimals_of(const json& number) {
   const std::string value = text_or_empty(number, "value");
   if (number.contains("exact")) {
     const std::string quotient = text_or_empty(number, "rational");
-    return number.contains("lower") && number["lower"] == number["value"]
-               ? value
-               : quotient + " = " + value + "...";
+    constexpr std::size_t longest = 40;
+    if (number.contains("lower") && number["lower"] == number["value"]) return value;
+    return (quotient.size() <= longest ? quotient + " = " : "") + value + "...";
   }
   const auto exponent = value.find('e');
   if (value.empty())
@@ -117,7 +117,9 @@ std::string paragraph(const std::string& text, std::size_t indent) {
 /// In lines of at most the terminal's width, also where there is no space to break at: certain digits are long words.
 std::string named_number(const std::string& name, const std::string& digits,
                          const std::string& unit) {
-  const std::string line = "  " + name + " = " + digits + (unit.empty() ? "" : ' ' + unit);
+  const bool range = digits.rfind("from ", 0) == 0;
+  const std::string line =
+      "  " + name + (range ? " " : " = ") + digits + (unit.empty() ? "" : ' ' + unit);
   if (line.size() <= terminal_columns) return line + '\n';
   std::string result = "  " + name + (unit.empty() ? "" : " (" + unit + ")") + " =\n";
   constexpr std::size_t width = terminal_columns - 4;

@@ -56,7 +56,8 @@ triple<T> product(const matrix3<T>& x, const triple<T>& v) {
   return result;
 }
 
-initial_state state_of(const scene& what) {
+/// In the principal axes.
+triple<rational> momentum_of(const scene& what) {
   const scene_body& of = what.body;
   triple<rational> momentum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,7 +65,11 @@ initial_state state_of(const scene& what) {
     momentum[i] = (*what.state->momentum)[i] /
                   rational(integer(sqrt(numerator(square))), integer(sqrt(denominator(square))));
   }
-  return initial_state::from_momentum(*of.moments, momentum);
+  return momentum;
+}
+
+initial_state state_of(const scene& what) {
+  return initial_state::from_momentum(*what.body.moments, momentum_of(what));
 }
 
 /// The attitude at time 0: from the given frame to space.
@@ -286,8 +291,10 @@ void audit_motion(const effect_context& x,
   ball energy(0, p);
   ball momentum(0, p);
   ball direction(0, p);
+  rational size = 0;  // at least |J|, and at most sqrt(3) times that
+  for (const rational& one : momentum_of(x.what)) size += abs(one);
   for (const long time : {1L, 10L, 100L}) {
-    const rational t(time * start.moments()[1]);
+    const rational t(time * start.moments()[1] / size);
     const rotor_sample<ball> sample = turning.sample(t);
     ball twice_energy(0, p);
     ball square(0, p);

@@ -176,7 +176,7 @@ effect_result audit(const effect_context& x) {
                         x.rigid(), {ball(rational(-c / b), p), ball(rational(1 + c / b), p)}) /
                     b;
     result.work.integrals += 5;
-    expect_zero("dphase_dc_less_T/2_less_(1+c)_dT_dc", direct - by_identity);
+    expect_zero("phase_slope", direct - by_identity);
   }
   result.words = {{"all_hold", holds ? "yes" : "no"}};
   result.remarks.emplace_back(
