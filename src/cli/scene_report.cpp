@@ -15,7 +15,16 @@ namespace {
 constexpr long digits_of_arguments = 60;
 
 json number_json(const effect_number& n, long digits) {
-  json result = n.exact ? exact_json(*n.exact, digits) : to_json(n.enclosure, digits);
+  json result;
+  if (n.exact) {
+    constexpr long least = 20;  // a count is whole, whatever the digits of the numbers
+    const long shown = std::max(digits, least);
+    result = is_short(*n.exact, shown)
+                 ? exact_json(*n.exact, shown)
+                 : to_json(ball(*n.exact, bits_for_digits(shown) + 64), shown);
+  } else {
+    result = to_json(n.enclosure, digits);
+  }
   if (n.is_range) result["range"] = true;
   if (!n.unit.empty()) result["unit"] = n.unit;
   return result;
@@ -27,7 +36,7 @@ double as_double(const ball& x) { return midpoint(x).convert_to<double>(); }
 json table_json(const effect_table& table) {
   json result{{"columns", table.columns}, {"certified", table.certified}, {"rows", json::array()}};
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    json row{{table.columns[0], exact_json(table.first[i], table.digits)}};
+    json row{{table.columns[0], number_json({"", {}, table.first[i], ""}, table.digits)}};
     for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
       const ball& x = table.rows[i][k];
       row[table.columns[k + 1]] = table.certified ? to_json(x, table.digits) : json(as_double(x));
@@ -58,7 +67,7 @@ json body_json(const scene_body& of, long digits) {
   if (of.moments) {
     constexpr const char* names[] = {"x", "y", "z"};
     for (std::size_t i = 0; i < 3; ++i)
-      result["moments"][names[i]] = exact_json((*of.moments)[i], digits);
+      result["moments"][names[i]] = number_json({"", {}, (*of.moments)[i], ""}, digits);
   }
   if (of.has_unit && of.moments) {
     const precision p = bits_for_digits(digits) + 64;
@@ -138,7 +147,7 @@ json scene_json(const scene& what, const scene_report& report, const std::string
   result["verdict"] = to_text(report.verdict);
   result["digits"] = what.digits;
   for (const auto& [key, value] : point)
-    result["point"][key] = exact_json(value, digits_of_arguments);
+    result["point"][key] = number_json({"", {}, value, ""}, digits_of_arguments);
   result["body"] = body_json(what.body, what.digits);
   result["effects"] = json::object();
   for (const effect_result& effect : report.effects) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arithmetic/quoted.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/scene/body_file.hpp"
 #include "scene/inertia.hpp"
@@ -101,13 +102,18 @@ scene_body of_file(section& from, const std::filesystem::path& directory) {
   return result;
 }
 
-/// "I_x = 5 is above I_y + I_z = 4 by 1"
-std::string violation(const scene_body& rigid) {
-  if (!rigid.margin) return "the greatest moment is above the sum of the others";
-  const rational_vector& m = *rigid.moments;
-  return "the triangle inequality is violated: the greatest moment " + to_text(m[0]) +
-         " is above the sum of the others " + to_text(rational(m[1] + m[2])) + " by " +
-         to_text(rational(-*rigid.margin));
+/// As it is where it is short, else about.
+std::string shown(const rational& q) {
+  constexpr precision longest = 200;
+  return size_in_bits(q) <= longest ? to_text(q) : "about " + to_decimal(ball(q, 64), 6);
+}
+
+std::string violation(const scene_body& of) {
+  if (!of.margin) return "the greatest moment is above the sum of the others";
+  const rational_vector& m = *of.moments;
+  return "the triangle inequality is violated: the greatest moment " + shown(m[0]) +
+         " is above the sum of the others " + shown(rational(m[1] + m[2])) + " by " +
+         shown(rational(-*of.margin));
 }
 
 }  // namespace

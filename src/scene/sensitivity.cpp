@@ -176,11 +176,12 @@ effect_result audit(const effect_context& x) {
                         x.rigid(), {ball(rational(-c / b), p), ball(rational(1 + c / b), p)}) /
                     b;
     result.work.integrals += 5;
-    expect_zero("phase_slope", direct - by_identity);
+    expect_zero("phase_slope", direct / by_identity - 1);
   }
   result.words = {{"all_hold", holds ? "yes" : "no"}};
   result.remarks.emplace_back(
-      "each is enclosed in an interval that must hold 0: the difference of what is conserved, or "
+      "each is enclosed in an interval that must hold 0: the relative change of what is conserved, "
+      "or the difference "
       "of two routes");
   if (!holds) not_certified(result, "a conserved quantity was not conserved: please report this");
   return result;

@@ -86,9 +86,9 @@ TEST(SceneCommand, AnInterruptedSweepGoesOn) {
   const scratch_directory directory;
   const std::string out = directory.path("out");
   write(directory.path("s.toml"),
-        "digits = 300\n[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0.1, 1, "
+        "digits = 100\n[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0.1, 1, "
         "0.3]\n[effects]\nwant = [\"twist_curve\"]\n"
-        "[sweep]\n\"state.omega[1]\" = { from = 1, to = 2, steps = 29 }\n");
+        "[sweep]\n\"state.omega[1]\" = { from = 1, to = 2, steps = 19 }\n");
   const std::vector<std::string> command{"scene", directory.path("s.toml"), "--out", out};
   constexpr useconds_t some = 300'000;
   const outcome stopped = run_command(polhode_command(command), SIGINT, some);
@@ -105,7 +105,7 @@ TEST(SceneCommand, AnInterruptedSweepGoesOn) {
   const std::string end = certified(command);
   if (stopped.signal == SIGINT) {
     EXPECT_NE(
-        end.find(std::to_string(30 - whole) + " computed, " + std::to_string(whole) + " kept"),
+        end.find(std::to_string(20 - whole) + " computed, " + std::to_string(whole) + " kept"),
         std::string::npos)
         << end;
   }
@@ -144,6 +144,56 @@ TEST(SceneCommand, RefusesBadInputAndLeavesNothing) {
   expect_refused({"scene", directory.path("good.toml"), directory.path("good.toml"), "--out", out},
                  {"same files"});
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(SceneCommand, PageNeedsNothingElse) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), "title = \"</script><b>x\"\n" + racket);
+  (void)certified({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--page"});
+  const std::string page = contents(directory.path("out/r.html"));
+  for (const char* outside : {"http:", "https:", " src=", "@import", "fetch("})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  const std::string opening = "<script id=\"data\" type=\"application/json\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  const json data = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  EXPECT_EQ(data.at("title"), "</script><b>x");
+  EXPECT_EQ(data.at("omega").size(), 5U);
+}
+
+// In a headless browser, where there is one: it draws, scrubs, plays, and has no error.
+TEST(SceneCommand, PageRunsInABrowser) {
+  if (sanitized || run_script("command -v chromium >&2").status != 0) GTEST_SKIP() << "no chromium";
+  const scratch_directory directory;
+  ASSERT_EQ(
+      run({"scene", scenes + "/toutatis.toml", "--out", directory.path("out"), "--page"}).status,
+      0);
+  const outcome shown = run_script(
+      "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
+      "--enable-unsafe-swiftshader "
+      "--window-size=800,600 --virtual-time-budget=5000 --dump-dom "
+      "file://$PWD/out/toutatis.html#check",
+      directory.path(""));
+  for (const char* word : {"data-errors=\"0\"", "data-drawn=\"yes\"", "data-scrubbed=\"yes\"",
+                           "data-played=\"yes\"", "data-gl=\"0\""}) {
+    EXPECT_NE(shown.out.find(word), std::string::npos)
+        << word << " in " << shown.out.substr(0, 400) << shown.err;
+  }
+}
+
+TEST(SceneCommand, PlotsWhereGnuplotIs) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), racket);
+  const outcome result =
+      run({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--plot", "svg"});
+  if (result.status == 0) {
+    EXPECT_NE(contents(directory.path("out/r.momentum.svg")).find("</svg>"), std::string::npos);
+  } else {
+    EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(directory.path("out")));
+  }
+  expect_refused({"scene", directory.path("r.toml"), "--plot", "svg"}, {"--out"});
+  expect_refused({"scene", directory.path("r.toml"), "--out", directory.path("o"), "--plot", "gif"},
+                 {"svg or png"});
 }
 
 TEST(SceneCommand, ListsTheEffects) {
