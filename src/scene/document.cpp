@@ -152,13 +152,56 @@ const document_value* document_value::find(std::string_view key) const {
   return nullptr;
 }
 
+namespace {
+
+/// The parser limits how deep arrays and inline tables are nested, but not the parts of a dotted key, each of which is a table in a
+/// table: a few bytes a level, and recursion over them would end at the end of the stack. Dots in quotes and comments don't count.
+void refuse_long_keys(const std::string& text) {
+  constexpr int most_parts = 16;
+  long line = 1;
+  int dots = 0;
+  char quote = 0;
+  bool comment = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+      quote = 0;
+      comment = false;
+    } else if (comment) {
+      continue;
+    } else if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      comment = true;
+    } else if (c == '=' || c == ',' || c == '{' || c == '[') {
+      dots = 0;
+    } else if (c == '.' && ++dots >= most_parts) {
+      refuse_line(line, "a key of more than " + std::to_string(most_parts) +
+                            " parts; no scene has such a key");
+    }
+  }
+}
+
+}  // namespace
+
 document_value parse_document(const std::string& text) {
+  refuse_long_keys(text);
   toml::table root;
   try {
     root = toml::parse(text);
   } catch (const toml::parse_error& error) {
-    refuse_line(static_cast<long>(error.source().begin.line),
-                "no TOML: " + std::string(error.description()));
+    const std::string what(error.description());
+    const bool number = what.find("floating-point") != std::string::npos ||
+                        what.find("integer") != std::string::npos;
+    refuse_line(
+        static_cast<long>(error.source().begin.line),
+        "no TOML: " + what +
+            (number ? "; a long number, or one with a great exponent, may stand in quotes" : ""));
   }
   return converter(text).value_of(root);
 }

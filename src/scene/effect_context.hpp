@@ -50,6 +50,10 @@ void not_certified(effect_result& to, const std::string& why);
   return 15 * bits_for_digits(digits) + 1024;
 }
 
+/// No number is computed with more guard bits than this for want of a decision: a motion that is nearer than some 10^-9000 to another
+/// kind may be left not certified.
+inline constexpr precision greatest_guard = 1L << 15;
+
 // The effects, by their names.
 [[nodiscard]] effect_result planarity(const effect_context& x);
 [[nodiscard]] effect_result inertial_defect(const effect_context& x);

@@ -138,8 +138,9 @@ effect_result flips(const effect_context& x) {
   // Flip n is at (n - share) T/2.
   const auto number_at = [&](const rational& time, bool up) -> std::optional<integer> {
     if (time == 0 && exact) return whole(up ? ceil(ball(*exact, 64)) : floor(ball(*exact, 64)));
-    const precision most = 4096 + 8 * (size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) +
-                                       size_in_bits(x.c()) + size_in_bits(time));
+    const precision sizes = size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) +
+                            size_in_bits(x.c()) + size_in_bits(time);
+    const precision most = shared.precision() + 4096 + std::min(8 * sizes, greatest_guard);
     for (precision p = shared.precision(); p <= most; p *= 2) {
       const ball t = period(p);
       const ball place = 2 * natural(x, time, p) / t + share(t);

@@ -125,9 +125,9 @@ effect_result sensitivity(const effect_context& x) {
     result.remarks.push_back(to_text(x.motion()) + ": no period and no phase to differentiate");
     return result;
   }
-  const precision most =
-      most_guard(digits) +
-      8 * (size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) + size_in_bits(x.c()));
+  const precision sizes =
+      size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) + size_in_bits(x.c());
+  const precision most = most_guard(digits) + std::min(8 * sizes, greatest_guard);
   const std::array<const char*, 3> axis{"x", "y", "z"};
   for (precision guard = 64;; guard *= 2) {
     const derivatives d = derivatives_at(x.rigid(), x.c(), bits_for_digits(digits) + guard);

@@ -209,6 +209,18 @@ TEST(SceneBody, Refusals) {
   expect_refused("moments = [3, 2, 1]\n" + wanting,
                  {"line 1", "\"moments\"", "not known in a scene"});
   expect_refused("[body\n", {"line 1", "no TOML"});
+  std::string dotted = "x = 1\na";
+  for (int i = 0; i < 100'000; ++i) dotted += ".a";
+  expect_refused(dotted + " = 1\n", {"line 2", "parts"});
+  expect_refused("b = {" + dotted.substr(6) + " = 1}\n", {"line 1", "parts"});
+  expect_refused("[" + dotted.substr(6) + "]\n", {"line 1", "parts"});
+  expect_refused("a = " + std::string(100'000, '['), {"line 1", "no TOML"});
+  expect_refused(with_body("moments = [0." + std::string(200, '1') + ", 2, 1]"),
+                 {"line 2", "in quotes"});
+  EXPECT_EQ(read("title = \"....................\" # ....................\n" +
+                 with_body("moments = [3, 2, 1]"))
+                .title.size(),
+            20U);
   expect_refused("[body]\nmoments=[3,2,1]\nmoments=[3,2,1]\n", {"line 3"});
 }
 
