@@ -93,7 +93,7 @@ std::string decimals_of(const json& number) {
   if (number.contains("range"))
     return fmt::format("from {} to {}", text_or_empty(number, "lower"),
                        text_or_empty(number, "upper"));
-  const std::string value = text_or_empty(number, "value");
+  std::string value = text_or_empty(number, "value");
   if (number.contains("exact")) {
     const std::string quotient = text_or_empty(number, "rational");
     constexpr std::size_t longest = 40;

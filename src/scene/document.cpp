@@ -99,7 +99,7 @@ class converter {
       refuse_line(line_of(node),
                   "a number must be finite; write one with an exponent of more than 308 in quotes");
     }
-    const std::string text = lines_.number_at(node.source().begin);
+    std::string text = lines_.number_at(node.source().begin);
     // Both are the nearest double of the same decimal; strtod depends on the locale, from_chars does not.
     double again = 0;
     const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);

@@ -246,8 +246,7 @@ std::vector<rational> read_sweep_values(section& sweep, const std::string& key) 
 
 void read_sweep(section sweep, scene& result, const replacements& replaced) {
   std::size_t points = 1;
-  std::vector<std::string> known;
-  for (const std::string& key : replaced.seen) known.push_back(key);
+  const std::vector<std::string> known(replaced.seen.begin(), replaced.seen.end());
   for (const auto& [key, value] : sweep.value().members) {
     if (!replaced.seen.contains(key)) {
       std::string right =
@@ -289,6 +288,7 @@ std::string missing_for(const effect_needs& needs, const scene& what) {
 
 void read_effects(section from, scene& result) {
   std::vector<std::string> names;
+  names.reserve(all_effects().size());
   for (const effect_description& one : all_effects()) names.push_back(one.name);
   (void)from.find("want");
   result.points = from.count("points", result.points, 2, 100'000);

@@ -107,8 +107,10 @@ composed read_solids(section& body) {
   if (length) units.length = length->size.factor;
   if (mass) units.mass = mass->size;
   if (density) units.density = density->size;
+  const std::vector<section> tables = body.tables("solid");
   std::vector<solid> solids;
-  for (const section& one : body.tables("solid")) solids.push_back(read_solid(one, units));
+  solids.reserve(tables.size());
+  for (const section& one : tables) solids.push_back(read_solid(one, units));
 
   const int power = solids.front().mass.power;
   rational total = 0;
