@@ -12,6 +12,7 @@ toolchain_packages=(g++ cmake ninja-build ccache)
 library_packages=(
   'libboost1.81-dev|libboost1.83-dev|libboost1.88-dev|libboost-dev'
   libgmp-dev libmpfr-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev
+  libtomlplusplus-dev libpugixml-dev
 )
 oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
 
@@ -107,7 +108,7 @@ setup() {
 # What to install by hand where there is no apt.
 needs() {
   echo "Polhode needs: a C++20 compiler, CMake 3.25, Ninja, Boost 1.81, GMP, MPFR, GoogleTest," \
-    "CLI11, nlohmann-json, fmt, oneTBB (Debian's packages: ${wanted[*]%%|*})."
+    "CLI11, nlohmann-json, fmt, oneTBB, toml++, pugixml (Debian's packages: ${wanted[*]%%|*})."
 }
 
 # What a configured tree depends on and does not see by itself.

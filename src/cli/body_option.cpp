@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "body_file.hpp"
 #include "errors.hpp"
 #include "formula.hpp"
+#include "polhode/scene/body_file.hpp"
 
 namespace polhode::cli {
 namespace {

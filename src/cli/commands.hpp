@@ -16,6 +16,7 @@ namespace polhode::cli {
 [[nodiscard]] command phase_command();
 [[nodiscard]] command racket_command();
 [[nodiscard]] command roots_command();
+[[nodiscard]] command scene_command();
 [[nodiscard]] command table_command();
 [[nodiscard]] command cost_command();
 [[nodiscard]] command curve_command();
@@ -25,7 +26,8 @@ namespace polhode::cli {
 [[nodiscard]] inline std::vector<command> all_commands() {
   return {certify_command(), constants_command(), eval_command(),  integrate_command(),
           roots_command(),   body_command(),      phase_command(), racket_command(),
-          curve_command(),   table_command(),     cost_command(),  figures_command()};
+          curve_command(),   table_command(),     scene_command(), figures_command(),
+          cost_command()};
 }
 
 }  // namespace polhode::cli

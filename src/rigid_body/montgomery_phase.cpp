@@ -111,8 +111,14 @@ ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
 }
 
 certain_number montgomery_phase_to_digits(const body& rigid, const rational& c, long digits) {
-  return detail::number_to_digits([&](precision p) { return montgomery_phase(rigid, c, p); },
-                                  digits, detail::guard_for(digits));
+  work_count work;
+  const auto phase = [&](precision p) {
+    ++work.integrals;
+    return montgomery_phase(rigid, c, p);
+  };
+  certain_number result = detail::number_to_digits(phase, digits, detail::guard_for(digits));
+  result.work = work;
+  return result;
 }
 
 certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c, long digits) {
@@ -132,8 +138,15 @@ certain_number dynamic_phase_to_digits(const body& rigid, const rational& c, lon
 
 certain_number geometric_phase_to_digits(const body& rigid, const rational& c, long digits) {
   const precision sizes = size_in_bits(rigid.a()) + size_in_bits(rigid.b()) + size_in_bits(c);
-  return detail::number_to_digits([&](precision p) { return geometric_phase(rigid, c, p); }, digits,
-                                  2 * sizes + detail::guard_for(digits));
+  work_count work;
+  const auto phase = [&](precision p) {
+    work.integrals += 2;
+    return geometric_phase(rigid, c, p);
+  };
+  certain_number result =
+      detail::number_to_digits(phase, digits, 2 * sizes + detail::guard_for(digits));
+  result.work = work;
+  return result;
 }
 
 certain_number montgomery_phase_excess_to_digits(const body& rigid, const rational& c,

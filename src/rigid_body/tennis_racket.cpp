@@ -84,11 +84,16 @@ certain_number rotating_root(const body& rigid, long m, long digits) {
   const auto phase = [&](const ball& c) { return detail::rotating_half_phase(rigid, c); };
   const auto slope = [&](const ball& c) { return detail::rotating_half_phase_slope(rigid, c); };
   const auto value = [&](precision p) { return 2 * pi(p) / m; };
+  work_count work;
   const auto root = [&](precision p) {
     const root_enclosure found = solve_on_log_scale(phase, slope, value, *least, greatest, p);
+    work.integrals += found.evaluations_of_f;
+    work.newton_steps += found.evaluations_of_derivative;
     return found.verdict == root_verdict::unique ? found.root : ball::undefined(p);
   };
-  return detail::number_to_digits(root, digits, detail::guard_for(digits));
+  certain_number result = detail::number_to_digits(root, digits, detail::guard_for(digits));
+  result.work = work;
+  return result;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -151,8 +156,8 @@ std::optional<equation_range> range_of(const body& rigid, const integer& m) {
 }
 
 /// To about p bits of the smaller of u and 1 - u; undefined where it was not found.
-ball oscillating_root(const body& rigid, const integer& m, const equation_range& range,
-                      precision p) {
+ball oscillating_root(const body& rigid, const integer& m, const equation_range& range, precision p,
+                      work_count& work) {
   // What is near 1 is computed with the bits that the difference from the limit loses.
   const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + range.lost); };
   const auto phase = [&](const ball& x) {
@@ -166,6 +171,8 @@ ball oscillating_root(const body& rigid, const integer& m, const equation_range&
   const precision most = (1L << 14) + 4 * range.lost;
   const root_enclosure found =
       solve_on_log_scale(phase, slope, value, range.least, range.greatest, p, most);
+  work.integrals += found.evaluations_of_f;
+  work.newton_steps += found.evaluations_of_derivative;
   return found.verdict == root_verdict::unique ? found.root : ball::undefined(p);
 }
 
@@ -190,7 +197,7 @@ bool is_injective(const body& rigid) { return rigid.kind() != body_kind::non_phy
 
 certain_number separatrix_defect_to_digits(const body& rigid, long digits) {
   const twist t = twist_to_digits(rigid, 0, digits, with_slope::no);
-  return {t.verdict, t.why, t.epsilon};
+  return {t.verdict, t.why, t.epsilon, t.work};
 }
 
 certain_number perfect_twist_to_digits(const body& rigid, long digits) {
@@ -216,7 +223,7 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
   const precision needed = bits_for_digits(digits);
   const precision most_guard = detail::guard_for(digits);
   for (precision guard = 32; guard <= most_guard; guard *= 2) {
-    const ball x = oscillating_root(rigid, m, *range, needed + guard);
+    const ball x = oscillating_root(rigid, m, *range, needed + guard, result.work);
     if (!x.is_bounded()) continue;
     // Near 1, u = 1 - x is resolved by as many bits as x is small.
     const share s = share_of(x.with_precision(x.precision() + range->lost), range->from_one);

@@ -126,8 +126,10 @@ std::optional<ball> quick_root(const body& rigid, const rational& c, regime moti
   return ball::exactly(w);
 }
 
-/// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is near 0.
-ball find_s(const body& rigid, const rational& c, regime motion, const branch& at, precision p) {
+/// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is near 0. The proof's
+/// evaluations are counted, not those of the search.
+ball find_s(const body& rigid, const rational& c, regime motion, const branch& at, precision p,
+            work_count& work) {
   const auto way_at = [&](const ball& x) { return quarter<ball>(rigid, c, motion, x.precision()); };
   const precision coarse = 64 + at.lost;
   const ball r = rest_of(rigid, c, at.n, coarse);
@@ -178,6 +180,8 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
     const magnitude radius =
         std::max(scale(start.magnitude_upper(), wider - bits_of_search), scale(uncertainty, wider));
     const root_enclosure found = refine_root(excess, slope, x.enlarged(radius), goal);
+    work.integrals += found.evaluations_of_f;
+    work.newton_steps += found.evaluations_of_derivative;
     if (found.verdict != root_verdict::unique) continue;
     const ball sine = sinh(found.root - shift);
     const ball s = at.late ? way_at(sine).from_end(sine) : sine;
@@ -262,7 +266,7 @@ twist twist_on(const body& rigid, const rational& c, regime motion, const branch
   result.motion = motion;
   result.branch = at.n;
   result.epsilon = result.slope = ball::undefined(p);
-  const ball s = find_s(rigid, c, motion, at, p + guard);
+  const ball s = find_s(rigid, c, motion, at, p + guard, result.work);
   if (!s.is_bounded()) return result;
   const quarter<ball> way(rigid, c, motion, s.precision());
   result.epsilon = epsilon_at(way, s, motion, at.n).with_precision(p + guard);
@@ -296,7 +300,9 @@ twist twist_to_digits(const body& rigid, const rational& c, long digits, with_sl
     const precision most = detail::guard_for(digits) + 4 * (at->lost + size_in_bits(c));
     const precision needed = bits_for_digits(digits);
     for (precision guard = 0; guard <= most; guard = 2 * guard + 32) {
+      const work_count before = result.work;
       result = twist_on(rigid, c, motion, *at, needed + guard, slope);
+      result.work += before;
       if (result.verdict != status::certified) break;
       if (detail::has_digits(result.epsilon, digits) &&
           (slope == with_slope::no || detail::has_digits(result.slope, digits))) {

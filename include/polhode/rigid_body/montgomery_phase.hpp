@@ -22,6 +22,7 @@
 
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/rigid_body/regime.hpp"
+#include "polhode/rigid_body/work.hpp"
 
 namespace polhode {
 
@@ -61,6 +62,7 @@ struct certain_number {
   status verdict = status::not_certified;
   reason why = reason::precision_limit;
   ball enclosure;  // with so many certain digits; undefined where not certified
+  work_count work{};
 };
 
 /// The Montgomery phase to so many certain significant digits: the precision is raised until they are.

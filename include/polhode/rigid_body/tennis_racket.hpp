@@ -58,6 +58,7 @@ struct meeting {
   ball one_minus_u;  // to as small a relative radius, where it is below 1/2
   ball c;
   ball epsilon;  // undefined where m is even: it is pi/2 exactly
+  work_count work{};
 };
 
 /// The m-th; its numbers have so many digits. At an intersection epsilon is arcsin sqrt u for k odd and pi less that for k

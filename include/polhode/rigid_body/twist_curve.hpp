@@ -31,6 +31,7 @@ struct twist {
   integer branch;  // n; 0 on the separatrix
   ball epsilon;    // in radians; undefined where not certified
   ball slope;      // d epsilon/dc; undefined where it was not asked for
+  work_count work{};
 };
 
 enum class with_slope : bool { no, yes };

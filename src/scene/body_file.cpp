@@ -1,17 +1,18 @@
-#include "body_file.hpp"
+#include "polhode/scene/body_file.hpp"
 
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "errors.hpp"
+#include "arithmetic/quoted.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 namespace {
 
 using json = nlohmann::json;
@@ -40,7 +41,7 @@ class exact_reader : public nlohmann::json_sax<json> {
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
     if (open_.back()->contains(name)) {
-      error = fmt::format("{} appears twice", in_quotes(name));
+      error = fmt::format("{} appears twice", detail::quoted(name));
       return false;
     }
     key_ = name;
@@ -114,24 +115,25 @@ std::array<rational, 6> tensor_in(const json& value) {
   return {rows[0][0], rows[1][1], rows[2][2], rows[0][1], rows[0][2], rows[1][2]};
 }
 
-std::string contents_of(const std::string& path) {
+}  // namespace
+
+std::string read_text_file(const std::string& path) {
   constexpr std::size_t longest = 4'000'000;
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw input_error(errno == 0 ? "it cannot be opened" : system_message(errno));
+  if (!file)
+    throw input_error(errno == 0 ? "it cannot be opened" : std::generic_category().message(errno));
   std::string text(longest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (file.bad()) throw input_error("it cannot be read");
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.empty()) refuse("it is empty, or cannot be read");
+  if (text.empty()) throw input_error("it is empty, or cannot be read");
   if (text.size() > longest) throw input_error(fmt::format("it is longer than {} bytes", longest));
   return text;
 }
 
-}  // namespace
-
 body_file read_body_file(const std::string& path) {
-  const std::string text = contents_of(path);
+  const std::string text = read_text_file(path);
   exact_reader reader;
   if (!json::sax_parse(text, &reader)) refuse(reader.error);
   if (!reader.result.is_object()) refuse("it is no JSON object");
@@ -151,7 +153,7 @@ body_file read_body_file(const std::string& path) {
     } else if (name == "tensor") {
       result.tensor = tensor_in(value);
     } else {
-      refuse(fmt::format("{} is not known", in_quotes(name)));
+      refuse(fmt::format("{} is not known", detail::quoted(name)));
     }
   }
   if (bodies != 1) refuse(bodies == 0 ? "there is no body" : "there are several bodies");
@@ -159,4 +161,4 @@ body_file read_body_file(const std::string& path) {
   return result;
 }
 
-}  // namespace polhode::cli
+}  // namespace polhode

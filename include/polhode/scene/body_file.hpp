@@ -8,7 +8,7 @@
 
 #include "polhode/rigid_body/body.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 /// One of
 ///   {"ab": [a, b]}
@@ -28,4 +28,7 @@ struct body_file {
 /// Throws input_error, which says what was found and what would be right.
 [[nodiscard]] body_file read_body_file(const std::string& path);
 
-}  // namespace polhode::cli
+/// A whole file of text. Throws input_error where it cannot be read, is empty, or is longer than 4,000,000 bytes.
+[[nodiscard]] std::string read_text_file(const std::string& path);
+
+}  // namespace polhode

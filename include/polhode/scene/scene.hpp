@@ -1,0 +1,101 @@
+#pragma once
+
+// A scene: a body, its state, a time, and the effects asked for, read from a TOML file (docs/scenes.md). All numbers are exact.
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/rigid_body/regime.hpp"
+#include "polhode/rigid_body/rotor.hpp"
+#include "polhode/scene/document.hpp"
+#include "polhode/scene/units.hpp"
+
+namespace polhode {
+
+using rational_vector = std::array<rational, 3>;
+
+/// A principal axis in the frame in which the body was given, not normalised: its direction is direction/sqrt(square).
+struct principal_axis {
+  rational_vector direction;
+  rational square = 1;
+};
+
+struct scene_body {
+  std::string name;
+  std::string source;
+  /// I_x >= I_y >= I_z, in `size` kg m^2 where has_unit, else relative to each other. Where they are irrational: none.
+  std::optional<rational_vector> moments;
+  pi_scale size;
+  bool has_unit = false;
+  /// Of I_x, I_y, I_z. Where the moments are rational; where two are equal, one of the frames there are.
+  std::array<principal_axis, 3> axes;
+  /// Where the moments are rational and different.
+  std::optional<body> rigid;
+  /// Where uncertainties were given, or moments are irrational: ranges that hold them.
+  std::optional<uncertain_body> ranges;
+  bool irrational = false;
+  /// Of the file from which it was imported.
+  std::optional<std::string> file;
+  /// Of all members of the ranges.
+  body_kind kind = body_kind::undecided;
+  /// I_y + I_z - I_x in their unit where the moments are known and rational: negative where the triangle inequality is violated.
+  std::optional<rational> margin;
+};
+
+/// The state at time 0.
+struct scene_state {
+  /// c = 2 I_y H/J^2 - 1 in [-b, a]. Where the body has three different rational moments.
+  std::optional<rational> c;
+  /// The angular momentum in the body's principal axes: component i is momentum[i]/sqrt(axes[i].square) in units of
+  /// momentum_size, absolute where the time is. Missing where the motion was given by c alone.
+  std::optional<rational_vector> momentum;
+  pi_scale momentum_size;
+  /// The attitude, as a quaternion w, x, y, z that is not normalised: from the frame in which the body was given to that of space.
+  std::optional<std::array<rational, 4>> quaternion;
+  /// Or as R_z(phi) R_x(theta) R_z(psi).
+  std::optional<rational_vector> euler;
+  angle_unit euler_unit = angle_unit::radians;
+  long line = 0;
+};
+
+struct scene_time {
+  rational from = 0;
+  rational to = 0;
+  long samples = 0;
+};
+
+struct scene {
+  std::string title;
+  std::string source;
+  scene_body body;
+  std::optional<scene_state> state;
+  std::optional<scene_time> time;
+  /// The unit in which times are given and reported; its size is 1 where nothing in the scene has units.
+  unit time_unit{"I_y/J", {1, 0}};
+  /// Whether that is a time of the SI, the given units' own, or I_y/J.
+  enum class time_scale { si, as_given, natural } time_kind = time_scale::natural;
+
+  std::vector<std::string> want;
+  long digits = 30;
+  bool in_double = false;
+  long points = 41;                                // of the curves
+  long listed = 20;                                // of the meetings and of the flips
+  std::optional<std::array<rational, 2>> c_range;  // of the curves
+
+  struct sweep_axis {
+    std::string key;
+    std::vector<rational> values;
+  };
+  std::vector<sweep_axis> sweep;
+  std::vector<std::string> remarks;
+};
+
+/// Reads a scene. Paths in it are taken from `directory`. `replaced` stands in for numbers of the file (a point of its sweep).
+/// Throws input_error, "line 12: body.moments[0]: ...", for whatever cannot be used.
+[[nodiscard]] scene read_scene(const std::string& text, const std::filesystem::path& directory,
+                               const std::map<std::string, rational>& replaced = {});
+
+}  // namespace polhode

@@ -1,0 +1,278 @@
+// polhode scene: the effects that scene files ask for, and no others.
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "memory_limit.hpp"
+#include "options.hpp"
+#include "output_directory.hpp"
+#include "polhode/arithmetic/sha256.hpp"
+#include "polhode/scene/body_file.hpp"
+#include "progress.hpp"
+#include "scene_page.hpp"
+#include "scene_report.hpp"
+#include "streams.hpp"
+
+namespace polhode::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct scene_options {
+  std::vector<std::string> files;
+  std::optional<std::string> out;
+  bool list = false;
+  bool page = false;
+  std::optional<std::string> plot;
+  format_option format{{"text", "json", "csv"}};
+  memory_limit_option memory_limit;
+};
+
+/// One point of one scene: all that is computed at once, and kept in one file.
+struct job {
+  std::string file;
+  std::string text;
+  std::string stem;  // of the names of its files
+  sweep_point point;
+  std::string digest;
+};
+
+std::string hexadecimal(const sha256_digest& digest) {
+  std::string result;
+  for (const std::uint8_t byte : digest) result += fmt::format("{:02x}", byte);
+  return result;
+}
+
+/// Everything that the results depend on.
+std::string digest_of(const scene_options& options, const job& one, const scene& what) {
+  std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + one.text + '\n' +
+                    options.plot.value_or("") + (options.page ? "page" : "");
+  for (const auto& [key, value] : one.point) all += '\n' + key + '=' + to_text(value);
+  if (what.body.file) all += '\n' + read_text_file(*what.body.file);
+  return hexadecimal(sha256(std::as_bytes(std::span(all))));
+}
+
+/// What a reader refuses becomes a usage error that begins with the file.
+template <class F>
+auto reading(const std::string& file, const F& read) {
+  try {
+    return read();
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("{}: {}", in_quotes(file), error.what()));
+  }
+}
+
+scene scene_of(const job& one) {
+  const std::map<std::string, rational> replaced(one.point.begin(), one.point.end());
+  return reading(one.file,
+                 [&] { return read_scene(one.text, fs::path(one.file).parent_path(), replaced); });
+}
+
+/// All points of a sweep, the last key fastest; one without a point where there is no sweep.
+std::vector<sweep_point> points_of(const scene& what) {
+  std::vector<sweep_point> result(1);
+  for (const auto& axis : what.sweep) {
+    std::vector<sweep_point> longer;
+    longer.reserve(result.size() * axis.values.size());
+    for (const sweep_point& point : result) {
+      for (const rational& value : axis.values) {
+        longer.push_back(point);
+        longer.back().emplace_back(axis.key, value);
+      }
+    }
+    result = std::move(longer);
+  }
+  return result;
+}
+
+void check_memory(const scene_options& options, const scene& what) {
+  constexpr double bytes_per_digit = 60;
+  const auto digits = static_cast<double>(what.digits);
+  double numbers = 40;
+  for (const std::string& name : what.want) {
+    if (name == "montgomery_curve" || name == "twist_curve")
+      numbers += 3 * static_cast<double>(what.points);
+    if (name == "intersections") numbers += 6 * static_cast<double>(what.listed);
+    if (what.time && (name == "momentum" || name == "attitude"))
+      numbers += 20 * static_cast<double>(what.time->samples);
+  }
+  options.memory_limit.check({fmt::format("{} digits of some {} numbers", what.digits, numbers),
+                              numbers * (digits + 40) + bytes_per_digit * digits});
+}
+
+/// Reads and checks everything, so that a fault in the last file is found before the first is computed.
+std::vector<job> jobs_of(const scene_options& options) {
+  std::vector<job> jobs;
+  std::set<std::string> stems;
+  for (const std::string& file : options.files) {
+    const std::string text = reading(file, [&] { return read_text_file(file); });
+    const job whole{file, text, fs::path(file).stem().string(), {}, ""};
+    if (options.out && !stems.insert(whole.stem).second) {
+      throw usage_error(fmt::format(
+          "{}: two scenes of this name would be written to the same files in --out; rename one",
+          in_quotes(file)));
+    }
+    const scene what = scene_of(whole);
+    check_memory(options, what);
+    const std::vector<sweep_point> points = points_of(what);
+    jobs.reserve(jobs.size() + points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      job one = whole;
+      one.point = points[k];
+      if (!one.point.empty()) one.stem += fmt::format("-{:04}", k + 1);
+      one.digest = digest_of(options, one, one.point.empty() ? what : scene_of(one));
+      jobs.push_back(std::move(one));
+    }
+  }
+  return jobs;
+}
+
+/// The report that an earlier run left of the same job; nothing where it left none, or of something else.
+std::optional<json> kept_report(const std::string& directory, const job& one) {
+  const fs::path path = fs::path(directory) / (one.stem + ".json");
+  if (!fs::is_regular_file(path)) return std::nullopt;
+  try {
+    json report = json::parse(read_text_file(path.string()));
+    if (report.at("digest") == one.digest) return report;
+  } catch (const json::exception&) {
+  } catch (const input_error&) {
+  }
+  return std::nullopt;
+}
+
+bool is_certified(const json& report) { return report["verdict"] == to_text(status::certified); }
+
+/// Writes what one job has come to; its files appear together or not at all.
+void write_job(const scene_options& options, const job& one, const scene& what, const json& report,
+               const scene_report& results) {
+  std::vector<std::pair<std::string, std::string>> files;
+  files.emplace_back(one.stem + ".txt", scene_text(report));
+  for (const effect_result& effect : results.effects) {
+    if (effect.table)
+      files.emplace_back(one.stem + '.' + effect.name + ".csv", table_csv(*effect.table));
+    if (effect.table && options.plot) {
+      files.emplace_back(one.stem + '.' + effect.name + '.' + *options.plot,
+                         scene_plot(effect.name, *effect.table, *options.plot));
+    }
+  }
+  if (options.page) files.emplace_back(one.stem + ".html", scene_page(what, results, report));
+  files.emplace_back(one.stem + ".json",
+                     report.dump(2) + '\n');  // the last: it says that the others are there
+  std::vector<std::string> names;
+  names.reserve(files.size());
+  for (const auto& [name, contents] : files) names.push_back(name);
+  output_directory out(*options.out, names);
+  for (const auto& [name, contents] : files) out.write(name, contents);
+  out.publish();
+}
+
+std::string printed(const scene_options& options, const std::vector<json>& reports) {
+  const std::string& format = options.format.value();
+  if (format == "csv") return results_csv(reports);
+  if (format == "json") {
+    if (reports.size() == 1) return reports.front().dump(2) + '\n';
+    return json(reports).dump(2) + '\n';
+  }
+  std::string result;
+  for (const json& report : reports) result += (result.empty() ? "" : "\n") + scene_text(report);
+  return result;
+}
+
+std::string list_of_effects() {
+  std::string result;
+  for (const effect_description& one : all_effects())
+    result += fmt::format("{:<18}{}\n", one.name, one.summary);
+  return result;
+}
+
+exit_status run(const scene_options& options) {
+  (void)options.format.value();
+  if (options.list) {
+    print(list_of_effects());
+    return exit_status::all_certified;
+  }
+  if (options.files.empty())
+    throw usage_error("there is no scene; give a file, such as scenes/toutatis.toml");
+  if (options.plot && *options.plot != "svg" && *options.plot != "png") {
+    throw usage_error(fmt::format("--plot {}: it must be svg or png", in_quotes(*options.plot)));
+  }
+  if ((options.plot || options.page) && !options.out) {
+    throw usage_error("--plot and --page write files: give --out DIR, too");
+  }
+  const std::vector<job> jobs = jobs_of(options);
+  const progress line;
+  std::vector<json> reports;
+  reports.reserve(jobs.size());
+  std::size_t kept = 0;
+  for (const job& one : jobs) {
+    line.show(fmt::format("{} ({}/{})", one.stem, reports.size() + 1, jobs.size()));
+    if (options.out) {
+      if (auto report = kept_report(*options.out, one)) {
+        ++kept;
+        reports.push_back(std::move(*report));
+        continue;
+      }
+    }
+    const scene what = scene_of(one);
+    const scene_report results = compute(what);
+    reports.push_back(scene_json(what, results, one.file, one.point, one.digest));
+    if (options.out) write_job(options, one, what, reports.back(), results);
+  }
+  if (options.out) {
+    output_directory out(*options.out, {"results.csv"});
+    out.write("results.csv", results_csv(reports));
+    out.publish();
+    std::string summary;
+    for (const json& report : reports) {
+      if (!is_certified(report))
+        summary += fmt::format("{}: not certified\n", report["file"].get<std::string>());
+    }
+    print(summary + fmt::format("{} scenes and points in {}: {} computed, {} kept from before\n",
+                                jobs.size(), *options.out, jobs.size() - kept, kept));
+  } else {
+    print(printed(options, reports));
+  }
+  return std::all_of(reports.begin(), reports.end(), is_certified) ? exit_status::all_certified
+                                                                   : exit_status::not_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<scene_options>();
+  app.add_option("FILE", options->files, "Scenes, in TOML")->type_name("FILE");
+  app.add_option("--out", options->out,
+                 "Write each scene's files there, and all results in one table, results.csv")
+      ->type_name("DIR");
+  app.add_flag("--list", options->list, "List the effects, one line each");
+  app.add_option("--plot", options->plot, "Have gnuplot draw every curve and series: svg or png")
+      ->type_name("FORMAT");
+  app.add_flag("--page", options->page, "Write an HTML page a scene, in which the body turns");
+  options->format.declare(app);
+  options->memory_limit.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command scene_command() {
+  return {"scene", "Compute the effects that a scene file asks for, and no others",
+          "  polhode scene scenes/toutatis.toml\n"
+          "  polhode scene scenes/*.toml --out results --page --plot svg\n"
+          "  polhode scene --list\n\n"
+          "A scene is a body, its state, a time and the effects wanted (docs/scenes.md). Its "
+          "numbers are\n"
+          "read exactly; every number printed is certified. A run with --out that was interrupted "
+          "goes on\n"
+          "where it stopped: what was computed of the same scene is kept.\n",
+          declare};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "polhode/scene/effects.hpp"
+
+namespace polhode::cli {
+
+/// One HTML page without any other file: the body turning in three dimensions where the scene wants its attitude, with polhode and
+/// herpolhode where it wants its momentum, and the effects with their certified values. `report` is that of scene_json.
+[[nodiscard]] std::string scene_page(const scene& what, const scene_report& results,
+                                     const json& report);
+
+/// A picture of an effect's table by gnuplot, "svg" or "png". Throws output_error where there is no gnuplot.
+[[nodiscard]] std::string scene_plot(const std::string& name, const effect_table& table,
+                                     const std::string& format);
+
+}  // namespace polhode::cli

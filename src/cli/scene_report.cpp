@@ -1,0 +1,258 @@
+#include "scene_report.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "exact_decimals.hpp"
+#include "layout.hpp"
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr long digits_of_arguments = 60;
+
+json number_json(const effect_number& n, long digits) {
+  json result;
+  if (n.exact) {
+    constexpr long least = 20;  // a count is whole, whatever the digits of the numbers
+    const long shown = std::max(digits, least);
+    result = is_short(*n.exact, shown)
+                 ? exact_json(*n.exact, shown)
+                 : to_json(ball(*n.exact, bits_for_digits(shown) + 64), shown);
+  } else {
+    result = to_json(n.enclosure, digits);
+  }
+  if (n.is_range) result["range"] = true;
+  if (!n.unit.empty()) result["unit"] = n.unit;
+  return result;
+}
+
+/// Of a number that is one.
+double as_double(const ball& x) { return midpoint(x).convert_to<double>(); }
+
+json table_json(const effect_table& table) {
+  json result{{"columns", table.columns}, {"certified", table.certified}, {"rows", json::array()}};
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    json row{{table.columns[0], number_json({"", {}, table.first[i], ""}, table.digits)}};
+    for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
+      const ball& x = table.rows[i][k];
+      row[table.columns[k + 1]] = table.certified ? to_json(x, table.digits) : json(as_double(x));
+    }
+    result["rows"].push_back(std::move(row));
+  }
+  return result;
+}
+
+json effect_json(const effect_result& effect, bool wanted, long digits) {
+  json result{{"wanted", wanted}, {"verdict", to_text(effect.verdict)}};
+  if (!effect.why.empty()) result["why"] = effect.why;
+  for (const auto& [key, word] : effect.words) result["words"][key] = word;
+  for (const effect_number& n : effect.numbers) result["numbers"][n.name] = number_json(n, digits);
+  if (effect.table) result["table"] = table_json(*effect.table);
+  if (!effect.remarks.empty()) result["remarks"] = effect.remarks;
+  result["work"] = {{"integrals", effect.work.integrals},
+                    {"agm_steps", effect.work.agm_steps},
+                    {"newton_steps", effect.work.newton_steps}};
+  return result;
+}
+
+json body_json(const scene_body& of, long digits) {
+  json result;
+  if (!of.name.empty()) result["name"] = of.name;
+  if (!of.source.empty()) result["source"] = of.source;
+  result["kind"] = to_text(of.kind);
+  if (of.moments) {
+    constexpr const char* names[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i)
+      result["moments"][names[i]] = number_json({"", {}, (*of.moments)[i], ""}, digits);
+  }
+  if (of.has_unit && of.moments) {
+    const precision p = bits_for_digits(digits) + 64;
+    result["unit_in_kg_m2"] =
+        of.size.power == 0 ? exact_json(of.size.factor, digits) : to_json(of.size.at(p), digits);
+  }
+  return result;
+}
+
+/// Quoted where it has to be.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+std::string text_or_empty(const json& from, const char* key) {
+  return from.contains(key) && from[key].is_string() ? from[key].get<std::string>() : "";
+}
+
+std::string decimals_of(const json& number) {
+  if (number.contains("range"))
+    return fmt::format("from {} to {}", text_or_empty(number, "lower"),
+                       text_or_empty(number, "upper"));
+  std::string value = text_or_empty(number, "value");
+  if (number.contains("exact")) {
+    const std::string quotient = text_or_empty(number, "rational");
+    constexpr std::size_t longest = 40;
+    if (number.contains("lower") && number["lower"] == number["value"]) return value;
+    return (quotient.size() <= longest ? quotient + " = " : "") + value + "...";
+  }
+  const auto exponent = value.find('e');
+  if (value.empty())
+    return fmt::format("[{}, {}]", text_or_empty(number, "lower"), text_or_empty(number, "upper"));
+  if (exponent == std::string::npos) return value + "...";
+  return value.substr(0, exponent) + "..." + value.substr(exponent);
+}
+
+std::string point_text(const json& report) {
+  std::string result;
+  if (!report.contains("point")) return result;
+  for (const auto& [key, number] : report["point"].items()) {
+    result += (result.empty() ? "" : "; ") + key + " = " + text_or_empty(number, "rational");
+  }
+  return result;
+}
+
+std::string paragraph(const std::string& text, std::size_t indent) {
+  std::string result;
+  for (const std::string& line : wrapped(text, terminal_columns - indent))
+    result += std::string(indent, ' ') + line + '\n';
+  return result;
+}
+
+/// In lines of at most the terminal's width, also where there is no space to break at: certain digits are long words.
+std::string named_number(const std::string& name, const std::string& digits,
+                         const std::string& unit) {
+  const bool range = digits.rfind("from ", 0) == 0;
+  const std::string line =
+      "  " + name + (range ? " " : " = ") + digits + (unit.empty() ? "" : ' ' + unit);
+  if (line.size() <= terminal_columns) return line + '\n';
+  std::string result = "  " + name + (unit.empty() ? "" : " (" + unit + ")") + " =\n";
+  constexpr std::size_t width = terminal_columns - 4;
+  for (std::size_t at = 0; at < digits.size(); at += width)
+    result += "    " + digits.substr(at, width) + '\n';
+  return result;
+}
+
+}  // namespace
+
+json scene_json(const scene& what, const scene_report& report, const std::string& file,
+                const sweep_point& point, const std::string& digest) {
+  json result{{"file", file}};
+  if (!what.title.empty()) result["title"] = what.title;
+  if (!what.source.empty()) result["source"] = what.source;
+  result["verdict"] = to_text(report.verdict);
+  result["digits"] = what.digits;
+  for (const auto& [key, value] : point)
+    result["point"][key] = number_json({"", {}, value, ""}, digits_of_arguments);
+  result["body"] = body_json(what.body, what.digits);
+  result["effects"] = json::object();
+  for (const effect_result& effect : report.effects) {
+    const bool wanted =
+        std::find(report.wanted.begin(), report.wanted.end(), effect.name) != report.wanted.end();
+    result["effects"][effect.name] = effect_json(effect, wanted, what.digits);
+  }
+  if (!what.remarks.empty()) result["remarks"] = what.remarks;
+  result["polhode"] = POLHODE_VERSION;
+  result["digest"] = digest;
+  return result;
+}
+
+std::string scene_text(const json& report) {
+  std::string result = report["file"].get<std::string>();
+  if (report.contains("title")) result += ": " + text_or_empty(report, "title");
+  result = paragraph(result, 0);
+  const std::string point = point_text(report);
+  if (!point.empty()) result += paragraph("at " + point, 2);
+  if (report.contains("remarks")) {
+    for (const json& remark : report["remarks"]) result += paragraph(remark.get<std::string>(), 2);
+  }
+  for (const auto& [name, effect] : report["effects"].items()) {
+    if (!effect["wanted"].get<bool>()) continue;
+    const bool certified = effect["verdict"] == to_text(status::certified);
+    result += name + (certified ? "" : ": not certified") + '\n';
+    if (!certified) result += paragraph(text_or_empty(effect, "why"), 2);
+    if (effect.contains("words")) {
+      for (const auto& [key, word] : effect["words"].items())
+        result += paragraph(key + ": " + word.get<std::string>(), 2);
+    }
+    if (effect.contains("numbers")) {
+      for (const auto& [key, number] : effect["numbers"].items()) {
+        result += named_number(key, decimals_of(number), text_or_empty(number, "unit"));
+      }
+    }
+    if (effect.contains("table")) {
+      result += paragraph(
+          fmt::format("{} rows of {} (--out DIR, --format json)", effect["table"]["rows"].size(),
+                      fmt::format("{}", effect["table"]["columns"].dump())),
+          2);
+    }
+    if (effect.contains("remarks")) {
+      for (const json& remark : effect["remarks"])
+        result += paragraph(remark.get<std::string>(), 2);
+    }
+  }
+  result += "work: integrals, AGM steps, Newton steps\n";
+  for (const auto& [name, effect] : report["effects"].items()) {
+    const json& work = effect["work"];
+    result += fmt::format("  {:<18}{:>6}{:>6}{:>6}{}\n", name, work["integrals"].get<long>(),
+                          work["agm_steps"].get<long>(), work["newton_steps"].get<long>(),
+                          effect["wanted"].get<bool>() ? "" : "  (needed by another)");
+  }
+  return result;
+}
+
+std::string results_csv(const std::vector<json>& reports) {
+  std::string result = "scene,point,effect,quantity,unit,value,lower,upper,digits,verdict\n";
+  for (const json& report : reports) {
+    const std::string head =
+        csv_field(text_or_empty(report, "file")) + ',' + csv_field(point_text(report)) + ',';
+    for (const auto& [name, effect] : report["effects"].items()) {
+      if (!effect["wanted"].get<bool>()) continue;
+      const std::string verdict = text_or_empty(effect, "verdict");
+      if (effect.contains("words")) {
+        for (const auto& [key, word] : effect["words"].items()) {
+          result += head + name + ',' + key + ",," + csv_field(word.get<std::string>()) + ",,,," +
+                    verdict + '\n';
+        }
+      }
+      if (!effect.contains("numbers")) continue;
+      for (const auto& [key, number] : effect["numbers"].items()) {
+        result += head + fmt::format("{},{},{},{},{},{},{},{}\n", name, key,
+                                     csv_field(text_or_empty(number, "unit")),
+                                     text_or_empty(number, "value"), text_or_empty(number, "lower"),
+                                     text_or_empty(number, "upper"),
+                                     number["digits"].is_null() ? 0L : number["digits"].get<long>(),
+                                     verdict);
+      }
+    }
+  }
+  return result;
+}
+
+std::string table_csv(const effect_table& table) {
+  std::string result = table.columns[0];
+  for (std::size_t k = 1; k < table.columns.size(); ++k) {
+    result += fmt::format(fmt::runtime(table.certified ? ",{0},{0}_lower,{0}_upper" : ",{0}"),
+                          table.columns[k]);
+  }
+  result += '\n';
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    result += exact_text(table.first[i], digits_of_arguments);
+    for (const ball& x : table.rows[i]) {
+      if (!table.certified) {
+        result += fmt::format(",{}", as_double(x));
+        continue;
+      }
+      const decimal_enclosure d = to_decimal_enclosure(x, table.digits);
+      result += fmt::format(",{},{},{}", d.value, d.lower, d.upper);
+    }
+    result += '\n';
+  }
+  return result;
+}
+
+}  // namespace polhode::cli

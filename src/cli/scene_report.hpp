@@ -1,0 +1,29 @@
+#pragma once
+
+// What a scene has come to, as JSON, text and tables.
+
+#include <string>
+#include <vector>
+
+#include "polhode/scene/effects.hpp"
+
+namespace polhode::cli {
+
+/// A point of a sweep: the numbers that stand in the place of the file's. Empty where the scene has none.
+using sweep_point = std::vector<std::pair<std::string, rational>>;
+
+/// The whole report. `digest` is that of everything it was computed from.
+[[nodiscard]] json scene_json(const scene& what, const scene_report& report,
+                              const std::string& file, const sweep_point& point,
+                              const std::string& digest);
+
+/// For a terminal, made from the JSON.
+[[nodiscard]] std::string scene_text(const json& report);
+
+/// One line a number, of any scenes: scene, point, effect, quantity, unit, value, lower, upper, digits, verdict.
+[[nodiscard]] std::string results_csv(const std::vector<json>& reports);
+
+/// An effect's series: its columns with their ends.
+[[nodiscard]] std::string table_csv(const effect_table& table);
+
+}  // namespace polhode::cli

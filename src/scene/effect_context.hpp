@@ -1,0 +1,76 @@
+#pragma once
+
+// What the effects are computed from.
+
+#include <map>
+
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/scene/effects.hpp"
+
+namespace polhode::detail {
+
+struct effect_context {
+  const scene& what;
+  /// The results of the effects that this one comes after.
+  std::map<std::string, const effect_result*> before;
+
+  [[nodiscard]] const body& rigid() const { return *what.body.rigid; }
+  [[nodiscard]] const rational& c() const { return *what.state->c; }
+  [[nodiscard]] regime motion() const { return regime_of(rigid(), c()); }
+  [[nodiscard]] bool has_motion() const { return what.state && what.state->c; }
+  [[nodiscard]] long digits() const { return what.digits; }
+  /// Digits of what other effects compute with: they lose a few.
+  [[nodiscard]] long working_digits() const { return what.digits + 15; }
+  [[nodiscard]] const ball& number(const std::string& effect, const std::string& name) const;
+};
+
+/// Whether the angular momentum goes around in the body.
+[[nodiscard]] inline bool is_periodic(regime r) {
+  return r == regime::oscillating || r == regime::rotating;
+}
+
+/// (I_y/J) over the scene's unit of time, to about p bits.
+[[nodiscard]] ball natural_time(const scene& what, precision p);
+
+void add(effect_result& to, const std::string& name, const ball& value,
+         const std::string& unit = "");
+void add_exact(effect_result& to, const std::string& name, const rational& value);
+/// Makes the result not certified where this number is not; else adds it. Its work is counted in either case.
+void add(effect_result& to, const std::string& name, const certain_number& value,
+         const std::string& unit = "");
+void not_certified(effect_result& to, const std::string& why);
+
+/// The period in units of I_y/J where the motion is periodic: 4 K/lambda with K = pi/(2 agm(1, sqrt m1)) (montgomery_phase.hpp has
+/// lambda and m1).
+[[nodiscard]] ball period_at(const body& rigid, const rational& c, precision p, work_count& work);
+
+/// Guard bits where nothing cancels.
+[[nodiscard]] inline precision most_guard(long digits) {
+  return 15 * bits_for_digits(digits) + 1024;
+}
+
+/// No number is computed with more guard bits than this for want of a decision: a motion that is nearer than some 10^-9000 to another
+/// kind may be left not certified.
+inline constexpr precision greatest_guard = 1L << 15;
+
+// The effects, by their names.
+[[nodiscard]] effect_result planarity(const effect_context& x);
+[[nodiscard]] effect_result inertial_defect(const effect_context& x);
+[[nodiscard]] effect_result regime_effect(const effect_context& x);
+[[nodiscard]] effect_result period(const effect_context& x);
+[[nodiscard]] effect_result montgomery_phase_effect(const effect_context& x);
+[[nodiscard]] effect_result mean_precession(const effect_context& x);
+[[nodiscard]] effect_result montgomery_curve(const effect_context& x);
+[[nodiscard]] effect_result tennis_racket(const effect_context& x);
+[[nodiscard]] effect_result full_turn(const effect_context& x);
+[[nodiscard]] effect_result intersections(const effect_context& x);
+[[nodiscard]] effect_result twist_curve(const effect_context& x);
+[[nodiscard]] effect_result signature(const effect_context& x);
+[[nodiscard]] effect_result momentum(const effect_context& x);
+[[nodiscard]] effect_result attitude(const effect_context& x);
+[[nodiscard]] effect_result flips(const effect_context& x);
+[[nodiscard]] effect_result audit(const effect_context& x);
+[[nodiscard]] effect_result sensitivity(const effect_context& x);
+
+}  // namespace polhode::detail

@@ -1,0 +1,174 @@
+// Effects of a motion c: regime, period, Montgomery phase; and the curves over c.
+
+#include <algorithm>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/complete.hpp"
+#include "polhode/rigid_body/tennis_racket.hpp"
+#include "scene/effect_context.hpp"
+
+namespace polhode::detail {
+namespace {
+
+/// What there is to say where nothing is periodic.
+void remark_unless_periodic(effect_result& result, regime motion, const char* what) {
+  if (motion == regime::separatrix) {
+    result.remarks.push_back(std::string("on the separatrix ") + what + " is infinite");
+  } else if (!is_periodic(motion)) {
+    result.remarks.push_back(to_text(motion) +
+                             ": the angular momentum does not move in the body, and there is no " +
+                             what);
+  }
+}
+
+/// The middles of as many equal parts of the range.
+std::vector<rational> motions_of(const effect_context& x) {
+  const rational low = x.what.c_range ? (*x.what.c_range)[0] : rational(-x.rigid().b());
+  const rational high =
+      x.what.c_range ? (*x.what.c_range)[1] : std::min(x.rigid().a(), x.rigid().b());
+  const long points = x.what.points;
+  std::vector<rational> result;
+  result.reserve(static_cast<std::size_t>(points));
+  for (long k = 0; k < points; ++k)
+    result.emplace_back(low + (high - low) * (2 * k + 1) / (2 * points));
+  return result;
+}
+
+}  // namespace
+
+ball period_at(const body& rigid, const rational& c, precision p, work_count& work) {
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const rational first(c < 0 ? a - c : a);
+  const rational second(c < 0 ? b : b + c);
+  const agm_sums agm =
+      agm_with_sum(ball(1, p), sqrt(ball(rational(abs(c) * (a + b) / (first * second)), p)));
+  ++work.integrals;
+  work.agm_steps += agm.steps;
+  return 2 * pi(p) / (agm.mean * sqrt(ball(rational(first * second), p)));
+}
+
+effect_result regime_effect(const effect_context& x) {
+  effect_result result;
+  result.words = {{"regime", to_text(x.motion())}};
+  add_exact(result, "c", x.c());
+  if (x.what.state->momentum && x.motion() == regime::separatrix) {
+    const auto& j = *x.what.state->momentum;
+    if (j[0] == 0 && j[2] == 0)
+      result.remarks.emplace_back("exactly about the intermediate axis: an unstable equilibrium");
+  }
+  return result;
+}
+
+effect_result period(const effect_context& x) {
+  effect_result result;
+  remark_unless_periodic(result, x.motion(), "period");
+  if (!is_periodic(x.motion())) return result;
+  const long digits = x.working_digits();
+  const ball natural =
+      enclose_to_digits([&](precision p) { return period_at(x.rigid(), x.c(), p, result.work); },
+                        digits, most_guard(digits));
+  if (natural.is_undefined()) {
+    not_certified(result, "the period was not certified");
+    return result;
+  }
+  const ball unit_of_time = natural_time(x.what, natural.precision() + 32);
+  if (x.what.time_kind != scene::time_scale::natural)
+    add(result, "period", natural * unit_of_time, x.what.time_unit.name);
+  add(result, "natural_period", natural, "I_y/J");
+  return result;
+}
+
+effect_result montgomery_phase_effect(const effect_context& x) {
+  effect_result result;
+  remark_unless_periodic(result, x.motion(), "phase");
+  if (!is_periodic(x.motion())) return result;
+  const certain_number phase = montgomery_phase_to_digits(x.rigid(), x.c(), x.working_digits());
+  add(result, "phase", phase, "rad");
+  if (phase.verdict != status::certified) return result;
+  const ball dynamic = rational(1 + x.c()) * x.number("period", "natural_period");
+  add(result, "dynamic", dynamic, "rad");
+  const ball geometric = phase.enclosure - dynamic;
+  const decimal_enclosure d = to_decimal_enclosure(geometric, x.digits());
+  if (d.exact || d.digits >= x.digits()) {
+    add(result, "geometric", geometric, "rad");
+  } else {  // it cancels near c = -b
+    add(result, "geometric", geometric_phase_to_digits(x.rigid(), x.c(), x.digits()), "rad");
+  }
+  return result;
+}
+
+effect_result mean_precession(const effect_context& x) {
+  effect_result result;
+  const regime motion = x.motion();
+  const std::string per_time =
+      x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad per " + x.what.time_unit.name;
+  const precision p = bits_for_digits(x.working_digits()) + 64;
+  const ball unit_of_time = natural_time(x.what, p);
+  ball rate;
+  if (is_periodic(motion)) {
+    rate = x.number("montgomery_phase", "phase") /
+           (x.number("period", "natural_period") * unit_of_time);
+  } else {
+    // dphi/dt = 1 - b cos^2 psi with cos^2 psi = J_x^2/(J_x^2 + J_y^2): I_y/I_x = 1 - b about x. About z the angles phi and psi are not
+    // told apart, and the body turns at the rate I_y/I_z = 1 + a; on the separatrix the motion stays, but for a finite time, by the
+    // intermediate axis, where the rate is 1.
+    const rational natural(motion == regime::equilibrium_x   ? 1 - x.rigid().b()
+                           : motion == regime::equilibrium_z ? 1 + x.rigid().a()
+                                                             : rational(1));
+    rate = ball(natural, p) / unit_of_time;
+    result.remarks.push_back(motion == regime::separatrix
+                                 ? "on the separatrix: the limit for long times"
+                                 : to_text(motion) + ": the rate of rotation");
+  }
+  add(result, "rate", rate, per_time);
+  add(result, "precession_period", 2 * pi(p) / rate, x.what.time_unit.name);
+  return result;
+}
+
+effect_result montgomery_curve(const effect_context& x) {
+  effect_result result;
+  effect_table table;
+  table.columns = {"c", "phase"};
+  table.digits = x.digits();
+  for (const rational& c : motions_of(x)) {
+    if (!is_periodic(regime_of(x.rigid(), c))) continue;  // infinite on the separatrix
+    const certain_number phase = montgomery_phase_to_digits(x.rigid(), c, x.digits());
+    result.work += phase.work;
+    if (phase.verdict != status::certified) {
+      not_certified(result, "the phase at c = " + to_text(c) + " was not certified (" +
+                                to_text(phase.why) + ")");
+      return result;
+    }
+    table.first.push_back(c);
+    table.rows.push_back({phase.enclosure});
+  }
+  add_exact(result, "points", rational(static_cast<long>(table.rows.size())));
+  result.table = std::move(table);
+  return result;
+}
+
+effect_result twist_curve(const effect_context& x) {
+  effect_result result;
+  effect_table table;
+  table.columns = {"c", "epsilon"};
+  table.digits = x.digits();
+  for (const rational& c : motions_of(x)) {
+    const twist t = twist_to_digits(x.rigid(), c, x.digits(), with_slope::no);
+    result.work += t.work;
+    if (t.verdict != status::certified) {
+      not_certified(result,
+                    "epsilon at c = " + to_text(c) + " was not certified (" + to_text(t.why) + ")");
+      return result;
+    }
+    table.first.push_back(c);
+    table.rows.push_back({t.epsilon});
+  }
+  add_exact(result, "points", rational(static_cast<long>(table.rows.size())));
+  result.table = std::move(table);
+  return result;
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,195 @@
+// The times at which the intermediate axis turns over.
+
+#include <optional>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/elliptic/carlson.hpp"
+#include "scene/motion.hpp"
+
+namespace polhode::detail {
+namespace {
+
+int sign_of(const rational& q) { return (q > 0 ? 1 : 0) - (q < 0 ? 1 : 0); }
+
+/// Where the motion starts. In units of |J| and I_y/|J|, and in principal axes turned by half turns so that J_x < 0 where the body
+/// oscillates, J_z > 0 where it rotates, and both on the separatrix, Euler's equations are solved by
+///
+///   oscillating   J = (-A dn u, B sn u, C cn u),  B^2 = (b+c)/b
+///   rotating      J = (-A cn u, B sn u, C dn u),  B^2 = (a-c)/a
+///   separatrix    J = (-A sech u, tanh u, C sech u)
+///
+/// with u = lambda t + u_0, A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b) (L. D. Landau, E. M. Lifshitz, Mechanics, 37). A half turn about a
+/// principal axis is a symmetry of the equations. J_y is 0 at u = 2K n, and at u = 0 on the separatrix. The squares of sn, cn and dn at
+/// time 0 are rational.
+struct start {
+  int sine = 0;  // the signs
+  int cosine = 0;
+  rational sine2, cosine2, delta2;
+};
+
+start start_of(const effect_context& x) {
+  const rational& a = x.rigid().a();
+  const rational& b = x.rigid().b();
+  const rational& c = x.c();
+  const rational_vector& j = *x.what.state->momentum;
+  const rational_vector squares = direction_squares(x.what);
+  const rational a2((a - c) / (a + b));
+  const rational c2((b + c) / (a + b));
+  start result;
+  if (x.motion() == regime::oscillating) {
+    result.sine = j[0] > 0 ? -sign_of(j[1]) : sign_of(j[1]);  // half a turn about z
+    result.cosine = sign_of(j[2]);
+    result.sine2 = squares[1] * b / (b + c);
+    result.cosine2 = squares[2] / c2;
+    result.delta2 = squares[0] / a2;
+  } else {
+    result.sine = sign_of(j[1]);
+    result.cosine = j[2] < 0 ? sign_of(j[0]) : -sign_of(j[0]);  // half a turn about y
+    result.sine2 = squares[1] * a / (a - c);
+    result.cosine2 = squares[0] / a2;
+    result.delta2 = squares[2] / c2;
+  }
+  return result;
+}
+
+/// u_0/(2K) where it is a multiple of 1/2.
+std::optional<rational> exact_share(const start& at) {
+  if (at.sine == 0) return at.cosine < 0 ? rational(1) : rational(0);
+  if (at.cosine == 0) return rational(at.sine, 2);
+  return std::nullopt;
+}
+
+/// lambda t_0 with t_0 = u_0/lambda, in (-2K, 2K]: F(am u_0 | m) = sn R_F(cn^2, dn^2, 1) for cn >= 0 (DLMF 19.25.5), and 2K less that
+/// of the angle's supplement beyond.
+ball initial_time(const effect_context& x, const start& at, const ball& period) {
+  const precision p = period.precision();
+  const rational& a = x.rigid().a();
+  const rational& b = x.rigid().b();
+  const rational& c = x.c();
+  const ball lambda = sqrt(ball(rational(c < 0 ? b * (a - c) : a * (b + c)), p));
+  const ball first = sqrt(ball(at.sine2, p)) *
+                     carlson_rf(ball(at.cosine2, p), ball(at.delta2, p), ball(1, p)) / lambda;
+  const ball size = at.cosine < 0 ? scale(period, -1) - first : first;
+  return at.sine < 0 ? -size : size;
+}
+
+/// The whole number that a rounded ball is.
+std::optional<integer> whole(const ball& x) {
+  if (!x.is_bounded() || !x.is_exact()) return std::nullopt;
+  return numerator(lower_rational(x));
+}
+
+/// An end of the scene's time over I_y/J.
+ball natural(const effect_context& x, const rational& time, precision p) {
+  return ball(time, p) / natural_time(x.what, p);
+}
+
+void separatrix_flip(const effect_context& x, effect_result& result) {
+  const rational_vector& j = *x.what.state->momentum;
+  const rational_vector squares = direction_squares(x.what);
+  const int turned = (j[0] < 0 ? 1 : -1) * (j[2] > 0 ? 1 : -1);
+  const int side = turned * sign_of(j[1]);
+  result.remarks.emplace_back("on the separatrix: it turns over once in all time");
+  if (side > 0) {
+    result.remarks.emplace_back("that was before time 0");
+    return;
+  }
+  if (side == 0) return add_exact(result, "flip_1", 0);
+  // artanh y = log((1 + y)/sqrt(1 - y^2)), and 1 - y^2 is the sum of the other squares.
+  const rational rest(squares[0] + squares[2]);
+  const auto time = [&](precision p) {
+    return log((1 + sqrt(ball(squares[1], p))) / sqrt(ball(rest, p))) /
+           sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p)) * natural_time(x.what, p);
+  };
+  add(result, "flip_1", enclose_to_digits(time, x.digits(), most_guard(x.digits())),
+      x.what.time_unit.name);
+}
+
+}  // namespace
+
+effect_result flips(const effect_context& x) {
+  effect_result result;
+  const rational_vector& j = *x.what.state->momentum;
+  const std::string unit = x.what.time_unit.name;
+  if (x.motion() == regime::separatrix && (j[0] != 0 || j[2] != 0)) {
+    separatrix_flip(x, result);
+    return result;
+  }
+  if (!is_periodic(x.motion())) {
+    result.words = {{"flips", "never"}};
+    result.remarks.emplace_back(
+        x.motion() == regime::separatrix
+            ? "exactly about the intermediate axis: an equilibrium, in which it stays"
+            : to_text(x.motion()) + ", in which it stays");
+    return result;
+  }
+  const start at = start_of(x);
+  const auto exact = exact_share(at);
+  const ball& shared = x.number("period", "natural_period");
+  const auto period = [&](precision p) {
+    return p <= shared.precision() ? shared : period_at(x.rigid(), x.c(), p, result.work);
+  };
+  const auto share = [&](const ball& t) {
+    if (exact) return ball(*exact, t.precision());
+    ++result.work.integrals;
+    return 2 * initial_time(x, at, t) / t;
+  };
+  // Flip n is at (n - share) T/2.
+  const auto number_at = [&](const rational& time, bool up) -> std::optional<integer> {
+    if (time == 0 && exact) return whole(up ? ceil(ball(*exact, 64)) : floor(ball(*exact, 64)));
+    const precision sizes = size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) +
+                            size_in_bits(x.c()) + size_in_bits(time);
+    const precision most = shared.precision() + 4096 + std::min(8 * sizes, greatest_guard);
+    for (precision p = shared.precision(); p <= most; p *= 2) {
+      const ball t = period(p);
+      const ball place = 2 * natural(x, time, p) / t + share(t);
+      if (const auto n = whole(up ? ceil(place) : floor(place))) return n;
+    }
+    return std::nullopt;
+  };
+  const rational begin = x.what.time ? x.what.time->from : rational(0);
+  const auto first = number_at(begin, true);
+  if (!first) {
+    not_certified(result, "whether it turns over exactly at the beginning was not decided");
+    return result;
+  }
+  integer last = *first + x.what.listed - 1;
+  if (x.what.time) {
+    const auto end = number_at(x.what.time->to, false);
+    if (!end) {
+      not_certified(result, "whether it turns over exactly at the end was not decided");
+      return result;
+    }
+    add_exact(result, "count", rational(*end - *first + 1));
+    if (*end > last)
+      result.remarks.push_back("and " + integer(*end - last).str() +
+                               " more, not listed (listed = " + std::to_string(x.what.listed) +
+                               ")");
+    last = std::min(last, *end);
+  }
+  add(result, "spacing", scale(shared, -1) * natural_time(x.what, shared.precision()), unit);
+  for (integer n = *first; n <= last; ++n) {
+    const std::string name = "flip_" + integer(n - *first + 1).str();
+    if (exact && rational(n) == *exact) {
+      add_exact(result, name, 0);
+      continue;
+    }
+    const auto time = [&](precision p) {
+      const ball t = period(p);
+      const ball distance = exact ? ball(rational(n - *exact), t.precision()) * t
+                                  : n * t - 2 * initial_time(x, at, t);
+      return scale(distance, -1) * natural_time(x.what, t.precision());
+    };
+    if (!exact) ++result.work.integrals;
+    ball found = time(shared.precision());
+    const decimal_enclosure d = to_decimal_enclosure(found, x.digits());
+    if (!d.exact && d.digits < x.digits()) {  // it is near 0, and cancels
+      found = enclose_to_digits(time, x.digits(), most_guard(x.digits()) + 2 * size_in_bits(x.c()));
+    }
+    add(result, name, found, unit);
+  }
+  return result;
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,138 @@
+// Inertia from the files of robot simulators.
+
+#include <algorithm>
+#include <sstream>
+
+#include <pugixml.hpp>
+
+#include "arithmetic/quoted.hpp"
+#include "polhode/scene/body_file.hpp"
+#include "scene/inertia.hpp"
+
+namespace polhode::detail {
+namespace {
+
+struct found_inertia {
+  std::string name;
+  inertia_tensor tensor;
+};
+
+// NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
+class reader : public pugi::xml_tree_walker {
+ public:
+  explicit reader(const std::string& text) : text_(&text) {}
+
+  bool for_each(pugi::xml_node& node) override {
+    const std::string name = node.name();
+    if (name == "inertial" && (node.attribute("diaginertia") || node.attribute("fullinertia"))) {
+      add(node, from_mujoco(node));
+    } else if (const pugi::xml_node inertia = node.child("inertia");
+               name == "inertial" && inertia) {
+      add(node, from_entries(inertia));
+    }
+    return true;
+  }
+
+  std::vector<found_inertia> found;
+
+ private:
+  [[noreturn]] void refuse(const pugi::xml_node& node, const std::string& what) const {
+    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    const auto line =
+        1 +
+        std::count(text_->begin(),
+                   text_->begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_->size())),
+                   '\n');
+    throw input_error("line " + std::to_string(line) + ": <" + node.name() + ">: " + what);
+  }
+  rational number(const pugi::xml_node& node, const std::string& text) const {
+    try {
+      return parse_rational(text);
+    } catch (const input_error& error) {
+      refuse(node, error.what());
+    }
+  }
+  void add(const pugi::xml_node& node, inertia_tensor tensor) {
+    const std::string name = node.parent().attribute("name").value();
+    found.push_back({name, std::move(tensor)});
+  }
+  /// URDF has attributes, SDF elements.
+  inertia_tensor from_entries(const pugi::xml_node& node) const {
+    const std::array<const char*, 6> keys{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
+    inertia_tensor result;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      std::string text = node.attribute(keys[i]).value();
+      if (text.empty()) text = node.child(keys[i]).text().get();
+      std::istringstream words(text);
+      std::string word;
+      if (!(words >> word)) {
+        if (i < 3) refuse(node, std::string(keys[i]) + " is missing");
+        word = "0";
+      }
+      if (words >> word) refuse(node, std::string(keys[i]) + ": it must be one number");
+      result[i] = number(node, word);
+    }
+    return result;
+  }
+  inertia_tensor from_mujoco(const pugi::xml_node& node) const {
+    const pugi::xml_attribute full = node.attribute("fullinertia");
+    const pugi::xml_attribute diagonal = node.attribute("diaginertia");
+    if (full && diagonal) refuse(node, "it has diaginertia and fullinertia; there may be one");
+    inertia_tensor result{0, 0, 0, 0, 0, 0};
+    std::istringstream words(full ? full.value() : diagonal.value());
+    std::string word;
+    std::size_t count = 0;
+    for (; words >> word; ++count) {
+      if (count < result.size()) result[count] = number(node, word);
+    }
+    const std::size_t right = full ? 6 : 3;
+    if (count != right) {
+      refuse(node, std::string(full ? "fullinertia" : "diaginertia") + " must be " +
+                       std::to_string(right) + " numbers");
+    }
+    return result;
+  }
+
+  const std::string* text_;
+};
+
+}  // namespace
+
+imported_inertia import_inertia(const std::string& path, const std::optional<std::string>& link) {
+  const std::string text = read_text_file(path);
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
+  if (!parsed) {
+    const auto end = static_cast<std::ptrdiff_t>(std::min(
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0)), text.size()));
+    throw input_error("line " +
+                      std::to_string(1 + std::count(text.begin(), text.begin() + end, '\n')) +
+                      ": no XML: " + parsed.description());
+  }
+  reader inertias(text);
+  document.traverse(inertias);
+  std::vector<found_inertia> chosen;
+  std::string names;
+  for (found_inertia& one : inertias.found) {
+    constexpr std::size_t most_shown = 200;
+    if (names.size() < most_shown) names += (names.empty() ? "" : ", ") + detail::quoted(one.name);
+    if (!link || one.name == *link) chosen.push_back(std::move(one));
+  }
+  if (inertias.found.empty()) {
+    throw input_error(
+        "there is no inertia in it: neither <inertial> with <inertia> (URDF, SDF) nor <inertial> "
+        "with diaginertia or "
+        "fullinertia (MuJoCo)");
+  }
+  if (chosen.empty())
+    throw input_error("there is no inertia of " + detail::quoted(*link) + "; there are those of " +
+                      names);
+  if (chosen.size() > 1) {
+    throw input_error(
+        "there are " + std::to_string(chosen.size()) + " inertias" +
+        (link ? " of " + detail::quoted(*link) : "; choose one by \"link\": " + names));
+  }
+  return {chosen.front().name, chosen.front().tensor};
+}
+
+}  // namespace polhode::detail

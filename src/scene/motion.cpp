@@ -1,0 +1,316 @@
+#include "scene/motion.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/rigid_body/rotor.hpp"
+
+namespace polhode::detail {
+namespace {
+
+/// Rotations by the principal axes, of which the columns are unit vectors: from the principal frame to the given one.
+matrix3<rational> frame_of(const scene_body& of) {
+  matrix3<rational> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const rational& square = of.axes[k].square;
+    const rational length(integer(sqrt(numerator(square))), integer(sqrt(denominator(square))));
+    for (std::size_t i = 0; i < 3; ++i) result[i][k] = of.axes[k].direction[i] / length;
+  }
+  return result;
+}
+
+template <class T>
+T number_of(const rational& q, precision p);
+template <>
+ball number_of<ball>(const rational& q, precision p) {
+  return {q, p};
+}
+template <>
+double number_of<double>(const rational& q, precision) {
+  return static_cast<double>(q);
+}
+double number_of(const ball& x) { return midpoint(x).convert_to<double>(); }
+
+template <class T>
+matrix3<T> product(const matrix3<T>& x, const matrix3<T>& y) {
+  matrix3<T> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      result[i][k] = x[i][0] * y[0][k] + x[i][1] * y[1][k] + x[i][2] * y[2][k];
+  }
+  return result;
+}
+template <class T>
+matrix3<T> transposed(const matrix3<T>& x) {
+  matrix3<T> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[i][k] = x[k][i];
+  }
+  return result;
+}
+template <class T>
+triple<T> product(const matrix3<T>& x, const triple<T>& v) {
+  triple<T> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = x[i][0] * v[0] + x[i][1] * v[1] + x[i][2] * v[2];
+  return result;
+}
+
+/// In the principal axes.
+triple<rational> momentum_of(const scene& what) {
+  const scene_body& of = what.body;
+  triple<rational> momentum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const rational& square = of.axes[i].square;
+    momentum[i] = (*what.state->momentum)[i] /
+                  rational(integer(sqrt(numerator(square))), integer(sqrt(denominator(square))));
+  }
+  return momentum;
+}
+
+initial_state state_of(const scene& what) {
+  return initial_state::from_momentum(*what.body.moments, momentum_of(what));
+}
+
+/// The attitude at time 0: from the given frame to space.
+matrix3<ball> attitude_at_0(const scene& what, initial_state any, precision p) {
+  const scene_state& state = *what.state;
+  if (state.quaternion) any.set_quaternion(*state.quaternion);
+  if (state.euler) any.set_euler_angles(*state.euler, state.euler_unit);
+  return any.attitude(p);
+}
+
+/// A time as the rotor has it, in moment/momentum: an exact number, and how far from it the true time may be, which has pi in it where
+/// angles are in degrees.
+struct rotor_time {
+  rational t;
+  magnitude off = magnitude::from_integer_up(0);
+};
+
+class motion {
+ public:
+  motion(const scene& what, precision p)
+      : unit_(what.time_unit.size * what.state->momentum_size / what.body.size),
+        p_(p),
+        state_(state_of(what)) {
+    // |omega| <= |J|/I_z, so that |dJ/dt| = |J x omega| <= |J| |omega|, and an entry of dR/dt = R [omega]x is at most |omega|.
+    const ball size = sqrt(ball(state_.squared_momentum(), 64));
+    const ball fastest = size / (*what.body.moments)[2];
+    momentum_speed_ = (size * fastest).magnitude_upper();
+    attitude_speed_ = fastest.magnitude_upper();
+  }
+
+  [[nodiscard]] const initial_state& state() const { return state_; }
+  [[nodiscard]] const pi_scale& unit() const { return unit_; }
+  [[nodiscard]] rotor_time at(const rational& t) const {
+    rotor_time result;
+    if (unit_.power == 0) {
+      result.t = t * unit_.factor;
+    } else if (t != 0) {
+      const ball product = t * unit_.at(p_ + 64 + static_cast<precision>(size_in_bits(t)));
+      const ball middle = product.middle();
+      result.t = lower_rational(middle);
+      result.off = product.radius();
+    }
+    return result;
+  }
+  [[nodiscard]] ball momentum(const ball& x, const rotor_time& at) const {
+    return x.enlarged(multiply_up(momentum_speed_, at.off));
+  }
+  [[nodiscard]] ball attitude(const ball& x, const rotor_time& at) const {
+    return x.enlarged(multiply_up(attitude_speed_, at.off));
+  }
+  static double momentum(double x, const rotor_time&) { return x; }
+  static double attitude(double x, const rotor_time&) { return x; }
+
+ private:
+  pi_scale unit_;
+  precision p_;
+  initial_state state_;
+  magnitude momentum_speed_;
+  magnitude attitude_speed_;
+};
+
+std::vector<rational> times_of(const scene_time& time) {
+  if (time.samples == 1) return {time.from};
+  std::vector<rational> result;
+  result.reserve(static_cast<std::size_t>(time.samples));
+  for (long k = 0; k < time.samples; ++k)
+    result.emplace_back(time.from + (time.to - time.from) * k / (time.samples - 1));
+  return result;
+}
+
+ball in_ball(const ball& x) { return x; }
+ball in_ball(double x) { return ball::exactly(x); }
+
+/// A row for each time, in parallel: `row` may be called by many threads.
+template <class Row>
+effect_table table_of(const effect_context& x, std::vector<std::string> columns, const Row& row) {
+  effect_table table;
+  table.columns = std::move(columns);
+  table.digits = x.digits();
+  table.certified = !x.what.in_double;
+  table.first = times_of(*x.what.time);
+  table.rows.resize(table.first.size());
+  tbb::parallel_for(std::size_t{0}, table.rows.size(),
+                    [&](std::size_t i) { table.rows[i] = row(table.first[i]); });
+  return table;
+}
+
+/// J/|J| and omega in the given frame, omega in rad per unit of the scene's time.
+template <class T>
+effect_table momentum_table(const effect_context& x, precision p) {
+  const motion path(x.what, p);
+  const rotor<T> turning(path.state(), p);
+  const matrix3<rational> exact_frame = frame_of(x.what.body);
+  matrix3<T> frame;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) frame[i][k] = number_of<T>(exact_frame[i][k], p);
+  }
+  const ball unit_ball = path.unit().at(p);
+  const ball size_ball = sqrt(ball(path.state().squared_momentum(), p));
+  T unit;
+  T size;
+  if constexpr (std::same_as<T, ball>) {
+    unit = unit_ball;
+    size = size_ball;
+  } else {
+    unit = number_of(unit_ball);
+    size = number_of(size_ball);
+  }
+  triple<T> inverse;
+  for (std::size_t i = 0; i < 3; ++i)
+    inverse[i] = number_of<T>(rational(1 / (*x.what.body.moments)[i]), p);
+  return table_of(x, {"t", "j_1", "j_2", "j_3", "omega_1", "omega_2", "omega_3"},
+                  [&](const rational& t) {
+                    const rotor_time at = path.at(t);
+                    const rotor_sample<T> sample = turning.sample(at.t);
+                    triple<T> j;
+                    triple<T> omega;
+                    for (std::size_t i = 0; i < 3; ++i) {
+                      const T here = path.momentum(sample.momentum[i], at);
+                      j[i] = here / size;
+                      omega[i] = here * inverse[i] * unit;
+                    }
+                    const triple<T> j_given = product(frame, j);
+                    const triple<T> omega_given = product(frame, omega);
+                    std::vector<ball> row;
+                    row.reserve(6);
+                    for (const T& one : j_given) row.push_back(in_ball(one));
+                    for (const T& one : omega_given) row.push_back(in_ball(one));
+                    return row;
+                  });
+}
+
+/// The quaternion that takes the given frame to space, and the unwrapped angle phi about J.
+template <class T>
+effect_table attitude_table(const effect_context& x, precision p) {
+  const motion path(x.what, p);
+  const rotor<T> turning(path.state(), p);
+  const matrix3<rational> exact_frame = frame_of(x.what.body);
+  const matrix3<ball> start_ball = attitude_at_0(x.what, path.state(), p);
+  matrix3<T> frame;
+  matrix3<T> start;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      frame[i][k] = number_of<T>(exact_frame[i][k], p);
+      if constexpr (std::same_as<T, ball>) {
+        start[i][k] = start_ball[i][k];
+      } else {
+        start[i][k] = number_of(start_ball[i][k]);
+      }
+    }
+  }
+  // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
+  const matrix3<T> before = product(start, frame);
+  const matrix3<T> after = transposed(frame);
+  return table_of(x, {"t", "q_w", "q_x", "q_y", "q_z", "phi"}, [&](const rational& t) {
+    const rotor_time at = path.at(t);
+    rotor_attitude<T> attitude = turning.attitude(at.t);
+    const T phi = path.attitude(attitude.angles().phi, at);
+    for (auto& row : attitude.matrix) {
+      for (T& entry : row) entry = path.attitude(entry, at);
+    }
+    attitude.matrix = product(product(before, attitude.matrix), after);
+    std::vector<ball> row;
+    row.reserve(5);
+    for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
+    row.push_back(in_ball(phi));
+    return row;
+  });
+}
+
+constexpr const char* by_double = "in double, as the scene asks: some 15 digits, not certified";
+
+precision bits_of(const effect_context& x) { return bits_for_digits(x.working_digits()) + 16; }
+
+}  // namespace
+
+rational_vector direction_squares(const scene& what) {
+  rational_vector squares;
+  rational sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const rational& one = (*what.state->momentum)[i];
+    squares[i] = one * one / what.body.axes[i].square;
+    sum += squares[i];
+  }
+  for (rational& one : squares) one /= sum;
+  return squares;
+}
+
+effect_result momentum(const effect_context& x) {
+  effect_result result;
+  result.table =
+      x.what.in_double ? momentum_table<double>(x, 53) : momentum_table<ball>(x, bits_of(x));
+  if (x.what.in_double) not_certified(result, by_double);
+  add_exact(result, "samples", rational(x.what.time->samples));
+  result.remarks.push_back("j = J/|J| and omega in rad per " + x.what.time_unit.name +
+                           ", along the axes in which the body was given");
+  return result;
+}
+
+effect_result attitude(const effect_context& x) {
+  effect_result result;
+  result.table =
+      x.what.in_double ? attitude_table<double>(x, 53) : attitude_table<ball>(x, bits_of(x));
+  if (x.what.in_double) not_certified(result, by_double);
+  add_exact(result, "samples", rational(x.what.time->samples));
+  result.remarks.emplace_back(
+      "q takes the axes in which the body was given to those of space; phi is the angle about J, "
+      "unwrapped");
+  return result;
+}
+
+void audit_motion(const effect_context& x,
+                  const std::function<void(const std::string&, const ball&)>& expect_zero) {
+  const precision p = bits_of(x);
+  const initial_state start = state_of(x.what);
+  const rotor<ball> turning(start, p);
+  const rotor_sample<ball> begin = turning.sample(rational(0));
+  const triple<ball> in_space = product(turning.attitude(rational(0)).matrix, begin.momentum);
+  ball energy(0, p);
+  ball momentum(0, p);
+  ball direction(0, p);
+  rational size = 0;  // at least |J|, and at most sqrt(3) times that
+  for (const rational& one : momentum_of(x.what)) size += abs(one);
+  for (const long time : {1L, 10L, 100L}) {
+    const rational t(time * start.moments()[1] / size);
+    const rotor_sample<ball> sample = turning.sample(t);
+    ball twice_energy(0, p);
+    ball square(0, p);
+    for (std::size_t i = 0; i < 3; ++i) {
+      twice_energy += polhode::square(sample.momentum[i]) / start.moments()[i];
+      square += polhode::square(sample.momentum[i]);
+    }
+    energy = hull(energy, twice_energy / start.twice_energy() - 1);
+    momentum = hull(momentum, square / start.squared_momentum() - 1);
+    const triple<ball> there = product(turning.attitude(t).matrix, sample.momentum);
+    for (std::size_t i = 0; i < 3; ++i)
+      direction = hull(direction, (there[i] - in_space[i]) / turning.momentum_size());
+  }
+  expect_zero("energy", energy);
+  expect_zero("squared_momentum", momentum);
+  expect_zero("momentum_in_space", direction);
+}
+
+}  // namespace polhode::detail

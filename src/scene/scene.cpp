@@ -1,0 +1,366 @@
+#include "polhode/scene/scene.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "arithmetic/quoted.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/nearest_name.hpp"
+#include "polhode/scene/effects.hpp"
+#include "scene/inertia.hpp"
+
+namespace polhode {
+namespace detail {
+namespace {
+
+rational dot(const rational_vector& x, const rational_vector& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+std::string time_of(const std::string& angular_velocity) {
+  if (angular_velocity == "rpm") return "min";
+  return angular_velocity.substr(angular_velocity.find('/') + 1);
+}
+
+unit unit_named(const std::vector<unit>& units, const std::string& name) {
+  return *std::find_if(units.begin(), units.end(),
+                       [&](const unit& one) { return one.name == name; });
+}
+
+/// A rotation's quaternion (w, x, y, z), up to a factor, from its matrix: column i is where axis i goes. One of the four numbers
+/// 4w^2, 4x^2, 4y^2, 4z^2 below is at least 1, as they add to 4; the products of it with the others are linear in the entries
+/// (S. W. Shepperd, J. Guidance and Control 1, 1978).
+std::array<rational, 4> quaternion_of(const std::vector<std::vector<rational>>& m) {
+  const std::array<rational, 4> squares{
+      1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
+      1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2]};
+  const std::size_t greatest =
+      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const rational wx(m[2][1] - m[1][2]);
+  const rational wy(m[0][2] - m[2][0]);
+  const rational wz(m[1][0] - m[0][1]);
+  const rational xy(m[1][0] + m[0][1]);
+  const rational xz(m[0][2] + m[2][0]);
+  const rational yz(m[2][1] + m[1][2]);
+  switch (greatest) {
+    case 0:
+      return {squares[0], wx, wy, wz};
+    case 1:
+      return {wx, squares[1], xy, xz};
+    case 2:
+      return {wy, xy, squares[2], yz};
+    default:
+      return {wz, xz, yz, squares[3]};
+  }
+}
+
+void refuse_unless_rotation(section& from, const std::vector<std::vector<rational>>& m) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = i; k < 3; ++k) {
+      const rational product(m[0][i] * m[0][k] + m[1][i] * m[1][k] + m[2][i] * m[2][k]);
+      if (product == (i == k ? 1 : 0)) continue;
+      from.refuse(
+          "matrix",
+          "its columns are not orthonormal: columns " + std::to_string(i + 1) + " and " +
+              std::to_string(k + 1) + " have the product " + to_text(product) +
+              " in the place of " + (i == k ? "1" : "0") +
+              "; it must be exact (3/5, 4/5), or give a quaternion, which is normalised exactly");
+    }
+  }
+  const rational determinant(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                             m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
+  if (determinant < 0)
+    from.refuse("matrix", "it is a reflection, of determinant -1; a rotation has 1");
+}
+
+void read_attitude(section& from, scene_state& result) {
+  const int given = int{from.has("quaternion")} + int{from.has("matrix")} + int{from.has("euler")};
+  if (given > 1) from.refuse("the attitude is given twice; give one of quaternion, matrix, euler");
+  if (from.find("quaternion")) {
+    const auto q = from.numbers("quaternion", 4);
+    if (std::all_of(q.begin(), q.end(), [](const rational& x) { return x == 0; })) {
+      from.refuse("quaternion", "it must not be 0");
+    }
+    result.quaternion = {q[0], q[1], q[2], q[3]};
+  }
+  if (from.find("matrix")) {
+    const auto m = from.matrix("matrix", 3);
+    refuse_unless_rotation(from, m);
+    result.quaternion = quaternion_of(m);
+  }
+  const bool has_unit = from.find("euler_unit") != nullptr;
+  if (!from.find("euler")) {
+    if (has_unit) from.refuse("euler_unit", "it goes with euler");
+    return;
+  }
+  const auto angles = from.numbers("euler", 3);
+  result.euler = {angles[0], angles[1], angles[2]};
+  const std::string unit_name = from.text("euler_unit");
+  refuse_unless_known(from.at("euler_unit"), from.path_of("euler_unit"), unit_name, {"rad", "deg"},
+                      "the unit");
+  result.euler_unit = unit_name == "deg" ? angle_unit::degrees : angle_unit::radians;
+}
+
+rational_vector nonzero(section& from, const std::string& key, const char* what) {
+  const auto v = from.numbers(key, 3);
+  if (v[0] == 0 && v[1] == 0 && v[2] == 0)
+    from.refuse(key, std::string(what) + " is 0: the body does not turn");
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+scene_state read_state(section from, const scene_body& of, scene& whole) {
+  scene_state result;
+  result.line = from.value().line;
+  const bool by_omega = from.find("omega") != nullptr;
+  const bool by_momentum = from.find("momentum") != nullptr;
+  const bool by_c = from.find("c") != nullptr;
+  const bool has_unit = from.find("unit") != nullptr;
+  read_attitude(from, result);
+  from.finish();
+  if (int{by_omega} + int{by_momentum} + int{by_c} != 1) {
+    from.refuse(by_omega || by_momentum || by_c
+                    ? "the state is given twice; give one of omega, momentum, c"
+                    : "there is no state; give one of omega, momentum, c");
+  }
+  if (by_c) {
+    if (has_unit) from.refuse("unit", "c has no unit: contradictory");
+    if (result.quaternion || result.euler)
+      from.refuse("an attitude goes with omega or momentum, which tell where the body starts");
+    if (!of.rigid) from.refuse("c", "c needs a body with three different rational moments");
+    result.c = from.number("c");
+    try {
+      (void)regime_of(*of.rigid, *result.c);
+    } catch (const input_error& error) {
+      from.refuse("c", error.what());
+    }
+    return result;
+  }
+  const std::string key = by_omega ? "omega" : "momentum";
+  const rational_vector given =
+      nonzero(from, key, by_omega ? "the angular velocity" : "the angular momentum");
+  if (!of.moments)
+    from.refuse(key,
+                "the principal axes of this body are irrational, so that a state in them is not "
+                "exact; give its principal moments");
+  const auto size = read_unit(from, "unit", by_omega ? angular_velocity_units() : momentum_units());
+  if (by_momentum && size.has_value() != of.has_unit) {
+    from.refuse(key, size ? "contradictory units: the momentum has a unit and the moments of "
+                            "inertia have none; give [body] a unit"
+                          : "contradictory units: the moments of inertia have a unit and the "
+                            "momentum has none; give [state] a unit");
+  }
+  rational_vector momentum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const rational along(dot(given, of.axes[i].direction));
+    momentum[i] = by_omega ? rational((*of.moments)[i] * along) : along;
+  }
+  result.momentum = momentum;
+  if (size) {
+    result.momentum_size = by_omega ? of.size * size->size : size->size;
+    whole.time_kind = scene::time_scale::si;
+    whole.time_unit = unit_named(time_units(), by_omega ? time_of(size->name) : "s");
+  } else {
+    result.momentum_size = of.size;  // so that I_y/J is in the units given
+    whole.time_kind = scene::time_scale::as_given;
+    whole.time_unit = {by_omega ? "1/omega" : "I/J", {1, 0}};
+  }
+  if (!of.rigid) return result;
+  rational twice_energy = 0;
+  rational square = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const rational one(momentum[i] * momentum[i] / of.axes[i].square);
+    square += one;
+    twice_energy += one / (*of.moments)[i];
+  }
+  result.c = (*of.moments)[1] * twice_energy / square - 1;
+  return result;
+}
+
+}  // namespace detail
+
+namespace {
+
+using detail::read_body;
+using detail::read_state;
+
+constexpr long most_samples = 1'000'000;
+constexpr long most_scene_digits = 100'000;
+
+scene_time read_time(section from, scene& whole) {
+  scene_time result;
+  const auto from_value = from.optional_number("from");
+  (void)from.find("to");
+  (void)from.find("samples");
+  (void)from.find("unit");
+  from.finish();
+  if (from_value) result.from = *from_value;
+  result.to = from.number("to");
+  result.samples = from.count("samples", 101, 1, most_samples);
+  if (result.to < result.from)
+    from.refuse("to", "the end must not be before the beginning, from = " + to_text(result.from));
+  if (result.samples == 1 && result.to != result.from) {
+    from.refuse("samples", "one sample is of one time; give from = to, or at least 2 samples");
+  }
+  const auto size = detail::read_unit(from, "unit", time_units());
+  if (!size) return result;
+  if (whole.time_kind != scene::time_scale::si) {
+    from.refuse("unit",
+                "contradictory units: the state has no unit of time (such as unit = \"rad/s\"), "
+                "and [time] has one");
+  }
+  whole.time_unit = *size;
+  return result;
+}
+
+bool is_square(const rational& q) {
+  return mpz_perfect_square_p(numerator(q).backend().data()) != 0 &&
+         mpz_perfect_square_p(denominator(q).backend().data()) != 0;
+}
+bool has_rational_axes(const scene_body& of) {
+  return of.moments && std::all_of(of.axes.begin(), of.axes.end(), [](const principal_axis& axis) {
+           return is_square(axis.square);
+         });
+}
+
+std::vector<rational> read_sweep_values(section& sweep, const std::string& key) {
+  const document_value& value = sweep.at(key);
+  constexpr std::size_t most = 100'000;
+  if (value.type == document_value::kind::array) {
+    if (value.items.empty() || value.items.size() > most)
+      sweep.refuse(key, "it must be an array of at least one number");
+    return sweep.numbers(key, value.items.size());
+  }
+  section range = sweep.table(key);
+  const rational low = range.number("from");
+  const rational high = range.number("to");
+  const long steps = range.count("steps", 10, 1, static_cast<long>(most) - 1);
+  range.finish();
+  std::vector<rational> result;
+  result.reserve(static_cast<std::size_t>(steps) + 1);
+  for (long k = 0; k <= steps; ++k) result.emplace_back(low + (high - low) * k / steps);
+  return result;
+}
+
+void read_sweep(section sweep, scene& result, const replacements& replaced) {
+  std::size_t points = 1;
+  const std::vector<std::string> known(replaced.seen.begin(), replaced.seen.end());
+  for (const auto& [key, value] : sweep.value().members) {
+    if (!replaced.seen.contains(key)) {
+      std::string right =
+          known.empty() ? "" : "; the nearest is \"" + nearest_name(key, known) + '"';
+      refuse_value(value, detail::quoted(key), "there is no such number in this scene" + right);
+    }
+    result.sweep.push_back({key, read_sweep_values(sweep, key)});
+    points *= result.sweep.back().values.size();
+    constexpr std::size_t most = 1'000'000;
+    if (points > most) refuse_value(value, "sweep", "it has more than 1000000 points");
+  }
+  if (result.sweep.empty())
+    sweep.refuse(
+        "it is empty; give a key of a number, \"state.omega[0]\" = { from = 1, to = 2, steps = 10 "
+        "}");
+}
+
+/// What an effect lacks in this scene; empty where it has everything.
+std::string missing_for(const effect_needs& needs, const scene& what) {
+  if (needs.distinct && !what.body.rigid) {
+    return what.body.irrational
+               ? "principal moments that are rational numbers, and this body's are not"
+               : "three different moments, and this body is a symmetric top, which has no "
+                 "intermediate axis";
+  }
+  if ((needs.motion || needs.start) && !what.state)
+    return "a state: give [state] omega, momentum or c";
+  if (needs.start && !what.state->momentum) {
+    return "the direction of the angular momentum in the body: give [state] omega or momentum in "
+           "place of c";
+  }
+  if (needs.frame && !has_rational_axes(what.body)) {
+    return "principal axes along vectors of rational length, and this tensor's are not; give its "
+           "principal moments";
+  }
+  if (needs.time && !what.time) return "a time: give [time] to";
+  return "";
+}
+
+void read_effects(section from, scene& result) {
+  std::vector<std::string> names;
+  names.reserve(all_effects().size());
+  for (const effect_description& one : all_effects()) names.push_back(one.name);
+  (void)from.find("want");
+  result.points = from.count("points", result.points, 2, 100'000);
+  result.listed = from.count("listed", result.listed, 0, 100'000);
+  if (from.find("c")) {
+    const auto ends = from.numbers("c", 2);
+    result.c_range = {ends[0], ends[1]};
+  }
+  from.finish();
+  const std::vector<std::string> want = from.texts("want");
+  if (want.empty())
+    from.refuse("want", "it is empty; give at least one of the effects, such as \"period\"");
+  for (const std::string& name : want) {
+    refuse_unless_known(from.at("want"), "effects.want", name, names, "the effect");
+    if (std::find(result.want.begin(), result.want.end(), name) == result.want.end())
+      result.want.push_back(name);
+  }
+  if (result.c_range && result.body.rigid) {
+    const auto& [low, high] = *result.c_range;
+    if (low >= high) from.refuse("c", "the lower end must be below the upper one");
+    for (const rational& end : {low, high}) {
+      try {
+        (void)regime_of(*result.body.rigid, end);
+      } catch (const input_error& error) {
+        from.refuse("c", error.what());
+      }
+    }
+  }
+  for (const std::string& name : result.want) {
+    for (const std::string& needed : closure_of({name})) {
+      const std::string what = missing_for(find_effect(needed)->needs, result);
+      if (!what.empty()) from.refuse("want", "the effect \"" + name + "\" needs " + what);
+    }
+  }
+}
+
+scene read_sections(const std::string& text, const std::filesystem::path& directory,
+                    replacements& replaced) {
+  const document_value document = parse_document(text);
+  section root(document, "", replaced);
+  scene result;
+  for (const char* key :
+       {"title", "source", "digits", "precision", "body", "state", "time", "effects", "sweep"})
+    (void)root.find(key);
+  root.finish();
+  result.title = root.optional_text("title").value_or("");
+  result.source = root.optional_text("source").value_or("");
+  if (root.has("precision")) {
+    if (root.text("precision") != "double")
+      root.refuse("precision", "it must be \"double\"; for more, give digits = 50");
+    if (root.has("digits"))
+      root.refuse("precision", "contradictory: there are digits, too; give one");
+    result.in_double = true;
+    result.digits = 15;
+  }
+  result.digits = root.count("digits", result.digits, 1, most_scene_digits);
+  if (!root.has("body")) root.refuse("there is no [body]");
+  if (!root.has("effects")) root.refuse("there are no [effects]; give want = [\"period\"]");
+  result.body = read_body(root.table("body"), directory, result.remarks);
+  if (root.has("state")) result.state = read_state(root.table("state"), result.body, result);
+  if (root.has("time")) result.time = read_time(root.table("time"), result);
+  read_effects(root.table("effects"), result);
+  if (root.has("sweep")) read_sweep(root.table("sweep"), result, replaced);
+  return result;
+}
+
+}  // namespace
+
+scene read_scene(const std::string& text, const std::filesystem::path& directory,
+                 const std::map<std::string, rational>& replaced) {
+  replacements in_place{replaced, {}};
+  return read_sections(text, directory, in_place);
+}
+
+}  // namespace polhode

@@ -1,0 +1,190 @@
+// How the period and the Montgomery phase depend on the body and the motion; and what must be conserved.
+
+#include <algorithm>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/complete.hpp"
+#include "rigid_body/half_phase.hpp"
+#include "scene/effect_context.hpp"
+#include "scene/motion.hpp"
+
+namespace polhode::detail {
+namespace {
+
+/// Derivatives in a, b, c.
+struct slopes {
+  ball a, b, c;
+};
+
+/// T in I_y/J and the Montgomery phase, with their derivatives.
+///
+/// With L = lambda^2 and m1 (montgomery_phase.hpp) T = 4 R_F(0, m1, 1)/sqrt L, and dR_F(0,y,1)/dy = -R_D(0,1,y)/6 (DLMF 19.18.1), so that
+/// for q = a, b, c
+///   dT/dq = (4/lambda) [-R_D(0,1,m1)/6 dm1/dq - R_F(0,m1,1)/(2L) dL/dq].
+/// The phase is (1+c) T - alpha with alpha = the integral of cos theta dpsi around. As x = cos^2 psi gives cos^2 theta =
+/// (c+bx)/(a+bx) and dpsi/dt = sqrt((a+bx)(c+bx)), and as the ends of an oscillation, where cos theta = 0, contribute nothing,
+///   dalpha/da = -(1/2) the integral of cos^2 theta dt = -(1/2) that of J_z^2,
+///   dalpha/db =  (1/2) the integral of x sin^2 theta dt = (1/2) that of J_x^2,      dalpha/dc = T/2,
+/// over a period, |J| = 1. With B = the integral of cn^2 over a quarter in u, the integral of J_x^2 is 4 A^2 B/lambda where the body
+/// rotates and that of J_z^2 is 4 C^2 B/lambda where it oscillates, A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b); the other one follows from
+/// a J_z^2 - b J_x^2 = c, with two terms of one sign.
+struct derivatives {
+  ball period;
+  slopes of_period;
+  slopes of_phase;
+};
+
+derivatives derivatives_at(const body& rigid, const rational& c, precision p) {
+  const rational& a = rigid.a();
+  const rational& b = rigid.b();
+  const rational total(a + b);
+  const rational x_end(b + c);
+  const rational z_end(a - c);
+  const bool rotating = c > 0;
+  const rational l(rotating ? a * x_end : b * z_end);
+  const rational m1(abs(c) * total / l);
+  // In a, b, c.
+  const std::array<rational, 3> dl =
+      rotating ? std::array<rational, 3>{x_end, a, a} : std::array<rational, 3>{b, z_end, -b};
+  const std::array<rational, 3> dm1 =
+      rotating ? std::array<rational, 3>{-c * b / (x_end * a * a), -c * z_end / (a * x_end * x_end),
+                                         total * b / (a * x_end * x_end)}
+               : std::array<rational, 3>{c * x_end / (b * z_end * z_end), c * a / (b * b * z_end),
+                                         -total * a / (b * z_end * z_end)};
+  const ball lambda = sqrt(ball(l, p));
+  const ball y(m1, p);
+  const ball rf = carlson_rf(ball(0, p), y, ball(1, p));
+  const ball rd = carlson_rd(ball(0, p), ball(1, p), y);
+  const auto slope = [&](std::size_t q) {
+    return 4 / lambda * (-rd * rational(dm1[q] / 6) - rf * rational(dl[q] / (2 * l)));
+  };
+  derivatives result;
+  result.period = 4 * rf / lambda;
+  result.of_period = {slope(0), slope(1), slope(2)};
+  const ball quarter = complete_legendre(ball(rational(1 - m1), p), y).b;
+  ball x2;
+  ball z2;
+  if (rotating) {
+    x2 = 4 * rational(z_end / total) * quarter / lambda;
+    z2 = (c * result.period + b * x2) / a;
+  } else {
+    z2 = 4 * rational(x_end / total) * quarter / lambda;
+    x2 = (a * z2 - c * result.period) / b;
+  }
+  const rational factor(1 + c);
+  result.of_phase = {factor * result.of_period.a + scale(z2, -1),
+                     factor * result.of_period.b - scale(x2, -1),
+                     factor * result.of_period.c + scale(result.period, -1)};
+  return result;
+}
+
+bool has_digits(const ball& x, long digits) {
+  if (!x.is_bounded()) return false;
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  return d.exact || d.digits >= digits;
+}
+
+/// d log T/d log I for the moments I_x, I_y, I_z at fixed angular momentum vector; T is T I_y/J in time, and
+/// c = I_y (J_x^2/I_x + J_y^2/I_y + J_z^2/I_z)/J^2 - 1. Then d phase/d log I.
+struct by_moments {
+  std::array<ball, 3> of_period;
+  std::array<ball, 3> of_phase;
+};
+by_moments by_moments_of(const effect_context& x, const derivatives& d) {
+  const rational_vector& m = *x.what.body.moments;
+  const rational_vector j = direction_squares(x.what);
+  // I da/dI, I db/dI, I dc/dI.
+  const std::array<rational_vector, 3> chain{
+      {{0, m[1] / m[0], -m[1] * j[0] / m[0]},
+       {m[1] / m[2], -m[1] / m[0], m[1] * (j[0] / m[0] + j[2] / m[2])},
+       {-m[1] / m[2], 0, -m[1] * j[2] / m[2]}}};
+  by_moments result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto along = [&](const slopes& s) {
+      return chain[i][0] * s.a + chain[i][1] * s.b + chain[i][2] * s.c;
+    };
+    result.of_period[i] = along(d.of_period) / d.period + (i == 1 ? 1 : 0);
+    result.of_phase[i] = along(d.of_phase);
+  }
+  return result;
+}
+
+}  // namespace
+
+effect_result sensitivity(const effect_context& x) {
+  effect_result result;
+  const long digits = x.digits();
+  const precision p0 = bits_for_digits(digits) + 64;
+  // The middle axis is unstable: a small departure grows as e^(sqrt(ab) t) (c = 0 in the solution on the separatrix).
+  const ball growth = sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p0));
+  add(result, "e_folding_time_at_middle_axis", natural_time(x.what, p0) / growth,
+      x.what.time_unit.name);
+  if (!is_periodic(x.motion())) {
+    result.remarks.push_back(to_text(x.motion()) + ": no period and no phase to differentiate");
+    return result;
+  }
+  const precision sizes =
+      size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) + size_in_bits(x.c());
+  const precision most = most_guard(digits) + std::min(8 * sizes, greatest_guard);
+  const std::array<const char*, 3> axis{"x", "y", "z"};
+  for (precision guard = 64;; guard *= 2) {
+    const derivatives d = derivatives_at(x.rigid(), x.c(), bits_for_digits(digits) + guard);
+    result.work.integrals += 3;
+    effect_result found;
+    add(found, "dT_da", d.of_period.a, "I_y/J");
+    add(found, "dT_db", d.of_period.b, "I_y/J");
+    add(found, "dT_dc", d.of_period.c, "I_y/J");
+    add(found, "dphase_da", d.of_phase.a, "rad");
+    add(found, "dphase_db", d.of_phase.b, "rad");
+    add(found, "dphase_dc", d.of_phase.c, "rad");
+    if (x.what.state->momentum) {
+      const by_moments m = by_moments_of(x, d);
+      for (std::size_t i = 0; i < 3; ++i)
+        add(found, std::string("dlogT_dlogI") + axis[i], m.of_period[i]);
+      for (std::size_t i = 0; i < 3; ++i)
+        add(found, std::string("dphase_dlogI") + axis[i], m.of_phase[i], "rad");
+    }
+    const bool enough =
+        std::all_of(found.numbers.begin(), found.numbers.end(),
+                    [&](const effect_number& n) { return has_digits(n.enclosure, digits); });
+    if (!enough && guard < most) continue;
+    result.numbers.insert(result.numbers.end(), found.numbers.begin(), found.numbers.end());
+    return result;
+  }
+}
+
+effect_result audit(const effect_context& x) {
+  effect_result result;
+  bool holds = true;
+  const auto expect_zero = [&](const std::string& name, const ball& difference) {
+    result.numbers.push_back({name, difference, {}, "", true});
+    holds = holds && difference.is_bounded() && contains_zero(difference);
+  };
+  audit_motion(x, expect_zero);
+  if (is_periodic(x.motion())) {
+    // Two routes to the phase's slope: the identity, and the integral differentiated (src/rigid_body/half_phase.hpp).
+    const precision p = bits_for_digits(x.working_digits()) + 64;
+    const rational& c = x.c();
+    const rational& b = x.rigid().b();
+    const ball by_identity = derivatives_at(x.rigid(), c, p).of_phase.c;
+    const ball direct =
+        c > 0 ? 2 * rotating_half_phase_slope(x.rigid(), ball(c, p))
+              : -2 *
+                    oscillating_half_phase_slope(
+                        x.rigid(), {ball(rational(-c / b), p), ball(rational(1 + c / b), p)}) /
+                    b;
+    result.work.integrals += 5;
+    expect_zero("phase_slope", direct / by_identity - 1);
+  }
+  result.words = {{"all_hold", holds ? "yes" : "no"}};
+  result.remarks.emplace_back(
+      "each is enclosed in an interval that must hold 0: the relative change of what is conserved, "
+      "or the difference "
+      "of two routes");
+  if (!holds) not_certified(result, "a conserved quantity was not conserved: please report this");
+  return result;
+}
+
+}  // namespace polhode::detail

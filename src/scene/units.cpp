@@ -1,0 +1,93 @@
+#include "polhode/scene/units.hpp"
+
+namespace polhode {
+namespace {
+
+rational decimal(const char* text) { return parse_rational(text); }
+
+}  // namespace
+
+ball pi_scale::at(precision p) const {
+  ball result(factor, p);
+  for (int i = 0; i < power; ++i) result = result * pi(p);
+  for (int i = 0; i > power; --i) result = result / pi(p);
+  return result;
+}
+
+const std::vector<unit>& length_units() {
+  static const std::vector<unit> units{{"m", {1, 0}},
+                                       {"cm", {decimal("0.01"), 0}},
+                                       {"mm", {decimal("0.001"), 0}},
+                                       {"km", {1000, 0}},
+                                       {"in", {decimal("0.0254"), 0}}};
+  return units;
+}
+
+const std::vector<unit>& mass_units() {
+  static const std::vector<unit> units{{"kg", {1, 0}},
+                                       {"g", {decimal("0.001"), 0}},
+                                       {"t", {1000, 0}},
+                                       {"lb", {decimal("0.45359237"), 0}}};
+  return units;
+}
+
+const std::vector<unit>& density_units() {
+  static const std::vector<unit> units{{"kg/m^3", {1, 0}}, {"g/cm^3", {1000, 0}}};
+  return units;
+}
+
+const std::vector<unit>& inertia_units() {
+  static const std::vector<unit> units{{"kg m^2", {1, 0}},
+                                       {"kg cm^2", {decimal("1e-4"), 0}},
+                                       {"g cm^2", {decimal("1e-7"), 0}},
+                                       {"g mm^2", {decimal("1e-9"), 0}}};
+  return units;
+}
+
+const std::vector<unit>& momentum_units() {
+  static const std::vector<unit> units{
+      {"kg m^2/s", {1, 0}}, {"N m s", {1, 0}}, {"g cm^2/s", {decimal("1e-7"), 0}}};
+  return units;
+}
+
+const std::vector<unit>& time_units() {
+  static const std::vector<unit> units{{"s", {1, 0}},
+                                       {"ms", {decimal("1e-3"), 0}},
+                                       {"us", {decimal("1e-6"), 0}},
+                                       {"ns", {decimal("1e-9"), 0}},
+                                       {"ps", {decimal("1e-12"), 0}},
+                                       {"min", {60, 0}},
+                                       {"h", {3600, 0}},
+                                       {"day", {86400, 0}}};
+  return units;
+}
+
+const std::vector<unit>& angle_units() {
+  static const std::vector<unit> units{
+      {"rad", {1, 0}}, {"deg", {rational(1, 180), 1}}, {"rev", {2, 1}}};
+  return units;
+}
+
+const std::vector<unit>& rotational_units() {
+  static const std::vector<unit> units{
+      {"1/cm", {decimal("29979245800"), 0}}, {"MHz", {1'000'000, 0}}, {"GHz", {1'000'000'000, 0}}};
+  return units;
+}
+
+const std::vector<unit>& angular_velocity_units() {
+  static const std::vector<unit> units = [] {
+    std::vector<unit> result;
+    for (const unit& angle : angle_units()) {
+      for (const unit& time : time_units()) {
+        result.push_back({angle.name + '/' + time.name, angle.size / time.size});
+      }
+    }
+    result.push_back({"rpm", {rational(1, 30), 1}});
+    return result;
+  }();
+  return units;
+}
+
+pi_scale inertia_times_rotational_constant() { return {decimal("6.62607015e-34") / 8, -2}; }
+
+}  // namespace polhode

@@ -1,0 +1,212 @@
+// polhode scene: files in, certified files out, and nothing left behind by what is refused.
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "enclosure.hpp"
+#include "program.hpp"
+#include "refusal.hpp"
+
+namespace polhode::test {
+namespace {
+
+const std::string scenes = POLHODE_SCENES_DIR;
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+const std::string racket =
+    "digits = 20\n[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0.1, 1, 0.3]\nunit = "
+    "\"rad/s\"\n[time]\nto = 20\nsamples = 5\n"
+    "[effects]\nwant = [\"period\", \"montgomery_phase\", \"momentum\"]\n";
+
+TEST(SceneCommand, JsonHasEnclosuresAndWork) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), racket);
+  const json report =
+      json::parse(certified({"scene", directory.path("r.toml"), "--format", "json"}));
+  const json& effects = report.at("effects");
+  EXPECT_EQ(effects.size(), 4U);
+  EXPECT_EQ(effects.at("regime").at("wanted"), false);
+  expect_enclosure(effects.at("period").at("numbers").at("period"), 20);
+  EXPECT_EQ(effects.at("period").at("numbers").at("period").at("unit"), "s");
+  expect_enclosure(effects.at("montgomery_phase").at("numbers").at("phase"), 20);
+  EXPECT_EQ(effects.at("period").at("work").at("integrals"), 1);
+  EXPECT_EQ(effects.at("momentum").at("table").at("rows").size(), 5U);
+  EXPECT_EQ(effects.at("momentum").at("table").at("rows")[1].at("t").at("rational"), "5");
+}
+
+TEST(SceneCommand, TextFitsATerminal) {
+  for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
+    if (entry.path().extension() != ".toml") continue;
+    const outcome result = run({"scene", entry.path().string()});
+    EXPECT_LE(result.status, 1) << result.err;
+    EXPECT_EQ(result.status == 1, entry.path().stem() == "tennis_racket") << entry.path();
+    for (const std::string& line : lines_of(result.out)) {
+      if (line.rfind(scenes, 0) == 0) continue;  // a path may be longer
+      std::size_t columns = 0;
+      for (const char c : line) columns += (static_cast<unsigned char>(c) & 0xc0U) != 0x80 ? 1 : 0;
+      EXPECT_LE(columns, 100U) << line;
+    }
+  }
+}
+
+TEST(SceneCommand, WritesAllFilesAndKeepsThem) {
+  const scratch_directory directory;
+  const std::string out = directory.path("out");
+  write(directory.path("r.toml"), racket);
+  write(directory.path("s.toml"), racket + "[sweep]\n\"state.omega[1]\" = [1, 2, \"5/2\"]\n");
+  const std::vector<std::string> command{"scene", directory.path("r.toml"),
+                                         directory.path("s.toml"), "--out", out};
+  EXPECT_NE(certified(command).find("4 scenes and points"), std::string::npos);
+  const auto names = names_in(out);
+  const std::set<std::string> files(names.begin(), names.end());
+  for (const char* stem : {"r", "s-0001", "s-0002", "s-0003"}) {
+    for (const char* end : {".json", ".txt", ".momentum.csv"})
+      EXPECT_TRUE(files.contains(std::string(stem) + end)) << stem << end;
+  }
+  EXPECT_EQ(files.size(), 13U);
+  const std::string table = contents(out + "/results.csv");
+  EXPECT_NE(table.find("state.omega[1] = 5/2,period,period,s,"), std::string::npos) << table;
+  // Again: nothing is done twice. A point that is gone, or is of another scene, is computed; nothing else.
+  EXPECT_NE(certified(command).find("0 computed, 4 kept"), std::string::npos);
+  std::filesystem::remove(out + "/s-0002.json");
+  write(out + "/s-0003.json", "{\"digest\": \"");
+  EXPECT_NE(certified(command).find("2 computed, 2 kept"), std::string::npos);
+  EXPECT_EQ(contents(out + "/results.csv"), table);
+  write(directory.path("r.toml"), racket + "# another\n");
+  EXPECT_NE(certified(command).find("1 computed, 3 kept"), std::string::npos);
+}
+
+TEST(SceneCommand, AnInterruptedSweepGoesOn) {
+  const scratch_directory directory;
+  const std::string out = directory.path("out");
+  write(directory.path("s.toml"),
+        "digits = 100\n[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0.1, 1, "
+        "0.3]\n[effects]\nwant = [\"twist_curve\"]\n"
+        "[sweep]\n\"state.omega[1]\" = { from = 1, to = 2, steps = 19 }\n");
+  const std::vector<std::string> command{"scene", directory.path("s.toml"), "--out", out};
+  constexpr useconds_t some = 300'000;
+  const outcome stopped = run_command(polhode_command(command), SIGINT, some);
+  std::size_t whole = 0;
+  if (std::filesystem::exists(out)) {
+    for (const std::string& name : names_in(out)) {
+      EXPECT_NE(name.front(), '.') << name;
+      if (name.ends_with(".json")) {
+        ++whole;
+        EXPECT_TRUE(json::accept(contents(out + '/' + name)));
+      }
+    }
+  }
+  const std::string end = certified(command);
+  if (stopped.signal == SIGINT) {
+    EXPECT_NE(
+        end.find(std::to_string(20 - whole) + " computed, " + std::to_string(whole) + " kept"),
+        std::string::npos)
+        << end;
+  }
+}
+
+TEST(SceneCommand, RefusesBadInputAndLeavesNothing) {
+  const scratch_directory directory;
+  const std::string out = directory.path("out");
+  const auto refused = [&](const std::string& text, const std::vector<std::string>& words) {
+    write(directory.path("bad.toml"), text);
+    write(directory.path("good.toml"), racket);
+    expect_refused({"scene", directory.path("good.toml"), directory.path("bad.toml"), "--out", out},
+                   words);
+    EXPECT_FALSE(std::filesystem::exists(out));
+  };
+  const std::string body = "[body]\nmoments = [3, 2, 1]\n";
+  refused(body + "[effects]\nwant = [\"fliips\"]\n", {"bad.toml", "line 4", "\"flips\""});
+  refused(body + "[effects]\nwant = [\"period\"]\n", {"line 4", "needs a state"});
+  refused(body + "[state]\nomega = [0, 0, 0]\n[effects]\nwant = [\"period\"]\n",
+          {"line 4", "does not turn"});
+  refused("[body]\nmoments = [inf, 2, 1]\n[effects]\nwant = [\"planarity\"]\n",
+          {"line 2", "finite"});
+  refused("", {"empty"});
+  refused("\xff\xfe", {"line 1"});
+  refused(std::string(1'000'000, '['), {"line 1"});
+  refused(std::string(5'000'000, '#'), {"longer than 4000000 bytes"});
+  // A point of the sweep that cannot be, although the file's own numbers can.
+  refused(body +
+              "[state]\nomega = [1, 0, 0]\n[effects]\nwant = "
+              "[\"period\"]\n[sweep]\n\"state.omega[0]\" = [1, 0]\n",
+          {"does not turn"});
+  expect_refused({"scene"}, {"no scene"});
+  expect_refused({"scene", directory.path("none.toml")}, {"No such file"});
+  expect_refused({"scene", directory.path("")}, {"polhode"});
+  expect_refused({"scene", directory.path("good.toml"), "--format", "xml"}, {"--format"});
+  expect_refused({"scene", directory.path("good.toml"), directory.path("good.toml"), "--out", out},
+                 {"same files"});
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(SceneCommand, PageNeedsNothingElse) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), "title = \"</script><b>x\"\n" + racket);
+  (void)certified({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--page"});
+  const std::string page = contents(directory.path("out/r.html"));
+  for (const char* outside : {"http:", "https:", " src=", "@import", "fetch("})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+  const std::string opening = "<script id=\"data\" type=\"application/json\">";
+  const std::size_t begin = page.find(opening) + opening.size();
+  const json data = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  EXPECT_EQ(data.at("title"), "</script><b>x");
+  EXPECT_EQ(data.at("omega").size(), 5U);
+}
+
+// In a headless browser, where there is one: it draws, scrubs, plays, and has no error.
+TEST(SceneCommand, PageRunsInABrowser) {
+  if (sanitized || run_script("command -v chromium >&2").status != 0) GTEST_SKIP() << "no chromium";
+  const scratch_directory directory;
+  ASSERT_EQ(
+      run({"scene", scenes + "/toutatis.toml", "--out", directory.path("out"), "--page"}).status,
+      0);
+  const outcome shown = run_script(
+      "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
+      "--enable-unsafe-swiftshader "
+      "--window-size=800,600 --virtual-time-budget=5000 --dump-dom "
+      "file://$PWD/out/toutatis.html#check",
+      directory.path(""));
+  for (const char* word : {"data-errors=\"0\"", "data-drawn=\"yes\"", "data-scrubbed=\"yes\"",
+                           "data-played=\"yes\"", "data-gl=\"0\""}) {
+    EXPECT_NE(shown.out.find(word), std::string::npos)
+        << word << " in " << shown.out.substr(0, 400) << shown.err;
+  }
+}
+
+TEST(SceneCommand, PlotsWhereGnuplotIs) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), racket);
+  const outcome result =
+      run({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--plot", "svg"});
+  if (result.status == 0) {
+    EXPECT_NE(contents(directory.path("out/r.momentum.svg")).find("</svg>"), std::string::npos);
+  } else {
+    EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(directory.path("out")));
+  }
+  expect_refused({"scene", directory.path("r.toml"), "--plot", "svg"}, {"--out"});
+  expect_refused({"scene", directory.path("r.toml"), "--out", directory.path("o"), "--plot", "gif"},
+                 {"svg or png"});
+}
+
+TEST(SceneCommand, ListsTheEffects) {
+  const std::string list = certified({"scene", "--list"});
+  for (const char* name : {"planarity", "montgomery_phase", "attitude", "flips", "audit"})
+    EXPECT_NE(list.find(name), std::string::npos);
+  // The manual has the same ones.
+  const std::string manual = contents(scenes + "/../docs/scenes.md");
+  for (const std::string& line : lines_of(list)) {
+    EXPECT_NE(manual.find("| `" + line.substr(0, line.find(' ')) + "` |"), std::string::npos)
+        << line;
+  }
+}
+
+}  // namespace
+}  // namespace polhode::test

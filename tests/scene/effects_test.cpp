@@ -1,0 +1,421 @@
+// The effects: what they compute, that nothing else is computed, and nothing twice.
+
+#include "polhode/scene/effects.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/rotor.hpp"
+
+namespace polhode {
+namespace {
+
+std::string wanting(const std::vector<std::string>& want) {
+  std::string result;
+  for (const std::string& name : want) result += (result.empty() ? "\"" : ", \"") + name + '"';
+  return "[effects]\npoints = 4\nlisted = 3\nwant = [" + result + "]\n";
+}
+
+const std::string racket =
+    "[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0.1, 1, 0.3]\n[time]\nto = 20\nsamples = 5\n";
+
+scene_report report_of(const std::string& head, const std::vector<std::string>& want) {
+  return compute(read_scene(head + wanting(want), "."));
+}
+
+const ball& number(const scene_report& report, const std::string& effect, const std::string& name) {
+  const ball* found = report.find(effect)->number(name);
+  EXPECT_NE(found, nullptr) << effect << ' ' << name;
+  static const ball none = ball::undefined(64);
+  return found ? *found : none;
+}
+
+std::string word(const scene_report& report, const std::string& effect) {
+  return report.find(effect)->words.at(0).second;
+}
+
+bool lies_in(const ball& x, const char* low, const char* high) {
+  return certainly_less(ball(parse_rational(low), 64), x) &&
+         certainly_less(x, ball(parse_rational(high), 64));
+}
+
+TEST(EffectGraph, OnlyTheClosureRunsAndEachEffectOnce) {
+  std::map<std::string, work_count> alone;
+  std::vector<std::string> all;
+  for (const effect_description& one : all_effects()) {
+    all.push_back(one.name);
+    const scene_report report = report_of(racket, {one.name});
+    EXPECT_EQ(report.verdict, status::certified) << one.name << ": " << report.find(one.name)->why;
+    std::set<std::string> ran;
+    for (const effect_result& effect : report.effects) {
+      EXPECT_TRUE(ran.insert(effect.name).second) << effect.name << " twice";
+    }
+    // Whatever is outside the closure has no result, and so no work.
+    const std::vector<std::string> closure = closure_of({one.name});
+    EXPECT_EQ(ran, std::set<std::string>(closure.begin(), closure.end()));
+    for (const std::string& before : one.after) EXPECT_TRUE(ran.contains(before));
+    alone[one.name] = report.find(one.name)->work;
+  }
+  // Together: every one once, with the work it has alone, although most are needed by others.
+  const scene_report together = report_of(racket, all);
+  ASSERT_EQ(together.effects.size(), all.size());
+  for (const effect_result& effect : together.effects)
+    EXPECT_EQ(effect.work, alone.at(effect.name)) << effect.name;
+  // And each pair has the work of its closure and no more.
+  for (const std::string& second : all) {
+    const scene_report pair = report_of(racket, {"mean_precession", second});
+    EXPECT_EQ(pair.effects.size(), closure_of({"mean_precession", second}).size());
+    for (const effect_result& effect : pair.effects) EXPECT_EQ(effect.work, alone.at(effect.name));
+  }
+}
+
+TEST(EffectGraph, CountsAreThoseOfTheWork) {
+  const scene_report report = report_of(racket, {"mean_precession", "tennis_racket", "momentum"});
+  EXPECT_EQ(report.find("mean_precession")->work, work_count{});  // a quotient of two results
+  EXPECT_EQ(report.find("period")->work.integrals, 1);
+  EXPECT_GT(report.find("period")->work.agm_steps, 3);
+  EXPECT_EQ(report.find("montgomery_phase")->work.integrals, 1);
+  EXPECT_GT(report.find("tennis_racket")->work.newton_steps, 3);
+  EXPECT_EQ(report.find("momentum")->work, work_count{});
+}
+
+TEST(Effects, AgreeWithTheirRooms) {
+  const scene_report report = report_of("[body]\nab = [12.65, 0.0629]\n[state]\nc = -0.03\n",
+                                        {"montgomery_phase", "period", "tennis_racket"});
+  const body rigid(parse_rational("12.65"), parse_rational("0.0629"));
+  const rational c = parse_rational("-0.03");
+  EXPECT_TRUE(
+      overlaps(number(report, "montgomery_phase", "phase"), montgomery_phase(rigid, c, 200)));
+  EXPECT_TRUE(
+      overlaps(number(report, "montgomery_phase", "geometric"), geometric_phase(rigid, c, 200)));
+  EXPECT_TRUE(overlaps(number(report, "period", "natural_period"), rotation_period(rigid, c, 200)));
+  EXPECT_TRUE(lies_in(number(report, "tennis_racket", "epsilon0"), "0.113594382341433383",
+                      "0.113594382341433384"));
+}
+
+TEST(Effects, PeriodIsInTheUnitsOfTheState) {
+  const auto period = [](const std::string& state) {
+    return number(
+        report_of("[body]\nmoments = [3, 2, 1]\nunit = \"kg m^2\"\n[state]\n" + state + "\n",
+                  {"period"}),
+        "period", "period");
+  };
+  const ball by_second = period("omega = [1, 2, 4]\nunit = \"rad/s\"");
+  EXPECT_TRUE(overlaps(by_second / 60, period("omega = [60, 120, 240]\nunit = \"rad/min\"")));
+  EXPECT_TRUE(
+      overlaps(by_second / 86400, period("omega = [86400, 172800, 345600]\nunit = \"rad/day\"")));
+  // rev/s is 2 pi rad/s; the momentum of (1, 2, 4) rad/s is (3, 4, 4) kg m^2/s.
+  EXPECT_TRUE(overlaps(by_second, 2 * pi(200) * period("omega = [1, 2, 4]\nunit = \"rev/s\"")));
+  EXPECT_TRUE(
+      overlaps(by_second / 60, 2 * pi(200) * period("omega = [1, 2, 4]\nunit = \"rpm\"") / 60));
+  EXPECT_TRUE(overlaps(by_second, period("momentum = [3, 4, 4]\nunit = \"kg m^2/s\"")));
+  EXPECT_TRUE(overlaps(by_second, period("momentum = [3e7, 4e7, 4e7]\nunit = \"g cm^2/s\"")));
+}
+
+TEST(Effects, RegimesWithoutAPeriod) {
+  const auto report = [](const std::string& state) {
+    return report_of("[body]\nmoments = [3, 2, 1]\n[state]\n" + state + "\n",
+                     {"montgomery_phase", "mean_precession", "sensitivity", "flips", "audit"});
+  };
+  for (const char* state : {"omega = [0, 1, 0]", "omega = [0, 0, -1]", "omega = [1, 0, 0]",
+                            "omega = [1, 0, 1.7320508075688772]"}) {
+    const scene_report r = report(state);
+    EXPECT_EQ(r.verdict, status::certified) << state;
+    if (std::string(state).size() < 25) {
+      EXPECT_EQ(r.find("montgomery_phase")->number("phase"), nullptr);
+      EXPECT_EQ(word(r, "flips"), "never");
+    }
+  }
+  // J^2/(2H) = I_y: ((3 x)^2 + z^2)/(3 x^2 + z^2) = 2 is 3 x^2 = z^2; x = 3, z = 3: none; with moments 6, 5, 2: x = 1, z = 1 is.
+  const scene_report on =
+      report_of("[body]\nmoments = [6, 5, 2]\n[state]\nomega = [1, -1, 1]\n", {"regime", "flips"});
+  EXPECT_EQ(word(on, "regime"), "separatrix");
+  EXPECT_NE(on.find("flips"), nullptr);
+  // The body turned about its axes has its own rates.
+  EXPECT_TRUE(
+      overlaps(number(report("omega = [0, 0, -5]"), "mean_precession", "rate"), ball(5, 64)));
+  EXPECT_TRUE(
+      overlaps(number(report("omega = [5, 0, 0]"), "mean_precession", "rate"), ball(5, 64)));
+  EXPECT_TRUE(
+      overlaps(number(report("omega = [0, 5, 0]"), "mean_precession", "rate"), ball(5, 64)));
+}
+
+// At a flip J_y is 0, and of different signs beside it: by the closed form, which shares nothing with flips but Euler's equations.
+void expect_flips(const triple<rational>& moments, const triple<rational>& omega) {
+  const auto listed = [](const triple<rational>& v) {
+    return "[\"" + to_text(v[0]) + "\", \"" + to_text(v[1]) + "\", \"" + to_text(v[2]) + "\"]";
+  };
+  const scene_report report = report_of(
+      "[body]\nmoments = " + listed(moments) + "\n[state]\nomega = " + listed(omega) + "\n",
+      {"flips"});
+  std::array<std::size_t, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t k) { return moments[i] > moments[k]; });
+  const rotor<ball> turning(initial_state::from_angular_velocity(moments, omega), 100);
+  int flips = 0;
+  for (const effect_number& n : report.find("flips")->numbers) {
+    if (n.name.rfind("flip_", 0) != 0) continue;
+    ++flips;
+    const rational t = n.exact ? *n.exact : lower_rational(n.enclosure.middle());
+    const auto y = [&](const rational& time) { return turning.sample(time).momentum[order[1]]; };
+    const rational beside(1, 1'000'000);
+    const ball before = y(t - beside);
+    const ball after = y(t + beside);
+    EXPECT_TRUE((certainly_negative(before) && certainly_positive(after)) ||
+                (certainly_positive(before) && certainly_negative(after)))
+        << listed(omega) << " at " << to_text(t);
+    EXPECT_GE(t, 0);
+    // None is left out before the first: J_y keeps its sign.
+    if (flips == 1 && t > 0 && omega[order[1]] != 0) {
+      for (int k = 0; k < 20; ++k) {
+        const ball there = y(t * k / 20);
+        EXPECT_TRUE(omega[order[1]] > 0 ? certainly_positive(there) : certainly_negative(there))
+            << listed(omega);
+      }
+    }
+  }
+  const bool separatrix = word(report, "regime") == "separatrix";
+  EXPECT_TRUE(separatrix ? flips <= 1 : flips == 3) << flips;
+}
+
+TEST(Flips, AreWhereTheIntermediateComponentVanishes) {
+  for (const int x : {-1, 1}) {
+    for (const int y : {-2, 0, 2}) {
+      for (const int z : {-1, 1}) {
+        expect_flips({3, 2, 1}, {rational(x), rational(y), rational(z, 3)});   // oscillating
+        expect_flips({3, 2, 1}, {rational(x, 10), rational(y), rational(z)});  // rotating
+        expect_flips({1, 3, 2},
+                     {rational(x, 2), rational(z), rational(y)});  // in other orders of the axes
+        expect_flips({2, 1, 3}, {rational(y), rational(x), rational(z, 7)});
+        expect_flips({6, 5, 2}, {rational(x), rational(y), rational(z)});  // on the separatrix
+      }
+    }
+  }
+  expect_flips({3, 2, 1}, {rational(1, 10), 1, 0});
+  expect_flips({3, 2, 1}, {0, 1, rational(1, 10)});
+  expect_flips({3, 2, 1}, {0, -1, rational(1, 1'000'000)});
+}
+
+TEST(Flips, WithinATime) {
+  const auto flips = [](const std::string& time) {
+    return report_of("[body]\nmoments = [3, 2, 1]\n[state]\nomega = [1, 0, 0.3]\n[time]\n" + time +
+                         "\nsamples = 3\n",
+                     {"flips"});
+  };
+  // From time 0, where J_y is 0 exactly, every half period.
+  const scene_report first = flips("to = 10");
+  EXPECT_EQ(*first.find("flips")->numbers.at(0).exact,
+            1 + static_cast<long>(lower_rational(floor(10 / number(first, "flips", "spacing")))));
+  EXPECT_EQ(first.find("flips")->numbers.at(2).name, "flip_1");
+  EXPECT_EQ(*first.find("flips")->numbers.at(2).exact, 0);
+  const scene_report later = flips("from = 1\nto = 10");
+  EXPECT_EQ(*later.find("flips")->numbers.at(0).exact,
+            *first.find("flips")->numbers.at(0).exact - 1);
+  EXPECT_EQ(*flips("from = 0.1\nto = 0.2").find("flips")->numbers.at(0).exact, 0);
+}
+
+TEST(Sensitivity, IsTheSlope) {
+  // Between the difference quotients of two neighbours, as T and the phase are convex or concave between them: here by the mean value
+  // theorem over a ball of motions, with the exact difference.
+  for (const std::string c : {"-0.2", "-0.001", "0.003", "0.7"}) {
+    const auto at = [&](const rational& a, const rational& b, const rational& motion) {
+      return std::pair{rotation_period(body(a, b), motion, 300),
+                       montgomery_phase(body(a, b), motion, 300)};
+    };
+    const rational a(3, 2);
+    const rational b(1, 4);
+    const rational motion = parse_rational(c);
+    const scene_report report =
+        report_of("[body]\nab = [1.5, 0.25]\n[state]\nc = " + c + "\n", {"sensitivity"});
+    const rational h = parse_rational("1e-20");
+    const auto compare = [&](const std::string& by, const auto& high, const auto& low) {
+      // The central quotient is off by h^2/6 of the third derivative: of the order of 1e-40 here, far below 1e-24.
+      const ball margin =
+          hull(ball(parse_rational("-1e-24"), 300), ball(parse_rational("1e-24"), 300));
+      EXPECT_TRUE(overlaps((high.first - low.first) / (2 * h) + margin,
+                           number(report, "sensitivity", "dT_d" + by)))
+          << by << c;
+      EXPECT_TRUE(overlaps((high.second - low.second) / (2 * h) + margin,
+                           number(report, "sensitivity", "dphase_d" + by)))
+          << by << c;
+    };
+    compare("a", at(a + h, b, motion), at(a - h, b, motion));
+    compare("b", at(a, b + h, motion), at(a, b - h, motion));
+    compare("c", at(a, b, motion + h), at(a, b, motion - h));
+  }
+}
+
+TEST(Sensitivity, InTheMoments) {
+  // A tenth of a part in 10^20 on each moment, at fixed momentum.
+  const auto period = [](const triple<rational>& m) {
+    const scene_report r =
+        report_of("digits = 60\n[body]\nmoments = [\"" + to_text(m[0]) + "\", \"" + to_text(m[1]) +
+                      "\", \"" + to_text(m[2]) + "\"]\n[state]\nmomentum = [1, 2, 2]\n",
+                  {"period", "montgomery_phase"});
+    return std::pair{number(r, "period", "period"), number(r, "montgomery_phase", "phase")};
+  };
+  const scene_report report =
+      report_of("[body]\nmoments = [3, 2, 1]\n[state]\nmomentum = [1, 2, 2]\n", {"sensitivity"});
+  const triple<rational> moments{3, 2, 1};
+  const rational h = parse_rational("1e-20");
+  const auto middle = period(moments);
+  for (std::size_t i = 0; i < 3; ++i) {
+    triple<rational> high = moments;
+    triple<rational> low = moments;
+    high[i] *= 1 + h;
+    low[i] *= 1 - h;
+    const auto up = period(high);
+    const auto down = period(low);
+    const ball margin =
+        hull(ball(parse_rational("-1e-24"), 300), ball(parse_rational("1e-24"), 300));
+    const std::string axis(1, static_cast<char>('x' + i));
+    EXPECT_TRUE(overlaps((up.first - down.first) / (2 * h * middle.first) + margin,
+                         number(report, "sensitivity", "dlogT_dlogI" + axis)));
+    EXPECT_TRUE(overlaps((up.second - down.second) / (2 * h) + margin,
+                         number(report, "sensitivity", "dphase_dlogI" + axis)));
+  }
+}
+
+TEST(Series, BeginWithTheStateAndKeepTheMomentum) {
+  // In degrees, so that the rotor's time is irrational; in axes that are not principal; from a turned attitude.
+  const scene_report report = report_of(
+      "[body]\ntensor = [[26, 4, -10], [4, 38, -14], [-10, -14, 35]]\n[state]\nomega = [1, 2, "
+      "-3]\nunit = \"deg/s\"\nquaternion = [1, 2, 3, 4]\n"
+      "[time]\nto = 1000\nsamples = 4\n",
+      {"momentum", "attitude"});
+  const effect_table& momentum = *report.find("momentum")->table;
+  const effect_table& attitude = *report.find("attitude")->table;
+  const precision p = 128;
+  for (std::size_t i = 0; i < 3; ++i) {  // omega in rad per second
+    const rational omega = std::array<rational, 3>{1, 2, -3}[i];
+    EXPECT_TRUE(overlaps(momentum.rows[0][3 + i], pi(p) * omega / 180));
+  }
+  EXPECT_TRUE(overlaps(square(attitude.rows[0][0]) * 30, ball(1, p)));
+  EXPECT_TRUE(overlaps(square(attitude.rows[0][3]) * 30, ball(16, p)));
+  // R j stays: R by the quaternion.
+  const auto in_space = [&](std::size_t row) {
+    const auto& q = attitude.rows[row];
+    const auto& j = momentum.rows[row];
+    const ball& w = q[0];
+    const std::array<ball, 3> v{q[1], q[2], q[3]};
+    const auto cross = [](const std::array<ball, 3>& x, const std::array<ball, 3>& y) {
+      return std::array<ball, 3>{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2],
+                                 x[0] * y[1] - x[1] * y[0]};
+    };
+    const std::array<ball, 3> once = cross(v, {j[0], j[1], j[2]});
+    const std::array<ball, 3> twice = cross(v, once);
+    return std::array<ball, 3>{j[0] + 2 * (w * once[0] + twice[0]),
+                               j[1] + 2 * (w * once[1] + twice[1]),
+                               j[2] + 2 * (w * once[2] + twice[2])};
+  };
+  const auto begin = in_space(0);
+  for (std::size_t row = 1; row < 4; ++row) {
+    const auto here = in_space(row);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_TRUE(overlaps(begin[i], here[i])) << row;
+      EXPECT_TRUE(certainly_less(abs(here[i] - begin[i]), ball(parse_rational("1e-25"), p)));
+    }
+  }
+  // Not the same all the time.
+  EXPECT_FALSE(overlaps(momentum.rows[0][0], momentum.rows[1][0]));
+}
+
+TEST(Series, OfASymmetricTop) {
+  const scene_report report = report_of(
+      "[body]\nmoments = [2, 2, 1]\n[state]\nomega = [0, 1, 3]\n[time]\nto = 5\nsamples = 3\n",
+      {"momentum", "attitude", "planarity"});
+  EXPECT_EQ(report.verdict, status::certified);
+  // The momentum (0, 2, 3) goes around the axis at the rate (1/1 - 1/2) * 3: dJ_x/dt = J_y J_z (1/I_z - 1/I_y).
+  const ball angle = ball(rational(3, 2) * rational(5, 2), 128);
+  EXPECT_TRUE(overlaps(report.find("momentum")->table->rows[1][3], sin(angle)));
+  EXPECT_TRUE(overlaps(report.find("momentum")->table->rows[1][4], cos(angle)));
+}
+
+TEST(Series, InDouble) {
+  const std::string head =
+      "[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0.1, 1, 0.3]\n[time]\nto = 20\nsamples = 5\n";
+  const scene_report certified = report_of(head, {"momentum", "attitude"});
+  const scene_report quick = report_of("precision = \"double\"\n" + head, {"momentum", "attitude"});
+  EXPECT_EQ(quick.find("momentum")->verdict, status::not_certified);
+  EXPECT_FALSE(quick.find("momentum")->table->certified);
+  for (const char* name : {"momentum", "attitude"}) {
+    for (std::size_t row = 0; row < 5; ++row) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        const ball difference =
+            certified.find(name)->table->rows[row][i] - quick.find(name)->table->rows[row][i];
+        EXPECT_TRUE(certainly_less(abs(difference), ball(parse_rational("1e-13"), 64)));
+      }
+    }
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// The scenes in the tree
+
+scene read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return read_scene({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()},
+                    path.parent_path());
+}
+
+TEST(Scenes, AllAreRead) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(POLHODE_SCENES_DIR)) {
+    if (entry.path().extension() != ".toml") continue;
+    ++scenes;
+    const scene s = read_file(entry.path());
+    EXPECT_FALSE(s.title.empty()) << entry.path();
+    EXPECT_FALSE(s.source.empty()) << entry.path();
+  }
+  EXPECT_GE(scenes, 8);
+}
+
+// 5.38 +- 0.03 and 7.40 +- 0.03 days: Y. Zhao, J. Ji et al., Mon. Not. R. Astron. Soc. 450 (2015) 3620.
+TEST(Scenes, ToutatisHasThePublishedPeriods) {
+  scene s = read_file(std::filesystem::path(POLHODE_SCENES_DIR) / "toutatis.toml");
+  s.want = {"period", "mean_precession", "regime"};
+  const scene_report report = compute(s);
+  EXPECT_EQ(word(report, "regime"), "rotating");
+  EXPECT_TRUE(lies_in(number(report, "period", "period"), "5.35", "5.41"));
+  EXPECT_TRUE(lies_in(number(report, "mean_precession", "precession_period"), "7.37", "7.43"));
+}
+
+TEST(Scenes, RacketIsUndecidedAndWaterDepends) {
+  EXPECT_EQ(
+      word(compute(read_file(std::filesystem::path(POLHODE_SCENES_DIR) / "tennis_racket.toml")),
+           "planarity"),
+      "undecided");
+  EXPECT_EQ(word(compute(read_file(std::filesystem::path(POLHODE_SCENES_DIR) / "water.toml")),
+                 "planarity"),
+            "non-physical");
+  EXPECT_EQ(
+      word(compute(read_file(std::filesystem::path(POLHODE_SCENES_DIR) / "water_equilibrium.toml")),
+           "planarity"),
+      "physical");
+}
+
+TEST(Scenes, THandleNeverFlipsAndFlips) {
+  std::ifstream file(std::filesystem::path(POLHODE_SCENES_DIR) / "t_handle.toml", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const auto flips = [&](const char* departure) {
+    scene s = read_scene(text, ".", {{"state.omega[0]", parse_rational(departure)}});
+    return compute(s);
+  };
+  const scene_report exactly = flips("0");
+  EXPECT_EQ(word(exactly, "flips"), "never");
+  EXPECT_EQ(word(exactly, "regime"), "separatrix");  // on its unstable equilibrium
+  const scene_report beside = flips("1e-12");
+  EXPECT_EQ(beside.verdict, status::certified);
+  EXPECT_TRUE(certainly_positive(number(beside, "flips", "flip_1")));
+}
+
+}  // namespace
+}  // namespace polhode

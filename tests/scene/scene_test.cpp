@@ -1,0 +1,309 @@
+// Reading scenes: exact numbers, every way to give a body, and what is refused.
+
+#include "polhode/scene/scene.hpp"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "polhode/scene/body_file.hpp"
+#include "support/scratch_directory.hpp"
+
+namespace polhode {
+namespace {
+
+scene read(const std::string& text) { return read_scene(text, "."); }
+
+const std::string wanting = "[effects]\nwant = [\"planarity\"]\n";
+
+std::string with_body(const std::string& body) { return "[body]\n" + body + "\n" + wanting; }
+
+rational_vector moments_of(const std::string& body) { return *read(with_body(body)).body.moments; }
+
+std::string refusal(const std::string& text, const std::map<std::string, rational>& replaced = {}) {
+  try {
+    (void)read_scene(text, ".", replaced);
+  } catch (const input_error& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+void expect_refused(const std::string& text, const std::vector<std::string>& words) {
+  const std::string why = refusal(text);
+  for (const std::string& word : words)
+    EXPECT_NE(why.find(word), std::string::npos) << word << " in: " << why;
+}
+
+TEST(SceneNumbers, AreThoseThatAreWritten) {
+  // Neither is a double. Before them stand characters of two, three and four bytes.
+  const auto m = moments_of("name = \"é ∑ 𝒥\"\nmoments = [0.3, 2_0.1e-2, 1E-1]  # 0.7");
+  EXPECT_EQ(m, (rational_vector{rational(3, 10), rational(201, 1000), rational(1, 10)}));
+  EXPECT_EQ(moments_of("moments = [\"1/3\", 0x10, +0.25]"),
+            (rational_vector{16, rational(1, 3), rational(1, 4)}));
+  const auto inline_table =
+      read("body = {name = \"é\", moments = [\n 3,\n 2.10, # é\n 1.7]}\n" + wanting);
+  EXPECT_EQ(*inline_table.body.moments, (rational_vector{3, rational(21, 10), rational(17, 10)}));
+  // More digits than a double has.
+  EXPECT_EQ(moments_of("moments = [3, 2.00000000000000000000000000001, 1]")[1],
+            parse_rational("2.00000000000000000000000000001"));
+  EXPECT_EQ(moments_of("moments = [3, 2, \"1e-1000\"]")[2], parse_rational("1e-1000"));
+}
+
+TEST(SceneNumbers, NotFinite) {
+  expect_refused(with_body("moments = [inf, 2, 1]"), {"line 2", "finite"});
+  expect_refused(with_body("moments = [3,\n 2,\n nan]"), {"line 4", "finite"});
+  expect_refused(with_body("moments = [1e999, 2, 1]"), {"line 2"});
+  expect_refused(with_body("moments = [\"nan\", 2, 1]"), {"line 2", "body.moments[0]", "nan"});
+  expect_refused(with_body("moments = [1979-05-27, 2, 1]"), {"line 2", "dates"});
+}
+
+TEST(SceneBody, EveryWay) {
+  EXPECT_EQ(*read(with_body("ab = [1, \"1/3\"]")).body.moments,
+            (rational_vector{rational(3, 2), 1, rational(1, 2)}));
+  // (2, 3, 6) turned by the rotation with columns (2,1,2)/3, (-2,2,1)/3, (-1,-2,2)/3.
+  const scene turned =
+      read(with_body("tensor = [[\"26/9\", \"4/9\", \"-10/9\"], [\"4/9\", \"38/9\", \"-14/9\"], "
+                     "[\"-10/9\", \"-14/9\", \"35/9\"]]"));
+  EXPECT_EQ(*turned.body.moments, (rational_vector{6, 3, 2}));
+  EXPECT_GT(turned.body.axes[0].square, 0);
+  const auto water = read(with_body("rotational = [9.28, 14.52, 27.88]\nunit = \"1/cm\""));
+  EXPECT_EQ(water.body.kind, body_kind::non_physical);
+  EXPECT_TRUE(water.body.has_unit);
+  // I = h/(8 pi^2 c B): 3.016...e-47 kg m^2 for 9.28/cm.
+  const ball greatest = water.body.size.at(128) * (*water.body.moments)[0];
+  EXPECT_TRUE(certainly_less(greatest, ball(parse_rational("3.02e-47"), 64)));
+  EXPECT_TRUE(certainly_less(ball(parse_rational("3.01e-47"), 64), greatest));
+}
+
+TEST(SceneBody, IrrationalMoments) {
+  // Eigenvalues 4 and (3 +- sqrt 5)/2: the kind is decided all the same.
+  const scene s = read(with_body("tensor = [[1, 1, 0], [1, 2, 0], [0, 0, 4]]"));
+  EXPECT_TRUE(s.body.irrational);
+  EXPECT_FALSE(s.body.rigid);
+  EXPECT_EQ(s.body.kind, body_kind::non_physical);  // 4 > 3
+  EXPECT_EQ(read(with_body("tensor = [[1, 1, 0], [1, 2, 0], [0, 0, 3]]")).body.kind,
+            body_kind::planar);
+  EXPECT_EQ(read(with_body("tensor = [[1, 1, 0], [1, 2, 0], [0, 0, 2.99]]")).body.kind,
+            body_kind::physical);
+  expect_refused(
+      "[body]\ntensor = [[1, 1, 0], [1, 2, 0], [0, 0, 4]]\n[state]\nomega=[1,1,1]\n" + wanting,
+      {"line 4", "irrational"});
+  expect_refused(
+      "[body]\ntensor = [[1, 1, 0], [1, 2, 0], [0, 0, 4]]\n[effects]\nwant = [\"tennis_racket\"]",
+      {"line 4", "rational"});
+}
+
+TEST(SceneBody, Solids) {
+  const auto solid = [](const std::string& s) { return "[[body.solid]]\n" + s + "\n"; };
+  // A box of mass 12: a^2 + b^2 and so on.
+  EXPECT_EQ(*read(solid("shape = \"box\"\nsize = [1, 2, 3]\nmass = 12") + wanting).body.moments,
+            (rational_vector{13, 10, 5}));
+  // Split into two halves it is the same, wherever it lies.
+  const scene halves =
+      read(solid("shape = \"box\"\nsize = [1, 1, 3]\nmass = 6\nposition = [7, 0.5, 1]") +
+           solid("shape = \"box\"\nsize = [1, 1, 3]\nmass = 6\nposition = [7, 1.5, 1]") + wanting);
+  EXPECT_EQ(*halves.body.moments, (rational_vector{13, 10, 5}));
+  // By density: the same, and pi comes out of cylinders and ellipsoids.
+  const scene dense = read(solid("shape = \"box\"\nsize = [1, 2, 3]\ndensity = 2") + wanting);
+  EXPECT_EQ(*dense.body.moments, (rational_vector{13, 10, 5}));
+  const scene round =
+      read(solid("shape = \"cylinder\"\naxis = \"x\"\nradius = 2\nheight = 6\ndensity = 1") +
+           solid("shape = \"ellipsoid\"\nsemi_axes = [1, 1, 3]\ndensity = 10") + wanting);
+  EXPECT_EQ(round.body.size.power, 1);
+  // Cylinder: 24 pi, m r^2/2 = 48 pi along x, m (r^2/4 + h^2/12) = 96 pi across. Ellipsoid: 40 pi, m (1+9)/5 = 80 pi, 16 pi about z.
+  EXPECT_EQ(*round.body.moments, (rational_vector{176, 128, 112}));
+  expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\ndensity = 1") +
+                     solid("shape = \"cylinder\"\nradius = 1\nheight = 2\ndensity = 1") + wanting,
+                 {"line 5", "pi", "masses"});
+  expect_refused(solid("shape = \"box\"\nsize = [1, 0, 3]\nmass = 12") + wanting,
+                 {"line 3", "0 must be positive"});
+  expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\nmass = -12") + wanting,
+                 {"line 4", "-12 must be positive"});
+  expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]") + wanting, {"neither"});
+  expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\nmass = 1\ndensity = 1") + wanting,
+                 {"a mass and a density"});
+  expect_refused(solid("shape = \"sphere\"\nradius = 1\nmass = 1") + wanting,
+                 {"line 2", "sphere", "nearest"});
+  expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\nmass = 1\nradius = 1") + wanting,
+                 {"line 5", "\"radius\""});
+  expect_refused(
+      solid("shape = \"cylinder\"\nradius = 1\nheight = 1\naxis = \"w\"\nmass = 1") + wanting,
+      {"line 5", "axis"});
+}
+
+TEST(SceneBody, Imports) {
+  const support::scratch_directory directory;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::ofstream(directory.path(name)) << text;
+  };
+  const auto from = [&](const std::string& keys) {
+    return read_scene("[body]\n" + keys + "\n" + wanting, directory.path(""));
+  };
+  write("a.urdf",
+        "<robot><link name=\"base\"><inertial><mass value=\"1\"/><inertia ixx=\"0.3\" ixy=\"0\" "
+        "ixz=\"0\" iyy=\"0.2\" iyz=\"0\" "
+        "izz=\"0.1\"/></inertial></link>\n<link name=\"arm\"><inertial><inertia ixx=\"5\" "
+        "ixy=\"0\" ixz=\"0\" iyy=\"3\" iyz=\"0\" "
+        "izz=\"1\"/></inertial></link></robot>");
+  EXPECT_EQ(*from("file = \"a.urdf\"\nlink = \"base\"").body.moments,
+            (rational_vector{rational(3, 10), rational(1, 5), rational(1, 10)}));
+  const scene arm = from("file = \"a.urdf\"\nlink = \"arm\"");
+  EXPECT_EQ(*arm.body.margin, -1);
+  ASSERT_FALSE(arm.remarks.empty());
+  EXPECT_NE(arm.remarks[0].find("5 is above the sum of the others 4 by 1"), std::string::npos)
+      << arm.remarks[0];
+  write("b.sdf",
+        "<sdf><model><link name='l'><inertial><inertia><ixx>3</ixx><iyy> 2 "
+        "</iyy><izz>1</izz></inertia></inertial></link></model></sdf>");
+  EXPECT_EQ(*from("file = \"b.sdf\"").body.moments, (rational_vector{3, 2, 1}));
+  write("c.xml",
+        "<mujoco><worldbody><body name='x'><inertial pos='0 0 0' mass='1' fullinertia='26 38 35 4 "
+        "-10 -14'/></body></worldbody></mujoco>");
+  EXPECT_EQ(*from("file = \"c.xml\"").body.moments, (rational_vector{54, 27, 18}));
+  write("d.xml", "<mujoco><body name='x'><inertial mass='1' diaginertia='1 2'/></body></mujoco>");
+  write("e.json", "{\"moments\": [3, 2, 0.1], \"sigma\": [1, 1, 0.01]}");
+  EXPECT_EQ(from("file = \"e.json\"").body.kind, body_kind::undecided);
+  const auto refused = [&](const std::string& keys, const std::vector<std::string>& words) {
+    std::string why = "accepted";
+    try {
+      (void)from(keys);
+    } catch (const input_error& error) {
+      why = error.what();
+    }
+    for (const std::string& word : words)
+      EXPECT_NE(why.find(word), std::string::npos) << word << " in: " << why;
+  };
+  refused("file = \"a.urdf\"", {"line 2", "choose one", "base", "arm"});
+  refused("file = \"a.urdf\"\nlink = \"leg\"", {"\"leg\"", "arm"});
+  refused("file = \"d.xml\"", {"diaginertia must be 3 numbers"});
+  refused("file = \"missing.sdf\"", {"No such file"});
+  refused("file = \"a.stl\"", {".urdf"});
+  write("f.sdf", "<sdf><a>");
+  refused("file = \"f.sdf\"", {"no XML"});
+  write("g.urdf", std::string(100'000, '<') + "a");
+  refused("file = \"g.urdf\"", {"no XML"});
+  std::string deep;
+  for (int i = 0; i < 200'000; ++i) deep += "<a>";
+  for (int i = 0; i < 200'000; ++i) deep += "</a>";
+  write("h.urdf", deep);
+  refused("file = \"h.urdf\"", {"no inertia"});
+}
+
+TEST(SceneBody, Refusals) {
+  expect_refused(wanting, {"no [body]"});
+  expect_refused("[body]\n" + wanting, {"no body"});
+  expect_refused(with_body("moments = [3, 2, 1]\nab = [1, 0.1]"), {"given twice"});
+  expect_refused(with_body("moments = [3, -2, 1]"), {"line 2", "-2 is not positive"});
+  expect_refused(with_body("moments = [3, 2]"), {"line 2", "array of 3"});
+  expect_refused(with_body("moments = [3, 2, true]"), {"body.moments[2]", "boolean"});
+  expect_refused(with_body("moment = [3, 2, 1]"), {"line 2", "\"moment\"", "\"moments\""});
+  expect_refused(with_body("moments = [3, 2, 1]\nunit = \"kg m2\""), {"line 3", "\"kg m^2\""});
+  expect_refused(with_body("moments = [3, 2, 1]\nsigma = [1, 1, -1]"), {"sigma"});
+  expect_refused(with_body("moments = [\"3 ± 1\", 2, 1]\nsigma = [1, 1, 1]"),
+                 {"line 2", "one of them"});
+  expect_refused(with_body("moments = [\"3 ± -1\", 2, 1]"), {"negative"});
+  expect_refused(with_body("ab = [1, 2]"), {"b = 2"});
+  expect_refused(with_body("tensor = [[1, 0, 1], [0, 1, 0], [0, 0, 1]]"), {"symmetric"});
+  expect_refused(with_body("tensor = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]"), {"not positive"});
+  expect_refused("moments = [3, 2, 1]\n" + wanting,
+                 {"line 1", "\"moments\"", "not known in a scene"});
+  expect_refused("[body\n", {"line 1", "no TOML"});
+  std::string dotted = "x = 1\na";
+  for (int i = 0; i < 100'000; ++i) dotted += ".a";
+  expect_refused(dotted + " = 1\n", {"line 2", "parts"});
+  expect_refused("b = {" + dotted.substr(6) + " = 1}\n", {"line 1", "parts"});
+  expect_refused("[" + dotted.substr(6) + "]\n", {"line 1", "parts"});
+  expect_refused("a = " + std::string(100'000, '['), {"line 1", "no TOML"});
+  expect_refused(with_body("moments = [0." + std::string(200, '1') + ", 2, 1]"),
+                 {"line 2", "in quotes"});
+  EXPECT_EQ(read("title = \"....................\" # ....................\n" +
+                 with_body("moments = [3, 2, 1]"))
+                .title.size(),
+            20U);
+  expect_refused("[body]\nmoments=[3,2,1]\nmoments=[3,2,1]\n", {"line 3"});
+}
+
+TEST(SceneState, TurnsIntoC) {
+  const auto c_of = [](const std::string& state) {
+    return *read("[body]\nmoments = [3, 2, 1]\n[state]\n" + state + "\n" + wanting).state->c;
+  };
+  // J = (3, 2, 1): 2H = 6, J^2 = 14, c = 2*6/14 - 1.
+  EXPECT_EQ(c_of("omega = [1, 1, 1]"), rational(-1, 7));
+  EXPECT_EQ(c_of("omega = [7, 7, 7]\nunit = \"deg/day\""), rational(-1, 7));
+  EXPECT_EQ(c_of("momentum = [3, 2, 1]"), rational(-1, 7));
+  EXPECT_EQ(c_of("omega = [0, 5, 0]"), 0);
+  EXPECT_EQ(c_of("c = 0.5"), rational(1, 2));
+  // The same in turned axes.
+  const scene turned = read(
+      "[body]\ntensor = [[26, 4, -10], [4, 38, -14], [-10, -14, 35]]\n[state]\nomega = [1, -1, "
+      "5]\n" +
+      wanting);
+  const scene again = read(
+      "[body]\nmoments = [18, 27, 54]\n[state]\nomega = [\"11/3\", \"1/3\", \"11/3\"]\n" + wanting);
+  EXPECT_EQ(*turned.state->c, *again.state->c);
+}
+
+TEST(SceneState, Refusals) {
+  const auto refused = [](const std::string& state, const std::vector<std::string>& words,
+                          const std::string& body = "moments = [3, 2, 1]") {
+    expect_refused("[body]\n" + body + "\n[state]\n" + state + "\n" + wanting, words);
+  };
+  refused("omega = [0, 0, 0]", {"line 4", "does not turn"});
+  refused("omega = [1, 0, 0]\nmomentum = [1, 0, 0]", {"line 3", "given twice"});
+  refused("unit = \"rad/s\"", {"no state"});
+  refused("omega = [1, 0, 0]\nunit = \"deg/fortnight\"", {"line 5", "fortnight", "nearest"});
+  refused("momentum = [1, 0, 0]\nunit = \"kg m^2/s\"", {"contradictory"});
+  refused("momentum = [1, 0, 0]", {"contradictory"}, "moments = [3, 2, 1]\nunit = \"kg m^2\"");
+  refused("c = 2", {"line 4", "a = 1"});
+  refused("c = 0.1\nunit = \"rad/s\"", {"line 5", "contradictory"});
+  refused("omega = [1, 0, 0]\nmatrix = [[1, 0, 0], [0, 1, 0], [0, 0.001, 1]]",
+          {"line 5", "not orthonormal", "columns 2 and 2", "1000001/1000000"});
+  refused("omega = [1, 0, 0]\nmatrix = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]", {"reflection"});
+  refused("omega = [1, 0, 0]\nquaternion = [0, 0, 0, 0]", {"line 5", "must not be 0"});
+  refused("omega = [1, 0, 0]\nquaternion = [1, 0, 0, 0]\neuler = [1, 2, 3]", {"given twice"});
+  refused("omega = [1, 0, 0]\neuler = [1, 2, 3]", {"euler_unit"});
+  refused("omga = [1, 0, 0]", {"line 4", "\"omga\"", "\"omega\""});
+  refused("c = 0.1", {"three different"}, "moments = [2, 2, 1]");
+}
+
+TEST(SceneEffects, Refusals) {
+  const std::string body = "[body]\nmoments = [3, 2, 1]\n";
+  expect_refused(body, {"no [effects]"});
+  expect_refused(body + "[effects]\nwant = []", {"line 4", "empty"});
+  expect_refused(body + "[effects]\nwant = [\"perod\"]", {"line 4", "perod", "\"period\""});
+  expect_refused(body + "[effects]\nwant = [\"period\"]", {"line 4", "period", "needs a state"});
+  expect_refused(body + "[state]\nc = 0.1\n[effects]\nwant = [\"flips\"]",
+                 {"line 6", "flips", "omega or momentum"});
+  expect_refused(body + "[state]\nomega = [1, 1, 1]\n[effects]\nwant = [\"attitude\"]",
+                 {"needs a time"});
+  expect_refused(body + "[effects]\nwant = [\"planarity\"]\npints = 3", {"line 5", "\"points\""});
+  expect_refused(body + "[effects]\nwant = [\"twist_curve\"]\nc = [0.1, 0]", {"line 5", "below"});
+  expect_refused("[body]\nmoments = [2, 2, 1]\n[effects]\nwant = [\"tennis_racket\"]",
+                 {"symmetric top"});
+  expect_refused("digits = 0\n" + body + wanting, {"line 1", "from 1"});
+  expect_refused("precision = \"double\"\ndigits = 3\n" + body + wanting, {"contradictory"});
+  expect_refused(body + "[time]\nto = 1\nunit = \"s\"\n" + wanting, {"contradictory units"});
+  expect_refused(body + "[time]\nfrom = 2\nto = 1\n" + wanting, {"before the beginning"});
+  expect_refused(body + "[time]\nto = 1\nsamples = 100000000\n" + wanting, {"samples"});
+}
+
+TEST(SceneSweep, ReplacesAnyNumber) {
+  const std::string text = "[body]\nmoments = [3, 2, 1]\n[state]\nomega = [1, 1, 1]\n" + wanting +
+                           "[sweep]\n\"state.omega[1]\" = { from = 0, to = 1, steps = 4 "
+                           "}\n\"body.moments[0]\" = [3, \"7/2\"]\n";
+  const scene whole = read(text);
+  ASSERT_EQ(whole.sweep.size(), 2U);
+  EXPECT_EQ(whole.sweep[0].values,
+            (std::vector<rational>{0, rational(1, 4), rational(1, 2), rational(3, 4), 1}));
+  const scene point = read_scene(text, ".", {{"body.moments[0]", rational(7, 2)}});
+  EXPECT_EQ((*point.body.moments)[0], rational(7, 2));
+  expect_refused("[body]\nmoments = [3, 2, 1]\n" + wanting + "[sweep]\n\"body.moment[0]\" = [1]\n",
+                 {"line 6", "body.moments[0]"});
+  expect_refused("[body]\nmoments = [3, 2, 1]\n" + wanting + "[sweep]\n\"body.moments[0]\" = []\n",
+                 {"line 6", "at least one"});
+  EXPECT_NE(refusal(text, {{"body.moments[2]", -1}}).find("-1 is not positive"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace polhode
