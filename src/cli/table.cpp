@@ -102,18 +102,26 @@ std::string as_csv(const quantity& q, const std::vector<row>& rows, long digits)
   return result;
 }
 
+/// Row by row: as one value, a million of them would take gigabytes.
 std::string as_json(const quantity& q, const std::vector<row>& rows, long digits) {
-  json result{{"quantity", q.name},
-              {"description", q.description},
-              {"verdict", to_text(status::certified)},
-              {"rows", json::array()}};
+  const auto indented = [](std::string text, const std::string& by) {
+    for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+      text.insert(at + 1, by);
+    }
+    return by + text;
+  };
+  std::string result = fmt::format("{{\n  \"description\": {},\n  \"quantity\": {},\n  \"rows\": [",
+                                   json(q.description).dump(), json(q.name).dump());
+  const char* before = "\n";
   for (const row& r : rows) {
     json one{{"a", exact_json(r.a, digits)}, {"b", exact_json(r.b, digits)}};
     if (r.c) one["c"] = exact_json(*r.c, digits);
     one[q.name] = to_json(r.value, digits);
-    result["rows"].push_back(std::move(one));
+    result += before + indented(one.dump(2), "    ");
+    before = ",\n";
   }
-  return result.dump(2) + '\n';
+  return result +
+         fmt::format("\n  ],\n  \"verdict\": {}\n}}\n", json(to_text(status::certified)).dump());
 }
 
 constexpr long digits_of_literals = 50;
