@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -110,8 +111,13 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
     }
     return by + text;
   };
-  std::string result = fmt::format("{{\n  \"description\": {},\n  \"quantity\": {},\n  \"rows\": [",
-                                   json(q.description).dump(), json(q.name).dump());
+  const json head{{"quantity", q.name},
+                  {"description", q.description},
+                  {"verdict", to_text(status::certified)},
+                  {"rows", json::array()}};
+  std::string result = head.dump(2);
+  constexpr std::string_view end = "]\n}";  // of the array and the object
+  result.resize(result.size() - end.size());
   const char* before = "\n";
   for (const row& r : rows) {
     json one{{"a", exact_json(r.a, digits)}, {"b", exact_json(r.b, digits)}};
@@ -120,8 +126,7 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
     result += before + indented(one.dump(2), "    ");
     before = ",\n";
   }
-  return result +
-         fmt::format("\n  ],\n  \"verdict\": {}\n}}\n", json(to_text(status::certified)).dump());
+  return result + "\n  ]\n}\n";
 }
 
 constexpr long digits_of_literals = 50;
