@@ -126,7 +126,8 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
     result += before + indented(one.dump(2), "    ");
     before = ",\n";
   }
-  return result + "\n  ]\n}\n";
+  result += "\n  ]\n}\n";
+  return result;
 }
 
 constexpr long digits_of_literals = 50;
@@ -226,9 +227,13 @@ exit_status run(const table_options& options) {
   std::vector<row> rows = rows_of(options, q);
   constexpr double bytes_per_digit = 60;
   constexpr double bytes_kept = 12;
-  options.memory_limit.check({fmt::format("{} numbers of {} digits", rows.size(), digits),
-                              (bytes_per_digit + bytes_kept * static_cast<double>(rows.size())) *
-                                  static_cast<double>(computed)});
+  // Measured: a row's names, punctuation, numbers a, b, c and the like.
+  const double bytes_beside = format == "json" ? 2500 : 700;
+  const auto count = static_cast<double>(rows.size());
+  options.memory_limit.check(
+      {fmt::format("{} numbers of {} digits", rows.size(), digits),
+       (bytes_per_digit + bytes_kept * count) * static_cast<double>(computed) +
+           bytes_beside * count});
   const progress line;
   std::size_t done = 0;
   for (row& r : rows) {
