@@ -18,9 +18,12 @@ ball delta_psi_max(precision p) { return 4 * atan(exp(pi(p))) - pi(p); }
 
 const std::vector<constant>& all_constants() {
   static const std::vector<constant> constants{
-      {"epsilon0_min", "least twist defect on the separatrix, pi - 2 arctan(e^pi)", epsilon0_min,
+      {"epsilon0_min",
+       "minimum value of the defect epsilon0 on the separatrix, pi - 2 arctan(e^pi)", epsilon0_min,
        100},
-      {"delta_psi_max", "best twist on the separatrix, pi - 2 epsilon0_min", delta_psi_max, 100},
+      {"delta_psi_max",
+       "best quasi-perfect twist, Delta psi on the separatrix, pi - 2 epsilon0_min", delta_psi_max,
+       100},
       {"beta", "root of K(1/(1+beta)) = pi sqrt(1+beta), i.e. agm(sqrt(1+beta), sqrt(beta)) = 1/2",
        [](precision p) {
          const root_enclosure root = enclose_beta(p);

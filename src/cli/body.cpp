@@ -19,6 +19,7 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/arithmetic/verdict.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
@@ -33,6 +34,7 @@ struct body_options {
 };
 
 constexpr std::array axis_names{"x", "y", "z"};
+constexpr std::array moment_names{"I_x", "I_y", "I_z"};
 
 /// One of the body's numbers: a rational, or an enclosure of it, or of its range where the moments have ranges.
 struct number {
@@ -80,8 +82,9 @@ number certain(const char* symbol, const char* name, std::optional<rational> exa
 
 /// What is printed: the moments where they were given, the axes where they were reordered, the numbers.
 struct answer {
-  std::optional<std::array<rational, 3>> moments;
+  std::vector<number> moments;  // I_x, I_y, I_z, or none
   std::array<int, 3> order{0, 1, 2};
+  bool has_order = false;  // of the moments given
   bool is_ordered = true;
   bool is_uncertain = false;
   std::vector<number> numbers;
@@ -91,7 +94,10 @@ struct answer {
 answer answer_of(const body& rigid, long digits) {
   answer result;
   const precision guard = sufficient_guard(rigid, digits);
-  result.moments = rigid.moments();
+  for (std::size_t i = 0; rigid.moments() && i < 3; ++i) {
+    result.moments.push_back({moment_names[i], axis_names[i], (*rigid.moments())[i], {}});
+  }
+  result.has_order = rigid.moments().has_value();
   result.order = rigid.order();
   result.kind = rigid.kind();
   result.numbers = {{"a", "a", rigid.a(), {}}, {"b", "b", rigid.b(), {}}};
@@ -104,9 +110,35 @@ answer answer_of(const body& rigid, long digits) {
   return result;
 }
 
+answer answer_of(const inertia_tensor& tensor, long digits) {
+  answer result;
+  // As for a body, with the moments instead of a and b.
+  const precision guard = 8 * tensor.lost_bits() + 15 * bits_for_digits(digits) + 1024;
+  result.kind = tensor.kind();
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.moments.push_back(certain(
+        moment_names[i], axis_names[i], tensor.exact_moments()[i],
+        [&](precision p) { return tensor.moments(p)[i]; }, digits, guard));
+  }
+  const auto add = [&](const char* symbol, const char* name, std::optional<rational> exact,
+                       ball (inertia_tensor::*f)(precision) const) {
+    result.numbers.push_back(certain(
+        symbol, name, std::move(exact), [&](precision p) { return (tensor.*f)(p); }, digits,
+        guard));
+  };
+  const bool planar = result.kind == body_kind::planar;
+  add("a", "a", {}, &inertia_tensor::a);
+  add("b", "b", {}, &inertia_tensor::b);
+  add("I", "geometric_constant", planar ? std::optional<rational>(1) : std::nullopt,
+      &inertia_tensor::geometric_constant);
+  add("J", "second_geometric_constant", {}, &inertia_tensor::second_geometric_constant);
+  return result;
+}
+
 answer answer_of(const uncertain_body& rigid, long digits) {
   const precision p = bits_for_digits(digits) + 32;
   answer result;
+  result.has_order = true;
   result.order = rigid.order();
   result.is_ordered = rigid.is_ordered();
   result.is_uncertain = true;
@@ -122,12 +154,7 @@ answer answer_of(const uncertain_body& rigid, long digits) {
 
 std::string text_of(const answer& a, long digits) {
   std::string result;
-  if (a.moments) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const rational& moment = (*a.moments)[i];
-      result += as_text(number{i == 0 ? "I_x" : (i == 1 ? "I_y" : "I_z"), "", moment, {}}, digits);
-    }
-  }
+  for (const number& moment : a.moments) result += as_text(moment, digits);
   if (!a.is_ordered) {
     result += "the order of the axes is undecided, and so are a, b, I and J\n";
   } else if (a.order != std::array<int, 3>{0, 1, 2}) {
@@ -149,12 +176,8 @@ std::string json_of(const answer& a, long digits) {
   const bool decided = a.kind != body_kind::undecided;
   json result{{"kind", to_text(a.kind)},
               {"verdict", to_text(decided ? status::certified : status::not_certified)}};
-  if (a.moments) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      result["moments"][axis_names[i]] = exact_json((*a.moments)[i], digits);
-    }
-  }
-  if (a.is_ordered && (a.moments || a.is_uncertain)) {
+  for (const number& moment : a.moments) result["moments"][moment.name] = as_json(moment, digits);
+  if (a.is_ordered && a.has_order) {
     // Of I_x, I_y, I_z, which of the moments given it is.
     for (const int given : a.order) result["order"].push_back(given + 1);
   }
@@ -169,8 +192,10 @@ exit_status run(const body_options& options) {
   options.memory_limit.check(
       {fmt::format("{} digits of I and J", digits), bytes_per_digit * static_cast<double>(digits)});
   const auto uncertain = options.which.uncertain(options.sigma);
-  const answer a =
-      uncertain ? answer_of(*uncertain, digits) : answer_of(options.which.value(), digits);
+  const auto tensor = options.which.irrational_tensor();
+  const answer a = uncertain ? answer_of(*uncertain, digits)
+                   : tensor  ? answer_of(*tensor, digits)
+                             : answer_of(options.which.value(), digits);
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
   return a.kind == body_kind::undecided ? exit_status::not_certified : exit_status::all_certified;
 }
@@ -199,7 +224,9 @@ command body_command() {
       "rounding. I = (1-b)/sqrt(b(a+b)) and J = (a+1)/sqrt(a(a+b)) - 1 are the paper's geometric\n"
       "constants. With --sigma every moment within value - sigma .. value + sigma is meant: the "
       "kind\n"
-      "is that of all such bodies, or undecided (exit status 1).\n",
+      "is that of all such bodies, or undecided (exit status 1). A tensor in a --body file may "
+      "have\n"
+      "irrational principal moments: they are enclosed, and the kind is decided all the same.\n",
       declare};
 }
 

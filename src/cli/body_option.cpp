@@ -1,11 +1,13 @@
 #include "body_option.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "errors.hpp"
 #include "formula.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
 #include "polhode/scene/body_file.hpp"
 
 namespace polhode::cli {
@@ -59,6 +61,11 @@ body body_by_rotational_constants(const std::string& text) {
   const auto constants = read_numbers<3>("--rotational", text, "27.88,14.52,9.28");
   return reading("--rotational", text, [&] { return body::from_rotational_constants(constants); });
 }
+bool is_exact(const inertia_tensor& tensor) {
+  const auto& moments = tensor.exact_moments();
+  return std::all_of(moments.begin(), moments.end(), [](const auto& m) { return m.has_value(); });
+}
+
 body body_in(const body_file& file) {
   if (file.sigma) {
     throw input_error("it has a sigma, and this needs one body; ranges are for `polhode body`");
@@ -66,6 +73,11 @@ body body_in(const body_file& file) {
   if (file.ab) return {(*file.ab)[0], (*file.ab)[1]};
   if (file.moments) return body::from_moments(*file.moments);
   if (file.rotational) return body::from_rotational_constants(*file.rotational);
+  if (!is_exact(inertia_tensor(*file.tensor))) {
+    throw input_error(
+        "the tensor's principal moments are not all rational numbers, and a motion is that of an "
+        "exact body: give moments as decimals (`polhode body` encloses those of the tensor)");
+  }
   return body::from_inertia_tensor(*file.tensor);
 }
 body body_by_file(const std::string& path) {
@@ -138,6 +150,17 @@ std::optional<uncertain_body> body_option::uncertain(
     const body_file read = read_body_file(*file);
     if (!read.sigma) return std::nullopt;
     return with_ranges(*read.moments, *read.sigma);
+  });
+}
+
+std::optional<inertia_tensor> body_option::irrational_tensor() const {
+  if (!file || ab || moments || rotational) return std::nullopt;
+  return reading("--body", *file, [&]() -> std::optional<inertia_tensor> {
+    const body_file read = read_body_file(*file);
+    if (!read.tensor) return std::nullopt;
+    inertia_tensor tensor(*read.tensor);
+    if (is_exact(tensor)) return std::nullopt;
+    return tensor;
   });
 }
 

@@ -11,6 +11,10 @@
 
 #include "polhode/rigid_body/body.hpp"
 
+namespace polhode {
+class inertia_tensor;
+}
+
 namespace polhode::cli {
 
 /// --ab A,B, --moments IX,IY,IZ, --rotational A,B,C or --body FILE
@@ -26,6 +30,8 @@ struct body_option {
   /// A body with ranges: by --moments and this sigma, or by a file that has one. Nothing where there is no sigma.
   [[nodiscard]] std::optional<uncertain_body> uncertain(
       const std::optional<std::string>& sigma) const;
+  /// A tensor in a file whose principal moments are not all rational; nothing for any other body.
+  [[nodiscard]] std::optional<inertia_tensor> irrational_tensor() const;
 };
 
 /// The same options, each as often as wanted.

@@ -81,8 +81,12 @@ std::string with_dots(const leading_digits& d) {
 }
 
 std::string exact_text(const rational& q, long digits) {
-  const leading_digits d = leading_digits_of(q, digits);
-  return d.all ? d.value : to_text(q);
+  constexpr long usual = 40;  // most numbers have no more
+  for (const long most : {std::min(usual, digits), digits}) {
+    const leading_digits d = leading_digits_of(q, most);
+    if (d.all) return d.value;
+  }
+  return to_text(q);
 }
 
 json exact_json(const rational& q, long digits) {

@@ -30,10 +30,26 @@ struct figures_options {
   memory_limit_option memory_limit;
 };
 
+/// The paper's numbers, such as 3, stand for all figures of that number.
+std::vector<std::string> with_numbers_named(const std::vector<std::string>& given) {
+  std::vector<std::string> result;
+  for (const std::string& text : given) {
+    bool is_number = false;
+    for (const figure& f : all_figures()) {
+      const std::string number = "figure " + text;
+      if (f.place != number && f.place.rfind(number + " (", 0) != 0) continue;
+      is_number = true;
+      result.push_back(f.name);
+    }
+    if (!is_number) result.push_back(text);
+  }
+  return result;
+}
+
 std::vector<const figure*> selected_figures(const figures_options& options) {
   const std::vector<std::string> all = names_of(all_figures());
   const std::vector<std::string> names =
-      known_names(options.names, all, "figure", "polhode figures --list");
+      known_names(with_numbers_named(options.names), all, "figure", "polhode figures --list");
   std::vector<const figure*> result;
   for (const figure& f : all_figures()) {
     const bool named = std::find(names.begin(), names.end(), f.name) != names.end();
@@ -111,7 +127,8 @@ exit_status run(const figures_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<figures_options>();
-  app.add_option("NAME", options->names, "Figures to draw, by name; without any, all of them")
+  app.add_option("NAME", options->names,
+                 "Figures to draw, by name or by the paper's number; without any, all")
       ->type_name("");
   app.add_flag("--list", options->list, "Show the figures instead of drawing them");
   app.add_option("--out", options->directory,
@@ -133,6 +150,7 @@ command figures_command() {
           "  polhode figures\n"
           "  polhode figures --list\n"
           "  polhode figures injectivity varying_a --out pictures\n"
+          "  polhode figures 3\n"
           "  polhode figures limit --data-only --digits 30\n\n"
           "gnuplot draws them. Beneath each picture stands how wide the widest enclosure of its "
           "points is; the\n"

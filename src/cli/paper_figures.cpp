@@ -288,11 +288,8 @@ std::vector<figure_point> rotating_quarter(const body& rigid, const rational& c,
 
 /// The quarter and its mirror image in psi: from -psi to psi.
 std::vector<figure_point> half_from(const std::vector<figure_point>& quarter) {
-  std::vector<figure_point> result;
-  result.reserve(2 * quarter.size());
-  for (auto p = quarter.rbegin(); p != quarter.rend(); ++p) {
-    result.push_back({negated(p->x), p->y});
-  }
+  std::vector<figure_point> result(quarter.rbegin(), quarter.rend());
+  for (figure_point& p : result) p.x = negated(p.x);
   result.insert(result.end(), quarter.begin(), quarter.end());
   return result;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -32,33 +33,22 @@ struct racket_options {
   memory_limit_option memory_limit;
 };
 
-/// What does not exist is missing.
+/// What does not exist is missing; what was not certified has its verdict.
 struct answer {
   body_kind kind = body_kind::undecided;
   bool injective = false;
-  ball epsilon0;
-  std::optional<ball> perfect_twist;
-  std::optional<ball> full_turn;
+  certain_number epsilon0;
+  std::optional<certain_number> perfect_twist;
+  std::optional<certain_number> full_turn;
   integer meeting_count;
   integer intersections;
   integer crossings;
   std::vector<meeting> meetings;
   std::optional<rational> c;
   twist at_c;
+  /// Whether epsilon0 and c0, about e^(-pi sqrt(ab)) and its square, may be below the exponents that numbers have.
+  bool may_be_too_small = false;
 };
-
-/// As certain(), of a number of the size e^(-pi sqrt(ab)) or its square.
-ball certain_small(const certain_number& n, const body& rigid, const char* what, long digits) {
-  const rational beyond_exponents("10000000000000");
-  if (n.verdict == status::certified || rigid.a() * rigid.b() < beyond_exponents) {
-    return certain(n, what, digits);
-  }
-  throw not_certified_error(
-      fmt::format("{} was not certified to {} digits: for so large an a b, {} being about e^(-pi "
-                  "sqrt(a b)) or its "
-                  "square, it may be below the exponents that numbers have here, 2^(-2^30)",
-                  what, digits, what));
-}
 
 answer answer_of(const racket_options& options, const body& rigid, const std::optional<rational>& c,
                  long digits) {
@@ -66,18 +56,13 @@ answer answer_of(const racket_options& options, const body& rigid, const std::op
   answer result;
   result.kind = rigid.kind();
   result.injective = is_injective(rigid);
+  const rational beyond_exponents("10000000000000");
+  result.may_be_too_small = rigid.a() * rigid.b() >= beyond_exponents;
   line.show("computing epsilon0");
-  result.epsilon0 =
-      certain_small(separatrix_defect_to_digits(rigid, digits), rigid, "epsilon0", digits);
+  result.epsilon0 = separatrix_defect_to_digits(rigid, digits);
   line.show("computing c0");
-  if (has_perfect_twist(rigid)) {
-    result.perfect_twist =
-        certain_small(perfect_twist_to_digits(rigid, digits), rigid, "c0", digits);
-  }
-  if (has_full_turn(rigid)) {
-    result.full_turn =
-        certain_small(full_turn_to_digits(rigid, digits), rigid, "the full turn's c", digits);
-  }
+  if (has_perfect_twist(rigid)) result.perfect_twist = perfect_twist_to_digits(rigid, digits);
+  if (has_full_turn(rigid)) result.full_turn = full_turn_to_digits(rigid, digits);
   result.meeting_count = meeting_count(rigid);
   result.intersections = intersection_count(rigid);
   result.crossings = crossing_count(rigid);
@@ -85,19 +70,34 @@ answer answer_of(const racket_options& options, const body& rigid, const std::op
   for (integer m = 1; m <= listed; ++m) {
     line.show(fmt::format("computing meeting {} of {}", m.str(), listed.str()));
     result.meetings.push_back(meeting_to_digits(rigid, m, digits));
-    const meeting& last = result.meetings.back();
-    if (last.verdict == status::certified) continue;
-    throw not_certified_error(
-        fmt::format("the c with G(u) = 2 pi/{} was not certified to {} digits ({})", m.str(),
-                    digits, to_text(last.why)));
   }
   if (!c) return result;
   line.show("computing epsilon(c)");
   result.c = c;
   result.at_c = twist_to_digits(rigid, *c, digits);
-  if (result.at_c.verdict != status::certified) {
-    throw not_certified_error(fmt::format("epsilon(c) was not certified to {} digits ({})", digits,
-                                          to_text(result.at_c.why)));
+  return result;
+}
+
+/// "precision limit", and where that comes from for numbers of the size e^(-pi sqrt(ab)).
+std::string why_not(const answer& a, reason why) {
+  if (!a.may_be_too_small || why != reason::precision_limit) return to_text(why);
+  return "for so large an a b it may be below the exponents that numbers have here, 2^(-2^30)";
+}
+
+/// What was not certified, and why.
+std::vector<std::pair<std::string, std::string>> failures_of(const answer& a) {
+  std::vector<std::pair<std::string, std::string>> result;
+  const auto add = [&](const std::string& what, status verdict, reason why) {
+    if (verdict != status::certified) result.emplace_back(what, why_not(a, why));
+  };
+  add("epsilon0", a.epsilon0.verdict, a.epsilon0.why);
+  if (a.perfect_twist) add("c0", a.perfect_twist->verdict, a.perfect_twist->why);
+  if (a.full_turn) add("the full turn's c", a.full_turn->verdict, a.full_turn->why);
+  for (const meeting& m : a.meetings) {
+    add("the c with G(u) = 2 pi/" + m.m.str(), m.verdict, m.why);
+  }
+  if (a.c && a.at_c.verdict != status::certified) {
+    result.emplace_back("epsilon(c)", to_text(a.at_c.why));
   }
   return result;
 }
@@ -107,25 +107,43 @@ bool is_intersection(const meeting& m) { return m.m % 2 != 0; }
 std::string text_of(const answer& a, long digits) {
   const auto decimals = [digits](const ball& x) { return to_decimal(x, digits); };
   std::string result = described(a.kind) + '\n';
+  // Nothing for what was not certified: that is said at the end.
+  const auto add = [&](const char* what, const certain_number& n) {
+    if (n.verdict == status::certified) {
+      result += fmt::format("{} = {}\n", what, decimals(n.enclosure));
+    }
+  };
   result += a.injective ? "epsilon(c) is injective\n" : "epsilon(c) is not injective\n";
-  result += fmt::format("epsilon0 = {}\n", decimals(a.epsilon0));
-  result += a.perfect_twist ? fmt::format("c0 = {}\n", decimals(*a.perfect_twist))
-                            : "c0: there is no perfect twist, since J >= 2\n";
-  result += a.full_turn ? fmt::format("full turn at c = {}\n", decimals(*a.full_turn))
-                        : "there is no full turn, since J >= 1\n";
+  add("epsilon0", a.epsilon0);
+  if (a.perfect_twist) {
+    add("c0", *a.perfect_twist);
+  } else {
+    result += "c0: there is no perfect twist, since J >= 2\n";
+  }
+  if (a.full_turn) {
+    add("full turn at c", *a.full_turn);
+  } else {
+    result += "there is no full turn, since J >= 1\n";
+  }
   result += fmt::format("points where C meets S: {}; where it crosses epsilon = pi/2: {}\n",
                         a.intersections.str(), a.crossings.str());
   for (const meeting& m : a.meetings) {
+    if (m.verdict != status::certified) continue;
     result += is_intersection(m) ? fmt::format("meets S at c = {}, epsilon = {}\n", decimals(m.c),
                                                decimals(m.epsilon))
                                  : fmt::format("crosses pi/2 at c = {}\n", decimals(m.c));
   }
   const integer more = a.meeting_count - integer(a.meetings.size());
   if (more > 0) result += fmt::format("and {} more, not listed (--meetings N)\n", more.str());
-  if (!a.c) return result;
-  result += fmt::format("epsilon(c) = {}\n", decimals(a.at_c.epsilon));
-  result += fmt::format("d epsilon/dc = {}\n", decimals(a.at_c.slope));
-  return result + fmt::format("{}, branch {}\n", to_text(a.at_c.motion), a.at_c.branch.str());
+  if (a.c && a.at_c.verdict == status::certified) {
+    result += fmt::format("epsilon(c) = {}\n", decimals(a.at_c.epsilon));
+    result += fmt::format("d epsilon/dc = {}\n", decimals(a.at_c.slope));
+    result += fmt::format("{}, branch {}\n", to_text(a.at_c.motion), a.at_c.branch.str());
+  }
+  for (const auto& [what, why] : failures_of(a)) {
+    result += fmt::format("not certified to {} digits: {} ({})\n", digits, what, why);
+  }
+  return result;
 }
 
 /// An integer as JSON: a number where that has room for it.
@@ -135,35 +153,42 @@ json integer_json(const integer& n) {
   return n.str();
 }
 
+/// null for what does not exist or was not certified.
 std::string json_of(const answer& a, long digits) {
-  const auto number = [digits](const std::optional<ball>& x) {
-    return x ? to_json(*x, digits) : json(nullptr);
+  const auto number = [digits](const std::optional<certain_number>& n) {
+    return n && n->verdict == status::certified ? to_json(n->enclosure, digits) : json(nullptr);
   };
+  const auto failures = failures_of(a);
   json result{{"kind", to_text(a.kind)},
-              {"verdict", to_text(status::certified)},
+              {"verdict", to_text(failures.empty() ? status::certified : status::not_certified)},
               {"injective", a.injective},
-              {"epsilon0", to_json(a.epsilon0, digits)},
+              {"epsilon0", number(a.epsilon0)},
               {"c0", number(a.perfect_twist)},
               {"full_turn", number(a.full_turn)},
               {"intersections_with_s", integer_json(a.intersections)},
               {"crossings_of_half_pi", integer_json(a.crossings)}};
+  for (const auto& [what, why] : failures) {
+    result["not_certified"].push_back({{"what", what}, {"why", why}});
+  }
   if (!a.perfect_twist) result["remark_on_c0"] = "there is no perfect twist, since J >= 2";
   if (!a.full_turn) result["remark_on_full_turn"] = "there is no full turn, since J >= 1";
   result["meetings"] = json::array();
   for (const meeting& m : a.meetings) {
+    const bool known = m.verdict == status::certified;
     json one{{"m", integer_json(m.m)},
              {"kind", is_intersection(m) ? "intersection" : "crossing"},
-             {"c", to_json(m.c, digits)},
-             {"u", to_json(m.u, digits)}};
-    if (is_intersection(m)) one["epsilon"] = to_json(m.epsilon, digits);
+             {"c", known ? to_json(m.c, digits) : json(nullptr)},
+             {"u", known ? to_json(m.u, digits) : json(nullptr)}};
+    if (known && is_intersection(m)) one["epsilon"] = to_json(m.epsilon, digits);
     result["meetings"].push_back(std::move(one));
   }
   if (a.c) {
     result["c"] = exact_json(*a.c, digits);
     result["regime"] = to_text(a.at_c.motion);
-    result["branch"] = integer_json(a.at_c.branch);
-    result["epsilon"] = to_json(a.at_c.epsilon, digits);
-    result["slope"] = to_json(a.at_c.slope, digits);
+    const bool known = a.at_c.verdict == status::certified;
+    result["branch"] = known ? integer_json(a.at_c.branch) : json(nullptr);
+    result["epsilon"] = known ? to_json(a.at_c.epsilon, digits) : json(nullptr);
+    result["slope"] = known ? to_json(a.at_c.slope, digits) : json(nullptr);
   }
   return result.dump(2) + '\n';
 }
@@ -187,7 +212,7 @@ exit_status run(const racket_options& options) {
            static_cast<double>(digits)});
   const answer a = answer_of(options, rigid, c, digits);
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
-  return exit_status::all_certified;
+  return failures_of(a).empty() ? exit_status::all_certified : exit_status::not_certified;
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
@@ -217,7 +242,9 @@ command racket_command() {
       "the\n"
       "perfect twist, epsilon = 0; on the curve C of all (c, epsilon) the body stands at a turning "
       "point\n"
-      "where C meets S: c = -b sin^2 epsilon. What exists, and how often, is decided exactly.\n",
+      "where C meets S: c = -b sin^2 epsilon. What exists, and how often, is decided exactly. "
+      "Where a\n"
+      "number cannot be certified the others are printed all the same (exit status 1).\n",
       declare};
 }
 

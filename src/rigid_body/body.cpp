@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/roots/polynomial.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
 
 namespace polhode {
 namespace {
@@ -127,74 +128,19 @@ body body::from_rotational_constants(const std::array<rational, 3>& given) {
   return from_moments(moments);
 }
 
-namespace {
-
-/// The least x/2^bits with x an integer and at least k different roots of p in (0, x/2^bits]. Hypothesis: there are k in (0, bound].
-rational root_from_above(const rational_polynomial& p, long k, const rational& bound, long bits) {
-  integer unit;
-  mpz_ui_pow_ui(unit.backend().data(), 2, static_cast<unsigned long>(bits));
-  integer low = 0;  // fewer than k up to here
-  integer high = numerator(bound) * unit;
-  while (high - low > 1) {
-    const integer middle = (low + high) / 2;
-    (count_real_roots(p, 0, rational(middle, unit)) >= k ? high : low) = middle;
-  }
-  return rational(high, unit);
-}
-
-}  // namespace
-
 body body::from_inertia_tensor(const std::array<rational, 6>& given) {
-  integer common = 1;
-  for (const rational& entry : given) common = lcm(common, denominator(entry));
-  constexpr std::size_t most_bits = 4096;
-  for (const rational& one : given) {
-    const rational scaled(one * common);
-    if (mpz_sizeinbase(numerator(scaled).backend().data(), 2) <= most_bits) continue;
-    throw input_error("inertia tensor: with a common denominator an entry has more than " +
-                      std::to_string(most_bits) + " bits; give shorter numbers, or the moments");
+  const inertia_tensor tensor(given);
+  const auto& [x, y, z] = tensor.exact_moments();
+  if (x && y && z) return from_moments({*x, *y, *z});
+  std::string about;
+  constexpr precision shown = 64;
+  constexpr long digits = 6;
+  for (const ball& moment : tensor.moments(shown)) {
+    about += (about.empty() ? "" : ", ") + to_decimal(moment, digits);
   }
-  std::array<rational, 6> entry;
-  std::string text;
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    entry[i] = given[i] * common;
-    text += (i == 0 ? "" : ", ") + to_text(given[i]);
-  }
-  const auto& [xx, yy, zz, xy, xz, yz] = entry;
-  const rational trace(xx + yy + zz);
-  const rational minors(xx * yy + yy * zz + zz * xx - xy * xy - xz * xz - yz * yz);
-  const rational determinant(xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) +
-                             xz * (xy * yz - yy * xz));
-  // All roots of the characteristic polynomial are real: they are positive exactly where its signs alternate.
-  if (trace <= 0 || minors <= 0 || determinant <= 0) {
-    throw input_error("inertia tensor " + text +
-                      ": a principal moment is not positive; all three must be");
-  }
-  const rational_polynomial p(std::vector<rational>{-determinant, minors, -trace, 1});
-  if (count_real_roots(p, 0, trace) < 3) {
-    throw input_error(
-        "inertia tensor " + text +
-        ": two principal moments are equal, a symmetric top, which has no intermediate "
-        "axis; three different moments are needed");
-  }
-  std::array<rational, 3> moments;  // the greatest first
-  bool rational_moments = true;
-  for (std::size_t i = 0; i < moments.size(); ++i) {
-    moments[i] = root_from_above(p, 3 - static_cast<long>(i), trace, 0);
-    rational_moments = rational_moments && p(moments[i]) == 0;
-  }
-  if (!rational_moments) {
-    std::string about;
-    for (long k = 3; k >= 1; --k) {
-      const rational root = root_from_above(p, k, trace, 40) / common;
-      about += (k == 3 ? "" : ", ") + std::to_string(static_cast<double>(root));
-    }
-    throw input_error(
-        "inertia tensor " + text + ": its principal moments, about " + about +
-        ", are not all rational numbers, and a body is exact; give the moments as decimals");
-  }
-  for (rational& moment : moments) moment /= common;
-  return from_moments(moments);
+  throw input_error("inertia tensor: its principal moments, " + about +
+                    ", are not all rational numbers, and a body is exact; give the moments as "
+                    "decimals");
 }
 
 body_kind body::kind() const {

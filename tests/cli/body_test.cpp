@@ -101,8 +101,19 @@ TEST(BodyCommand, Files) {
   write(R"({"moments": [3.01, 2, 1], "sigma": [0.1, 0.1, 0.05]})");
   EXPECT_EQ(run({"body", "--body", path}).status, 1);
   expect_refused({"racket", "--body", path}, {"sigma", "polhode body"});
-  refused(R"({"tensor": [[2, -1, 0], [-1, 2, 0.1], [0, 0.1, 2.5]]})",
-          {"3.00985", "2.49347", "0.99666", "not all rational"});
+  // Principal moments that are not rational: for `body` alone.
+  EXPECT_EQ(body_in(R"({"tensor": [[2, -1, 0], [-1, 2, 0.1], [0, 0.1, 2.5]]})"),
+            "I_x = 3.0098...\nI_y = 2.4934...\nI_z = 0.99666...\na = 1.5018...\nb = 0.17156...\n"
+            "I = 1.5461...\nJ = 0.57815...\nphysical (ab + 2b < 1)\n");
+  expect_refused({"racket", "--body", path}, {"tensor", "not all rational", "polhode body"});
+  // A lamina: one moment is the sum of the others, and I = 1.
+  EXPECT_EQ(body_in(R"({"tensor": [[2, 1, 0], [1, 3, 0], [0, 0, 5]]})"),
+            "I_x = 5 exactly\nI_y = 3.6180...\nI_z = 1.3819...\na = 1.6180...\nb = 0.27639...\n"
+            "I = 1 exactly\nJ = 0.49534...\n"
+            "planar (ab + 2b = 1): physical, with all mass in a plane\n");
+  // A part in 10^300 decides.
+  EXPECT_NE(body_in(R"({"tensor": [[2, 1, 0], [1, 3, 1e-300], [0, 1e-300, 5]]})").find("\nnon-"),
+            std::string::npos);
   refused(R"({"tensor": [[2, 0, 0], [0, 2, 0], [0, 0, 1]]})", {"two principal moments are equal"});
   refused(R"({"tensor": [[1, 3, 0], [3, 2, 0], [0, 0, 1]]})", {"not positive"});
   refused(R"({"tensor": [[1, 3, 0], [2, 2, 0], [0, 0, 1]]})", {"symmetric"});

@@ -307,6 +307,10 @@ TEST(FiguresCommand, ListAndHelp) {
     EXPECT_NE(list.find(word), std::string::npos) << word;
   }
   EXPECT_EQ(certified({"figures", "limit", "--list"}).find("figure 1"), std::string::npos);
+  const std::string third = certified({"figures", "--list", "3"});
+  EXPECT_NE(third.find("montgomery_oscillating"), std::string::npos) << third;
+  EXPECT_NE(third.find("montgomery_rotating"), std::string::npos) << third;
+  EXPECT_EQ(third.find("figure 4"), std::string::npos) << third;
   const std::string help = certified({"figures", "--help"});
   for (const char* word : {"--out", "--data-only", "gnuplot", "all files appear, or none"}) {
     EXPECT_NE(help.find(word), std::string::npos) << word;
@@ -375,6 +379,7 @@ TEST(FiguresCommand, RefusesBadInput) {
   const std::string out = scratch.path("f");
   expect_refused({"figures", "injectivty", "--out", out}, {"nearest is injectivity", "--list"});
   expect_refused({"figures", "", "--out", out}, {"there is no figure"});
+  expect_refused({"figures", "9", "--out", out}, {"there is no figure \"9\""});
   expect_refused({"figures", "--digits", "0", "--out", out}, {"--digits"});
   expect_refused({"figures", "--digits", "1000000000", "--out", out}, {"GiB"});
   expect_refused({"figures", "--lst", "--out", out}, {"--list"});

@@ -49,11 +49,27 @@ TEST(RacketCommand, HardCase) {
   }
 }
 
-TEST(RacketCommand, SaysWhatIsBeyondTheExponents) {
-  const outcome result = run({"racket", "--ab", "1e40,0.5", "--digits", "5"});
+TEST(RacketCommand, SaysWhatIsBeyondTheExponentsAndPrintsTheRest) {
+  const outcome result =
+      run({"racket", "--ab", "1e40,0.5", "--digits", "5", "--meetings", "2", "--c", "1e39"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.out, "");
-  EXPECT_NE(result.err.find("exponents"), std::string::npos) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_NE(result.out.find("epsilon(c) is not injective\n"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("points where C meets S: 141421356237309504880; "), std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("not certified to 5 digits: epsilon0 (for so large an a b it may be "
+                            "below the exponents"),
+            std::string::npos)
+      << result.out;
+  EXPECT_EQ(result.out.find("epsilon0 ="), std::string::npos);
+  EXPECT_NE(result.out.find("epsilon(c) = "), std::string::npos) << result.out;
+  const outcome as_json =
+      run({"racket", "--ab", "1e40,0.5", "--digits", "5", "--meetings", "2", "--format", "json"});
+  EXPECT_EQ(as_json.status, 1);
+  const json read = json::parse(as_json.out);
+  EXPECT_EQ(read.at("verdict"), "not certified");
+  EXPECT_TRUE(read.at("epsilon0").is_null());
+  EXPECT_EQ(read.at("not_certified")[0].at("what"), "epsilon0");
 }
 
 TEST(RacketCommand, RefusesBadInput) {

@@ -1,0 +1,144 @@
+#include "polhode/rigid_body/inertia_tensor.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/roots/newton.hpp"
+
+namespace polhode {
+namespace {
+
+/// How many roots of the cubic are at most x, if all are real: 3 less the changes of sign in the Taylor coefficients there, zeros left out.
+/// Proof. Let q(t) = p(x + t) have m roots 0. By Descartes' rule the positive roots are at most V(q(t)), the negative ones at most
+/// V(q(-t)), and V(q(t)) + V(q(-t)) <= 3 - m; since all roots are real these are 3 - m together, so that equality holds.
+long roots_up_to(const rational_polynomial& p, const rational& x) {
+  const rational_polynomial slope = p.derivative();
+  long above = 0;
+  int last = p.leading().sign();
+  for (const int sign : {slope.derivative()(x).sign(), slope(x).sign(), p(x).sign()}) {
+    if (sign * last < 0) ++above;
+    if (sign != 0) last = sign;
+  }
+  return 3 - above;
+}
+
+/// The least integer x in (low, high] with at least k roots up to x/unit. Hypothesis: fewer are up to low/unit, and so many up to high/unit.
+integer least_with(const rational_polynomial& p, long k, integer low, integer high,
+                   const integer& unit) {
+  while (high - low > 1) {
+    const integer middle = (low + high) / 2;
+    (roots_up_to(p, rational(middle, unit)) >= k ? high : low) = middle;
+  }
+  return high;
+}
+
+/// The k-th root from below, which is in (above - 1, above], to about q bits.
+ball enclosed_root(const rational_polynomial& p, long k, const integer& above, precision q,
+                   precision most_bits) {
+  const rational_polynomial slope = p.derivative();
+  const auto f = [&p](const ball& x) { return p(x); };
+  const auto derivative = [&slope](const ball& x) { return slope(x); };
+  for (long bits = 0; bits <= most_bits; bits = 2 * bits + 16) {
+    const integer unit = integer(1) << static_cast<unsigned>(bits);
+    const integer high = least_with(p, k, (above - 1) * unit, above * unit, unit);
+    const precision enough =
+        static_cast<precision>(mpz_sizeinbase(high.backend().data(), 2)) + bits + 64;
+    const ball box =
+        hull(ball(rational(high - 1, unit), enough), ball(rational(high, unit), enough));
+    // Where roots are near each other the value near one of them cancels: with twice the box's bits it is resolved.
+    const root_enclosure found = refine_root(f, derivative, box, std::max(q, 2 * enough));
+    if (found.verdict == root_verdict::unique) return found.root;
+  }
+  return ball::undefined(q);
+}
+
+}  // namespace
+
+inertia_tensor::inertia_tensor(const std::array<rational, 6>& given) : common_(1) {
+  for (const rational& entry : given) common_ = lcm(common_, denominator(entry));
+  constexpr std::size_t most_bits = 4096;
+  for (const rational& one : given) {
+    const rational scaled(one * common_);
+    if (mpz_sizeinbase(numerator(scaled).backend().data(), 2) <= most_bits) continue;
+    throw input_error("inertia tensor: with a common denominator an entry has more than " +
+                      std::to_string(most_bits) + " bits; give shorter numbers, or the moments");
+  }
+  std::array<rational, 6> entry;
+  std::string text;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    entry[i] = given[i] * common_;
+    text += (i == 0 ? "" : ", ") + to_text(given[i]);
+  }
+  const auto& [xx, yy, zz, xy, xz, yz] = entry;
+  trace_ = xx + yy + zz;
+  const rational minors(xx * yy + yy * zz + zz * xx - xy * xy - xz * xz - yz * yz);
+  const rational determinant(xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) +
+                             xz * (xy * yz - yy * xz));
+  // All roots of the characteristic polynomial are real: they are positive exactly where its signs alternate.
+  if (trace_ <= 0 || minors <= 0 || determinant <= 0) {
+    throw input_error("inertia tensor " + text +
+                      ": a principal moment is not positive; all three must be");
+  }
+  polynomial_ = rational_polynomial(std::vector<rational>{-determinant, minors, -trace_, 1});
+  if (count_real_roots(polynomial_, 0, trace_) < 3) {
+    throw input_error(
+        "inertia tensor " + text +
+        ": two principal moments are equal, a symmetric top, which has no intermediate "
+        "axis; three different moments are needed");
+  }
+  // Rational roots of a polynomial with integer coefficients that leads with 1 are integers.
+  for (std::size_t i = 0; i < exact_.size(); ++i) {
+    above_[i] = least_with(polynomial_, 3 - static_cast<long>(i), 0, numerator(trace_), 1);
+    if (polynomial_(rational(above_[i])) == 0) exact_[i] = rational(rational(above_[i]) / common_);
+  }
+}
+
+body_kind inertia_tensor::kind() const {
+  const rational value = polynomial_(rational(trace_ / 2));
+  if (value == 0) return body_kind::planar;
+  return value > 0 ? body_kind::physical : body_kind::non_physical;
+}
+
+precision inertia_tensor::lost_bits() const { return 3 * size_in_bits(trace_); }
+
+std::array<ball, 3> inertia_tensor::moments(precision p) const {
+  std::array<ball, 3> result;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (exact_[i]) {
+      result[i] = ball(*exact_[i], p);
+      continue;
+    }
+    // What separates the roots is above 1/trace^2.
+    result[i] =
+        enclosed_root(polynomial_, 3 - static_cast<long>(i), above_[i], p, 4 * lost_bits() + 64) /
+        common_;
+  }
+  return result;
+}
+
+ball inertia_tensor::a(precision p) const {
+  const auto [x, y, z] = moments(p + lost_bits());
+  return (y - z) / z;
+}
+
+ball inertia_tensor::b(precision p) const {
+  const auto [x, y, z] = moments(p + lost_bits());
+  return (x - y) / x;
+}
+
+ball inertia_tensor::geometric_constant(precision p) const {
+  if (kind() == body_kind::planar) return ball(1, p);
+  const auto [x, y, z] = moments(p + lost_bits());
+  return sqrt(y * z / ((x - y) * (x - z)));
+}
+
+ball inertia_tensor::second_geometric_constant(precision p) const {
+  const auto [x, y, z] = moments(p + lost_bits());
+  const ball below = (y - z) * (x - z);
+  return z * (x + y - z) / below / (sqrt(x * y / below) + 1);
+}
+
+}  // namespace polhode
