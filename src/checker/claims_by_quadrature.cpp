@@ -1,7 +1,9 @@
 // The claims whose witness is more than numbers: beta, by its bracket of rounded steps, its Newton box and two integrals; and the sign of dF/du, by
 // an integral, an identity and a sweep.
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "claims.hpp"
@@ -314,12 +316,22 @@ void check_beta(examination& e) {
   }
   if (image.lower < box.lower) newton["image"]["lower"].refute("the image leaves the box");
   if (image.upper > box.upper) newton["image"]["upper"].refute("the image leaves the box");
-  // f' = M (x + 1/2 - S)/(2 x (1+x)), S the sum of 2^(n-1) c_n^2 over n >= 1: of f = agm - 1/2.
+  // f' = M (x + 1/2 - S)/(2 x (1+x)), S the sum of 2^(n-1) c_n^2 over n >= 1: of f = agm - 1/2. In parts of the box, as intervals that occur
+  // several times in a formula make it wide.
   const auto derivative = [&](long bits) {
-    const interval x = interval::between(box.lower, box.upper, bits + 64);
-    const interval one = exactly(1, bits + 64);
-    const mean_and_sum s = agm_with_sum(sqrt(one + x), sqrt(x));
-    return s.mean * (x + one / 2 - s.sum) / (x * (one + x)).scaled(1);
+    constexpr int parts = 32;
+    const long w = bits + 64;
+    const interval one = exactly(1, w);
+    const rational step((box.upper - box.lower) / parts);
+    std::optional<interval> all;
+    for (int i = 0; i < parts; ++i) {
+      const rational from(box.lower + i * step);
+      const interval x = interval::between(from, rational(from + step), w);
+      const mean_and_sum s = agm_with_sum(sqrt(one + x), sqrt(x));
+      const interval part = s.mean * (x + one / 2 - s.sum) / (x * (one + x)).scaled(1);
+      all = all ? hull(*all, part) : part;
+    }
+    return *all;
   };
   const range slope = examination::decimals(newton["derivative"], derivative);
   e.fact(

@@ -52,17 +52,15 @@ mean_and_sum agm_with_sum(const interval& A_0, const interval& g_0) {
   interval g = g_0;
   interval sum(integer(0), integer(0), bits);
   for (long n = 1; n < 2 * bits; ++n) {
-    const interval c = (A - g) / 2;
-    const interval c_squared = square(c);
-    const interval term = c_squared.scaled(n - 1);
+    const interval term = square((A - g) / 2).scaled(n - 1);
     sum = sum + term;
+    // Beyond this distance a step gains nothing.
+    if ((A - g).magnitude() <= close + (A.high() - A.low()) + (g.high() - g.low())) {
+      return {hull(A, g), sum.widened(term.magnitude())};
+    }
     const interval mean = (A + g) / 2;
     g = sqrt(A * g);
     A = mean;
-    if ((A - g).magnitude() <= close + (A.high() - A.low()) + (g.high() - g.low()) &&
-        c_squared.magnitude() <= 1) {
-      return {hull(A, g), sum.widened(term.magnitude())};
-    }
   }
   throw undecided("the arithmetic-geometric mean does not settle at these bits");
 }
@@ -268,7 +266,18 @@ periodic_integral periodic_trapezoid(const std::function<interval(const interval
                                      long bits) {
   const interval step = pi(bits) / (2 * n);
   interval sum(integer(0), integer(0), bits);
-  for (long k = 0; k < n; ++k) sum = sum + g(sin_cos(step * (2 * k + 1)).cosine);
+  // The angles (2k+1) step with k = i block + j are sums of 2 i block step and (2j+1) step.
+  const auto block = static_cast<long>(floor_root(integer(n))) + 1;
+  std::vector<sine_and_cosine> fine;
+  fine.reserve(static_cast<std::size_t>(block));
+  for (long j = 0; j < block; ++j) fine.push_back(sin_cos(step * (2 * j + 1)));
+  for (long k = 0; k < n; k += block) {
+    const sine_and_cosine coarse = sin_cos(step * (2 * k));
+    for (long j = 0; j < block && k + j < n; ++j) {
+      const sine_and_cosine& f = fine[static_cast<std::size_t>(j)];
+      sum = sum + g(coarse.cosine * f.cosine - coarse.sine * f.sine);
+    }
+  }
   const interval growth = exp(number(rational(2 * n * half_width), bits));
   const interval error = (pi(bits) * number(supremum, bits)).scaled(1) / (growth - number(1, bits));
   return {(sum * step.scaled(1)).widened(error.magnitude()), error};
