@@ -386,7 +386,6 @@ void check_chain(examination& e) {
     if (c <= -rigid.b || c > rigid.a) point["c"].refute("it is not above -b and at most a");
     if (c_before && c >= *c_before) point["c"].refute("it must be below that of the point before");
     if (upper <= lower) point["upper"].refute("it is not above lower");
-    if (upper - lower > rational(1, 1000)) point["upper"].refute("it is too far above lower");
     if (epsilon_before && lower <= *epsilon_before) {
       point["lower"].not_checkable("it is not above the upper end of the point before");
     }

@@ -185,18 +185,18 @@ bool have_common_inside(const range& x, const range& y) {
 }
 
 /// cos^2 at k pi/(2 cells), k = 0 ... cells.
-std::vector<interval> squared_cosines() {
+std::vector<interval> squared_cosines(long bits) {
   std::vector<interval> values;
   values.reserve(cells + 1);
   for (long k = 0; k <= cells; ++k) {
-    values.push_back(square(sin_cos(pi(sweep_bits) * k / (2 * cells)).cosine));
+    values.push_back(square(sin_cos(pi(bits) * k / (2 * cells)).cosine));
   }
   return values;
 }
 
 /// cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)).
 interval sweep_integrand(const interval& cos_squared, const interval& sigma, const interval& r_u) {
-  return cos_squared / sqrt(sigma) * (exactly(1, sweep_bits) + r_u / sigma);
+  return cos_squared / sqrt(sigma) * (exactly(1, sigma.bits()) + r_u / sigma);
 }
 
 /// A lower bound of W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt, sigma = u + p (1-u) cos^2 t, on a box: on every cell the
@@ -213,15 +213,15 @@ interval lower_bound(const box& b, const std::vector<interval>& cosines) {
 }
 
 /// An enclosure of W at a point with u > 0: on every cell cos^2 and sigma lie between their values at its ends.
-interval enclosure_at(const rational& p, const rational& r, const rational& u,
-                      const std::vector<interval>& cosines) {
-  interval sum = exactly(0, sweep_bits);
+interval enclosure_at(const rational& p, const rational& r, const rational& u, long bits) {
+  const std::vector<interval> cosines = squared_cosines(bits);
+  interval sum = exactly(0, bits);
   for (std::size_t k = 0; k < cells; ++k) {
     const interval c = hull(cosines[k], cosines[k + 1]);
-    const interval sigma = exactly(u, sweep_bits) + exactly(rational(p * (1 - u)), sweep_bits) * c;
-    sum = sum + sweep_integrand(c, sigma, exactly(rational(r * u), sweep_bits));
+    const interval sigma = exactly(u, bits) + exactly(rational(p * (1 - u)), bits) * c;
+    sum = sum + sweep_integrand(c, sigma, exactly(rational(r * u), bits));
   }
-  return sum * pi(sweep_bits) / (2 * cells);
+  return sum * pi(bits) / (2 * cells);
 }
 
 box read_box(const place& where) {
@@ -248,7 +248,7 @@ std::size_t check_sweep(const place& sweep) {
   sweep["bound"].expect_text("3/4");
   const place list = sweep["boxes"];
   if (list.size() > most_boxes) list.not_checkable("it has more than 4096 boxes");
-  const std::vector<interval> cosines = squared_cosines();
+  const std::vector<interval> cosines = squared_cosines(sweep_bits);
   std::vector<box> boxes;
   boxes.reserve(list.size());
   rational volume(0);
@@ -436,8 +436,8 @@ void check_sign_dF_du(examination& e) {
       "b(1+a)/(a+b), u (" +
           std::to_string(boxes) + " boxes)",
       true);
-  const interval integral =
-      enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u, squared_cosines());
+  const interval integral = enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u,
+                                         sweep_bits + e.input_bits());
   e.fact("the sweep's integral at the given a, b, u holds the value above", [&](long bits) -> tri {
     const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
     const interval W = factor * interval::between(value.lower, value.upper, bits);

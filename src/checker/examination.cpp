@@ -12,6 +12,8 @@ namespace {
 
 constexpr long most_digits = 100'000;
 constexpr long most_input_bits = 100'000;
+/// Behind the point, of a number's ends.
+constexpr long most_bits = 1'200'000;
 /// Bits for questions that are not about a number's digits.
 constexpr std::array<long, 5> precisions{128, 256, 512, 2048, 8192};
 
@@ -238,7 +240,10 @@ examination::ends examination::next_number(const std::string& name) {
   expect_outward(where["upper"], exact.upper, digits + 3, rounding::up);
   const rational width(exact.upper - exact.lower);
   const long bits = bit_length(integer(denominator(width))) + 16;
-  if (bits > 40 * bits_for_digits(digits) + 16 * input_bits() + 8192) {
+  const long leading_zeros = std::max(0L, bit_length(integer(denominator(exact.lower))) -
+                                              bit_length(integer(numerator(exact.lower))));
+  if (bits > most_bits ||
+      bits - leading_zeros > 40 * bits_for_digits(digits) + 16 * input_bits() + 8192) {
     where["dyadic"].not_checkable("its ends are nearer to each other than its digits need");
   }
   report_.checks.push_back(name + " = " + decimal_for_reading(exact.lower, std::min(digits, 20L)) +
