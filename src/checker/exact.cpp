@@ -153,7 +153,8 @@ std::string decimal(const rational& q, long digits, rounding way) {
     while (text.size() > 1 && text.back() == '0') text.pop_back();
   }
   // Without an exponent where the digits end before the units.
-  if (way != rounding::to_zero && e >= 0 && e < digits) {
+  constexpr long most_filled = 25;
+  if (way != rounding::to_zero && e >= 0 && e < most_filled) {
     while (static_cast<long>(text.size()) <= e) text += '0';
   }
   const std::string sign = negative ? "-" : "";

@@ -39,7 +39,7 @@ using rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 
 enum class rounding { down, up, to_zero };
 
-/// q to so many significant digits: positional where its exponent is from -5 to the number of digits, otherwise "1.5e-20". Rounded
+/// q to so many significant digits: positional where that is short, otherwise "1.5e-20". Rounded
 /// down and up it drops zeros at the end, cut off it keeps them: they are digits.
 [[nodiscard]] std::string decimal(const rational& q, long digits, rounding way);
 /// "1.414...": cut off, with dots where q has more digits.

@@ -83,6 +83,7 @@ class examination {
     range exact;
     long bits;  // that tell the ends apart
   };
+  void read_a_and_b();
   ends next_number(const std::string& name);
 
   place root_;

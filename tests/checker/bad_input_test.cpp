@@ -81,7 +81,8 @@ TEST(BadInput, NumbersOfAMillionDigitsAreRefused) {
   EXPECT_EQ(check(c.dump()).place, "/numbers/I/digits");
   c["numbers"]["I"]["digits"] = 1LL << 60U;
   EXPECT_EQ(check(c.dump()).place, "/numbers/I/digits");
-  for (const char* exponent : {"-4000000", "4000000", "-9223372036854775808", "99999999999999999999"}) {
+  for (const char* exponent :
+       {"-4000000", "4000000", "-9223372036854775808", "99999999999999999999"}) {
     std::string text = certificate_of("physical").dump();
     const auto at = text.find("\"exponent\":") + 11;
     text.replace(at, text.find('}', at) - at, exponent);

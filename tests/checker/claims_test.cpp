@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "polhode/checker/check.hpp"
@@ -25,9 +26,10 @@ proofs::request with(const char* a, const char* b, const char* u = "1/4", long d
 void expect_verified(const char* claim, const proofs::request& wanted) {
   const report r = checked(claim, wanted);
   EXPECT_EQ(r.result, outcome::verified)
-      << claim << " a = " << polhode::to_text(wanted.motion.a) << " b = " << polhode::to_text(wanted.motion.b)
-      << " u = " << polhode::to_text(wanted.motion.u) << " digits = " << wanted.digits << ": at " << r.place
-      << ": " << r.message;
+      << claim << " a = " << polhode::to_text(wanted.motion.a)
+      << " b = " << polhode::to_text(wanted.motion.b)
+      << " u = " << polhode::to_text(wanted.motion.u) << " digits = " << wanted.digits << ": at "
+      << r.place << ": " << r.message;
 }
 
 TEST(EveryClaim, IsVerified) {
@@ -36,6 +38,24 @@ TEST(EveryClaim, IsVerified) {
     const report r = checked(c.name.c_str(), {});
     EXPECT_EQ(r.claim, c.name);
     EXPECT_GE(r.checks.size(), 1U);
+  }
+}
+
+/// proofs/certificates: what `scripts/certificates` makes, but for the versions of the machine that it ran on.
+TEST(EveryClaim, HasItsCertificateInTheTree) {
+  for (const proofs::claim& c : proofs::all_claims()) {
+    std::ifstream file(std::string(POLHODE_CERTIFICATES_DIR) + '/' + c.name + ".json");
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const report r = check(text);
+    EXPECT_EQ(r.result, outcome::verified) << c.name << r.place << r.message;
+    if (r.result != outcome::verified) continue;
+    json in_tree = json::parse(text);
+    json made = to_json(c.prove({}));
+    for (json* one : {&in_tree, &made}) {
+      one->erase("software");
+      one->erase("digest");
+    }
+    EXPECT_EQ(in_tree, made) << c.name << ": run scripts/certificates";
   }
 }
 
@@ -59,9 +79,14 @@ TEST(Constants, AreVerifiedToAThousandDigits) {
 }
 
 TEST(BodyClaims, AreVerifiedForAllKindsOfBodies) {
-  for (const auto& [a, b] : {std::pair{"18.27", "0.0629"}, {"3.1", "0.0629"}, {"1", "1/3"},
-                             {"77/40", "1/10"}, {"39.95", "0.0629"}, {"1/20", "9/10"},
-                             {"1000", "1/2000"}, {"100", "0.3"}}) {
+  for (const auto& [a, b] : {std::pair{"18.27", "0.0629"},
+                             {"3.1", "0.0629"},
+                             {"1", "1/3"},
+                             {"77/40", "1/10"},
+                             {"39.95", "0.0629"},
+                             {"1/20", "9/10"},
+                             {"1000", "1/2000"},
+                             {"100", "0.3"}}) {
     for (const proofs::claim& c : proofs::all_claims()) {
       if (c.subject != proofs::claim_subject::body || c.name == "injectivity") continue;
       expect_verified(c.name.c_str(), with(a, b));
