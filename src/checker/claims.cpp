@@ -352,12 +352,15 @@ void check_count(examination& e) {
 constexpr std::array<long, 2> twist_precisions{128, 320};
 /// The series are meant for numbers of this size: their cost grows with it, and with the number of points.
 constexpr long most_twist_bits = 1000;
+constexpr long most_level_bits = 4000;
 constexpr std::size_t most_points = 100;
 
 void expect_side(const place& where, const body& rigid, const rational& c, const rational& level,
                  int side, const std::string& wrong) {
-  const long size = bit_length(rigid.a) + bit_length(rigid.b) + bit_length(c) + bit_length(level);
-  if (size > most_twist_bits) where.not_checkable("it, c, a and b have too many digits together");
+  const long size = bit_length(rigid.a) + bit_length(rigid.b) + bit_length(c);
+  if (size > most_twist_bits || bit_length(level) > most_level_bits) {
+    where.not_checkable("it, c, a and b have too many digits together");
+  }
   for (const long bits : twist_precisions) {
     try {
       const long more = 2 * size;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 // The series. Each function brings its argument near 0, where the terms at least halve from one to the next, sums until a term is at
 // most one unit, and adds a bound of the rest to both ends; then it undoes the reduction by interval operations. Guard bits keep
@@ -77,8 +78,8 @@ interval::interval(const rational& q, long bits) : bits_(bits) {
   low_ = floor_quotient(n, d);
   high_ = ceiling_quotient(n, d);
 }
-interval::interval(const integer& low, const integer& high, long bits)
-    : low_(low), high_(high), bits_(bits) {}
+interval::interval(integer low, integer high, long bits)
+    : low_(std::move(low)), high_(std::move(high)), bits_(bits) {}
 interval interval::between(const rational& lower, const rational& upper, long bits) {
   return hull(interval(lower, bits), interval(upper, bits));
 }

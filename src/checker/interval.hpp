@@ -20,7 +20,7 @@ class undecided : public std::runtime_error {
 class interval {
  public:
   interval(const rational& q, long bits);
-  interval(const integer& low, const integer& high, long bits);
+  interval(integer low, integer high, long bits);
   /// The interval between two rationals, lower <= upper.
   static interval between(const rational& lower, const rational& upper, long bits);
   /// [-r, r], r of this many units 2^-bits.
