@@ -54,7 +54,7 @@ class reader {
       take();
       return polynomial() - power();
     }
-    const polynomial base = single();
+    polynomial base = single();
     if (peek() != '^') return base;
     take();
     const integer exponent = number();
