@@ -56,8 +56,8 @@ std::optional<json> agm_bracket_witness(const rational& lower, const rational& u
     if (from_below && from_above) {
       return json{{"kind", "agm_bracket"},
                   {"scale", S.str()},
-                  {"upper", *std::move(from_below)},
-                  {"lower", *std::move(from_above)}};
+                  {"below", *std::move(from_below)},
+                  {"above", *std::move(from_above)}};
     }
   }
   return std::nullopt;

@@ -67,16 +67,16 @@ void check_chain_of_steps(const place& chain, const integer& S, const integer& n
 range check_agm_bracket(examination& e) {
   e.witness("kind").expect_text("agm_bracket");
   const place scale = e.witness("scale");
-  const place upper = e.witness("upper");
-  const place lower = e.witness("lower");
+  const place below = e.witness("below");
+  const place above = e.witness("above");
   const integer S = scale.big();
   if (S <= 0) scale.refute("it is not positive");
-  const integer from = upper["argument"].big();
-  const integer to = lower["argument"].big();
-  if (from <= 0) upper["argument"].refute("it is not positive");
-  if (to <= from) lower["argument"].refute("it is not above the other argument");
-  check_chain_of_steps(upper, S, from, true);
-  check_chain_of_steps(lower, S, to, false);
+  const integer from = below["argument"].big();
+  const integer to = above["argument"].big();
+  if (from <= 0) below["argument"].refute("it is not positive");
+  if (to <= from) above["argument"].refute("it is not above the other argument");
+  check_chain_of_steps(below, S, from, true);
+  check_chain_of_steps(above, S, to, false);
   return {rational(from, S), rational(to, S)};
 }
 

@@ -47,10 +47,10 @@ TEST(AgmBracket, HoldsItsInequalities) {
     const auto witness = agm_bracket_witness(lower, upper);
     ASSERT_TRUE(witness) << bits;
     const integer S = number(witness->at("scale"));
-    EXPECT_EQ(rational(number(witness->at("upper").at("argument")), S), lower);
-    EXPECT_EQ(rational(number(witness->at("lower").at("argument")), S), upper);
-    expect_chain(witness->at("upper"), S, true);
-    expect_chain(witness->at("lower"), S, false);
+    EXPECT_EQ(rational(number(witness->at("below").at("argument")), S), lower);
+    EXPECT_EQ(rational(number(witness->at("above").at("argument")), S), upper);
+    expect_chain(witness->at("below"), S, true);
+    expect_chain(witness->at("above"), S, false);
   }
 }
 

@@ -96,7 +96,7 @@ TEST(BadInput, NumbersOfAMillionDigitsAreRefused) {
   EXPECT_EQ(check(c.dump()).place, "/witness/quadrature/nodes");
   c = certificate_of("beta");
   c["witness"]["scale"] = digits;
-  EXPECT_EQ(check(c.dump()).place, "/witness/upper/start/0");
+  EXPECT_EQ(check(c.dump()).place, "/witness/below/start/0");
 }
 
 TEST(BadInput, WrongTypesAreRefused) {

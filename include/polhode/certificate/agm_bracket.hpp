@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-/// {"kind": "agm_bracket", "scale": S, "upper": {"argument": n, "start": [A, B], "steps": [[A', B'], ...]}, "lower": ...}, whole
-/// numbers as decimal strings. "upper" are pairs rounded upward from x = n/S = lower: A^2 >= (S+n) S, B^2 >= n S, 2 A' >= A + B, B'^2 >= A B, and
-/// at the end 2A < S and 2B < S, so that the mean is below 1/2 and lower < beta. "lower" is the reverse, from x = upper. Made in whole numbers
+/// {"kind": "agm_bracket", "scale": S, "below": {"argument": n, "start": [A, B], "steps": [[A', B'], ...]}, "above": ...}, whole
+/// numbers as decimal strings. "below" are pairs rounded upward from x = n/S = lower: A^2 >= (S+n) S, B^2 >= n S, 2 A' >= A + B, B'^2 >= A B, and
+/// at the end 2A < S and 2B < S, so that the mean is below 1/2 and lower < beta. "above" is the reverse, from x = upper. Made in whole numbers
 /// from the two ends alone, so that it proves the bracket by itself. Nothing where the steps don't decide it at 128 bits more than the ends have.
 /// Hypotheses: 0 < lower < upper, dyadic numbers.
 [[nodiscard]] std::optional<json> agm_bracket_witness(const rational& lower, const rational& upper);
