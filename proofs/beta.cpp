@@ -4,9 +4,11 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/agm_bracket.hpp"
 #include "polhode/elliptic/complete.hpp"
 #include "polhode/quadrature/periodic_trapezoid.hpp"
 #include "proofs/claims.hpp"
+#include "proofs/periodic_witness.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -126,16 +128,13 @@ void add_quadrature_route(certificate& c, const ball& root, long digits) {
            " digits of beta and is below pi one unit of the last place higher",
        below.value == sign::positive && above.value == sign::negative});
   const auto side = [](const rational& x, const sign_by_quadrature& s) {
-    return json{{"x", to_text(x)},
-                {"nodes", s.integral.plan.nodes},
-                {"strip_half_width", to_json(s.integral.plan.strip.half_width, 17)},
-                {"supremum", to_json(s.integral.plan.strip.supremum, 10)},
-                {"truncation_error", to_json(s.integral.plan.truncation_error, 5)},
-                {"integral", to_json(s.integral.enclosure, 20)}};
+    json one{{"x", to_text(x)}};
+    add_periodic_plan(one, s.integral.plan);
+    one["integral"] = to_json(s.integral.enclosure, 20);
+    return one;
   };
-  c.witness["quadrature"] = json{{"rule", "periodic trapezoid, 2n nodes (2k+1) pi/(2n)"},
-                                 {"below", side(bracket.below, below)},
-                                 {"above", side(bracket.above, above)}};
+  c.witness["quadrature"] =
+      json{{"below", side(bracket.below, below)}, {"above", side(bracket.above, above)}};
 }
 
 certificate prove_beta(const request& wanted) {
@@ -156,10 +155,14 @@ certificate prove_beta(const request& wanted) {
       {"interval Newton maps its box into itself with a derivative that is not 0: "
        "exactly one root in the box",
        root.verdict == root_verdict::unique && !contains_zero(root.derivative)});
+  if (root.verdict == root_verdict::unique) {
+    if (auto steps = agm_bracket_witness(lower_rational(root.root), upper_rational(root.root))) {
+      c.witness = *std::move(steps);
+    }
+  }
   c.witness["newton"] = json{{"box", to_dyadic_json(root.box)},
                              {"derivative", to_json(root.derivative, 17)},
-                             {"image", to_dyadic_json(root.image)},
-                             {"evaluations", root.evaluations_of_f}};
+                             {"image", to_dyadic_json(root.image)}};
   if (root.verdict == root_verdict::unique) {
     add_quadrature_route(c, root.root, std::min(wanted.digits, most_quadrature_digits));
   }

@@ -166,7 +166,9 @@ void add_comparisons(certificate& c, const std::string& statement, const std::st
 
 std::string in_decimals(const root_bracket& bracket) {
   constexpr long digits = 10;
-  const auto decimal = [](const rational& q) { return to_decimal_enclosure(ball(q, 64), digits); };
+  const auto decimal = [](const rational& q) {
+    return to_decimal_enclosure(ball(q, size_in_bits(q) + 64), digits);
+  };
   return decimal(bracket.lower).lower + " and " + decimal(bracket.upper).upper;
 }
 

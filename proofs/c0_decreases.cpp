@@ -33,6 +33,8 @@ certificate prove_c0(const request& wanted) {
              in_decimals(*first),
          passes_rotating_phase(rigid, 2, *first) && passes_rotating_phase(other, 2, *second) &&
              other.a() * second->upper < rigid.a() * first->lower});
+    c.witness["c0_over_a"] = as_json(*first);
+    c.witness["c0_over_a_for_2a"] = as_json(*second);
   } else if (exceeds_second_geometric_constant(2, rigid)) {
     note_missing_witness(c, "a bracket of c0");
   } else {

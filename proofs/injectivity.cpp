@@ -43,7 +43,7 @@ sign side_of(const body& rigid, const rational& c, const ball& level) {
   return result;
 }
 
-std::string decimals(const rational& q) { return to_decimal(ball(q, 64), 12); }
+std::string decimals(const rational& q) { return to_decimal(ball(q, size_in_bits(q) + 64), 12); }
 
 // ---------------------------------------------------------------------------------------------
 // Physical: a decreasing chain
@@ -123,7 +123,9 @@ void add_chain(certificate& c, const body& rigid) {
        true});
   json& chain = c.witness["chain"];
   for (const curve_point& point : *points) {
-    chain.push_back(json{{"c", to_text(point.c)}, {"epsilon", to_json(point.epsilon, 12)}});
+    const decimal_enclosure epsilon = to_decimal_enclosure(point.epsilon, 9);
+    chain.push_back(
+        json{{"c", to_text(point.c)}, {"lower", epsilon.lower}, {"upper", epsilon.upper}});
   }
 }
 

@@ -47,6 +47,7 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
     note_missing_witness(c, "a bracket of c0 that lies on one side of b beta");
     return;
   }
+  c.witness["c0_over_a"] = as_json(*bracket);
   c.facts.push_back(
       {"at the given a, b: c0/b is above beta (c0/a between " + in_decimals(*bracket) + ")",
        above && passes_rotating_phase(rigid, 2, *bracket)});

@@ -5,6 +5,7 @@
 #include "polhode/quadrature/periodic_trapezoid.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/derivative_identity.hpp"
+#include "proofs/periodic_witness.hpp"
 #include "proofs/slope_sweep.hpp"
 
 namespace polhode::proofs {
@@ -38,22 +39,17 @@ void add_value(certificate& c, const request& wanted) {
   periodic_options options;
   options.most_nodes = most_nodes;
   const periodic_integral q = integrate_periodic(half_phase_slope_integrand(motion), bits, options);
-  c.witness["quadrature"] = json{{"verdict", to_text(q.verdict)},
-                                 {"reason", to_text(q.why)},
-                                 {"rule", "periodic trapezoid, 2n nodes (2k+1) pi/(2n)"},
-                                 {"nodes", q.plan.nodes},
-                                 {"evaluations", q.evaluations},
-                                 {"strip_half_width", to_json(q.plan.strip.half_width, 17)},
-                                 {"supremum", to_json(q.plan.strip.supremum, 10)},
-                                 {"truncation_error", to_json(q.plan.truncation_error, 5)},
-                                 {"value", to_json(q.enclosure, digits)}};
+  json& witness = c.witness["quadrature"];
+  witness = json{{"verdict", to_text(q.verdict)}};
+  add_periodic_plan(witness, q.plan);
   // (A strip exists for every u > 0; one narrower than the search goes is of no use either.)
   if (q.why == reason::evaluation_limit || q.why == reason::not_analytic) {
-    c.witness["quadrature"]["note"] = "u is so near 0 that the rule would need more than " +
-                                      std::to_string(most_nodes) +
-                                      " nodes: this route is left out, and the AGM stands alone";
+    witness["note"] = "u is so near 0 that the rule would need more than " +
+                      std::to_string(most_nodes) +
+                      " nodes: this route is left out, and the AGM stands alone";
     return;
   }
+  witness["value"] = to_json(q.enclosure, digits);
   c.facts.push_back({"the paper's eq. (44) by certified quadrature, to " + std::to_string(digits) +
                          " digits, overlaps the value by AGM and is negative",
                      q.verdict == status::certified && overlaps(q.enclosure, value) &&
@@ -82,11 +78,15 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
       -ball(motion.u, p) * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p));
   c.facts.push_back({"the sweep's integral at the given a, b, u holds the value above",
                      integral.is_bounded() && overlaps(integral, factor * c.numbers[0].enclosure)});
-  c.witness["sweep"] = json{{"bound", to_text(sweep.bound)},
-                            {"boxes", sweep.boxes},
-                            {"evaluations", sweep.evaluations},
-                            {"deepest", sweep.deepest},
-                            {"least_lower_bound", to_json(ball(sweep.least, 64), 6)}};
+  json boxes = json::array();
+  for (const sweep_box& box : sweep.covering) {
+    json sides = json::array();
+    for (std::size_t i = 0; i < box.low.size(); ++i) {
+      sides.push_back({to_text(box.low[i]), to_text(box.high[i])});
+    }
+    boxes.push_back(std::move(sides));
+  }
+  c.witness["sweep"] = json{{"bound", to_text(sweep.bound)}, {"boxes", std::move(boxes)}};
 }
 
 certificate prove_sign(const request& wanted) {

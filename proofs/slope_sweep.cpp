@@ -99,6 +99,7 @@ sweep_result sweep_slope(long most_evaluations, const rational& wanted) {
     const ball lower_bound = slope_lower_bound(item.point());
     if (certainly_less(bound, lower_bound)) {
       ++result.boxes;
+      result.covering.push_back({item.low, item.high});
       if (least.is_undefined() || certainly_less(lower_bound, least)) least = lower_bound;
       continue;
     }

@@ -3,6 +3,9 @@
 // The sign of dF(-bu,u)/du for all bodies and motions at once, by interval arithmetic: the numerical
 // companion of the exact proof.
 
+#include <array>
+#include <vector>
+
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/rigid_body/phase_integrands.hpp"
 
@@ -33,13 +36,20 @@ struct sweep_point {
 /// The point (p, r, u) of a motion.
 [[nodiscard]] sweep_point point_of(const oscillating_motion& motion, precision p);
 
+/// A box of parameters p, r, u with exact ends.
+struct sweep_box {
+  std::array<rational, 3> low;
+  std::array<rational, 3> high;
+};
+
 struct sweep_result {
-  bool holds = false;    // W > bound on every box
-  rational bound;        // as given
-  long boxes = 0;        // boxes on which it was shown
-  long evaluations = 0;  // boxes looked at, those that were split included
-  int deepest = 0;       // halvings that led to the smallest box
-  rational least;        // the least lower bound found, cut off to a decimal
+  bool holds = false;               // W > bound on every box
+  rational bound;                   // as given
+  long boxes = 0;                   // boxes on which it was shown
+  long evaluations = 0;             // boxes looked at, those that were split included
+  int deepest = 0;                  // halvings that led to the smallest box
+  rational least;                   // the least lower bound found, cut off to a decimal
+  std::vector<sweep_box> covering;  // those boxes; together they are [0,1]^3
 };
 
 /// Bisects [0,1]^3 until W > wanted is shown on every box, or gives up at most_evaluations. (The

@@ -2,14 +2,17 @@
 # --arg integers BigZ | Z
 def pair: "(\(.[0]), \(.[1]))";
 def pairs: if length == 0 then "[]" else "[\n    " + (map(pair) | join(";\n    ")) + "]" end;
-def whole: sub("^0\\.0*"; "");
+# Decimals end with no zero: "0.0289" to 6 places is 28900.
+def decimals: sub("^0\\."; "");
+def whole($places): decimals
+  | ($places - length) as $missing
+  | (if $missing > 0 then . + ("0" * $missing) else . end)
+  | sub("^0*"; "");
 
 .witness as $w
 | .numbers.beta as $beta
-| ($beta.lower | sub("^0\\."; "") | length) as $places
-| ($beta.upper | sub("^0\\."; "") | length) as $places_above
+| ([$beta.lower, $beta.upper] | map(decimals | length) | max) as $places
 | if $w.kind != "agm_bracket" then error("the witness is not an agm_bracket") else . end
-| if $places != $places_above then error("the two ends differ in their decimals") else . end
 | (if $integers == "Z" then "(fun z : Z => z)" else "BigZ.to_Z" end) as $value
 | (if $integers == "Z" then "Z" else "BigZ.t" end) as $type
 | "Require Import Reals List ZArith.
@@ -22,7 +25,7 @@ Definition beta_certificate : certificate \($type) := (Build_certificate \($type
   \($w.scale)
   \($w.below.argument) \($w.below.start | pair) \($w.below.steps | pairs)
   \($w.above.argument) \($w.above.start | pair) \($w.above.steps | pairs)
-  \($beta.lower | whole) \($beta.upper | whole) (10 ^ \($places)))%\(if $integers == "Z" then "Z" else "bigZ" end).
+  \($beta.lower | whole($places)) \($beta.upper | whole($places)) (10 ^ \($places)))%\(if $integers == "Z" then "Z" else "bigZ" end).
 
 Open Scope R_scope.
 

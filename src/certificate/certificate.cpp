@@ -1,12 +1,14 @@
 #include "polhode/certificate/certificate.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 #include <gmp.h>
 #include <mpfr.h>
 #include <boost/version.hpp>
 
+#include "polhode/arithmetic/sha256.hpp"
 #include "polhode/arithmetic/text.hpp"
 
 namespace polhode {
@@ -24,6 +26,14 @@ json dyadic(const rational& q) {
     exponent = 0;
   }
   return json{{"mantissa", mantissa.str()}, {"exponent", exponent}};
+}
+
+std::string digest_of(const std::string& text) {
+  std::string result = "sha256:";
+  for (const std::uint8_t byte : sha256(std::as_bytes(std::span(text)))) {
+    result += fmt::format("{:02x}", byte);
+  }
+  return result;
 }
 
 bool has_digits(const enclosed_number& n) {
@@ -99,7 +109,7 @@ json to_dyadic_json(const ball& x) {
 json to_json(const certificate& c) {
   json result;
   result["format"] = "polhode certificate";
-  result["version"] = 1;
+  result["version"] = 2;
   result["claim"] = c.claim;
   result["statement"] = c.statement;
   result["formula"] = c.formula;
@@ -127,6 +137,7 @@ json to_json(const certificate& c) {
            {"gmp", gmp_version},
            {"boost", fmt::format("{}.{}.{}", BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000,
                                  BOOST_VERSION % 100)}};
+  result["digest"] = digest_of(result.dump());
   return result;
 }
 

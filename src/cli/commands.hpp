@@ -10,6 +10,7 @@ namespace polhode::cli {
 
 [[nodiscard]] command body_command();
 [[nodiscard]] command certify_command();
+[[nodiscard]] command check_command();
 [[nodiscard]] command constants_command();
 [[nodiscard]] command eval_command();
 [[nodiscard]] command integrate_command();
@@ -24,10 +25,10 @@ namespace polhode::cli {
 
 /// In the order of the help.
 [[nodiscard]] inline std::vector<command> all_commands() {
-  return {certify_command(), constants_command(), eval_command(),  integrate_command(),
-          roots_command(),   body_command(),      phase_command(), racket_command(),
-          curve_command(),   table_command(),     scene_command(), figures_command(),
-          cost_command()};
+  return {certify_command(),   check_command(), constants_command(), eval_command(),
+          integrate_command(), roots_command(), body_command(),      phase_command(),
+          racket_command(),    curve_command(), table_command(),     scene_command(),
+          figures_command(),   cost_command()};
 }
 
 }  // namespace polhode::cli

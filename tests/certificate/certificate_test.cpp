@@ -96,8 +96,9 @@ TEST(CertificateJson, ParsesAndNamesItsVersions) {
   c.conclude();
   const json parsed = json::parse(to_json(c).dump(2));
   EXPECT_EQ(parsed.at("format"), "polhode certificate");
-  EXPECT_EQ(parsed.at("version"), 1);
+  EXPECT_EQ(parsed.at("version"), 2);
   EXPECT_EQ(parsed.at("claim"), "example");
+  EXPECT_EQ(parsed.at("digest").get<std::string>().size(), 7U + 64U);
   EXPECT_EQ(parsed.at("verdict"), "certified");
   EXPECT_FALSE(parsed.contains("reason"));
   for (const char* name : {"polhode", "mpfr", "gmp", "boost"}) {

@@ -58,7 +58,7 @@ struct certificate {
 /// decimal integers in strings. Null for an unbounded or undefined ball.
 [[nodiscard]] json to_dyadic_json(const ball& x);
 
-/// The certificate's JSON form, versions included.
+/// The certificate's JSON form, versions included, and the digest of all the rest (docs/certificates.md).
 [[nodiscard]] json to_json(const certificate& c);
 
 /// The certificate as text for a terminal of 100 columns.

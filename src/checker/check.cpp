@@ -1,0 +1,80 @@
+#include "polhode/checker/check.hpp"
+
+#include <exception>
+#include <new>
+
+#include "examination.hpp"
+
+namespace polhode::checker {
+namespace {
+
+constexpr long version = 2;
+
+void check_document(const json& certificate, report& result) {
+  const place root(certificate, "");
+  if (root["format"].text() != "polhode certificate") {
+    root["format"].malformed("it must be \"polhode certificate\"");
+  }
+  const long given = root["version"].whole(0, 1'000'000);
+  if (given != version) {
+    root["version"].malformed("it is " + std::to_string(given) + "; this checker reads version " +
+                              std::to_string(version));
+  }
+  const std::string& name = root["claim"].text();
+  const claim_text* text = find_claim_text(name);
+  if (text == nullptr) {
+    root["claim"].malformed("this version knows no claim " + in_quotes(name) +
+                            "; `polhode certify --list` shows those that it knows");
+  }
+  result.claim = name;
+  const std::string& verdict = root["verdict"].text();
+  if (verdict == "not certified") {
+    root["verdict"].not_checkable("it is a certificate of a claim that was not certified");
+  }
+  root["verdict"].expect_text("certified");
+  root.expect_keys({"format", "version", "claim", "statement", "formula", "reference", "verdict",
+                    "inputs", "numbers", "facts", "method", "witness", "software", "digest"});
+  for (const char* key : {"inputs", "numbers", "witness", "software"}) {
+    if (!root[key].value().is_object()) root[key].malformed("it must be an object");
+  }
+  examination e(certificate, *text, result);
+  e.expect_words();
+  check_claim(name, e);
+}
+
+}  // namespace
+
+std::string to_text(outcome result) {
+  switch (result) {
+    case outcome::verified:
+      return "verified";
+    case outcome::not_checkable:
+      return "not checkable";
+    case outcome::refuted:
+      return "refuted";
+    case outcome::malformed:
+      break;
+  }
+  return "malformed";
+}
+
+report check(std::string_view certificate) {
+  report result;
+  try {
+    check_document(read_json(certificate), result);
+    result.result = outcome::verified;
+  } catch (const refusal& problem) {
+    result.result = problem.result;
+    result.place = problem.place;
+    result.message = problem.what();
+  } catch (const undecided& problem) {
+    result.result = outcome::not_checkable;
+    result.message = problem.what();
+  } catch (const std::bad_alloc&) {
+    result.result = outcome::not_checkable;
+    result.message = "there is not enough memory";
+  }
+  return result;
+}
+
+}  // namespace polhode::checker

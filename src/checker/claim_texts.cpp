@@ -1,0 +1,437 @@
+#include "claim_texts.hpp"
+
+#include <algorithm>
+
+namespace polhode::checker {
+namespace {
+
+const std::vector<claim_text>& all_texts() {
+  static const std::vector<claim_text> texts{
+      {"physical",
+       "proposition 1",
+       "A rigid body with moments of inertia I_z < I_y < I_x is physical, I_y + I_z >= I_x, if and "
+       "only if its geometric constant is I >= 1; it is planar if and only if I = 1.",
+       "I_y + I_z >= I_x  <=>  I = (1-b)/sqrt(b(a+b)) >= 1  <=>  ab + 2b <= 1",
+       "For all bodies: with x = I_x, y = I_y, z = I_z the square of I is yz/((x-y)(x-z)), and yz "
+       "- (x-y)(x-z) = x(y+z-x); every a > 0, 0 < b < 1 is that of some moments. All steps are "
+       "identities of polynomials, decided by expansion. For the given body: signs of rational "
+       "numbers.",
+       {{step_kind::identity, "(y-z)*x + (x-y)*z", "", "", "y*(x-z)", "",
+         "a + b = y(x-z)/(xz) with a = (y-z)/z, b = (x-y)/x, so that I^2 = yz/((x-y)(x-z))"},
+        {step_kind::identity, "y*z - (x-y)*(x-z)", "", "", "x*(y+z-x)", "",
+         "I^2 - 1 has the sign of I_y + I_z - I_x"},
+        {step_kind::identity, "(1-b)^2 - b*(a+b)", "", "", "1 - 2*b - a*b", "",
+         "and that of 1 - 2b - ab"},
+        {step_kind::positive, "x+z-y", "", "", "z + p", "p = x-y", "I_x + I_z > I_y always"},
+        {step_kind::positive, "x+y-z", "", "", "x + p", "p = y-z", "I_x + I_y > I_z always"}}},
+      {"montgomery_oscillating",
+       "theorem 1",
+       "The Montgomery phase of oscillating motion increases in c, and its greatest lower bound is "
+       "2 pi I; this is at least 2 pi if and only if the body is physical.",
+       "dphi(c) = 2 G(u), u = -c/b: decreasing in u, inf = lim (u -> 1) = 2 pi I; inf >= 2 pi <=> "
+       "I >= 1",
+       "For all a > 0, 0 < b < 1: G(u) = b^(-1/2) times the integral of g(x) over 0 < t < pi with "
+       "x = u + (1-u) cos^2(t/2); g decreases strictly in x and x increases in u, so G decreases "
+       "strictly in u (the phase increases in c); u <= x <= 1 gives pi I <= G(u) <= pi I "
+       "g(u)/g(1), so that pi I is the limit for u -> 1 and the greatest lower bound, which is not "
+       "attained. By the claim physical it is at least pi exactly for physical bodies. Computed: "
+       "the polynomial steps; the rest is monotonicity of the integral.",
+       {{step_kind::identity, "(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "", "", "(1-u)^2*k*(1-k)", "",
+         "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the integral over "
+         "(0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"},
+        {step_kind::slope, "(1-b*x)^2", "x*(a+b*x)", "x", "-(1-b*x)*(a+(a+2)*b*x)", "",
+         "the derivative of g^2"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0 for 0 < x <= 1"},
+        {step_kind::positive, "a+(a+2)*b*x", "", "", "a + a*b*x + 2*b*x", "",
+         "so g decreases strictly on 0 < x <= 1"},
+        {step_kind::identity, "(v+(1-v)*k) - (u+(1-u)*k)", "", "", "(v-u)*(1-k)", "",
+         "x is greater for v > u where 0 < t < pi, so G decreases"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"},
+        {step_kind::positive, "(u+k)-(u+(1-u)*k)", "", "", "u*k", "",
+         "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"}}},
+      {"montgomery_rotating",
+       "theorem 2, eq. (17)",
+       "The Montgomery phase of rotating motion decreases in c, and its greatest lower bound is 2 "
+       "pi J.",
+       "dphi(c) = 2 F(c,0): decreasing in c, inf = lim (c -> a) = 2 pi J",
+       "For all a > 0, 0 < b < 1: the integrand decreases strictly in c; (a+bX)/(c+bX) lies "
+       "between 1 and a/c, so that P < F(c,0) <= P sqrt(a/c) with P the integral at c = a, which "
+       "is pi J by an antiderivative. So pi J is the limit for c -> a and the greatest lower "
+       "bound, which is not attained for c < a. Computed: the polynomial steps; the rest is "
+       "monotonicity of the integral.",
+       {{step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)", "",
+         "the derivative in c of the square of the integrand"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bX > 0 for 0 <= X <= 1: the integrand is positive and decreases in c"},
+        {step_kind::positive, "(a+b*x)-(c+b*x)", "", "", "d", "d = a-c",
+         "(a+bX)/(c+bX) > 1 for c < a"},
+        {step_kind::positive, "a*(c+b*x)-c*(a+b*x)", "", "", "b*x*d", "d = a-c",
+         "(a+bX)/(c+bX) <= a/c for c < a"},
+        {step_kind::identity, "1-b*x", "", "", "(1+a)-(a+b*x)", "",
+         "(1-bX)/(a+bX) = (1+a)/(a+bX) - 1"},
+        {step_kind::identity, "a*(1+t^2)+b", "", "", "(a+b)+a*t^2", "",
+         "with T = tan psi, X = 1/(1+T^2), k^2 = a/(a+b): the derivative of "
+         "arctan(kT)/sqrt(a(a+b)), (1+T^2)/((a+b)(1+k^2 T^2)), is 1/(a+bX), so the limit is pi J"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bX <= a + b: F(c,0) >= 2 I arsinh((pi/2) sqrt(b/c)), unbounded as c -> 0"}}},
+      {"first_equation",
+       "proposition 2, eqs. (21)-(24)",
+       "The twist defect given by the first implicit equation decreases strictly in c, and so is "
+       "injective there.",
+       "integral over (0, pi/2 - epsilon) of (1-bX)/sqrt((a+bX)(c+bX)) dpsi = pi, X = cos^2 psi: "
+       "epsilon decreases in c",
+       "For all a > 0, 0 < b < 1: the integrand is positive and decreases strictly in c, so the "
+       "integral increases strictly in its upper end and decreases strictly in c; where it is pi "
+       "for c and for c' > c, the upper end for c' is the greater one. Computed: the polynomial "
+       "steps.",
+       {{step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)", "",
+         "the derivative in c of the square of the integrand, negative"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bX > 0 for 0 <= X <= 1: the integrand is positive"}}},
+      {"separatrix_twist",
+       "proposition 3, part 1, eq. (25)",
+       "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
+       "solution u = sin^2 epsilon0 in (0, 1), for every body.",
+       "F(0, sin^2 epsilon0) = 2 pi has exactly one solution, 0 < epsilon0 < pi/2",
+       "For all a > 0, 0 < b < 1: F(0,u) decreases strictly in u, its integrand being positive; it "
+       "is at least I log(1/u), and by its closed form, whose derivative is an identity of "
+       "polynomials, it tends to 0 as u tends to 1. So it is 2 pi exactly once. The number: "
+       "interval Newton on y/sqrt(ab) - arctan(sqrt(b/a) tanh y) = pi, tan epsilon0 = "
+       "sqrt(a/(a+b))/sinh y.",
+       {{step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0: the integrand is positive, F(0,u) decreases in u"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: the integrand is at least I/x, F(0,u) >= I log(1/u)"},
+        {step_kind::slope, "1-x", "a+b*x", "x", "-(a+b)", "",
+         "the derivative of w^2 = (1-x)/(a+bx)"},
+        {step_kind::identity, "(a+b*x) - a*(1-x)", "", "", "(a+b)*x", "",
+         "1 - a w^2 = (a+b)x/(a+bx)"},
+        {step_kind::identity, "(a+b*x) + b*(1-x)", "", "", "a+b", "",
+         "1 + b w^2 = (a+b)/(a+bx), so that F(0,u) = 2 artanh(sqrt(a) w)/sqrt(ab) - 2 "
+         "arctan(sqrt(b) w), which tends to 0 as u -> 1"}}},
+      {"perfect_twist",
+       "proposition 3, part 2",
+       "A perfect twist, epsilon = 0, occurs if and only if J < 2, at exactly one c0, which lies "
+       "in (0, a).",
+       "F(c0,0) = 2 pi for some c0  <=>  J < 2; then c0 is in (0, a) and the only one",
+       "For all a > 0, 0 < b < 1, by the proof of montgomery_rotating: F(c,0) maps 0 < c < a one "
+       "to one onto the values above pi J, and F(c,u) is defined at u = 0 for c > 0 only. So 2 pi "
+       "is a value exactly where J < 2 (and the phase 2 F(c,0) has the value 2 pi, a full turn, "
+       "exactly where J < 1). For a given body J < 2 is decided in rationals.",
+       {{step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)", "",
+         "the derivative in c of the square of the integrand"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bX > 0 for 0 <= X <= 1: the integrand is positive and decreases in c"},
+        {step_kind::positive, "(a+b*x)-(c+b*x)", "", "", "d", "d = a-c",
+         "(a+bX)/(c+bX) > 1 for c < a"},
+        {step_kind::positive, "a*(c+b*x)-c*(a+b*x)", "", "", "b*x*d", "d = a-c",
+         "(a+bX)/(c+bX) <= a/c for c < a"},
+        {step_kind::identity, "1-b*x", "", "", "(1+a)-(a+b*x)", "",
+         "(1-bX)/(a+bX) = (1+a)/(a+bX) - 1"},
+        {step_kind::identity, "a*(1+t^2)+b", "", "", "(a+b)+a*t^2", "",
+         "with T = tan psi, X = 1/(1+T^2), k^2 = a/(a+b): the derivative of "
+         "arctan(kT)/sqrt(a(a+b)), (1+T^2)/((a+b)(1+k^2 T^2)), is 1/(a+bX), so the limit is pi J"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bX <= a + b: F(c,0) >= 2 I arsinh((pi/2) sqrt(b/c)), unbounded as c -> 0"},
+        {step_kind::identity, "9*a*(a+b) - (a+1)^2", "", "", "8*a^2 + 9*a*b - 2*a - 1", "",
+         "J < 2 exactly where this is positive, as (J+1)^2 = (a+1)^2/(a(a+b))"},
+        {step_kind::identity, "4*a*(a+b) - (a+1)^2", "", "", "3*a^2 + 4*a*b - 2*a - 1", "",
+         "J < 1 exactly where this is positive"}}},
+      {"intersection",
+       "lemma 2 and its remark",
+       "The part of C given by the first implicit equation meets S in exactly one point with u in "
+       "(0, 1) if I < 2 and in none otherwise; at I = 2 the point is the limit u = 1.",
+       "F(-bu,u) = 2 pi for some u in (0, 1)  <=>  I < 2; then u is the only one (u = 1 <=> I = 2)",
+       "For all a > 0, 0 < b < 1: G(u) = F(-bu,u) maps (0, 1) one to one onto the values above pi "
+       "I, decreasing, and tends to pi I at u = 1 (the steps are those of montgomery_oscillating). "
+       "With u = 1 allowed, where F(-b,1) means this limit, the condition is the paper's I <= 2; u "
+       "= 1 is the equilibrium c = -b, no motion. For a given body I < 2 is decided in rationals.",
+       {{step_kind::identity, "(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "", "", "(1-u)^2*k*(1-k)", "",
+         "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the integral over "
+         "(0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"},
+        {step_kind::slope, "(1-b*x)^2", "x*(a+b*x)", "x", "-(1-b*x)*(a+(a+2)*b*x)", "",
+         "the derivative of g^2"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0 for 0 < x <= 1"},
+        {step_kind::positive, "a+(a+2)*b*x", "", "", "a + a*b*x + 2*b*x", "",
+         "so g decreases strictly on 0 < x <= 1"},
+        {step_kind::identity, "(v+(1-v)*k) - (u+(1-u)*k)", "", "", "(v-u)*(1-k)", "",
+         "x is greater for v > u where 0 < t < pi, so G decreases"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"},
+        {step_kind::positive, "(u+k)-(u+(1-u)*k)", "", "", "u*k", "",
+         "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"},
+        {step_kind::identity, "4*b*(a+b) - (1-b)^2", "", "", "4*a*b + 3*b^2 + 2*b - 1", "",
+         "I < 2 exactly where this is positive"}}},
+      {"crossing",
+       "lemma 3",
+       "epsilon(c) takes the value pi/2 in (-b, 0) if and only if I < 1, that is, if the body is "
+       "not physical: exactly ceil(1/I) - 1 times.",
+       "epsilon(c*) = pi/2 for some c* in (-b, 0)  <=>  I < 1; it has ceil(1/I) - 1 such solutions",
+       "For all a > 0, 0 < b < 1: by the symmetries of the reduced system psi_c(phi + G) = "
+       "-psi_c(phi), and psi_c(pi) = 0 exactly where pi = k G(u) for a whole k >= 1; G maps (0, 1) "
+       "one to one onto the values above pi I, so that there is one solution for every k < 1/I. "
+       "The first, G = pi, lies beyond the first intersection, G = 2 pi. Computed: the polynomial "
+       "steps for G, and the count in rationals. Cited: uniqueness of solutions (Picard and "
+       "Lindeloef).",
+       {{step_kind::identity, "(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "", "", "(1-u)^2*k*(1-k)", "",
+         "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the integral over "
+         "(0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"},
+        {step_kind::slope, "(1-b*x)^2", "x*(a+b*x)", "x", "-(1-b*x)*(a+(a+2)*b*x)", "",
+         "the derivative of g^2"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0 for 0 < x <= 1"},
+        {step_kind::positive, "a+(a+2)*b*x", "", "", "a + a*b*x + 2*b*x", "",
+         "so g decreases strictly on 0 < x <= 1"},
+        {step_kind::identity, "(v+(1-v)*k) - (u+(1-u)*k)", "", "", "(v-u)*(1-k)", "",
+         "x is greater for v > u where 0 < t < pi, so G decreases"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"},
+        {step_kind::positive, "(u+k)-(u+(1-u)*k)", "", "", "u*k", "",
+         "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"}}},
+      {"injectivity",
+       "theorem 3, proposition 4",
+       "The twist defect epsilon(c) is an injective function of c if and only if I >= 1, that is, "
+       "if and only if the body is physical.",
+       "c -> epsilon(c) is injective on (-b, a)  <=>  I >= 1  <=>  the body is physical",
+       "For all a > 0, 0 < b < 1. I >= 1: G > pi, so that pi is reached before the first turning "
+       "point, where epsilon decreases by first_equation, or between it and the return to psi = 0, "
+       "where T(c, psi_c(pi)) = G - pi; as c decreases G decreases and T increases for every psi, "
+       "so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: epsilon is pi/2 at "
+       "c* by the claim crossing and tends to pi/2 as c -> -b; a continuous injective function "
+       "would have different limits. Computed: the polynomial steps, I against 1 in rationals, and "
+       "enclosures for the given body. Cited: existence, uniqueness and continuous dependence of "
+       "solutions of ordinary differential equations (Picard and Lindeloef); the intermediate "
+       "value theorem.",
+       {{step_kind::identity, "(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "", "", "(1-u)^2*k*(1-k)", "",
+         "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the integral over "
+         "(0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"},
+        {step_kind::slope, "(1-b*x)^2", "x*(a+b*x)", "x", "-(1-b*x)*(a+(a+2)*b*x)", "",
+         "the derivative of g^2"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0 for 0 < x <= 1"},
+        {step_kind::positive, "a+(a+2)*b*x", "", "", "a + a*b*x + 2*b*x", "",
+         "so g decreases strictly on 0 < x <= 1"},
+        {step_kind::identity, "(v+(1-v)*k) - (u+(1-u)*k)", "", "", "(v-u)*(1-k)", "",
+         "x is greater for v > u where 0 < t < pi, so G decreases"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"},
+        {step_kind::positive, "(u+k)-(u+(1-u)*k)", "", "", "u*k", "",
+         "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"},
+        {step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)", "",
+         "the derivative in c of the square of T's integrand, negative"}}},
+      {"count",
+       "theorem 4",
+       "C and S meet exactly N = ceil(1/I + 1/2) - 1 times: n + 1 times for 2/(2n+3) <= I < "
+       "2/(2n+1), where the paper says at least.",
+       "C meets S in exactly N = ceil(1/I + 1/2) - 1 points with -b < c < 0, G(u_k) = 2 pi/(2k-1)",
+       "For all a > 0, 0 < b < 1: by the symmetries of the reduced system psi_c(pi) is a turning "
+       "point, which is where C meets S, exactly where pi = (k - 1/2) G(u) for a whole k >= 1; G "
+       "maps (0, 1) one to one onto the values above pi I, so that there is one for every k < 1/I "
+       "+ 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's theorem. Computed: the "
+       "polynomial steps for G, and the count in rationals. Cited: uniqueness of solutions (Picard "
+       "and Lindeloef).",
+       {{step_kind::identity, "(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "", "", "(1-u)^2*k*(1-k)", "",
+         "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the integral over "
+         "(0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"},
+        {step_kind::slope, "(1-b*x)^2", "x*(a+b*x)", "x", "-(1-b*x)*(a+(a+2)*b*x)", "",
+         "the derivative of g^2"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0 for 0 < x <= 1"},
+        {step_kind::positive, "a+(a+2)*b*x", "", "", "a + a*b*x + 2*b*x", "",
+         "so g decreases strictly on 0 < x <= 1"},
+        {step_kind::identity, "(v+(1-v)*k) - (u+(1-u)*k)", "", "", "(v-u)*(1-k)", "",
+         "x is greater for v > u where 0 < t < pi, so G decreases"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"},
+        {step_kind::positive, "(u+k)-(u+(1-u)*k)", "", "", "u*k", "",
+         "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"},
+        {step_kind::identity, "2*k - (2*k-1)", "", "", "1", "",
+         "2 pi/(2k-1) > pi/k: the k-th crossing of pi/2 comes after the k-th intersection"},
+        {step_kind::identity, "(2*k+1) - 2*k", "", "", "1", "",
+         "pi/k > 2 pi/(2k+1): and before the next"}}},
+      {"c0_decreases",
+       "lemma 4",
+       "The perfect twist c0(a, b) decreases as a increases.",
+       "a < a'  =>  c0(a', b) < c0(a, b), where c0(a, b) exists",
+       "For all a > 0, 0 < b < 1 with J < 2: the integrand of F(c,0) decreases strictly in a and "
+       "in c. At c0(a) the integral for a' > a is below 2 pi, so its root c0(a') is smaller; it "
+       "exists, as J decreases in a. Computed: the polynomial steps.",
+       {{step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "a", "-(1-b*x)^2*(c+b*x)", "",
+         "the derivative in a of the square of the integrand, negative"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bX > 0 for 0 <= X <= 1: the integrand is positive"},
+        {step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)", "",
+         "the derivative in c of the square of the integrand, negative"},
+        {step_kind::slope, "(a+1)^2", "a*(a+b)", "a", "-(a+1)*(a*(2-b)+b)", "",
+         "the derivative in a of (J+1)^2"},
+        {step_kind::positive, "a*(2-b)+b", "", "", "a + a*q + b", "q = 1-b",
+         "so J decreases in a"}}},
+      {"epsilon0_decreases",
+       "lemma 5",
+       "The twist defect on the separatrix, epsilon0(a, b), decreases as a increases.",
+       "a < a'  =>  epsilon0(a', b) < epsilon0(a, b)",
+       "For all a > 0, 0 < b < 1: the integrand of F(0,u) decreases strictly in a, and F(0,u) "
+       "decreases in u. At epsilon0(a) the integral for a' > a is below 2 pi, so its root is "
+       "smaller. Computed: the polynomial steps.",
+       {{step_kind::slope, "(1-b*x)^2", "(a+b*x)*(c+b*x)", "a", "-(1-b*x)^2*(c+b*x)", "",
+         "the derivative in a of the square of the integrand, negative"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bX > 0 for 0 <= X <= 1: the integrand is positive"}}},
+      {"limit_formula",
+       "eqs. (33)-(38)",
+       "As a -> infinity, b -> 0 with ab -> chi and c/b = beta, epsilon tends to pi/2 - am(pi "
+       "sqrt(chi(1+beta)) | 1/(1+beta)), on the part of C of the first implicit equation: beta >= "
+       "0, or -1 < beta < 0 and pi sqrt(chi) < K(1+beta).",
+       "epsilon -> pi/2 - am(pi sqrt(chi(1+beta)) | 1/(1+beta)) as a -> infinity, b -> 0, ab -> "
+       "chi, c = b beta, where beta >= 0, or -1 < beta < 0 and pi sqrt(chi) < K(1+beta)",
+       "For all a > 0, 0 < b < 1: sqrt(ab) times the integrand is v (beta + cos^2 psi)^(-1/2) with "
+       "(1-b) sqrt(a/(a+b)) <= v <= 1, so the integral divided by its limit form lies between "
+       "these bounds, which tend to 1. The limit form is F(psi | 1/(1+beta))/sqrt(1+beta), "
+       "continuous and increasing in psi. The first implicit equation holds for beta >= 0, and for "
+       "-1 < beta < 0 where pi comes before the turning point, at which the limit form is "
+       "K(1+beta). Computed: the polynomial steps.",
+       {{step_kind::positive, "(a+b*x) - a*(1-b*x)^2", "", "", "b*x + a*b*x*(1+q+b*y)",
+         "q = 1-b, y = 1-x", "v^2 = a(1-bX)^2/(a+bX) <= 1"},
+        {step_kind::positive, "(1-b*x) - (1-b)", "", "", "b*y", "y = 1-x", "1 - bX >= 1 - b"},
+        {step_kind::positive, "(a+b) - (a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bX <= a + b, so that v^2 >= a(1-b)^2/(a+b)"},
+        {step_kind::identity, "d + (1-s)", "", "", "(1+d) - s", "",
+         "beta + cos^2 = (1+beta)(1 - sin^2/(1+beta)): the limit form is F(psi | "
+         "1/(1+beta))/sqrt(1+beta)"}}},
+      {"limit_minimum",
+       "section 7, eqs. (39), (40)",
+       "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min; over all "
+       "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained.",
+       "ab + 2b <= 1  =>  epsilon0 > epsilon0_min = 2 arctan(e^-pi) and, where J < 2, c0/b > beta; "
+       "both are greatest lower bounds",
+       "For all physical bodies: (1-bX)^2 > b(a+bX) for 0 <= X < 1, so that the integrand of the "
+       "implicit equation exceeds (beta + cos^2 psi)^(-1/2), that of the limit for chi = 1, at "
+       "every c = b beta; so epsilon0 and, where there is a c0, c0/b exceed their limits. Planar "
+       "bodies a = 1/b - 2 approach them for b -> 0 by the limit formula. Computed: the polynomial "
+       "step and both numbers.",
+       {{step_kind::positive, "(1-b*x)^2 - b*(a+b*x)", "", "", "p + b*y*(1+q+b*y)",
+         "p = 1-a*b-2*b, q = 1-b, y = 1-x",
+         "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"},
+        {step_kind::identity, "(1-2*b) + 2*b", "", "", "1", "",
+         "a = 1/b - 2 is planar: ab + 2b = 1"}}},
+      {"epsilon0_min",
+       "eq. (39)",
+       "The greatest lower bound of the twist defect on the separatrix over all physical bodies, "
+       "approached as a -> inf, b -> 0 with ab -> 1, not attained (claim limit_minimum). The paper "
+       "prints 0.086374.",
+       "epsilon0_min = pi - 2 arctan(e^pi) = 2 arctan(e^-pi)",
+       "On the separatrix of the limit the amplitude is the Gudermannian, am(pi|1) = 2 "
+       "arctan(e^pi) - pi/2, so that pi/2 - am(pi|1) is the formula above; it is evaluated in ball "
+       "arithmetic. The second route encloses the one root of log(tan(x/2)) + pi in [0.086, 0.087] "
+       "by interval Newton.",
+       {}},
+      {"delta_psi_max",
+       "section 7, after eq. (40)",
+       "The least upper bound of the twist on the separatrix over all physical bodies, pi - 2 "
+       "epsilon0_min, not attained (claim limit_minimum). The paper prints 2.96884.",
+       "delta_psi_max = pi - 2 epsilon0_min = 4 arctan(e^pi) - pi",
+       "The formula in ball arithmetic; the second route takes epsilon0_min from interval Newton "
+       "on log(tan(x/2)) + pi.",
+       {}},
+      {"beta",
+       "eq. (40)",
+       "The perfect twist of the best physical body in the limit a -> inf, b -> 0 lies at c/b = "
+       "beta, the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). The paper prints 0.028973.",
+       "agm(sqrt(1+beta), sqrt(beta)) = 1/2, equivalent to K(1/(1+beta)) = pi sqrt(1+beta)",
+       "K(1/(1+x)) = sqrt(1+x) I(x) with I(x) the integral over (0, pi/2) of (x + cos^2 t)^(-1/2), "
+       "and I(x) = pi/(2 agm(sqrt(1+x), sqrt(x))) by Gauss: pi cancels. The mean increases "
+       "strictly in x > 0 from 0 without bound, so there is exactly one root; interval Newton with "
+       "f' from the same AGM steps proves it in its box and encloses it.",
+       {}},
+      {"sign_dF_du",
+       "appendix A, lemma 6, eq. (44)",
+       "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its derivative "
+       "is negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
+       "dF(-bu,u)/du = -(b/(ab)^(3/2)) integral over (0,1) of sqrt(1-y^2) (a + (a+2) b X)/(X (1 + "
+       "bX/a))^(3/2) dy < 0, X = u + (1-u) y^2",
+       "At the given a, b, u the value is enclosed by two routes that share no formula. For all a, "
+       "b, u: after y = sin s the integrand of eq. (43) and its u-derivative are continuous in (s, "
+       "u) on [0, pi/2] x [u_0, 1] for every u_0 > 0, so differentiation under the integral is "
+       "allowed; the derivative of the integrand is the paper's, an exact identity of rational "
+       "functions; its sign is read off its factors. The sweep bounds the same quantity over the "
+       "whole compactified box of parameters in interval arithmetic.",
+       {}},
+      {"half_phase_limits",
+       "appendix A, lemma 7, eqs. (45)-(46)",
+       "F(-bu,u) tends to pi I as u tends to 1, and to infinity as u tends to 0.",
+       "F(-bu,u) -> pi (1-b)/sqrt(b(a+b)) as u -> 1, F(-bu,u) -> infinity as u -> 0",
+       "For all a > 0, 0 < b < 1, by the bounds pi I <= F(-bu,u) <= pi I g(u)/g(1) and F(-bu,u) >= "
+       "2 I arsinh(pi/(2 sqrt(u))), g(x) = (1-bx)/sqrt(x(a+bx)): their steps are questions about "
+       "polynomials, decided by expansion.",
+       {{step_kind::identity, "(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "", "", "(1-u)^2*k*(1-k)", "",
+         "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the integral over "
+         "(0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"},
+        {step_kind::slope, "(1-b*x)^2", "x*(a+b*x)", "x", "-(1-b*x)*(a+(a+2)*b*x)", "",
+         "the derivative of g^2"},
+        {step_kind::positive, "1-b*x", "", "", "q + b*y", "q = 1-b, y = 1-x",
+         "1 - bx > 0 for 0 < x <= 1"},
+        {step_kind::positive, "a+(a+2)*b*x", "", "", "a + a*b*x + 2*b*x", "",
+         "so g decreases strictly on 0 < x <= 1"},
+        {step_kind::identity, "(v+(1-v)*k) - (u+(1-u)*k)", "", "", "(v-u)*(1-k)", "",
+         "x is greater for v > u where 0 < t < pi, so G decreases"},
+        {step_kind::positive, "(a+b)-(a+b*x)", "", "", "b*y", "y = 1-x",
+         "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"},
+        {step_kind::positive, "(u+k)-(u+(1-u)*k)", "", "", "u*k", "",
+         "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"}}},
+      {"implicit_equations",
+       "appendix B, eqs. (48)-(53)",
+       "After n intersections of C and S the curve C is given by one of four implicit equations, "
+       "by the parity of n and the side of pi/2 on which epsilon is.",
+       "2n G - F(c,u') = 2 pi (n odd, epsilon < pi/2; n even, epsilon > pi/2), 2n G + F(c,u') = 2 "
+       "pi (n odd, epsilon >= pi/2; n even, epsilon <= pi/2), G = F(c,-c/b), u' = sin^2 epsilon",
+       "For all a > 0, 0 < b < 1, -b < c < 0: by the symmetries of the reduced system psi_c(phi + "
+       "G) = -psi_c(phi) and psi_c is odd; with pi = nG + r, |r| <= G/2, psi_c(pi) = (-1)^n "
+       "psi_c(r) and |r| = F(c,u')/2, and the four cases are those of the signs of (-1)^n and r. "
+       "The integral forms consist of 2n-1 whole sweeps G and two end pieces (G +- F)/2. Computed: "
+       "the sums below. Cited: uniqueness of solutions (Picard and Lindeloef).",
+       {{step_kind::identity, "2*(n*g+r)", "", "", "2*n*g + 2*r", "",
+         "2 pi = 2nG + 2r, with 2r = F or 2r = -F"},
+        {step_kind::identity, "2*(2*n-1)*g + 2*(g-f)", "", "", "2*(2*n*g - f)", "",
+         "eq. (48), epsilon < pi/2, gives eq. (50); eq. (49), epsilon > pi/2, gives eq. (52) "
+         "(twice both sides)"},
+        {step_kind::identity, "2*(2*n-1)*g + 2*(g+f)", "", "", "2*(2*n*g + f)", "",
+         "eq. (48), epsilon >= pi/2, gives eq. (51); eq. (49), epsilon <= pi/2, gives eq. (53)"},
+        {step_kind::identity, "2*(2*1-1)*g + 2*(g-f)", "", "", "2*(2*g - f)", "",
+         "n = 1: the second equation, eq. (28)"},
+        {step_kind::identity, "2*(2*1-1)*g + 2*(g+f)", "", "", "2*(2*g + f)", "",
+         "n = 1: eq. (29)"}}},
+      {"printed_numbers",
+       "figs. 6, 7, eqs. (39), (40), section 8",
+       "The numbers in the captions, in section 7 and in the conclusion are those of their "
+       "formulas, to the last digit printed, but for those in errata.",
+       "|printed - value| <= half a unit of the last place printed",
+       "Each number is enclosed from its formula in ball arithmetic (beta by interval Newton), and "
+       "compared with the printed decimal as an exact rational. Those that are wrong are in the "
+       "claim errata.",
+       {}},
+      {"errata",
+       "sections 1 to 8, figure 7",
+       "Each printed number that is wrong, beside the certified one, and statements that are not "
+       "right as printed.",
+       "|printed - value| > half a unit of the last place printed",
+       "The numbers as in the claim printed_numbers; statements by an exact counterexample in "
+       "rationals, or by enclosures of the phase. The numbers of figure 7, but for 1.045, are "
+       "those of b = 0.0629 in place of 0.06, and 0.872 is cut off where 0.873 would be rounded.",
+       {}},
+  };
+  return texts;
+}
+
+}  // namespace
+
+const claim_text* find_claim_text(std::string_view name) {
+  const auto& texts = all_texts();
+  const auto found =
+      std::find_if(texts.begin(), texts.end(), [&](const claim_text& t) { return t.name == name; });
+  return found == texts.end() ? nullptr : &*found;
+}
+
+}  // namespace polhode::checker

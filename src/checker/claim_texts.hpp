@@ -1,0 +1,37 @@
+#pragma once
+
+// What each claim says: the checker's own copy, against which a certificate's words are compared. A certificate whose words are others
+// proves something else.
+
+#include <string_view>
+#include <vector>
+
+namespace polhode::checker {
+
+enum class step_kind { identity, positive, slope };
+
+/// One step of a proof that is a question about polynomials: left = right; left = right with positive coefficients; or d/dvariable of
+/// left/over = right/over^2. The letters' meanings are put into `right`.
+struct step_text {
+  step_kind kind;
+  std::string_view left;
+  std::string_view over;      // of a slope
+  std::string_view variable;  // of a slope
+  std::string_view right;
+  std::string_view letters;
+  std::string_view meaning;
+};
+
+struct claim_text {
+  std::string_view name;
+  std::string_view reference;
+  std::string_view statement;
+  std::string_view formula;
+  std::string_view method;
+  std::vector<step_text> steps;
+};
+
+/// nullptr for a claim that this version does not know.
+[[nodiscard]] const claim_text* find_claim_text(std::string_view name);
+
+}  // namespace polhode::checker

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "document.hpp"
+
+namespace polhode::checker {
+
+/// "sha256:…" of the certificate's canonical text: JSON in the order of its keys, without spaces and without the member
+/// "digest", other characters than ASCII as they are in UTF-8.
+[[nodiscard]] std::string digest_of(json certificate);
+
+}  // namespace polhode::checker

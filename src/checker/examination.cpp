@@ -1,0 +1,356 @@
+#include "examination.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "digest.hpp"
+#include "polynomial.hpp"
+
+namespace polhode::checker {
+namespace {
+
+constexpr long most_digits = 100'000;
+constexpr long most_input_bits = 20'000;
+/// Behind the point, of a number's ends.
+constexpr long most_bits = 1'200'000;
+/// Bits for questions that are not about a number's digits.
+constexpr std::array<long, 5> precisions{128, 256, 512, 2048, 8192};
+
+long bits_for_digits(long digits) {
+  return static_cast<long>(static_cast<double>(digits) * 3.3219281) + 2;
+}
+
+/// mantissa * 2^exponent with an odd mantissa, or 0 * 2^0.
+rational dyadic(const place& where) {
+  constexpr long most_exponent = 4'000'000;
+  where.expect_keys({"mantissa", "exponent"});
+  const integer mantissa = where["mantissa"].big();
+  const long exponent = where["exponent"].whole(-most_exponent, most_exponent);
+  if (mantissa == 0 ? exponent != 0 : mantissa % 2 == 0) {
+    where["mantissa"].malformed("it is even; mantissa and exponent must be in lowest form");
+  }
+  return rational(mantissa) * power_of_two(exponent);
+}
+
+/// That `text` is a decimal of at most `digits` significant digits within two units of the last of them from the end, outward.
+void expect_outward(const place& where, const rational& end, long digits, rounding way) {
+  const rational given = where.decimal_value();
+  const bool down = way == rounding::down;
+  if (down ? given > end : given < end) {
+    where.refute("it is " + in_quotes(where.text()) + ", which excludes the exact " +
+                 (down ? "lower" : "upper") + " end");
+  }
+  // The decimal that is nearest, outward, is less than a unit away; two are allowed for how it was found.
+  const std::string nearest = decimal(end, digits, way);
+  rational value;
+  static_cast<void>(read_decimal(nearest, value));
+  const rational size = end < 0 ? rational(-end) : end;
+  const rational unit(size * power_of_ten(1 - digits));
+  if (abs(rational(given - value)) > unit) {
+    where.refute("it is " + in_quotes(where.text()) + "; it must be " + in_quotes(nearest) +
+                 ", the exact end rounded outward");
+  }
+}
+
+/// That `value` is the digits that both ends share.
+void expect_shared(const place& where, const range& exact, long digits) {
+  const std::string low = decimal(exact.lower, digits, rounding::to_zero);
+  if (low != decimal(exact.upper, digits, rounding::to_zero)) {
+    where.refute("the exact ends do not share " + std::to_string(digits) + " digits");
+  }
+  where.expect_text(low);
+}
+
+/// That f(bits) lies in the range for some bits from `bits` on.
+void expect_inside(const place& where, const range& r, long bits,
+                   const std::function<interval(long bits)>& f) {
+  for (int attempt = 0; attempt < 5; ++attempt, bits += bits / 2 + 64) {
+    try {
+      const interval x = f(bits);
+      if (is_inside(x, r.lower, r.upper)) return;
+      if (!overlaps(x, r.lower, r.upper)) {
+        where.refute("the true value is between " + decimal(x.lower(), 25, rounding::down) +
+                     " and " + decimal(x.upper(), 25, rounding::up) + ", outside it");
+      }
+    } catch (const undecided&) {  // more bits
+    }
+  }
+  where.not_checkable("the checker did not find the true value closely enough");
+}
+
+void expect_range(const place& where, const rational& value, bool right, const char* name) {
+  if (!right) {
+    where.malformed("it is " + in_quotes(where.text()) + "; it must be " + name);
+  }
+  if (bit_length(value) > most_input_bits) where.not_checkable("it has too many digits");
+}
+
+}  // namespace
+
+void examination::expect_words() {
+  root_["statement"].expect_text(text_.statement);
+  root_["formula"].expect_text(text_.formula);
+  root_["reference"].expect_text(text_.reference);
+  const place software = root_["software"];
+  software.expect_keys({"polhode", "mpfr", "gmp", "boost"});
+  for (const char* name : {"polhode", "mpfr", "gmp", "boost"}) {
+    constexpr std::size_t longest = 100;
+    if (software[name].text().size() > longest) software[name].malformed("it is too long");
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Inputs
+
+void examination::read_no_inputs() { root_["inputs"].expect_keys({}); }
+
+void examination::read_body() {
+  root_["inputs"].expect_keys({"a", "b"});
+  read_a_and_b();
+}
+
+void examination::read_a_and_b() {
+  const place inputs = root_["inputs"];
+  a_ = inputs["a"].fraction();
+  b_ = inputs["b"].fraction();
+  expect_range(inputs["a"], a_, a_ > 0, "positive");
+  expect_range(inputs["b"], b_, b_ > 0 && b_ < 1, "between 0 and 1, ends excluded");
+}
+
+void examination::read_motion() {
+  const place inputs = root_["inputs"];
+  inputs.expect_keys({"a", "b", "u"});
+  read_a_and_b();
+  u_ = inputs["u"].fraction();
+  expect_range(inputs["u"], u_, u_ > 0 && u_ <= 1, "above 0 and at most 1");
+}
+
+long examination::input_bits() const {
+  return 2 * (bit_length(a_) + bit_length(b_) + bit_length(u_));
+}
+
+// ---------------------------------------------------------------------------------------------
+// Facts
+
+place examination::fact(const std::string& statement) {
+  const place one = root_["facts"].at(facts_++);
+  one.expect_keys({"statement", "holds"});
+  one["statement"].expect_text(statement);
+  one["holds"].expect_true();
+  report_.checks.push_back(statement);
+  return one["statement"];
+}
+
+void examination::fact(const std::string& statement, bool shown) {
+  const place where = fact(statement);
+  if (!shown) where.refute("it is not so");
+}
+
+void examination::fact(const std::string& statement,
+                       const std::function<std::optional<bool>(long bits)>& shown) {
+  const place where = fact(statement);
+  for (const long bits : precisions) {
+    try {
+      const std::optional<bool> answer = shown(bits + input_bits());
+      if (answer && !*answer) where.refute("it is not so");
+      if (answer) return;
+    } catch (const undecided&) {  // more bits
+    }
+  }
+  where.not_checkable("the checker's precision does not decide it");
+}
+
+bool examination::is_missing(const std::string& what) {
+  const std::string note = " (For the given body " + what +
+                           " was not found at the precisions tried. The proof does not need it.)";
+  if (root_["method"].text().find(note) == std::string::npos) return false;
+  notes_ += note;
+  return true;
+}
+
+void examination::steps() {
+  if (text_.steps.empty()) return;
+  const place all = witness("polynomials");
+  for (std::size_t i = 0; i < text_.steps.size(); ++i) {
+    const step_text& step = text_.steps[i];
+    const place one = all.at(i);
+    const polynomial left = polynomial::read(step.left);
+    const polynomial right = polynomial::read(step.right);
+    std::string statement;
+    bool holds = false;
+    one["left"].expect_text(step.left);
+    one["right"].expect_text(step.right);
+    if (step.kind == step_kind::slope) {
+      one.expect_keys({"kind", "left", "over", "variable", "right"});
+      one["kind"].expect_text("derivative of a quotient");
+      one["over"].expect_text(step.over);
+      one["variable"].expect_text(step.variable);
+      const polynomial over = polynomial::read(step.over);
+      const char x = step.variable.front();
+      holds = left.derivative(x) * over - left * over.derivative(x) == right;
+      statement = "d/d" + std::string(step.variable) + " of (" + std::string(step.left) + ")/(" +
+                  std::string(step.over) + ") = (" + std::string(step.right) + ")/(" +
+                  std::string(step.over) + ")^2";
+    } else {
+      const bool positive = step.kind == step_kind::positive;
+      one["kind"].expect_text(positive ? "positive coefficients" : "identity");
+      statement = std::string(step.left) + " = " + std::string(step.right);
+      if (step.letters.empty()) {
+        one.expect_keys({"kind", "left", "right"});
+      } else {
+        one.expect_keys({"kind", "left", "right", "letters"});
+        one["letters"].expect_text(step.letters);
+        statement += " with " + std::string(step.letters);
+      }
+      holds = with_letters(right, step.letters) == left &&
+              (!positive || right.has_positive_coefficients());
+    }
+    statement += ", expanded over Q";
+    if (step.kind == step_kind::positive) {
+      statement += ", and no coefficient of the right side is negative";
+    }
+    fact(statement + ": " + std::string(step.meaning), holds);
+  }
+  if (all.size() > text_.steps.size()) {
+    all.at(text_.steps.size()).malformed("this claim has no such step");
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Numbers
+
+examination::ends examination::next_number(const std::string& name) {
+  const place numbers = root_["numbers"];
+  const place where = numbers[name];
+  if (std::next(numbers.value().begin(), static_cast<std::ptrdiff_t>(numbers_)).key() != name) {
+    where.malformed("it is not in its place: it must be number " + std::to_string(numbers_ + 1));
+  }
+  ++numbers_;
+  where.expect_keys({"value", "digits", "lower", "upper", "digits_asked", "dyadic"});
+  const long digits = where["digits"].whole(1, 1L << 40U);
+  if (digits > most_digits) {
+    where["digits"].not_checkable("it has more than " + std::to_string(most_digits) + " digits");
+  }
+  where["digits_asked"].expect_whole(digits);
+  if (digits_ != 0) where["digits"].expect_whole(digits_);
+  digits_ = digits;
+  const range exact = dyadic_range(where["dyadic"]);
+  expect_shared(where["value"], exact, digits);
+  expect_outward(where["lower"], exact.lower, digits + 3, rounding::down);
+  expect_outward(where["upper"], exact.upper, digits + 3, rounding::up);
+  const rational width(exact.upper - exact.lower);
+  const long bits = bit_length(integer(denominator(width))) + 16;
+  const long leading_zeros = std::max(0L, bit_length(integer(denominator(exact.lower))) -
+                                              bit_length(integer(numerator(exact.lower))));
+  if (bits > most_bits ||
+      bits - leading_zeros > 40 * bits_for_digits(digits) + 16 * input_bits() + 8192) {
+    where["dyadic"].not_checkable("its ends are nearer to each other than its digits need");
+  }
+  report_.checks.push_back(name + " = " + decimal_for_reading(exact.lower, std::min(digits, 20L)) +
+                           (digits > 20 ? " to " + std::to_string(digits) + " digits" : ""));
+  return {where, exact, bits};
+}
+
+range examination::number(const std::string& name, const std::function<interval(long bits)>& f) {
+  const ends e = next_number(name);
+  expect_inside(e.where["dyadic"], e.exact, e.bits + input_bits(), f);
+  return e.exact;
+}
+
+range examination::root_number(const std::string& name, bool decreases,
+                               const std::function<interval(const rational& x, long bits)>& f) {
+  const ends e = next_number(name);
+  const auto check_end = [&](const char* end, const rational& x, bool positive) {
+    const place where = e.where["dyadic"][end];
+    for (long bits = e.bits + 32 + input_bits(), attempt = 0; attempt < 5;
+         ++attempt, bits += bits / 2 + 64) {
+      try {
+        const interval value = f(x, bits);
+        if (positive ? value.is_positive() : value.is_negative()) return;
+        if (positive ? value.is_negative() : value.is_positive()) {
+          where.refute("the root is not on this side of it");
+        }
+      } catch (const undecided&) {  // more bits
+      }
+    }
+    where.not_checkable("the checker's precision does not decide on which side of it the root is");
+  };
+  check_end("lower", e.exact.lower, decreases);
+  check_end("upper", e.exact.upper, !decreases);
+  return e.exact;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Witness
+
+place examination::witness(const std::string& key) {
+  witness_keys_.push_back(key);
+  return root_["witness"][key];
+}
+
+range examination::bracket(const place& where) {
+  where.expect_keys({"lower", "upper"});
+  const range r{where["lower"].fraction(), where["upper"].fraction()};
+  if (bit_length(r.lower) > most_input_bits || bit_length(r.upper) > most_input_bits) {
+    where.not_checkable("its ends have too many digits");
+  }
+  if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
+  return r;
+}
+
+range examination::dyadic_range(const place& where) {
+  where.expect_keys({"lower", "upper"});
+  const range r{dyadic(where["lower"]), dyadic(where["upper"])};
+  if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
+  return r;
+}
+
+range examination::decimals(const place& where, const std::function<interval(long bits)>& f) {
+  where.expect_keys({"value", "digits", "lower", "upper"});
+  const long digits = where["digits"].whole(1, 1L << 40U);
+  if (digits > most_digits) where["digits"].not_checkable("it has too many digits");
+  const range r{where["lower"].decimal_value(), where["upper"].decimal_value()};
+  if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
+  expect_shared(where["value"], r, digits);
+  expect_outward(where["lower"], r.lower, digits + 3, rounding::down);
+  expect_outward(where["upper"], r.upper, digits + 3, rounding::up);
+  expect_inside(where, r, bits_for_digits(digits) + 64, f);
+  return r;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The end
+
+void examination::finish() {
+  root_["method"].expect_text(std::string(text_.method) + notes_);
+  const place facts = root_["facts"];
+  if (facts.size() > facts_) facts.at(facts_).malformed("this claim has no such fact");
+  const place numbers = root_["numbers"];
+  if (numbers.value().size() > numbers_) {
+    const auto extra =
+        std::next(numbers.value().begin(), static_cast<std::ptrdiff_t>(numbers_)).key();
+    numbers[extra].malformed("this claim has no such number");
+  }
+  const place given = root_["witness"];
+  for (const auto& [key, value] : given.value().items()) {
+    if (std::find(witness_keys_.begin(), witness_keys_.end(), key) == witness_keys_.end()) {
+      given[key].malformed("a certificate of this claim has no such witness");
+    }
+  }
+  root_["digest"].expect_text(digest_of(root_.value()));
+}
+
+std::string multiple_of_pi(const rational& q) {
+  const integer n = numerator(q);
+  const integer d = denominator(q);
+  return (n == 1 ? std::string("pi") : n.str() + " pi") + (d == 1 ? "" : "/" + d.str());
+}
+
+std::string in_decimals(const range& r) {
+  constexpr long digits = 13;
+  return decimal(r.lower, digits, rounding::down) + " and " +
+         decimal(r.upper, digits, rounding::up);
+}
+
+}  // namespace polhode::checker

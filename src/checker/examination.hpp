@@ -1,0 +1,110 @@
+#pragma once
+
+// One certificate under examination: its parts in the order in which a claim's check asks for them. Whatever is left over at the end
+// is refused too.
+
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "claim_texts.hpp"
+#include "document.hpp"
+#include "interval.hpp"
+
+namespace polhode::checker {
+
+/// Two rationals, lower <= upper.
+struct range {
+  rational lower;
+  rational upper;
+};
+
+class examination {
+ public:
+  examination(const json& certificate, const claim_text& text, report& result)
+      : root_(certificate, ""), text_(text), report_(result) {}
+
+  /// Statement, formula and reference are the claim's.
+  void expect_words();
+
+  // Inputs ------------------------------------------------------------------------------------
+  /// a > 0 and 0 < b < 1, and u in (0, 1] where it is asked for; no other inputs.
+  void read_body();
+  void read_motion();
+  void read_no_inputs();
+  [[nodiscard]] const rational& a() const { return a_; }
+  [[nodiscard]] const rational& b() const { return b_; }
+  [[nodiscard]] const rational& u() const { return u_; }
+  /// What the inputs cost in bits beside those of the result.
+  [[nodiscard]] long input_bits() const;
+
+  // Facts -------------------------------------------------------------------------------------
+  /// The next fact: its words must be these, and it must hold.
+  place fact(const std::string& statement);
+  /// The next fact, and that `shown` shows it: tried with more and more bits while it throws undecided or returns nothing; false
+  /// refutes the fact.
+  void fact(const std::string& statement,
+            const std::function<std::optional<bool>(long bits)>& shown);
+  void fact(const std::string& statement, bool shown);
+  /// Whether the method says that `what` was not found for the given body: then there is no such fact.
+  bool is_missing(const std::string& what);
+  void add_to_method(const std::string& sentence) { notes_ += sentence; }
+  /// The claim's polynomial steps: decided again, and compared with facts and witness.
+  void steps();
+
+  // Numbers -----------------------------------------------------------------------------------
+  /// The next number, of that name, which must hold all of f(bits) for some bits. Returns its exact ends.
+  range number(const std::string& name, const std::function<interval(long bits)>& f);
+  /// The next number, the root of a function with these signs at the number's ends: f is certainly positive at the lower and negative
+  /// at the upper end if it decreases, and the other way round.
+  range root_number(const std::string& name, bool decreases,
+                    const std::function<interval(const rational& x, long bits)>& f);
+  /// The digits that all numbers so far were asked for.
+  [[nodiscard]] long digits() const { return digits_; }
+
+  // Witness -----------------------------------------------------------------------------------
+  [[nodiscard]] place witness(const std::string& key);
+  /// {"lower": "p/q", "upper": "r/s"}, lower < upper.
+  static range bracket(const place& where);
+  /// {"lower": {"mantissa", "exponent"}, "upper": ...}.
+  static range dyadic_range(const place& where);
+  /// {"value", "digits", "lower", "upper"}: decimals that hold f(bits) for some bits.
+  static range decimals(const place& where, const std::function<interval(long bits)>& f);
+
+  /// The method, that nothing is left of facts, numbers and witness, and the digest.
+  void finish();
+
+ private:
+  struct ends {
+    place where;
+    range exact;
+    long bits;  // that tell the ends apart
+  };
+  void read_a_and_b();
+  ends next_number(const std::string& name);
+
+  place root_;
+  const claim_text& text_;
+  report& report_;
+  rational a_;
+  rational b_;
+  rational u_;
+  std::size_t facts_ = 0;
+  std::size_t numbers_ = 0;
+  long digits_ = 0;
+  std::string notes_;
+  std::vector<std::string> witness_keys_;
+};
+
+/// lower < q pi < upper in words of the claims: "2 pi/3", "pi".
+[[nodiscard]] std::string multiple_of_pi(const rational& q);
+/// "0.1234567890123 and 0.1234567890124": both ends, rounded outward.
+[[nodiscard]] std::string in_decimals(const range& r);
+
+/// Checks what a claim of that name says, and calls finish.
+void check_claim(std::string_view name, examination& e);
+
+}  // namespace polhode::checker

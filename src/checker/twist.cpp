@@ -1,0 +1,57 @@
+#include "twist.hpp"
+
+#include "elliptic.hpp"
+
+namespace polhode::checker {
+namespace {
+
+int sign_of(const interval& x) {
+  if (x.is_positive()) return 1;
+  if (x.is_negative()) return -1;
+  throw undecided("a sign is not known");
+}
+
+/// The sign of s - t, where s in [0, most] has F(c, cos^2 s) = value > 0 and F increases in s.
+int side_of_amplitude(const body& rigid, const rational& c, const interval& value,
+                      const interval& t) {
+  const long bits = t.bits();
+  if (t.is_negative()) return 1;
+  const interval half_pi = pi(bits) / 2;
+  if (is_below(half_pi, t)) return -1;
+  if (!t.is_positive() || !is_below(t, half_pi))
+    throw undecided("an angle is not known well enough");
+  const sine_and_cosine at = sin_cos(t);
+  if (c == 0) {
+    return sign_of(value - separatrix_phase(rigid.a, rigid.b, square(at.cosine), square(at.sine)));
+  }
+  if (c < 0) {  // beyond the turning point, sin^2 t >= 1 + c/b
+    const interval turning(rational(1 + c / rigid.b), bits);
+    if (is_below(turning, square(at.sine))) return -1;
+  }
+  return sign_of(value - partial_phase(rigid.a, rigid.b, c, t));
+}
+
+}  // namespace
+
+int side_of_defect(const body& rigid, const rational& c, const rational& level, long bits) {
+  const interval whole = pi(bits);
+  // psi against this: epsilon is above the level where psi is below.
+  const interval psi = whole / 2 - interval(level, bits);
+  if (c == 0) return -side_of_amplitude(rigid, c, whole.scaled(1), psi);
+  const bool oscillates = c < 0;
+  const interval half_turn = oscillates ? half_phase(rigid.a, rigid.b, rational(-c / rigid.b), bits)
+                                        : rotating_phase(rigid.a, rigid.b, c, bits);
+  const interval turns = whole / half_turn + interval(rational(1, 2), bits);
+  const integer n = floor_shift(turns.low(), bits);
+  if (n != floor_shift(turns.high(), bits))
+    throw undecided("the number of half turns is not known");
+  if (bit_length(n) > 60) throw undecided("too many half turns");
+  const interval rest = whole - half_turn * static_cast<long>(n);
+  const int sign = sign_of(rest) * (oscillates && n % 2 != 0 ? -1 : 1);
+  const interval size = (rest.is_negative() ? -rest : rest).scaled(1);
+  const interval from = oscillates ? psi : psi - whole * static_cast<long>(n);
+  // psi_c(pi) = sign s (+ n pi): above psi where sign s > from.
+  return -sign * side_of_amplitude(rigid, c, size, sign > 0 ? from : -from);
+}
+
+}  // namespace polhode::checker

@@ -1,0 +1,35 @@
+# The checker uses nothing of the prover: no symbol of the prover's or of MPFR is missing from its library, and its sources include
+# no header of either, but for the digest's. LIBRARY, SOURCES and NM are given.
+
+execute_process(COMMAND "${NM}" --demangle "${LIBRARY}"
+  OUTPUT_VARIABLE symbols RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${NM} does not read ${LIBRARY}")
+endif()
+string(REPLACE ";" "," symbols "${symbols}")
+string(REGEX MATCHALL "[^\n]+" lines "${symbols}")
+list(LENGTH lines count)
+if(count LESS 100 OR NOT symbols MATCHES "__gmpz_" OR NOT symbols MATCHES "polhode::checker::check\\(")
+  message(FATAL_ERROR "these are not the checker's symbols (${count} lines)")
+endif()
+foreach(line IN LISTS lines)
+  if(line MATCHES "mpfr|mpfi|arb_")
+    message(FATAL_ERROR "the checker uses MPFR: ${line}")
+  endif()
+  if(line MATCHES " U .*polhode::" AND NOT line MATCHES " U polhode::(checker::|sha256\\()")
+    if(NOT line MATCHES " U .*polhode::checker::")
+      message(FATAL_ERROR "the checker uses the prover: ${line}")
+    endif()
+  endif()
+endforeach()
+
+file(GLOB sources "${SOURCES}/*")
+foreach(source IN LISTS sources)
+  file(STRINGS "${source}" includes REGEX "^#include")
+  foreach(include IN LISTS includes)
+    if(include MATCHES "polhode/|proofs/|mpfr" AND
+       NOT include MATCHES "polhode/(checker/|arithmetic/sha256.hpp)")
+      message(FATAL_ERROR "${source}: ${include}")
+    endif()
+  endforeach()
+endforeach()
