@@ -20,8 +20,8 @@ int main(int argc, char** argv) {
       constexpr double most_seconds = 20;
       if (estimate > most_seconds) break;
       const double measured = measure(q.methods.front(), digits, std::nullopt, 0).seconds;
-      std::cout << fmt::format("{:<18}{:>10}{:>14.3g}{:>14.3g}{:>10.2f}\n", q.name, digits, estimate,
-                               measured, estimate / measured)
+      std::cout << fmt::format("{:<18}{:>10}{:>14.3g}{:>14.3g}{:>10.2f}\n", q.name, digits,
+                               estimate, measured, estimate / measured)
                 << std::flush;
     }
   }
