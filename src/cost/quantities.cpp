@@ -336,7 +336,7 @@ quantity general_integral() {
   quantity q;
   q.name = "integral";
   q.description = "integral from 0 to 8 of sin(x + e^x), which oscillates 474 times";
-  q.methods = {by_rule(quadrature_rule::automatic, f, 0, 8, 10'000),
+  q.methods = {by_rule(quadrature_rule::automatic, f, 0, 8, 3000),
                by_rule(quadrature_rule::clenshaw_curtis, f, 0, 8, 3000), boost_tanh_sinh(maker),
                boost_gauss_kronrod(maker)};
   return q;
@@ -351,7 +351,7 @@ quantity root_integral() {
   quantity q;
   q.name = "root_integral";
   q.description = "integral from 0 to 1 of sqrt(x) e^x, which is singular at 0";
-  q.methods = {by_rule(quadrature_rule::automatic, f, 0, 1, 10'000),
+  q.methods = {by_rule(quadrature_rule::automatic, f, 0, 1, 3000),
                by_rule(quadrature_rule::double_exponential, f, 0, 1, 3000), boost_tanh_sinh(maker),
                boost_gauss_kronrod(maker)};
   return q;
