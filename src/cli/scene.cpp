@@ -160,8 +160,10 @@ void write_job(const scene_options& options, const job& one, const scene& what, 
     if (effect.table)
       files.emplace_back(one.stem + '.' + effect.name + ".csv", table_csv(*effect.table));
     if (effect.table && options.plot) {
-      files.emplace_back(one.stem + '.' + effect.name + '.' + *options.plot,
-                         scene_plot(effect.name, *effect.table, *options.plot));
+      files.emplace_back(
+          one.stem + '.' + effect.name + '.' + *options.plot,
+          scene_plot((what.title.empty() ? one.stem : what.title) + ": " + effect.name,
+                     *effect.table, *options.plot));
     }
   }
   if (options.page) files.emplace_back(one.stem + ".html", scene_page(what, results, report));

@@ -94,27 +94,89 @@ std::string scene_page(const scene& what, const scene_report& results, const jso
   return page.substr(0, place) + embedded(data) + page.substr(place + mark.size());
 }
 
-std::string scene_plot(const std::string& name, const effect_table& table,
+namespace {
+
+/// Between single quotes for gnuplot, which reads them as they are, but for a quote (doubled) and the end of a line.
+std::string for_gnuplot(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    result += is_control ? ' ' : c;
+    if (c == '\'') result += '\'';
+  }
+  return result + '\'';
+}
+
+/// The columns by what stands before "_" in their names: x, y, z of a vector in one group. The first column is in none.
+std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const effect_table& table) {
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
+  for (std::size_t k = 1; k < table.columns.size(); ++k) {
+    const std::string& column = table.columns[k];
+    const std::string name = column.substr(0, column.find('_'));
+    if (groups.empty() || groups.back().first != name) groups.push_back({name, {}});
+    groups.back().second.push_back(k);
+  }
+  return groups;
+}
+
+/// A table's numbers as they are drawn. Of a quaternion and its opposite, which are one attitude, the one is drawn that is nearer to
+/// the one before: the curve does not jump.
+std::vector<std::vector<double>> drawn_rows(const effect_table& table) {
+  std::vector<std::vector<double>> rows;
+  constexpr std::size_t parts = 4;
+  const bool has_quaternions = table.columns.size() > parts && table.columns[1] == "q_w";
+  for (const std::vector<ball>& row : table.rows) {
+    std::vector<double> numbers;
+    numbers.reserve(row.size());
+    for (const ball& x : row) numbers.push_back(drawn(x));
+    if (has_quaternions && !rows.empty()) {
+      double product = 0;
+      for (std::size_t k = 0; k < parts; ++k) product += numbers[k] * rows.back()[k];
+      for (std::size_t k = 0; k < parts && product < 0; ++k) numbers[k] = -numbers[k];
+    }
+    rows.push_back(std::move(numbers));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string scene_plot(const std::string& title, const effect_table& table,
                        const std::string& format) {
   constexpr long digits = 12;
+  constexpr std::size_t panel_height = 320;
+  const auto groups = groups_of(table);
+  const std::size_t height = std::max<std::size_t>(2, groups.size()) * panel_height;
   std::string program =
-      format == "png" ? "set terminal pngcairo size 900,600 font 'Helvetica,12'\n"
-                      : "set terminal svg size 900,600 font 'Helvetica,15' background 'white'\n";
-  program += "set grid lc rgb '#dddddd'\nset key outside top right\n";
-  program += fmt::format("set title '{}' noenhanced\nset xlabel '{}' noenhanced\n", name,
-                         table.columns[0]);
+      format == "png"
+          ? fmt::format("set terminal pngcairo size 1000,{} font 'Sans,12'\n", height)
+          : fmt::format("set terminal svg size 1000,{} font 'Helvetica,15' background 'white'\n",
+                        height);
+  program +=
+      "set grid lc rgb '#dddddd'\nset key outside top right\nset lmargin 10\nset rmargin 16\n";
   program += "$data << EOD\n";
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+  const std::vector<std::vector<double>> rows = drawn_rows(table);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     program += leading_digits_of(table.first[i], digits).value;
-    for (const ball& x : table.rows[i]) program += fmt::format(" {:.12g}", drawn(x));
+    for (const double x : rows[i]) program += fmt::format(" {:.12g}", x);
     program += '\n';
   }
-  program += "EOD\nplot ";
-  for (std::size_t k = 1; k < table.columns.size(); ++k) {
-    program += fmt::format("{}$data using 1:{} with lines lw 2 title '{}' noenhanced",
-                           k == 1 ? "" : ", ", k + 1, table.columns[k]);
+  program += fmt::format("EOD\nset multiplot layout {},1 title {} noenhanced\n", groups.size(),
+                         for_gnuplot(title));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto& [name, columns] = groups[g];
+    program += fmt::format("set ylabel '{}' noenhanced\n", name);
+    if (g + 1 == groups.size()) {
+      program += fmt::format("set xlabel '{}' noenhanced\n", table.columns[0]);
+    }
+    std::string plots;
+    for (const std::size_t k : columns) {
+      plots += fmt::format("{}$data using 1:{} with lines lw 2 title '{}' noenhanced",
+                           plots.empty() ? "plot " : ", ", k + 1, table.columns[k]);
+    }
+    program += plots + '\n';
   }
-  return run_gnuplot(program + '\n');
+  return run_gnuplot(program + "unset multiplot\n");
 }
 
 }  // namespace polhode::cli
