@@ -35,10 +35,18 @@ void add_value(certificate& c, const request& wanted) {
   // The quadrature's goal is absolute; the size of the value turns it into digits.
   const long digits = std::min(wanted.digits, most_quadrature_digits);
   const auto size = value.is_bounded() ? value.magnitude_upper().log2_floor() : 0;
-  const long bits = bits_for_digits(digits) + 8 - static_cast<long>(size);
+  long bits = bits_for_digits(digits) + 8 - static_cast<long>(size);
   periodic_options options;
   options.most_nodes = most_nodes;
-  const periodic_integral q = integrate_periodic(half_phase_slope_integrand(motion), bits, options);
+  periodic_integral q = integrate_periodic(half_phase_slope_integrand(motion), bits, options);
+  // A little more where an end of the enclosure is on the other side of a digit's.
+  constexpr int most_attempts = 8;
+  for (int i = 0; i < most_attempts && q.verdict == status::certified &&
+                  to_decimal_enclosure(q.enclosure, digits).digits < digits;
+       ++i) {
+    bits += 32;
+    q = integrate_periodic(half_phase_slope_integrand(motion), bits, options);
+  }
   json& witness = c.witness["quadrature"];
   witness = json{{"verdict", to_text(q.verdict)}};
   add_periodic_plan(witness, q.plan);

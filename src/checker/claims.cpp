@@ -49,6 +49,8 @@ interval mean_equation(const rational& x, long bits) {
 /// F(0, sin^2 epsilon) - 2 pi, which decreases in 0 < epsilon < pi/2 and is 0 at epsilon0.
 std::function<interval(const rational& x, long bits)> separatrix_equation(const body& rigid) {
   return [rigid](const rational& epsilon, long bits) {
+    // The root is below pi/2: beyond, the sign is that on its upper side.
+    if (is_below(pi(bits) / 2, exactly(epsilon, bits))) return exactly(-1, bits);
     if (epsilon <= 0 || !is_below(exactly(epsilon, bits), pi(bits) / 2)) {
       throw undecided("it is not known to be between 0 and pi/2");
     }
@@ -351,7 +353,7 @@ void check_count(examination& e) {
 /// Bits for the twist defect, which has some 50 at any precision.
 constexpr std::array<long, 2> twist_precisions{128, 320};
 /// The series are meant for numbers of this size: their cost grows with it, and with the number of points.
-constexpr long most_twist_bits = 1000;
+constexpr long most_twist_bits = 4000;
 constexpr long most_level_bits = 4000;
 constexpr std::size_t most_points = 100;
 
@@ -506,7 +508,8 @@ void check_epsilon0_decreases(examination& e) {
   const place where = e.fact(
       "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the given a");
   if (!first || !second) where.not_checkable("the certificate has no enclosures of both");
-  if (second->upper >= first->lower) where.refute("it is not so of the two enclosures");
+  if (second->lower >= first->upper) where.refute("it is not so of the two enclosures");
+  if (second->upper >= first->lower) where.not_checkable("the two enclosures overlap");
 }
 
 void check_steps_only(examination& e) {

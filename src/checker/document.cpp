@@ -15,8 +15,17 @@ constexpr std::size_t most_digits = 2'000'000;
 /// A key as a part of a JSON pointer (RFC 6901).
 std::string escaped(std::string_view key) {
   std::string result;
-  for (const char c : key.substr(0, 80))
-    result += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  for (const char c : key.substr(0, 80)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte >= 0x7f) {  // nothing that a terminal would obey
+      constexpr std::string_view hexadecimal = "0123456789abcdef";
+      result += "\\x";
+      result += hexadecimal[byte / 16];
+      result += hexadecimal[byte % 16];
+    } else {
+      result += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+    }
+  }
   return result;
 }
 
@@ -41,6 +50,10 @@ class limited_reader : public nlohmann::json_sax<json> {
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
     levels_.back().key = name;
+    constexpr std::size_t most_members = 1000;  // they are looked through one by one
+    if (levels_.back().value->size() >= most_members) {
+      refuse("more than " + std::to_string(most_members) + " members");
+    }
     if (levels_.back().value->contains(name)) refuse("this key appears twice");
     return true;
   }
@@ -106,6 +119,11 @@ json read_json(std::string_view text) {
     throw refusal(outcome::malformed, "",
                   "it has " + std::to_string(text.size()) + " bytes; at most " +
                       std::to_string(most_certificate_bytes) + " are read");
+  }
+  // The library takes a NUL for the end of the text.
+  if (const std::size_t end = text.find('\0'); end != std::string_view::npos) {
+    throw refusal(outcome::malformed, "",
+                  "it is no JSON from byte " + std::to_string(end + 1) + " on");
   }
   limited_reader reader;
   if (!json::sax_parse(text, &reader)) throw refusal(outcome::malformed, "", "it is no JSON");

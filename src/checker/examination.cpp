@@ -57,7 +57,7 @@ void expect_outward(const place& where, const rational& end, long digits, roundi
 void expect_shared(const place& where, const range& exact, long digits) {
   const std::string low = decimal(exact.lower, digits, rounding::to_zero);
   if (low != decimal(exact.upper, digits, rounding::to_zero)) {
-    where.refute("the exact ends do not share " + std::to_string(digits) + " digits");
+    where.not_checkable("the exact ends do not share " + std::to_string(digits) + " digits");
   }
   where.expect_text(low);
 }
@@ -166,6 +166,7 @@ bool examination::is_missing(const std::string& what) {
                            " was not found at the precisions tried. The proof does not need it.)";
   if (root_["method"].text().find(note) == std::string::npos) return false;
   notes_ += note;
+  report_.left_out.push_back(what);
   return true;
 }
 

@@ -47,9 +47,18 @@ int side_of_defect(const body& rigid, const rational& c, const rational& level, 
     throw undecided("the number of half turns is not known");
   if (bit_length(n) > 60) throw undecided("too many half turns");
   const interval rest = whole - half_turn * static_cast<long>(n);
+  const interval from = oscillates ? psi : psi - whole * static_cast<long>(n);
+  if (!rest.is_positive() && !rest.is_negative()) {
+    // psi_c(pi) (- n pi) is between -s and s, s the amplitude of the greatest |rest|.
+    const interval most = interval(rest.magnitude(), rest.magnitude(), bits).scaled(1);
+    const bool up = from.is_positive();
+    if (side_of_amplitude(rigid, c, most, up ? from : -from) >= 0) {
+      throw undecided("a sign is not known");
+    }
+    return up ? 1 : -1;
+  }
   const int sign = sign_of(rest) * (oscillates && n % 2 != 0 ? -1 : 1);
   const interval size = (rest.is_negative() ? -rest : rest).scaled(1);
-  const interval from = oscillates ? psi : psi - whole * static_cast<long>(n);
   // psi_c(pi) = sign s (+ n pi): above psi where sign s > from.
   return -sign * side_of_amplitude(rigid, c, size, sign > 0 ? from : -from);
 }

@@ -43,7 +43,9 @@ std::vector<std::string> files_of(const std::vector<std::string>& paths) {
     std::vector<std::string> found;
     for (fs::directory_iterator entry(path, error), end; !error && entry != end;
          entry.increment(error)) {
-      if (entry->path().extension() == ".json") found.push_back(entry->path().string());
+      std::error_code ignored;
+      const bool is_file = entry->is_regular_file(ignored);
+      if (is_file && entry->path().extension() == ".json") found.push_back(entry->path().string());
     }
     if (error) throw usage_error(fmt::format("{}: {}", in_quotes(path), error.message()));
     if (found.empty()) {
@@ -80,10 +82,21 @@ std::string contents_of(const std::string& path) {
   return text;
 }
 
+/// A path as it may stand on a terminal: as it is, or, with control characters, in quotes.
+std::string printable(const std::string& path) {
+  const bool plain = std::none_of(path.begin(), path.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+  });
+  return plain ? path : in_quotes(path);
+}
+
 std::string said_of(const std::string& path, const checker::report& r, bool verbose) {
-  std::string result = path + ": " + to_text(r.result);
+  std::string result = printable(path) + ": " + to_text(r.result);
   if (r.result == checker::outcome::verified) {
     result += fmt::format(": {}, {} facts and numbers shown again", r.claim, r.checks.size());
+    for (std::size_t i = 0; i < r.left_out.size(); ++i) {
+      result += (i == 0 ? ", without " : ", ") + r.left_out[i];
+    }
   } else {
     result += fmt::format(": at {}: {}", r.place.empty() ? "the top" : r.place, r.message);
   }

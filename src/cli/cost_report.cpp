@@ -199,7 +199,8 @@ class plot {
   [[nodiscard]] const std::string& data() const { return data_; }
   /// The command, and a start on the next one.
   [[nodiscard]] std::string take() {
-    std::string result = plots_.empty() ? "plot NaN notitle\n" : plots_ + '\n';
+    std::string result =
+        plots_.empty() ? "set xrange [1:10]\nset yrange [1:10]\nplot 0.1 notitle\n" : plots_ + '\n';
     plots_.clear();
     return result;
   }
@@ -404,7 +405,9 @@ std::vector<cost_picture> pictures_of(const cost_report& report) {
   std::vector<cost_picture> result;
   for (const measured_quantity& q : report.quantities) result.push_back(picture_of(q));
   for (const measured_family& f : report.families) result.push_back(picture_of(f));
-  result.push_back(certainty(report));
+  const bool has_pair = std::any_of(report.quantities.begin(), report.quantities.end(),
+                                    [](const auto& q) { return !pairs_of(q).empty(); });
+  if (has_pair) result.push_back(certainty(report));
   result.push_back(cold(report));
   return result;
 }
@@ -414,7 +417,14 @@ std::vector<std::string> picture_names(const std::vector<const cost::quantity*>&
   std::vector<std::string> result;
   for (const cost::quantity* q : quantities) result.push_back(q->name);
   for (const cost::hard_family* f : families) result.push_back("hard_" + f->name);
-  result.emplace_back("certainty");
+  const bool has_pair =
+      std::any_of(quantities.begin(), quantities.end(), [](const cost::quantity* q) {
+        return std::any_of(q->methods.begin(), q->methods.end(), [](const cost::method& m) {
+          constexpr std::string_view floating = ", floating";
+          return m.name.size() > floating.size() && m.name.ends_with(floating);
+        });
+      });
+  if (has_pair) result.emplace_back("certainty");
   result.emplace_back("cold");
   return result;
 }

@@ -46,6 +46,11 @@ struct job {
   std::string digest;
 };
 
+/// What is no UTF-8 in a file's name becomes U+FFFD.
+std::string text_of(const json& value) {
+  return value.dump(2, ' ', false, json::error_handler_t::replace);
+}
+
 std::string hexadecimal(const sha256_digest& digest) {
   std::string result;
   for (const std::uint8_t byte : digest) result += fmt::format("{:02x}", byte);
@@ -116,11 +121,13 @@ std::vector<job> jobs_of(const scene_options& options) {
   for (const std::string& file : options.files) {
     const std::string text = reading(file, [&] { return read_text_file(file); });
     const job whole{file, text, fs::path(file).stem().string(), {}, ""};
-    if (options.out && !stems.insert(whole.stem).second) {
-      throw usage_error(fmt::format(
-          "{}: two scenes of this name would be written to the same files in --out; rename one",
-          in_quotes(file)));
-    }
+    const auto take_name = [&](const std::string& stem) {
+      if (!options.out || stems.insert(stem).second) return;
+      throw usage_error(
+          fmt::format("{}: two scenes or points named {} would be written to the same files in "
+                      "--out; rename one",
+                      in_quotes(file), in_quotes(stem)));
+    };
     const scene what = scene_of(whole);
     check_memory(options, what);
     const std::vector<sweep_point> points = points_of(what);
@@ -129,7 +136,10 @@ std::vector<job> jobs_of(const scene_options& options) {
       job one = whole;
       one.point = points[k];
       if (!one.point.empty()) one.stem += fmt::format("-{:04}", k + 1);
-      one.digest = digest_of(options, one, one.point.empty() ? what : scene_of(one));
+      take_name(one.stem);
+      const scene at_point = one.point.empty() ? what : scene_of(one);
+      check_memory(options, at_point);
+      one.digest = digest_of(options, one, at_point);
       jobs.push_back(std::move(one));
     }
   }
@@ -141,10 +151,11 @@ std::optional<json> kept_report(const std::string& directory, const job& one) {
   const fs::path path = fs::path(directory) / (one.stem + ".json");
   if (!fs::is_regular_file(path)) return std::nullopt;
   try {
-    json report = json::parse(read_text_file(path.string()));
-    if (report.at("digest") == one.digest) return report;
-  } catch (const json::exception&) {
-  } catch (const input_error&) {
+    std::ifstream file(path, std::ios::binary);
+    json report = json::parse(file);
+    const bool is_whole = report.contains("effects") && report.contains("verdict");
+    if (is_whole && report.at("digest") == one.digest) return report;
+  } catch (const json::exception&) {  // of something else
   }
   return std::nullopt;
 }
@@ -168,7 +179,7 @@ void write_job(const scene_options& options, const job& one, const scene& what, 
   }
   if (options.page) files.emplace_back(one.stem + ".html", scene_page(what, results, report));
   files.emplace_back(one.stem + ".json",
-                     report.dump(2) + '\n');  // the last: it says that the others are there
+                     text_of(report) + '\n');  // the last: it says that the others are there
   std::vector<std::string> names;
   names.reserve(files.size());
   for (const auto& [name, contents] : files) names.push_back(name);
@@ -181,8 +192,8 @@ std::string printed(const scene_options& options, const std::vector<json>& repor
   const std::string& format = options.format.value();
   if (format == "csv") return results_csv(reports);
   if (format == "json") {
-    if (reports.size() == 1) return reports.front().dump(2) + '\n';
-    return json(reports).dump(2) + '\n';
+    if (reports.size() == 1) return text_of(reports.front()) + '\n';
+    return text_of(json(reports)) + '\n';
   }
   std::string result;
   for (const json& report : reports) result += (result.empty() ? "" : "\n") + scene_text(report);

@@ -60,7 +60,8 @@ json axes_of(const scene_body& of) {
 /// As it may stand in a script of a page: no "</script>" and no comment can begin in it.
 std::string embedded(const json& data) {
   std::string result;
-  for (const char c : data.dump()) result += c == '<' ? std::string("\\u003c") : std::string(1, c);
+  for (const char c : data.dump(-1, ' ', false, json::error_handler_t::replace))
+    result += c == '<' ? std::string("\\u003c") : std::string(1, c);
   return result;
 }
 

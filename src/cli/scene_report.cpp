@@ -164,6 +164,10 @@ json scene_json(const scene& what, const scene_report& report, const std::string
 std::string scene_text(const json& report) {
   std::string result = report["file"].get<std::string>();
   if (report.contains("title")) result += ": " + text_or_empty(report, "title");
+  // Nothing that a terminal would obey.
+  std::replace_if(
+      result.begin(), result.end(),
+      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
   result = paragraph(result, 0);
   const std::string point = point_text(report);
   if (!point.empty()) result += paragraph("at " + point, 2);

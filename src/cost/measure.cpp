@@ -292,6 +292,13 @@ std::optional<double> growth_exponent(const std::vector<measurement>& known) {
 }
 
 double multiplication_seconds(long digits) {
+  // Beyond, it grows as n log n.
+  constexpr long most_measured = 1'000'000;
+  if (digits > most_measured) {
+    const auto n = static_cast<double>(digits);
+    const auto known = static_cast<double>(most_measured);
+    return multiplication_seconds(most_measured) * (n / known) * (std::log(n) / std::log(known));
+  }
   const precision bits = bits_for_digits(digits);
   detail::mpfr_cell x(bits);
   detail::mpfr_cell y(bits);

@@ -45,6 +45,14 @@ scene_body of_measured(const std::vector<measured_number>& given,
     }
     ranges[i] = inverse ? inverse_range(value, width) : uncertain_moment{value, width};
   }
+  if (uncertain && inverse) {
+    // Of the values given, and not of the middles of the moments' ranges.
+    const auto moment = [&](std::size_t i) { return rational(1 / given[i].value); };
+    scene_body result = body_of_moments({moment(0), moment(1), moment(2)});
+    result.ranges.emplace(ranges);
+    result.kind = result.ranges->kind();
+    return result;
+  }
   if (uncertain) return body_of_ranges(ranges);
   return body_of_moments({ranges[0].value, ranges[1].value, ranges[2].value});
 }

@@ -160,22 +160,37 @@ void refuse_long_keys(const std::string& text) {
   constexpr int most_parts = 16;
   long line = 1;
   int dots = 0;
-  char quote = 0;
+  char quote = 0;           // of the string that is open
+  bool many_lines = false;  // it began with three
   bool comment = false;
+  const auto is_triple = [&](std::size_t i) {
+    return i + 2 < text.size() && text[i + 1] == text[i] && text[i + 2] == text[i];
+  };
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '\n') {
       ++line;
+      comment = false;
+      if (many_lines) continue;
       dots = 0;
       quote = 0;
-      comment = false;
     } else if (comment) {
       continue;
     } else if (quote != 0) {
-      if (c == '\\' && quote == '"') ++i;
-      if (c == quote) quote = 0;
+      if (c == '\\' && quote == '"') {
+        if (i + 1 < text.size() && text[i + 1] != '\n') ++i;
+      } else if (c == quote && many_lines) {
+        if (!is_triple(i)) continue;
+        i += 2;
+        quote = 0;
+        many_lines = false;
+      } else if (c == quote) {
+        quote = 0;
+      }
     } else if (c == '"' || c == '\'') {
       quote = c;
+      many_lines = is_triple(i);
+      if (many_lines) i += 2;
     } else if (c == '#') {
       comment = true;
     } else if (c == '=' || c == ',' || c == '{' || c == '[') {

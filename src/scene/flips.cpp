@@ -91,17 +91,37 @@ void separatrix_flip(const effect_context& x, effect_result& result) {
   const int turned = (j[0] < 0 ? 1 : -1) * (j[2] > 0 ? 1 : -1);
   const int side = turned * sign_of(j[1]);
   result.remarks.emplace_back("on the separatrix: it turns over once in all time");
-  if (side > 0) {
-    result.remarks.emplace_back("that was before time 0");
-    return;
-  }
-  if (side == 0) return add_exact(result, "flip_1", 0);
   // artanh y = log((1 + y)/sqrt(1 - y^2)), and 1 - y^2 is the sum of the other squares.
   const rational rest(squares[0] + squares[2]);
   const auto time = [&](precision p) {
-    return log((1 + sqrt(ball(squares[1], p))) / sqrt(ball(rest, p))) /
-           sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p)) * natural_time(x.what, p);
+    const ball distance = log((1 + sqrt(ball(squares[1], p))) / sqrt(ball(rest, p))) /
+                          sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p)) *
+                          natural_time(x.what, p);
+    return side > 0 ? -distance : distance;
   };
+  const rational from = x.what.time ? x.what.time->from : rational(0);
+  std::optional<bool> inside;
+  if (side == 0) inside = from <= 0 && (!x.what.time || 0 <= x.what.time->to);
+  const precision most = 4096 + 8 * size_in_bits(from);
+  for (precision p = 128; !inside && p <= most; p *= 2) {
+    const ball t = time(p);
+    const ball begin(from, p);
+    const bool before = certainly_less(t, begin);
+    const bool after = x.what.time && certainly_less(ball(x.what.time->to, p), t);
+    if (before || after) inside = false;
+    const bool not_after = !x.what.time || certainly_less(t, ball(x.what.time->to, p));
+    if (certainly_less(begin, t) && not_after) inside = true;
+  }
+  if (!inside) {
+    return not_certified(result, "whether it turns over within the range of time was not decided");
+  }
+  add_exact(result, "count", rational(*inside ? 1 : 0));
+  if (!*inside) {
+    result.remarks.emplace_back(x.what.time ? "that is outside the range of time"
+                                            : "that was before time 0");
+    return;
+  }
+  if (side == 0) return add_exact(result, "flip_1", 0);
   add(result, "flip_1", enclose_to_digits(time, x.digits(), most_guard(x.digits())),
       x.what.time_unit.name);
 }

@@ -24,6 +24,7 @@ class reader : public pugi::xml_tree_walker {
 
   bool for_each(pugi::xml_node& node) override {
     const std::string name = node.name();
+    if (name == "inertial") refuse_turned_frame(node);
     if (name == "inertial" && (node.attribute("diaginertia") || node.attribute("fullinertia"))) {
       add(node, from_mujoco(node));
     } else if (const pugi::xml_node inertia = node.child("inertia");
@@ -52,6 +53,39 @@ class reader : public pugi::xml_tree_walker {
       refuse(node, error.what());
     }
   }
+  /// The entries are about the axes of a frame of their own: only where these are the link's are they taken. Its place, the centre of
+  /// mass, is of no matter.
+  void refuse_turned_frame(const pugi::xml_node& node) const {
+    const auto numbers = [&](const pugi::xml_node& at, const std::string& text) {
+      std::vector<rational> result;
+      std::istringstream words(text);
+      for (std::string word; words >> word;) result.push_back(number(at, word));
+      return result;
+    };
+    const auto refuse_unless_zero = [&](const pugi::xml_node& at, const std::string& text,
+                                        std::size_t from) {
+      const std::vector<rational> all = numbers(at, text);
+      for (std::size_t i = from; i < all.size(); ++i) {
+        if (all[i] != 0) refuse(at, turned);
+      }
+    };
+    if (const pugi::xml_node origin = node.child("origin")) {  // URDF
+      refuse_unless_zero(origin, origin.attribute("rpy").value(), 0);
+    }
+    if (const pugi::xml_node pose = node.child("pose")) {  // SDF: x y z roll pitch yaw
+      constexpr std::size_t places = 3;
+      refuse_unless_zero(pose, pose.text().get(), places);
+    }
+    const std::vector<rational> quaternion = numbers(node, node.attribute("quat").value());
+    for (std::size_t i = 1; i < quaternion.size(); ++i) {
+      if (quaternion[i] != 0) refuse(node, turned);
+    }
+    for (const char* key : {"euler", "axisangle", "xyaxes", "zaxis"}) {  // MuJoCo
+      if (node.attribute(key)) refuse(node, turned);
+    }
+  }
+  static constexpr const char* turned =
+      "its frame is turned against the link's; give the inertia about the link's own axes";
   void add(const pugi::xml_node& node, inertia_tensor tensor) {
     const std::string name = node.parent().attribute("name").value();
     found.push_back({name, std::move(tensor)});

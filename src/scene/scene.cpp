@@ -247,8 +247,9 @@ std::vector<rational> read_sweep_values(section& sweep, const std::string& key) 
 void read_sweep(section sweep, scene& result, const replacements& replaced) {
   std::size_t points = 1;
   const std::vector<std::string> known(replaced.seen.begin(), replaced.seen.end());
+  const std::set<std::string> seen(known.begin(), known.end());  // before the sweep's own numbers
   for (const auto& [key, value] : sweep.value().members) {
-    if (!replaced.seen.contains(key)) {
+    if (!seen.contains(key)) {
       std::string right =
           known.empty() ? "" : "; the nearest is \"" + nearest_name(key, known) + '"';
       refuse_value(value, detail::quoted(key), "there is no such number in this scene" + right);

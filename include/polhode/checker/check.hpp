@@ -27,6 +27,8 @@ struct report {
   std::string place;                // JSON pointer of what is wrong, "/numbers/beta/lower"
   std::string message;              // what is wrong there and what would be right
   std::vector<std::string> checks;  // what was shown, in words
+  /// What the certificate leaves out of the claim's numbers and facts, as not found by the prover. The claim is shown without.
+  std::vector<std::string> left_out;
 };
 
 /// The greatest certificate that is read, in bytes.
