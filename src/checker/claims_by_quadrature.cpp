@@ -31,7 +31,7 @@ void check_chain_of_steps(const place& chain, const integer& S, const integer& n
   };
   const auto read_pair = [](const place& where) {
     if (where.size() != 2) where.malformed("it must be a pair of whole numbers");
-    const std::array<integer, 2> pair{where.at(0).big(), where.at(1).big()};
+    std::array<integer, 2> pair{where.at(0).big(), where.at(1).big()};
     for (std::size_t i = 0; i < 2; ++i) {
       if (pair[i] <= 0) where.at(i).refute("it is not positive");
     }
@@ -376,7 +376,7 @@ void check_beta(examination& e) {
         {"x", "rule", "nodes", "half_width", "supremum", "truncation_error", "integral"});
     const rational& x = is_below ? below : above;
     side["x"].expect_text(x.str());
-    const interval integral = check_integral(side, inverse_root(x), 0);
+    interval integral = check_integral(side, inverse_root(x), 0);
     examination::decimals(side["integral"], [&](long) { return integral; });
     const interval difference = integral - pi(integral.bits()).scaled(1);
     if (is_below ? !difference.is_positive() : !difference.is_negative()) {
@@ -413,7 +413,7 @@ void check_sign_dF_du(examination& e) {
     quadrature.expect_keys(
         {"verdict", "rule", "nodes", "half_width", "supremum", "truncation_error", "value"});
     quadrature["verdict"].expect_text("certified");
-    const interval integral = check_integral(quadrature, slope_integrand(a, b, u), e.input_bits());
+    interval integral = check_integral(quadrature, slope_integrand(a, b, u), e.input_bits());
     const range given = examination::decimals(quadrature["value"], [&](long) { return integral; });
     constexpr long most_quadrature_digits = 1000;
     quadrature["value"]["digits"].expect_whole(std::min(e.digits(), most_quadrature_digits));

@@ -292,7 +292,7 @@ place examination::witness(const std::string& key) {
 
 range examination::bracket(const place& where) {
   where.expect_keys({"lower", "upper"});
-  const range r{where["lower"].fraction(), where["upper"].fraction()};
+  range r{where["lower"].fraction(), where["upper"].fraction()};
   if (bit_length(r.lower) > most_input_bits || bit_length(r.upper) > most_input_bits) {
     where.not_checkable("its ends have too many digits");
   }
@@ -302,7 +302,7 @@ range examination::bracket(const place& where) {
 
 range examination::dyadic_range(const place& where) {
   where.expect_keys({"lower", "upper"});
-  const range r{dyadic(where["lower"]), dyadic(where["upper"])};
+  range r{dyadic(where["lower"]), dyadic(where["upper"])};
   if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
   return r;
 }
@@ -311,7 +311,7 @@ range examination::decimals(const place& where, const std::function<interval(lon
   where.expect_keys({"value", "digits", "lower", "upper"});
   const long digits = where["digits"].whole(1, 1L << 40U);
   if (digits > most_digits) where["digits"].not_checkable("it has too many digits");
-  const range r{where["lower"].decimal_value(), where["upper"].decimal_value()};
+  range r{where["lower"].decimal_value(), where["upper"].decimal_value()};
   if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
   expect_shared(where["value"], r, digits);
   expect_outward(where["lower"], r.lower, digits + 3, rounding::down);

@@ -24,7 +24,7 @@ struct solid_units {
 };
 
 rational positive(section& from, const std::string& key) {
-  const rational value = from.number(key);
+  rational value = from.number(key);
   if (value <= 0)
     from.refuse(key, to_text(value) + " must be positive: a solid has a size and a mass");
   return value;
