@@ -153,8 +153,7 @@ measured_family measured(const cost::hard_family& f, long digits, double allowed
   for (const long k : f.exponents) {
     const cost::quantity q = f.member(k);
     references known(q);
-    for (std::size_t i = 0; i < q.methods.size(); ++i) {
-      const cost::method& m = q.methods[i];
+    for (const cost::method& m : q.methods) {
       if (m.most_digits < digits) continue;
       auto found = std::find_if(result.methods.begin(), result.methods.end(),
                                 [&](const auto& x) { return x.name == m.name; });

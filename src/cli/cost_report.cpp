@@ -403,6 +403,7 @@ std::string as_json(const cost_report& report) {
 
 std::vector<cost_picture> pictures_of(const cost_report& report) {
   std::vector<cost_picture> result;
+  result.reserve(report.quantities.size() + report.families.size() + 2);
   for (const measured_quantity& q : report.quantities) result.push_back(picture_of(q));
   for (const measured_family& f : report.families) result.push_back(picture_of(f));
   const bool has_pair = std::any_of(report.quantities.begin(), report.quantities.end(),
@@ -415,6 +416,7 @@ std::vector<cost_picture> pictures_of(const cost_report& report) {
 std::vector<std::string> picture_names(const std::vector<const cost::quantity*>& quantities,
                                        const std::vector<const cost::hard_family*>& families) {
   std::vector<std::string> result;
+  result.reserve(quantities.size() + families.size() + 2);
   for (const cost::quantity* q : quantities) result.push_back(q->name);
   for (const cost::hard_family* f : families) result.push_back("hard_" + f->name);
   const bool has_pair =
