@@ -219,8 +219,8 @@ std::string results_csv(const std::vector<json>& reports) {
       const std::string verdict = text_or_empty(effect, "verdict");
       if (effect.contains("words")) {
         for (const auto& [key, word] : effect["words"].items()) {
-          result += head + name + ',' + key + ",," + csv_field(word.get<std::string>()) + ",,,," +
-                    verdict + '\n';
+          result += head + fmt::format("{},{},,{},,,,{}\n", name, key,
+                                       csv_field(word.get<std::string>()), verdict);
         }
       }
       if (!effect.contains("numbers")) continue;
