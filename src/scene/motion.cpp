@@ -30,7 +30,22 @@ template <>
 double number_of<double>(const rational& q, precision) {
   return static_cast<double>(q);
 }
-double number_of(const ball& x) { return midpoint(x).convert_to<double>(); }
+template <class T>
+T number_of(const ball& x, precision) {
+  if constexpr (std::same_as<T, ball>) {
+    return x;
+  } else {
+    return midpoint(x).convert_to<T>();
+  }
+}
+template <class T, class From>
+matrix3<T> numbers_of(const matrix3<From>& x, precision p) {
+  matrix3<T> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[i][k] = number_of<T>(x[i][k], p);
+  }
+  return result;
+}
 
 template <class T>
 matrix3<T> product(const matrix3<T>& x, const matrix3<T>& y) {
@@ -162,22 +177,9 @@ template <class T>
 effect_table momentum_table(const effect_context& x, precision p) {
   const motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
-  const matrix3<rational> exact_frame = frame_of(x.what.body);
-  matrix3<T> frame;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) frame[i][k] = number_of<T>(exact_frame[i][k], p);
-  }
-  const ball unit_ball = path.unit().at(p);
-  const ball size_ball = sqrt(ball(path.state().squared_momentum(), p));
-  T unit;
-  T size;
-  if constexpr (std::same_as<T, ball>) {
-    unit = unit_ball;
-    size = size_ball;
-  } else {
-    unit = number_of(unit_ball);
-    size = number_of(size_ball);
-  }
+  const auto frame = numbers_of<T>(frame_of(x.what.body), p);
+  const T unit = number_of<T>(path.unit().at(p), p);
+  const T size = number_of<T>(sqrt(ball(path.state().squared_momentum(), p)), p);
   triple<T> inverse;
   for (std::size_t i = 0; i < 3; ++i)
     inverse[i] = number_of<T>(rational(1 / (*x.what.body.moments)[i]), p);
@@ -207,20 +209,8 @@ template <class T>
 effect_table attitude_table(const effect_context& x, precision p) {
   const motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
-  const matrix3<rational> exact_frame = frame_of(x.what.body);
-  const matrix3<ball> start_ball = attitude_at_0(x.what, path.state(), p);
-  matrix3<T> frame;
-  matrix3<T> start;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      frame[i][k] = number_of<T>(exact_frame[i][k], p);
-      if constexpr (std::same_as<T, ball>) {
-        start[i][k] = start_ball[i][k];
-      } else {
-        start[i][k] = number_of(start_ball[i][k]);
-      }
-    }
-  }
+  const auto frame = numbers_of<T>(frame_of(x.what.body), p);
+  const auto start = numbers_of<T>(attitude_at_0(x.what, path.state(), p), p);
   // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
   const matrix3<T> before = product(start, frame);
   const matrix3<T> after = transposed(frame);

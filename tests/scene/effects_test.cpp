@@ -378,7 +378,7 @@ TEST(Scenes, AllAreRead) {
   EXPECT_GE(scenes, 8);
 }
 
-// 5.38 +- 0.03 and 7.40 +- 0.03 days: Y. Zhao, J. Ji et al., Mon. Not. R. Astron. Soc. 450 (2015) 3620.
+// 5.38 +- 0.03 and 7.40 +- 0.03 days: Y. Zhao, S. Hu, J. Ji, Proc. IAU Symp. 318 (2016) 156.
 TEST(Scenes, ToutatisHasThePublishedPeriods) {
   scene s = read_file(std::filesystem::path(POLHODE_SCENES_DIR) / "toutatis.toml");
   s.want = {"period", "mean_precession", "regime"};
