@@ -164,7 +164,7 @@ effect_result flips(const effect_context& x) {
     for (precision p = shared.precision(); p <= most; p *= 2) {
       const ball t = period(p);
       const ball place = 2 * natural(x, time, p) / t + share(t);
-      if (const auto n = whole(up ? ceil(place) : floor(place))) return n;
+      if (auto n = whole(up ? ceil(place) : floor(place))) return n;
     }
     return std::nullopt;
   };

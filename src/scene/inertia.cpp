@@ -80,7 +80,7 @@ rational_vector eigenvector(const inertia_tensor& t, const rational& value) {
   const std::array<rational_vector, 3> rows{
       {{xx - value, xy, xz}, {xy, yy - value, yz}, {xz, yz, zz - value}}};
   for (std::size_t i = 0; i < 3; ++i) {
-    const rational_vector v = cross(rows[i], rows[(i + 1) % 3]);
+    rational_vector v = cross(rows[i], rows[(i + 1) % 3]);
     if (dot(v, v) != 0) return v;
   }
   throw std::logic_error("an eigenvalue is not simple");

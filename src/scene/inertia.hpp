@@ -43,7 +43,7 @@ struct imported_inertia {
 [[nodiscard]] scene_body read_body(section body, const std::filesystem::path& directory,
                                    std::vector<std::string>& remarks);
 /// [state]
-[[nodiscard]] scene_state read_state(section state, const scene_body& of, scene& whole);
+[[nodiscard]] scene_state read_state(section from, const scene_body& of, scene& whole);
 
 /// The unit under this key, one of those; input_error with the nearest one.
 [[nodiscard]] std::optional<unit> read_unit(section& from, const std::string& key,

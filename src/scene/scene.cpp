@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "arithmetic/quoted.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/nearest_name.hpp"
@@ -34,7 +36,7 @@ std::array<rational, 4> quaternion_of(const std::vector<std::vector<rational>>& 
   const std::array<rational, 4> squares{
       1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
       1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2]};
-  const std::size_t greatest =
+  const auto greatest =
       static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
   const rational wx(m[2][1] - m[1][2]);
   const rational wy(m[0][2] - m[2][0]);
@@ -321,7 +323,8 @@ void read_effects(section from, scene& result) {
   for (const std::string& name : result.want) {
     for (const std::string& needed : closure_of({name})) {
       const std::string what = missing_for(find_effect(needed)->needs, result);
-      if (!what.empty()) from.refuse("want", "the effect \"" + name + "\" needs " + what);
+      if (!what.empty())
+        from.refuse("want", fmt::format(R"(the effect "{}" needs {})", name, what));
     }
   }
 }

@@ -42,7 +42,7 @@ rational_vector positive_vector(section& from, const std::string& key) {
 std::size_t read_axis(section& from) {
   const std::string axis = from.optional_text("axis").value_or("z");
   if (axis != "x" && axis != "y" && axis != "z")
-    from.refuse("axis", "it must be \"x\", \"y\" or \"z\"");
+    from.refuse("axis", R"(it must be "x", "y" or "z")");
   return static_cast<std::size_t>(axis[0] - 'x');
 }
 
@@ -76,7 +76,7 @@ solid read_solid(section from, const solid_units& units) {
   volume.factor *= area * units.length;
   if (from.has("mass") == from.has("density")) {
     from.refuse(from.has("mass") ? "it has a mass and a density; give one"
-                                 : "it has neither \"mass\" nor \"density\"; give one");
+                                 : R"(it has neither "mass" nor "density"; give one)");
   }
   if (from.find("mass")) {
     result.mass = pi_scale{positive(from, "mass"), 0} * units.mass;

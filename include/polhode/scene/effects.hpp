@@ -68,7 +68,7 @@ struct effect_result {
   work_count work;
 
   /// The enclosure of one of its numbers; nothing where it has none of the name.
-  [[nodiscard]] const ball* number(const std::string& name) const;
+  [[nodiscard]] const ball* number(const std::string& wanted) const;
 };
 
 /// The results in the order of closure_of(want), of which `wanted` tells those that were asked for.
