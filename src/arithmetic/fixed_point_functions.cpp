@@ -19,6 +19,7 @@
 #include <gmp.h>
 
 #include "polhode/arithmetic/mpfr_cell.hpp"
+#include "tabulated_functions.hpp"
 
 namespace polhode::detail {
 namespace {
@@ -52,8 +53,13 @@ using double_fraction = limbs<2 * most_limbs + 2>;
 long integer_sqrt(long n) { return static_cast<long>(std::sqrt(static_cast<double>(n))); }
 
 /// Limbs of the fractions for p bits and such guard bits that a function's error is hardly ever too
-/// great for `store`; halving the arguments some sqrt(p)/4 times takes as many pairs of them.
-long limbs_for(mpfr_prec_t p, long more) { return (p + more + 40 + integer_sqrt(p) / 2 + 63) / 64; }
+/// great for `store`; halving the arguments some sqrt(p)/4 times takes as many pairs of them, tables take few.
+long limbs_for(mpfr_prec_t p, long more) {
+  const long by_tables = (p + more + 20 + 63) / 64;
+  if (by_tables <= most_tabulated_limbs) return std::max(by_tables, 2L);
+  return std::max((p + more + 40 + integer_sqrt(p) / 2 + 63) / 64, most_tabulated_limbs + 1);
+}
+bool is_tabulated(long w) { return w <= most_tabulated_limbs; }
 
 /// The results' exponents are far inside MPFR's range, which a caller may have narrowed.
 bool has_wide_range() {
@@ -89,6 +95,9 @@ void on_size(number& x, long w, F&& f) {
   f();
   if (negative) mpn_neg(x.data(), x.data(), w + 1);
 }
+
+/// Bits that are lost when a multiple of log 2, or of pi/4, is taken from |x| < 2^16.
+long bits_of_turns(mpfr_srcptr x) { return std::max<long>(mpfr_get_exp(x), 0); }
 
 /// x = |a|, a number below 2^63 that is cut off behind w limbs.
 void load(number& x, mpfr_srcptr a, mpfr_exp_t exponent, long w) {
@@ -129,19 +138,38 @@ bool store(mpfr_ptr r, number& x, long w, int sign, mpfr_exp_t exponent, std::ui
   return true;
 }
 
-/// A constant in [1/2, 1) as a fraction: log 2, or pi/4.
-struct constant {
-  constant(int (*f)(mpfr_ptr, mpfr_rnd_t), long w) {
+/// A constant in [1/2, 1) as a fraction, cut off: log 2, or pi/4.
+class constant {
+ public:
+  constant(int (*f)(mpfr_ptr, mpfr_rnd_t), const limb* (*tabulated)(long w), long w) {
+    if (is_tabulated(w)) {
+      limbs_ = tabulated(w);
+      return;
+    }
     mpfr_t as_mpfr;
-    mpfr_custom_init_set(as_mpfr, MPFR_ZERO_KIND, 0, 64 * w, value.data());
+    mpfr_custom_init_set(as_mpfr, MPFR_ZERO_KIND, 0, 64 * w, computed_.data());
     f(as_mpfr, MPFR_RNDD);
+    limbs_ = computed_.data();
   }
-  fraction value;
+  constant(const constant&) = delete;
+  constant& operator=(const constant&) = delete;
+  [[nodiscard]] const limb* data() const { return limbs_; }
+  [[nodiscard]] limb operator[](long i) const { return limbs_[i]; }
+
+ private:
+  fraction computed_;
+  const limb* limbs_;
+};
+struct log_2 : constant {
+  explicit log_2(long w) : constant(mpfr_const_log2, tabulated_log_2, w) {}
+};
+struct quarter_pi : constant {
+  explicit quarter_pi(long w) : constant(mpfr_const_pi, tabulated_quarter_pi, w) {}
 };
 
 /// x = n c + rest with 0 <= rest < c for a number 0 <= x < 2^16 and a fraction c >= 1/2. x becomes the
 /// rest. Exact but for what c is cut off, n units.
-std::uint64_t reduce(number& x, const fraction& c, long w) {
+std::uint64_t reduce(number& x, const constant& c, long w) {
   const uint128 top = (uint128{x[w]} << 64) | x[w - 1];
   auto n = static_cast<std::uint64_t>(top / c[w - 1]);  // or one more or less
   x[w] -= mpn_submul_1(x.data(), c.data(), w, n);
@@ -262,6 +290,7 @@ void sum_series(number& sum, series s, const limb* z, long w, long terms) {
 /// An error above e^t - 1 <= 1 - 2^-64 w would be one of a sum that overflows: but the steps are
 /// cut off downwards, as is the series, whose terms are positive, so that m stays below its true value.
 std::uint64_t expm1_of_fraction(fraction& m, const limb* t, long w) {
+  if (is_tabulated(w)) return tabulated_expm1(m.data(), t, w);
   const long r = std::min(integer_sqrt(64 * w) / 2 + 2, 31L);
   mpn_rshift(m.data(), t, w, static_cast<unsigned>(r));
   number sum;
@@ -316,7 +345,7 @@ std::uint64_t versine_of_fraction(fraction& v, const limb* t, long w) {
 /// the sum of the true and the computed root, which is above 1.5 s, and one more for cutting off. If t
 /// has `zeros` zeros in front then s > 0.9 t > 2^(-zeros - 1.16), and the error is less than
 /// (2 units + 2) 2^(zeros + 1.16) / 1.5 + 1 < (units + 1) 2^(zeros + 2).
-std::uint64_t sine_from_versine(fraction& s, const fraction& v, std::uint64_t units, long zeros,
+std::uint64_t sine_from_versine(limb* s, const fraction& v, std::uint64_t units, long zeros,
                                 long w) {
   double_fraction square_of_s;
   fraction v2;
@@ -325,7 +354,7 @@ std::uint64_t sine_from_versine(fraction& s, const fraction& v, std::uint64_t un
   limb* const top = square_of_s.data() + w;
   mpn_lshift(top, v.data(), w, 1);
   mpn_sub_n(top, top, v2.data(), w);
-  mpn_sqrtrem(s.data(), nullptr, square_of_s.data(), 2 * w);
+  mpn_sqrtrem(s, nullptr, square_of_s.data(), 2 * w);
   return (units + 1) << (zeros + 2);
 }
 
@@ -459,21 +488,22 @@ bool difference(fraction& num, const limb* x, const limb* y, long w) {
 // ---------------------------------------------------------------------------------------------
 
 bool near_exp(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
-  const long w = limbs_for(mpfr_get_prec(r), 0);
-  if (w > most_limbs || mpfr_regular_p(x) == 0 || mpfr_get_exp(x) > range_log2 ||
-      mpfr_get_exp(x) < -64 || !has_wide_range()) {
+  if (mpfr_regular_p(x) == 0 || mpfr_get_exp(x) > range_log2 || mpfr_get_exp(x) < -64 ||
+      !has_wide_range()) {
     return false;
   }
+  const long w = limbs_for(mpfr_get_prec(r), bits_of_turns(x));
+  if (w > most_limbs) return false;
   // |x| = n log 2 + t, cut off by one unit, with an error of n units; for x < 0 the next multiple.
   number t;
   load(t, x, mpfr_get_exp(x), w);
-  const constant log2(mpfr_const_log2, w);
-  const std::uint64_t n = reduce(t, log2.value, w);
+  const log_2 log2(w);
+  const std::uint64_t n = reduce(t, log2, w);
   auto exponent = static_cast<mpfr_exp_t>(n);
   if (mpfr_sgn(x) < 0) {
     exponent = -exponent;
     if (mpn_zero_p(t.data(), w) == 0) {
-      mpn_sub_n(t.data(), log2.value.data(), t.data(), w);
+      mpn_sub_n(t.data(), log2.data(), t.data(), w);
       --exponent;
     }
   }
@@ -497,14 +527,14 @@ bool near_hyperbolic(mpfr_ptr r, mpfr_srcptr x, magnitude& error, bool sine) {
   if (mpfr_regular_p(x) == 0) return false;
   const mpfr_exp_t exponent = mpfr_get_exp(x);
   const long in_common = sine ? std::max<long>(0, -static_cast<long>(exponent)) : 0;
-  const long w = limbs_for(mpfr_get_prec(r), in_common);
+  const long w = limbs_for(mpfr_get_prec(r), in_common + bits_of_turns(x));
   if (w > most_limbs || exponent > range_log2 || exponent < least_exponent || !has_wide_range()) {
     return false;
   }
   number t;
   load(t, x, exponent, w);
-  const constant log2(mpfr_const_log2, w);
-  const std::uint64_t n = reduce(t, log2.value, w);
+  const log_2 log2(w);
+  const std::uint64_t n = reduce(t, log2, w);
   fraction m;
   const std::uint64_t units = expm1_of_fraction(m, t.data(), w) + 2 * (n + 2) + 1;
   number value;
@@ -560,6 +590,24 @@ bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   number f;
   load(f, x, 1, w);
   f[w] = 0;
+  const auto turns = static_cast<limb>(e < 0 ? -e : e);
+  // value = log(1 + f), and e log 2 is added.
+  const auto finish = [&](number& value, std::uint64_t units) {
+    const log_2 log2(w);
+    if (e < 0) {
+      value[w] -= mpn_submul_1(value.data(), log2.data(), w, turns);
+    } else {
+      value[w] += mpn_addmul_1(value.data(), log2.data(), w, turns);
+    }
+    const bool negative = is_negative(value, w);
+    if (negative) mpn_neg(value.data(), value.data(), w + 1);
+    return store(r, value, w, negative ? -1 : 1, 0, units + turns, error);
+  };
+  if (is_tabulated(w)) {
+    number value;
+    const auto units = tabulated_log1p(value.data(), f.data(), w);
+    return units && finish(value, *units);
+  }
   // log(1 + f) = l + 2 atanh((1 + f - e^l) / (1 + f + e^l)).
   fraction l{};
   l[w - 1] = std::min(first_logarithm(f[w - 1]), first_logarithms[64] - 1);
@@ -582,16 +630,7 @@ bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
       mpn_add_n(value.data(), value.data(), correction.data(), w + 1);
     }
   }
-  const constant log2(mpfr_const_log2, w);
-  const auto turns = static_cast<limb>(e < 0 ? -e : e);
-  if (e < 0) {
-    value[w] -= mpn_submul_1(value.data(), log2.value.data(), w, turns);
-  } else {
-    value[w] += mpn_addmul_1(value.data(), log2.value.data(), w, turns);
-  }
-  const bool negative = is_negative(value, w);
-  if (negative) mpn_neg(value.data(), value.data(), w + 1);
-  return store(r, value, w, negative ? -1 : 1, 0, 2 * units + 6 + turns, error);
+  return finish(value, 2 * units + 6);
 }
 
 near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude& sine_error,
@@ -602,34 +641,43 @@ near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude&
       !has_wide_range()) {
     return found;
   }
-  const long w = limbs_for(mpfr_get_prec(either), 2 * std::max<long>(-mpfr_get_exp(x), 0));
+  const long small = std::max<long>(-mpfr_get_exp(x), 0);
+  long w = limbs_for(mpfr_get_prec(either), small + bits_of_turns(x));
+  if (!is_tabulated(w)) w = limbs_for(mpfr_get_prec(either), 2 * small);
   if (w > most_limbs) return found;
   // |x| = n pi/4 + t, cut off by one unit, with an error of n units.
   number t;
   load(t, x, mpfr_get_exp(x), w);
-  const constant eighth(mpfr_const_pi, w);
-  const std::uint64_t n = reduce(t, eighth.value, w);
+  const quarter_pi eighth(w);
+  const std::uint64_t n = reduce(t, eighth, w);
   // |x| = quarters * pi/2 + t, or - t.
   const std::uint64_t quarters = (n + 1) / 2;
   const bool minus = n % 2 != 0;
-  if (minus) mpn_sub_n(t.data(), eighth.value.data(), t.data(), w);
+  if (minus) mpn_sub_n(t.data(), eighth.data(), t.data(), w);
+  const bool tabulated = is_tabulated(w);
+  number sine_of_t;
+  number cosine_of_t;
   fraction v;
-  const std::uint64_t versine_units = versine_of_fraction(v, t.data(), w);
+  const std::uint64_t first_units =
+      tabulated ? tabulated_sin_cos(sine_of_t.data(), cosine_of_t.data(), t.data(), w)
+                : versine_of_fraction(v, t.data(), w);
   // By the quadrant: sin, cos, -sin, -cos (of t, or of -t) for the sine of |x|, and one on for the cosine.
   const auto set = [&](mpfr_ptr r, std::uint64_t quadrant, bool negated, magnitude& error) {
-    number value{};
-    std::uint64_t units = versine_units;
+    std::uint64_t units = first_units;
     bool negative = negated != (quadrant % 4 >= 2);
-    if (quadrant % 2 == 0) {
-      const long zeros = leading_zeros(t.data(), w);
-      if (zeros > range_log2) return false;
-      fraction s;
-      units = sine_from_versine(s, v, versine_units, zeros, w);
-      mpn_copyi(value.data(), s.data(), w);
+    const bool by_sine = quadrant % 2 == 0;
+    number& value = by_sine ? sine_of_t : cosine_of_t;
+    if (by_sine) {
+      if (!tabulated) {
+        const long zeros = leading_zeros(t.data(), w);
+        if (zeros > range_log2) return false;
+        units = sine_from_versine(value.data(), v, first_units, zeros, w);
+      }
+      value[w] = 0;
       negative = negative != minus;
-    } else {
-      value[w] = 1;
-      value[w] -= mpn_sub_n(value.data(), value.data(), v.data(), w);
+    } else if (!tabulated) {
+      mpn_zero(value.data(), w);
+      value[w] = 1 - mpn_sub_n(value.data(), value.data(), v.data(), w);
     }
     return store(r, value, w, negative ? -1 : 1, 0, units + n + 2, error);
   };
@@ -645,6 +693,39 @@ bool near_cos(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   return near_sin_cos(nullptr, r, x, error, error).cosine;
 }
 
+namespace {
+/// near_atan by tables: |x| = a/b with b = 1, or a = 2^-e and b = |x| 2^-e in [1/2, 1) for |x| >= 1, where atan |x| = pi/2 - atan(1/|x|).
+/// |x| or b may be cut off by less than a unit, which changes the angle by less than one: |d atan(a/b)| <= |da|/b for b = 1, and
+/// a/(a^2 + b^2) |db| <= |db|/(2b) <= |db|.
+bool tabulated_arctangent(mpfr_ptr r, mpfr_srcptr x, long w, magnitude& error) {
+  const mpfr_exp_t e = mpfr_get_exp(x);
+  const bool steep = e > 0;
+  number size;
+  load(size, x, steep ? 0 : e, w);
+  number other;
+  mpn_zero(other.data(), w + 1);
+  if (steep) {
+    other[w - 1] = limb{1} << (64 - e);
+  } else {
+    other[w] = 1;
+  }
+  number value;
+  const auto found = tabulated_atan(value.data(), steep ? other.data() : size.data(),
+                                    steep ? size.data() : other.data(), w);
+  if (!found) return false;
+  std::uint64_t units = *found + 1;
+  value[w] = 0;
+  if (steep) {
+    const quarter_pi eighth(w);
+    number half;
+    half[w] = mpn_lshift(half.data(), eighth.data(), w, 1);
+    mpn_sub_n(value.data(), half.data(), value.data(), w + 1);
+    units += 2;
+  }
+  return store(r, value, w, mpfr_sgn(x), 0, units, error);
+}
+}  // namespace
+
 bool near_atan(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   if (mpfr_regular_p(x) == 0 || mpfr_get_exp(x) > range_log2 || mpfr_get_exp(x) < -range_log2 ||
       !has_wide_range()) {
@@ -652,6 +733,10 @@ bool near_atan(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   }
   const mpfr_exp_t e = mpfr_get_exp(x);
   const bool steep = e > 0;  // |x| >= 1: atan |x| = pi/2 - atan(1 / |x|)
+  if (const long w = limbs_for(mpfr_get_prec(r), steep ? 0 : -static_cast<long>(e));
+      is_tabulated(w)) {
+    return tabulated_arctangent(r, x, w, error);
+  }
   const long w = limbs_for(mpfr_get_prec(r), steep ? 0 : -2 * static_cast<long>(e));
   if (w > most_limbs) return false;
   // tan(angle) = a / b: a = |x|, b = 1, or a = 2^-e, b = |x| 2^-e in [1/2, 1).
@@ -671,7 +756,7 @@ bool near_atan(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   fraction v;
   fraction s;
   const std::uint64_t cosine_units = versine_of_fraction(v, first.data(), w);
-  const std::uint64_t sine_units = sine_from_versine(s, v, cosine_units, zeros, w);
+  const std::uint64_t sine_units = sine_from_versine(s.data(), v, cosine_units, zeros, w);
   fraction c;
   mpn_neg(c.data(), v.data(), w);  // v > 0
   fraction num;
@@ -705,9 +790,9 @@ bool near_atan(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   // b cos >= 0.35, so that the quotient is by three times that for num, and 2^-49 of it for den.
   std::uint64_t units = 3 * (cosine_units + sine_units + 3) + 3 + 1;
   if (steep) {
-    const constant eighth(mpfr_const_pi, w);
+    const quarter_pi eighth(w);
     number half{};
-    half[w] = mpn_lshift(half.data(), eighth.value.data(), w, 1);
+    half[w] = mpn_lshift(half.data(), eighth.data(), w, 1);
     mpn_sub_n(value.data(), half.data(), value.data(), w + 1);
     units += 2;
   }
