@@ -151,8 +151,11 @@ class constant {
     f(as_mpfr, MPFR_RNDD);
     limbs_ = computed_.data();
   }
-  constant(const constant&) = delete;
+  constant(const constant&) = delete;  // limbs_ may point into it
+  constant(constant&&) = delete;
   constant& operator=(const constant&) = delete;
+  constant& operator=(constant&&) = delete;
+  ~constant() = default;
   [[nodiscard]] const limb* data() const { return limbs_; }
   [[nodiscard]] limb operator[](long i) const { return limbs_[i]; }
 

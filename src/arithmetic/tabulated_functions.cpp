@@ -253,7 +253,7 @@ std::uint64_t sin_cos_at(limb* s, limb* c, const limb* t) {
 /// The whole number k for which (1 + f) k/256 is near 1, for f from j/128 to (j + 1)/128.
 constexpr std::array<limb, 128> inverses = [] {
   std::array<limb, 128> result{};
-  for (limb j = 0; j < 128; ++j) result[j] = (2 * 65536 / (257 + 2 * j) + 1) / 2;
+  for (limb j = 0; j < 128; ++j) result[j] = ((limb{1} << 17) / (257 + 2 * j) + 1) / 2;
   return result;
 }();
 

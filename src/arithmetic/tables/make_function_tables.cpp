@@ -11,8 +11,7 @@
 
 namespace {
 
-constexpr int limb_count = 8;
-constexpr mpfr_prec_t bits = 64 * limb_count;
+constexpr mpfr_prec_t bits = 512;
 
 using setter = std::function<void(mpfr_ptr value, unsigned long i)>;
 
@@ -28,7 +27,7 @@ void write(std::FILE* file, const char* name, unsigned long size, const setter& 
     mpfr_mul_2si(value, value, bits, MPFR_RNDZ);  // exact
     mpfr_get_z(whole, value, MPFR_RNDZ);
     std::fprintf(file, "  {{");
-    for (int k = 0; k < limb_count; ++k) {
+    for (int k = 0; k < bits / 64; ++k) {
       std::fprintf(file, "%s0x%016" PRIx64, k == 0 ? "" : ", ",
                    static_cast<std::uint64_t>(mpz_getlimbn(whole, k)));
     }
