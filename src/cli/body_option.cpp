@@ -99,7 +99,7 @@ constexpr std::array<body_option_text, 4> body_options{
      {"--moments", "The body by its principal moments of inertia, in any order and unit",
       "IX,IY,IZ"},
      {"--rotational",
-      "The body by its rotational constants, in any order and unit: moments as 1/A, 1/B, 1/C",
+      "The body by its rotational constants, in any order and unit:\nmoments as 1/A, 1/B, 1/C",
       "A,B,C"},
      {"--body", "The body in a JSON file: ab, moments (and sigma), rotational or tensor", "FILE"}}};
 

@@ -209,8 +209,7 @@ exit_status run(const cost_options& options) {
   if (options.directory) {
     std::vector<std::string> files{"cost.csv", "cost.json"};
     if (!options.data_only) {
-      (void)run_gnuplot("set terminal svg\nset terminal pngcairo\nset print '-'\nprint 1\n",
-                        "--data-only");
+      require_gnuplot("give --data-only");
       for (const std::string& name : picture_names(quantities, families)) {
         files.push_back(name + ".svg");
         files.push_back(name + ".png");
@@ -242,13 +241,13 @@ exit_status run(const cost_options& options) {
               run_gnuplot(
                   "set terminal svg size 1200,600 font 'Helvetica,13' background 'white'\n" +
                       p.program,
-                  "--data-only"));
+                  "give --data-only"));
           directory->write(
               p.name + ".png",
               run_gnuplot(
                   "set terminal pngcairo size 1600,800 font 'Sans,13' background 'white'\n" +
                       p.program,
-                  "--data-only"));
+                  "give --data-only"));
         }
       }
       directory->publish();

@@ -178,14 +178,14 @@ std::function<exit_status()> declare(CLI::App& app) {
 }  // namespace
 
 command curve_command() {
-  return {"curve", "Follow the curve C of the tennis racket effect, epsilon(c), beside S",
-          "  polhode curve --ab 12.65,0.0629\n"
-          "  polhode curve --ab 18.27,0.0629 --points 1000 --format svg > curve.svg\n"
-          "  polhode curve --moments 3,2,1 --c -0.1..0.1 --format json\n\n"
-          "Every epsilon is certified. S is the curve of the turning points, c = -b sin^2 epsilon, "
-          "where c <= 0.\n"
-          "gnuplot draws the picture.\n",
-          declare};
+  return {
+      "curve", "Follow the curve C of the tennis racket effect, epsilon(c), beside S",
+      "  polhode curve --ab 12.65,0.0629\n"
+      "  polhode curve --ab 18.27,0.0629 --points 1000 --format svg > curve.svg\n"
+      "  polhode curve --moments 3,2,1 --c -0.1..0.1 --format json\n\n"
+      "Every epsilon is certified. S is the curve of the turning points, c = -b sin^2 epsilon,\n"
+      "where c <= 0. gnuplot draws the picture.\n",
+      declare};
 }
 
 }  // namespace polhode::cli

@@ -125,7 +125,7 @@ std::string draw(const figure& f, const figure_content& content, const std::stri
                            title.empty() ? "notitle" : "title \"" + title + '"');
     }
   }
-  return run_gnuplot(program + plots + '\n', "--data-only");
+  return run_gnuplot(program + plots + '\n', "give --data-only");
 }
 
 }  // namespace polhode::cli

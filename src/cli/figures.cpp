@@ -74,12 +74,6 @@ std::string list_of(const std::vector<const figure*>& figures) {
                rows);
 }
 
-/// Throws output_error where gnuplot does not start or cannot write both kinds of picture.
-void require_gnuplot() {
-  (void)run_gnuplot("set terminal svg\nset terminal pngcairo\nset print '-'\nprint 1\n",
-                    "--data-only");
-}
-
 exit_status run(const figures_options& options) {
   const std::vector<const figure*> figures = selected_figures(options);
   const long digits = options.digits.value();
@@ -92,7 +86,7 @@ exit_status run(const figures_options& options) {
   options.memory_limit.check({fmt::format("{} figures with {} digits", figures.size(), digits),
                               points * bytes_per_digit * static_cast<double>(figures.size()) *
                                   static_cast<double>(digits)});
-  if (!options.data_only) require_gnuplot();
+  if (!options.data_only) require_gnuplot("give --data-only");
 
   std::vector<std::string> names;
   for (const figure* f : figures) {

@@ -40,7 +40,7 @@ class nameless_file {
 
 }  // namespace
 
-std::string run_gnuplot(const std::string& program, const std::string& option_without) {
+std::string run_gnuplot(const std::string& program, const std::string& way_without) {
   const nameless_file in;
   const nameless_file out;
   if (const int error = write_all(in.descriptor(), program); error != 0) {
@@ -61,16 +61,21 @@ std::string run_gnuplot(const std::string& program, const std::string& option_wi
   posix_spawn_file_actions_destroy(&actions);
   if (error != 0) {
     throw output_error("gnuplot, which draws the picture, does not start: " +
-                       system_message(error) + "; install it, or give " + option_without);
+                       system_message(error) + "; install it, or " + way_without);
   }
   int state = 0;
   while (waitpid(process, &state, 0) < 0 && errno == EINTR) {
   }
   std::string picture = out.contents();
   if (!WIFEXITED(state) || WEXITSTATUS(state) != 0 || picture.empty()) {
-    throw output_error("gnuplot did not draw the picture; give " + option_without);
+    throw output_error("gnuplot did not draw the picture; " + way_without);
   }
   return picture;
+}
+
+void require_gnuplot(const std::string& way_without) {
+  (void)run_gnuplot("set terminal svg\nset terminal pngcairo\nset print '-'\nprint 1\n",
+                    way_without);
 }
 
 }  // namespace polhode::cli

@@ -138,8 +138,8 @@ std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<phase_options>();
   options->which.declare(app);
   app.add_option("--c", options->c,
-                 "The motion: c = 2 I_y H/J^2 - 1, from -b to a; oscillating below 0, rotating\n"
-                 "above")
+                 "The motion: c = 2 I_y H/J^2 - 1, from -b to a; oscillating below 0,\n"
+                 "rotating above")
       ->type_name("C");
   app.add_flag("--excess", options->excess,
                "Print by how much the phase is above its greatest lower bound, too");

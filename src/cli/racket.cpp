@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "count_option.hpp"
 #include "exact_decimals.hpp"
+#include "layout.hpp"
 #include "memory_limit.hpp"
 #include "motion_option.hpp"
 #include "options.hpp"
@@ -129,9 +130,15 @@ std::string text_of(const answer& a, long digits) {
                         a.intersections.str(), a.crossings.str());
   for (const meeting& m : a.meetings) {
     if (m.verdict != status::certified) continue;
-    result += is_intersection(m) ? fmt::format("meets S at c = {}, epsilon = {}\n", decimals(m.c),
-                                               decimals(m.epsilon))
-                                 : fmt::format("crosses pi/2 at c = {}\n", decimals(m.c));
+    const std::string at =
+        (is_intersection(m) ? "meets S at c = " : "crosses pi/2 at c = ") + decimals(m.c);
+    result += at;
+    if (is_intersection(m)) {
+      const std::string epsilon = "epsilon = " + decimals(m.epsilon);
+      const bool fits = at.size() + 2 + epsilon.size() <= terminal_columns;
+      result += (fits ? ", " : "\n        ") + epsilon;
+    }
+    result += '\n';
   }
   const integer more = a.meeting_count - integer(a.meetings.size());
   if (more > 0) result += fmt::format("and {} more, not listed (--meetings N)\n", more.str());
@@ -141,7 +148,7 @@ std::string text_of(const answer& a, long digits) {
     result += fmt::format("{}, branch {}\n", to_text(a.at_c.motion), a.at_c.branch.str());
   }
   for (const auto& [what, why] : failures_of(a)) {
-    result += fmt::format("not certified to {} digits: {} ({})\n", digits, what, why);
+    result += fmt::format("not certified to {} digits: {}\n  ({})\n", digits, what, why);
   }
   return result;
 }

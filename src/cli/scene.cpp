@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "gnuplot.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "output_directory.hpp"
@@ -40,8 +41,8 @@ struct scene_options {
 /// One point of one scene: all that is computed at once, and kept in one file.
 struct job {
   std::string file;
-  std::string text;
-  std::string stem;  // of the names of its files
+  std::shared_ptr<const std::string> text;  // of all points of a sweep
+  std::string stem;                         // of the names of its files
   sweep_point point;
   std::string digest;
 };
@@ -59,7 +60,7 @@ std::string hexadecimal(const sha256_digest& digest) {
 
 /// Everything that the results depend on.
 std::string digest_of(const scene_options& options, const job& one, const scene& what) {
-  std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + one.text + '\n' +
+  std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + *one.text + '\n' +
                     options.plot.value_or("") + (options.page ? "page" : "");
   for (const auto& [key, value] : one.point) all += '\n' + key + '=' + to_text(value);
   if (what.body.file) all += '\n' + read_text_file(*what.body.file);
@@ -79,7 +80,7 @@ auto reading(const std::string& file, const F& read) {
 scene scene_of(const job& one) {
   const std::map<std::string, rational> replaced(one.point.begin(), one.point.end());
   return reading(one.file,
-                 [&] { return read_scene(one.text, fs::path(one.file).parent_path(), replaced); });
+                 [&] { return read_scene(*one.text, fs::path(one.file).parent_path(), replaced); });
 }
 
 /// All points of a sweep, the last key fastest; one without a point where there is no sweep.
@@ -99,8 +100,19 @@ std::vector<sweep_point> points_of(const scene& what) {
   return result;
 }
 
-void check_memory(const scene_options& options, const scene& what) {
+/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and as text, in JSON.
+class memory_of_reports {
+ public:
+  void add(const scene_options& options, const scene& what);
+
+ private:
+  double numbers_ = 0;
+  double bytes_ = 0;
+};
+
+void memory_of_reports::add(const scene_options& options, const scene& what) {
   constexpr double bytes_per_digit = 60;
+  constexpr double bytes_per_number = 1500;
   const auto digits = static_cast<double>(what.digits);
   double numbers = 40;
   for (const std::string& name : what.want) {
@@ -108,18 +120,21 @@ void check_memory(const scene_options& options, const scene& what) {
       numbers += 3 * static_cast<double>(what.points);
     if (name == "intersections") numbers += 6 * static_cast<double>(what.listed);
     if (what.time && (name == "momentum" || name == "attitude"))
-      numbers += 20 * static_cast<double>(what.time->samples);
+      numbers += 7 * static_cast<double>(what.time->samples);
   }
-  options.memory_limit.check({fmt::format("{} digits of some {} numbers", what.digits, numbers),
-                              numbers * (digits + 40) + bytes_per_digit * digits});
+  numbers_ += numbers;
+  bytes_ += numbers * (bytes_per_number + 5 * digits) + bytes_per_digit * digits;
+  options.memory_limit.check({fmt::format("some {} numbers", numbers_), bytes_});
 }
 
 /// Reads and checks everything, so that a fault in the last file is found before the first is computed.
 std::vector<job> jobs_of(const scene_options& options) {
   std::vector<job> jobs;
   std::set<std::string> stems;
+  memory_of_reports memory;
   for (const std::string& file : options.files) {
-    const std::string text = reading(file, [&] { return read_text_file(file); });
+    const auto text =
+        std::make_shared<const std::string>(reading(file, [&] { return read_text_file(file); }));
     const job whole{file, text, fs::path(file).stem().string(), {}, ""};
     const auto take_name = [&](const std::string& stem) {
       if (!options.out || stems.insert(stem).second) return;
@@ -129,7 +144,6 @@ std::vector<job> jobs_of(const scene_options& options) {
                       in_quotes(file), in_quotes(stem)));
     };
     const scene what = scene_of(whole);
-    check_memory(options, what);
     const std::vector<sweep_point> points = points_of(what);
     jobs.reserve(jobs.size() + points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -138,7 +152,7 @@ std::vector<job> jobs_of(const scene_options& options) {
       if (!one.point.empty()) one.stem += fmt::format("-{:04}", k + 1);
       take_name(one.stem);
       const scene at_point = one.point.empty() ? what : scene_of(one);
-      check_memory(options, at_point);
+      memory.add(options, at_point);
       one.digest = digest_of(options, one, at_point);
       jobs.push_back(std::move(one));
     }
@@ -154,8 +168,12 @@ std::optional<json> kept_report(const std::string& directory, const job& one) {
     std::ifstream file(path, std::ios::binary);
     json report = json::parse(file);
     const bool is_whole = report.contains("effects") && report.contains("verdict");
-    if (is_whole && report.at("digest") == one.digest) return report;
-  } catch (const json::exception&) {  // of something else
+    if (!is_whole || report.at("digest") != one.digest) return std::nullopt;
+    if (!fs::is_regular_file(fs::path(directory) / (one.stem + ".txt"))) return std::nullopt;
+    (void)scene_text(report);  // all that will be read of it
+    (void)results_csv({report});
+    return report;
+  } catch (const json::exception&) {  // of something else, or damaged
   }
   return std::nullopt;
 }
@@ -222,12 +240,15 @@ exit_status run(const scene_options& options) {
     throw usage_error("--plot and --page write files: give --out DIR, too");
   }
   const std::vector<job> jobs = jobs_of(options);
-  const progress line;
+  if (options.plot) require_gnuplot("leave out --plot");
+  // Before anything is computed: whether the table of results can be written.
+  if (options.out) output_directory(*options.out, {"results.csv"});
+  std::optional<progress> line(std::in_place);
   std::vector<json> reports;
   reports.reserve(jobs.size());
   std::size_t kept = 0;
   for (const job& one : jobs) {
-    line.show(fmt::format("{} ({}/{})", one.stem, reports.size() + 1, jobs.size()));
+    line->show(fmt::format("{} ({}/{})", one.stem, reports.size() + 1, jobs.size()));
     if (options.out) {
       if (auto report = kept_report(*options.out, one)) {
         ++kept;
@@ -240,6 +261,7 @@ exit_status run(const scene_options& options) {
     reports.push_back(scene_json(what, results, one.file, one.point, one.digest));
     if (options.out) write_job(options, one, what, reports.back(), results);
   }
+  line.reset();
   if (options.out) {
     output_directory out(*options.out, {"results.csv"});
     out.write("results.csv", results_csv(reports));
@@ -247,7 +269,7 @@ exit_status run(const scene_options& options) {
     std::string summary;
     for (const json& report : reports) {
       if (!is_certified(report))
-        summary += fmt::format("{}: not certified\n", report["file"].get<std::string>());
+        summary += fmt::format("{}: not certified\n", in_quotes(report["file"].get<std::string>()));
     }
     print(summary + fmt::format("{} scenes and points in {}: {} computed, {} kept from before\n",
                                 jobs.size(), *options.out, jobs.size() - kept, kept));

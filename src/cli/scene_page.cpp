@@ -177,7 +177,7 @@ std::string scene_plot(const std::string& title, const effect_table& table,
     }
     program += plots + '\n';
   }
-  return run_gnuplot(program + "unset multiplot\n");
+  return run_gnuplot(program + "unset multiplot\n", "leave out --plot");
 }
 
 }  // namespace polhode::cli

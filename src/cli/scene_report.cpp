@@ -89,6 +89,12 @@ std::string text_or_empty(const json& from, const char* key) {
   return from.contains(key) && from[key].is_string() ? from[key].get<std::string>() : "";
 }
 
+/// 1.5...e-13.
+std::string with_dots(const std::string& value) {
+  const auto exponent = std::min(value.find('e'), value.size());
+  return value.substr(0, exponent) + "..." + value.substr(exponent);
+}
+
 std::string decimals_of(const json& number) {
   if (number.contains("range"))
     return fmt::format("from {} to {}", text_or_empty(number, "lower"),
@@ -98,20 +104,24 @@ std::string decimals_of(const json& number) {
     const std::string quotient = text_or_empty(number, "rational");
     constexpr std::size_t longest = 40;
     if (number.contains("lower") && number["lower"] == number["value"]) return value;
-    return (quotient.size() <= longest ? quotient + " = " : "") + value + "...";
+    return (quotient.empty() || quotient.size() > longest ? "" : quotient + " = ") +
+           with_dots(value);
   }
-  const auto exponent = value.find('e');
-  if (value.empty())
+  // A number just at a power of ten may be narrow without many certain digits.
+  constexpr long enough = 3;
+  if (value.empty() ||
+      number.value("digits", enough) < std::min(enough, number.value("digits_asked", enough)))
     return fmt::format("[{}, {}]", text_or_empty(number, "lower"), text_or_empty(number, "upper"));
-  if (exponent == std::string::npos) return value + "...";
-  return value.substr(0, exponent) + "..." + value.substr(exponent);
+  return with_dots(value);
 }
 
 std::string point_text(const json& report) {
   std::string result;
   if (!report.contains("point")) return result;
   for (const auto& [key, number] : report["point"].items()) {
-    result += (result.empty() ? "" : "; ") + key + " = " + text_or_empty(number, "rational");
+    const std::string quotient = text_or_empty(number, "rational");
+    result += (result.empty() ? "" : "; ") + key + " = " +
+              (quotient.empty() ? decimals_of(number) : quotient);
   }
   return result;
 }
@@ -249,6 +259,10 @@ std::string table_csv(const effect_table& table) {
     for (const ball& x : table.rows[i]) {
       if (!table.certified) {
         result += fmt::format(",{}", as_double(x));
+        continue;
+      }
+      if (!x.is_bounded()) {
+        result += ",,,";
         continue;
       }
       const decimal_enclosure d = to_decimal_enclosure(x, table.digits);

@@ -13,8 +13,19 @@ namespace polhode::detail {
 namespace {
 
 /// What there is to say where nothing is periodic.
-void remark_unless_periodic(effect_result& result, regime motion, const char* what) {
-  if (motion == regime::separatrix) {
+/// Exactly about the intermediate axis, where that is known.
+bool is_on_middle_axis(const effect_context& x) {
+  if (x.motion() != regime::separatrix || !x.what.state->momentum) return false;
+  const auto& j = *x.what.state->momentum;
+  return j[0] == 0 && j[2] == 0;
+}
+constexpr const char* middle_axis = "exactly about the intermediate axis: an unstable equilibrium";
+
+void remark_unless_periodic(effect_result& result, const effect_context& x, const char* what) {
+  const regime motion = x.motion();
+  if (is_on_middle_axis(x)) {
+    result.remarks.push_back(std::string(middle_axis) + ", and there is no " + what);
+  } else if (motion == regime::separatrix) {
     result.remarks.push_back(std::string("on the separatrix ") + what + " is infinite");
   } else if (!is_periodic(motion)) {
     result.remarks.push_back(to_text(motion) +
@@ -54,17 +65,13 @@ effect_result regime_effect(const effect_context& x) {
   effect_result result;
   result.words = {{"regime", to_text(x.motion())}};
   add_exact(result, "c", x.c());
-  if (x.what.state->momentum && x.motion() == regime::separatrix) {
-    const auto& j = *x.what.state->momentum;
-    if (j[0] == 0 && j[2] == 0)
-      result.remarks.emplace_back("exactly about the intermediate axis: an unstable equilibrium");
-  }
+  if (is_on_middle_axis(x)) result.remarks.emplace_back(middle_axis);
   return result;
 }
 
 effect_result period(const effect_context& x) {
   effect_result result;
-  remark_unless_periodic(result, x.motion(), "period");
+  remark_unless_periodic(result, x, "period");
   if (!is_periodic(x.motion())) return result;
   const long digits = x.working_digits();
   const ball natural =
@@ -83,7 +90,7 @@ effect_result period(const effect_context& x) {
 
 effect_result montgomery_phase_effect(const effect_context& x) {
   effect_result result;
-  remark_unless_periodic(result, x.motion(), "phase");
+  remark_unless_periodic(result, x, "phase");
   if (!is_periodic(x.motion())) return result;
   const certain_number phase = montgomery_phase_to_digits(x.rigid(), x.c(), x.working_digits());
   add(result, "phase", phase, "rad");
@@ -119,9 +126,10 @@ effect_result mean_precession(const effect_context& x) {
                            : motion == regime::equilibrium_z ? 1 + x.rigid().a()
                                                              : rational(1));
     rate = ball(natural, p) / unit_of_time;
-    result.remarks.push_back(motion == regime::separatrix
-                                 ? "on the separatrix: the limit for long times"
-                                 : to_text(motion) + ": the rate of rotation");
+    result.remarks.push_back(
+        is_on_middle_axis(x)           ? std::string(middle_axis) + ": the rate of rotation"
+        : motion == regime::separatrix ? "on the separatrix: the limit for long times"
+                                       : to_text(motion) + ": the rate of rotation");
   }
   add(result, "rate", rate, per_time);
   add(result, "precession_period", 2 * pi(p) / rate, x.what.time_unit.name);

@@ -117,12 +117,17 @@ class motion {
 
   [[nodiscard]] const initial_state& state() const { return state_; }
   [[nodiscard]] const pi_scale& unit() const { return unit_; }
+  /// A bound of |omega|, in the rotor's units.
+  [[nodiscard]] const magnitude& attitude_speed() const { return attitude_speed_; }
   [[nodiscard]] rotor_time at(const rational& t) const {
     rotor_time result;
     if (unit_.power == 0) {
       result.t = t * unit_.factor;
     } else if (t != 0) {
-      const ball product = t * unit_.at(p_ + 64 + static_cast<precision>(size_in_bits(t)));
+      // The angle turned through, at most |t| |omega|, is to be known to 2^-p_.
+      const magnitude angle = multiply_up(attitude_speed_, (t * unit_.at(64)).magnitude_upper());
+      const auto whole = std::max<std::int64_t>(angle.log2_floor() + 1, 0);
+      const ball product = t * unit_.at(p_ + 64 + static_cast<precision>(whole));
       const ball middle = product.middle();
       result.t = lower_rational(middle);
       result.off = product.radius();
@@ -234,6 +239,25 @@ constexpr const char* by_double = "in double, as the scene asks: some 15 digits,
 
 precision bits_of(const effect_context& x) { return bits_for_digits(x.working_digits()) + 16; }
 
+/// Makes a table not certified in which a number's radius is more than 10^-digits of its own size or of its column's scale.
+void check_rows(effect_result& result, const std::vector<magnitude>& scales) {
+  const effect_table& table = *result.table;
+  if (!table.certified) return;
+  const magnitude tolerance =
+      magnitude::power_of_two(1 - static_cast<std::int64_t>(bits_for_digits(table.digits)));
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    for (std::size_t k = 0; k < scales.size(); ++k) {
+      const ball& x = table.rows[i][k];
+      if (x.is_bounded() &&
+          x.radius() <= multiply_up(tolerance, std::max(scales[k], x.magnitude_upper()))) {
+        continue;
+      }
+      return not_certified(result, table.columns[k + 1] + " at sample " + std::to_string(i + 1) +
+                                       " has fewer digits than asked for");
+    }
+  }
+}
+
 }  // namespace
 
 rational_vector direction_squares(const scene& what) {
@@ -254,6 +278,12 @@ effect_result momentum(const effect_context& x) {
       x.what.in_double ? momentum_table<double>(x, 53) : momentum_table<ball>(x, bits_of(x));
   if (x.what.in_double) not_certified(result, by_double);
   add_exact(result, "samples", rational(x.what.time->samples));
+  // |omega| <= |J|/I_z.
+  const motion path(x.what, 64);
+  const magnitude fastest =
+      multiply_up(path.attitude_speed(), path.unit().at(64).magnitude_upper());
+  const magnitude one = magnitude::from_integer_up(1);
+  check_rows(result, {one, one, one, fastest, fastest, fastest});
   result.remarks.push_back("j = J/|J| and omega in rad per " + x.what.time_unit.name +
                            ", along the axes in which the body was given");
   return result;
@@ -265,15 +295,16 @@ effect_result attitude(const effect_context& x) {
       x.what.in_double ? attitude_table<double>(x, 53) : attitude_table<ball>(x, bits_of(x));
   if (x.what.in_double) not_certified(result, by_double);
   add_exact(result, "samples", rational(x.what.time->samples));
+  const magnitude one = magnitude::from_integer_up(1);
+  check_rows(result, {one, one, one, one, one});
   result.remarks.emplace_back(
       "q takes the axes in which the body was given to those of space; phi is the angle about J, "
       "unwrapped");
   return result;
 }
 
-void audit_motion(const effect_context& x,
+void audit_motion(const effect_context& x, precision p,
                   const std::function<void(const std::string&, const ball&)>& expect_zero) {
-  const precision p = bits_of(x);
   const initial_state start = state_of(x.what);
   const rotor<ball> turning(start, p);
   const rotor_sample<ball> begin = turning.sample(rational(0));

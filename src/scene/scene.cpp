@@ -355,7 +355,9 @@ scene read_sections(const std::string& text, const std::filesystem::path& direct
   if (root.has("state")) result.state = read_state(root.table("state"), result.body, result);
   if (root.has("time")) result.time = read_time(root.table("time"), result);
   read_effects(root.table("effects"), result);
-  if (root.has("sweep")) read_sweep(root.table("sweep"), result, replaced);
+  // At one point of a sweep its values have been read already, once for all points.
+  if (root.has("sweep") && replaced.numbers.empty())
+    read_sweep(root.table("sweep"), result, replaced);
   return result;
 }
 

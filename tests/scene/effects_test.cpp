@@ -328,6 +328,39 @@ TEST(Series, BeginWithTheStateAndKeepTheMomentum) {
   EXPECT_FALSE(overlaps(momentum.rows[0][0], momentum.rows[1][0]));
 }
 
+/// Angles in degrees bring pi into the time: of a body that turns by 1e300 radians between two samples it takes a thousand bits.
+TEST(Series, OfAFastBodyHaveTheirDigits) {
+  for (const char* speed : {"1e20", "1e60", "1e300"}) {
+    SCOPED_TRACE(speed);
+    const scene_report report = report_of(
+        "digits = 20\n[body]\nmoments = [3, 2, 1]\n[state]\nomega = [\"" + std::string(speed) +
+            "\", 1, 2]\nunit = \"deg/s\"\n[time]\nto = 1\nsamples = 3\n",
+        {"momentum", "attitude"});
+    ASSERT_EQ(report.verdict, status::certified);
+    for (const char* name : {"momentum", "attitude"}) {
+      for (const std::vector<ball>& row : report.find(name)->table->rows) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          ASSERT_TRUE(row[k].is_bounded());
+          ASSERT_LE(row[k].radius(), magnitude::power_of_two(-67));  // 10^-20
+        }
+      }
+    }
+  }
+}
+
+/// Near the axis of a needle the two routes to the slope lose half of all digits.
+TEST(Audit, RaisesThePrecisionBeforeItBlamesALaw) {
+  for (const char* least : {"1e-42", "1e-44", "1e-100"}) {
+    SCOPED_TRACE(least);
+    const scene_report report =
+        report_of("digits = 10\n[body]\nmoments = [3, 2, \"" + std::string(least) +
+                      "\"]\n[state]\nmomentum = [1, 1, 1]\n",
+                  {"audit"});
+    EXPECT_EQ(report.verdict, status::certified);
+    EXPECT_EQ(word(report, "audit"), "yes");
+  }
+}
+
 TEST(Series, OfASymmetricTop) {
   const scene_report report = report_of(
       "[body]\nmoments = [2, 2, 1]\n[state]\nomega = [0, 1, 3]\n[time]\nto = 5\nsamples = 3\n",

@@ -80,8 +80,7 @@ struct scene_report {
   [[nodiscard]] const effect_result* find(const std::string& name) const;
 };
 
-/// Computes what the scene wants. What cannot be certified is said so in its result. A `cancelled` that becomes true ends the work with
-/// std::runtime_error between effects.
+/// Computes what the scene wants. What cannot be certified is said so in its result.
 [[nodiscard]] scene_report compute(const scene& what);
 
 }  // namespace polhode
