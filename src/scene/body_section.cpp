@@ -211,12 +211,12 @@ scene_body read_body(section body, const std::filesystem::path& directory,
   if (source) result.source = *source;
   if (result.kind == body_kind::non_physical)
     remarks.push_back("no mass distribution has these moments: " + violation(result));
-  if (result.ranges && !result.irrational) {
+  if (result.ranges) {
     remarks.emplace_back(
         "moments with uncertainties: planarity and inertial_defect are of all bodies within them, "
         "all other effects of the middle values");
   }
-  if (result.irrational) {
+  if (result.tensor) {
     remarks.emplace_back(
         "the principal moments are irrational: planarity and inertial_defect are certified, other "
         "effects need rational moments");

@@ -15,7 +15,9 @@ std::string yes_or_no(bool holds) { return holds ? "yes" : "no"; }
 void add_constant(effect_result& to, const std::string& name, const std::optional<rational>& exact,
                   const enclosing_function& f, const effect_context& x) {
   if (exact) return add_exact(to, name, *exact);
-  const precision sizes = size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b());
+  const scene_body& of = x.what.body;
+  const precision sizes = of.tensor ? of.tensor->lost_bits()
+                                    : size_in_bits(of.rigid->a()) + size_in_bits(of.rigid->b());
   add(to, name,
       enclose_to_digits(f, x.working_digits(),
                         8 * sizes + 15 * bits_for_digits(x.working_digits()) + 1024));
@@ -32,7 +34,7 @@ effect_result planarity(const effect_context& x) {
                   "undecided: within the uncertainties there are physical bodies and others");
     return result;
   }
-  if (of.ranges && !of.irrational) return result;
+  if (of.ranges) return result;
   if (of.margin) {
     add_exact(result, "margin", *of.margin);
     add_exact(result, "relative_margin", *of.margin / (*of.moments)[0]);
@@ -54,9 +56,22 @@ effect_result inertial_defect(const effect_context& x) {
       return result;
     }
     const precision p = bits_for_digits(x.working_digits()) + 32;
-    const bool range = !of.irrational;
-    result.numbers = {{"I", of.ranges->geometric_constant(p), {}, "", range},
-                      {"J", of.ranges->second_geometric_constant(p), {}, "", range}};
+    result.numbers = {{"I", of.ranges->geometric_constant(p), {}, "", true},
+                      {"J", of.ranges->second_geometric_constant(p), {}, "", true}};
+    return result;
+  }
+  if (of.tensor) {
+    const inertia_tensor& tensor = *of.tensor;
+    const auto one_if_planar =
+        of.kind == body_kind::planar ? std::optional<rational>(1) : std::nullopt;
+    add_constant(
+        result, "a", {}, [&](precision p) { return tensor.a(p); }, x);
+    add_constant(
+        result, "b", {}, [&](precision p) { return tensor.b(p); }, x);
+    add_constant(
+        result, "I", one_if_planar, [&](precision p) { return tensor.geometric_constant(p); }, x);
+    add_constant(
+        result, "J", {}, [&](precision p) { return tensor.second_geometric_constant(p); }, x);
     return result;
   }
   if (!of.rigid) {

@@ -14,7 +14,7 @@ namespace {
 
 struct found_inertia {
   std::string name;
-  inertia_tensor tensor;
+  tensor_entries tensor;
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
@@ -29,6 +29,7 @@ class reader : public pugi::xml_tree_walker {
       add(node, from_mujoco(node));
     } else if (const pugi::xml_node inertia = node.child("inertia");
                name == "inertial" && inertia) {
+      if (inertia.next_sibling("inertia")) refuse(node, "it has two <inertia>; give one");
       add(node, from_entries(inertia));
     }
     return true;
@@ -86,14 +87,14 @@ class reader : public pugi::xml_tree_walker {
   }
   static constexpr const char* turned =
       "its frame is turned against the link's; give the inertia about the link's own axes";
-  void add(const pugi::xml_node& node, inertia_tensor tensor) {
+  void add(const pugi::xml_node& node, tensor_entries tensor) {
     const std::string name = node.parent().attribute("name").value();
     found.push_back({name, std::move(tensor)});
   }
   /// URDF has attributes, SDF elements.
-  inertia_tensor from_entries(const pugi::xml_node& node) const {
+  tensor_entries from_entries(const pugi::xml_node& node) const {
     const std::array<const char*, 6> keys{"ixx", "iyy", "izz", "ixy", "ixz", "iyz"};
-    inertia_tensor result;
+    tensor_entries result;
     for (std::size_t i = 0; i < keys.size(); ++i) {
       std::string text = node.attribute(keys[i]).value();
       if (text.empty()) text = node.child(keys[i]).text().get();
@@ -108,11 +109,11 @@ class reader : public pugi::xml_tree_walker {
     }
     return result;
   }
-  inertia_tensor from_mujoco(const pugi::xml_node& node) const {
+  tensor_entries from_mujoco(const pugi::xml_node& node) const {
     const pugi::xml_attribute full = node.attribute("fullinertia");
     const pugi::xml_attribute diagonal = node.attribute("diaginertia");
     if (full && diagonal) refuse(node, "it has diaginertia and fullinertia; there may be one");
-    inertia_tensor result{0, 0, 0, 0, 0, 0};
+    tensor_entries result{0, 0, 0, 0, 0, 0};
     std::istringstream words(full ? full.value() : diagonal.value());
     std::string word;
     std::size_t count = 0;

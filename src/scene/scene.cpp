@@ -1,6 +1,7 @@
 #include "polhode/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -270,7 +271,7 @@ void read_sweep(section sweep, scene& result, const replacements& replaced) {
 /// What an effect lacks in this scene; empty where it has everything.
 std::string missing_for(const effect_needs& needs, const scene& what) {
   if (needs.distinct && !what.body.rigid) {
-    return what.body.irrational
+    return what.body.tensor
                ? "principal moments that are rational numbers, and this body's are not"
                : "three different moments, and this body is a symmetric top, which has no "
                  "intermediate axis";
@@ -352,6 +353,13 @@ scene read_sections(const std::string& text, const std::filesystem::path& direct
   if (!root.has("body")) root.refuse("there is no [body]");
   if (!root.has("effects")) root.refuse("there are no [effects]; give want = [\"period\"]");
   result.body = read_body(root.table("body"), directory, result.remarks);
+  if (result.in_double && result.body.moments) {
+    for (const rational& moment : *result.body.moments) {
+      if (std::isnormal(static_cast<double>(moment))) continue;
+      root.refuse("precision", "in double " + to_text(moment) +
+                                   " has no room; give moments in another unit, or digits = 15");
+    }
+  }
   if (root.has("state")) result.state = read_state(root.table("state"), result.body, result);
   if (root.has("time")) result.time = read_time(root.table("time"), result);
   read_effects(root.table("effects"), result);

@@ -101,6 +101,28 @@ TEST(Effects, AgreeWithTheirRooms) {
                       "0.113594382341433384"));
 }
 
+TEST(Effects, ConstantsOfAnIrrationalTensor) {
+  // The principal moments 4 and (5 +- sqrt 5)/2, of which the triple product is 20, and 5 and (5 +- sqrt 5)/2, planar.
+  const scene_report report = report_of(
+      "digits = 200\n[body]\ntensor = [[2, 1, 0], [1, 3, 0], [0, 0, 4]]\n", {"inertial_defect"});
+  EXPECT_EQ(report.verdict, status::certified);
+  const precision p = 1000;
+  const ball root = sqrt(ball(5, p));
+  const ball x(4, p);
+  const ball y = scale(5 + root, -1);
+  const ball z = scale(5 - root, -1);
+  EXPECT_TRUE(certainly_less(y, x));
+  EXPECT_TRUE(overlaps(number(report, "inertial_defect", "a"), (y - z) / z));
+  EXPECT_TRUE(overlaps(number(report, "inertial_defect", "b"), (x - y) / x));
+  EXPECT_TRUE(overlaps(number(report, "inertial_defect", "I"), sqrt(y * z / ((x - y) * (x - z)))));
+  EXPECT_TRUE(
+      overlaps(number(report, "inertial_defect", "J"), sqrt(x * y / ((y - z) * (x - z))) - 1));
+  const scene_report planar = report_of("[body]\ntensor = [[2, 1, 0], [1, 3, 0], [0, 0, 5]]\n",
+                                        {"inertial_defect", "planarity"});
+  EXPECT_EQ(planar.verdict, status::certified);
+  EXPECT_EQ(planar.find("inertial_defect")->numbers[2].exact, rational(1));
+}
+
 TEST(Effects, PeriodIsInTheUnitsOfTheState) {
   const auto period = [](const std::string& state) {
     return number(

@@ -79,7 +79,7 @@ TEST(SceneBody, EveryWay) {
 TEST(SceneBody, IrrationalMoments) {
   // Eigenvalues 4 and (3 +- sqrt 5)/2: the kind is decided all the same.
   const scene s = read(with_body("tensor = [[1, 1, 0], [1, 2, 0], [0, 0, 4]]"));
-  EXPECT_TRUE(s.body.irrational);
+  EXPECT_TRUE(s.body.tensor);
   EXPECT_FALSE(s.body.rigid);
   EXPECT_EQ(s.body.kind, body_kind::non_physical);  // 4 > 3
   EXPECT_EQ(read(with_body("tensor = [[1, 1, 0], [1, 2, 0], [0, 0, 3]]")).body.kind,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/rigid_body/inertia_tensor.hpp"
 #include "polhode/rigid_body/regime.hpp"
 #include "polhode/rigid_body/rotor.hpp"
 #include "polhode/scene/document.hpp"
@@ -34,9 +35,10 @@ struct scene_body {
   std::array<principal_axis, 3> axes;
   /// Where the moments are rational and different.
   std::optional<body> rigid;
-  /// Where uncertainties were given, or moments are irrational: ranges that hold them.
+  /// Where uncertainties were given.
   std::optional<uncertain_body> ranges;
-  bool irrational = false;
+  /// Where the principal moments are irrational.
+  std::optional<inertia_tensor> tensor;
   /// Of the file from which it was imported.
   std::optional<std::string> file;
   /// Of all members of the ranges.
