@@ -563,6 +563,7 @@ double hypot_end(double x, double y, bool up) {
   const long shift = large > 0x1p500 ? -600 : large < 0x1p-200 ? 600 : 0;
   const auto length = [shift](double s, double l, auto&& scaled, auto&& multiply, auto&& add,
                               auto&& root) {
+    if (shift == 0) return root(add(multiply(s, s), multiply(l, l)));
     s = scaled(s, shift);
     l = scaled(l, shift);
     return scaled(root(add(multiply(s, s), multiply(l, l))), -shift);
