@@ -61,6 +61,14 @@ hardware_rectangle product(const hardware_rectangle& z, const hardware_rectangle
   return {re - times(z.im, w.im), times(z.re, w.im) + times(z.im, w.re)};
 }
 
+/// Whether z^n is sure to be beyond the range of doubles, or below it, somewhere.
+bool leaves_range(const hardware_rectangle& z, long n) {
+  const double size = std::max(z.re.magnitude(), z.im.magnitude());
+  if (!(size > 0 && size < detail::infinity)) return false;
+  const long exponent = std::ilogb(size);  // 2^exponent <= size < 2^(exponent + 1)
+  return exponent * n > 1100 || (exponent + 2) * n < -1100;
+}
+
 /// x / (x^2 + y^2), the real part of 1/(x + iy), over a rectangle without 0. It is odd in x; for x > 0 it falls
 /// with |y|, and with x rises up to x = |y| and falls from there: its least value is at the greatest |y| and an
 /// end of x, its greatest at the least |y| and the x nearest to that.
@@ -637,11 +645,17 @@ region pow(const region& z, long n) {
   if (n < 0 && n > -(1L << 60) && z.is_in_hardware() && z.modulus_.lower() > 0) {
     return 1 / pow(z, -n);  // which is defined where the rectangle holds 0, but not the set
   }
-  region r = region::functions::away_from(
-      z, obstacle::pole, "pow", [&](const auto& x) { return possibly_singular::pow(x, n); },
-      [&](const auto& x) { return pow(x, n); },
-      [&](const region::scaled& x) { return region::scaled::pow(x, n); });
   constexpr long most = 1L << 20;  // so that exponents do not overflow
+  const auto scaled_form = [&](const region::scaled& x) { return region::scaled::pow(x, n); };
+  std::optional<region> in_scale;
+  if (n > 0 && n < most && z.is_moderate() && leaves_range(z.hardware_, n)) {
+    in_scale = region::functions::in_scale(z, scaled_form);
+  }
+  region r = in_scale ? *std::move(in_scale)
+                      : region::functions::away_from(
+                            z, obstacle::pole, "pow",
+                            [&](const auto& x) { return possibly_singular::pow(x, n); },
+                            [&](const auto& x) { return pow(x, n); }, scaled_form);
   if (n < -most || n > most) return r;
   return region::functions::sized(std::move(r), z, z, [n](const auto& x, const auto&) {
     return region::scaled_interval{pow(x.m, n), x.exponent * n};
