@@ -407,11 +407,10 @@ region region::combined(const region& z, const region& w, Hardware&& hardware, B
 
 /// The shapes of the functions below.
 struct region::functions {
-  /// f in hardware, in r, for operands and results that need nothing else: `combined` and `sized` would do the same.
+  /// f in hardware, in r, for operands and results that need nothing else: `combined` would do the same.
   template <class F>
   static bool quick(region& r, const region& z, const region& w, F&& f) {
-    if (!z.is_moderate() || !w.is_moderate() || z.knows_modulus() || w.knows_modulus())
-      return false;
+    if (!z.is_moderate() || !w.is_moderate()) return false;
     r.hardware_ = f(z.hardware_, w.hardware_);
     return is_regular(r.hardware_) &&
            (!ends_at_zero(r.hardware_) || ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_));
@@ -504,23 +503,26 @@ region operator-(const region& z) {
 region operator+(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x + y; };
   region quick;
-  if (region::functions::quick(quick, z, w, f)) return quick;
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::sum), z, w,
-                                  region::functions::size_of_sum);
+  if (!region::functions::quick(quick, z, w, f)) {
+    quick = region::combined(z, w, f, f, region::scaled::sum);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_sum);
 }
 region operator-(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x - y; };
   region quick;
-  if (region::functions::quick(quick, z, w, f)) return quick;
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::difference), z, w,
-                                  region::functions::size_of_sum);
+  if (!region::functions::quick(quick, z, w, f)) {
+    quick = region::combined(z, w, f, f, region::scaled::difference);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_sum);
 }
 region operator*(const region& z, const region& w) {
   region quick;
-  if (region::functions::quick(quick, z, w, product)) return quick;
-  const auto f = [](const auto& x, const auto& y) { return x * y; };
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::product), z, w,
-                                  region::functions::size_of_product);
+  if (!region::functions::quick(quick, z, w, product)) {
+    const auto f = [](const auto& x, const auto& y) { return x * y; };
+    quick = region::combined(z, w, f, f, region::scaled::product);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_product);
 }
 region operator/(const region& z, const region& w) {
   if (!z.is_analytic()) return z;
@@ -538,27 +540,28 @@ region operator/(const region& z, const region& w) {
     return region::blocked(obstacle::pole, "/");
   }
   region quick;
-  if (region::functions::quick(quick, z, w, quotient)) return quick;
-  const auto f = [](const auto& x, const auto& y) { return x / y; };
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::quotient), z, w,
-                                  region::functions::size_of_quotient);
+  if (!region::functions::quick(quick, z, w, quotient)) {
+    const auto f = [](const auto& x, const auto& y) { return x / y; };
+    quick = region::combined(z, w, f, f, region::scaled::quotient);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_quotient);
 }
 
 region square(const region& z) {
   region quick;
-  if (region::functions::quick(quick, z, z, [](const auto& x, const auto&) { return square(x); })) {
-    return quick;
+  if (!region::functions::quick(quick, z, z,
+                                [](const auto& x, const auto&) { return square(x); })) {
+    quick =
+        region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(square), region::scaled::square);
   }
-  return region::functions::sized(
-      region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(square), region::scaled::square), z,
-      z, region::functions::size_of_product);
+  return region::functions::sized(std::move(quick), z, z, region::functions::size_of_product);
 }
 
 /// size e^(i angle).
 region region::rotating(double_interval size, double_interval angle) {
   const auto [sine, cosine] = sin_cos(angle);
   region r;
-  r.hardware_ = {size * cosine, size * sine};
+  r.hardware_ = {times(size, cosine), times(size, sine)};
   return std::move(r).with_modulus({size, 0});
 }
 region exp(const region& z) {
@@ -610,9 +613,9 @@ region region::hyperbolic(double_interval x, double_interval y, bool is_cosh) {
   const auto [sine, cosine] = sin_cos(y);
   region r;
   if (is_cosh) {
-    r.hardware_ = {c * cosine, s * sine};
+    r.hardware_ = {times(c, cosine), times(s, sine)};
   } else {
-    r.hardware_ = {s * cosine, c * sine};
+    r.hardware_ = {times(s, cosine), times(c, sine)};
   }
   if (s.mignitude() == 0) return r;  // nothing is known that is worth its keeping
   return std::move(r).with_modulus({hull(abs(s), c), 0});
