@@ -370,7 +370,7 @@ class ellipse_bounds {
            suspect_->below};
     if (!(t.left < t.right) || !(t.bottom < t.top)) return std::nullopt;
     if (t.bottom > sine_over(t.left, t.right).upper()) return std::nullopt;
-    t.depth = std::clamp(-std::ilogb((t.right - t.left) * (t.top - t.bottom)), 0, deepest);
+    t.depth = std::clamp(-std::ilogb((t.right - t.left) * (t.top - t.bottom)) - 1, 0, deepest);
     return t;
   }
 
@@ -765,8 +765,10 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   };
   std::array<panel, 2> halves{p.half(-1), p.half(1)};
   std::array<double, 2> nodes_of_halves{1e18, 1e18};
-  if (own_nodes <= most_own_nodes) {
-    // Where the halves take no fewer nodes their halves hardly do.
+  // Where the halves take no fewer nodes theirs mostly do not: with so few bits, at which regions cost more than
+  // nodes, they are not looked at.
+  constexpr double few_bits = 600;
+  if (bits < few_bits && own_nodes <= most_own_nodes) {
     for (std::size_t k = 0; k < 2; ++k) nodes_of_halves[k] = try_panel(halves[k], log2_goal);
     if (own_nodes <= nodes_of_halves[0] + nodes_of_halves[1]) return keep_whole();
   }
