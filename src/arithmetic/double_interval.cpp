@@ -561,6 +561,13 @@ double hypot_end(double x, double y, bool up) {
   const double small = std::min(x, y);
   if (small == 0 || large == infinity) return large;
   const long shift = large > 0x1p500 ? -600 : large < 0x1p-200 ? 600 : 0;
+  if (shift == 0) {
+    if (up) {
+      return detail::sqrt_up(detail::add_up(multiply_up(small, small), multiply_up(large, large)));
+    }
+    return std::max(large, detail::sqrt_down(detail::add_down(multiply_down(small, small),
+                                                              multiply_down(large, large))));
+  }
   const auto length = [shift](double s, double l, auto&& scaled, auto&& multiply, auto&& add,
                               auto&& root) {
     s = scaled(s, shift);

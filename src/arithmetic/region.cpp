@@ -1,5 +1,6 @@
 #include "polhode/arithmetic/region.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {
@@ -15,6 +16,88 @@ bool left_range(const rectangle<double_interval>& z) {
 bool ends_at_zero(double_interval x) { return (x.lower() == 0) != (x.upper() == 0); }
 bool ends_at_zero(const rectangle<double_interval>& z) {
   return ends_at_zero(z.re) || ends_at_zero(z.im);
+}
+
+/// Every end is 0 or a normal double.
+bool is_regular(double_interval x) {
+  const auto is_kept = [](double end) {
+    const double size = std::abs(end);
+    return (size >= detail::least_normal_double && size < detail::infinity) || end == 0;
+  };
+  return is_kept(x.lower()) && is_kept(x.upper());
+}
+bool is_regular(const rectangle<double_interval>& z) {
+  return is_regular(z.re) && is_regular(z.im);
+}
+
+// Products and quotients of rectangles, of which one often is real or touches the real axis: what 0 adds to a product is
+// 0 exactly, and need not be computed.
+
+using hardware_rectangle = rectangle<double_interval>;
+
+bool is_real(const hardware_rectangle& z) { return z.im.lower() == 0 && z.im.upper() == 0; }
+
+/// x * y. Where every end is 0 or far from a double's limits, a product of two of them is 0 only if a factor is.
+double_interval times(double_interval x, double_interval y) {
+  const auto is_plain = [](double end) {
+    const double size = std::abs(end);
+    return end == 0 || (size >= 0x1p-500 && size <= 0x1p500);
+  };
+  const double x1 = x.lower();
+  const double x2 = x.upper();
+  const double y1 = y.lower();
+  const double y2 = y.upper();
+  if (!is_plain(x1) || !is_plain(x2) || !is_plain(y1) || !is_plain(y2)) return x * y;
+  const double low = std::min(std::min(x1 * y1, x1 * y2), std::min(x2 * y1, x2 * y2));
+  const double high = std::max(std::max(x1 * y1, x1 * y2), std::max(x2 * y1, x2 * y2));
+  return {detail::unchecked{}, low == 0 ? 0 : detail::next_down(low),
+          high == 0 ? 0 : detail::next_up(high)};
+}
+
+hardware_rectangle product(const hardware_rectangle& z, const hardware_rectangle& w) {
+  const double_interval re = times(z.re, w.re);
+  if (is_real(z)) return {re, is_real(w) ? w.im : times(z.re, w.im)};
+  if (is_real(w)) return {re, times(z.im, w.re)};
+  return {re - times(z.im, w.im), times(z.re, w.im) + times(z.im, w.re)};
+}
+
+/// Whether z^n is sure to be beyond the range of doubles, or below it, somewhere.
+bool leaves_range(const hardware_rectangle& z, long n) {
+  const double size = std::max(z.re.magnitude(), z.im.magnitude());
+  if (!(size > 0 && size < detail::infinity)) return false;
+  const long exponent = std::ilogb(size);  // 2^exponent <= size < 2^(exponent + 1)
+  return exponent * n > 1100 || (exponent + 2) * n < -1100;
+}
+
+/// x / (x^2 + y^2), the real part of 1/(x + iy), over a rectangle without 0. It is odd in x; for x > 0 it falls
+/// with |y|, and with x rises up to x = |y| and falls from there: its least value is at the greatest |y| and an
+/// end of x, its greatest at the least |y| and the x nearest to that.
+double_interval real_part_of_inverse(double_interval x, double_interval y) {
+  const auto at = [](double s, double t) {
+    const double_interval end(s);
+    return 1 / (end + square(double_interval(t)) / end);
+  };
+  const double least = y.mignitude();
+  const double greatest = y.magnitude();
+  if (x.upper() < 0) return -real_part_of_inverse(-x, y);
+  if (x.lower() > 0) {
+    const double low = x.lower();
+    const double high = x.upper();
+    double_interval r =
+        hull(at(greatest <= low ? high : low, greatest), at(std::clamp(least, low, high), least));
+    if (greatest > low && greatest < high) r = hull(r, at(high, greatest));
+    return r;
+  }
+  const auto most = [&](double end) {
+    return end > 0 ? at(std::min(least, end), least) : double_interval(0);
+  };
+  return hull(-most(-x.lower()), most(x.upper()));
+}
+
+/// For w without 0.
+hardware_rectangle quotient(const hardware_rectangle& z, const hardware_rectangle& w) {
+  if (is_real(w)) return {z.re / w.re, z.im / w.re};
+  return product(z, {real_part_of_inverse(w.re, w.im), -real_part_of_inverse(w.im, w.re)});
 }
 
 /// The hardware's set holds 0 and the ball does not: an end has underflowed.
@@ -324,6 +407,14 @@ region region::combined(const region& z, const region& w, Hardware&& hardware, B
 
 /// The shapes of the functions below.
 struct region::functions {
+  /// f in hardware, in r, for operands and results that need nothing else: `combined` would do the same.
+  template <class F>
+  static bool quick(region& r, const region& z, const region& w, F&& f) {
+    if (!z.is_moderate() || !w.is_moderate()) return false;
+    r.hardware_ = f(z.hardware_, w.hardware_);
+    return is_regular(r.hardware_) &&
+           (!ends_at_zero(r.hardware_) || ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_));
+  }
   /// Whether the predicate holds of the set, in the form in which it is kept.
   template <class Predicate>
   static bool holds(const region& z, Predicate&& predicate) {
@@ -411,18 +502,27 @@ region operator-(const region& z) {
 }
 region operator+(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x + y; };
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::sum), z, w,
-                                  region::functions::size_of_sum);
+  region quick;
+  if (!region::functions::quick(quick, z, w, f)) {
+    quick = region::combined(z, w, f, f, region::scaled::sum);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_sum);
 }
 region operator-(const region& z, const region& w) {
   const auto f = [](const auto& x, const auto& y) { return x - y; };
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::difference), z, w,
-                                  region::functions::size_of_sum);
+  region quick;
+  if (!region::functions::quick(quick, z, w, f)) {
+    quick = region::combined(z, w, f, f, region::scaled::difference);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_sum);
 }
 region operator*(const region& z, const region& w) {
-  const auto f = [](const auto& x, const auto& y) { return x * y; };
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::product), z, w,
-                                  region::functions::size_of_product);
+  region quick;
+  if (!region::functions::quick(quick, z, w, product)) {
+    const auto f = [](const auto& x, const auto& y) { return x * y; };
+    quick = region::combined(z, w, f, f, region::scaled::product);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_product);
 }
 region operator/(const region& z, const region& w) {
   if (!z.is_analytic()) return z;
@@ -439,22 +539,29 @@ region operator/(const region& z, const region& w) {
     }
     return region::blocked(obstacle::pole, "/");
   }
-  const auto f = [](const auto& x, const auto& y) { return x / y; };
-  return region::functions::sized(region::combined(z, w, f, f, region::scaled::quotient), z, w,
-                                  region::functions::size_of_quotient);
+  region quick;
+  if (!region::functions::quick(quick, z, w, quotient)) {
+    const auto f = [](const auto& x, const auto& y) { return x / y; };
+    quick = region::combined(z, w, f, f, region::scaled::quotient);
+  }
+  return region::functions::sized(std::move(quick), z, w, region::functions::size_of_quotient);
 }
 
 region square(const region& z) {
-  return region::functions::sized(
-      region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(square), region::scaled::square), z,
-      z, region::functions::size_of_product);
+  region quick;
+  if (!region::functions::quick(quick, z, z,
+                                [](const auto& x, const auto&) { return square(x); })) {
+    quick =
+        region::functions::entire(z, POLHODE_RECTANGLE_FUNCTION(square), region::scaled::square);
+  }
+  return region::functions::sized(std::move(quick), z, z, region::functions::size_of_product);
 }
 
 /// size e^(i angle).
 region region::rotating(double_interval size, double_interval angle) {
   const auto [sine, cosine] = sin_cos(angle);
   region r;
-  r.hardware_ = {size * cosine, size * sine};
+  r.hardware_ = {times(size, cosine), times(size, sine)};
   return std::move(r).with_modulus({size, 0});
 }
 region exp(const region& z) {
@@ -506,9 +613,9 @@ region region::hyperbolic(double_interval x, double_interval y, bool is_cosh) {
   const auto [sine, cosine] = sin_cos(y);
   region r;
   if (is_cosh) {
-    r.hardware_ = {c * cosine, s * sine};
+    r.hardware_ = {times(c, cosine), times(s, sine)};
   } else {
-    r.hardware_ = {s * cosine, c * sine};
+    r.hardware_ = {times(s, cosine), times(c, sine)};
   }
   if (s.mignitude() == 0) return r;  // nothing is known that is worth its keeping
   return std::move(r).with_modulus({hull(abs(s), c), 0});
@@ -541,11 +648,17 @@ region pow(const region& z, long n) {
   if (n < 0 && n > -(1L << 60) && z.is_in_hardware() && z.modulus_.lower() > 0) {
     return 1 / pow(z, -n);  // which is defined where the rectangle holds 0, but not the set
   }
-  region r = region::functions::away_from(
-      z, obstacle::pole, "pow", [&](const auto& x) { return possibly_singular::pow(x, n); },
-      [&](const auto& x) { return pow(x, n); },
-      [&](const region::scaled& x) { return region::scaled::pow(x, n); });
   constexpr long most = 1L << 20;  // so that exponents do not overflow
+  const auto scaled_form = [&](const region::scaled& x) { return region::scaled::pow(x, n); };
+  std::optional<region> in_scale;
+  if (n > 0 && n < most && z.is_moderate() && leaves_range(z.hardware_, n)) {
+    in_scale = region::functions::in_scale(z, scaled_form);
+  }
+  region r = in_scale ? *std::move(in_scale)
+                      : region::functions::away_from(
+                            z, obstacle::pole, "pow",
+                            [&](const auto& x) { return possibly_singular::pow(x, n); },
+                            [&](const auto& x) { return pow(x, n); }, scaled_form);
   if (n < -most || n > most) return r;
   return region::functions::sized(std::move(r), z, z, [n](const auto& x, const auto&) {
     return region::scaled_interval{pow(x.m, n), x.exponent * n};

@@ -1,6 +1,7 @@
 #include "polhode/quadrature/integrate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -79,6 +80,12 @@ complex_ball at_most(const segment& s, const magnitude& bound) {
   return enlarged(s, complex_ball(0, 64), bound);
 }
 
+/// A rectangle in the coordinates in which a panel is [-1, 1].
+struct box {
+  double left, right, bottom, top;
+  bool below = false;  // its mirror image is meant
+};
+
 /// A part of a segment, |t - centre| <= 2^-(level+1), and how its integral is to be had.
 struct panel {
   std::size_t segment = 0;
@@ -93,6 +100,8 @@ struct panel {
   long nodes = 0;
   quadrature_rule rule = quadrature_rule::gauss_legendre;
   double half_width = 0;  // of the trapezoidal rule's strip, which stands for an ellipse
+  std::optional<box>
+      suspect;  // where no ellipse was found, what was in the way last: to look there first
 
   [[nodiscard]] rational half_length() const {
     integer one = 1;
@@ -109,6 +118,10 @@ struct panel {
     p.level = level + 1;
     p.rule = rule;
     p.centre = centre + side * p.half_length();
+    if (suspect) {
+      const box& b = *suspect;
+      p.suspect = {2 * b.left - side, 2 * b.right - side, 2 * b.bottom, 2 * b.top, b.below};
+    }
     return p;
   }
 };
@@ -249,59 +262,27 @@ std::string in_words(const obstacle_report& report) {
 /// halves too.
 class ellipse_bounds {
  public:
-  ellipse_bounds(const panel_regions& f, int most_tiles, bool whole)
-      : f_(f), most_tiles_(whole ? 2 * most_tiles : most_tiles), whole_(whole) {}
+  ellipse_bounds(const panel_regions& f, int most_tiles, bool whole, std::optional<box> suspect)
+      : f_(f),
+        most_tiles_(whole ? 2 * most_tiles : most_tiles),
+        whole_(whole),
+        suspect_(std::move(suspect)) {}
 
   /// The bound from the tiles that prove analyticity; nothing where that failed.
   /// A bound above the limit is as good as none.
   [[nodiscard]] std::optional<magnitude> inside(const ellipse& e, const magnitude& limit) {
-    magnitude supremum;
-    int tiles = 0;
-    struct tile {
-      double left, right, bottom, top;  // in units of the semi-axes
-      int depth;
-      bool below = false;  // its mirror image is meant
-    };
-    std::vector<tile> open{{-1, 0, 0, 1, 0}, {0, 1, 0, 1, 0}};
+    if (const std::optional<tile> first = tile_at_suspect(e)) {
+      if (!cover({*first}, e, limit)) return std::nullopt;
+    }
+    std::vector<tile> all{{-1, 0, 0, 1, 0}, {0, 1, 0, 1, 0}};
     if (whole_) {
-      open.push_back({-1, 0, 0, 1, 0, true});
-      open.push_back({0, 1, 0, 1, 0, true});
+      all.push_back({-1, 0, 0, 1, 0, true});
+      all.push_back({0, 1, 0, 1, 0, true});
     }
-    while (!open.empty()) {
-      const tile t = open.back();
-      open.pop_back();
-      if (++tiles > most_tiles_) return std::nullopt;
-      // The part of the tile in the ellipse.
-      const double highest = sine_over(t.left, t.right).upper();
-      if (t.bottom > highest) continue;
-      const double_interval re = e.a * double_interval(t.left, t.right);
-      const double_interval im = e.b * double_interval(t.bottom, std::min(t.top, highest));
-      const region value = f_(re, t.below ? -im : im);
-      if (value.is_analytic()) {
-        const magnitude upper = value.magnitude_upper();
-        if (upper <= limit) {
-          supremum = max(supremum, upper);
-          continue;
-        }
-        if (t.depth >= 2 || value.magnitude_lower() > limit) return std::nullopt;
-      } else {
-        note(value);
-      }
-      if (t.depth >= deepest) return std::nullopt;
-      const double width = (t.right - t.left) * e.a.upper();
-      const double height = (std::min(t.top, highest) - t.bottom) * e.b.upper();
-      if (width >= height) {
-        const double middle = (t.left + t.right) / 2;
-        open.push_back({t.left, middle, t.bottom, t.top, t.depth + 1, t.below});
-        open.push_back({middle, t.right, t.bottom, t.top, t.depth + 1, t.below});
-      } else {
-        const double middle = (t.bottom + std::min(t.top, highest)) / 2;
-        open.push_back({t.left, t.right, middle, t.top, t.depth + 1, t.below});
-        open.push_back({t.left, t.right, t.bottom, middle, t.depth + 1, t.below});
-      }
-    }
-    return supremum;
+    return cover(std::move(all), e, limit);
   }
+  /// The tile at which `inside` failed last, or what was given.
+  [[nodiscard]] const std::optional<box>& suspect() const { return suspect_; }
 
   /// The bound from so many arcs of the boundary. The ellipse must have been proved analytic inside.
   [[nodiscard]] magnitude on_boundary(const ellipse& e, int arcs) const {
@@ -323,10 +304,81 @@ class ellipse_bounds {
   [[nodiscard]] const obstacle_report& report() const { return report_; }
 
  private:
+  struct tile {
+    double left, right, bottom, top;  // in units of the semi-axes
+    int depth;
+    bool below = false;  // its mirror image is meant
+  };
+
+  /// The bound over the tiles, halved where that is needed.
+  [[nodiscard]] std::optional<magnitude> cover(std::vector<tile> open, const ellipse& e,
+                                               const magnitude& limit) {
+    magnitude supremum;
+    int tiles = 0;
+    while (!open.empty()) {
+      const tile t = open.back();
+      open.pop_back();
+      if (++tiles > most_tiles_) return failed_at(t, e);
+      // The part of the tile in the ellipse.
+      const double highest = sine_over(t.left, t.right).upper();
+      if (t.bottom > highest) continue;
+      const double_interval re = e.a * double_interval(t.left, t.right);
+      const double_interval im = e.b * double_interval(t.bottom, std::min(t.top, highest));
+      const region value = f_(re, t.below ? -im : im);
+      if (value.is_analytic()) {
+        const magnitude upper = value.magnitude_upper();
+        if (upper <= limit) {
+          supremum = max(supremum, upper);
+          continue;
+        }
+        if (t.depth >= 2 || value.magnitude_lower() > limit) return failed_at(t, e);
+      } else {
+        note(value);
+      }
+      if (t.depth >= deepest) return failed_at(t, e);
+      const double width = (t.right - t.left) * e.a.upper();
+      const double height = (std::min(t.top, highest) - t.bottom) * e.b.upper();
+      if (width >= height) {
+        const double middle = (t.left + t.right) / 2;
+        open.push_back({t.left, middle, t.bottom, t.top, t.depth + 1, t.below});
+        open.push_back({middle, t.right, t.bottom, t.top, t.depth + 1, t.below});
+      } else {
+        const double middle = (t.bottom + std::min(t.top, highest)) / 2;
+        open.push_back({t.left, t.right, middle, t.top, t.depth + 1, t.below});
+        open.push_back({t.left, t.right, t.bottom, middle, t.depth + 1, t.below});
+      }
+    }
+    return supremum;
+  }
+  std::nullopt_t failed_at(const tile& t, const ellipse& e) {
+    const double a = e.a.midpoint();
+    const double b = e.b.midpoint();
+    suspect_ = {t.left * a, t.right * a, t.bottom * b, t.top * b, t.below};
+    return std::nullopt;
+  }
+  /// What of the suspect is in the ellipse, with the depth of tiles of its size: all tiles around it need not be
+  /// looked at to see the ellipse fail. Proves nothing.
+  [[nodiscard]] std::optional<tile> tile_at_suspect(const ellipse& e) const {
+    if (!suspect_) return std::nullopt;
+    const double a = e.a.midpoint();
+    const double b = e.b.midpoint();
+    tile t{std::max(suspect_->left / a, -1.0),
+           std::min(suspect_->right / a, 1.0),
+           suspect_->bottom / b,
+           std::min(suspect_->top / b, 1.0),
+           0,
+           suspect_->below};
+    if (!(t.left < t.right) || !(t.bottom < t.top)) return std::nullopt;
+    if (t.bottom > sine_over(t.left, t.right).upper()) return std::nullopt;
+    t.depth = std::clamp(-std::ilogb((t.right - t.left) * (t.top - t.bottom)) - 1, 0, deepest);
+    return t;
+  }
+
   static constexpr int deepest = 6;
   const panel_regions& f_;
   int most_tiles_;
   bool whole_;
+  std::optional<box> suspect_;
   obstacle_report report_;
 };
 
@@ -384,6 +436,7 @@ class integrator {
   outcome plan(double log2_goal);
   outcome plan_segment(std::size_t index, double log2_goal);
   outcome plan_panel(panel p, double log2_goal);
+  outcome plan_tried_panel(panel p, double own_nodes, double log2_goal);
   double try_panel(panel& p, double log2_goal);
   [[nodiscard]] double find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const;
   [[nodiscard]] double mean_goal(const panel& p, double log2_goal) const;
@@ -506,6 +559,7 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
 /// How the panel's integral is to be had, in p. The number of nodes that takes; huge where no way was found.
 double integrator::try_panel(panel& p, double log2_goal) {
   const segment& s = segments_[p.segment];
+  p.log2_typical = log2_of_typical(p, log2_goal);
   const panel_regions f(s, p, result_.account.region_evaluations);
   const double goal = mean_goal(p, log2_goal);
   // So small that the bound is enough.
@@ -518,10 +572,11 @@ double integrator::try_panel(panel& p, double log2_goal) {
   // Where points of the panel are too close to an end for the samples, the bound stands for them.
   if (p.log2_typical < -1e17) p.log2_typical = most < 1e17 ? most : goal + 64;
   constexpr long short_level = 8;  // of such a panel smaller tiles tell little more than the whole
-  ellipse_bounds bounds(f, 24, s.along.has_value());
+  ellipse_bounds bounds(f, 24, s.along.has_value(), p.suspect);
   if (over_panel.is_analytic() || p.level < short_level) {
     const double nodes = find_ellipse(p, goal, bounds);
     if (nodes < 1e17) return nodes;
+    p.suspect = bounds.suspect();
   } else {
     bounds.note(over_panel);
   }
@@ -662,8 +717,12 @@ integrator::outcome integrator::obstructed_at(const panel& p) {
 
 /// Appends to panels_ what covers p: itself, or what covers its halves.
 integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
-  p.log2_typical = log2_of_typical(p, log2_goal);
   const double own_nodes = try_panel(p, log2_goal);
+  return plan_tried_panel(std::move(p), own_nodes, log2_goal);
+}
+
+/// The same of a panel that takes so many nodes, of which `try_panel` has told.
+integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, double log2_goal) {
   constexpr double most_nodes_of_a_rule = 28'000;  // of greatest_gauss_legendre_degree
   const bool accepted = own_nodes <= std::min(nodes_accepted(p, log2_goal), most_nodes_of_a_rule);
   const double evaluations = planned_nodes_ + (accepted ? own_nodes : 0) +
@@ -697,15 +756,30 @@ integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
   if (p.level >= deepest_ || hopeless_) return obstructed_at(p);
   const std::size_t before = panels_.size();
   const double nodes_before = planned_nodes_;
-  for (const int side : {-1, 1}) {
-    const outcome o = plan_panel(p.half(side), log2_goal);
-    if (o != outcome::done) return o;
-  }
-  if (own_nodes <= std::min({planned_nodes_ - nodes_before, bits + 32, most_nodes_of_a_rule})) {
+  const double most_own_nodes = std::min(bits + 32, most_nodes_of_a_rule);
+  const auto keep_whole = [&] {
     panels_.resize(before);
     planned_nodes_ = nodes_before + own_nodes;
     panels_.push_back(std::move(p));
+    return outcome::done;
+  };
+  std::array<panel, 2> halves{p.half(-1), p.half(1)};
+  std::array<double, 2> nodes_of_halves{1e18, 1e18};
+  // Where the halves take no fewer nodes theirs mostly do not: with so few bits, at which regions cost more than
+  // nodes, they are not looked at.
+  constexpr double few_bits = 600;
+  if (bits < few_bits && own_nodes <= most_own_nodes) {
+    for (std::size_t k = 0; k < 2; ++k) nodes_of_halves[k] = try_panel(halves[k], log2_goal);
+    if (own_nodes <= nodes_of_halves[0] + nodes_of_halves[1]) return keep_whole();
   }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const bool is_tried = nodes_of_halves[k] < 1e17;
+    const outcome o = is_tried
+                          ? plan_tried_panel(std::move(halves[k]), nodes_of_halves[k], log2_goal)
+                          : plan_panel(std::move(halves[k]), log2_goal);
+    if (o != outcome::done) return o;
+  }
+  if (own_nodes <= std::min(planned_nodes_ - nodes_before, most_own_nodes)) return keep_whole();
   return outcome::done;
 }
 
