@@ -2,11 +2,16 @@
 
 #include "polhode/checker/check.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,58 +31,100 @@ struct check_options {
   bool verbose = false;
 };
 
-/// The files to check: those given, and the .json files of a directory that is given, by name.
-std::vector<std::string> files_of(const std::vector<std::string>& paths) {
-  std::vector<std::string> files;
+/// A file to check, or a path that leads to none, and then why.
+struct certificate_file {
+  std::string path;
+  std::string unusable;
+};
+
+/// The .json files of a directory, by name; links and what else has such a name too, so that none is passed over in silence.
+std::vector<certificate_file> files_in(const std::string& directory) {
+  std::error_code error;
+  std::vector<certificate_file> found;
+  for (fs::directory_iterator entry(directory, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (entry->path().extension() == ".json") found.push_back({entry->path().string(), ""});
+  }
+  if (error) return {{directory, error.message()}};
+  if (found.empty()) {
+    return {{directory,
+             "a directory with no .json file; it must hold certificates, as `polhode certify --out "
+             "DIR` writes them"}};
+  }
+  std::sort(found.begin(), found.end(),
+            [](const certificate_file& x, const certificate_file& y) { return x.path < y.path; });
+  return found;
+}
+
+/// The files to check: those given, and those of a directory that is given.
+std::vector<certificate_file> files_of(const std::vector<std::string>& paths) {
+  std::vector<certificate_file> files;
   for (const std::string& path : paths) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) {
-      throw usage_error(
-          fmt::format("{}: {}", in_quotes(path), system_message(error ? error.value() : ENOENT)));
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+      std::vector<certificate_file> found = files_in(path);
+      std::move(found.begin(), found.end(), std::back_inserter(files));
+    } else {
+      files.push_back({path, ""});
     }
-    if (!fs::is_directory(status)) {
-      files.push_back(path);
-      continue;
-    }
-    std::vector<std::string> found;
-    for (fs::directory_iterator entry(path, error), end; !error && entry != end;
-         entry.increment(error)) {
-      std::error_code ignored;
-      const bool is_file = entry->is_regular_file(ignored);
-      if (is_file && entry->path().extension() == ".json") found.push_back(entry->path().string());
-    }
-    if (error) throw usage_error(fmt::format("{}: {}", in_quotes(path), error.message()));
-    if (found.empty()) {
-      throw usage_error(
-          fmt::format("{}: a directory with no .json file; it must hold certificates, as `polhode "
-                      "certify --out DIR` writes them",
-                      in_quotes(path)));
-    }
-    std::sort(found.begin(), found.end());
-    files.insert(files.end(), found.begin(), found.end());
   }
   return files;
 }
 
-std::string contents_of(const std::string& path) {
+/// Something in place of a file's contents; what() says why.
+class not_read : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class open_file {
+ public:
+  /// Opening a pipe or a device must not wait for its other side.
+  explicit open_file(const std::string& path)
+      : descriptor_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {
+    if (descriptor_ < 0) throw not_read(system_message(errno));
+  }
+  ~open_file() { close(descriptor_); }
+  open_file(const open_file&) = delete;
+  open_file& operator=(const open_file&) = delete;
+  open_file(open_file&&) = delete;
+  open_file& operator=(open_file&&) = delete;
+
+  void expect_regular() const {
+    struct stat what {};
+    if (fstat(descriptor_, &what) != 0) throw not_read(system_message(errno));
+    if (S_ISDIR(what.st_mode)) throw not_read("a directory; it must be a file");
+    if (!S_ISREG(what.st_mode)) {
+      throw not_read("a pipe, a socket or a device; it must be a regular file");
+    }
+  }
+
+  /// The next bytes, none at the end.
+  std::size_t read_into(char* bytes, std::size_t most) const {
+    for (;;) {
+      const ssize_t count = read(descriptor_, bytes, most);
+      if (count >= 0) return static_cast<std::size_t>(count);
+      if (errno != EINTR) throw not_read(system_message(errno));
+    }
+  }
+
+ private:
+  int descriptor_;
+};
+
+/// As much as tells the checker that it is too long, where it is. Throws not_read.
+std::string contents_of(const certificate_file& given) {
   constexpr std::size_t block = 1 << 16;
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    throw usage_error(fmt::format("{}: a directory; it must be a file", in_quotes(path)));
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
+  if (!given.unusable.empty()) throw not_read(given.unusable);
+  const open_file file(given.path);
+  file.expect_regular();
   std::string text;
-  while (file && text.size() <= checker::most_certificate_bytes) {
-    const std::size_t read = text.size();
-    text.resize(read + block);
-    file.read(text.data() + read, block);
-    text.resize(read + static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad() || (!file && !file.eof())) {
-    throw usage_error(fmt::format("{}: {}", in_quotes(path),
-                                  errno == 0 ? "it cannot be read" : system_message(errno)));
+  for (std::size_t length = 0; length <= checker::most_certificate_bytes;) {
+    text.resize(length + block);
+    const std::size_t count = file.read_into(text.data() + length, block);
+    length += count;
+    text.resize(length);
+    if (count == 0) break;
   }
   return text;
 }
@@ -108,25 +155,34 @@ std::string said_of(const std::string& path, const checker::report& r, bool verb
 }
 
 exit_status run(const check_options& options) {
-  const std::vector<std::string> files = files_of(options.paths);
+  const std::vector<certificate_file> files = files_of(options.paths);
   const progress line;
   std::string output;
   std::size_t verified = 0;
-  std::string malformed;
+  std::string unusable;  // the first that is malformed or was not read
   for (std::size_t i = 0; i < files.size(); ++i) {
-    line.show(fmt::format("checking {} ({}/{})", files[i], i + 1, files.size()));
-    const checker::report r = checker::check(contents_of(files[i]));
-    if (r.result == checker::outcome::verified) ++verified;
-    if (r.result == checker::outcome::malformed && malformed.empty()) {
-      malformed = fmt::format("{}: at {}: {}", in_quotes(files[i]),
-                              r.place.empty() ? "the top" : r.place, r.message);
+    const std::string& path = files[i].path;
+    line.show(fmt::format("checking {} ({}/{})", path, i + 1, files.size()));
+    std::string why_unusable;
+    try {
+      const checker::report r = checker::check(contents_of(files[i]));
+      if (r.result == checker::outcome::verified) ++verified;
+      if (r.result == checker::outcome::malformed) {
+        why_unusable = fmt::format("at {}: {}", r.place.empty() ? "the top" : r.place, r.message);
+      }
+      output += said_of(path, r, options.verbose);
+    } catch (const not_read& problem) {
+      why_unusable = problem.what();
+      output += fmt::format("{}: not read: {}\n", printable(path), why_unusable);
     }
-    output += said_of(files[i], r, options.verbose);
+    if (unusable.empty() && !why_unusable.empty()) {
+      unusable = fmt::format("{}: {}", in_quotes(path), why_unusable);
+    }
   }
   output += fmt::format("{} certificate{}: {} verified\n", files.size(),
                         files.size() == 1 ? "" : "s", verified);
   print(output);
-  if (!malformed.empty()) throw usage_error(malformed);
+  if (!unusable.empty()) throw usage_error(unusable);
   return verified == files.size() ? exit_status::all_certified : exit_status::not_certified;
 }
 
