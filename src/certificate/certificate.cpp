@@ -10,6 +10,7 @@
 
 #include "polhode/arithmetic/sha256.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/digest.hpp"
 
 namespace polhode {
 namespace {
@@ -26,14 +27,6 @@ json dyadic(const rational& q) {
     exponent = 0;
   }
   return json{{"mantissa", mantissa.str()}, {"exponent", exponent}};
-}
-
-std::string digest_of(const std::string& text) {
-  std::string result = "sha256:";
-  for (const std::uint8_t byte : sha256(std::as_bytes(std::span(text)))) {
-    result += fmt::format("{:02x}", byte);
-  }
-  return result;
 }
 
 bool has_digits(const enclosed_number& n) {
@@ -75,6 +68,14 @@ std::string rows(const std::string& digits, std::size_t indent) {
 }
 
 }  // namespace
+
+std::string digest_of(const std::string& text) {
+  std::string result = "sha256:";
+  for (const std::uint8_t byte : sha256(std::as_bytes(std::span(text)))) {
+    result += fmt::format("{:02x}", byte);
+  }
+  return result;
+}
 
 void certificate::conclude(reason otherwise) {
   const bool facts_hold =
@@ -121,6 +122,7 @@ json to_json(const certificate& c) {
   result["numbers"] = json::object();
   for (const auto& n : c.numbers) {
     json number = to_json(n.enclosure, n.digits);
+    number.erase("exact");  // a certificate's number is what is between two ends
     number["digits_asked"] = n.digits;
     number["dyadic"] = to_dyadic_json(n.enclosure);
     result["numbers"][n.name] = std::move(number);

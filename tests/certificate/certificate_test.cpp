@@ -144,6 +144,20 @@ TEST(CertificateJson, GivesNullForWhatIsNoNumber) {
   EXPECT_EQ(zero.at("exact"), true);
 }
 
+/// The form has one kind of number, an enclosure: docs/certificate.schema.json.
+TEST(CertificateJson, ACertificatesNumberHasTheKeysOfTheForm) {
+  certificate c = sound_certificate();
+  c.numbers = {{"exactly", ball(3, 64), 10}, {"about", sqrt(ball(3, 100)), 10}};
+  const json written = to_json(c);
+  for (const auto& [name, number] : written.at("numbers").items()) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : number.items()) keys.push_back(key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"value", "digits", "lower", "upper", "digits_asked",
+                                              "dyadic"}))
+        << name;
+  }
+}
+
 TEST(CertificateJson, GivesTheExactEnds) {
   const json zero = to_dyadic_json(ball(0, 64));
   EXPECT_EQ(zero.at("lower").at("mantissa"), "0");
