@@ -17,10 +17,6 @@ constexpr long most_bits = 1'200'000;
 /// Bits for questions that are not about a number's digits.
 constexpr std::array<long, 5> precisions{128, 256, 512, 2048, 8192};
 
-long bits_for_digits(long digits) {
-  return static_cast<long>(static_cast<double>(digits) * 3.3219281) + 2;
-}
-
 /// mantissa * 2^exponent with an odd mantissa, or 0 * 2^0.
 rational dyadic(const place& where) {
   constexpr long most_exponent = 4'000'000;
@@ -33,7 +29,28 @@ rational dyadic(const place& where) {
   return rational(mantissa) * power_of_two(exponent);
 }
 
-/// That `text` is a decimal of at most `digits` significant digits within two units of the last of them from the end, outward.
+/// That `value` is the digits that both ends share.
+void expect_shared(const place& where, const range& exact, long digits) {
+  const std::string low = decimal(exact.lower, digits, rounding::to_zero);
+  if (low != decimal(exact.upper, digits, rounding::to_zero)) {
+    where.not_checkable("the exact ends do not share " + std::to_string(digits) + " digits");
+  }
+  where.expect_text(low);
+}
+
+void expect_range(const place& where, const rational& value, bool right, const char* name) {
+  if (!right) {
+    where.malformed("it is " + in_quotes(where.text()) + "; it must be " + name);
+  }
+  if (bit_length(value) > most_input_bits) where.not_checkable("it has too many digits");
+}
+
+}  // namespace
+
+long bits_for_digits(long digits) {
+  return static_cast<long>(static_cast<double>(digits) * 3.3219281) + 2;
+}
+
 void expect_outward(const place& where, const rational& end, long digits, rounding way) {
   const rational given = where.decimal_value();
   const bool down = way == rounding::down;
@@ -53,16 +70,6 @@ void expect_outward(const place& where, const rational& end, long digits, roundi
   }
 }
 
-/// That `value` is the digits that both ends share.
-void expect_shared(const place& where, const range& exact, long digits) {
-  const std::string low = decimal(exact.lower, digits, rounding::to_zero);
-  if (low != decimal(exact.upper, digits, rounding::to_zero)) {
-    where.not_checkable("the exact ends do not share " + std::to_string(digits) + " digits");
-  }
-  where.expect_text(low);
-}
-
-/// That f(bits) lies in the range for some bits from `bits` on.
 void expect_inside(const place& where, const range& r, long bits,
                    const std::function<interval(long bits)>& f) {
   for (int attempt = 0; attempt < 5; ++attempt, bits += bits / 2 + 64) {
@@ -79,25 +86,19 @@ void expect_inside(const place& where, const range& r, long bits,
   where.not_checkable("the checker did not find the true value closely enough");
 }
 
-void expect_range(const place& where, const rational& value, bool right, const char* name) {
-  if (!right) {
-    where.malformed("it is " + in_quotes(where.text()) + "; it must be " + name);
-  }
-  if (bit_length(value) > most_input_bits) where.not_checkable("it has too many digits");
-}
-
-}  // namespace
-
-void examination::expect_words() {
-  root_["statement"].expect_text(text_.statement);
-  root_["formula"].expect_text(text_.formula);
-  root_["reference"].expect_text(text_.reference);
-  const place software = root_["software"];
+void expect_software(const place& software) {
   software.expect_keys({"polhode", "mpfr", "gmp", "boost"});
   for (const char* name : {"polhode", "mpfr", "gmp", "boost"}) {
     constexpr std::size_t longest = 100;
     if (software[name].text().size() > longest) software[name].malformed("it is too long");
   }
+}
+
+void examination::expect_words() {
+  root_["statement"].expect_text(text_.statement);
+  root_["formula"].expect_text(text_.formula);
+  root_["reference"].expect_text(text_.reference);
+  expect_software(root_["software"]);
 }
 
 // ---------------------------------------------------------------------------------------------

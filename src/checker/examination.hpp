@@ -22,6 +22,16 @@ struct range {
   rational upper;
 };
 
+/// So many bits tell apart numbers of so many decimal digits.
+[[nodiscard]] long bits_for_digits(long digits);
+/// That `where` is a decimal of at most `digits` significant digits within two units of the last of them from the end, outward.
+void expect_outward(const place& where, const rational& end, long digits, rounding way);
+/// That f(bits) lies in the range for some bits from `bits` on.
+void expect_inside(const place& where, const range& r, long bits,
+                   const std::function<interval(long bits)>& f);
+/// The versions: that they are texts.
+void expect_software(const place& software);
+
 class examination {
  public:
   examination(const json& certificate, const claim_text& text, report& result)

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "certificate_option.hpp"
 #include "commands.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
@@ -131,6 +132,7 @@ struct constants_options {
   digits_option digits;
   format_option format{names_of(output_formats())};
   memory_limit_option memory_limit;
+  certificate_option certificate;
 };
 
 std::vector<const constant*> selected_constants(const constants_options& options) {
@@ -166,13 +168,44 @@ std::vector<enclosed_constant> enclose_all(const std::vector<const constant*>& c
   return result;
 }
 
-exit_status run(const constants_options& options) {
+/// The claim of a constant's name. Throws usage_error unless one constant is asked for, and there is such a claim.
+const proofs::claim& claim_about(const std::vector<const constant*>& constants) {
+  if (constants.size() != 1) {
+    throw usage_error(fmt::format(
+        "--certificate: a certificate is of one constant; name it, as `polhode constants {} "
+        "--certificate {}.json`",
+        constants.front()->name, constants.front()->name));
+  }
+  const proofs::claim* same = proofs::find_claim(constants.front()->name);
+  if (same == nullptr) {
+    throw usage_error(
+        fmt::format("--certificate: there is no claim about {}, and so no certificate",
+                    constants.front()->name));
+  }
+  return *same;
+}
+
+/// Proves the claim and writes its certificate.
+void write_certificate(const proofs::claim& about, long digits, certificate_option& file) {
+  proofs::request wanted;
+  wanted.digits = digits;
+  const certificate proved = about.prove(wanted);
+  file.expect_certified(proved.verdict == status::certified);
+  file.write(to_json(proved));
+}
+
+exit_status run(constants_options& options) {
   const std::vector<const constant*> constants = selected_constants(options);
   const long digits = options.digits.value();
   const std::string& wanted = options.format.value();
   const auto format = std::find_if(output_formats().begin(), output_formats().end(),
                                    [&wanted](const output_format& f) { return f.name == wanted; });
   options.memory_limit.check(estimate(constants, digits, format->kept_decimals));
+  if (options.certificate.is_given()) {
+    const proofs::claim& about = claim_about(constants);
+    options.certificate.prepare();
+    write_certificate(about, digits, options.certificate);
+  }
   print(format->write(enclose_all(constants, std::max(digits, format->least_digits)), digits));
   return exit_status::all_certified;
 }
@@ -184,6 +217,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->certificate.declare(app);
   return [options] { return run(*options); };
 }
 
@@ -194,7 +228,8 @@ command constants_command() {
       "constants", "Print the constants of the paper to any number of certain digits",
       "  polhode constants\n"
       "  polhode constants beta --digits 1000\n"
-      "  polhode constants --format cpp > polhode_constants.hpp\n\n"
+      "  polhode constants --format cpp > polhode_constants.hpp\n"
+      "  polhode constants beta --certificate beta.json && polhode check beta.json\n\n"
       "The decimals printed are the first N significant digits of the true value, cut off, never\n"
       "rounded: all of them are digits of its expansion. In csv and json, lower and upper are\n"
       "decimals rounded outward: the true value is proved to lie between them.\n",

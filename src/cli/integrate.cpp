@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "certificate_option.hpp"
 #include "commands.hpp"
 #include "errors.hpp"
 #include "formula.hpp"
@@ -22,6 +23,7 @@
 #include "path_option.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
+#include "polhode/certificate/formula_certificates.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 
@@ -42,6 +44,7 @@ struct integrate_command_options {
   std::string rule = "automatic";
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+  certificate_option certificate;
 
   /// From 1 to greatest_boxes; throws usage_error for anything else.
   [[nodiscard]] long boxes() const;
@@ -205,10 +208,15 @@ std::pair<std::string, std::string> decimal_ends(const ball& x, long digits) {
           to_decimal_enclosure(ball(upper_rational(x), p), digits).upper};
 }
 
-/// Prints an integral that integral_to(options) computes.
-template <class Integral>
+struct nothing {
+  template <class Integral>
+  void operator()(const Integral&) const {}
+};
+
+/// Prints an integral that integral_to(options) computes, after before_printing(integral).
+template <class Integral, class Then = nothing>
 exit_status report(const expression& f, const integrate_command_options& options,
-                   const Integral& integral_to) {
+                   const Integral& integral_to, const Then& before_printing = {}) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
   check_memory(options, digits);
@@ -216,6 +224,7 @@ exit_status report(const expression& f, const integrate_command_options& options
   how.threads = options.threads;
   how.rule = read_rule(options.rule);
   const auto i = integrate_for(integral_to, digits, how);
+  before_printing(i);
   print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
@@ -306,13 +315,41 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
-exit_status integrate_real(const integrate_command_options& options) {
+/// What a certificate is of. Throws usage_error for an infinite range.
+formula_over_range certified_range(const expression& f, const integrate_command_options& options) {
+  const auto end_of = [&](const std::string& text) {
+    if (read_limit(text, options.let).infinite_sign() != 0) {
+      throw usage_error("--certificate: the range must be finite");
+    }
+    return read_formula(text, {}, options.let);
+  };
+  formula_over_range what{f, end_of(*options.from), end_of(*options.to)};
+  expect_checkable(what);
+  return what;
+}
+
+exit_status integrate_real(integrate_command_options& options) {
   const expression f = read_formula(options.formula, {options.variable}, options.let);
   const limit a = read_limit(*options.from, options.let);
   const limit b = read_limit(*options.to, options.let);
-  return report(f, options, [g = integrand_of(f), a, b](const integrate_options& goal) {
+  const auto integrate_to = [g = integrand_of(f), a, b](const integrate_options& goal) {
     return detail::integrate_function(g, a, b, goal);
+  };
+  if (!options.certificate.is_given()) return report(f, options, integrate_to);
+  const formula_over_range what = certified_range(f, options);
+  options.certificate.prepare();
+  const auto integrate_closer = [&](integrate_options goal) {
+    goal.digits += 4;  // the certificate's number is wider than the enclosure
+    return integrate_to(goal);
+  };
+  bool certified = false;
+  const exit_status result = report(f, options, integrate_closer, [&](const integral& i) {
+    certified = i.verdict == status::certified;
+    if (!certified) return;
+    options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
   });
+  options.certificate.expect_certified(certified);
+  return result;
 }
 
 exit_status integrate_along_path(const integrate_command_options& options) {
@@ -339,12 +376,16 @@ exit_status integrate_along_path(const integrate_command_options& options) {
   });
 }
 
-exit_status run(const integrate_command_options& options) {
+exit_status run(integrate_command_options& options) {
   check_range(options);
   const bool has_intervals = !options.let.intervals().texts.empty();
   const bool insists = read_rule(options.rule) != quadrature_rule::automatic;
   if (insists && (!options.from || has_intervals)) {
     throw usage_error("--rule is for limits --from and --to, and numbers for the parameters");
+  }
+  if (options.certificate.is_given() && (!options.from || has_intervals)) {
+    throw usage_error(
+        "--certificate is for limits --from and --to, and numbers for the parameters");
   }
   if (has_intervals && options.from) return integrate_over_box(options);
   if (has_intervals) {
@@ -387,6 +428,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->certificate.declare(app);
   return [options] { return run(*options); };
 }
 
@@ -400,7 +442,9 @@ command integrate_command() {
       "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n"
       "  polhode integrate \"1/sqrt(1-m*sin(x)^2)\" --from 0 --to pi/2 --let \"m=[0.1, 0.2]\"\n"
       "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"
-      "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n\n"
+      "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n"
+      "  polhode integrate \"4/(1+x^2)\" --from 0 --to 1 --certificate pi.json && polhode check "
+      "pi.json\n\n"
       "The integrand may be singular at the limits (powers, logarithms, and what is 0/0 there), "
       "and\n"
       "the limits infinite where it decays. That it is analytic between them is proved, never\n"

@@ -26,12 +26,6 @@ bool is_something_else(const std::string& path) {
   return stat(path.c_str(), &what) == 0 && !S_ISDIR(what.st_mode);
 }
 
-[[noreturn]] void cannot_write(const std::string& path, int error) {
-  throw output_error(fmt::format(
-      "{} cannot be written ({}): give --out a directory that can be written and has room",
-      in_quotes(path), system_message(error)));
-}
-
 /// Writes, and makes sure that it is on the disk: some file systems fail only then.
 int write_and_close(int descriptor, const std::string& contents) {
   int error = write_all(descriptor, contents);
@@ -42,9 +36,18 @@ int write_and_close(int descriptor, const std::string& contents) {
 
 }  // namespace
 
-output_directory::output_directory(std::string path, const std::vector<std::string>& names)
-    : path_(std::move(path)) {
-  if (path_.empty()) throw usage_error("--out \"\": give the name of a directory");
+void output_directory::cannot_write(const std::string& path, int error) const {
+  throw output_error(
+      fmt::format("{} cannot be written ({}): give {} a directory that can be written and has room",
+                  in_quotes(path), system_message(error), option_));
+}
+
+output_directory::output_directory(std::string path, const std::vector<std::string>& names,
+                                   std::string option)
+    : path_(std::move(path)), option_(std::move(option)) {
+  if (path_.empty()) {
+    throw usage_error(fmt::format("{} \"\": give the name of a directory", option_));
+  }
   try {
     create_missing_directories();
     for (const std::string& name : names) {
@@ -69,16 +72,16 @@ void output_directory::create_missing_directories() {
     const std::string parent = path_.substr(0, end);
     if (is_directory(parent)) continue;
     if (is_something_else(parent)) {
-      throw output_error(fmt::format("--out {}: {} is a file; give a directory", in_quotes(path_),
-                                     parent == path_ ? "it" : in_quotes(parent)));
+      throw output_error(fmt::format("{} {}: {} is a file; give a directory", option_,
+                                     in_quotes(path_), parent == path_ ? "it" : in_quotes(parent)));
     }
     const int error = create_temporary_directory(parent);
     if (error == 0) {
       created_.push_back(parent);
     } else if (error != EEXIST || !is_directory(parent)) {
-      throw output_error(fmt::format(
-          "--out {}: the directory cannot be created ({}); give one that can be written",
-          in_quotes(path_), system_message(error)));
+      throw output_error(
+          fmt::format("{} {}: the directory cannot be created ({}); give one that can be written",
+                      option_, in_quotes(path_), system_message(error)));
     }
   }
 }

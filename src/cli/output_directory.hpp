@@ -13,8 +13,9 @@ namespace polhode::cli {
 class output_directory {
  public:
   /// Creates the directory where it is missing, and its parents, and makes sure that files of
-  /// these names can be created in it. Throws output_error otherwise.
-  output_directory(std::string path, const std::vector<std::string>& names);
+  /// these names can be created in it. Throws output_error otherwise, in which `option` is what gave the path.
+  output_directory(std::string path, const std::vector<std::string>& names,
+                   std::string option = "--out");
   ~output_directory();
   output_directory(const output_directory&) = delete;
   output_directory& operator=(const output_directory&) = delete;
@@ -37,8 +38,10 @@ class output_directory {
   [[nodiscard]] int create_beside(const std::string& name, std::string& temporary) const;
   [[nodiscard]] std::string in_directory(const std::string& name) const;
   void take_back() noexcept;
+  [[noreturn]] void cannot_write(const std::string& path, int error) const;
 
   std::string path_;
+  std::string option_;
   std::vector<std::string> created_;  // directories, parents first
   std::vector<pending_file> pending_;
 };

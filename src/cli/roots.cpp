@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "certificate_option.hpp"
 #include "commands.hpp"
 #include "formula.hpp"
 #include "formula_function.hpp"
@@ -17,6 +18,7 @@
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
+#include "polhode/certificate/formula_certificates.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -33,22 +35,31 @@ struct roots_options {
   int threads = 1;
   format_option format{{"text", "csv", "json"}};
   memory_limit_option memory_limit;
+  certificate_option certificate;
+};
+
+/// An end of the range, and its formula where it is finite.
+struct given_end {
+  range_end end;
+  std::optional<expression> formula;
 };
 
 /// An end as it is given: inf, -inf, or a formula without variables.
-range_end read_end(const std::string& text, const let_option& let) {
+given_end read_end(const std::string& text, const let_option& let) {
   const std::size_t first = text.find_first_not_of(' ');
   const std::size_t last = text.find_last_not_of(' ');
   const std::string given = first == std::string::npos ? "" : text.substr(first, last - first + 1);
-  if (given == "inf" || given == "+inf") return range_end::infinity();
-  if (given == "-inf") return range_end::minus_infinity();
+  if (given == "inf" || given == "+inf") return {range_end::infinity(), std::nullopt};
+  if (given == "-inf") return {range_end::minus_infinity(), std::nullopt};
   const expression f = read_formula(given, {}, let);
-  if (const auto form = limit_of(f).form()) return range_end(*form);
-  return range_end([f](precision p) { return f.value(p); });
+  if (const auto form = limit_of(f).form()) return {range_end(*form), f};
+  return {range_end([f](precision p) { return f.value(p); }), f};
 }
 
+using given_range = std::pair<given_end, given_end>;
+
 /// LO..HI. A number may end or begin with a point (1...5), so every ".." is tried.
-std::pair<range_end, range_end> read_range(const std::string& text, const let_option& let) {
+given_range read_range(const std::string& text, const let_option& let) {
   std::optional<usage_error> first_error;
   for (std::size_t at = text.find(".."); at != std::string::npos; at = text.find("..", at + 1)) {
     try {
@@ -115,8 +126,7 @@ struct answer {
   }
 };
 
-answer find_roots(const expression& f, const std::pair<range_end, range_end>& range, long digits,
-                  int threads) {
+answer find_roots(const expression& f, const given_range& range, long digits, int threads) {
   const progress line;
   line.show("looking for roots");
   isolate_options options;
@@ -127,7 +137,7 @@ answer find_roots(const expression& f, const std::pair<range_end, range_end>& ra
     return true;
   };
   answer result;
-  result.roots = isolate_roots(function_of(f), range.first, range.second, options);
+  result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
   const std::vector<root_region>& regions = result.roots.regions;
   const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
   for (auto first = regions.begin(); first != regions.end();) {
@@ -282,7 +292,35 @@ std::string as_json(const expression& f, const roots_options& options, const ans
 // ---------------------------------------------------------------------------------------------
 // The command
 
-exit_status run(const roots_options& options) {
+/// What a certificate is of. Throws usage_error for an infinite range.
+formula_over_range certified_range(const expression& f, const given_range& range) {
+  if (!range.first.formula || !range.second.formula) {
+    throw usage_error("--certificate: the range must be finite");
+  }
+  formula_over_range what{f, *range.first.formula, *range.second.formula};
+  expect_checkable(what);
+  return what;
+}
+
+/// Throws usage_error for an answer that no certificate can hold.
+json certificate_of(const formula_over_range& what, const answer& a, long digits) {
+  const auto refuse = [](const char* why) {
+    throw usage_error(fmt::format("--certificate: {}", why));
+  };
+  if (a.roots.identically_zero) refuse("the formula is 0 everywhere");
+  if (!a.roots.singular.empty()) {
+    refuse("the formula is not defined everywhere in the range; give one in which it is");
+  }
+  std::vector<ball> enclosures;
+  enclosures.reserve(a.list.size());
+  for (const listed_root& r : a.list) {
+    if (r.region.multiplicity != 1) refuse("there is a multiple root; it must be simple");
+    enclosures.push_back(r.exact ? r.enclosure : refine(r.region, digits + 8).enclosure);
+  }
+  return roots_certificate(what, enclosures, digits);
+}
+
+exit_status run(roots_options& options) {
   const long digits = options.digits.value();
   const std::string format = options.format.value();
   const expression f = read_formula(options.formula, {options.variable}, options.let);
@@ -291,9 +329,14 @@ exit_status run(const roots_options& options) {
   const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
                               bytes_per_digit * numbers * static_cast<double>(digits)});
+  std::optional<formula_over_range> what;
+  if (options.certificate.is_given()) what = certified_range(f, range);
+  options.certificate.prepare();
   const answer a = find_roots(f, range, digits, options.threads);
+  if (what && a.is_certified()) options.certificate.write(certificate_of(*what, a, digits));
   print(format == "json" ? as_json(f, options, a, digits)
                          : (format == "csv" ? as_csv(a, digits) : as_text(a, digits)));
+  options.certificate.expect_certified(a.is_certified());
   return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
 }
 
@@ -314,6 +357,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->certificate.declare(app);
   return [options] { return run(*options); };
 }
 
@@ -324,7 +368,9 @@ command roots_command() {
       "roots", "Find all roots of a formula in an interval, with a proof",
       "  polhode roots \"cos(x) - x\" --in 0..1 --digits 100\n"
       "  polhode roots \"(x-1)*(x^2-2)^3\" --in -inf..inf\n"
-      "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n\n"
+      "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n"
+      "  polhode roots \"cos(x) - x\" --in 0..1 --certificate root.json && polhode check "
+      "root.json\n\n"
       "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
       "  unique         a simple root, the only one in its place\n"
       "  multiple M     a root of multiplicity M, the only one in its place\n"

@@ -108,5 +108,84 @@ TEST(Check, NamesWhatIsNoFileInADirectory) {
   EXPECT_EQ(lines[4], "4 certificates: 1 verified");
 }
 
+// ---------------------------------------------------------------------------------------------
+// --certificate
+
+TEST(CertificateOption, WhatIsWrittenIsVerified) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path("c.json");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"integrate", "4/(1+x^2)", "--from", "0", "--to", "1"},
+        {"integrate", "k*exp(t)*sin(t)", "--from", "0", "--to", "pi", "--let", "k=1/3",
+         "--variable", "t", "--digits", "20", "--format", "json"},
+        {"integrate", "exp(-x^2)", "--from", "1", "--to", "-1", "--digits", "100"},
+        {"integrate", "sin(x)", "--from", "-1", "--to", "1"},
+        {"roots", "cos(x)-x", "--in", "0..1"},
+        {"roots", "sin(t) - k*t", "--in", "-10..10", "--let", "k=1/10", "--variable", "t"},
+        {"roots", "exp(x)", "--in", "-pi..pi", "--format", "csv"},
+        {"constants", "beta"},
+        {"constants", "delta_psi_max", "--digits", "200"}}) {
+    const std::string without = certified(arguments);
+    std::vector<std::string> with = arguments;
+    with.insert(with.end(), {"--certificate", file});
+    const std::string printed = certified(with);
+    if (arguments.front() != "integrate") {  // whose account may differ
+      EXPECT_EQ(printed, without);
+    }
+    EXPECT_NE(certified({"check", file}).find(": verified: "), std::string::npos)
+        << arguments[0] << ' ' << arguments[1];
+  }
+}
+
+TEST(CertificateOption, WhatNoCertificateCanHoldIsRefusedAndNothingWritten) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path("c.json");
+  const auto refused = [&](std::vector<std::string> arguments,
+                           const std::vector<std::string>& words) {
+    arguments.insert(arguments.end(), {"--certificate", file});
+    expect_refused(arguments, words);
+    EXPECT_TRUE(names_in(scratch.path("")).empty()) << arguments[1];
+  };
+  refused({"integrate", "erf(x)", "--from", "0", "--to", "1"}, {"erf", "sqrt, exp"});
+  refused({"integrate", "abs(x)", "--from", "-1", "--to", "1"}, {"abs"});
+  refused({"integrate", "exp(-x)", "--from", "0", "--to", "inf"}, {"--certificate", "finite"});
+  refused({"integrate", "1", "--from", "0", "--to", "gamma(1/3)"}, {"upper end", "gamma"});
+  refused({"integrate", "sqrt(x)", "--from", "0", "--to", "1"}, {"analytic", "limits"});
+  refused({"integrate", "a*x", "--from", "0", "--to", "1", "--let", "a=[1, 2]"},
+          {"--certificate", "--from and --to"});
+  refused({"integrate", "x", "--along", "0, 1"}, {"--certificate", "--from and --to"});
+  refused({"roots", "root(x, 3) - 1", "--in", "0..2"}, {"root"});
+  refused({"roots", "exp(x) - 1", "--in", "-inf..1"}, {"--certificate", "finite"});
+  refused({"roots", "(x-1)^2", "--in", "0..2"}, {"--certificate", "multiple"});
+  refused({"roots", "sin(x)", "--in", "0..1"}, {"root 0", "end of the range"});
+  refused({"roots", "tan(x)", "--in", "1..4"}, {"--certificate", "not defined everywhere"});
+  refused({"constants"}, {"--certificate", "one constant"});
+}
+
+TEST(CertificateOption, WithoutAProofThereIsNoFile) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path("c.json");
+  const outcome result =
+      run({"integrate", "1/x", "--from", "-1", "--to", "1", "--certificate", file});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("not certified"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(CertificateOption, TheFileMustBeOne) {
+  const scratch_directory scratch;
+  const std::vector<std::string> integral{"integrate", "x", "--from", "0", "--to", "1"};
+  const auto refused = [&](const std::string& path, const std::vector<std::string>& words) {
+    std::vector<std::string> arguments = integral;
+    arguments.insert(arguments.end(), {"--certificate", path});
+    expect_refused(arguments, words);
+  };
+  refused("", {"--certificate", "name of a file"});
+  refused(scratch.path(""), {"--certificate", "name of a file"});
+  refused("/tmp", {"--certificate", "directory"});
+  refused("/dev/null", {"--certificate", "device"});
+  refused("/dev/null/c.json", {"--certificate", "is a file"});
+}
+
 }  // namespace
 }  // namespace polhode::test

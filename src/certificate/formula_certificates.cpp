@@ -1,0 +1,379 @@
+#include "polhode/certificate/formula_certificates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/digest.hpp"
+
+namespace polhode {
+namespace {
+
+// ---------------------------------------------------------------------------------------------
+// What a checker knows (docs/certificates.md)
+
+constexpr std::array known_names{"pi",    "sqrt", "exp",  "log",   "sin",   "cos",   "sinh",
+                                 "cosh",  "atan", "tan",  "tanh",  "expm1", "log1p", "sinpi",
+                                 "cospi", "asin", "acos", "asinh", "acosh", "atanh"};
+constexpr std::size_t most_characters = 20'000;
+constexpr int most_parentheses = 150;
+
+std::string known_names_in_words() {
+  std::string result;
+  for (const char* name : known_names) result += (result.empty() ? "" : ", ") + std::string(name);
+  return result;
+}
+
+std::string text_of(const expression& f, const char* what) {
+  std::string text;
+  try {
+    text = f.to_text();
+  } catch (const std::length_error&) {
+    text = std::string(most_characters + 1, ' ');
+  }
+  if (text.size() > most_characters) {
+    throw input_error(fmt::format("{} has more than {} characters, which a certificate may not",
+                                  what, most_characters));
+  }
+  return text;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+void expect_known(const expression& f, const char* what) {
+  const std::string text = text_of(f, what);
+  int open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    open += (text[i] == '(' ? 1 : 0) - (text[i] == ')' ? 1 : 0);
+    if (open > most_parentheses) {
+      throw input_error(
+          fmt::format("{} has more than {} parentheses inside each other, which a "
+                      "certificate may not",
+                      what, most_parentheses));
+    }
+    if (!is_letter(text[i])) continue;
+    std::size_t end = i;
+    while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
+    const std::string name = text.substr(i, end - i);
+    const auto is_name = [&](const auto& known) { return name == known; };
+    if (!std::any_of(f.variables().begin(), f.variables().end(), is_name) &&
+        !std::any_of(known_names.begin(), known_names.end(), is_name)) {
+      throw input_error(
+          fmt::format("{} has {} in it, which no checker of certificates knows; it may have {}",
+                      what, name, known_names_in_words()));
+    }
+    i = end - 1;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Numbers
+
+rational power_of_two(long k) {
+  const integer power = integer(1) << static_cast<unsigned>(std::abs(k));
+  return k < 0 ? rational(integer(1), power) : rational(power);
+}
+
+/// About log2 of the greatest |x|; nothing for {0}.
+std::optional<double> log2_of(const ball& x) {
+  const magnitude m = x.magnitude_upper();
+  if (m.is_zero() || m.is_infinite()) return std::nullopt;
+  return static_cast<double>(m.log2_floor()) + 1;
+}
+
+/// k with 2^k about 10^-(digits+2) of the size of x (of `size`, as a power of two, where x may be 0), and not below x's radius.
+long widening(const ball& x, double size, long digits) {
+  if (!contains_zero(x)) size = *log2_of(x);
+  auto k = static_cast<long>(std::floor(size)) - bits_for_digits(digits + 2);
+  if (!x.radius().is_zero()) k = std::max(k, static_cast<long>(x.radius().log2_floor()) + 1);
+  return k;
+}
+
+ball widened(const ball& x, long k, long digits) {
+  const rational more = power_of_two(k);
+  const precision p = bits_for_digits(digits) + 64;
+  return hull(ball(lower_rational(x) - more, p), ball(upper_rational(x) + more, p));
+}
+
+using inputs = std::vector<std::pair<const char*, std::string>>;
+
+inputs inputs_of(const formula_over_range& what, const char* name_of_formula) {
+  return {{name_of_formula, what.f.to_text()},
+          {"variable", what.f.variables().front()},
+          {"from", what.from.to_text()},
+          {"to", what.to.to_text()}};
+}
+
+/// The certificate, whose inputs are texts.
+json with_inputs(certificate c, const inputs& given) {
+  c.verdict = status::certified;
+  json result = to_json(c);
+  for (const auto& [name, text] : given) result["inputs"][name] = text;
+  result.erase("digest");
+  result["digest"] = digest_of(result.dump());
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Pieces of an integral's range
+
+struct piece {
+  rational begin;
+  rational end;
+  rational rho;
+  rational supremum;
+  long nodes = 0;
+};
+
+/// The search: f over ellipses around pieces of 0 <= s <= 1, x = A + (B - A) s, as in the checker.
+class piece_search {
+ public:
+  piece_search(const formula_over_range& what, double log2_error, long digits)
+      : f_(what.f.evaluator<region>(64)),
+        variable_(what.f.variables().front()),
+        start_(interval_of(what.from.value(64))),
+        length_(interval_of(what.to.value(64) - what.from.value(64))),
+        log2_error_(log2_error),
+        enough_nodes_(std::max(100L, 4 * digits)) {
+    log2_length_ = log2_of(what.to.value(64) - what.from.value(64)).value_or(0);
+  }
+
+  std::vector<piece> run() {
+    struct part {
+      rational begin, end;
+      int depth;
+    };
+    constexpr int most_depth = 120;
+    constexpr std::size_t most_pieces = 1000;
+    std::vector<piece> result;
+    std::vector<part> rest{{0, 1, 0}};
+    while (!rest.empty()) {
+      const part p = rest.back();
+      rest.pop_back();
+      std::optional<piece> found = best_ellipse(p.begin, p.end);
+      const rational middle((p.begin + p.end) / 2);
+      if (found && (found->nodes <= enough_nodes_ || p.depth == most_depth)) {
+        result.push_back(*std::move(found));
+      } else if (p.depth == most_depth) {
+        throw input_error(
+            fmt::format("no certificate: the integrand is not found to be analytic around {} = {}, "
+                        "and a checker knows only integrands that are, at the limits too",
+                        variable_, to_decimal(ball(double_middle(middle)), 10)));
+      } else {
+        rest.push_back({middle, p.end, p.depth + 1});
+        rest.push_back({p.begin, middle, p.depth + 1});
+      }
+      if (result.size() + rest.size() > most_pieces) {
+        throw input_error(fmt::format(
+            "no certificate: it would have more than {} pieces of the range", most_pieces));
+      }
+    }
+    return result;
+  }
+
+ private:
+  static double_interval interval_of(const ball& x) { return region(x).re(); }
+  ball double_middle(const rational& s) const {
+    return ball::exactly((start_ + length_ * double_interval(s)).midpoint(), 64);
+  }
+
+  std::optional<piece> best_ellipse(const rational& begin, const rational& end) const {
+    constexpr std::array tenths_of_rho{160, 120, 80, 60, 50, 40, 35, 30,
+                                       26,  23,  20, 18, 16, 14, 13};
+    std::optional<piece> best;
+    double least_cost = 0;
+    for (const int tenths : tenths_of_rho) {
+      const double rho = tenths / 10.0;
+      long tiles = 0;
+      const std::optional<long> bound = log2_supremum(begin, end, rho, tiles);
+      if (!bound) continue;
+      // 16 M |B-A| rho^(1-n)/(rho-1) at most the error: a quarter of it for all pieces together.
+      const double power =
+          4 + static_cast<double>(*bound) + log2_length_ - std::log2(rho - 1) - log2_error_;
+      const long n = std::max(2L, static_cast<long>(std::ceil(power / std::log2(rho))) + 1);
+      const long rounded = (n + 7) / 8 * 8;  // so that pieces share their rules
+      const double cost = 2.0 * static_cast<double>(rounded) + static_cast<double>(tiles);
+      if (best && cost >= least_cost) continue;
+      least_cost = cost;
+      best = piece{begin, end, rational(tenths, 10), power_of_two(*bound), rounded};
+    }
+    return best;
+  }
+
+  /// k with |f| <= 2^(k-1) on the ellipse, by tiles of its upper half; nothing where it is not found.
+  std::optional<long> log2_supremum(const rational& begin, const rational& end, double rho,
+                                    long& tiles) const {
+    constexpr long most_tiles = 1500;
+    constexpr long greatest_log2 = 900;
+    struct tile {
+      double left, right, bottom, top;
+    };
+    const double wide = (rho + 1 / rho) / 2;
+    const double high = (rho - 1 / rho) / 2;
+    const double_interval middle(rational((begin + end) / 2));
+    const double_interval half(rational((end - begin) / 2));
+    std::vector<tile> rest{{-wide, wide, 0, high}};
+    std::optional<long> most;
+    while (!rest.empty()) {
+      const tile t = rest.back();
+      rest.pop_back();
+      const double u = (t.left > 0 ? t.left : t.right < 0 ? t.right : 0) / wide;
+      const double v = t.bottom / high;
+      if (u * u + v * v > 1) continue;
+      if (++tiles > most_tiles) return std::nullopt;
+      const region z(start_ + length_ * (middle + half * double_interval(t.left, t.right)),
+                     length_ * half * double_interval(t.bottom, t.top));
+      const bool is_small = t.right - t.left <= wide / 4 && t.top - t.bottom <= high / 2;
+      if (is_small) {
+        const region value = f_(z);
+        const magnitude size = value.magnitude_upper();
+        if (value.is_analytic() && !size.is_infinite()) {
+          const long k = size.is_zero() ? -greatest_log2 : static_cast<long>(size.log2_floor()) + 2;
+          if (k > greatest_log2) return std::nullopt;
+          most = std::max({k, most.value_or(k), -greatest_log2});
+          continue;
+        }
+      }
+      if ((t.right - t.left) * high > (t.top - t.bottom) * wide) {
+        const double cut = (t.left + t.right) / 2;
+        rest.push_back({cut, t.right, t.bottom, t.top});
+        rest.push_back({t.left, cut, t.bottom, t.top});
+      } else {
+        const double cut = (t.bottom + t.top) / 2;
+        rest.push_back({t.left, t.right, cut, t.top});
+        rest.push_back({t.left, t.right, t.bottom, cut});
+      }
+    }
+    return most;
+  }
+
+  compiled_expression<region> f_;
+  std::string variable_;
+  double_interval start_;
+  double_interval length_;
+  double log2_length_ = 0;
+  double log2_error_;
+  long enough_nodes_;
+};
+
+// ---------------------------------------------------------------------------------------------
+// Boxes around roots
+
+/// Whether f' is not 0 on the box, by halving it a few times.
+bool is_monotone(const compiled_expression<jet<ball, 1>>& f, const rational& lower,
+                 const rational& upper, precision p, int depth = 0) {
+  constexpr int most_depth = 3;
+  const ball x = hull(ball(lower, p), ball(upper, p));
+  const ball slope = f(jet<ball, 1>::variable(x)).derivative(1);
+  if (!slope.is_undefined() && !contains_zero(slope)) return true;
+  if (depth == most_depth) return false;
+  const rational middle((lower + upper) / 2);
+  return is_monotone(f, lower, middle, p, depth + 1) && is_monotone(f, middle, upper, p, depth + 1);
+}
+
+/// A rational number with a short denominator between two that are not equal.
+rational short_between(const rational& lower, const rational& upper) {
+  rational unit(1);
+  while (unit > upper - lower) unit /= 2;
+  unit /= 4;
+  const rational steps((lower + upper) / (2 * unit));
+  return rational(integer(numerator(steps) / denominator(steps))) * unit;
+}
+
+}  // namespace
+
+void expect_checkable(const formula_over_range& what) {
+  expect_known(what.f, "the formula");
+  expect_known(what.from, "the lower end");
+  expect_known(what.to, "the upper end");
+}
+
+json integral_certificate(const formula_over_range& what, const ball& enclosure, long digits) {
+  expect_checkable(what);
+  const ball length = what.to.value(64) - what.from.value(64);
+  const long k = widening(enclosure, log2_of(length).value_or(0), digits);
+  const inputs given = inputs_of(what, "integrand");
+  certificate c;
+  c.claim = "integral";
+  c.statement = "The integral of the integrand over the range is between the ends of the number.";
+  c.formula = fmt::format("integral from {} to {} of ({}) d{}", given[2].second, given[3].second,
+                          given[0].second, given[1].second);
+  c.method =
+      "Fejer's first rule on pieces of the range, its error bounded by the integrand's supremum on "
+      "an ellipse around each piece; computed in ball arithmetic.";
+  c.numbers.push_back({"integral", widened(enclosure, k, digits), digits});
+  json pieces = json::array();
+  for (const piece& p : piece_search(what, static_cast<double>(k), digits).run()) {
+    pieces.push_back(json{{"end", to_text(p.end)},
+                          {"rho", to_text(p.rho)},
+                          {"supremum", to_text(p.supremum)},
+                          {"nodes", p.nodes}});
+  }
+  c.witness["pieces"] = std::move(pieces);
+  return with_inputs(std::move(c), given);
+}
+
+json roots_certificate(const formula_over_range& what, std::span<const ball> enclosures,
+                       long digits) {
+  expect_checkable(what);
+  const std::size_t count = enclosures.size();
+  const inputs given = inputs_of(what, "formula");
+  certificate c;
+  c.claim = "roots";
+  c.statement = fmt::format(
+      "The formula is 0 at exactly {} points of the range, ends included: at one between the ends "
+      "of each number, where its derivative is not 0.",
+      count);
+  c.formula = fmt::format("{} = 0 for {} <= {} <= {}", given[0].second, given[2].second,
+                          given[1].second, given[3].second);
+  c.method =
+      "On each box the derivative is nowhere 0, and the formula changes its sign between the ends "
+      "of the number in it; it is not 0 outside the boxes. Computed in ball arithmetic.";
+  const precision p = bits_for_digits(digits) + 64;
+  const ball from = what.from.value(p);
+  const ball to = what.to.value(p);
+  const double size = log2_of(to - from).value_or(0);
+  std::vector<ball> numbers;
+  numbers.reserve(count);
+  for (const ball& e : enclosures) numbers.push_back(widened(e, widening(e, size, digits), digits));
+  const auto f = what.f.evaluator<jet<ball, 1>>(p);
+  json boxes = json::array();
+  for (std::size_t i = 0; i < count; ++i) {
+    // Between the neighbours: the middle of what is between their numbers, or an end of the range.
+    const rational lower = lower_rational(numbers[i]);
+    const rational upper = upper_rational(numbers[i]);
+    const rational below = i == 0 ? upper_rational(from) : upper_rational(numbers[i - 1]);
+    const rational above = i + 1 == count ? lower_rational(to) : lower_rational(numbers[i + 1]);
+    if (below >= lower || above <= upper) {
+      throw input_error(fmt::format(
+          "no certificate: the root {} is at an end of the range, or too near another; a checker "
+          "knows only roots inside a range",
+          to_decimal(enclosures[i], 10)));
+    }
+    rational before(i == 0 ? rational(lower - below) : rational((lower - below) / 2));
+    rational behind(i + 1 == count ? rational(above - upper) : rational((above - upper) / 2));
+    while (!is_monotone(f, lower - before, upper + behind, p)) {
+      before /= 2;
+      behind /= 2;
+      if (before + behind < upper - lower) {
+        throw input_error(fmt::format(
+            "no certificate: the formula's derivative is not found to be different from 0 around "
+            "the root {}; a checker knows only simple roots",
+            to_decimal(enclosures[i], 10)));
+      }
+    }
+    boxes.push_back(json{{"lower", to_text(short_between(lower - before, lower))},
+                         {"upper", to_text(short_between(upper, upper + behind))}});
+    c.numbers.push_back({fmt::format("root_{}", i + 1), numbers[i], digits});
+  }
+  c.witness["boxes"] = std::move(boxes);
+  return with_inputs(std::move(c), given);
+}
+
+}  // namespace polhode

@@ -1,0 +1,54 @@
+#include "formula_claims.hpp"
+
+namespace polhode::checker {
+
+formula_inputs formula_inputs::read(const place& inputs, const char* name) {
+  inputs.expect_keys({name, "variable", "from", "to"});
+  const std::string& variable = inputs["variable"].text();
+  if (!formula::is_variable(variable)) {
+    inputs["variable"].malformed("it is " + in_quotes(variable) +
+                                 "; it must be a name that no function or constant has");
+  }
+  return {formula::read(inputs[name], variable), formula::read(inputs["from"], ""),
+          formula::read(inputs["to"], ""), variable};
+}
+
+number_ends read_number(const place& number) {
+  constexpr long most_digits = 20'000;
+  constexpr long most_bits = 80'000;
+  number.expect_keys({"value", "digits", "lower", "upper", "digits_asked", "dyadic"});
+  const long asked = number["digits_asked"].whole(1, 1L << 40U);
+  if (asked > most_digits) {
+    number["digits_asked"].not_checkable("it is more than " + std::to_string(most_digits));
+  }
+  const range exact = examination::dyadic_range(number["dyadic"]);
+  const rational width(exact.upper - exact.lower);
+  const long bits = bit_length(integer(denominator(width))) + 16;
+  if (bits > most_bits || bit_length(exact.lower) > most_bits ||
+      bit_length(exact.upper) > most_bits) {
+    number["dyadic"].not_checkable("its ends have too many digits");
+  }
+  // The digits that both ends share, and no fewer.
+  const long digits = number["digits"].whole(0, asked);
+  const auto shares = [&](long n) {
+    return decimal(exact.lower, n, rounding::to_zero) == decimal(exact.upper, n, rounding::to_zero);
+  };
+  if ((digits > 0 && !shares(digits)) || (digits < asked && shares(digits + 1))) {
+    number["digits"].refute("it is not the number of digits that both ends share");
+  }
+  if (digits > 0) {
+    number["value"].expect_text(decimal(exact.lower, digits, rounding::to_zero));
+  } else if (!number["value"].value().is_null()) {
+    number["value"].refute("the ends share no digit: it must be null");
+  }
+  // The decimals are outward, and by no more than the ends are apart.
+  const rational lower = number["lower"].decimal_value();
+  const rational upper = number["upper"].decimal_value();
+  if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
+  if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
+  if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
+  if (upper > exact.upper + width) number["upper"].refute("it is far above the exact upper end");
+  return {exact, bits};
+}
+
+}  // namespace polhode::checker
