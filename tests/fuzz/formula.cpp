@@ -1,0 +1,37 @@
+// libFuzzer's target for the checker's formulas: whatever the bytes, it reads a formula in x, or says what is wrong; and evaluates it over
+// sets, or leaves it undecided.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "checker/formula.hpp"
+
+namespace {
+
+using polhode::checker::interval;
+using polhode::checker::rational;
+
+template <class T>
+void evaluate(const polhode::checker::formula& f, const T& x) {
+  try {
+    static_cast<void>(f(x));
+  } catch (const polhode::checker::undecided&) {  // no answer
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const polhode::checker::json text = std::string(reinterpret_cast<const char*>(data), size);
+  try {
+    const polhode::checker::place where(text, "/formula");
+    const auto f = polhode::checker::formula::read(where, "x");
+    const interval x = interval::between(rational(1, 3), rational(1, 2), 64);
+    evaluate(f, x);
+    evaluate(f, polhode::checker::jet{x, interval(rational(1), 64)});
+    evaluate(f, polhode::checker::rectangle{x, x});
+  } catch (const polhode::checker::refusal&) {  // it says what is wrong
+  }
+  return 0;
+}
