@@ -22,6 +22,9 @@ constexpr std::array known_names{"pi",    "sqrt", "exp",  "log",   "sin",   "cos
                                  "cospi", "asin", "acos", "asinh", "acosh", "atanh"};
 constexpr std::size_t most_characters = 20'000;
 constexpr int most_parentheses = 150;
+constexpr std::size_t most_roots = 1000;
+constexpr long most_digits_of_roots = 15'000;
+constexpr long most_digits_of_integrals = 1500;
 
 std::string known_names_in_words() {
   std::string result;
@@ -99,6 +102,13 @@ ball widened(const ball& x, long k, long digits) {
   const rational more = power_of_two(k);
   const precision p = bits_for_digits(digits) + 64;
   return hull(ball(lower_rational(x) - more, p), ball(upper_rational(x) + more, p));
+}
+
+void expect_at_most(long most, long digits, const char* what) {
+  if (digits > most) {
+    throw input_error(fmt::format("no certificate: {} digits are asked for; of {} it may have {}",
+                                  digits, what, most));
+  }
 }
 
 using inputs = std::vector<std::pair<const char*, std::string>>;
@@ -296,6 +306,7 @@ void expect_checkable(const formula_over_range& what) {
 
 json integral_certificate(const formula_over_range& what, const ball& enclosure, long digits) {
   expect_checkable(what);
+  expect_at_most(most_digits_of_integrals, digits, "an integral");
   const ball length = what.to.value(64) - what.from.value(64);
   const long k = widening(enclosure, log2_of(length).value_or(0), digits);
   const inputs given = inputs_of(what, "integrand");
@@ -322,7 +333,12 @@ json integral_certificate(const formula_over_range& what, const ball& enclosure,
 json roots_certificate(const formula_over_range& what, std::span<const ball> enclosures,
                        long digits) {
   expect_checkable(what);
+  expect_at_most(most_digits_of_roots, digits, "roots");
   const std::size_t count = enclosures.size();
+  if (count > most_roots) {
+    throw input_error(
+        fmt::format("no certificate: there are {} roots; it may have {}", count, most_roots));
+  }
   const inputs given = inputs_of(what, "formula");
   certificate c;
   c.claim = "roots";

@@ -11,8 +11,7 @@ namespace polhode::cli {
 namespace fs = std::filesystem;
 
 void certificate_option::declare(CLI::App& app) {
-  app.add_option("--certificate", path,
-                 "Write what `polhode check` needs to show the result again, by itself, to a file")
+  app.add_option("--certificate", path, "Write what `polhode check` needs to show the result again")
       ->type_name("FILE");
 }
 

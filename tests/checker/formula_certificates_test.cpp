@@ -172,6 +172,12 @@ TEST(FormulaCertificates, BoundsMustHold) {
   c = some_integral();
   c["witness"]["pieces"][0]["nodes"] = 8;
   expect_refused(c, "/numbers/integral/dyadic", "too few nodes");
+  // The rule's sum is right to 50 digits, but on these ellipses nothing shows it.
+  for (const char* rho : {"11/10", "3/2"}) {
+    c = with_pieces("4/(1 + x^2)", "0", "1",
+                    json::array({{{"end", "1"}, {"rho", rho}, {"supremum", "64"}, {"nodes", 96}}}));
+    expect_refused(c, "/numbers/integral/dyadic", rho);
+  }
 }
 
 TEST(FormulaCertificates, PiecesMustCoverTheRange) {
