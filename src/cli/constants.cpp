@@ -15,6 +15,7 @@
 #include "progress.hpp"
 #include "proofs/claim.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -131,6 +132,7 @@ struct constants_options {
   digits_option digits;
   format_option format{names_of(output_formats())};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 std::vector<const constant*> selected_constants(const constants_options& options) {
@@ -156,8 +158,7 @@ memory_estimate estimate(const std::vector<const constant*>& constants, long dig
 }
 
 std::vector<enclosed_constant> enclose_all(const std::vector<const constant*>& constants,
-                                           long digits) {
-  const progress line;
+                                           long digits, const progress& line) {
   std::vector<enclosed_constant> result;
   for (const constant* c : constants) {
     line.show(fmt::format("computing {} ({}/{})", c->name, result.size() + 1, constants.size()));
@@ -172,8 +173,21 @@ exit_status run(const constants_options& options) {
   const std::string& wanted = options.format.value();
   const auto format = std::find_if(output_formats().begin(), output_formats().end(),
                                    [&wanted](const output_format& f) { return f.name == wanted; });
-  options.memory_limit.check(estimate(constants, digits, format->kept_decimals));
-  print(format->write(enclose_all(constants, std::max(digits, format->least_digits)), digits));
+  const memory_estimate memory = estimate(constants, digits, format->kept_decimals);
+  options.memory_limit.check(memory);
+  std::vector<enclosed_constant> enclosed;
+  {
+    const progress line;
+    line.show("estimating");
+    std::vector<time_limit_option::work> works;
+    works.reserve(constants.size());
+    for (const constant* c : constants) {
+      works.emplace_back([c](long fewer) { (void)proofs::enclose_to_digits(*c, fewer); });
+    }
+    line.expect(options.time_limit.check(memory.what, digits, works));
+    enclosed = enclose_all(constants, std::max(digits, format->least_digits), line);
+  }
+  print(format->write(enclosed, digits));
   return exit_status::all_certified;
 }
 
@@ -184,6 +198,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

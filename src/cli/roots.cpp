@@ -20,6 +20,7 @@
 #include "polhode/roots/isolate.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -33,6 +34,7 @@ struct roots_options {
   int threads = 1;
   format_option format{{"text", "csv", "json"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 /// An end as it is given: inf, -inf, or a formula without variables.
@@ -116,7 +118,7 @@ struct answer {
 };
 
 answer find_roots(const expression& f, const std::pair<range_end, range_end>& range, long digits,
-                  int threads) {
+                  int threads, const time_limit_option& time_limit) {
   const progress line;
   line.show("looking for roots");
   isolate_options options;
@@ -129,6 +131,13 @@ answer find_roots(const expression& f, const std::pair<range_end, range_end>& ra
   answer result;
   result.roots = isolate_roots(function_of(f), range.first, range.second, options);
   const std::vector<root_region>& regions = result.roots.regions;
+  if (!regions.empty()) {
+    line.expect(time_limit.check(
+        fmt::format("{} digits of {} root{}", digits, regions.size(),
+                    regions.size() == 1 ? "" : "s"),
+        digits, {[&](long fewer) { (void)listed({regions.front()}, fewer, threads); }},
+        static_cast<double>(regions.size())));
+  }
   const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
   for (auto first = regions.begin(); first != regions.end();) {
     const auto last = first + std::min(at_a_time, regions.end() - first);
@@ -291,7 +300,8 @@ exit_status run(const roots_options& options) {
   const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
                               bytes_per_digit * numbers * static_cast<double>(digits)});
-  const answer a = find_roots(f, range, digits, options.threads);
+  (void)options.time_limit.limit();
+  const answer a = find_roots(f, range, digits, options.threads, options.time_limit);
   print(format == "json" ? as_json(f, options, a, digits)
                          : (format == "csv" ? as_csv(a, digits) : as_text(a, digits)));
   return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
@@ -314,6 +324,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 
