@@ -363,7 +363,7 @@ quantity attitude() {
                 [entry = attitude_entry<ball>()](long digits) {
                   return entry(bits_for_digits(digits) + guard);
                 }),
-      {"closed form, floating", "the same in mpfr_float, uncertified", false, most_digits,
+      {"mpfr_float", "the middle of the same computation, uncertified", false, most_digits,
        [entry = attitude_entry<mpfr_float>()](long digits) {
          return estimate{ball(entry(bits_for_digits(digits) + guard)), std::nullopt, 0};
        }},
