@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include <boost/numeric/odeint.hpp>
-
+#include "cost/odeint.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/rotor.hpp"
@@ -65,51 +64,6 @@ row samples_to_digits(const initial_state& state, long digits) {
 
 // ---------------------------------------------------------------------------------------------
 
-using odeint_state = std::array<double, 7>;  // J, then w, x, y, z
-
-class equations {
- public:
-  explicit equations(const triple<rational>& moments) {
-    for (std::size_t i = 0; i < 3; ++i) inverse_[i] = static_cast<double>(1 / moments[i]);
-  }
-  void operator()(const odeint_state& x, odeint_state& slope, double) const {
-    const auto& [jx, jy, jz, w, a, b, c] = x;
-    const double ox = jx * inverse_[0];
-    const double oy = jy * inverse_[1];
-    const double oz = jz * inverse_[2];
-    slope = {jy * oz - jz * oy,
-             jz * ox - jx * oz,
-             jx * oy - jy * ox,
-             (-a * ox - b * oy - c * oz) / 2,
-             (w * ox + b * oz - c * oy) / 2,
-             (w * oy + c * ox - a * oz) / 2,
-             (w * oz + a * oy - b * ox) / 2};
-  }
-
- private:
-  std::array<double, 3> inverse_{};
-};
-
-odeint_state by_dopri5(const rotor<double>& r, double t) {
-  const auto j = r.sample(0.0).momentum;
-  odeint_state x{j[0], j[1], j[2], 1, 0, 0, 0};
-  namespace ode = boost::numeric::odeint;
-  constexpr double tolerance = 1e-12;
-  ode::integrate_adaptive(
-      ode::make_controlled<ode::runge_kutta_dopri5<odeint_state>>(tolerance, tolerance),
-      equations(r.state().moments()), x, 0.0, t, 1e-3);
-  return x;
-}
-
-matrix3<double> matrix_of(const odeint_state& s) {
-  const double norm = s[3] * s[3] + s[4] * s[4] + s[5] * s[5] + s[6] * s[6];
-  const double k = 2 / norm;
-  const auto& [jx, jy, jz, w, x, y, z] = s;
-  return {{{1 - k * (y * y + z * z), k * (x * y - w * z), k * (x * z + w * y)},
-           {k * (x * y + w * z), 1 - k * (x * x + z * z), k * (y * z - w * x)},
-           {k * (x * z - w * y), k * (y * z + w * x), 1 - k * (x * x + y * y)}}};
-}
-
 double upper_bound_of(const ball& x) { return mpfr_get_d(upper(x).backend().data(), MPFR_RNDU); }
 
 std::string errors(const rotor<ball>& exact, const rational& t, const triple<double>& momentum,
@@ -134,15 +88,19 @@ outcome against_odeint(const initial_state& state) {
   const rotor<double> r(state);
   const rotor<ball> exact(state, 80);
   const double t = 1000 * *r.period();
+  const auto by_dopri5 = [state, t] {
+    constexpr double tolerance = 1e-12;
+    return cost::rotation_by_dopri5(state, t, tolerance);
+  };
   row race;
   race.contestants = {
       warm([state, t] { benchmark::DoNotOptimize(rotor<double>(state).attitude(t)); }),
-      warm([r, t] { benchmark::DoNotOptimize(by_dopri5(r, t)); })};
+      warm([by_dopri5] { benchmark::DoNotOptimize(by_dopri5()); })};
   race.ratios = {{1, 0, at_least(100)}};
   outcome result = polhode::bench::detail::measure(race);
-  const odeint_state x = by_dopri5(r, t);
+  const cost::integrated_rotation x = by_dopri5();
   result.remark = " " + errors(exact, rational(t), r.sample(t).momentum, r.attitude(t).matrix) +
-                  "   " + errors(exact, rational(t), {x[0], x[1], x[2]}, matrix_of(x));
+                  "   " + errors(exact, rational(t), x.momentum, x.matrix());
   return result;
 }
 

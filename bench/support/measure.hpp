@@ -5,7 +5,7 @@
 //
 // A program declares tables of rows. Each row is registered with Google Benchmark (whose
 // --benchmark_filter, --benchmark_list_tests and --benchmark_out serve as usual; --json FILE is
-// short for the last), and printed as one line: the median time of a call for each contestant, then
+// short for the last; --quick measures three rounds, for a look), and printed as one line: the median time of a call for each contestant, then
 // the ratios of two contestants that the table is about, "/Arb" for the first one's time over
 // Arb's. A ratio is the median of the rounds' ratios; where it misses the limit printed beside it,
 // it is marked with an exclamation mark.
@@ -97,8 +97,16 @@ struct outcome {
 namespace detail {
 
 inline constexpr double least_batch_seconds = 1e-3;
-inline constexpr double row_seconds = 0.4;
-inline constexpr int least_rounds = 7;
+/// How long a row is measured, and in how many rounds at least.
+struct effort {
+  double row_seconds = 0.4;
+  int least_rounds = 7;
+};
+/// --quick lessens it, for the whole program.
+[[nodiscard]] inline effort& effort_of_program() {
+  static effort chosen;
+  return chosen;
+}
 inline constexpr int most_rounds = 151;
 inline constexpr int limit_width = 6;
 
@@ -130,8 +138,9 @@ struct batch_size {
     sizes.push_back(calibrate(c));
     round_seconds += sizes.back().seconds;
   }
-  const int rounds =
-      std::clamp(static_cast<int>(row_seconds / round_seconds), least_rounds, most_rounds);
+  const effort& wanted = effort_of_program();
+  const int rounds = std::clamp(static_cast<int>(wanted.row_seconds / round_seconds),
+                                wanted.least_rounds, most_rounds);
   std::vector<std::vector<double>> seconds(r.contestants.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < r.contestants.size(); ++i) {
@@ -233,6 +242,8 @@ class suite {
       if (std::string(argv[i]) == "--json" && i + 1 < argc) {
         result.push_back(std::string("--benchmark_out=") + argv[++i]);
         result.emplace_back("--benchmark_out_format=json");
+      } else if (std::string(argv[i]) == "--quick") {
+        detail::effort_of_program() = {0.03, 3};
       } else {
         result.emplace_back(argv[i]);
       }

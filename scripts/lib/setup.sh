@@ -15,6 +15,7 @@ library_packages=(
   libtomlplusplus-dev libpugixml-dev
 )
 oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
+peer_packages=(libpari-dev)  # of the benchmarks alone
 
 # Compiled objects are shared between checkouts of this project, wherever they lie.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
@@ -117,7 +118,8 @@ fingerprint() {
   cksum <"$root/CMakePresets.json"
   echo "${CC-} ${CXX-} ${CXXFLAGS-}"
   if command -v dpkg-query >/dev/null; then
-    for package in "${toolchain_packages[@]}" "${library_packages[@]}" "${oracle_packages[@]}"; do
+    for package in "${toolchain_packages[@]}" "${library_packages[@]}" "${oracle_packages[@]}" \
+      "${peer_packages[@]}"; do
       name=$(installed_of "$package") || continue
       dpkg-query --show "$name"
     done

@@ -32,6 +32,7 @@ class worker_threads {
   explicit worker_threads(int threads)
       : arena_(threads == 0 ? processors() : std::min(threads, processors())) {}
 
+  [[nodiscard]] int count() const { return arena_.max_concurrency(); }
   [[nodiscard]] static int processors() { return tbb::info::default_concurrency(); }
 
   /// step(0), ..., step(count - 1) in any order. What one throws is thrown.

@@ -18,6 +18,7 @@
 #include "progress.hpp"
 #include "proofs/claim.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -35,6 +36,7 @@ struct certify_options {
   std::optional<std::string> ab;
   std::optional<std::string> u;
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 std::vector<const claim*> selected_claims(const certify_options& options) {
@@ -148,9 +150,8 @@ struct timed_certificate {
 };
 
 std::vector<timed_certificate> prove_all(const std::vector<const claim*>& claims,
-                                         const request& wanted) {
+                                         const request& wanted, const progress& line) {
   using clock = std::chrono::steady_clock;
-  const progress line;
   std::vector<timed_certificate> result;
   result.reserve(claims.size());
   for (const claim* c : claims) {
@@ -255,7 +256,8 @@ exit_status run(const certify_options& options) {
   const bool as_json = options.format.value() == "json";
   const bool as_table = options.format.value() == "markdown";
   refuse_idle_motion(options, claims);
-  options.memory_limit.check(estimate(claims, wanted.digits));
+  const memory_estimate memory = estimate(claims, wanted.digits);
+  options.memory_limit.check(memory);
   if (options.list) {
     if (as_table) throw usage_error("--format markdown: a list is text or json");
     print(as_json ? list_as_json(claims) : list_as_text(claims));
@@ -269,7 +271,17 @@ exit_status run(const certify_options& options) {
     for (const claim* c : claims) names.push_back(file_name(c->name));
     directory.emplace(*options.directory, names);
   }
-  const std::vector<timed_certificate> certificates = prove_all(claims, wanted);
+  const std::vector<timed_certificate> certificates = [&] {
+    const progress line;
+    line.show("estimating");
+    std::vector<time_limit_option::work> works;
+    works.reserve(claims.size());
+    for (const claim* c : claims) {
+      works.emplace_back([&, c](long fewer) { (void)prove(*c, {fewer, wanted.motion}); });
+    }
+    line.expect(options.time_limit.check(memory.what, wanted.digits, works));
+    return prove_all(claims, wanted, line);
+  }();
   if (directory) write_files(*directory, certificates);
   print(as_table  ? certificates_as_table(claims, certificates)
         : as_json ? certificates_as_json(certificates)
@@ -302,6 +314,7 @@ std::function<exit_status()> declare(CLI::App& app) {
          fmt::format("The motion's parameter, 0 < u <= 1, read exactly [{}]", to_text(usual.u)))
       ->type_name("U");
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

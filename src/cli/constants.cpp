@@ -16,6 +16,7 @@
 #include "progress.hpp"
 #include "proofs/claim.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -133,6 +134,7 @@ struct constants_options {
   format_option format{names_of(output_formats())};
   memory_limit_option memory_limit;
   certificate_option certificate;
+  time_limit_option time_limit;
 };
 
 std::vector<const constant*> selected_constants(const constants_options& options) {
@@ -158,8 +160,7 @@ memory_estimate estimate(const std::vector<const constant*>& constants, long dig
 }
 
 std::vector<enclosed_constant> enclose_all(const std::vector<const constant*>& constants,
-                                           long digits) {
-  const progress line;
+                                           long digits, const progress& line) {
   std::vector<enclosed_constant> result;
   for (const constant* c : constants) {
     line.show(fmt::format("computing {} ({}/{})", c->name, result.size() + 1, constants.size()));
@@ -200,13 +201,27 @@ exit_status run(constants_options& options) {
   const std::string& wanted = options.format.value();
   const auto format = std::find_if(output_formats().begin(), output_formats().end(),
                                    [&wanted](const output_format& f) { return f.name == wanted; });
-  options.memory_limit.check(estimate(constants, digits, format->kept_decimals));
+  const memory_estimate memory = estimate(constants, digits, format->kept_decimals);
+  options.memory_limit.check(memory);
+  const proofs::claim* about = nullptr;
   if (options.certificate.is_given()) {
-    const proofs::claim& about = claim_about(constants);
+    about = &claim_about(constants);
     options.certificate.prepare();
-    write_certificate(about, digits, options.certificate);
   }
-  print(format->write(enclose_all(constants, std::max(digits, format->least_digits)), digits));
+  std::vector<enclosed_constant> enclosed;
+  {
+    const progress line;
+    line.show("estimating");
+    std::vector<time_limit_option::work> works;
+    works.reserve(constants.size());
+    for (const constant* c : constants) {
+      works.emplace_back([c](long fewer) { (void)proofs::enclose_to_digits(*c, fewer); });
+    }
+    line.expect(options.time_limit.check(memory.what, digits, works));
+    if (about != nullptr) write_certificate(*about, digits, options.certificate);
+    enclosed = enclose_all(constants, std::max(digits, format->least_digits), line);
+  }
+  print(format->write(enclosed, digits));
   return exit_status::all_certified;
 }
 
@@ -218,6 +233,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->certificate.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

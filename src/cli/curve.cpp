@@ -22,6 +22,7 @@
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -33,6 +34,7 @@ struct curve_options {
   digits_option digits{"15"};
   format_option format{{"csv", "json", "svg"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 struct point {
@@ -53,24 +55,28 @@ std::vector<rational> motions_of(const curve_options& options, const body& rigid
   return result;
 }
 
-std::vector<point> points_of(const body& rigid, const std::vector<rational>& motions, long digits) {
-  const progress line;
+point point_at(const body& rigid, const rational& c, long digits) {
+  const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
+  point p{c, certain({t.verdict, t.why, t.epsilon}, "epsilon at c = " + to_text(c), digits), {}};
+  if (c <= 0) {
+    // tan = sqrt(u/(1-u)), u = -c/b
+    const rational square(-c / (rigid.b() + c));
+    const auto angle = [&](precision q) { return atan(sqrt(ball(square, q))); };
+    certain_number turning;
+    turning.enclosure = enclose_to_digits(angle, digits, 15 * bits_for_digits(digits) + 1024);
+    if (!turning.enclosure.is_undefined()) turning.verdict = status::certified;
+    p.turning = certain(turning, "the turning point at c = " + to_text(c), digits);
+  }
+  return p;
+}
+
+std::vector<point> points_of(const body& rigid, const std::vector<rational>& motions, long digits,
+                             const progress& line) {
   std::vector<point> result;
   result.reserve(motions.size());
   for (const rational& c : motions) {
-    line.show(fmt::format("computing epsilon(c) ({}/{})", result.size() + 1, motions.size()));
-    const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
-    point p{c, certain({t.verdict, t.why, t.epsilon}, "epsilon at c = " + to_text(c), digits), {}};
-    if (c <= 0) {
-      // tan = sqrt(u/(1-u)), u = -c/b
-      const rational square(-c / (rigid.b() + c));
-      const auto angle = [&](precision q) { return atan(sqrt(ball(square, q))); };
-      certain_number turning;
-      turning.enclosure = enclose_to_digits(angle, digits, 15 * bits_for_digits(digits) + 1024);
-      if (!turning.enclosure.is_undefined()) turning.verdict = status::certified;
-      p.turning = certain(turning, "the turning point at c = " + to_text(c), digits);
-    }
-    result.push_back(std::move(p));
+    line.show_part("computing epsilon(c)", result.size(), motions.size());
+    result.push_back(point_at(rigid, c, digits));
   }
   return result;
 }
@@ -152,10 +158,18 @@ exit_status run(const curve_options& options) {
   const std::vector<rational> motions = motions_of(options, rigid, points);
   constexpr double bytes_per_digit = 60;
   constexpr double bytes_kept = 20;
-  options.memory_limit.check(
-      {fmt::format("{} points of {} digits", points, digits),
-       (bytes_per_digit + bytes_kept * static_cast<double>(points)) * static_cast<double>(digits)});
-  const std::vector<point> curve = points_of(rigid, motions, digits);
+  const std::string what = fmt::format("{} points of {} digits", points, digits);
+  options.memory_limit.check({what, (bytes_per_digit + bytes_kept * static_cast<double>(points)) *
+                                        static_cast<double>(digits)});
+  const std::vector<point> curve = [&] {
+    const progress line;
+    line.show("estimating");
+    const rational& middle = motions[motions.size() / 2];
+    line.expect(options.time_limit.check(
+        what, digits, {[&](long fewer) { (void)point_at(rigid, middle, fewer); }},
+        static_cast<double>(points)));
+    return points_of(rigid, motions, digits, line);
+  }();
   print(format == "csv"
             ? as_csv(curve, digits)
             : (format == "json" ? as_json(rigid, curve, digits) : as_svg(rigid, curve)));
@@ -172,6 +186,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

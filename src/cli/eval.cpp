@@ -18,6 +18,7 @@
 #include "polhode/certificate/certificate.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -29,6 +30,7 @@ struct eval_options {
   digits_option digits;
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -98,8 +100,7 @@ bool is_certain(const ball& x, long digits) {
   return d.exact || d.digits >= digits;
 }
 
-answer enclose(const expression& f, long digits) {
-  const progress line;
+answer enclose(const expression& f, long digits, const progress& line) {
   const precision needed = bits_for_digits(digits);
   const precision most = greatest_working_precision(f, needed);
   answer result;
@@ -209,7 +210,9 @@ exit_status run(const eval_options& options) {
     throw usage_error("there is no formula; give one, such as `polhode eval \"sqrt(2)/3\"`");
   }
   const expression f = read_formula(*options.formula, {}, options.let);
-  options.memory_limit.check(estimate(f, digits));
+  const memory_estimate memory = estimate(f, digits);
+  options.memory_limit.check(memory);
+  (void)options.time_limit.limit();
   if (const auto& q = f.exact_value()) {
     print(json_wanted ? as_json(f, exact_json(*q, digits), {}, digits) : exact_text(*q, digits));
     return exit_status::all_certified;
@@ -218,7 +221,13 @@ exit_status run(const eval_options& options) {
     print(json_wanted ? as_json(f, power_json(*decimal), {}, digits) : *decimal + " exactly\n");
     return exit_status::all_certified;
   }
-  const answer a = enclose(f, digits);
+  const answer a = [&] {
+    const progress line;
+    line.show("estimating");
+    line.expect(options.time_limit.check(memory.what, digits,
+                                         {[&](long fewer) { (void)enclose(f, fewer, line); }}));
+    return enclose(f, digits, line);
+  }();
   print(json_wanted ? as_json(f, to_json(a.enclosure, digits), a, digits) : as_text(f, a, digits));
   return a.why == reason::none ? exit_status::all_certified : exit_status::not_certified;
 }
@@ -232,6 +241,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_flag("--functions", options->list_functions,
                "Print the functions and constants, and exit");
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

@@ -26,6 +26,7 @@
 #include "polhode/certificate/formula_certificates.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -45,6 +46,7 @@ struct integrate_command_options {
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
   certificate_option certificate;
+  time_limit_option time_limit;
 
   /// From 1 to greatest_boxes; throws usage_error for anything else.
   [[nodiscard]] long boxes() const;
@@ -111,8 +113,6 @@ bool is_decided(const complex_ball& z, long digits) {
 /// integral_to(how); a few more digits than were asked for where a digit's end would be undecided.
 template <class Integral>
 auto integrate_for(const Integral& integral_to, long digits, integrate_options how) {
-  const progress line;
-  line.show("integrating");
   how.digits = digits + 1;
   auto result = integral_to(how);
   if (result.verdict == status::certified && !is_decided(result.enclosure, digits)) {
@@ -223,7 +223,14 @@ exit_status report(const expression& f, const integrate_command_options& options
   integrate_options how;
   how.threads = options.threads;
   how.rule = read_rule(options.rule);
-  const auto i = integrate_for(integral_to, digits, how);
+  const auto i = [&] {
+    const progress line;
+    line.show("integrating");
+    line.expect(options.time_limit.check(
+        fmt::format("{} digits of the integral", digits), digits,
+        {[&](long fewer) { (void)integrate_for(integral_to, fewer, how); }}));
+    return integrate_for(integral_to, digits, how);
+  }();
   before_printing(i);
   print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
@@ -378,6 +385,7 @@ exit_status integrate_along_path(const integrate_command_options& options) {
 
 exit_status run(integrate_command_options& options) {
   check_range(options);
+  (void)options.time_limit.limit();
   const bool has_intervals = !options.let.intervals().texts.empty();
   const bool insists = read_rule(options.rule) != quadrature_rule::automatic;
   if (insists && (!options.from || has_intervals)) {
@@ -429,6 +437,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->certificate.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "errors.hpp"
 #include "streams.hpp"
@@ -163,6 +164,11 @@ void remove_temporary(const std::string& path) noexcept {
   const uninterrupted guard;
   remove_file_or_directory(path.c_str());
   forget(path);
+}
+
+std::thread without_signals(std::function<void()> run) {
+  const uninterrupted guard;  // which the new thread inherits
+  return std::thread(std::move(run));
 }
 
 void progress_line_is_shown(bool shown) noexcept { progress_shown = shown; }

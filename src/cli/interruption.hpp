@@ -3,7 +3,9 @@
 // What must happen when the program is stopped in the middle: by Ctrl-C, by SIGTERM, for want of
 // memory.
 
+#include <functional>
 #include <string>
+#include <thread>
 
 namespace polhode::cli {
 
@@ -30,6 +32,9 @@ void keep_temporary_directory(const std::string& path) noexcept;
 
 /// Removes the file, or the directory if it is empty.
 void remove_temporary(const std::string& path) noexcept;
+
+/// A thread that none of those signals interrupts: they are left to the others.
+[[nodiscard]] std::thread without_signals(std::function<void()> run);
 
 /// Whether standard error holds an unfinished line of progress, which an interruption clears.
 void progress_line_is_shown(bool shown) noexcept;

@@ -16,6 +16,7 @@
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -28,6 +29,7 @@ struct phase_options {
   digits_option digits;
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 /// Numbers that the regime does not have are missing.
@@ -47,8 +49,6 @@ bool is_moving(regime r) { return r == regime::oscillating || r == regime::rotat
 bool is_equilibrium(regime r) { return r == regime::equilibrium_x || r == regime::equilibrium_z; }
 
 answer answer_of(const phase_options& options, const body& rigid, const rational& c, long digits) {
-  const progress line;
-  line.show("computing the phase");
   answer result{rigid.kind(), c, regime_of(rigid, c), {}, {}, {}, {}, {}, {}};
   if (result.motion == regime::separatrix) return result;
   if (is_moving(result.motion)) {
@@ -127,9 +127,15 @@ exit_status run(const phase_options& options) {
   if (!options.c) throw usage_error("there is no motion; give --c C, from -b to a");
   const rational c = read_motion(*options.c, rigid);
   constexpr double bytes_per_digit = 40;  // measured at 10^6 digits: 33
-  options.memory_limit.check({fmt::format("{} digits of the phase", digits),
-                              bytes_per_digit * static_cast<double>(digits)});
-  const answer a = answer_of(options, rigid, c, digits);
+  const std::string what = fmt::format("{} digits of the phase", digits);
+  options.memory_limit.check({what, bytes_per_digit * static_cast<double>(digits)});
+  const answer a = [&] {
+    const progress line;
+    line.show("computing the phase");
+    line.expect(options.time_limit.check(
+        what, digits, {[&](long fewer) { (void)answer_of(options, rigid, c, fewer); }}));
+    return answer_of(options, rigid, c, digits);
+  }();
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
   return exit_status::all_certified;
 }
@@ -148,6 +154,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

@@ -21,6 +21,7 @@
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -32,6 +33,7 @@ struct racket_options {
   digits_option digits;
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 /// What does not exist is missing; what was not certified has its verdict.
@@ -52,8 +54,7 @@ struct answer {
 };
 
 answer answer_of(const racket_options& options, const body& rigid, const std::optional<rational>& c,
-                 long digits) {
-  const progress line;
+                 long digits, const progress& line) {
   answer result;
   result.kind = rigid.kind();
   result.injective = is_injective(rigid);
@@ -212,12 +213,17 @@ exit_status run(const racket_options& options) {
   }
   constexpr double bytes_per_digit = 60;
   constexpr double bytes_kept = 20;
+  const std::string what = fmt::format("{} digits of epsilon0 and c0", digits);
   options.memory_limit.check(
-      {fmt::format("{} digits of epsilon0 and c0", digits),
-       (bytes_per_digit +
-        bytes_kept * std::min(listed, static_cast<double>(meeting_count(rigid)))) *
-           static_cast<double>(digits)});
-  const answer a = answer_of(options, rigid, c, digits);
+      {what, (bytes_per_digit +
+              bytes_kept * std::min(listed, static_cast<double>(meeting_count(rigid)))) *
+                 static_cast<double>(digits)});
+  const answer a = [&] {
+    const progress line;
+    line.expect(options.time_limit.check(
+        what, digits, {[&](long fewer) { (void)answer_of(options, rigid, c, fewer, line); }}));
+    return answer_of(options, rigid, c, digits, line);
+  }();
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
   return failures_of(a).empty() ? exit_status::all_certified : exit_status::not_certified;
 }
@@ -233,6 +239,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

@@ -22,6 +22,7 @@
 #include "polhode/roots/isolate.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -36,6 +37,7 @@ struct roots_options {
   format_option format{{"text", "csv", "json"}};
   memory_limit_option memory_limit;
   certificate_option certificate;
+  time_limit_option time_limit;
 };
 
 /// An end of the range, and its formula where it is finite.
@@ -126,7 +128,8 @@ struct answer {
   }
 };
 
-answer find_roots(const expression& f, const given_range& range, long digits, int threads) {
+answer find_roots(const expression& f, const given_range& range, long digits, int threads,
+                  const time_limit_option& time_limit) {
   const progress line;
   line.show("looking for roots");
   isolate_options options;
@@ -139,6 +142,13 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   answer result;
   result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
   const std::vector<root_region>& regions = result.roots.regions;
+  if (!regions.empty()) {
+    line.expect(time_limit.check(
+        fmt::format("{} digits of {} root{}", digits, regions.size(),
+                    regions.size() == 1 ? "" : "s"),
+        digits, {[&](long fewer) { (void)listed({regions.front()}, fewer, threads); }},
+        static_cast<double>(regions.size())));
+  }
   const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
   for (auto first = regions.begin(); first != regions.end();) {
     const auto last = first + std::min(at_a_time, regions.end() - first);
@@ -329,10 +339,11 @@ exit_status run(roots_options& options) {
   const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
                               bytes_per_digit * numbers * static_cast<double>(digits)});
+  (void)options.time_limit.limit();
   std::optional<formula_over_range> what;
   if (options.certificate.is_given()) what = certified_range(f, range);
   options.certificate.prepare();
-  const answer a = find_roots(f, range, digits, options.threads);
+  const answer a = find_roots(f, range, digits, options.threads, options.time_limit);
   if (what && a.is_certified()) options.certificate.write(certificate_of(*what, a, digits));
   print(format == "json" ? as_json(f, options, a, digits)
                          : (format == "csv" ? as_csv(a, digits) : as_text(a, digits)));
@@ -358,6 +369,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->certificate.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

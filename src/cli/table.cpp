@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "arithmetic/worker_threads.hpp"
 #include "body_option.hpp"
 #include "commands.hpp"
 #include "exact_decimals.hpp"
@@ -20,6 +21,7 @@
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -80,9 +82,11 @@ struct table_options {
   std::vector<std::string> quantity;
   bodies_option bodies;
   std::optional<std::string> c;
+  int threads = 0;
   digits_option digits;
   format_option format{{"csv", "json", "cpp"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -219,6 +223,39 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
   return result;
 }
 
+certain_number value_of(const row& r, const quantity& q, long digits) {
+  return q.compute(body(r.a, r.b), r.c ? *r.c : rational(0), digits);
+}
+
+/// All values. Throws not_certified_error for the first of the rows whose value is not certified, whatever the threads.
+void compute(std::vector<row>& rows, const quantity& q, long digits, const std::string& what,
+             const table_options& options) {
+  const progress line;
+  line.show("estimating");
+  detail::worker_threads threads(options.threads);
+  const row& middle = rows[rows.size() / 2];
+  line.expect(options.time_limit.check(what, digits,
+                                       {[&](long fewer) { (void)value_of(middle, q, fewer); }},
+                                       static_cast<double>(rows.size()) / threads.count()));
+  constexpr std::size_t rows_of_thread = 16;
+  const std::size_t at_a_time = rows_of_thread * static_cast<std::size_t>(threads.count());
+  std::vector<certain_number> values(std::min(at_a_time, rows.size()));
+  for (std::size_t first = 0; first < rows.size(); first += at_a_time) {
+    line.show_part("computing " + q.name, first, rows.size());
+    const std::size_t count = std::min(at_a_time, rows.size() - first);
+    threads.for_each(static_cast<long>(count), [&](long i) {
+      const auto k = static_cast<std::size_t>(i);
+      values[k] = value_of(rows[first + k], q, digits);
+    });
+    for (std::size_t k = 0; k < count; ++k) {
+      row& r = rows[first + k];
+      const std::string where = fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.a),
+                                            to_text(r.b), r.c ? ", c = " + to_text(*r.c) : "");
+      r.value = certain(std::move(values[k]), where, digits);
+    }
+  }
+}
+
 exit_status run(const table_options& options) {
   const quantity& q = selected(options);
   const long digits = options.digits.value();
@@ -230,19 +267,13 @@ exit_status run(const table_options& options) {
   // Measured: a row's names, punctuation, numbers a, b, c and the like.
   const double bytes_beside = format == "json" ? 2500 : 700;
   const auto count = static_cast<double>(rows.size());
+  const std::string what = fmt::format("{} numbers of {} digits", rows.size(), digits);
   options.memory_limit.check(
-      {fmt::format("{} numbers of {} digits", rows.size(), digits),
-       (bytes_per_digit + bytes_kept * count) * static_cast<double>(computed) +
+      {what,
+       (bytes_per_digit * detail::worker_threads(options.threads).count() + bytes_kept * count) *
+               static_cast<double>(computed) +
            bytes_beside * count});
-  const progress line;
-  std::size_t done = 0;
-  for (row& r : rows) {
-    line.show(fmt::format("computing {} ({}/{})", q.name, ++done, rows.size()));
-    const std::string where = fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.a),
-                                          to_text(r.b), r.c ? ", c = " + to_text(*r.c) : "");
-    r.value =
-        certain(q.compute(body(r.a, r.b), r.c ? *r.c : rational(0), computed), where, computed);
-  }
+  compute(rows, q, computed, what, options);
   print(format == "csv" ? as_csv(q, rows, digits)
                         : (format == "json" ? as_json(q, rows, digits) : as_cpp(q, rows, digits)));
   return exit_status::all_certified;
@@ -258,9 +289,14 @@ std::function<exit_status()> declare(CLI::App& app) {
          "--c", options->c,
          "The motions, for phase and epsilon: N equal steps from LO to HI, both included; or one")
       ->type_name("LO..HI/N");
+  app.add_option("--threads", options->threads,
+                 "Compute on so many threads; 0 for all processors [0]. The digits are the same")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1024));
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
 

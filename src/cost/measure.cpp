@@ -322,16 +322,28 @@ double multiplication_seconds(long digits) {
   return median(times);
 }
 
-cost_model::cost_model(const quantity& q) {
+namespace {
+
+constexpr long first_digits = 30;
+constexpr long step = 4;
+
+std::vector<std::pair<long, double>> times_of(const quantity& q) {
   const method& m = q.methods.front();
   constexpr double enough_seconds = 0.03;
-  constexpr long first_digits = 30;
-  constexpr long step = 4;
+  std::vector<std::pair<long, double>> known;
   for (long digits = first_digits; digits <= m.most_digits; digits *= step) {
     const double taken = measure(m, digits, std::nullopt, enough_seconds / 10).seconds;
-    known_.emplace_back(digits, taken);
+    known.emplace_back(digits, taken);
     if (taken > enough_seconds) break;
   }
+  return known;
+}
+
+}  // namespace
+
+cost_model::cost_model(const quantity& q) : cost_model(times_of(q)) {}
+
+cost_model::cost_model(std::vector<std::pair<long, double>> known) : known_(std::move(known)) {
   if (known_.size() < 2) return;
   const auto& [n, t] = known_.back();
   const auto& [n_before, t_before] = known_[known_.size() - 2];
@@ -366,6 +378,27 @@ double estimate_cost(const std::string& name, long digits) {
     return found->second.seconds(digits);
   }
   throw std::invalid_argument("estimate_cost: there is no quantity " + name);
+}
+
+std::optional<double> estimated_seconds(const std::function<void(long digits)>& work, long digits,
+                                        double longest_call) {
+  std::vector<std::pair<long, double>> known;
+  try {
+    for (long n = first_digits; n < digits / 2; n *= step) {
+      double taken = seconds_of([&] { work(n); });
+      // Of short calls the shortest: another program may have been in the way.
+      for (int again = 0; again < 2 && taken < longest_call / 4; ++again) {
+        taken = std::min(taken, seconds_of([&] { work(n); }));
+      }
+      known.emplace_back(n, taken);
+      if (known.back().second > longest_call) break;
+    }
+  } catch (
+      const std::exception&) {  // what is to be said of it is said when it is done with all digits
+    return std::nullopt;
+  }
+  if (known.empty()) return std::nullopt;
+  return cost_model(std::move(known)).seconds(digits);
 }
 
 }  // namespace polhode::cost

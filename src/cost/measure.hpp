@@ -64,6 +64,8 @@ class cold_processes {
 class cost_model {
  public:
   explicit cost_model(const quantity& q);
+  /// From times at growing numbers of digits, of which there is one at least.
+  explicit cost_model(std::vector<std::pair<long, double>> known);
   [[nodiscard]] double seconds(long digits) const;
 
  private:
@@ -73,6 +75,11 @@ class cost_model {
 
 /// The quantity of that name by a model calibrated once in this process. Throws std::invalid_argument for an unknown name.
 [[nodiscard]] double estimate_cost(const std::string& name, long digits);
+
+/// Seconds that work(digits) would take: by the model of calls with 30, 120, 480, ... digits, fewer than half of those, until one takes
+/// longer than `longest_call` seconds. Nothing where a call throws.
+[[nodiscard]] std::optional<double> estimated_seconds(const std::function<void(long digits)>& work,
+                                                      long digits, double longest_call);
 
 /// Seconds of a multiplication of two numbers of so many digits.
 [[nodiscard]] double multiplication_seconds(long digits);

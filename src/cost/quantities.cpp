@@ -1,10 +1,14 @@
 #include <cmath>
+#include <map>
+#include <memory>
 
 #include "boost_methods.hpp"
+#include "odeint.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "polhode/rigid_body/rotor.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "proofs/claim.hpp"
 #include "quantity.hpp"
@@ -326,6 +330,56 @@ quantity c0() {
   return q;
 }
 
+/// A motion that is known, as a scene knows it: each precision's rotor is made once, by the first call.
+template <class T>
+class attitude_entry {
+ public:
+  [[nodiscard]] T operator()(precision p) const {
+    const auto found = known_->try_emplace(p, start(), p).first;
+    return found->second.attitude(time()).matrix[0][0];
+  }
+  static const initial_state& start() {
+    static const initial_state state =
+        initial_state::from_momentum({3, 2, 1}, {3, 1, rational(1, 2)});
+    return state;
+  }
+  static rational time() { return 100; }
+
+ private:
+  std::shared_ptr<std::map<precision, rotor<T>>> known_ =
+      std::make_shared<std::map<precision, rotor<T>>>();
+};
+
+quantity attitude() {
+  constexpr long most_digits = 10'000;
+  constexpr precision guard = 16;
+  quantity q;
+  q.name = "attitude";
+  q.description =
+      "an entry of the attitude of a free body at t = 100, one sample of a scene, the body's "
+      "motion being known from the first on";
+  q.methods = {
+      certified("closed form", "theta functions, in balls", most_digits,
+                [entry = attitude_entry<ball>()](long digits) {
+                  return entry(bits_for_digits(digits) + guard);
+                }),
+      {"mpfr_float", "the middle of the same computation, uncertified", false, most_digits,
+       [entry = attitude_entry<mpfr_float>()](long digits) {
+         return estimate{ball(entry(bits_for_digits(digits) + guard)), std::nullopt, 0};
+       }},
+      in_double("the same in double", [entry = attitude_entry<double>()] { return entry(53); }),
+      {"boost dopri5", "Boost.odeint's Runge-Kutta steps in double from t = 0, tolerance 1e-12",
+       false, 16, [](long) {
+         constexpr double tolerance = 1e-12;
+         const auto t = static_cast<double>(attitude_entry<double>::time());
+         return estimate{
+             ball::exactly(
+                 rotation_by_dopri5(attitude_entry<double>::start(), t, tolerance).matrix()[0][0]),
+             std::nullopt, 0};
+       }}};
+  return q;
+}
+
 quantity general_integral() {
   const auto f = [](const auto& x) { return sin(x + exp(x)); };
   const integral_maker maker = [] {
@@ -373,6 +427,7 @@ const std::vector<quantity>& quantities() {
                                          montgomery_phase_quantity(),
                                          epsilon(),
                                          c0(),
+                                         attitude(),
                                          general_integral(),
                                          root_integral()};
   return all;

@@ -1,0 +1,275 @@
+// PARI, whose results have no error bound, and MPFI's intervals, beside the certified ones.
+//
+// PARI is called through its library. Behind each of its rows stands the error that its result has, measured against the certified value;
+// its intnum is given the ends, with exponential decay where they are infinite, and nothing else, as one does who does not know better. A row without PARI or MPFI has their
+// column empty.
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/legendre.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "support/measure.hpp"
+
+#ifdef POLHODE_HAVE_MPFI
+#include <mpfi.h>
+#endif
+#ifdef POLHODE_HAVE_PARI
+// Its macros take many a name: it is the last.
+#include <pari/pari.h>
+#endif
+
+namespace {
+
+using polhode::ball;
+using namespace polhode::bench;
+using bench_row = polhode::bench::row;  // PARI has another
+
+#ifdef POLHODE_HAVE_PARI
+/// Leaves PARI's stack as it was.
+template <class F>
+void with_stack(const F& f) {
+  const pari_sp before = avma;
+  f();
+  set_avma(before);
+}
+
+using pari_function = GEN (*)(void*, GEN);
+
+/// The size of x's relative error: "   PARI's error: 1e-58", at most that power of ten.
+std::string error_text(GEN x, const ball& value, long digits) {
+  char* const text = GENtostr(x);
+  std::string decimals(text);
+  pari_free(text);
+  for (const char* exponent : {" E", "E"}) {
+    const auto at = decimals.find(exponent);
+    if (at != std::string::npos) {
+      decimals.replace(at, std::string(exponent).size(), "e");
+      break;
+    }
+  }
+  const polhode::precision p = polhode::bits_for_digits(2 * digits);
+  const ball found(polhode::parse_rational(decimals), p);
+  const ball error = abs(found / value - 1);
+  const std::string heading = "   PARI's error: ";
+  if (!error.is_bounded()) return heading + "unknown";
+  if (contains_zero(error)) return heading + "none";
+  const double exponent = mpfr_get_d(upper(log10(error)).backend().data(), MPFR_RNDU);
+  return heading + "1e" + std::to_string(std::lround(std::ceil(exponent)));
+}
+#endif
+
+struct integral_case {
+  std::string name;
+  std::function<polhode::integral(const polhode::integrate_options&)> ours;
+#ifdef POLHODE_HAVE_PARI
+  std::function<GEN(long prec)> theirs;
+#endif
+};
+
+#ifdef POLHODE_HAVE_PARI
+#define WITH_PARI(...) __VA_ARGS__
+#else
+#define WITH_PARI(...)
+#endif
+
+std::vector<integral_case> integrals() {
+  using polhode::integrate;
+  using polhode::integrate_options;
+  using polhode::limit;
+  return {
+      {"4/(1+x^2)",
+       [](const integrate_options& o) {
+         return integrate([](const auto& x) { return 4 / (1 + square(x)); }, 0, 1, o);
+       },
+       WITH_PARI([](long prec) {
+         const pari_function f = [](void*, GEN x) { return gdivsg(4, gaddgs(gsqr(x), 1)); };
+         return intnum(nullptr, f, gen_0, gen_1, nullptr, prec);
+       })},
+      {"4 sqrt(1-x^2)",
+       [](const integrate_options& o) {
+         return integrate([](const auto& x) { return 4 * sqrt(1 - square(x)); }, 0, 1, o);
+       },
+       WITH_PARI([](long prec) {
+         const pari_function f = [](void*, GEN x) {
+           return gmulsg(4, gsqrt(gsubsg(1, gsqr(x)), realprec(x)));
+         };
+         return intnum(nullptr, f, gen_0, gen_1, nullptr, prec);
+       })},
+      {"sin(x+e^x)",
+       [](const integrate_options& o) {
+         return integrate([](const auto& x) { return sin(x + exp(x)); }, 0, 8, o);
+       },
+       WITH_PARI([](long prec) {
+         const pari_function f = [](void*, GEN x) {
+           return gsin(gadd(x, gexp(x, realprec(x))), realprec(x));
+         };
+         return intnum(nullptr, f, gen_0, stoi(8), nullptr, prec);
+       })},
+      {"e^(-x^2)",
+       [](const integrate_options& o) {
+         return integrate([](const auto& x) { return exp(-square(x)); }, -limit::infinity(),
+                          limit::infinity(), o);
+       },
+       WITH_PARI([](long prec) {
+         const pari_function f = [](void*, GEN x) { return gexp(gneg(gsqr(x)), realprec(x)); };
+         return intnum(nullptr, f, mkvec2(mkmoo(), gen_1), mkvec2(mkoo(), gen_1), nullptr, prec);
+       })},
+      {"|quartic| e^x",
+       [](const integrate_options& o) {
+         return integrate(
+             [](const auto& x) { return abs((((x + 10) * x + 19) * x - 6) * x - 6) * exp(x); }, 0,
+             1, o);
+       },
+       WITH_PARI([](long prec) {
+         const pari_function f = [](void*, GEN x) {
+           const GEN cubic = gsubgs(gmul(gaddgs(gmul(gaddgs(x, 10), x), 19), x), 6);
+           const GEN quartic = gsubgs(gmul(cubic, x), 6);
+           return gmul(gabs(quartic, realprec(x)), gexp(x, realprec(x)));
+         };
+         return intnum(nullptr, f, gen_0, gen_1, nullptr, prec);
+       })},
+  };
+}
+
+outcome of_integral(const integral_case& c, long digits) {
+  polhode::integrate_options options;
+  options.digits = digits;
+  bench_row race;
+  race.contestants = {warm([&] { benchmark::DoNotOptimize(c.ours(options)); })};
+#ifdef POLHODE_HAVE_PARI
+  const long prec = ndec2prec(digits);
+  race.contestants.push_back(
+      warm([&] { with_stack([&] { benchmark::DoNotOptimize(c.theirs(prec)); }); }));
+  race.ratios = {{0, 1}};
+  outcome result = polhode::bench::detail::measure(race);
+  options.digits = digits + 20;
+  const ball value = c.ours(options).enclosure;
+  with_stack([&] { result.remark = error_text(c.theirs(prec), value, digits); });
+  return result;
+#else
+  outcome result = polhode::bench::detail::measure(race);
+  result.seconds.push_back(0);
+  return result;
+#endif
+}
+
+outcome of_elliptic(long digits) {
+  const polhode::rational quarter(1, 4);
+  bench_row race;
+  race.contestants = {warm([=] {
+    benchmark::DoNotOptimize(
+        polhode::elliptic_k(ball(quarter, polhode::bits_for_digits(digits) + 8)));
+  })};
+#ifdef POLHODE_HAVE_PARI
+  // By its modulus, k = 1/2.
+  const long prec = ndec2prec(digits);
+  const auto theirs = [prec] { return ellK(real2n(-1, prec), prec); };
+  race.contestants.push_back(
+      warm([=] { with_stack([&] { benchmark::DoNotOptimize(theirs()); }); }));
+  race.ratios = {{0, 1}};
+  outcome result = polhode::bench::detail::measure(race);
+  const ball value = polhode::elliptic_k(ball(quarter, polhode::bits_for_digits(2 * digits)));
+  with_stack([&] { result.remark = error_text(theirs(), value, digits); });
+  return result;
+#else
+  outcome result = polhode::bench::detail::measure(race);
+  result.seconds.push_back(0);
+  return result;
+#endif
+}
+
+#ifdef POLHODE_HAVE_MPFI
+class mpfi_number {
+ public:
+  mpfi_number(unsigned long n, polhode::precision p) {
+    mpfi_init2(x_, p);
+    mpfi_set_ui(x_, n);
+    mpfi_sqrt(x_, x_);
+  }
+  ~mpfi_number() { mpfi_clear(x_); }
+  mpfi_number(const mpfi_number&) = delete;
+  mpfi_number& operator=(const mpfi_number&) = delete;
+  mpfi_number(mpfi_number&&) = delete;
+  mpfi_number& operator=(mpfi_number&&) = delete;
+  [[nodiscard]] mpfi_ptr get() { return x_; }
+
+ private:
+  mpfi_t x_;
+};
+
+using ball_operation = void (*)(ball&, const ball&, const ball&);
+using mpfi_operation = int (*)(mpfi_ptr, mpfi_srcptr, mpfi_srcptr);
+
+bench_row of_intervals(ball_operation ours, mpfi_operation theirs, polhode::precision p) {
+  const auto x = sqrt(ball(2, p));
+  const auto y = sqrt(ball(3, p));
+  const auto a = std::make_shared<mpfi_number>(2, p);
+  const auto b = std::make_shared<mpfi_number>(3, p);
+  const auto c = std::make_shared<mpfi_number>(1, p);
+  bench_row race;
+  race.contestants = {
+      warm([=, z = ball(0, p)]() mutable {
+        ours(z, x, y);
+        benchmark::DoNotOptimize(z);
+      }),
+      warm([=] { benchmark::DoNotOptimize(theirs(c->get(), a->get(), b->get())); })};
+  race.ratios = {{0, 1}};
+  return race;
+}
+#endif
+
+}  // namespace
+
+int main(int argc, char** argv) {
+#ifdef POLHODE_HAVE_PARI
+  constexpr std::size_t stack = std::size_t{1} << 28U;
+  pari_init(stack, 2);
+  GP_DATA->fmt->sigd = -1;  // all digits that there are
+#endif
+  suite benchmarks;
+  const table of_integrals{"integrals",
+                           "certified integrals, and PARI's intnum, which is not",
+                           {"Polhode", "PARI"},
+                           {"/PARI"},
+                           20};
+  for (const long digits : {50L, 100L}) {
+    for (const integral_case& c : integrals()) {
+      benchmarks.add_measured(of_integrals, c.name + ", " + std::to_string(digits),
+                              [c, digits] { return of_integral(c, digits); });
+    }
+  }
+  const table of_k{"K",
+                   "K(m = 1/4), certified, and PARI's ellK, which is not",
+                   {"Polhode", "PARI"},
+                   {"/PARI"},
+                   20};
+  for (const long digits : {50L, 1000L, 10'000L}) {
+    benchmarks.add_measured(of_k, std::to_string(digits), [digits] { return of_elliptic(digits); });
+  }
+#ifdef POLHODE_HAVE_MPFI
+  const table of_mpfi{"MPFI",
+                      "operations on balls, and on MPFI's intervals, which keep two ends",
+                      {"Polhode", "MPFI"},
+                      {"/MPFI"},
+                      20};
+  for (const polhode::precision p : {64L, 333L, 3333L}) {
+    const auto add_row = [&](const std::string& name, ball_operation ours, mpfi_operation theirs) {
+      benchmarks.add(of_mpfi, name + '/' + std::to_string(p),
+                     [=] { return of_intervals(ours, theirs, p); });
+    };
+    add_row(
+        "add", [](ball& z, const ball& x, const ball& y) { add(z, x, y); }, mpfi_add);
+    add_row(
+        "mul", [](ball& z, const ball& x, const ball& y) { multiply(z, x, y); }, mpfi_mul);
+    add_row(
+        "div", [](ball& z, const ball& x, const ball& y) { divide(z, x, y); }, mpfi_div);
+  }
+#endif
+  return benchmarks.main(argc, argv);
+}

@@ -1,0 +1,81 @@
+// --time-limit and the time that is left. No test depends on how long anything takes: limits are far above or far below.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "program.hpp"
+#include "refusal.hpp"
+
+namespace polhode::test {
+namespace {
+
+TEST(TimeLimit, IsRead) {
+  for (const char* bad : {"x", "0", "-1", "inf", ""}) {
+    expect_refused({"constants", "--time-limit", bad}, {"--time-limit", "positive number of days"});
+    expect_refused({"eval", "1/3", "--time-limit", bad}, {"--time-limit"});
+    expect_refused({"roots", "x", "--in", "1..2", "--time-limit", bad}, {"--time-limit"});
+    expect_refused({"integrate", "x", "--from", "0", "--to", "1", "--time-limit", bad},
+                   {"--time-limit"});
+  }
+}
+
+TEST(TimeLimit, RefusesWhatIsEstimatedToTakeLonger) {
+  // 86 ns
+  const std::vector<std::string> limit{"--digits", "5000", "--time-limit", "1e-12"};
+  const std::vector<std::vector<std::string>> commands{
+      {"constants", "beta"},
+      {"certify", "epsilon0_min"},
+      {"phase", "--ab", "12.65,0.0629", "--c", "0.01"},
+      {"racket", "--ab", "12.65,0.0629"},
+      {"curve", "--ab", "12.65,0.0629", "--points", "3"},
+      {"table", "phase", "--ab", "12.65,0.0629", "--c", "0.01..0.02/3"},
+      {"eval", "exp(sqrt(2))"},
+      {"integrate", "exp(x)", "--from", "0", "--to", "1"},
+      {"roots", "cos(x) - x", "--in", "0..1"}};
+  for (std::vector<std::string> command : commands) {
+    command.insert(command.end(), limit.begin(), limit.end());
+    expect_refused(command, {"5000 digits", "estimated to take", "--time-limit raises it"});
+  }
+}
+
+TEST(TimeLimit, LetsFewDigitsAndShortWorkPass) {
+  EXPECT_EQ(run({"constants", "beta", "--digits", "2999", "--time-limit", "1e-12"}).status, 0);
+  EXPECT_EQ(run({"phase", "--ab", "12.65,0.0629", "--c", "0.01", "--digits", "5000"}).status, 0);
+}
+
+TEST(TimeLimit, LeavesNoFileBehind) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("certificates");
+  expect_refused(
+      {"certify", "beta", "--digits", "5000", "--time-limit", "1e-12", "--out", directory},
+      {"--time-limit"});
+  EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+// On a terminal, which script makes.
+TEST(TimeLeft, IsShownOnTerminals) {
+  const outcome result = run_script(
+      "command -v script >/dev/null || exit 77; TERM=xterm script --quiet --return --command "
+      "'polhode constants beta --digits 20000 2>&1 >/dev/null' /dev/null");
+  if (result.status == 77) GTEST_SKIP() << "there is no script";
+  ASSERT_EQ(result.status, 0) << result.out << result.err;
+  EXPECT_NE(result.out.find("computing beta (1/1), about "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find(" left..."), std::string::npos) << result.out;
+}
+
+TEST(Table, IsTheSameOnAnyNumberOfThreads) {
+  const auto table = [](const char* threads) {
+    return run({"table", "phase", "--ab", "12.65,0.0629", "--c", "0.01..0.02/99", "--digits", "20",
+                "--threads", threads});
+  };
+  const outcome one = table("1");
+  ASSERT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(lines_of(one.out).size(), 101U);
+  EXPECT_EQ(table("2").out, one.out);
+  EXPECT_EQ(table("0").out, one.out);
+  expect_refused({"table", "c0", "--ab", "12.65,0.0629", "--threads", "-1"}, {"--threads"});
+}
+
+}  // namespace
+}  // namespace polhode::test
