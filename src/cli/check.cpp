@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -156,13 +157,13 @@ std::string said_of(const std::string& path, const checker::report& r, bool verb
 
 exit_status run(const check_options& options) {
   const std::vector<certificate_file> files = files_of(options.paths);
-  const progress line;
+  std::optional<progress> line(std::in_place);
   std::string output;
   std::size_t verified = 0;
   std::string unusable;  // the first that is malformed or was not read
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string& path = files[i].path;
-    line.show(fmt::format("checking {} ({}/{})", path, i + 1, files.size()));
+    line->show(fmt::format("checking {} ({}/{})", path, i + 1, files.size()));
     std::string why_unusable;
     try {
       const checker::report r = checker::check(contents_of(files[i]));
@@ -179,6 +180,7 @@ exit_status run(const check_options& options) {
       unusable = fmt::format("{}: {}", in_quotes(path), why_unusable);
     }
   }
+  line.reset();
   output += fmt::format("{} certificate{}: {} verified\n", files.size(),
                         files.size() == 1 ? "" : "s", verified);
   print(output);

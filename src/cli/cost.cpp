@@ -205,6 +205,8 @@ exit_status run(const cost_options& options) {
     for (const cost::hard_family& f : cost::hard_families()) families.push_back(&f);
   }
   if (options.data_only && !options.directory) throw usage_error("--data-only: it needs --out DIR");
+  // Before there are temporary files, of which its processes are to know nothing.
+  const cost::cold_processes cold;
   std::optional<output_directory> directory;
   if (options.directory) {
     std::vector<std::string> files{"cost.csv", "cost.json"};
@@ -218,7 +220,6 @@ exit_status run(const cost_options& options) {
     directory.emplace(*options.directory, files);
   }
 
-  const cost::cold_processes cold;
   cost_report report;
   report.digits = digits;
   {

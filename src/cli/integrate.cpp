@@ -411,10 +411,10 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("A");
   app.add_option("--to", options->to, "The upper limit: a formula without variables, or inf")
       ->type_name("B");
-  app.add_option(
-         "--along", options->along,
-         "In place of limits, a path of straight lines in the complex plane: points, which\n"
-         "are formulas with the imaginary unit i, as the integrand then is")
+  app.add_option("--along", options->along,
+                 "In place of limits, a path of straight lines in the complex plane:\n"
+                 "points, which are formulas with the imaginary unit i, as the\n"
+                 "integrand then is")
       ->type_name("\"P, Q, ...\"");
   app.add_option("--circle", options->circle,
                  "In place of limits, a circle, once around and counterclockwise")
@@ -430,7 +430,8 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   app.add_option("--boxes", options->most_boxes,
-                 "Into how many parts the intervals of --let NAME=[LOWER, UPPER] may be cut [1]")
+                 "Into how many parts the intervals of --let NAME=[LOWER, UPPER] may\n"
+                 "be cut [1]")
       ->type_name("N");
   options->let.declare(app);
   options->digits.declare(app);

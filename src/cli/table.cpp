@@ -285,12 +285,13 @@ std::function<exit_status()> declare(CLI::App& app) {
                  fmt::format("What to tabulate: {}", fmt::join(names_of(all_quantities()), ", ")))
       ->type_name("");
   options->bodies.declare(app);
-  app.add_option(
-         "--c", options->c,
-         "The motions, for phase and epsilon: N equal steps from LO to HI, both included; or one")
+  app.add_option("--c", options->c,
+                 "The motions, for phase and epsilon: N equal steps from LO to HI,\n"
+                 "both included; or one")
       ->type_name("LO..HI/N");
   app.add_option("--threads", options->threads,
-                 "Compute on so many threads; 0 for all processors [0]. The digits are the same")
+                 "Compute on so many threads; 0 for all processors [0]. The digits are\n"
+                 "the same")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
   options->digits.declare(app);

@@ -1,5 +1,6 @@
 #include "measure.hpp"
 
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,6 +42,10 @@ double median(std::vector<double> x) {
 struct memory_count {
   std::atomic<std::int64_t> live{0};
   std::atomic<std::int64_t> most{0};
+  // Those of before, which know what to do where there is no more memory.
+  void* (*allocate)(std::size_t) = nullptr;
+  void* (*reallocate)(void*, std::size_t, std::size_t) = nullptr;
+  void (*release)(void*, std::size_t) = nullptr;
 
   void change(std::int64_t bytes) {
     const std::int64_t now = live += bytes;
@@ -56,43 +61,37 @@ memory_count& counted_memory() {
 extern "C" {
 void* counted_allocate(std::size_t n) {
   counted_memory().change(static_cast<std::int64_t>(n));
-  void* const p = std::malloc(n);
-  if (p == nullptr) std::abort();  // as GMP does
-  return p;
+  return counted_memory().allocate(n);
 }
 void* counted_reallocate(void* p, std::size_t before, std::size_t n) {
   counted_memory().change(static_cast<std::int64_t>(n) - static_cast<std::int64_t>(before));
-  void* const moved = std::realloc(p, n);
-  if (moved == nullptr) std::abort();
-  return moved;
+  return counted_memory().reallocate(p, before, n);
 }
 void counted_free(void* p, std::size_t n) {
   counted_memory().change(-static_cast<std::int64_t>(n));
-  std::free(p);
+  counted_memory().release(p, n);
 }
 }
 
-/// Counts while it lives. GMP's own functions are malloc, realloc and free too, so that what is allocated by the ones may be
-/// freed by the others.
+/// Counts while it lives.
 class memory_counting {
  public:
   memory_counting() {
-    mp_get_memory_functions(&allocate_, &reallocate_, &free_);
+    memory_count& count = counted_memory();
+    mp_get_memory_functions(&count.allocate, &count.reallocate, &count.release);
     counted_memory().live = 0;
     counted_memory().most = 0;
     mp_set_memory_functions(counted_allocate, counted_reallocate, counted_free);
   }
-  ~memory_counting() { mp_set_memory_functions(allocate_, reallocate_, free_); }
+  ~memory_counting() {
+    const memory_count& count = counted_memory();
+    mp_set_memory_functions(count.allocate, count.reallocate, count.release);
+  }
   memory_counting(const memory_counting&) = delete;
   memory_counting& operator=(const memory_counting&) = delete;
   memory_counting(memory_counting&&) = delete;
   memory_counting& operator=(memory_counting&&) = delete;
   [[nodiscard]] static double most() { return static_cast<double>(counted_memory().most.load()); }
-
- private:
-  void* (*allocate_)(std::size_t) = nullptr;
-  void* (*reallocate_)(void*, std::size_t, std::size_t) = nullptr;
-  void (*free_)(void*, std::size_t) = nullptr;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -179,12 +178,12 @@ struct cold_request {
 };
 
 /// In a child: what it is asked for, each in a child of its own, until there is no more to read.
-[[noreturn]] void serve(int request, int answer) {
-  std::signal(SIGINT, SIG_DFL);
+[[noreturn]] void serve(int parent) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   // Nothing is kept on disk, and nothing that was is read.
   setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
   cold_request what;
-  while (read(request, &what, sizeof what) == ssize_t{sizeof what}) {
+  while (read(parent, &what, sizeof what) == ssize_t{sizeof what}) {
     const pid_t child = fork();
     if (child == 0) {
       double taken = -1;
@@ -193,13 +192,13 @@ struct cold_request {
         taken = seconds_of([&] { (void)m.compute(what.digits); });
       } catch (...) {  // nothing was measured
       }
-      const bool written = write(answer, &taken, sizeof taken) == ssize_t{sizeof taken};
+      const bool written = write(parent, &taken, sizeof taken) == ssize_t{sizeof taken};
       _exit(written ? 0 : 1);
     }
     int status = 1;
     if (child < 0 || waitpid(child, &status, 0) < 0 || status != 0) {
       const double none = -1;
-      if (write(answer, &none, sizeof none) != ssize_t{sizeof none}) break;
+      if (write(parent, &none, sizeof none) != ssize_t{sizeof none}) break;
     }
   }
   _exit(0);
@@ -208,29 +207,19 @@ struct cold_request {
 }  // namespace
 
 cold_processes::cold_processes() {
-  int to[2];
-  int from[2];
-  if (pipe(to) != 0) return;
-  if (pipe(from) != 0) {
-    close(to[0]);
-    close(to[1]);
-    return;
-  }
+  int ends[2];
+  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) return;
   process_ = fork();
   if (process_ == 0) {
-    close(to[1]);
-    close(from[0]);
-    serve(to[0], from[1]);
+    close(ends[0]);
+    serve(ends[1]);
   }
-  close(to[0]);
-  close(from[1]);
-  request_ = to[1];
-  answer_ = from[0];
+  close(ends[1]);
+  child_ = ends[0];
 }
 
 cold_processes::~cold_processes() {
-  if (request_ >= 0) close(request_);
-  if (answer_ >= 0) close(answer_);
+  if (child_ >= 0) close(child_);
   if (process_ > 0) waitpid(process_, nullptr, 0);
 }
 
@@ -238,8 +227,9 @@ std::optional<double> cold_processes::seconds(std::size_t q, std::size_t m, long
   if (process_ <= 0) return std::nullopt;
   const cold_request what{q, m, digits};
   double taken = -1;
-  if (write(request_, &what, sizeof what) != ssize_t{sizeof what} ||
-      read(answer_, &taken, sizeof taken) != ssize_t{sizeof taken} || taken < 0) {
+  // No signal where the child has been killed.
+  if (send(child_, &what, sizeof what, MSG_NOSIGNAL) != ssize_t{sizeof what} ||
+      read(child_, &taken, sizeof taken) != ssize_t{sizeof taken} || taken < 0) {
     return std::nullopt;
   }
   return taken;

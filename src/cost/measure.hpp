@@ -40,8 +40,7 @@ class cold_processes {
   [[nodiscard]] std::optional<double> seconds(std::size_t q, std::size_t m, long digits) const;
 
  private:
-  int request_ = -1;
-  int answer_ = -1;
+  int child_ = -1;
   int process_ = -1;
 };
 

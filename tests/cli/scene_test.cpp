@@ -167,12 +167,19 @@ TEST(SceneCommand, PageRunsInABrowser) {
   ASSERT_EQ(
       run({"scene", scenes + "/toutatis.toml", "--out", directory.path("out"), "--page"}).status,
       0);
-  const outcome shown = run_script(
-      "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
-      "--enable-unsafe-swiftshader "
-      "--window-size=800,600 --virtual-time-budget=5000 --dump-dom "
-      "file://$PWD/out/toutatis.html#check",
-      directory.path(""));
+  const auto shown_by_browser = [&] {
+    return run_script(
+        "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
+        "--enable-unsafe-swiftshader "
+        "--window-size=800,600 --virtual-time-budget=5000 --dump-dom "
+        "file://$PWD/out/toutatis.html#check",
+        directory.path(""));
+  };
+  // A browser that a busy machine starves may not come to draw at all: then it is asked again.
+  outcome shown = shown_by_browser();
+  for (int again = 0; again < 2 && shown.out.find("data-drawn") == std::string::npos; ++again) {
+    shown = shown_by_browser();
+  }
   for (const char* word : {"data-errors=\"0\"", "data-drawn=\"yes\"", "data-scrubbed=\"yes\"",
                            "data-played=\"yes\"", "data-gl=\"0\""}) {
     EXPECT_NE(shown.out.find(word), std::string::npos)
