@@ -89,10 +89,15 @@ inertia_tensor::inertia_tensor(const std::array<rational, 6>& given) : common_(1
         ": two principal moments are equal, a symmetric top, which has no intermediate "
         "axis; three different moments are needed");
   }
-  // Rational roots of a polynomial with integer coefficients that leads with 1 are integers.
+  // Rational roots of a polynomial with integer coefficients that leads with 1 are integers. The roots are different: the integer above
+  // the k-th one, if it is a root, is the k-th where k roots are up to it, and a greater one where more are.
   for (std::size_t i = 0; i < exact_.size(); ++i) {
-    above_[i] = least_with(polynomial_, 3 - static_cast<long>(i), 0, numerator(trace_), 1);
-    if (polynomial_(rational(above_[i])) == 0) exact_[i] = rational(rational(above_[i]) / common_);
+    const long k = 3 - static_cast<long>(i);
+    above_[i] = least_with(polynomial_, k, 0, numerator(trace_), 1);
+    const rational above(above_[i]);
+    if (polynomial_(above) == 0 && roots_up_to(polynomial_, above) == k) {
+      exact_[i] = rational(above / common_);
+    }
   }
 }
 

@@ -93,6 +93,40 @@ TEST(InertiaTensor, IrrationalMomentsInClosedForm) {
   }
 }
 
+// The moments m and (p + q +- sqrt((p-q)^2 + 4))/2, one of which may have m as the next integer above it.
+TEST(InertiaTensor, OneRationalMomentBesideIrrationalOnes) {
+  const precision bits = 200;
+  long beside = 0;
+  for (long p = 1; p <= 6; ++p) {
+    for (long q = p + 1; q <= 6; ++q) {
+      for (long m = 1; m <= 9; ++m) {
+        if ((m - p) * (m - q) == 1 || p * q == 1) continue;
+        SCOPED_TRACE(testing::Message() << p << ' ' << q << ' ' << m);
+        const ball root = sqrt(ball((p - q) * (p - q) + 4, bits));
+        std::array<ball, 3> right{ball(m, bits), scale(p + q + root, -1), scale(p + q - root, -1)};
+        std::sort(right.begin(), right.end(),
+                  [](const ball& x, const ball& y) { return certainly_less(y, x); });
+        const inertia_tensor tensor({p, q, m, 1, 0, 0});
+        const std::array<ball, 3> found = tensor.moments(100);
+        long rational_ones = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          EXPECT_TRUE(meet(found[i], right[i])) << i;
+          EXPECT_TRUE(as_narrow_as(found[i], 90)) << i;
+          if (tensor.exact_moments()[i]) {
+            ++rational_ones;
+            EXPECT_EQ(tensor.exact_moments()[i], rational(m));
+          } else if (certainly_less(ball(m - 1, bits), right[i]) &&
+                     certainly_less(right[i], ball(m, bits))) {
+            ++beside;
+          }
+        }
+        EXPECT_EQ(rational_ones, 1);
+      }
+    }
+  }
+  EXPECT_GT(beside, 10);
+}
+
 TEST(InertiaTensor, DecidesNearTheBoundaries) {
   const rational hair = power_of_ten(-200);
   // A lamina in the xz plane, and a hair more or less of the moment about its normal.
