@@ -196,7 +196,7 @@ std::string as_json(const expression& f, const integrate_command_options& option
 
 void check_memory(const integrate_command_options& options, long digits) {
   constexpr double bytes_per_digit = 0.4153 * 64;
-  options.memory_limit.check({fmt::format("an integral to {} digits", digits),
+  options.memory_limit.check({fmt::format("{} digits of the integral", digits),
                               bytes_per_digit * static_cast<double>(digits) *
                                   std::max(static_cast<double>(digits), 1.0) / 16});
 }
