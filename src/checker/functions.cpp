@@ -49,7 +49,7 @@ hyperbolic hyperbolic_of(const interval& x) {
 }
 /// sinh increases; cosh is even, least at 0 and increases beyond.
 hyperbolic hyperbolic_over(const interval& x) {
-  const hyperbolic low = hyperbolic_of(point(x.low(), x.bits()));
+  hyperbolic low = hyperbolic_of(point(x.low(), x.bits()));
   if (x.low() == x.high()) return low;
   const hyperbolic high = hyperbolic_of(point(x.high(), x.bits()));
   interval cosine = hull(low.cosine, high.cosine);
@@ -66,7 +66,7 @@ sine_and_cosine sin_cos_over(const interval& x) {
   const long bits = x.bits();
   const integer middle = floor_shift(x.low() + x.high(), 1);
   const integer radius = std::max<integer>(x.high() - middle, middle - x.low());
-  const sine_and_cosine at = sin_cos(point(middle, bits));
+  sine_and_cosine at = sin_cos(point(middle, bits));
   if (radius == 0) return at;
   const interval r = point(radius, bits);
   const interval sine = interval::around_zero(radius, bits);

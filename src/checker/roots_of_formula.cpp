@@ -186,7 +186,7 @@ void check_roots(const place& certificate, report& result) {
     const range gap{i == 0 ? from.lower : box[i - 1].upper, i == count ? to.upper : box[i].lower};
     if (gap.lower < gap.upper) check.expect_no_root(gap, boxes);
   }
-  result.checks.push_back("there is no other root in the range");
+  result.checks.emplace_back("there is no other root in the range");
   certificate["digest"].expect_text(digest_of(certificate.value()));
 }
 

@@ -251,7 +251,7 @@ void compute(std::vector<row>& rows, const quantity& q, long digits, const std::
       row& r = rows[first + k];
       const std::string where = fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.a),
                                             to_text(r.b), r.c ? ", c = " + to_text(*r.c) : "");
-      r.value = certain(std::move(values[k]), where, digits);
+      r.value = certain(values[k], where, digits);
     }
   }
 }

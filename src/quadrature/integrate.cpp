@@ -263,10 +263,7 @@ std::string in_words(const obstacle_report& report) {
 class ellipse_bounds {
  public:
   ellipse_bounds(const panel_regions& f, int most_tiles, bool whole, std::optional<box> suspect)
-      : f_(f),
-        most_tiles_(whole ? 2 * most_tiles : most_tiles),
-        whole_(whole),
-        suspect_(std::move(suspect)) {}
+      : f_(f), most_tiles_(whole ? 2 * most_tiles : most_tiles), whole_(whole), suspect_(suspect) {}
 
   /// The bound from the tiles that prove analyticity; nothing where that failed.
   /// A bound above the limit is as good as none.
