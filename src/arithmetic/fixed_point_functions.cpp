@@ -52,12 +52,16 @@ using double_fraction = limbs<2 * most_limbs + 2>;
 /// floor(sqrt(n)), for the choice of parameters.
 long integer_sqrt(long n) { return static_cast<long>(std::sqrt(static_cast<double>(n))); }
 
-/// Limbs of the fractions for p bits and such guard bits that a function's error is hardly ever too
-/// great for `store`; halving the arguments some sqrt(p)/4 times takes as many pairs of them, tables take few.
+// Limbs of the fractions for p bits and such guard bits that a function's error is hardly ever too
+// great for `store`; halving the arguments some sqrt(p)/4 times takes as many pairs of them, tables take few.
+long limbs_for_tables(mpfr_prec_t p, long more) { return std::max((p + more + 20 + 63) / 64, 2L); }
+long limbs_for_halving(mpfr_prec_t p, long more) {
+  return (p + more + 40 + integer_sqrt(p) / 2 + 63) / 64;
+}
 long limbs_for(mpfr_prec_t p, long more) {
-  const long by_tables = (p + more + 20 + 63) / 64;
-  if (by_tables <= most_tabulated_limbs) return std::max(by_tables, 2L);
-  return std::max((p + more + 40 + integer_sqrt(p) / 2 + 63) / 64, most_tabulated_limbs + 1);
+  const long by_tables = limbs_for_tables(p, more);
+  if (by_tables <= most_tabulated_limbs) return by_tables;
+  return std::max(limbs_for_halving(p, more), most_tabulated_limbs + 1);
 }
 bool is_tabulated(long w) { return w <= most_tabulated_limbs; }
 
@@ -645,8 +649,11 @@ near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude&
     return found;
   }
   const long small = std::max<long>(-mpfr_get_exp(x), 0);
-  long w = limbs_for(mpfr_get_prec(either), small + bits_of_turns(x));
-  if (!is_tabulated(w)) w = limbs_for(mpfr_get_prec(either), 2 * small);
+  // With more limbs the two series by tables take longer than one by halving and a square root.
+  constexpr long most_limbs_by_tables = 3;
+  long w = limbs_for_tables(mpfr_get_prec(either), small + bits_of_turns(x));
+  const bool tabulated = w <= most_limbs_by_tables;
+  if (!tabulated) w = limbs_for_halving(mpfr_get_prec(either), 2 * small);
   if (w > most_limbs) return found;
   // |x| = n pi/4 + t, cut off by one unit, with an error of n units.
   number t;
@@ -657,7 +664,6 @@ near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude&
   const std::uint64_t quarters = (n + 1) / 2;
   const bool minus = n % 2 != 0;
   if (minus) mpn_sub_n(t.data(), eighth.data(), t.data(), w);
-  const bool tabulated = is_tabulated(w);
   number sine_of_t;
   number cosine_of_t;
   fraction v;
