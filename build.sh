@@ -1,1 +1,0 @@
-g++ -O2 -std=c++20 -I/work/main/include -I/work/main/src b.cpp ${1:-/work/main/src/arithmetic/fixed_point_functions.cpp} /work/main/src/arithmetic/mpfr_cell.cpp $(ls /work/main/src/arithmetic/magnitude.cpp 2>/dev/null) -o ${2:-b} -lmpfr -lgmp
