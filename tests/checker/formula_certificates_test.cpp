@@ -180,6 +180,17 @@ TEST(FormulaCertificates, BoundsMustHold) {
   }
 }
 
+// One node takes 2x^2 - 1 for -1, and its integral, -2/3, for -2: the bound of the error, 8 M = 32, is all that keeps -2 +- 5/4 from being
+// shown.
+TEST(FormulaCertificates, TheRulesErrorIsCounted) {
+  const ball wrong = hull(ball(polhode::rational(-13, 4), 64), ball(polhode::rational(-3, 4), 64));
+  json c = integral_certificate({test::read("2*x^2-1", "x"), test::read("-1"), test::read("1")},
+                                wrong, 1);
+  c["witness"]["pieces"] =
+      json::array({{{"end", "1"}, {"rho", "2"}, {"supremum", "4"}, {"nodes", 1}}});
+  expect_refused(c, "/numbers/integral/dyadic", "the rule's value is not the integral");
+}
+
 TEST(FormulaCertificates, PiecesMustCoverTheRange) {
   const json good = some_integral();
   const auto with = [&](const char* key, const json& value) {
