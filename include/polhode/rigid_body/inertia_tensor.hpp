@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/rigid_body/body.hpp"
-#include "polhode/roots/polynomial.hpp"
 
 namespace polhode {
 

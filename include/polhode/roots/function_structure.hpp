@@ -17,8 +17,8 @@
 
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/natural_domain.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/roots/known_number.hpp"
-#include "polhode/roots/polynomial.hpp"
 
 namespace polhode {
 

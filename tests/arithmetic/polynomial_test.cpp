@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "polhode/roots/polynomial.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 #include "support/random.hpp"
 
 namespace polhode {

@@ -1,4 +1,4 @@
-#include "polhode/roots/polynomial.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 
 #include <algorithm>
 #include <limits>
