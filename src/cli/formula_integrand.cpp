@@ -218,7 +218,6 @@ struct supplement<recorded> {
   POLHODE_RECORDED_OF_TWO(hypot)
   POLHODE_RECORDED_OF_TWO(agm)
   POLHODE_RECORDED_OF_TWO(atan2)
-  POLHODE_RECORDED_OF_TWO(power)
   static recorded sinpi(const recorded& x) {
     return circular(
         x,
@@ -241,11 +240,21 @@ struct supplement<recorded> {
   static recorded min(const recorded& x, const recorded& y) { return smaller(x, y); }
   static recorded max(const recorded& x, const recorded& y) { return greater(x, y); }
   static recorded power_integer(const recorded& x, long n) { return pow(x, n); }
+  static recorded power(const recorded& x, const recorded& y) {
+    recorded_operation operation =
+        recorded_operation::of([](const auto& v, const auto& w, long) {
+          return supplement<std::remove_cvref_t<decltype(v)>>::power(v, w);
+        });
+    operation.rule = recorded_rule::power;
+    return x.applied(operation, y);
+  }
   static recorded root(const recorded& x, long n) {
-    return x.applied(recorded_operation::of([](const auto& v, const auto&, long order) {
-                       return supplement<std::remove_cvref_t<decltype(v)>>::root(v, order);
-                     }),
-                     x, n);
+    recorded_operation operation =
+        recorded_operation::of([](const auto& v, const auto&, long order) {
+          return supplement<std::remove_cvref_t<decltype(v)>>::root(v, order);
+        });
+    operation.rule = recorded_rule::root;
+    return x.applied(operation, x, n);
   }
   static recorded further(const further_function&, const std::vector<recorded>& x) {
     return x.front().applied(recorded_operation::of(not_available), x.front());

@@ -19,6 +19,7 @@
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
 #include "segments.hpp"
+#include "taylor_series.hpp"
 
 namespace polhode {
 
@@ -34,6 +35,8 @@ std::string to_text(quadrature_rule rule) {
       return "trapezoid";
     case quadrature_rule::double_exponential:
       return "double exponential";
+    case quadrature_rule::taylor_series:
+      return "Taylor series";
   }
   return "unknown";
 }
@@ -1172,6 +1175,18 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
   }
   if (options.rule == quadrature_rule::double_exponential) {
     return integrate_by_double_exponential(f, a, b, options);
+  }
+  const bool insists_on_series = options.rule == quadrature_rule::taylor_series;
+  if (insists_on_series || options.rule == quadrature_rule::automatic) {
+    if (std::optional<integral> found = integrate_by_taylor_series(f, a, b, options)) return *found;
+    if (insists_on_series) {
+      result.why = reason::not_applicable;
+      result.obstacle =
+          "Taylor series need an integrand that is made of powers of polynomials, and of "
+          "exponential functions of them, "
+          "in x, e^(k x) or sin^2 (k x)";
+      return result;
+    }
   }
   long bits = bits_for_digits(options.digits);
   std::vector<rational> cuts;   // where the range is cut, in order

@@ -408,8 +408,7 @@ class splitter {
       case recorded_rule::cospi:
         if (!is_constant(x)) return circular_of_pi(x, node.operation.rule == recorded_rule::sinpi);
         break;
-      case recorded_rule::tan:
-      case recorded_rule::other:
+      default:
         break;
     }
     if (!x.is_steady() || !y.is_steady()) return std::nullopt;

@@ -89,7 +89,7 @@ POLHODE_RECORDED_OPERATOR(/, recorded_rule::quotient)
   }
 POLHODE_RECORDED(square, recorded_rule::square)
 POLHODE_RECORDED(sqrt, recorded_rule::sqrt)
-POLHODE_RECORDED(exp, recorded_rule::other)
+POLHODE_RECORDED(exp, recorded_rule::exp)
 POLHODE_RECORDED(log, recorded_rule::other)
 POLHODE_RECORDED(sin, recorded_rule::sin)
 POLHODE_RECORDED(cos, recorded_rule::cos)
@@ -97,9 +97,9 @@ POLHODE_RECORDED(tan, recorded_rule::tan)
 POLHODE_RECORDED(asin, recorded_rule::other)
 POLHODE_RECORDED(acos, recorded_rule::other)
 POLHODE_RECORDED(atan, recorded_rule::other)
-POLHODE_RECORDED(sinh, recorded_rule::other)
-POLHODE_RECORDED(cosh, recorded_rule::other)
-POLHODE_RECORDED(tanh, recorded_rule::other)
+POLHODE_RECORDED(sinh, recorded_rule::sinh)
+POLHODE_RECORDED(cosh, recorded_rule::cosh)
+POLHODE_RECORDED(tanh, recorded_rule::tanh)
 POLHODE_RECORDED(asinh, recorded_rule::other)
 POLHODE_RECORDED(acosh, recorded_rule::other)
 POLHODE_RECORDED(atanh, recorded_rule::other)
@@ -115,7 +115,8 @@ recorded pow(const recorded& x, const rational& e) {
 }
 recorded pow(const recorded& x, const recorded& y) {
   return x.applied(
-      recorded_operation::analytic([](const auto& v, const auto& w, long) { return pow(v, w); }),
+      recorded_operation::analytic([](const auto& v, const auto& w, long) { return pow(v, w); },
+                                   recorded_rule::power),
       y);
 }
 

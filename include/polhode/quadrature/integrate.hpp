@@ -42,6 +42,7 @@ enum class quadrature_rule {
   clenshaw_curtis,     // on panels
   trapezoid,           // of functions that are periodic, or even about both limits
   double_exponential,  // over a finite range with rational limits
+  taylor_series,  // of sums of functions whose logarithmic derivative is rational, or is so in e^(k x) or sin^2 (k x)
 };
 [[nodiscard]] std::string to_text(quadrature_rule rule);
 
@@ -72,7 +73,8 @@ struct integral_account {
   long evaluations = 0;         // of f at real nodes
   long region_evaluations = 0;  // of f over complex regions
   long panels = 0;
-  long most_nodes = 0;  // of one panel
+  long most_nodes = 0;  // of one panel; or terms of a series
+  long terms = 0;       // of Taylor series, in all
   /// The rules that were used, each once. None where bounds of f were enough.
   std::vector<quadrature_rule> rules;
   polhode::precision precision = 0;

@@ -26,7 +26,7 @@ namespace detail {
 
 using slope_jet = jet<ball, 1>;
 
-/// What an operation is, for those who take a formula apart (oscillation.hpp and poles.hpp in src/quadrature).
+/// What an operation is, for those who take a formula apart (hyperexponential.hpp, oscillation.hpp and poles.hpp in src/quadrature).
 enum class recorded_rule : std::uint8_t {
   other,
   negative,
@@ -36,6 +36,12 @@ enum class recorded_rule : std::uint8_t {
   quotient,
   square,
   sqrt,
+  root,   // the number-th
+  power,  // left to the power right
+  exp,
+  sinh,
+  cosh,
+  tanh,
   sin,
   cos,
   tan,

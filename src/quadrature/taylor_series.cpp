@@ -1,0 +1,1159 @@
+#include "taylor_series.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+#include "polhode/arithmetic/double_interval.hpp"
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+using clock = std::chrono::steady_clock;
+
+/// To search with.
+double approximate_log2(const magnitude& x) {
+  if (x.is_zero()) return -1e18;
+  if (x.is_infinite()) return 1e18;
+  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
+}
+double approximately(const ball& x) {
+  mpfr_cell middle(64);
+  x.midpoint(middle.get());
+  return mpfr_get_d(middle.get(), MPFR_RNDN);
+}
+double approximately(const rational& q) { return mpq_get_d(q.backend().data()); }
+rational exactly(double x) {
+  rational q;
+  mpq_set_d(q.backend().data(), x);
+  return q;
+}
+
+/// 2^e, e >= the bound of the interval.
+magnitude power_of_two_above(const double_interval& e) {
+  constexpr double greatest = 0x1p+50;
+  if (!(e.upper() < greatest)) return magnitude::infinity();
+  return magnitude::power_of_two(static_cast<long>(std::ceil(std::max(e.upper(), -greatest))));
+}
+
+// Polynomials with integer coefficients, that of z^k at [k], in the coordinate of a panel.
+
+using integers = std::vector<integer>;
+
+/// content * (the polynomial with coprime integer coefficients), content > 0.
+struct local_polynomial {
+  integers coefficients;
+  rational content;
+};
+
+/// p(c + r z), where all of p's coefficients are integers.
+local_polynomial at_panel(const rational_polynomial& p, const rational& c, const rational& r) {
+  // c = C/T, r = R/T: T^n p(c + r z) = sum p_j T^(n-j) (C + R z)^j by Horner's rule.
+  const integer t = lcm(denominator(c), denominator(r));
+  const integer shift = numerator(c) * (t / denominator(c));
+  const integer scale = numerator(r) * (t / denominator(r));
+  const auto n = static_cast<std::size_t>(p.degree());
+  integers v{numerator(p.coefficients()[n])};
+  integer power = 1;
+  for (std::size_t j = n; j-- > 0;) {
+    power *= t;
+    v.emplace_back(0);
+    for (std::size_t k = v.size(); k-- > 0;) {
+      v[k] *= shift;
+      if (k > 0) v[k] += v[k - 1] * scale;
+    }
+    v[0] += numerator(p.coefficients()[j]) * power;
+  }
+  integer common = 0;
+  for (const integer& x : v) common = gcd(common, x);
+  if (common > 1) {
+    for (integer& x : v) x /= common;
+  }
+  return {std::move(v), rational(common, power)};
+}
+
+integers product(const integers& p, const integers& q) {
+  if (p.empty() || q.empty()) return {};
+  integers result(p.size() + q.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t j = 0; j < q.size(); ++j) result[i + j] += p[i] * q[j];
+  }
+  return result;
+}
+integers derivative(const integers& p) {
+  integers result;
+  for (std::size_t k = 1; k < p.size(); ++k) result.push_back(p[k] * static_cast<long>(k));
+  return result;
+}
+void multiply_by(integers& p, const integer& factor) {
+  for (integer& x : p) x *= factor;
+}
+void add_to(integers& p, const integers& q) {
+  if (p.size() < q.size()) p.resize(q.size());
+  for (std::size_t k = 0; k < q.size(); ++k) p[k] += q[k];
+}
+/// Divides by z as often as that can be done; how often.
+long without_zeros(integers& p) {
+  const auto first = std::find_if(p.begin(), p.end(), [](const integer& x) { return x != 0; });
+  const long zeros = first - p.begin();
+  p.erase(p.begin(), first);
+  return zeros;
+}
+
+/// The range of a polynomial over [low, high].
+class polynomial_range {
+ public:
+  explicit polynomial_range(std::vector<double_interval> c) : c_(std::move(c)) {}
+  [[nodiscard]] double_interval over(const double_interval& z) const {
+    double_interval value(0);
+    for (std::size_t k = c_.size(); k-- > 0;) value = value * z + c_[k];
+    return value;
+  }
+
+ private:
+  std::vector<double_interval> c_;
+};
+
+/// A rational function's power, one factor of h.
+struct factor {
+  rational_polynomial base;
+  rational exponent;  // 0: it must only be positive
+};
+
+/// P h over part of the line, with P and h as above: from lower to upper, both finite.
+struct smooth_range {
+  std::vector<factor> factors;
+  rational_polynomial numerator;  // P
+  rational_polynomial exponent;   // s
+  range_end lower;
+  range_end upper;
+  bool begins_at_0 = false;
+  std::optional<rational> greatest;
+};
+
+/// A panel: y = centre + radius z, -1 <= z <= 1 or, at an end, 0 <= z <= 1.
+struct taylor_panel {
+  rational centre;
+  rational radius;  // negative where y falls as z grows
+  bool at_end = false;
+  bool from_lower = false;  // it is cut off at the range's lower, or upper, end, which is not exact
+  bool to_upper = false;
+};
+
+/// z as an integer in units of 2^-F.
+struct fixed_point_number {
+  integer value;
+  magnitude error;  // of z
+};
+fixed_point_number in_fixed_point(const ball& z, long f) {
+  fixed_point_number result;
+  ball units;
+  scale(units, z.with_precision(f + 64), f);
+  detail::mpfr_cell middle(f + 64);
+  units.midpoint(middle.get());
+  mpfr_get_z(result.value.backend().data(), middle.get(), MPFR_RNDN);
+  result.error = scale((units - ball(result.value, f + 64)).magnitude_upper(), -f);
+  return result;
+}
+
+/// G(z) = sum of e_n z^n / (n + p + 1), at one z with |z| <= 1, term by term.
+class antiderivative {
+ public:
+  antiderivative(fixed_point_number z, long f) : z_(std::move(z)), f_(f) {
+    mpz_setbit(power_.backend().data(), static_cast<mp_bitcnt_t>(f));
+  }
+  /// b_n = e_n / (n + p + 1), for n = 0, 1, ...
+  void add(const integer& b) {
+    mpz_ptr term = term_.backend().data();
+    mpz_ptr power = power_.backend().data();
+    const auto shift = static_cast<mp_bitcnt_t>(f_);
+    mpz_mul(term, b.backend().data(), power);
+    mpz_tdiv_q_2exp(term, term, shift);
+    sum_ += term_;
+    mpz_mul(power, power, z_.value.backend().data());
+    mpz_tdiv_q_2exp(power, power, shift);
+  }
+  [[nodiscard]] const integer& sum() const { return sum_; }
+  [[nodiscard]] const magnitude& error_of_z() const { return z_.error; }
+
+ private:
+  fixed_point_number z_;
+  long f_;
+  integer power_;  // z^n
+  integer term_;
+  integer sum_;
+};
+
+/// The integral of P h over one panel.
+class panel_integral {
+ public:
+  panel_integral(const smooth_range& range, const taylor_panel& panel)
+      : range_(range), panel_(panel) {}
+
+  /// To about 2^log2_goal. Nothing where the theorem's hypotheses are not proved, or where it takes more bits or terms
+  /// than allowed.
+  std::optional<ball> to(double log2_goal, precision most_bits, long most_terms) {
+    if (!is_prepared_ && !prepare()) return std::nullopt;
+    const ball size = constant(64) * maximum_ * length_factor();
+    const double_interval log2_greatest = log_greatest_ / log_of_2;
+    const double log2_size = approximate_log2(size.magnitude_upper()) + log2_greatest.upper();
+    if (!(log2_size < 1e15)) return std::nullopt;
+    if (log2_size <= log2_goal) {
+      return ball(0, 64).enlarged(
+          multiply_up(size.magnitude_upper(), power_of_two_above(log2_greatest)));
+    }
+    const double lost = ((log_greatest_ - log_least_ - log_least_q_) / log_of_2).upper();
+    const double bits = approximate_log2(size.magnitude_upper()) + lost - log2_goal + 4;
+    const double log2_terms = std::log2(std::max(bits, 16.0)) + 1;
+    const double f = std::ceil(std::max(bits + 2 * log2_terms, 64.0));
+    if (!(f < static_cast<double>(most_bits))) return std::nullopt;
+    return sum(static_cast<long>(f), std::max(static_cast<long>(log2_size - log2_goal) + 32, 64L),
+               most_terms);
+  }
+  [[nodiscard]] long terms() const { return terms_; }
+  [[nodiscard]] long bits() const { return bits_; }
+
+ private:
+  struct local_factor {
+    local_polynomial p;
+    rational exponent;
+  };
+
+  bool prepare() {
+    power_ = 0;
+    for (const factor& f : range_.factors) {
+      local_factor local{at_panel(f.base, panel_.centre, panel_.radius), f.exponent};
+      if (panel_.at_end) power_ += without_zeros(local.p.coefficients) * f.exponent;
+      if (local.p.coefficients.front() <= 0) return false;
+      factors_.push_back(std::move(local));
+    }
+    numerator_ = at_panel(range_.numerator, panel_.centre, panel_.radius);
+    if (panel_.at_end) power_ += without_zeros(numerator_.coefficients);
+    if (power_ <= -1) return false;
+    integer most = 0;
+    for (const integer& x : numerator_.coefficients) most += abs(x);
+    maximum_ = ball(most, 64);
+    if (!range_.exponent.is_zero()) prepare_exponent();
+    if (!prepare_bounds()) return false;
+    prepare_recurrence();
+    is_prepared_ = true;
+    return true;
+  }
+
+  /// s(c + r z) = exponent_scale_ * exponent_.
+  void prepare_exponent() {
+    integer below = 1;
+    for (const rational& c : range_.exponent.coefficients()) below = lcm(below, denominator(c));
+    local_polynomial s = at_panel(range_.exponent * rational_polynomial({rational(below)}),
+                                  panel_.centre, panel_.radius);
+    exponent_ = std::move(s.coefficients);
+    exponent_scale_ = s.content / rational(below);
+  }
+
+  /// Bounds of log g, and of log(Q/q_0) from below.
+  bool prepare_bounds() {
+    std::vector<polynomial_range> ranges;
+    std::vector<double_interval> exponents;
+    for (const local_factor& f : factors_) {
+      std::vector<double_interval> c;
+      for (const integer& x : f.p.coefficients) {
+        c.emplace_back(rational(x, f.p.coefficients.front()));
+      }
+      ranges.emplace_back(std::move(c));
+      exponents.emplace_back(f.exponent);
+    }
+    std::vector<double_interval> s(1);  // without s(c)
+    for (std::size_t k = 1; k < exponent_.size(); ++k) {
+      s.emplace_back(rational(exponent_[k] * exponent_scale_));
+    }
+    const polynomial_range range_of_s(std::move(s));
+    for (int pieces = 4; pieces <= 64; pieces *= 4) {
+      bool are_positive = true;
+      const double start = panel_.at_end ? 0 : -1;
+      const double step = (1 - start) / pieces;  // a power of 2
+      double_interval all(0);
+      double_interval all_q(0);
+      for (int k = 0; k < pieces && are_positive; ++k) {
+        const double_interval z(start + k * step, start + (k + 1) * step);
+        double_interval log_g = range_of_s.over(z);
+        double_interval log_q(0);
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+          const double_interval value = ranges[i].over(z);
+          if (!certainly_positive(value)) {
+            are_positive = false;
+            break;
+          }
+          if (factors_[i].exponent == 0) continue;
+          const double_interval log_of_it = log(value);
+          log_q = log_q + log_of_it;
+          log_g = log_g + exponents[i] * log_of_it;
+        }
+        all = hull(all, log_g);
+        all_q = hull(all_q, log_q);
+      }
+      if (!are_positive) continue;
+      if (!all.is_bounded() || !all_q.is_bounded()) return false;
+      log_least_ = double_interval(all.lower(), all.lower());
+      log_greatest_ = double_interval(all.upper(), all.upper());
+      log_least_q_ = double_interval(all_q.lower(), all_q.lower());
+      return true;
+    }
+    return false;
+  }
+
+  /// Q and S, with integer coefficients without a common factor.
+  void prepare_recurrence() {
+    integer common = 1;
+    for (const local_factor& f : factors_) common = lcm(common, denominator(f.exponent));
+    q_ = {integer(1)};
+    s_ = {};
+    for (const local_factor& f : factors_) {
+      if (f.exponent == 0) continue;
+      integers part = product(derivative(f.p.coefficients), q_);
+      multiply_by(part, numerator(f.exponent) * (common / denominator(f.exponent)));
+      s_ = product(s_, f.p.coefficients);
+      add_to(s_, part);
+      q_ = product(q_, f.p.coefficients);
+    }
+    if (!exponent_.empty()) {
+      // S/(common Q) + scale * s'
+      integers part = product(derivative(exponent_), q_);
+      multiply_by(part, numerator(exponent_scale_) * common);
+      multiply_by(s_, denominator(exponent_scale_));
+      add_to(s_, part);
+      multiply_by(q_, common * denominator(exponent_scale_));
+    } else {
+      multiply_by(q_, common);
+    }
+    integer divisor = 0;
+    for (const integer& x : q_) divisor = gcd(divisor, x);
+    for (const integer& x : s_) divisor = gcd(divisor, x);
+    if (divisor > 1) {
+      for (integer& x : q_) x /= divisor;
+      for (integer& x : s_) x /= divisor;
+    }
+  }
+
+  /// |r| times the factors at z = 0, that of P among them, with p bits.
+  [[nodiscard]] ball constant(precision p) const {
+    std::vector<std::pair<rational, rational>> values;  // exponents and their bases
+    for (const local_factor& f : factors_) {
+      if (f.exponent == 0) continue;
+      const rational value = f.p.content * rational(f.p.coefficients.front());
+      const auto same = std::find_if(values.begin(), values.end(),
+                                     [&](const auto& v) { return v.first == f.exponent; });
+      if (same == values.end()) {
+        values.emplace_back(f.exponent, value);
+      } else {
+        same->second *= value;
+      }
+    }
+    ball result(rational(abs(panel_.radius) * numerator_.content), p);
+    for (const auto& [exponent, value] : values) {
+      result = result * power_of_positive(ball(value, p), exponent);
+    }
+    if (!exponent_.empty()) {
+      result = result * exp(ball(rational(exponent_.front() * exponent_scale_), p));
+    }
+    return result;
+  }
+  /// The integral of |z|^p over the panel.
+  [[nodiscard]] ball length_factor() const {
+    return panel_.at_end ? ball(rational(1 / (power_ + 1)), 64) : ball(2, 64);
+  }
+
+  /// z of the range's end.
+  [[nodiscard]] ball coordinate(const range_end& end, precision p) const {
+    return (end.value(p) - panel_.centre) / ball(panel_.radius, p);
+  }
+
+  /// The integral, with terms in units of 2^-f and a result of p bits.
+  std::optional<ball> sum(long f, precision p, long most_terms) {
+    bits_ = f;
+    std::optional<ball> low;  // where it is cut off, in z
+    std::optional<ball> high;
+    const precision bits = f + 32;
+    const bool falls = panel_.radius < 0;
+    if (panel_.from_lower) (falls ? high : low) = coordinate(range_.lower, bits);
+    if (panel_.to_upper) (falls ? low : high) = coordinate(range_.upper, bits);
+    std::optional<antiderivative> at_low;
+    std::optional<antiderivative> at_high;
+    for (const auto& [z, at] : {std::pair(&low, &at_low), std::pair(&high, &at_high)}) {
+      if (!*z) continue;
+      fixed_point_number number = in_fixed_point(**z, f);
+      const bool is_inside =
+          (*z)->magnitude_upper() <= magnitude::power_of_two(0) &&
+          mpz_sizeinbase(number.value.backend().data(), 2) <= static_cast<std::size_t>(f);
+      if (!is_inside || (panel_.at_end && !certainly_positive(**z))) return std::nullopt;
+      at->emplace(std::move(number), f);
+    }
+    const bool is_cut = at_low || at_high;
+
+    // a_n and e_n = sum of P_k a_(n-k), until all that are looked back at are 0.
+    const std::size_t depth = std::max(q_.size() - 1, s_.size());
+    const std::size_t looked_at = std::max(depth, numerator_.coefficients.size());
+    const std::size_t ring = looked_at + 1;
+    std::vector<integer> a(ring);
+    mpz_setbit(a[0].backend().data(), static_cast<mp_bitcnt_t>(f));
+    // s_k - (n - k) q_(k+1), for the n of the step.
+    std::vector<integer> c(depth);
+    for (std::size_t k = 0; k < depth; ++k) {
+      if (k < s_.size()) c[k] = s_[k];
+      if (k + 1 < q_.size()) c[k] += q_[k + 1] * static_cast<long>(k);
+    }
+    integer at_plus;   // the sum of the b_n
+    integer at_minus;  // with signs that change
+    integer sum_of_sizes;
+    integer e;
+    integer b;
+    integer divisor;
+    std::size_t zeros = 0;
+    std::size_t longest = 0;
+    long n = 0;
+    const integer& above = numerator(power_);
+    const integer below = denominator(power_);
+    for (;; ++n) {
+      const auto index = [&](std::size_t back) {
+        return (static_cast<std::size_t>(n) + ring - back) % ring;
+      };
+      const std::size_t known = std::min(static_cast<std::size_t>(n) + 1, looked_at);
+      // e_n
+      const integers& numerator = numerator_.coefficients;
+      if (numerator.size() == 1) {
+        mpz_mul(e.backend().data(), a[index(0)].backend().data(), numerator[0].backend().data());
+      } else {
+        e = 0;
+        for (std::size_t k = 0; k < std::min(numerator.size(), known); ++k) {
+          mpz_addmul(e.backend().data(), numerator[k].backend().data(),
+                     a[index(k)].backend().data());
+        }
+      }
+      // b_n = e_n / (n + p + 1)
+      if (panel_.at_end || is_cut || n % 2 == 0) {
+        if (panel_.at_end) {
+          mpz_mul(b.backend().data(), e.backend().data(), below.backend().data());
+          divisor = above + below * (n + 1);
+          mpz_tdiv_q(b.backend().data(), b.backend().data(), divisor.backend().data());
+        } else {
+          mpz_tdiv_q_ui(b.backend().data(), e.backend().data(), static_cast<unsigned long>(n) + 1);
+        }
+        at_plus += b;
+        if (is_cut) {
+          if (n % 2 == 0) {
+            at_minus += b;
+          } else {
+            at_minus -= b;
+          }
+          if (at_low) at_low->add(b);
+          if (at_high) at_high->add(b);
+          longest = std::max(longest, mpz_sizeinbase(b.backend().data(), 2));
+          sum_of_sizes += abs(e);
+        }
+      }
+      if (zeros >= looked_at) break;
+      if (n >= most_terms) return std::nullopt;
+      // a_(n+1)
+      integer& next = a[index(0) + 1 == ring ? 0 : index(0) + 1];
+      mpz_ptr w = next.backend().data();
+      e = 0;
+      for (std::size_t k = 0; k < std::min(depth, known); ++k) {
+        mpz_addmul(e.backend().data(), c[k].backend().data(), a[index(k)].backend().data());
+      }
+      for (std::size_t k = 0; k + 1 < q_.size() && k < depth; ++k) c[k] -= q_[k + 1];
+      mpz_mul_ui(divisor.backend().data(), q_[0].backend().data(),
+                 static_cast<unsigned long>(n) + 1);
+      mpz_tdiv_q(w, e.backend().data(), divisor.backend().data());
+      zeros = mpz_sgn(w) == 0 ? zeros + 1 : 0;
+    }
+    terms_ = n + 1;
+
+    // The errors, in z: of A for g, and of the sums' terms, at most two units each; those of powers of z, which are off
+    // by at most n units, and of z.
+    const magnitude unit = magnitude::power_of_two(-f);
+    const magnitude count = magnitude::from_integer_up(static_cast<std::uint64_t>(terms_));
+    const magnitude relative =
+        power_of_two_above((log_greatest_ - log_least_ - log_least_q_) / log_of_2);
+    const magnitude of_a = multiply_up(multiply_up(count, count), multiply_up(unit, relative));
+    const magnitude of_series = multiply_up(multiply_up(of_a, maximum_.magnitude_upper()),
+                                            length_factor().magnitude_upper());
+    const magnitude of_terms = scale(multiply_up(count, unit), 1);
+    ball result(0, p);
+    const auto from_units = [&](const integer& units, const magnitude& error) {
+      ball value(units, p);
+      scale(value, value, -f);
+      return value.enlarged(error);
+    };
+    const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
+      const magnitude of_powers =
+          multiply_up(multiply_up(multiply_up(count, count), unit),
+                      magnitude::power_of_two(std::max(0L, static_cast<long>(longest) - f)));
+      const magnitude size = scale(ball(sum_of_sizes, 64).magnitude_upper(), -f);
+      const ball value = from_units(
+          cut->sum(), add_up(of_terms, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
+      const ball own = z.with_precision(p);
+      return value * (power_ == 0 ? own : power_of_positive(own, rational(power_ + 1)));
+    };
+    if (!is_cut && !panel_.at_end) {
+      result = from_units(at_plus * 2, scale(of_terms, 1));
+    } else {
+      result = at_high ? at(at_high, *high) : from_units(at_plus, of_terms);
+      if (at_low) {
+        result = result - at(at_low, *low);
+      } else if (!panel_.at_end) {
+        result = result + from_units(at_minus, of_terms);
+      }
+    }
+    return result.enlarged(of_series) * constant(p);
+  }
+
+  inline static const double_interval log_of_2 = log(double_interval(2));
+
+  const smooth_range& range_;
+  const taylor_panel& panel_;
+  bool is_prepared_ = false;
+  std::vector<local_factor> factors_;
+  local_polynomial numerator_;
+  integers exponent_;
+  rational exponent_scale_ = 0;
+  rational power_ = 0;  // p
+  ball maximum_;        // of |P|, an upper bound
+  double_interval log_least_;
+  double_interval log_greatest_;
+  double_interval log_least_q_;
+  integers q_;
+  integers s_;
+  long terms_ = 0;
+  long bits_ = 0;
+};
+
+/// A root of one of the factors, to search with.
+struct approximate_root {
+  std::complex<double> at;
+  double exponent = 0;
+};
+
+/// By Aberth's iteration, in doubles: a guess at where the function is singular.
+std::vector<std::complex<double>> approximate_roots(const rational_polynomial& p) {
+  using complex = std::complex<double>;
+  const auto n = static_cast<std::size_t>(p.degree());
+  std::vector<complex> c;
+  for (const rational& x : p.coefficients()) {
+    c.emplace_back(approximately(rational(x / p.leading())));
+  }
+  if (n == 1) return {-c[0]};
+  if (n == 2) {
+    const complex root = std::sqrt(c[1] * c[1] - 4.0 * c[0]);
+    const complex larger = (std::real(c[1]) > 0 ? -c[1] - root : -c[1] + root) / 2.0;
+    return {larger, larger == 0.0 ? 0.0 : c[0] / larger};
+  }
+  double bound = 0;  // Fujiwara's
+  for (std::size_t k = 0; k < n; ++k) {
+    bound = std::max(bound, std::pow(std::abs(c[k]), 1.0 / static_cast<double>(n - k)));
+  }
+  std::vector<complex> roots;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double angle = 6.2831853 * static_cast<double>(k) / static_cast<double>(n) + 0.7;
+    roots.push_back(std::polar(
+        bound * (0.5 + 0.5 * static_cast<double>(k + 1) / static_cast<double>(n)), angle));
+  }
+  for (int step = 0; step < 100; ++step) {
+    double moved = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      complex value = 0;
+      complex slope = 0;
+      for (std::size_t j = n + 1; j-- > 0;) {
+        slope = slope * roots[k] + value;
+        value = value * roots[k] + c[j];
+      }
+      if (value == 0.0) continue;
+      complex others = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (j != k && roots[j] != roots[k]) others += 1.0 / (roots[k] - roots[j]);
+      }
+      const complex newton = value / slope;
+      const complex change = newton / (1.0 - newton * others);
+      if (!std::isfinite(std::abs(change))) continue;
+      roots[k] -= change;
+      moved = std::max(moved, std::abs(change) / (std::abs(roots[k]) + 1e-300));
+    }
+    if (moved < 1e-12) break;
+  }
+  return roots;
+}
+
+/// The panels that cover a range, chosen in doubles.
+class panel_choice {
+ public:
+  panel_choice(const smooth_range& range, double bits)
+      : range_(range), bits_(bits), ratio_(bits < 600 ? 0.58 : 0.5) {}
+
+  /// Nothing where the range is not understood.
+  std::optional<std::vector<taylor_panel>> panels() {
+    for (const factor& f : range_.factors) {
+      for (const std::complex<double>& root : approximate_roots(f.base)) {
+        if (!std::isfinite(std::abs(root))) return std::nullopt;
+        roots_.push_back({root, approximately(f.exponent)});
+      }
+      if (f.exponent != 0) {
+        log_of_constant_ +=
+            approximately(f.exponent) * std::log(std::abs(approximately(f.base.leading())));
+      }
+    }
+    for (const rational& c : range_.exponent.coefficients()) exponent_.push_back(approximately(c));
+    const double low = approximately(range_.lower.value(64));
+    const double high = approximately(range_.upper.value(64));
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return std::nullopt;
+
+    // The ends, as rational numbers: where they are not, a little beyond them.
+    const end lower = lower_end(low);
+    const end upper = upper_end(high);
+    if (!(lower.at < upper.at)) return std::nullopt;
+    const rational length = upper.at - lower.at;
+    rational from = lower.at;
+    rational to = upper.at;
+    double left = lower.is_singular ? length_at(lower.at, 1, length) : 0;
+    double right = upper.is_singular ? length_at(upper.at, -1, length) : 0;
+    const double whole = approximately(length);
+    std::vector<taylor_panel> result;
+    if (left > 0 && right > 0 && left + right >= whole) {
+      from = to = lower.at + rounded(whole * left / (left + right));
+    } else {
+      if (left > 0) from = left >= whole ? to : rational(lower.at + rounded(left));
+      if (right > 0) to = right >= whole ? from : rational(upper.at - rounded(right));
+    }
+    if (from > lower.at) {
+      result.push_back({lower.at, rational(from - lower.at), true, false, false});
+    }
+    if (!cover(from, to, result)) return std::nullopt;
+    if (upper.at > to) {
+      result.push_back({upper.at, rational(to - upper.at), true, false, false});
+    }
+    if (result.empty()) return std::nullopt;
+    result.front().from_lower = lower.is_cut;
+    result.back().to_upper = upper.is_cut;
+    return result;
+  }
+
+  /// About log2 of the greatest contribution of a panel.
+  [[nodiscard]] double log2_of_size(const std::vector<taylor_panel>& panels) const {
+    double size = -1e18;
+    for (const taylor_panel& p : panels) {
+      const double c = approximately(p.centre);
+      const double r = approximately(p.radius);
+      for (const double z : {-0.9, -0.5, 0.0, 0.5, 0.9}) {
+        if (p.at_end && z <= 0) continue;
+        const double value = log2_at(c + r * z) + std::log2(std::abs(r));
+        if (value < 1e17) size = std::max(size, value);
+      }
+    }
+    return size;
+  }
+  /// About log2 |P h|.
+  [[nodiscard]] double log2_at(double y) const {
+    double numerator = 0;
+    const std::vector<rational>& c = range_.numerator.coefficients();
+    for (std::size_t k = c.size(); k-- > 0;) numerator = numerator * y + approximately(c[k]);
+    return (log_size({y, 0}, std::nullopt) + log_of_constant_ + std::log(std::abs(numerator))) /
+           std::log(2.0);
+  }
+
+ private:
+  struct end {
+    rational at;
+    bool is_cut = false;
+    bool is_singular = false;
+  };
+
+  [[nodiscard]] bool is_singular_at(const rational& y) const {
+    return std::any_of(range_.factors.begin(), range_.factors.end(),
+                       [&](const factor& f) { return f.base(y) == 0; });
+  }
+  /// The range is singular at y, and integrable there.
+  [[nodiscard]] bool is_integrable_at(const rational& y) const {
+    const rational_polynomial root({-y, rational(1)});
+    const auto multiplicity = [&](rational_polynomial p) {
+      long m = 0;
+      while (p.degree() > 0 && p(y) == 0) {
+        p = divide(p, root).first;
+        ++m;
+      }
+      return m;
+    };
+    rational power = multiplicity(range_.numerator);
+    for (const factor& f : range_.factors) power += multiplicity(f.base) * f.exponent;
+    return power > -1;
+  }
+  [[nodiscard]] end lower_end(double low) const {
+    if (range_.lower.exact)
+      return {*range_.lower.exact, false, is_singular_at(*range_.lower.exact)};
+    if (range_.begins_at_0 && low < ratio_ / 2 * distance(0, rational(0)) && is_integrable_at(0)) {
+      return {0, true, true};
+    }
+    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(low), 1e300)) - 12);
+    return {exactly((std::floor(low / unit) - 1) * unit), true, false};
+  }
+  [[nodiscard]] end upper_end(double high) const {
+    if (range_.upper.exact)
+      return {*range_.upper.exact, false, is_singular_at(*range_.upper.exact)};
+    if (range_.greatest) {
+      const rational& most = *range_.greatest;
+      const double y = approximately(most);
+      if (y - high < ratio_ / 2 * distance(y, most) && is_integrable_at(most)) {
+        return {most, true, is_singular_at(most)};
+      }
+    }
+    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(high), 1e300)) - 12);
+    return {exactly((std::ceil(high / unit) + 1) * unit), true, false};
+  }
+
+  /// From y to the next root, but for those at the given place.
+  [[nodiscard]] double distance(double y,
+                                const std::optional<rational>& except = std::nullopt) const {
+    double least = 1e300;
+    for (const approximate_root& root : roots_) {
+      if (except && is_at(root, *except)) continue;
+      least = std::min(least, std::abs(root.at - y));
+    }
+    return least;
+  }
+  /// The root is taken for the exact number.
+  [[nodiscard]] static bool is_at(const approximate_root& root, const rational& y) {
+    const double x = approximately(y);
+    return std::abs(root.at - x) <= 1e-13 * std::abs(x) || (x == 0 && std::abs(root.at) < 1e-290);
+  }
+
+  /// log of |h| up to a constant, at a complex y, without the roots at a place.
+  [[nodiscard]] double log_size(std::complex<double> y,
+                                const std::optional<rational>& except) const {
+    double sum = 0;
+    for (const approximate_root& root : roots_) {
+      if (root.exponent == 0 || (except && is_at(root, *except))) continue;
+      sum += root.exponent * std::log(std::abs(y - root.at));
+    }
+    std::complex<double> s = 0;
+    for (std::size_t k = exponent_.size(); k-- > 0;) s = s * y + exponent_[k];
+    return sum + s.real();
+  }
+  /// log2 of how much |g| varies on a panel's circle and on the panel.
+  [[nodiscard]] double spread(double c, double r, const std::optional<rational>& except) const {
+    const double own = log_size({c, 0}, except);
+    double most = own;
+    double least = own;
+    for (int k = 0; k <= 6; ++k) {
+      const double value = log_size(c + std::polar(r, 3.14159265 * k / 6), except);
+      most = std::max(most, value);
+      if (k == 0 || (k == 6 && !except)) least = std::min(least, value);
+    }
+    const double log_of_2 = std::log(2.0);
+    return std::isfinite(most) && std::isfinite(least) ? (most - least) / log_of_2 : 1e18;
+  }
+  [[nodiscard]] double most_spread() const { return std::max(20.0, bits_ / 4); }
+
+  /// Of a panel that begins at a singular end.
+  [[nodiscard]] double length_at(const rational& y, int direction, const rational& all) const {
+    const double start = approximately(y);
+    const double whole = approximately(all);
+    double r = std::min(ratio_ * distance(start, y), whole);
+    if (ratio_ * 1.2 * distance(start, y) >= whole) r = whole;
+    for (int k = 0; k < 200 && spread(start, direction * r, y) > most_spread(); ++k) r *= 0.75;
+    return r;
+  }
+
+  /// A number of few bits near r.
+  [[nodiscard]] static rational rounded(double r) {
+    const double unit = std::ldexp(1.0, std::ilogb(r) - 3);
+    return exactly(std::floor(r / unit) * unit);
+  }
+
+  /// Panels from one point to the other, neither of which is singular.
+  bool cover(rational from, const rational& to, std::vector<taylor_panel>& panels) const {
+    constexpr std::size_t most_panels = 2000;
+    const double goal = approximately(to);
+    while (from < to) {
+      if (panels.size() >= most_panels) return false;
+      const double start = approximately(from);
+      const double rest = approximately(rational(to - from)) / 2;
+      double r = ratio_ * distance(start);
+      for (int k = 0; k < 12; ++k) r = ratio_ * distance(start + r);
+      if (rest <= 1.15 * r) r = rest;
+      for (int k = 0; k < 200 && spread(start + r, r, std::nullopt) > most_spread(); ++k) {
+        r *= 0.75;
+      }
+      rational next = to;
+      if (r < rest) {
+        if (2 * rest < 3 * r) r = rest / 2;
+        const double unit = std::ldexp(1.0, std::ilogb(r) - 3);
+        next = exactly(std::floor((start + 2 * r) / unit) * unit);
+        if (next <= from || next >= to || !(start + 2 * r < goal)) return false;
+      }
+      panels.push_back(
+          {rational((from + next) / 2), rational((next - from) / 2), false, false, false});
+      from = next;
+    }
+    return true;
+  }
+
+  const smooth_range& range_;
+  double bits_;
+  double ratio_;
+  std::vector<approximate_root> roots_;
+  std::vector<double> exponent_;
+  double log_of_constant_ = 0;
+};
+
+rational_polynomial reversed(const rational_polynomial& p) {
+  std::vector<rational> c = p.coefficients();
+  std::reverse(c.begin(), c.end());
+  return rational_polynomial(std::move(c));
+}
+/// p(y + shift)
+rational_polynomial shifted(const rational_polynomial& p, const rational& shift) {
+  const rational_polynomial y({shift, rational(1)});
+  rational_polynomial result;
+  const std::vector<rational>& c = p.coefficients();
+  for (std::size_t k = c.size(); k-- > 0;) result = result * y + rational_polynomial({c[k]});
+  return result;
+}
+range_end inverse(const range_end& y) {
+  range_end w;
+  if (y.is_infinite) {
+    w.exact = 0;
+  } else if (y.exact) {
+    w.exact = rational(1) / *y.exact;
+  } else {
+    w.at = [at = y.at](precision p) { return 1 / at(p); };
+  }
+  return w;
+}
+range_end exact_end(const rational& y) {
+  range_end end;
+  end.exact = y;
+  return end;
+}
+
+/// The same integral over w = 1/y; s must be 0, and the range is one of y > 0.
+smooth_range inverted(const smooth_range& range) {
+  smooth_range result;
+  rational power = -2 - range.numerator.degree();  // dy = -dw/w^2
+  result.numerator = reversed(range.numerator);
+  for (const factor& f : range.factors) {
+    power -= f.base.degree() * f.exponent;
+    rational_polynomial base = reversed(f.base);
+    if (base.degree() > 0) result.factors.push_back({std::move(base), f.exponent});
+  }
+  if (power != 0) result.factors.push_back({rational_polynomial::variable(), power});
+  result.lower = inverse(range.upper);
+  result.upper = inverse(range.lower);
+  result.begins_at_0 = true;
+  return result;
+}
+
+/// For T at which the integrand is small enough: a bound of its integral from T on; nothing where none is proved.
+///
+/// With P^ >= |P| for y >= T >= 0, of the absolute values of P's coefficients, let lambda = -s'(T)/2 > 0, and let the
+/// logarithmic derivative of P^ h be at most -lambda for all y >= T. Then P^ h falls at least as fast as e^(-lambda y),
+/// and its integral from T on is at most P^(T) h(T) / lambda. The condition is that
+///   P^' Q + P^ (sum of e_i p_i' Q/p_i) + (s' + lambda) P^ Q <= 0, Q the product of the p_i:
+/// it is proved, as is p_i > 0, by the signs of all coefficients of the polynomials in y - T.
+std::optional<ball> tail_beyond(const smooth_range& range, const rational& t) {
+  const rational_polynomial slope = shifted(range.exponent.derivative(), t);
+  if (slope.is_zero() || t < 0) return std::nullopt;
+  const rational lambda = -slope.coefficients().front() / 2;
+  if (lambda <= 0) return std::nullopt;
+  std::vector<rational> sizes = range.numerator.coefficients();
+  for (rational& c : sizes) c = abs(c);
+  const rational_polynomial p = shifted(rational_polynomial(std::move(sizes)), t);
+  rational_polynomial q({rational(1)});
+  rational_polynomial sum = p.derivative();
+  ball bound = ball(p.coefficients().front(), 64);
+  for (const factor& f : range.factors) {
+    const rational_polynomial base = shifted(f.base, t);
+    const std::vector<rational>& c = base.coefficients();
+    const bool is_positive =
+        c.front() > 0 && std::all_of(c.begin(), c.end(), [](const rational& x) { return x >= 0; });
+    if (!is_positive) return std::nullopt;
+    sum = sum * base + p * q * base.derivative() * rational_polynomial({f.exponent});
+    q = q * base;
+    bound = bound * power_of_positive(ball(c.front(), 64), f.exponent);
+  }
+  sum = sum + (slope + rational_polynomial({lambda})) * p * q;
+  for (const rational& c : sum.coefficients()) {
+    if (c > 0) return std::nullopt;
+  }
+  return bound * exp(ball(range.exponent(t), 64)) / ball(lambda, 64);
+}
+
+/// The integrals over finite ranges whose sum an integral is, times a constant, and what is left out.
+struct finite_ranges {
+  std::vector<smooth_range> ranges;
+  ball rest = ball(0, 64);
+};
+
+/// The greatest absolute value of a root, about; 0 where all roots are 0.
+double size_of_roots(const smooth_range& range) {
+  double size = 0;
+  for (const factor& f : range.factors) {
+    for (const std::complex<double>& root : approximate_roots(f.base)) {
+      if (std::isfinite(std::abs(root))) size = std::max(size, std::abs(root));
+    }
+  }
+  return size;
+}
+
+/// Where the range ends for so many bits; nothing where no end is found.
+std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
+  const panel_choice choice(range, bits);
+  const double low = std::max(approximately(range.lower.value(64)), 0.0);
+  // Values, in doubles, along steps that grow.
+  double greatest = -1e18;
+  double y = 0;
+  double step = 0x1p-10;
+  const auto size = [&](double x) {
+    double log_of_h = 0;
+    for (const factor& f : range.factors) {
+      log_of_h += approximately(f.exponent) *
+                  std::log2(std::abs(approximately(ball(f.base(exactly(x)), 64))));
+    }
+    const double s = approximately(ball(range.exponent(exactly(x)), 64)) / std::log(2.0);
+    return log_of_h + s +
+           std::log2(std::abs(approximately(ball(range.numerator(exactly(x)), 64))) + 1e-300);
+  };
+  constexpr double farthest = 1e12;
+  double last = 0;
+  for (; step < farthest; step *= 1.1) {
+    y = low + step;
+    const double value = size(y);
+    if (std::isnan(value)) return std::nullopt;
+    if (value < 1e17) greatest = std::max(greatest, value + std::log2(step));
+    if (value < greatest - bits - 8 && value < last) break;
+    last = value;
+  }
+  if (!(step < farthest)) return std::nullopt;
+  for (int k = 0; k < 40; ++k, step *= 1.05) {
+    const rational t = exactly(std::ceil((low + step) * 16) / 16);
+    const std::optional<ball> tail = tail_beyond(range, t);
+    if (!tail || approximate_log2(tail->magnitude_upper()) > greatest - bits) continue;
+    finite_ranges result;
+    const ball side = ball(0, 64).enlarged(tail->magnitude_upper());
+    result.rest = side;
+    range.upper = exact_end(t);
+    result.ranges.push_back(std::move(range));
+    return result;
+  }
+  return std::nullopt;
+}
+
+/// constant * the ranges.
+struct prepared_part {
+  const hyperexponential* function = nullptr;
+  rational content = 1;  // beside the function's own constant
+  finite_ranges of;
+};
+
+std::optional<prepared_part> prepare_part(const hyperexponential_integral& part, double bits) {
+  constexpr long greatest_degree = 12;  // of P
+  prepared_part result;
+  result.function = &part.function;
+  smooth_range range;
+  range.numerator = rational_polynomial({rational(1)});
+  for (const polynomial_power& p : part.function.powers) {
+    const bool is_short =
+        denominator(p.exponent) == 1 && p.exponent >= 0 &&
+        p.exponent * p.base.degree() + range.numerator.degree() <= greatest_degree;
+    if (is_short) {
+      for (long k = 0; k < p.exponent; ++k) range.numerator = range.numerator * p.base;
+    }
+    if (!is_short) {
+      range.factors.push_back({p.base, p.exponent});
+    } else if (p.must_be_positive) {
+      range.factors.push_back({p.base, rational(0)});
+    }
+  }
+  range.exponent = part.function.exponent;
+  range.lower = part.lower;
+  range.upper = part.upper;
+  range.begins_at_0 = part.begins_at_0;
+  range.greatest = part.greatest;
+  if (range.exponent.degree() >= 1) {
+    if (!range.upper.is_infinite) {
+      result.of.ranges.push_back(std::move(range));
+      return result;
+    }
+    if (!range.lower.exact) return std::nullopt;
+    std::optional<finite_ranges> finite = cut_off(std::move(range), bits);
+    if (!finite) return std::nullopt;
+    result.of = std::move(*finite);
+    return result;
+  }
+  // Far out, over 1/y.
+  const double low = approximately(range.lower.value(64));
+  const double high = range.upper.is_infinite ? 1e300 : approximately(range.upper.value(64));
+  const double size = size_of_roots(range);
+  // Without roots, and but for infinite ranges, one series serves as well.
+  const double far = size > 0 ? std::exp2(std::ceil(std::log2(size)) + 1) : std::max(low, 1.0);
+  if (!std::isfinite(low) || std::isnan(high) || !std::isfinite(far)) return std::nullopt;
+  const bool is_far = range.upper.is_infinite || (size > 0 && high > 16 * std::max(far, low));
+  if (!is_far) {
+    result.of.ranges.push_back(std::move(range));
+    return result;
+  }
+  if (low < far / 2) {
+    smooth_range near = range;
+    near.upper = exact_end(exactly(far));
+    result.of.ranges.push_back(std::move(near));
+    range.lower = exact_end(exactly(far));
+  }
+  if (!certainly_positive(range.lower.value(128))) return std::nullopt;
+  result.of.ranges.push_back(inverted(range));
+  return result;
+}
+
+/// One attempt at the sum of all parts.
+class taylor_sum {
+ public:
+  taylor_sum(const formula& f, const std::vector<hyperexponential_integral>& parts,
+             const integrate_options& options)
+      : f_(f), parts_(parts), options_(options) {}
+
+  /// To about 2^-bits of the greatest part, or to the absolute goal.
+  std::optional<ball> to(double bits) {
+    struct piece {
+      std::size_t part;
+      const smooth_range* range;
+      std::vector<taylor_panel> panels;
+    };
+    std::vector<prepared_part> prepared;
+    std::vector<piece> pieces;
+    std::vector<double> log2_constants;
+    double size = -1e18;
+    for (const hyperexponential_integral& part : parts_) {
+      const hyperexponential& h = part.function;
+      if (h.coefficient == 0) return std::nullopt;
+      const double constant = approximate_log2(h.constant(f_, 64).magnitude_upper());
+      if (!(std::abs(constant) < 1e17)) return std::nullopt;
+      log2_constants.push_back(constant);
+      auto one = prepare_part(part, bits);
+      if (!one) return std::nullopt;
+      prepared.push_back(std::move(*one));
+    }
+    long count = 0;
+    for (std::size_t i = 0; i < prepared.size(); ++i) {
+      for (const smooth_range& range : prepared[i].of.ranges) {
+        panel_choice choice(range, bits);
+        auto panels = choice.panels();
+        if (!panels) return std::nullopt;
+        size = std::max(size, log2_constants[i] + choice.log2_of_size(*panels));
+        count += static_cast<long>(panels->size());
+        pieces.push_back({i, &range, std::move(*panels)});
+      }
+    }
+    if (!(std::abs(size) < 1e15)) return std::nullopt;
+    double goal = size - bits;
+    if (options_.absolute_exponent) {
+      goal = std::max(goal, static_cast<double>(*options_.absolute_exponent) - 2);
+    }
+    goal -= std::log2(static_cast<double>(count)) + 1;
+    const auto result_bits = static_cast<precision>(std::max(size - goal, 0.0)) + 64;
+    const precision most_bits =
+        options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
+    ball total(0, result_bits);
+    for (std::size_t i = 0; i < prepared.size(); ++i) {
+      ball of_part = prepared[i].of.rest.with_precision(result_bits);
+      for (const piece& p : pieces) {
+        if (p.part != i) continue;
+        for (const taylor_panel& panel : p.panels) {
+          const auto value = over(*p.range, panel, goal - log2_constants[i], most_bits, 0);
+          if (!value) return std::nullopt;
+          of_part += *value;
+        }
+      }
+      total += of_part * parts_[i].function.constant(f_, result_bits);
+    }
+    if (!total.is_bounded()) return std::nullopt;
+    return total;
+  }
+  [[nodiscard]] const integral_account& account() const { return account_; }
+
+ private:
+  /// Over a panel, or over its halves.
+  std::optional<ball> over(const smooth_range& range, const taylor_panel& panel, double goal,
+                           precision most_bits, int depth) {
+    panel_integral own(range, panel);
+    const long left = options_.most_evaluations - account_.terms;
+    const auto terms_enough = static_cast<long>(std::min(64.0 * std::max(-goal + 1e4, 1e4), 1e9));
+    const auto value = own.to(goal, most_bits, std::min(left, terms_enough));
+    if (value) {
+      ++account_.panels;
+      account_.terms += own.terms();
+      account_.most_nodes = std::max(account_.most_nodes, own.terms());
+      account_.precision = std::max<precision>(account_.precision, own.bits());
+      return value;
+    }
+    constexpr int deepest = 8;
+    if (depth >= deepest || panel.from_lower || panel.to_upper || left <= 0) return std::nullopt;
+    const rational half = panel.radius / 2;
+    const auto part = [&](const rational& centre, const rational& radius, bool at_end) {
+      return over(range, {centre, radius, at_end, false, false}, goal - 1, most_bits, depth + 1);
+    };
+    const rational quarter = abs(rational(half / 2));
+    const auto first =
+        panel.at_end ? part(panel.centre, half, true) : part(panel.centre - half, half, false);
+    if (!first) return std::nullopt;
+    const auto second = panel.at_end ? part(panel.centre + half + half / 2, quarter, false)
+                                     : part(panel.centre + half, half, false);
+    if (!second) return std::nullopt;
+    return *first + *second;
+  }
+
+  const formula& f_;
+  const std::vector<hyperexponential_integral>& parts_;
+  const integrate_options& options_;
+  integral_account account_;
+};
+
+}  // namespace
+
+std::optional<integral> integrate_by_taylor_series(const integrand& f, const limit& a,
+                                                   const limit& b,
+                                                   const integrate_options& options) {
+  if (!f.record) return std::nullopt;
+  const auto start = clock::now();
+  const formula recorded(f.record);
+  const auto parts = hyperexponential_parts(recorded, a, b);
+  if (!parts || parts->empty()) return std::nullopt;
+  const double digits = static_cast<double>(options.digits) * std::log2(10.0);
+  double bits = digits + 6;
+  for (int attempts = 0; attempts < 4; ++attempts) {
+    taylor_sum sum(recorded, *parts, options);
+    const std::optional<ball> value = sum.to(bits);
+    if (!value) return std::nullopt;
+    const magnitude radius = value->radius();
+    const bool is_reached =
+        multiply_up(radius, pow(ball(10, 64), options.digits).magnitude_upper()) <=
+            value->magnitude_lower() ||
+        (options.absolute_exponent &&
+         radius <= magnitude::power_of_two(*options.absolute_exponent));
+    if (is_reached) {
+      integral result;
+      result.enclosure = *value;
+      result.verdict = status::certified;
+      result.account = sum.account();
+      result.account.rules = {quadrature_rule::taylor_series};
+      result.account.seconds_for_sums = std::chrono::duration<double>(clock::now() - start).count();
+      return result;
+    }
+    // The value is smaller than its parts, or their bounds are larger than was expected.
+    const double missing =
+        approximate_log2(radius) + digits - approximate_log2(value->magnitude_upper());
+    if (!(missing < digits + 64)) return std::nullopt;
+    bits += std::max(missing, 0.0) + 8;
+  }
+  return std::nullopt;
+}
+
+}  // namespace polhode::detail

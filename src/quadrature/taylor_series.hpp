@@ -1,0 +1,41 @@
+#pragma once
+
+// Integrals of hyperexponential functions by their Taylor series.
+//
+// On a panel, with y = c + r z, h(y) = h(c) g(z), g(0) = 1, and P a polynomial: the integral of P h is wanted. As
+// g'/g = S/Q with polynomials Q = q_0 + q_1 z + ..., S = s_0 + s_1 z + ... with integer coefficients, q_0 > 0,
+//
+//   q_0 (n + 1) a_(n+1) = sum over k >= 0 of (s_k - (n - k) q_(k+1)) a_(n-k),    a_0 = 1,                       (1)
+//
+// for the coefficients of g. They are computed in units of 2^-F, the quotient rounded towards 0, until so many in a row
+// are 0 that all later ones are: A(z) is the polynomial of these numbers. That is all that has to be known of them.
+//
+// Theorem. Let Q and g be positive on an interval I with 0 in it and |z| <= 1 for each z in it, and let m <= Q/q_0,
+// l <= g <= u there. If N of the a_n were computed by (1), then for z in I
+//
+//   |A(z) - g(z)| <= u / (m l) * N (N + 1)/2 * 2^-F.
+//
+// Proof. Let D = Q A' - S A. Its n-th coefficient is q_0 (n + 1) a_(n+1) less the right-hand side of (1), formed from the
+// rounded numbers; it is what the division left over, less than q_0 (n + 1) units, for n < N, and 0 for all later
+// n. So |D| <= q_0 N (N + 1)/2 * 2^-F on I. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and A(0)/g(0) = 1, |A/g - 1| is at
+// most |D|/(Q g) integrated from 0 to z. QED.
+//
+// Neither the radius of convergence nor the size of the rest of the series is needed: the number of terms is found, and the
+// theorem's hypotheses are inequalities between real numbers, which interval arithmetic proves.
+//
+// At an end where h(y) = r^e z^e g(z), e > -1, the same is done with g, and z^e A(z) is integrated.
+
+#include <optional>
+
+#include "hyperexponential.hpp"
+#include "polhode/quadrature/integrate.hpp"
+
+namespace polhode::detail {
+
+/// The integral by Taylor series, where f is found to be a sum of hyperexponential functions (hyperexponential.hpp) and
+/// the goal is reached: then it is certified. Nothing, and no more, is said otherwise. a < b as far as is known.
+[[nodiscard]] std::optional<integral> integrate_by_taylor_series(const integrand& f, const limit& a,
+                                                                 const limit& b,
+                                                                 const integrate_options& options);
+
+}  // namespace polhode::detail
