@@ -92,11 +92,14 @@ class taking_apart {
 
   [[nodiscard]] hyperexponential of_polynomial(const rational_polynomial& p) const {
     if (p.degree() < 1) return number(p.is_zero() ? rational(0) : p.leading());
-    rational scale = content(p);
-    if (p(inside_) < 0) scale = -scale;
     hyperexponential result;
-    result.coefficient = scale;
-    result.powers.push_back({p * rational_polynomial({rational(1) / scale}), rational(1), false});
+    result.coefficient = content(p);
+    if (p(inside_) < 0) result.coefficient = -result.coefficient;
+    std::vector<rational> c = p.coefficients();
+    if (result.coefficient != 1) {
+      for (rational& x : c) x /= result.coefficient;
+    }
+    result.powers.push_back({rational_polynomial(std::move(c)), rational(1), false});
     return result;
   }
 
@@ -251,20 +254,35 @@ struct substitution {
   std::function<maybe_sum(std::size_t i)> leaf;
 };
 
-/// The forms of all nodes that the result needs, each where it has one.
+/// Which nodes a node is made of, itself among them.
+std::vector<bool> parts_of_node(const formula& f, std::size_t node) {
+  std::vector<bool> is_part(node + 1);
+  is_part[node] = true;
+  for (std::size_t k = node + 1; k-- > 0;) {
+    const recorded_node& n = f.node(k);
+    const bool is_leaf =
+        n.what == recorded_node::kind::constant || n.what == recorded_node::kind::argument;
+    if (is_part[k] && !is_leaf) is_part[n.left] = is_part[n.right] = true;
+  }
+  return is_part;
+}
+
+/// The forms of nodes, each where it has one.
 class forms {
  public:
-  forms(const formula& f, const substitution& by) : f_(f), by_(by), apart_(by.inside) {
+  /// Of what the node `last` is made of.
+  forms(const formula& f, std::size_t last, const substitution& by) : f_(f), apart_(by.inside) {
     found_.resize(f.size());
     is_constant_.resize(f.size());
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      if (!f.needs(i)) continue;
+    const std::vector<bool> is_part = parts_of_node(f, last);
+    for (std::size_t i = 0; i <= last; ++i) {
+      if (!is_part[i]) continue;
       const recorded_node& node = f.node(i);
       const bool is_argument = node.what == recorded_node::kind::argument;
       const bool is_leaf = is_argument || node.what == recorded_node::kind::constant;
       is_constant_[i] =
           !is_argument && (is_leaf || (is_constant_[node.left] && is_constant_[node.right]));
-      found_[i] = form_of(i);
+      found_[i] = form_of(i, by);
       if (!found_[i] && is_constant_[i]) found_[i] = constant(i);
     }
   }
@@ -285,7 +303,7 @@ class forms {
     return sum{result};
   }
 
-  [[nodiscard]] maybe_sum form_of(std::size_t i) const {
+  [[nodiscard]] maybe_sum form_of(std::size_t i, const substitution& by) const {
     const recorded_node& node = f_.node(i);
     if (node.what == recorded_node::kind::constant) {
       if (!node.exact) return std::nullopt;
@@ -293,7 +311,7 @@ class forms {
     }
     if (node.is_piecewise()) return std::nullopt;
     if (!is_constant_[i]) {
-      if (maybe_sum found = by_.leaf(i)) return found;
+      if (maybe_sum found = by.leaf(i)) return found;
     }
     if (node.what == recorded_node::kind::argument) return std::nullopt;
     const maybe_sum& x = found_[node.left];
@@ -339,7 +357,6 @@ class forms {
   }
 
   const formula& f_;
-  const substitution& by_;
   taking_apart apart_;
   std::vector<maybe_sum> found_;
   std::vector<bool> is_constant_;
@@ -417,17 +434,35 @@ hyperexponential power_of_complement(const rational& e) {
 class parts_of {
  public:
   parts_of(const formula& f, const limit& a, const limit& b) : f_(f), a_(a), b_(b) {
-    const substitution plain = argument_itself(f, 1, 0, nullptr);
-    plain_ = std::make_unique<forms>(f, plain);
+    for (std::size_t i = 0; i < f.size() && !plain_; ++i) {
+      const recorded_node& node = f.node(i);
+      const bool is_transcendental = f.needs(i) && node.what == recorded_node::kind::function &&
+                                     node.operation.rule >= recorded_rule::exp;
+      if (is_transcendental) {
+        plain_ = std::make_unique<forms>(f, f.result(), argument_itself(f, 1, 0, nullptr));
+      }
+    }
   }
 
   [[nodiscard]] std::optional<std::vector<hyperexponential_integral>> of(std::size_t node) {
     std::vector<hyperexponential_integral> result;
+    if (!plain_) {
+      if (!in_argument(node, result)) return in_sum(node);
+      return result;
+    }
     for (const auto substituted : {&parts_of::in_argument, &parts_of::in_exponential,
                                    &parts_of::in_sine_squared, &parts_of::in_sine_of_half}) {
       result.clear();
       if ((this->*substituted)(node, result)) return result;
     }
+    return in_sum(node);
+  }
+
+ private:
+  using parts = std::vector<hyperexponential_integral>;
+
+  /// A sum term by term.
+  [[nodiscard]] std::optional<parts> in_sum(std::size_t node) {
     const recorded_node& sum_node = f_.node(node);
     if (sum_node.what != recorded_node::kind::function) return std::nullopt;
     const auto rule = sum_node.operation.rule;
@@ -444,9 +479,6 @@ class parts_of {
     }
     return left;
   }
-
- private:
-  using parts = std::vector<hyperexponential_integral>;
 
   static void append(parts& all, const sum& form, const hyperexponential& factor,
                      const hyperexponential_integral& range) {
@@ -489,7 +521,7 @@ class parts_of {
       const rational inside =
           is_long ? lower_rational(start.middle()) + 1 : between(start, to.at(128));
       const substitution by = argument_itself(f_, sign, inside, plain_.get());
-      const forms found(f_, by);
+      const forms found(f_, node, by);
       if (!found[node]) return false;
       hyperexponential_integral range;
       range.lower = end_of(from);
@@ -505,10 +537,11 @@ class parts_of {
   /// y = e^(slope x + offset), of which the functions in the formula have integer powers.
   bool in_exponential(std::size_t node, parts& result) const {
     std::optional<affine> base;
-    for (std::size_t i = 0; i < f_.size(); ++i) {
-      if (!is_exponential(i)) continue;
+    const std::vector<bool> is_part = parts_of_node(f_, node);
+    for (std::size_t i = 0; i <= node; ++i) {
+      if (!is_part[i] || !is_exponential(i)) continue;
       const auto w = affine_of((*plain_)[f_.node(i).left]);
-      if (!w || !depends(node, i)) continue;
+      if (!w) continue;
       if (!base) {
         base = w;
         continue;
@@ -547,7 +580,7 @@ class parts_of {
                             return exponential(f_.node(i).operation.rule, w->slope / base->slope,
                                                inside);
                           }};
-    const forms found(f_, by);
+    const forms found(f_, node, by);
     if (!found[node]) return false;
     // dx = dy / (slope y)
     append(result, *found[node], product(number(rational(1) / base->slope), power_of_variable(-1)),
@@ -560,17 +593,6 @@ class parts_of {
     return rule == recorded_rule::exp || rule == recorded_rule::sinh ||
            rule == recorded_rule::cosh || rule == recorded_rule::tanh;
   }
-  /// Node i is a part of the other.
-  [[nodiscard]] bool depends(std::size_t node, std::size_t i) const {
-    std::vector<bool> is_met(node + 1);
-    is_met[node] = true;
-    for (std::size_t k = node; k > i; --k) {
-      const recorded_node& n = f_.node(k);
-      if (!is_met[k] || n.what == recorded_node::kind::constant) continue;
-      is_met[n.left] = is_met[n.right] = true;
-    }
-    return i <= node && is_met[i];
-  }
   /// exp, sinh, cosh or tanh of n times log y.
   [[nodiscard]] static maybe_sum exponential(recorded_rule rule, const rational& n,
                                              const rational& inside) {
@@ -578,14 +600,23 @@ class parts_of {
     if (!is_integer(n) || abs(n) > greatest) return std::nullopt;
     const hyperexponential up = power_of_variable(n);
     if (rule == recorded_rule::exp) return sum{up};
-    const hyperexponential down = power_of_variable(-n);
+    // (y^|n| +- y^-|n|)/2 = (y^(2 |n|) +- 1)/2 * y^-|n|
+    const auto size = static_cast<std::size_t>(abs(numerator(n)));
+    if (2 * size > static_cast<std::size_t>(greatest_degree)) return std::nullopt;
     const taking_apart apart(inside);
-    const hyperexponential half = number(rational(1, 2));
-    const hyperexponential minus_half = number(rational(-1, 2));
-    const maybe_sum cosine = apart.added({product(up, half)}, {product(down, half)});
-    const maybe_sum sine = apart.added({product(up, half)}, {product(down, minus_half)});
-    if (rule == recorded_rule::cosh || !cosine) return cosine;
-    if (rule == recorded_rule::sinh || !sine) return sine;
+    const auto half_of = [&](long sign) {
+      std::vector<rational> c(2 * size + 1);
+      c[2 * size] = 1;
+      c[0] = sign;
+      hyperexponential result = product(apart.of_polynomial(rational_polynomial(std::move(c))),
+                                        power_of_variable(rational(-static_cast<long>(size))));
+      result.coefficient /= sign < 0 && n < 0 ? -2 : 2;
+      return result;
+    };
+    const maybe_sum cosine = sum{half_of(1)};
+    const maybe_sum sine = sum{half_of(-1)};
+    if (rule == recorded_rule::cosh) return cosine;
+    if (rule == recorded_rule::sinh) return sine;
     const maybe_sum inverse = apart.raised(*cosine, -1);
     return inverse ? apart.multiplied(*sine, *inverse) : std::nullopt;
   }
@@ -606,9 +637,11 @@ class parts_of {
   };
   [[nodiscard]] std::optional<frequency> common_frequency(std::size_t node) const {
     std::optional<frequency> common;
-    for (std::size_t i = 0; i < f_.size(); ++i) {
+    const std::vector<bool> is_part = parts_of_node(f_, node);
+    for (std::size_t i = 0; i <= node; ++i) {
+      if (!is_part[i]) continue;
       const auto own = frequency_of(i);
-      if (!own || !depends(node, i)) continue;
+      if (!own) continue;
       if (!common) {
         common = frequency{abs(own->of_x), own->of_pi};
         continue;
@@ -707,7 +740,7 @@ class parts_of {
                               const bool odd = mine->of_x < 0;
                               return circular(f_.node(i).operation.rule, n, odd, both, inside);
                             }};
-      const forms found(f_, by);
+      const forms found(f_, node, by);
       if (!found[node]) return false;
       // dw = dy / (2 sqrt(y (1 - y))), twice that where y is of w'/2.
       hyperexponential factor = number(rational(by_quarters ? 1 : 2, 2) / own->of_x);
@@ -796,6 +829,7 @@ class parts_of {
   const formula& f_;
   const limit& a_;
   const limit& b_;
+  /// What nodes are in x, where the formula has exponential or circular functions of them.
   std::unique_ptr<forms> plain_;
 };
 

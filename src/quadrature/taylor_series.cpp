@@ -105,6 +105,21 @@ long without_zeros(integers& p) {
   return zeros;
 }
 
+/// x/y, y > 0.
+double_interval quotient(const integer& x, const integer& y) {
+  if (x == 0) return double_interval(0);
+  // |x| = m 2^e with 1/2 <= m < 1, cut off after 53 bits.
+  const auto parts_of = [](const integer& n) {
+    long e = 0;
+    const double m = mpz_get_d_2exp(&e, n.backend().data());
+    constexpr double unit = 0x1p-52;
+    return std::pair(m < 0 ? double_interval(m - unit, m) : double_interval(m, m + unit), e);
+  };
+  const auto [above, above_exponent] = parts_of(x);
+  const auto [below, below_exponent] = parts_of(y);
+  return scale(above / below, above_exponent - below_exponent);
+}
+
 /// The range of a polynomial over [low, high].
 class polynomial_range {
  public:
@@ -262,7 +277,7 @@ class panel_integral {
     for (const local_factor& f : factors_) {
       std::vector<double_interval> c;
       for (const integer& x : f.p.coefficients) {
-        c.emplace_back(rational(x, f.p.coefficients.front()));
+        c.push_back(quotient(x, f.p.coefficients.front()));
       }
       ranges.emplace_back(std::move(c));
       exponents.emplace_back(f.exponent);
@@ -394,6 +409,11 @@ class panel_integral {
     }
     const bool is_cut = at_low || at_high;
 
+    // p = above/below
+    constexpr long greatest = 1L << 31;
+    if (denominator(power_) > greatest || abs(numerator(power_)) > greatest) return std::nullopt;
+    const auto above = static_cast<long>(numerator(power_));
+    const auto below = static_cast<unsigned long>(denominator(power_));
     // a_n and e_n = sum of P_k a_(n-k), until all that are looked back at are 0.
     const std::size_t depth = std::max(q_.size() - 1, s_.size());
     const std::size_t looked_at = std::max(depth, numerator_.coefficients.size());
@@ -406,6 +426,9 @@ class panel_integral {
       if (k < s_.size()) c[k] = s_[k];
       if (k + 1 < q_.size()) c[k] += q_[k + 1] * static_cast<long>(k);
     }
+    std::vector<integer> step(depth);  // of c from one n to the next
+    for (std::size_t k = 0; k < depth && k + 1 < q_.size(); ++k) step[k] = q_[k + 1];
+    const integers& of_p = numerator_.coefficients;
     integer at_plus;   // the sum of the b_n
     integer at_minus;  // with signs that change
     integer sum_of_sizes;
@@ -414,61 +437,51 @@ class panel_integral {
     integer divisor;
     std::size_t zeros = 0;
     std::size_t longest = 0;
+    std::size_t newest = 0;
     long n = 0;
-    const integer& above = numerator(power_);
-    const integer below = denominator(power_);
     for (;; ++n) {
-      const auto index = [&](std::size_t back) {
-        return (static_cast<std::size_t>(n) + ring - back) % ring;
+      const auto before = [&](std::size_t back) -> mpz_srcptr {
+        return a[newest >= back ? newest - back : newest + ring - back].backend().data();
       };
       const std::size_t known = std::min(static_cast<std::size_t>(n) + 1, looked_at);
-      // e_n
-      const integers& numerator = numerator_.coefficients;
-      if (numerator.size() == 1) {
-        mpz_mul(e.backend().data(), a[index(0)].backend().data(), numerator[0].backend().data());
-      } else {
-        e = 0;
-        for (std::size_t k = 0; k < std::min(numerator.size(), known); ++k) {
-          mpz_addmul(e.backend().data(), numerator[k].backend().data(),
-                     a[index(k)].backend().data());
-        }
-      }
-      // b_n = e_n / (n + p + 1)
+      mpz_ptr const sum = e.backend().data();
+      mpz_ptr const quotient = b.backend().data();
       if (panel_.at_end || is_cut || n % 2 == 0) {
-        if (panel_.at_end) {
-          mpz_mul(b.backend().data(), e.backend().data(), below.backend().data());
-          divisor = above + below * (n + 1);
-          mpz_tdiv_q(b.backend().data(), b.backend().data(), divisor.backend().data());
-        } else {
-          mpz_tdiv_q_ui(b.backend().data(), e.backend().data(), static_cast<unsigned long>(n) + 1);
+        // b_n = e_n / (n + p + 1)
+        mpz_set_ui(sum, 0);
+        for (std::size_t k = 0; k < std::min(of_p.size(), known); ++k) {
+          mpz_addmul(sum, before(k), of_p[k].backend().data());
         }
-        at_plus += b;
+        if (below != 1) mpz_mul_ui(sum, sum, below);
+        const auto by = static_cast<unsigned long>(above + static_cast<long>(below) * (n + 1));
+        mpz_tdiv_q_ui(quotient, sum, by);
+        mpz_add(at_plus.backend().data(), at_plus.backend().data(), quotient);
         if (is_cut) {
-          if (n % 2 == 0) {
-            at_minus += b;
-          } else {
-            at_minus -= b;
-          }
+          mpz_ptr const minus = at_minus.backend().data();
+          (n % 2 == 0 ? mpz_add : mpz_sub)(minus, minus, quotient);
           if (at_low) at_low->add(b);
           if (at_high) at_high->add(b);
-          longest = std::max(longest, mpz_sizeinbase(b.backend().data(), 2));
-          sum_of_sizes += abs(e);
+          longest = std::max(longest, mpz_sizeinbase(quotient, 2));
+          mpz_abs(sum, sum);
+          mpz_add(sum_of_sizes.backend().data(), sum_of_sizes.backend().data(), sum);
         }
       }
       if (zeros >= looked_at) break;
       if (n >= most_terms) return std::nullopt;
       // a_(n+1)
-      integer& next = a[index(0) + 1 == ring ? 0 : index(0) + 1];
-      mpz_ptr w = next.backend().data();
-      e = 0;
+      mpz_set_ui(sum, 0);
       for (std::size_t k = 0; k < std::min(depth, known); ++k) {
-        mpz_addmul(e.backend().data(), c[k].backend().data(), a[index(k)].backend().data());
+        mpz_addmul(sum, before(k), c[k].backend().data());
       }
-      for (std::size_t k = 0; k + 1 < q_.size() && k < depth; ++k) c[k] -= q_[k + 1];
+      for (std::size_t k = 0; k < depth; ++k) {
+        mpz_sub(c[k].backend().data(), c[k].backend().data(), step[k].backend().data());
+      }
+      newest = newest + 1 == ring ? 0 : newest + 1;
+      mpz_ptr const next = a[newest].backend().data();
       mpz_mul_ui(divisor.backend().data(), q_[0].backend().data(),
                  static_cast<unsigned long>(n) + 1);
-      mpz_tdiv_q(w, e.backend().data(), divisor.backend().data());
-      zeros = mpz_sgn(w) == 0 ? zeros + 1 : 0;
+      mpz_tdiv_q(next, sum, divisor.backend().data());
+      zeros = mpz_sgn(next) == 0 ? zeros + 1 : 0;
     }
     terms_ = n + 1;
 
@@ -592,11 +605,11 @@ class panel_choice {
   panel_choice(const smooth_range& range, double bits)
       : range_(range), bits_(bits), ratio_(bits < 600 ? 0.58 : 0.5) {}
 
-  /// Nothing where the range is not understood.
-  std::optional<std::vector<taylor_panel>> panels() {
+  /// The roots; false where they are not found.
+  bool prepare() {
     for (const factor& f : range_.factors) {
       for (const std::complex<double>& root : approximate_roots(f.base)) {
-        if (!std::isfinite(std::abs(root))) return std::nullopt;
+        if (!std::isfinite(std::abs(root))) return false;
         roots_.push_back({root, approximately(f.exponent)});
       }
       if (f.exponent != 0) {
@@ -605,6 +618,14 @@ class panel_choice {
       }
     }
     for (const rational& c : range_.exponent.coefficients()) exponent_.push_back(approximately(c));
+    for (const rational& c : range_.numerator.coefficients()) {
+      numerator_.push_back(approximately(c));
+    }
+    return true;
+  }
+  /// Nothing where the range is not understood.
+  std::optional<std::vector<taylor_panel>> panels() {
+    if (!prepare()) return std::nullopt;
     const double low = approximately(range_.lower.value(64));
     const double high = approximately(range_.upper.value(64));
     if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return std::nullopt;
@@ -656,8 +677,7 @@ class panel_choice {
   /// About log2 |P h|.
   [[nodiscard]] double log2_at(double y) const {
     double numerator = 0;
-    const std::vector<rational>& c = range_.numerator.coefficients();
-    for (std::size_t k = c.size(); k-- > 0;) numerator = numerator * y + approximately(c[k]);
+    for (std::size_t k = numerator_.size(); k-- > 0;) numerator = numerator * y + numerator_[k];
     return (log_size({y, 0}, std::nullopt) + log_of_constant_ + std::log(std::abs(numerator))) /
            std::log(2.0);
   }
@@ -803,9 +823,15 @@ class panel_choice {
   double ratio_;
   std::vector<approximate_root> roots_;
   std::vector<double> exponent_;
+  std::vector<double> numerator_;
   double log_of_constant_ = 0;
 };
 
+rational pow_of(const rational& x, long n) {
+  rational result = 1;
+  for (long k = 0; k < n; ++k) result *= x;
+  return result;
+}
 rational_polynomial reversed(const rational_polynomial& p) {
   std::vector<rational> c = p.coefficients();
   std::reverse(c.begin(), c.end());
@@ -853,39 +879,69 @@ smooth_range inverted(const smooth_range& range) {
   return result;
 }
 
-/// For T at which the integrand is small enough: a bound of its integral from T on; nothing where none is proved.
+/// The coefficients of (1 + w)^n p(inner + (outer - inner) w/(1 + w)), n the degree; of p(inner + w) where outer is infinite.
+/// Where all have one sign, or are 0, p has that sign between the two, or is 0.
+std::vector<rational> coefficients_between(const rational_polynomial& p, const rational& inner,
+                                           const std::optional<rational>& outer) {
+  const std::vector<rational> at_inner = shifted(p, inner).coefficients();
+  if (!outer) return at_inner;
+  // Sum of c_k length^k w^k (1 + w)^(n-k), by Horner's rule from the last.
+  const rational_polynomial w = rational_polynomial::variable();
+  const rational_polynomial one_and_w({rational(1), rational(1)});
+  const rational length = *outer - inner;
+  rational_polynomial sum;
+  rational_polynomial power({rational(1)});  // (1 + w)^(n-k)
+  rational power_of_length = pow_of(length, static_cast<long>(at_inner.size()) - 1);
+  for (std::size_t k = at_inner.size(); k-- > 0;) {
+    std::vector<rational> monomial(k + 1);
+    monomial[k] = at_inner[k] * power_of_length;
+    sum = sum + power * rational_polynomial(std::move(monomial));
+    power = power * one_and_w;
+    power_of_length /= length;
+  }
+  return sum.coefficients();
+}
+
+/// A bound of the integral between two points, between which the integrand falls from the inner to the outer; outer is
+/// infinite where it is not given. Nothing where none is proved.
 ///
-/// With P^ >= |P| for y >= T >= 0, of the absolute values of P's coefficients, let lambda = -s'(T)/2 > 0, and let the
-/// logarithmic derivative of P^ h be at most -lambda for all y >= T. Then P^ h falls at least as fast as e^(-lambda y),
-/// and its integral from T on is at most P^(T) h(T) / lambda. The condition is that
-///   P^' Q + P^ (sum of e_i p_i' Q/p_i) + (s' + lambda) P^ Q <= 0, Q the product of the p_i:
-/// it is proved, as is p_i > 0, by the signs of all coefficients of the polynomials in y - T.
-std::optional<ball> tail_beyond(const smooth_range& range, const rational& t) {
-  const rational_polynomial slope = shifted(range.exponent.derivative(), t);
-  if (slope.is_zero() || t < 0) return std::nullopt;
-  const rational lambda = -slope.coefficients().front() / 2;
-  if (lambda <= 0) return std::nullopt;
+/// With P^ >= |P|, of the absolute values of P's coefficients, y >= 0, let |log (P^ h)'| be at least lambda > 0 between
+/// the two, with the sign that makes P^ h fall. Then P^ h is at most (P^ h)(inner) e^(-lambda |y - inner|), and its integral
+/// at most (P^ h)(inner)/lambda. With Q the product of the p_i and d the direction, the condition is that
+///   d (P^' Q + P^ (sum of e_i p_i' Q/p_i) + s' P^ Q) + lambda P^ Q <= 0:
+/// it is proved, as is p_i > 0, by the signs of coefficients.
+std::optional<ball> bound_by_slope(const smooth_range& range, const rational& inner,
+                                   const std::optional<rational>& outer) {
+  if (inner < 0 || (outer && *outer < 0)) return std::nullopt;
+  const long direction = outer && *outer < inner ? -1 : 1;
   std::vector<rational> sizes = range.numerator.coefficients();
   for (rational& c : sizes) c = abs(c);
-  const rational_polynomial p = shifted(rational_polynomial(std::move(sizes)), t);
+  const rational_polynomial p(std::move(sizes));
   rational_polynomial q({rational(1)});
   rational_polynomial sum = p.derivative();
-  ball bound = ball(p.coefficients().front(), 64);
+  ball bound(p(inner), 64);
   for (const factor& f : range.factors) {
-    const rational_polynomial base = shifted(f.base, t);
-    const std::vector<rational>& c = base.coefficients();
+    const std::vector<rational> c = coefficients_between(f.base, inner, outer);
     const bool is_positive =
-        c.front() > 0 && std::all_of(c.begin(), c.end(), [](const rational& x) { return x >= 0; });
+        !c.empty() && c.front() > 0 &&
+        std::all_of(c.begin(), c.end(), [](const rational& x) { return x >= 0; });
     if (!is_positive) return std::nullopt;
-    sum = sum * base + p * q * base.derivative() * rational_polynomial({f.exponent});
-    q = q * base;
-    bound = bound * power_of_positive(ball(c.front(), 64), f.exponent);
+    sum = sum * f.base + p * q * f.base.derivative() * rational_polynomial({f.exponent});
+    q = q * f.base;
+    bound = bound * power_of_positive(ball(f.base(inner), 64), f.exponent);
   }
-  sum = sum + (slope + rational_polynomial({lambda})) * p * q;
-  for (const rational& c : sum.coefficients()) {
+  const rational_polynomial all = p * q;
+  sum = sum + range.exponent.derivative() * all;
+  const double slope =
+      -static_cast<double>(direction) * approximately(rational(sum(inner) / all(inner)));
+  if (!(slope > 0) || !std::isfinite(slope)) return std::nullopt;
+  const rational lambda = exactly(slope / 2);
+  const rational_polynomial condition =
+      sum * rational_polynomial({rational(direction)}) + all * rational_polynomial({lambda});
+  for (const rational& c : coefficients_between(condition, inner, outer)) {
     if (c > 0) return std::nullopt;
   }
-  return bound * exp(ball(range.exponent(t), 64)) / ball(lambda, 64);
+  return bound * exp(ball(range.exponent(inner), 64)) / ball(lambda, 64);
 }
 
 /// The integrals over finite ranges whose sum an integral is, times a constant, and what is left out.
@@ -905,47 +961,99 @@ double size_of_roots(const smooth_range& range) {
   return size;
 }
 
-/// Where the range ends for so many bits; nothing where no end is found.
+/// Without what is too small to count for so many bits. Nothing where no end of an infinite range is found.
 std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
-  const panel_choice choice(range, bits);
-  const double low = std::max(approximately(range.lower.value(64)), 0.0);
-  // Values, in doubles, along steps that grow.
-  double greatest = -1e18;
-  double y = 0;
-  double step = 0x1p-10;
-  const auto size = [&](double x) {
-    double log_of_h = 0;
-    for (const factor& f : range.factors) {
-      log_of_h += approximately(f.exponent) *
-                  std::log2(std::abs(approximately(ball(f.base(exactly(x)), 64))));
+  panel_choice choice(range, bits);
+  if (!choice.prepare()) return std::nullopt;
+  const auto size = [&](double y) { return choice.log2_at(y); };
+  const double low = approximately(range.lower.value(64));
+  const double high = range.upper.is_infinite ? 1e300 : approximately(range.upper.value(64));
+  // The greatest values, in doubles: at the ends and where the logarithmic derivative is 0.
+  rational_polynomial q({rational(1)});
+  rational_polynomial slope = range.numerator.derivative();
+  for (const factor& f : range.factors) {
+    slope = slope * f.base +
+            range.numerator * q * f.base.derivative() * rational_polynomial({f.exponent});
+    q = q * f.base;
+  }
+  slope = slope + range.exponent.derivative() * range.numerator * q;
+  std::vector<double> peaks{low};
+  if (!range.upper.is_infinite) peaks.push_back(high);
+  if (slope.degree() > 0) {
+    for (const std::complex<double>& y : approximate_roots(slope)) {
+      const bool is_real = std::abs(y.imag()) <= 1e-6 * std::abs(y.real());
+      if (is_real && y.real() > low && y.real() < high) peaks.push_back(y.real());
     }
-    const double s = approximately(ball(range.exponent(exactly(x)), 64)) / std::log(2.0);
-    return log_of_h + s +
-           std::log2(std::abs(approximately(ball(range.numerator(exactly(x)), 64))) + 1e-300);
-  };
-  constexpr double farthest = 1e12;
-  double last = 0;
-  for (; step < farthest; step *= 1.1) {
-    y = low + step;
+  }
+  std::sort(peaks.begin(), peaks.end());
+  double greatest = -1e18;
+  for (const double y : peaks) {
     const double value = size(y);
-    if (std::isnan(value)) return std::nullopt;
-    if (value < 1e17) greatest = std::max(greatest, value + std::log2(step));
-    if (value < greatest - bits - 8 && value < last) break;
-    last = value;
+    if (!(value > greatest) || value > 1e17) continue;
+    // How far it is until half of the value.
+    double width = std::max(std::abs(y), 1e-3);
+    while (width > 1e-300 && size(y + width) < value - 1 && size(y - width) < value - 1) width /= 2;
+    greatest = std::max(greatest, value + std::min(std::log2(width), 0.0));
   }
-  if (!(step < farthest)) return std::nullopt;
-  for (int k = 0; k < 40; ++k, step *= 1.05) {
-    const rational t = exactly(std::ceil((low + step) * 16) / 16);
-    const std::optional<ball> tail = tail_beyond(range, t);
-    if (!tail || approximate_log2(tail->magnitude_upper()) > greatest - bits) continue;
-    finite_ranges result;
-    const ball side = ball(0, 64).enlarged(tail->magnitude_upper());
-    result.rest = side;
-    range.upper = exact_end(t);
-    result.ranges.push_back(std::move(range));
-    return result;
+  const double least = greatest - bits - 10;
+  // From the first and the last peak that counts outward, to where it does not any more.
+  const auto counts = [&](double y) { return size(y) >= least; };
+  const auto first = std::find_if(peaks.begin(), peaks.end(), counts);
+  const auto last = std::find_if(peaks.rbegin(), peaks.rend(), counts);
+  if (first == peaks.end() || last == peaks.rend()) return std::nullopt;
+  const auto crossing = [&](double inside, double outside) {
+    for (int k = 0; k < 60; ++k) {
+      const double middle = (inside + outside) / 2;
+      (counts(middle) ? inside : outside) = middle;
+    }
+    return outside;
+  };
+  finite_ranges result;
+  const auto rest = [&](const ball& bound) {
+    result.rest = result.rest.enlarged(bound.magnitude_upper());
+  };
+  const auto is_small = [&](const std::optional<ball>& bound) {
+    return bound && approximate_log2(bound->magnitude_upper()) <= greatest - bits;
+  };
+  const auto short_number = [](double y, double near) {
+    const double unit = std::ldexp(1.0, std::ilogb(near) - 6);
+    return exactly(std::round(y / unit) * unit);
+  };
+  // A short way is not worth a proof.
+  constexpr double much = 40;
+  if (range.upper.is_infinite) {
+    double outside = std::max(std::abs(*last), 1e-3);
+    while (outside < 1e100 && counts(*last + outside)) outside *= 2;
+    double step = crossing(*last, *last + outside) - *last;
+    for (int k = 0;; ++k, step *= 1.1) {
+      if (k == 60) return std::nullopt;
+      const rational t = short_number(*last + step, step);
+      const std::optional<ball> bound = bound_by_slope(range, t, std::nullopt);
+      if (!is_small(bound)) continue;
+      rest(*bound);
+      range.upper = exact_end(t);
+      break;
+    }
+  } else if (range.upper.exact && size(high) < least - much) {
+    const double y = crossing(*last, high);
+    const rational t = short_number(y, high - y);
+    const std::optional<ball> bound = bound_by_slope(range, t, range.upper.exact);
+    if (t < *range.upper.exact && t > exactly(*last) && is_small(bound)) {
+      rest(*bound);
+      range.upper = exact_end(t);
+    }
   }
-  return std::nullopt;
+  if (range.lower.exact && *first > low && size(low) < least - much) {
+    const double y = crossing(*first, low);
+    const rational t = short_number(y, y - low);
+    const std::optional<ball> bound = bound_by_slope(range, t, range.lower.exact);
+    if (t > *range.lower.exact && t < exactly(*first) && is_small(bound)) {
+      rest(*bound);
+      range.lower = exact_end(t);
+    }
+  }
+  result.ranges.push_back(std::move(range));
+  return result;
 }
 
 /// constant * the ranges.
@@ -979,12 +1087,11 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
   range.upper = part.upper;
   range.begins_at_0 = part.begins_at_0;
   range.greatest = part.greatest;
-  if (range.exponent.degree() >= 1) {
-    if (!range.upper.is_infinite) {
-      result.of.ranges.push_back(std::move(range));
-      return result;
-    }
-    if (!range.lower.exact) return std::nullopt;
+  const bool is_steep = range.exponent.degree() >= 1 ||
+                        std::any_of(range.factors.begin(), range.factors.end(),
+                                    [](const factor& f) { return abs(f.exponent) >= 16; });
+  if (is_steep && (range.exponent.degree() >= 1 || !range.upper.is_infinite)) {
+    if (range.upper.is_infinite && !range.lower.exact) return std::nullopt;
     std::optional<finite_ranges> finite = cut_off(std::move(range), bits);
     if (!finite) return std::nullopt;
     result.of = std::move(*finite);
