@@ -81,7 +81,8 @@ constexpr std::array known_rules{
     named_rule{"gauss-legendre", quadrature_rule::gauss_legendre},
     named_rule{"clenshaw-curtis", quadrature_rule::clenshaw_curtis},
     named_rule{"trapezoid", quadrature_rule::trapezoid},
-    named_rule{"double-exponential", quadrature_rule::double_exponential}};
+    named_rule{"double-exponential", quadrature_rule::double_exponential},
+    named_rule{"taylor-series", quadrature_rule::taylor_series}};
 
 std::string names_of_rules() {
   std::string names;
@@ -128,9 +129,10 @@ std::string account_text(const integral_account& a) {
     rules += (rules.empty() ? " (" : ", ") + to_text(rule);
   }
   if (!rules.empty()) rules += ')';
-  return fmt::format("{} panel{}{}, {} evaluations with {} bits, {} over regions", a.panels,
-                     a.panels == 1 ? "" : "s", rules, a.evaluations, a.precision,
-                     a.region_evaluations);
+  const std::string panels = fmt::format("{} panel{}{}", a.panels, a.panels == 1 ? "" : "s", rules);
+  if (a.terms > 0) return fmt::format("{}, {} terms with {} bits", panels, a.terms, a.precision);
+  return fmt::format("{}, {} evaluations with {} bits, {} over regions", panels, a.evaluations,
+                     a.precision, a.region_evaluations);
 }
 
 std::string number_text(const ball& x, bool certified, long digits) {
@@ -187,10 +189,13 @@ std::string as_json(const expression& f, const integrate_command_options& option
   result["number"] = number_json(i.enclosure, digits);
   json rules = json::array();
   for (const quadrature_rule rule : i.account.rules) rules.push_back(to_text(rule));
-  result["account"] = {
-      {"evaluations", i.account.evaluations}, {"region_evaluations", i.account.region_evaluations},
-      {"panels", i.account.panels},           {"rules", rules},
-      {"most_nodes", i.account.most_nodes},   {"precision", i.account.precision}};
+  result["account"] = {{"evaluations", i.account.evaluations},
+                       {"region_evaluations", i.account.region_evaluations},
+                       {"panels", i.account.panels},
+                       {"rules", rules},
+                       {"terms", i.account.terms},
+                       {"most_nodes", i.account.most_nodes},
+                       {"precision", i.account.precision}};
   return result.dump(2) + '\n';
 }
 
@@ -423,7 +428,7 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("NAME");
   app.add_option("--rule", options->rule,
                  "Insist on a rule: gauss-legendre, clenshaw-curtis, trapezoid,\n"
-                 "double-exponential [automatic]")
+                 "double-exponential, taylor-series [automatic]")
       ->type_name("NAME");
   app.add_option("--threads", options->threads,
                  "Evaluate on so many threads; 0 for all processors. The digits are the same")

@@ -50,6 +50,7 @@ void multiply_by(hyperexponential& f, const constant_power& c) {
 }
 
 void multiply_by(hyperexponential& f, const polynomial_power& p) {
+  if (p.exponent == 0 && !p.must_be_positive) return;
   for (auto i = f.powers.begin(); i != f.powers.end(); ++i) {
     if (i->base != p.base) continue;
     i->exponent += p.exponent;
@@ -375,10 +376,20 @@ std::optional<affine> affine_of(const maybe_sum& form) {
   return affine{p->coefficients()[1], p->coefficients()[0]};
 }
 
-/// A rational number between them.
-rational between(const ball& x, const ball& y) {
+/// A rational number between x < y, as far as is known; nothing where it would be a long one.
+std::optional<rational> between(const ball& x, const ball& y) {
+  if (certainly_less(x, 1) && certainly_greater(y, 1)) return rational(1);
   const ball middle = ((x + y) / 2).middle();
+  constexpr long most = 100'000;
+  const magnitude size = middle.magnitude_upper();
+  if (size.is_infinite() || (!size.is_zero() && std::abs(size.log2_floor()) > most)) {
+    return std::nullopt;
+  }
   return lower_rational(middle);
+}
+/// The same for a range without an end.
+std::optional<rational> beyond(const ball& x) {
+  return certainly_less(x, 1) ? std::optional<rational>(1) : between(x, x * 2 + 1);
 }
 
 /// p(-y).
@@ -518,9 +529,9 @@ class parts_of {
     const auto piece = [&](const limit& from, const limit& to, int sign) {
       const bool is_long = to.infinite_sign() != 0;
       const ball start = from.at(128);
-      const rational inside =
-          is_long ? lower_rational(start.middle()) + 1 : between(start, to.at(128));
-      const substitution by = argument_itself(f_, sign, inside, plain_.get());
+      const std::optional<rational> inside = is_long ? beyond(start) : between(start, to.at(128));
+      if (!inside) return false;
+      const substitution by = argument_itself(f_, sign, *inside, plain_.get());
       const forms found(f_, node, by);
       if (!found[node]) return false;
       hyperexponential_integral range;
@@ -571,8 +582,10 @@ class parts_of {
     range.upper = end(b_);
     range.begins_at_0 = true;
     const ball low = range.lower.value(128);
-    const rational inside = range.upper.is_infinite ? lower_rational(low.middle()) + 1
-                                                    : between(low, range.upper.value(128));
+    const std::optional<rational> found_inside =
+        range.upper.is_infinite ? beyond(low) : between(low, range.upper.value(128));
+    if (!found_inside) return false;
+    const rational& inside = *found_inside;
     const substitution by{inside, [&](std::size_t i) -> maybe_sum {
                             if (!is_exponential(i)) return std::nullopt;
                             const auto w = affine_of((*plain_)[f_.node(i).left]);
@@ -731,7 +744,10 @@ class parts_of {
       } else {
         range.upper.exact = 1;
       }
-      const rational inside = between(range.lower.value(128), range.upper.value(128));
+      const std::optional<rational> found_inside =
+          between(range.lower.value(128), range.upper.value(128));
+      if (!found_inside) return false;
+      const rational& inside = *found_inside;
       const auto both = by_quarters ? quarter(k) : half(k, shift, inside);
       const substitution by{inside, [&](std::size_t i) -> maybe_sum {
                               const auto mine = frequency_of(i);

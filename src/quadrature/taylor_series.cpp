@@ -28,8 +28,10 @@ double approximately(const ball& x) {
   return mpfr_get_d(middle.get(), MPFR_RNDN);
 }
 double approximately(const rational& q) { return mpq_get_d(q.backend().data()); }
+/// 0 where x is no number: what is chosen in doubles proves itself, or fails to.
 rational exactly(double x) {
-  rational q;
+  rational q = 0;
+  if (!std::isfinite(x)) return q;
   mpq_set_d(q.backend().data(), x);
   return q;
 }
@@ -438,6 +440,9 @@ class panel_integral {
     std::size_t zeros = 0;
     std::size_t longest = 0;
     std::size_t newest = 0;
+    // A series that converges takes no such terms, or less than so many.
+    const auto most_limbs = static_cast<std::size_t>(2 * f / GMP_NUMB_BITS + 32);
+    most_terms = std::min(most_terms, 8 * f + 500);
     long n = 0;
     for (;; ++n) {
       const auto before = [&](std::size_t back) -> mpz_srcptr {
@@ -481,6 +486,7 @@ class panel_integral {
       mpz_mul_ui(divisor.backend().data(), q_[0].backend().data(),
                  static_cast<unsigned long>(n) + 1);
       mpz_tdiv_q(next, sum, divisor.backend().data());
+      if (mpz_size(next) > most_limbs) return std::nullopt;
       zeros = mpz_sgn(next) == 0 ? zeros + 1 : 0;
     }
     terms_ = n + 1;
@@ -631,8 +637,8 @@ class panel_choice {
     if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return std::nullopt;
 
     // The ends, as rational numbers: where they are not, a little beyond them.
-    const end lower = lower_end(low);
-    const end upper = upper_end(high);
+    const end lower = lower_end(low, high - low);
+    const end upper = upper_end(high, high - low);
     if (!(lower.at < upper.at)) return std::nullopt;
     const rational length = upper.at - lower.at;
     rational from = lower.at;
@@ -708,16 +714,16 @@ class panel_choice {
     for (const factor& f : range_.factors) power += multiplicity(f.base) * f.exponent;
     return power > -1;
   }
-  [[nodiscard]] end lower_end(double low) const {
+  [[nodiscard]] end lower_end(double low, double length) const {
     if (range_.lower.exact)
       return {*range_.lower.exact, false, is_singular_at(*range_.lower.exact)};
     if (range_.begins_at_0 && low < ratio_ / 2 * distance(0, rational(0)) && is_integrable_at(0)) {
       return {0, true, true};
     }
-    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(low), 1e300)) - 12);
+    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(low), length)) - 12);
     return {exactly((std::floor(low / unit) - 1) * unit), true, false};
   }
-  [[nodiscard]] end upper_end(double high) const {
+  [[nodiscard]] end upper_end(double high, double length) const {
     if (range_.upper.exact)
       return {*range_.upper.exact, false, is_singular_at(*range_.upper.exact)};
     if (range_.greatest) {
@@ -727,7 +733,7 @@ class panel_choice {
         return {most, true, is_singular_at(most)};
       }
     }
-    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(high), 1e300)) - 12);
+    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(high), length)) - 12);
     return {exactly((std::ceil(high / unit) + 1) * unit), true, false};
   }
 
@@ -912,7 +918,7 @@ std::vector<rational> coefficients_between(const rational_polynomial& p, const r
 /// it is proved, as is p_i > 0, by the signs of coefficients.
 std::optional<ball> bound_by_slope(const smooth_range& range, const rational& inner,
                                    const std::optional<rational>& outer) {
-  if (inner < 0 || (outer && *outer < 0)) return std::nullopt;
+  if (inner < 0 || (outer && (*outer < 0 || *outer == inner))) return std::nullopt;
   const long direction = outer && *outer < inner ? -1 : 1;
   std::vector<rational> sizes = range.numerator.coefficients();
   for (rational& c : sizes) c = abs(c);
@@ -931,6 +937,7 @@ std::optional<ball> bound_by_slope(const smooth_range& range, const rational& in
     bound = bound * power_of_positive(ball(f.base(inner), 64), f.exponent);
   }
   const rational_polynomial all = p * q;
+  if (all(inner) == 0) return std::nullopt;
   sum = sum + range.exponent.derivative() * all;
   const double slope =
       -static_cast<double>(direction) * approximately(rational(sum(inner) / all(inner)));
@@ -985,6 +992,10 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
       if (is_real && y.real() > low && y.real() < high) peaks.push_back(y.real());
     }
   }
+  if (!(size(low) < 1e17)) {  // singular there
+    const double length = range.upper.is_infinite ? 1 : high - low;
+    for (int k = 1; k <= 60; ++k) peaks.push_back(low + std::ldexp(length, -k));
+  }
   std::sort(peaks.begin(), peaks.end());
   double greatest = -1e18;
   for (const double y : peaks) {
@@ -1015,9 +1026,10 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   const auto is_small = [&](const std::optional<ball>& bound) {
     return bound && approximate_log2(bound->magnitude_upper()) <= greatest - bits;
   };
-  const auto short_number = [](double y, double near) {
-    const double unit = std::ldexp(1.0, std::ilogb(near) - 6);
-    return exactly(std::round(y / unit) * unit);
+  // A short number, not nearer to the peak than y.
+  const auto short_number = [](double y, double peak) {
+    const double unit = std::ldexp(1.0, std::ilogb(y - peak) - 6);
+    return exactly((y > peak ? std::ceil(y / unit) : std::floor(y / unit)) * unit);
   };
   // A short way is not worth a proof.
   constexpr double much = 40;
@@ -1027,7 +1039,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     double step = crossing(*last, *last + outside) - *last;
     for (int k = 0;; ++k, step *= 1.1) {
       if (k == 60) return std::nullopt;
-      const rational t = short_number(*last + step, step);
+      const rational t = short_number(*last + step, *last);
       const std::optional<ball> bound = bound_by_slope(range, t, std::nullopt);
       if (!is_small(bound)) continue;
       rest(*bound);
@@ -1036,7 +1048,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     }
   } else if (range.upper.exact && size(high) < least - much) {
     const double y = crossing(*last, high);
-    const rational t = short_number(y, high - y);
+    const rational t = short_number(y, *last);
     const std::optional<ball> bound = bound_by_slope(range, t, range.upper.exact);
     if (t < *range.upper.exact && t > exactly(*last) && is_small(bound)) {
       rest(*bound);
@@ -1045,7 +1057,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   }
   if (range.lower.exact && *first > low && size(low) < least - much) {
     const double y = crossing(*first, low);
-    const rational t = short_number(y, y - low);
+    const rational t = short_number(y, *first);
     const std::optional<ball> bound = bound_by_slope(range, t, range.lower.exact);
     if (t > *range.lower.exact && t < exactly(*first) && is_small(bound)) {
       rest(*bound);
@@ -1192,8 +1204,7 @@ class taylor_sum {
                            precision most_bits, int depth) {
     panel_integral own(range, panel);
     const long left = options_.most_evaluations - account_.terms;
-    const auto terms_enough = static_cast<long>(std::min(64.0 * std::max(-goal + 1e4, 1e4), 1e9));
-    const auto value = own.to(goal, most_bits, std::min(left, terms_enough));
+    const auto value = own.to(goal, most_bits, left);
     if (value) {
       ++account_.panels;
       account_.terms += own.terms();

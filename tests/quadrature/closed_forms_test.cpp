@@ -568,7 +568,8 @@ TEST(Integrate, RefusesPolesInsideAndNamesThem) {
       },
       1, 2, why, "near x = 1.41421356");
   refused(
-      "tan(x) cos(x)", [](const auto& x) { return tan(x) * cos(x); }, 1, 2, why, "near x = ");
+      "tan(x) cos(x) log(x)", [](const auto& x) { return tan(x) * cos(x) * log(x); }, 1, 2, why,
+      "near x = ");
 }
 
 // What is not in the range is not held against it.
@@ -712,6 +713,7 @@ TEST(Integrate, StopsAtTheLimits) {
   options = {};
   options.absolute_exponent = -10;
   options.digits = 30;
+  options.rule = quadrature_rule::gauss_legendre;
   const integral coarse = integrate([](const auto& x) { return exp(x); }, 0, 1, options);
   EXPECT_EQ(coarse.verdict, status::certified);
   EXPECT_TRUE(coarse.enclosure.radius() <= magnitude::power_of_two(-10));
@@ -719,6 +721,7 @@ TEST(Integrate, StopsAtTheLimits) {
   options = {};
   options.digits = 60;
   options.most_memory = 1000;
+  options.rule = quadrature_rule::gauss_legendre;
   const auto f = [](const auto& x) { return 1 / (1 + x * x); };
   const integral cramped = integrate(f, 0, 1, options);
   EXPECT_EQ(cramped.why, reason::evaluation_limit);

@@ -2,6 +2,7 @@
 
 // Integrals whose values are known otherwise, and how a certified one is held against them.
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <utility>
@@ -66,10 +67,13 @@ template <class F>
 
 /// Certified, right, and with a radius of at most 10^-digits of the value; or of 10^-digits of the size of |f|
 /// where the value is 0.
-[[nodiscard]] inline ::testing::AssertionResult right(const known_integral& k, long digits) {
-  const integral i = k.run({.digits = digits});
+/// By Taylor series it must be so by panels too.
+[[nodiscard]] inline ::testing::AssertionResult right(
+    const known_integral& k, long digits, quadrature_rule rule = quadrature_rule::automatic) {
+  const integral i = k.run({.digits = digits, .rule = rule});
   const auto failure = [&] {
-    return ::testing::AssertionFailure() << k.name << " to " << digits << " digits: ";
+    return ::testing::AssertionFailure()
+           << k.name << " to " << digits << " digits, " << to_text(rule) << ": ";
   };
   if (i.verdict != status::certified || i.why != reason::none || !i.obstacle.empty()) {
     return failure() << to_text(i.verdict) << ", " << to_text(i.why) << ": " << i.obstacle;
@@ -82,7 +86,12 @@ template <class F>
   if (!i.enclosure.is_exact() && !certainly_less_equal(radius, size)) {
     return failure() << "too wide: " << described(i.enclosure);
   }
-  return ::testing::AssertionSuccess();
+  const std::vector<quadrature_rule>& used = i.account.rules;
+  const bool is_series =
+      std::find(used.begin(), used.end(), quadrature_rule::taylor_series) != used.end();
+  return is_series && rule == quadrature_rule::automatic
+             ? right(k, digits, quadrature_rule::gauss_legendre)
+             : ::testing::AssertionSuccess();
 }
 
 /// Sum of term(n), n >= 0, for terms of which each is at most half of the one before in size from n = 4 on.
