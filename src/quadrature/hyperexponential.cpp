@@ -15,6 +15,7 @@ using maybe_sum = std::optional<sum>;
 
 // Beyond these a formula is left to other rules.
 constexpr std::size_t most_terms = 16;
+constexpr std::size_t most_factors = 32;
 constexpr long greatest_degree = 32;
 constexpr long greatest_multiple = 8;  // of an angle
 constexpr long most_pieces = 32;
@@ -118,7 +119,8 @@ class taking_apart {
     sum result;
     for (const hyperexponential& x : f) {
       for (const hyperexponential& y : g) {
-        if (!add(result, product(x, y))) return std::nullopt;
+        const hyperexponential both = product(x, y);
+        if (both.powers.size() > most_factors || !add(result, both)) return std::nullopt;
       }
     }
     if (result.empty()) return std::nullopt;
@@ -131,22 +133,30 @@ class taking_apart {
       for (long k = 1; result && k < e; ++k) result = multiplied(*result, f);
       return result;
     }
-    constexpr long greatest = 1L << 20;
-    if (abs(e) > greatest) return std::nullopt;
     hyperexponential result = f.front();
     if (result.coefficient == 0) return std::nullopt;
     for (constant_power& c : result.constants) c.exponent *= e;
     for (polynomial_power& p : result.powers) p.exponent *= e;
+    const auto is_long = [](const auto& power) {
+      constexpr long greatest = 1L << 20;
+      return abs(numerator(power.exponent)) > greatest || denominator(power.exponent) > greatest;
+    };
+    if (std::any_of(result.constants.begin(), result.constants.end(), is_long) ||
+        std::any_of(result.powers.begin(), result.powers.end(), is_long)) {
+      return std::nullopt;
+    }
     result.exponent = result.exponent * rational_polynomial({e});
     if (is_integer(e)) {
+      constexpr long greatest_exponent = 1L << 20;
+      constexpr double most_bits = 10'000;
+      if (abs(numerator(e)) > greatest_exponent) return std::nullopt;
       const auto n = static_cast<long>(numerator(e));
-      if (std::abs(n) > 64 &&
-          abs(numerator(result.coefficient)) != denominator(result.coefficient)) {
-        return std::nullopt;
-      }
+      const auto bits = static_cast<double>(rational_polynomial({result.coefficient}).height());
+      const bool is_unit = abs(result.coefficient) == 1;
+      if (!is_unit && bits * static_cast<double>(std::abs(n)) > most_bits) return std::nullopt;
       const rational base = n < 0 ? rational(1 / result.coefficient) : result.coefficient;
       rational power = 1;
-      for (long k = 0; k < std::abs(n); ++k) power *= base;
+      for (long k = 0; k < (is_unit ? std::abs(n) % 2 : std::abs(n)); ++k) power *= base;
       result.coefficient = power;
       std::erase_if(result.powers, [](const polynomial_power& p) {
         return p.exponent == 0 && !p.must_be_positive;
@@ -167,11 +177,14 @@ class taking_apart {
     return sum{result};
   }
 
-  /// f as a polynomial with rational coefficients.
+  /// f as a polynomial with rational coefficients, without conditions.
   [[nodiscard]] static std::optional<rational_polynomial> as_polynomial(const sum& f) {
     if (f.size() != 1) return std::nullopt;
     const hyperexponential& x = f.front();
-    if (!x.constants.empty() || !x.exponent.is_zero()) return std::nullopt;
+    const bool has_conditions =
+        std::any_of(x.powers.begin(), x.powers.end(),
+                    [](const polynomial_power& p) { return p.must_be_positive; });
+    if (has_conditions || !x.constants.empty() || !x.exponent.is_zero()) return std::nullopt;
     return polynomial_of(x.coefficient, x.powers);
   }
 
@@ -225,6 +238,7 @@ class taking_apart {
         if (mine == i->powers.end()) {
           share(p);
         } else if (p.must_be_positive) {
+          must_be_positive = true;
           multiply_by(common, polynomial_power{p.base, 0, true});
         }
       }
@@ -472,12 +486,33 @@ class parts_of {
  private:
   using parts = std::vector<hyperexponential_integral>;
 
+  [[nodiscard]] bool is_sum(std::size_t node) const {
+    const recorded_node& n = f_.node(node);
+    return n.what == recorded_node::kind::function &&
+           (n.operation.rule == recorded_rule::sum ||
+            n.operation.rule == recorded_rule::difference);
+  }
+  /// Of the sum that a node is; no more than a few over the most.
+  [[nodiscard]] std::size_t terms_of(std::size_t node) const {
+    std::vector<std::size_t> open{node};
+    std::size_t terms = 0;
+    while (!open.empty() && terms <= most_terms && open.size() <= most_terms) {
+      const std::size_t next = open.back();
+      open.pop_back();
+      if (is_sum(next)) {
+        open.push_back(f_.node(next).left);
+        open.push_back(f_.node(next).right);
+      } else {
+        ++terms;
+      }
+    }
+    return terms + open.size();
+  }
   /// A sum term by term.
   [[nodiscard]] std::optional<parts> in_sum(std::size_t node) {
     const recorded_node& sum_node = f_.node(node);
-    if (sum_node.what != recorded_node::kind::function) return std::nullopt;
     const auto rule = sum_node.operation.rule;
-    if (rule != recorded_rule::sum && rule != recorded_rule::difference) return std::nullopt;
+    if (!is_sum(node) || terms_of(node) > most_terms) return std::nullopt;
     auto left = of(sum_node.left);
     if (!left) return std::nullopt;
     auto right = of(sum_node.right);

@@ -28,6 +28,10 @@ double approximately(const ball& x) {
   return mpfr_get_d(middle.get(), MPFR_RNDN);
 }
 double approximately(const rational& q) { return mpq_get_d(q.backend().data()); }
+/// 2^-bits of about r; 1 where r is no positive number.
+double unit_of(double r, int bits) {
+  return r > 0 && std::isfinite(r) ? std::ldexp(1.0, std::ilogb(r) - bits) : 1;
+}
 /// 0 where x is no number: what is chosen in doubles proves itself, or fails to.
 rational exactly(double x) {
   rational q = 0;
@@ -720,7 +724,7 @@ class panel_choice {
     if (range_.begins_at_0 && low < ratio_ / 2 * distance(0, rational(0)) && is_integrable_at(0)) {
       return {0, true, true};
     }
-    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(low), length)) - 12);
+    const double unit = unit_of(std::min(distance(low), length), 12);
     return {exactly((std::floor(low / unit) - 1) * unit), true, false};
   }
   [[nodiscard]] end upper_end(double high, double length) const {
@@ -733,7 +737,7 @@ class panel_choice {
         return {most, true, is_singular_at(most)};
       }
     }
-    const double unit = std::ldexp(1.0, std::ilogb(std::min(distance(high), length)) - 12);
+    const double unit = unit_of(std::min(distance(high), length), 12);
     return {exactly((std::ceil(high / unit) + 1) * unit), true, false};
   }
 
@@ -792,7 +796,7 @@ class panel_choice {
 
   /// A number of few bits near r.
   [[nodiscard]] static rational rounded(double r) {
-    const double unit = std::ldexp(1.0, std::ilogb(r) - 3);
+    const double unit = unit_of(r, 3);
     return exactly(std::floor(r / unit) * unit);
   }
 
@@ -813,7 +817,7 @@ class panel_choice {
       rational next = to;
       if (r < rest) {
         if (2 * rest < 3 * r) r = rest / 2;
-        const double unit = std::ldexp(1.0, std::ilogb(r) - 3);
+        const double unit = unit_of(r, 3);
         next = exactly(std::floor((start + 2 * r) / unit) * unit);
         if (next <= from || next >= to || !(start + 2 * r < goal)) return false;
       }
@@ -1028,7 +1032,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   };
   // A short number, not nearer to the peak than y.
   const auto short_number = [](double y, double peak) {
-    const double unit = std::ldexp(1.0, std::ilogb(y - peak) - 6);
+    const double unit = unit_of(std::abs(y - peak), 6);
     return exactly((y > peak ? std::ceil(y / unit) : std::floor(y / unit)) * unit);
   };
   // A short way is not worth a proof.
@@ -1094,6 +1098,10 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
       range.factors.push_back({p.base, rational(0)});
     }
   }
+  long degree = part.function.exponent.degree();  // of Q and S, about
+  for (const factor& f : range.factors) degree += f.base.degree();
+  constexpr long most_degree = 64;
+  if (degree > most_degree) return std::nullopt;
   range.exponent = part.function.exponent;
   range.lower = part.lower;
   range.upper = part.upper;

@@ -272,6 +272,55 @@ TEST(TaylorSeries, AreRefusedWhereTheFunctionIsNotDefined) {
       "sqrt(e^x-2)^2", [](const auto& x) { return square(sqrt(exp(x) - 2)); }, 0, 1);
 }
 
+// The condition of a root must not get lost in what a function is taken of, nor where terms cancel.
+TEST(TaylorSeries, AreRefusedWhereARootIsInsideAnotherFunction) {
+  expect_refused(
+      "e^-|x|", [](const auto& x) { return exp(-sqrt(square(x))); }, -1, 1);
+  expect_refused(
+      "e^-|x-3|", [](const auto& x) { return exp(sqrt(square(x - 3))); }, 4, 5);
+  expect_refused(
+      "sinh |x|", [](const auto& x) { return sinh(pow(pow(x, 4), rational(1, 4))); }, -2, 1);
+  expect_refused(
+      "tan |x|", [](const auto& x) { return tan(sqrt(square(x))); }, -1, half);
+  expect_refused(
+      "cos(sqrt(x)^2)", [](const auto& x) { return cos(square(sqrt(x))); }, -1, half);
+  expect_refused(
+      "tanh |x|", [](const auto& x) { return sinh(sqrt(square(x))) / cosh(sqrt(square(x))); }, -1,
+      2);
+  expect_refused(
+      "e^x+x-sqrt(x)^2", [](const auto& x) { return exp(x) + x - square(sqrt(x)); }, -1, 1);
+  expect_refused(
+      "e^x+sqrt(x)^2-x", [](const auto& x) { return exp(x) + square(sqrt(x)) - x; }, -1, 1);
+}
+
+// What would be found to be too long is left alone at once.
+TEST(TaylorSeries, AreRefusedForLongFormulas) {
+  expect_refused(
+      "a tower of powers",
+      [](const auto& x) {
+        auto y = 3 * x;
+        for (int k = 0; k < 6; ++k) y = pow(y, 64);
+        return y;
+      },
+      0, rational(1, 10));
+  expect_refused(
+      "many factors",
+      [](const auto& x) {
+        auto y = exp(-x);
+        for (long k = 1; k <= 150; ++k) y = y * sqrt(x + k);
+        return y;
+      },
+      0, infinity);
+  expect_refused(
+      "many terms",
+      [](const auto& x) {
+        auto y = sin(square(x));
+        for (long k = 1; k <= 600; ++k) y = y + sin(square(x) + k);
+        return y;
+      },
+      0, 1);
+}
+
 TEST(TaylorSeries, AreRefusedAtPolesAndWhereAnIntegralDiverges) {
   expect_refused(
       "1/x", [](const auto& x) { return 1 / x; }, -1, 2);
