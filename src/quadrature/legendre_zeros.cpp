@@ -233,9 +233,9 @@ bool neighbourhood::terms(const std::vector<double>& log2_terms) {
   const double wanted = -64.0 * static_cast<double>(w_) - 1;
   const auto most = static_cast<long>(log2_terms.size()) - 1;
   last_ = 1;
-  while (last_ < most && log2_terms[static_cast<std::size_t>(last_) + 1] +
-                                 static_cast<double>(last_) * log2_reach >
-                             wanted) {
+  while (last_ < most &&
+         log2_terms[static_cast<std::size_t>(last_) + 1] + static_cast<double>(last_) * log2_reach >
+             wanted) {
     ++last_;
   }
   const auto n = static_cast<std::uint64_t>(shape_.n);
@@ -386,12 +386,13 @@ bool neighbourhood::search(long wanted) {
   return g_.limbs[w_] == 0 && g_.limbs[w_ - 1] >> (64 - gap_) == 0;
 }
 
-/// Let v be a bound of |T(g)| and of what T leaves out of q, in units, and r u a radius. |T''| <= M = 2 |e_2| + 1 on [g - r u,
-/// g + r u], as the other terms add at most 6 * 64 (2^-31 + ...); so |T'| >= t = |T'(g)| - r u M there, and where r t >= v,
+/// Let v be a bound of |T(g)| and of what T leaves out of q, in units, and r u a radius. |T''| <= M = 2 |e_2| + 2^-22 on [g - r u,
+/// g + r u], as the other terms add at most 64 (6 * 2^-31 + 12 * 2^-62 + ...); so |T'| >= t = |T'(g)| - r u M there, and where r t >= v,
 /// q is of other signs, or 0, at g - r u and g + r u.
 ///
 /// t: with r < 2^48 and F >= 128, r u M < 2^-72, as is what T'(g) is off by; they are less than one unit of 2^-64.
-/// y is off by s r/n units, and by less than two for a product and a quotient that are cut off.
+/// y is off by s r/n units, and by less than two for a product and a quotient that are cut off. T' is off by M r units, and by what
+/// T'(g) is.
 std::optional<legendre_zero> neighbourhood::proved() {
   const number value = evaluate<false>(w_, last_);
   const number slope = evaluate<true>(w_, last_);
@@ -412,9 +413,8 @@ std::optional<legendre_zero> neighbourhood::proved() {
   const limb least_slope =
       slope.limbs[w_] != 0 ? ~limb{0} : std::max(slope.limbs[w_ - 1], limb{1}) - 1;
   if (least_slope == 0) return std::nullopt;
-  const uint128 quotient = (uint128{bound} << 64) / least_slope + 1;
-  if (quotient >> 48 != 0) return std::nullopt;
-  const auto radius = static_cast<std::uint64_t>(quotient);
+  const uint128 radius = (uint128{bound} << 64) / least_slope + 1;
+  if (radius >> 48 != 0) return std::nullopt;
 
   // s g / n
   const long size = w_ + 1;
@@ -435,12 +435,15 @@ std::optional<legendre_zero> neighbourhood::proved() {
   const auto in_units = [&](std::uint64_t count) {
     return scale(magnitude::from_integer_up(count), -64 * w_);
   };
-  const std::uint64_t bend = 2 * (last_ >= 2 ? e_[2].limbs[w_] + 1 : 0) + 1;
+  const auto error_of_square = static_cast<std::uint64_t>((radius * (s_[1] + 1)) >> 62) / n + 3;
+  uint128 bend = uint128{1} << 42;  // M in units of 2^-64
+  if (last_ >= 2) bend += (uint128{e_[2].limbs[w_]} << 65) + 2 * (uint128{e_[2].limbs[w_ - 1]} + 1);
+  const auto error_by_bend = static_cast<std::uint64_t>((radius * bend) >> 64) + 1;
   mpz_t z;
-  return legendre_zero{
-      to_ball(y, in_units(radius / n + 3)),
-      shape_.n * to_ball(slope, add_up(in_units(errors_[1] + 3 + radius * bend), left_out_of_slope)),
-      scale(ball(mpz_roinit_n(z, s_, 2), 128), -126)};
+  return legendre_zero{to_ball(y, in_units(error_of_square)),
+                       shape_.n * to_ball(slope, add_up(in_units(errors_[1] + 3 + error_by_bend),
+                                                        left_out_of_slope)),
+                       scale(ball(mpz_roinit_n(z, s_, 2), 128), -126)};
 }
 
 }  // namespace
@@ -472,7 +475,8 @@ few_limbed_zeros::few_limbed_zeros(const legendre_shape& s, precision bits)
 std::optional<legendre_zero> few_limbed_zeros::near(std::uint64_t start) const {
   if (start == 0) return std::nullopt;
   neighbourhood around(shape_, errors_, limbs_, start);
-  if (!around.values(polynomial_) || !around.terms(log2_terms_) || !around.search(std::max(bits_, 64 * limbs_ - 40))) {
+  if (!around.values(polynomial_) || !around.terms(log2_terms_) ||
+      !around.search(std::max(bits_, 64 * limbs_ - 40))) {
     return std::nullopt;
   }
   return around.proved();
