@@ -2,7 +2,7 @@
 //
 // Write P_n(x) = x^e q(x^2), e = 0 for even n and 1 for odd n, where q has degree m = floor(n/2). The m zeros of
 // q lie in (0, 1): they are the squares y of the positive nodes. Everything is done in y.
-//   1. Search, in long double: y_0 = Y/2^64 near each zero.
+//   1. Search, in floating point: y_0 = Y/2^64 near each zero.
 //   2. q(y_0) and q'(y_0), from the coefficients, in fixed point: y_0 is one limb, so that a step of Horner's
 //      scheme is one pass over the limbs.
 //   3. The Taylor coefficients of q at y_0, from Legendre's differential equation, in balls; a bound of the
@@ -10,6 +10,8 @@
 //   4. Newton's method on the Taylor polynomial, and in its last step the interval Newton operator, which
 //      proves that there is one zero and encloses it.
 // As the m enclosures are disjoint and q has no more than m zeros, each of them holds one, in order.
+// With few limbs steps 2 to 4 are those of legendre_zeros.cpp, in integers alone; what is said here is how it is done with many, and
+// where a start is so bad that they fail.
 
 #include "polhode/quadrature/gauss_legendre.hpp"
 
@@ -22,9 +24,9 @@
 
 #include <gmp.h>
 
+#include "legendre_zeros.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "legendre_zeros.hpp"
 
 namespace polhode {
 namespace {
@@ -119,8 +121,7 @@ lanes estimated_complements(long n, long first, const std::vector<double>& ratio
     for (std::size_t i = 0; i < lanes::count; ++i) {
       const double square = t[i] * (2 - t[i]);  // 1 - x^2
       const double slope = degree * (t[i] * value[i] - difference[i]) / square;
-      const double bend =
-          (2 * (1 - t[i]) * slope - degree * (degree + 1) * value[i]) / square;
+      const double bend = (2 * (1 - t[i]) * slope - degree * (degree + 1) * value[i]) / square;
       const double step = 2 * value[i] * slope / (2 * slope * slope - value[i] * bend);
       t[i] += step;
       largest = std::max(largest, std::abs(step) / t[i]);
@@ -147,8 +148,8 @@ std::vector<std::uint64_t> roughly_estimated_squares(const legendre_shape& s) {
       const bool near_1 = t[i] < 0.5;
       const double part = near_1 ? t[i] * (2 - t[i]) : (1 - t[i]) * (1 - t[i]);
       const bool usable = part > 0x1p-60 && part < 0.9;
-      const auto units = usable ? static_cast<std::uint64_t>(std::ldexp(part, 64))
-                                : std::uint64_t{1} << 63;
+      const auto units =
+          usable ? static_cast<std::uint64_t>(std::ldexp(part, 64)) : std::uint64_t{1} << 63;
       squares[static_cast<std::size_t>(s.degree - k)] = near_1 ? 0 - units : units;
     }
   }
@@ -406,7 +407,8 @@ ball approximate_zero(const local_series& series, precision bits) {
 /// The zero of q near the centre of the series, proved. Let f(g) = q(y_0 + scale g). If J is an interval around g, if
 /// 0 is not in f'(J), and if N = g - f(g)/f'(J) is a part of J, then f has exactly one zero in J, and it is in N
 /// (Moore; it follows from the mean value theorem). Nothing where that does not come out so.
-std::optional<legendre_zero> proved_zero(const legendre_shape& s, const local_series& series, precision bits) {
+std::optional<legendre_zero> proved_zero(const legendre_shape& s, const local_series& series,
+                                         precision bits) {
   if (contains_zero(series.coefficients[1])) return std::nullopt;
   const ball g = approximate_zero(series, bits);
   if (!g.is_bounded()) return std::nullopt;
@@ -617,14 +619,13 @@ detail::taylor_remainder detail::legendre_taylor_remainder(long n, long j, const
 }
 
 gauss_legendre_rule make_gauss_legendre(long n, precision bits) {
-  return detail::make_gauss_legendre_from(
-      n, bits, [bits](long degree) {
-        // More bits are worth their time only where each term of a series is dear.
-        const bool few = degree <= detail::few_limbed_zeros::greatest_n &&
-                         bits < detail::few_limbed_zeros::most_bits / 2;
-        const legendre_shape s(degree);
-        return few ? roughly_estimated_squares(s) : estimated_squares(s);
-      });
+  return detail::make_gauss_legendre_from(n, bits, [bits](long degree) {
+    // A start of 60 bits, for less terms of the series, is worth its time where they have many limbs.
+    const bool few = degree <= detail::few_limbed_zeros::greatest_n &&
+                     bits < detail::few_limbed_zeros::most_bits / 2;
+    const legendre_shape s(degree);
+    return few ? roughly_estimated_squares(s) : estimated_squares(s);
+  });
 }
 
 gauss_legendre_rule detail::make_gauss_legendre_from(
