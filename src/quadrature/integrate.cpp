@@ -1020,7 +1020,8 @@ integrator::outcome integrator::estimate_size() {
             std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
       }
     }
-    for (long k = 5; k < 14; ++k) {  // a piece may have the most of its size near t = 0
+    for (long k = 5; k < 14 && !segments_[i].along; ++k) {
+      // A piece of the real line may have the most of its size near t = 0.
       ball t(1, 64);
       scale(t, t, -k);
       const complex_ball value = f(t);
