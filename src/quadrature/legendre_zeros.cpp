@@ -25,7 +25,9 @@
 //   B_k = n(n+1) - 2e - 4k(k-1) - (6 + 4e) k,                0 < B_k <= n(n+1) where k + 2 <= n/2,
 // as s <= 1. (A_k is linear in y_0, between 4k + 2 + 4e and -4k - 4. B_k >= n + n^2 - (4k^2 + 6k + 2), and that is at most
 // (n-4)^2 + 3(n-4) + 2 < n^2.) 2^64 A_k and 2^126 s are integers, so that the two products are off by what the
-// coefficients are off by and by less than a unit each, and the quotient by less than another one.
+// coefficients are off by and by less than a unit each, and the quotient by less than another one. For the bounds E_k of what e_k is off
+// by, in units, that is E_(k+2) <= (4k+6)/((k+2) n) E_(k+1) + (n+1)/(n (k+1)(k+2)) E_k + 3, where n >= 2k + 4: the two factors are at most
+// 3/4 and 5/8 for k = 0, and together at most 3/4 for k > 0. So E_k <= max(1.4 max(E_0, E_1) + 3, 12), which is below 2^12 for n <= 1024.
 
 #include <algorithm>
 #include <bit>
@@ -66,7 +68,7 @@ long used(const limb* x, long n) {
 double to_double(const number& x, long w) {
   const long n = used(x.limbs, w + 1);
   if (n == 0) return 0;
-  const double high = static_cast<double>(x.limbs[n - 1]);
+  const auto high = static_cast<double>(x.limbs[n - 1]);
   const double low = n > 1 ? static_cast<double>(x.limbs[n - 2]) : 0;
   const double size = std::ldexp(high + low * 0x1p-64, static_cast<int>(64 * (n - 1 - w)));
   return x.is_negative ? -size : size;
@@ -349,6 +351,7 @@ bool neighbourhood::search(long wanted) {
   const double third = last_ >= 3 ? to_double(e_[3], w_) : 0;
   double g = 0;
   for (int i = 0; i < 3; ++i) g = -(value + g * g * (second + g * third)) / slope;
+  if (!(std::abs(g) < 0x1p-32)) return false;
   int exponent = 0;
   const double fraction = std::frexp(std::abs(g), &exponent);
   if (!(fraction > 0)) exponent = -64 * static_cast<int>(w_);
