@@ -58,8 +58,8 @@ class few_limbed_zeros {
   legendre_shape shape_;
   precision bits_;
   legendre_coefficients polynomial_;
-  long limbs_;                         // behind the point
-  std::vector<double> log2_terms_;     // of the bound of the k-th term but for the power of |y - y_0|
+  long limbs_;                      // behind the point
+  std::vector<double> log2_terms_;  // of the bound of the k-th term but for the power of |y - y_0|
   std::vector<std::uint64_t> errors_;  // of e_k, in units
 };
 
