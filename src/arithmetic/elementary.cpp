@@ -97,6 +97,13 @@ magnitude true_value_up(mpfr_srcptr y) { return add_up(magnitude::abs_up(y), val
 
 /// An upper bound of 1 - |v| for the number v whose computed value is y.
 magnitude one_minus_abs_up(mpfr_srcptr y) {
+  if (mpfr_regular_p(y) != 0 && mpfr_get_exp(y) <= 0 && mpfr_get_exp(y) > -64) {
+    // In units of 2^-64, rounded up; where that is too coarse, as MPFR subtracts.
+    const auto* significand = static_cast<const mp_limb_t*>(mpfr_custom_get_significand(y));
+    const mp_limb_t top = significand[(mpfr_get_prec(y) - 1) / GMP_NUMB_BITS];
+    const std::uint64_t rest = 0 - (std::uint64_t{top} >> -mpfr_get_exp(y));
+    if (rest >> 40 != 0) return add_up(magnitude::from_bits_up(rest, -64), value_error(y));
+  }
   mpfr_cell difference(64);
   mpfr_cell unit(2);
   mpfr_set_ui(unit.get(), 1, MPFR_RNDN);

@@ -65,6 +65,32 @@ void multiply(limb* r, const limb* x, const limb* y) {
   }
   std::copy_n(product.data() + w, w, r);
 }
+/// The same where a few units do not matter: for 2 <= w <= 4 without the products x[i] y[k] with i + k < w - 1, which reach the result by
+/// carries alone. The w - 1 of them with i + k = w - 2 are at most (1 - 2^-64)^2 units each, the others together less than (w - 1) 2^-64, so that all
+/// are below w - 1: the result is less than w units too small.
+template <std::size_t w>
+void multiply_roughly(limb* r, const limb* x, const limb* y) {
+  if constexpr (w < 2 || w > 4) {
+    multiply<w>(r, x, y);
+  } else {
+    std::array<limb, w + 1> product;  // from its limb w - 1 on
+    const uint128 first = uint128{x[0]} * y[w - 1];
+    product[0] = static_cast<limb>(first);
+    product[1] = static_cast<limb>(first >> 64);
+#pragma GCC unroll 8
+    for (std::size_t i = 1; i < w; ++i) {
+      limb carry = 0;
+#pragma GCC unroll 8
+      for (std::size_t k = 0; k <= i; ++k) {
+        const uint128 sum = uint128{x[i]} * y[w - 1 - i + k] + product[k] + carry;
+        product[k] = static_cast<limb>(sum);
+        carry = static_cast<limb>(sum >> 64);
+      }
+      product[i + 1] = carry;
+    }
+    std::copy_n(product.data() + 1, w, r);
+  }
+}
 /// r = x + y; returns the carry.
 template <std::size_t w>
 limb add(limb* r, const limb* x, const limb* y) {
@@ -154,10 +180,10 @@ constexpr std::size_t limbs_from(std::size_t k) {
 
 /// P(z) by Horner's rule, in sum: c_k + c_(k+1) z + ... in the first limbs_from(k) limbs.
 ///
-/// The error of P, in units. A step commits two errors of 2^(-64 v), v = limbs_from(k + 1): z and the product are cut off (the sum is below 1); and
-/// its coefficient is wrong by less than 2^(-64 limbs_from(k)). They are multiplied by z^k < 2^(-bits k). Where limbs are dropped,
-/// 64 (w - v) <= bits k - 10 makes each of them at most 2^-10 units; elsewhere they are at most 2^(-bits k). So all steps together
-/// commit less than 3 (1 + 2^-12 + 44 * 2^-10) < 3.2, and with what is left out P is wrong by less than 5 units.
+/// The error of P, in units. A step commits up to five errors of 2^(-64 v), v = limbs_from(k + 1): z is cut off (the sum is below 1), and the
+/// product is less than four units too small; and its coefficient is wrong by less than 2^(-64 limbs_from(k)). They are multiplied by
+/// z^k < 2^(-bits k). Where limbs are dropped, 64 (w - v) <= bits k - 10 makes each of them at most 2^-10 units; elsewhere they are at most
+/// 2^(-bits k). So all steps together commit less than 6 (1 + 2^-12 + 44 * 2^-10) < 6.3, and with what is left out P is wrong by less than 8 units.
 template <class series, std::size_t w, std::size_t k = 0>
 void evaluate(limb* sum, const limb* z) {
   constexpr std::size_t here = limbs_from<series, w>(k);
@@ -168,7 +194,7 @@ void evaluate(limb* sum, const limb* z) {
   } else {
     constexpr std::size_t next = limbs_from<series, w>(k + 1);
     evaluate<series, w, k + 1>(sum, z);
-    multiply<next>(sum + w - next, sum + w - next, z + w - next);
+    multiply_roughly<next>(sum + w - next, sum + w - next, z + w - next);
     if constexpr (here > next) sum[w - here] = 0;
     if constexpr (series::alternating) {
       subtract<here>(sum + w - here, c, sum + w - here);
@@ -179,7 +205,7 @@ void evaluate(limb* sum, const limb* z) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// The functions. P's error of 5 units, multiplied by r^2 < 2^-14 or less, is below 2^-10 units.
+// The functions. P's error of 8 units, multiplied by r^2 < 2^-14 or less, is below 2^-10 units.
 
 /// t = j/128 + i/16384 + r: e^t - 1 = x + m + x m for m = e^r - 1 and x = a + b + a b of two entries a, b. Errors: r^2 P is cut off twice,
 /// m is wrong by less than 3; x by less than (1 + b) + (1 + a) + 1 < 5; the sum by less than 5 (1 + m) + 3 (1 + x) + 1 < 13.

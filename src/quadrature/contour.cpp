@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <stdexcept>
 
 #include "segments.hpp"
@@ -111,9 +112,11 @@ auto region_constant_at(At at) {
 }
 
 /// z = a + (b - a) t, dz = (b - a) dt.
-segment segment_on(const complex_integrand& f, const line_piece& line) {
-  const auto start = [a = line.from](precision p) { return a.at(p); };
-  const auto length = [line](precision p) { return difference(line.from, line.to, p); };
+segment segment_on(const complex_integrand& f, const line_piece& piece) {
+  // The functions below are copied often, and a piece takes long to copy.
+  const auto line = std::make_shared<const line_piece>(piece);
+  const auto start = [line](precision p) { return line->from.at(p); };
+  const auto length = [line](precision p) { return difference(line->from, line->to, p); };
   segment result;
   result.over = [over = f.over, a = region_constant_at(start),
                  d = region_constant_at(length)](const region& t) { return over(a(t) + d(t) * t); };
@@ -134,11 +137,12 @@ segment segment_on(const complex_integrand& f, const line_piece& line) {
 }
 
 /// z = c + r w, w = e^(i theta), theta = from + (to - from) t, dz = i r w (to - from) dt. All of it is analytic in t.
-segment segment_on(const complex_integrand& f, const arc_piece& arc) {
-  const auto centre = [c = arc.centre](precision p) { return c.at(p); };
-  const auto radius = [r = arc.radius](precision p) { return r.at(p); };
-  const auto start = [a = arc.from_angle](precision p) { return a.at(p); };
-  const auto turn = [arc](precision p) { return difference(arc.from_angle, arc.to_angle, p); };
+segment segment_on(const complex_integrand& f, const arc_piece& piece) {
+  const auto arc = std::make_shared<const arc_piece>(piece);
+  const auto centre = [arc](precision p) { return arc->centre.at(p); };
+  const auto radius = [arc](precision p) { return arc->radius.at(p); };
+  const auto start = [arc](precision p) { return arc->from_angle.at(p); };
+  const auto turn = [arc](precision p) { return difference(arc->from_angle, arc->to_angle, p); };
   const auto direction = [](const ball& theta) {
     std::pair<ball, ball> both = sin_cos(theta);
     return complex_ball(std::move(both.second), std::move(both.first));
@@ -165,7 +169,7 @@ segment segment_on(const complex_integrand& f, const arc_piece& arc) {
     return centre(p) + direction(start(p) + turn(p) * t) * radius(p);
   };
   const magnitude angle = max(max(ball(1, 64).magnitude_upper(), start(64).magnitude_upper()),
-                              arc.to_angle.at(64).magnitude_upper());
+                              arc->to_angle.at(64).magnitude_upper());
   along.size =
       add_up(centre(64).magnitude_upper(), multiply_up(radius(64).magnitude_upper(), angle));
   result.along = std::move(along);

@@ -2,7 +2,7 @@
 //
 // Write P_n(x) = x^e q(x^2), e = 0 for even n and 1 for odd n, where q has degree m = floor(n/2). The m zeros of
 // q lie in (0, 1): they are the squares y of the positive nodes. Everything is done in y.
-//   1. Search, in long double: y_0 = Y/2^64 near each zero.
+//   1. Search, in floating point: y_0 = Y/2^64 near each zero.
 //   2. q(y_0) and q'(y_0), from the coefficients, in fixed point: y_0 is one limb, so that a step of Horner's
 //      scheme is one pass over the limbs.
 //   3. The Taylor coefficients of q at y_0, from Legendre's differential equation, in balls; a bound of the
@@ -10,6 +10,8 @@
 //   4. Newton's method on the Taylor polynomial, and in its last step the interval Newton operator, which
 //      proves that there is one zero and encloses it.
 // As the m enclosures are disjoint and q has no more than m zeros, each of them holds one, in order.
+// With few limbs steps 2 to 4 are those of legendre_zeros.cpp, in integers alone; what is said here is how it is done with many, and
+// where a start is so bad that they fail.
 
 #include "polhode/quadrature/gauss_legendre.hpp"
 
@@ -22,6 +24,7 @@
 
 #include <gmp.h>
 
+#include "legendre_zeros.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 
@@ -30,13 +33,8 @@ namespace {
 
 static_assert(GMP_NUMB_BITS == 64, "limbs of 64 bits without nails");
 
-/// P_n(x) = x^odd q(x^2), q of degree `degree`.
-struct shape {
-  explicit shape(long of_n) : n(of_n), degree(of_n / 2), odd(of_n % 2) {}
-  long n;
-  long degree;
-  long odd;
-};
+using detail::legendre_shape;
+using detail::legendre_zero;
 
 // ---------------------------------------------------------------------------------------------
 // 1. Search.
@@ -69,7 +67,7 @@ long double estimated_node(long n, long k, const std::vector<long double>& quoti
 }
 
 /// The squares of the positive zeros, increasing, in units of 2^-64. None is 0.
-std::vector<std::uint64_t> estimated_squares(const shape& s) {
+std::vector<std::uint64_t> estimated_squares(const legendre_shape& s) {
   std::vector<long double> quotients(static_cast<std::size_t>(s.n));
   for (std::size_t j = 0; j < quotients.size(); ++j) {
     quotients[j] = static_cast<long double>(j) / static_cast<long double>(j + 1);
@@ -85,20 +83,87 @@ std::vector<std::uint64_t> estimated_squares(const shape& s) {
   return squares;
 }
 
+/// A few zeros of P_n at once, which a processor works on side by side.
+struct lanes {
+  static constexpr std::size_t count = 8;
+  std::array<double, count> values;
+  double& operator[](std::size_t i) { return values[i]; }
+};
+
+/// Estimates of 1 - x for the k-th zeros of P_n from the right, k = first, first + 1 ...: Halley's method, from the
+/// classical guess. With t = 1 - x and D_k = P_k - P_(k-1) the recurrence is D_(k+1) = r D_k - (1 + r) t P_k, r = k/(k+1), which
+/// is as exact near x = 1 as elsewhere.
+lanes estimated_complements(long n, long first, const std::vector<double>& ratios) {
+  const auto degree = static_cast<double>(n);
+  const double shrinkage = (degree - 1) / (8 * degree * degree * degree);
+  lanes t{};
+  for (std::size_t i = 0; i < lanes::count; ++i) {
+    const long k = std::min(first + static_cast<long>(i), n / 2);
+    const double angle = std::numbers::pi * (static_cast<double>(k) - 0.25) / (degree + 0.5);
+    const double sine = std::sin(angle / 2);
+    t[i] = 2 * sine * sine + shrinkage * (1 - 2 * sine * sine);
+  }
+  for (int iteration = 0; iteration < 6; ++iteration) {
+    lanes value{};
+    lanes difference{};
+    for (std::size_t i = 0; i < lanes::count; ++i) {
+      value[i] = 1 - t[i];
+      difference[i] = -t[i];
+    }
+    for (std::size_t j = 1; j < static_cast<std::size_t>(n); ++j) {
+      const double r = ratios[j];
+      for (std::size_t i = 0; i < lanes::count; ++i) {
+        difference[i] = r * difference[i] - (1 + r) * (t[i] * value[i]);
+        value[i] += difference[i];
+      }
+    }
+    double largest = 0;
+    for (std::size_t i = 0; i < lanes::count; ++i) {
+      const double square = t[i] * (2 - t[i]);  // 1 - x^2
+      const double slope = degree * (t[i] * value[i] - difference[i]) / square;
+      const double bend = (2 * (1 - t[i]) * slope - degree * (degree + 1) * value[i]) / square;
+      const double step = 2 * value[i] * slope / (2 * slope * slope - value[i] * bend);
+      t[i] += step;
+      largest = std::max(largest, std::abs(step) / t[i]);
+    }
+    // The next error is about the third power of the step, in units of the distance of the zeros.
+    if (largest * degree < 1e-5) break;
+  }
+  return t;
+}
+
+/// The squares of the positive zeros, increasing, in units of 2^-64, to some 50 bits. None is 0.
+std::vector<std::uint64_t> roughly_estimated_squares(const legendre_shape& s) {
+  std::vector<double> ratios(static_cast<std::size_t>(s.n));
+  for (std::size_t j = 0; j < ratios.size(); ++j) {
+    ratios[j] = static_cast<double>(j) / static_cast<double>(j + 1);
+  }
+  std::vector<std::uint64_t> squares(static_cast<std::size_t>(s.degree));
+  for (long first = 1; first <= s.degree; first += static_cast<long>(lanes::count)) {
+    lanes t = estimated_complements(s.n, first, ratios);
+    for (std::size_t i = 0; i < lanes::count; ++i) {
+      const long k = first + static_cast<long>(i);
+      if (k > s.degree) break;
+      // y or 1 - y, whichever is the smaller one, to as many bits as t has.
+      const bool near_1 = t[i] < 0.5;
+      const double part = near_1 ? t[i] * (2 - t[i]) : (1 - t[i]) * (1 - t[i]);
+      const bool usable = part > 0x1p-60 && part < 0.9;
+      const auto units =
+          usable ? static_cast<std::uint64_t>(std::ldexp(part, 64)) : std::uint64_t{1} << 63;
+      squares[static_cast<std::size_t>(s.degree - k)] = near_1 ? 0 - units : units;
+    }
+  }
+  return squares;
+}
+
 // ---------------------------------------------------------------------------------------------
 // 2. Values at numbers of one limb.
 
-/// q and q' at Y/2^64, in fixed point with `fraction_bits` bits behind the point, two's complement.
-///
-/// Horner's scheme is a_j = c_j + floor(a_(j+1) Y / 2^64), in units of 2^-fraction_bits. The coefficients c_j are
-/// rounded downward to integers and so is each product: a step commits an error between -2 and 0 units,
-/// and multiplies the one before by Y/2^64 < 1. After m + 1 coefficients the error is at most 2(m + 1) units.
-///
-/// Room: |a_j| <= sum of |c_i| + 2(m + 1), and the limbs are chosen to hold four times that sum, which is at
-/// least 2^fraction_bits, far above m.
+/// q and q' at Y/2^64, in fixed point: with Horner's scheme as in legendre_zeros.cpp, whose errors are counted there.
 class fixed_point_polynomial {
  public:
-  fixed_point_polynomial(const shape& s, precision fraction_bits);
+  fixed_point_polynomial(const legendre_shape& s, precision fraction_bits)
+      : degree_(s.degree), coefficients_(s, fraction_bits) {}
 
   struct values {
     ball value;
@@ -111,99 +176,55 @@ class fixed_point_polynomial {
  private:
   using limbs = std::vector<mp_limb_t>;
 
-  void append(limbs& coefficients, const integer& scaled, long denominator_bits) const;
-  [[nodiscard]] std::vector<ball> evaluate(const limbs& coefficients,
-                                           const std::uint64_t* arguments, std::size_t count) const;
+  void evaluate(const std::uint64_t* arguments, std::size_t count,
+                std::vector<values>& results) const;
 
-  precision fraction_bits_;
-  mp_size_t size_ = 0;  // limbs of a number
-  limbs value_;         // the coefficients of q, the highest first
-  limbs slope_;         // those of q'
+  long degree_;
+  detail::legendre_coefficients coefficients_;
 };
 
-/// P_n(x) = 2^-n sum of (-1)^k a_k x^(n-2k), a_k = C(n, k) C(2n - 2k, n): integers with
-/// a_(k+1) / a_k = (n - 2k)(n - 2k - 1) / (2 (k + 1)(2n - 2k - 1)).
-fixed_point_polynomial::fixed_point_polynomial(const shape& s, precision fraction_bits)
-    : fraction_bits_(fraction_bits) {
-  const auto n = static_cast<unsigned long>(s.n);
-  std::vector<integer> all;
-  integer a = 1;
-  mpz_bin_uiui(a.backend().data(), 2 * n, n);
-  integer sum = 0;
-  for (unsigned long k = 0; 2 * k <= n; ++k) {
-    const auto power = static_cast<unsigned long>(s.degree) - k;
-    sum += a * std::max(power, 1UL);
-    all.push_back(k % 2 == 0 ? a : integer(-a));
-    if (2 * k + 1 >= n) break;
-    const mpz_ptr z = a.backend().data();
-    mpz_mul_ui(z, z, (n - 2 * k) * (n - 2 * k - 1));
-    mpz_divexact_ui(z, z, 2 * (k + 1) * (2 * n - 2 * k - 1));
-  }
-  // sum / 2^n bounds both sums of coefficients; it is at least |P_n(i)| >= 1, or 2^-1 for n = 1.
-  const auto bits_of_sum = static_cast<long>(mpz_sizeinbase(sum.backend().data(), 2)) - s.n;
-  size_ = (std::max(bits_of_sum, 1L) + 3 + fraction_bits) / GMP_NUMB_BITS + 1;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    append(value_, all[k], s.n);
-    const long power = s.degree - static_cast<long>(k);
-    if (power > 0) append(slope_, all[k] * power, s.n);
-  }
-}
-
-/// Appends floor(scaled / 2^denominator_bits * 2^fraction_bits) in two's complement.
-void fixed_point_polynomial::append(limbs& coefficients, const integer& scaled,
-                                    long denominator_bits) const {
-  integer number = scaled;
-  const mpz_ptr z = number.backend().data();
-  const long shift = fraction_bits_ - denominator_bits;
-  if (shift >= 0) {
-    mpz_mul_2exp(z, z, static_cast<mp_bitcnt_t>(shift));
-  } else {
-    mpz_fdiv_q_2exp(z, z, static_cast<mp_bitcnt_t>(-shift));
-  }
-  const std::size_t start = coefficients.size();
-  coefficients.resize(start + static_cast<std::size_t>(size_), 0);
-  mp_limb_t* const target = coefficients.data() + start;
-  mpn_copyi(target, mpz_limbs_read(z), static_cast<mp_size_t>(mpz_size(z)));
-  if (mpz_sgn(z) < 0) mpn_neg(target, target, size_);
-}
-
 /// At `count` arguments; a number is kept with a limb below it, into which the product's lowest limb goes.
-std::vector<ball> fixed_point_polynomial::evaluate(const limbs& coefficients,
-                                                   const std::uint64_t* arguments,
-                                                   std::size_t count) const {
-  const auto size = static_cast<std::size_t>(size_);
+void fixed_point_polynomial::evaluate(const std::uint64_t* arguments, std::size_t count,
+                                      std::vector<values>& results) const {
+  const mp_size_t limbs_of_one = coefficients_.size;
+  const auto size = static_cast<std::size_t>(limbs_of_one);
   const std::size_t room = size + 1;
-  const std::size_t terms = coefficients.size() / size;
-  limbs now(count * room, 0);
-  limbs next(count * room, 0);
-  for (std::size_t j = 0; j < terms; ++j) {
-    const mp_limb_t* const coefficient = coefficients.data() + j * size;
+  limbs value(count * room, 0);
+  limbs slope(count * room, 0);
+  limbs fresh(room);
+  // number = addend + floor(number * argument / 2^64)
+  const auto step = [&](mp_limb_t* number, std::uint64_t argument, const mp_limb_t* addend) {
+    fresh[0] = 0;
+    mpn_copyi(fresh.data() + 1, addend, limbs_of_one);
+    fresh[size] += mpn_addmul_1(fresh.data(), number, limbs_of_one, argument);
+    // As an unsigned number a negative one is 2^(64 size) too large.
+    if ((number[size - 1] >> 63) != 0) fresh[size] -= argument;
+    mpn_copyi(number, fresh.data() + 1, limbs_of_one);
+  };
+  for (long j = 0; j <= degree_; ++j) {
+    const mp_limb_t* const coefficient =
+        coefficients_.limbs.data() + static_cast<std::size_t>(j) * size;
     for (std::size_t i = 0; i < count; ++i) {
-      const mp_limb_t* const old = now.data() + i * room + 1;
-      mp_limb_t* const fresh = next.data() + i * room;
-      fresh[0] = 0;
-      mpn_copyi(fresh + 1, coefficient, size_);
-      // As an unsigned number a negative `old` is 2^(64 size) too large.
-      fresh[size] += mpn_addmul_1(fresh, old, size_, arguments[i]);
-      if ((old[size - 1] >> 63) != 0) fresh[size] -= arguments[i];
+      mp_limb_t* const v = value.data() + i * room;
+      if (j > 0) step(slope.data() + i * room, arguments[i], v);
+      step(v, arguments[i], coefficient);
     }
-    now.swap(next);
   }
-  const magnitude error =
-      scale(magnitude::from_integer_up(2 * (terms + 1)), -std::int64_t{fraction_bits_});
-  std::vector<ball> results;
-  results.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    mp_limb_t* const number = now.data() + i * room + 1;
+  const auto to_ball = [&](mp_limb_t* number, std::uint64_t error) {
     const bool is_negative = (number[size - 1] >> 63) != 0;
-    if (is_negative) mpn_neg(number, number, size_);
-    mp_size_t used = size_;
+    if (is_negative) mpn_neg(number, number, limbs_of_one);
+    mp_size_t used = limbs_of_one;
     while (used > 0 && number[used - 1] == 0) --used;
     mpz_t z;
-    const ball units(mpz_roinit_n(z, number, is_negative ? -used : used), fraction_bits_);
-    results.push_back(scale(units, -fraction_bits_).enlarged(error));
+    const precision bits = coefficients_.fraction_bits;
+    const ball units(mpz_roinit_n(z, number, is_negative ? -used : used), bits);
+    return scale(units, -bits).enlarged(scale(magnitude::from_integer_up(error), -bits));
+  };
+  const auto m = static_cast<std::uint64_t>(degree_);
+  for (std::size_t i = 0; i < count; ++i) {
+    results.push_back({to_ball(value.data() + i * room, 2 * (m + 1)),
+                       to_ball(slope.data() + i * room, m * (m + 2))});
   }
-  return results;
 }
 
 std::vector<fixed_point_polynomial::values> fixed_point_polynomial::at(
@@ -212,12 +233,7 @@ std::vector<fixed_point_polynomial::values> fixed_point_polynomial::at(
   std::vector<values> results;
   results.reserve(arguments.size());
   for (std::size_t first = 0; first < arguments.size(); first += together) {
-    const std::size_t count = std::min(together, arguments.size() - first);
-    std::vector<ball> value = evaluate(value_, arguments.data() + first, count);
-    std::vector<ball> slope = evaluate(slope_, arguments.data() + first, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      results.push_back({std::move(value[i]), std::move(slope[i])});
-    }
+    evaluate(arguments.data() + first, std::min(together, arguments.size() - first), results);
   }
   return results;
 }
@@ -260,7 +276,7 @@ struct local_series {
 /// `reach` is about the greatest |y - y_0| that will be asked for: it decides how many terms there are and
 /// how many bits they have (a term of order k matters only down to 2^-bits reach^-(k-1)), not what is true.
 /// Nothing where reach is too great.
-std::optional<local_series> make_series(const shape& s, std::uint64_t argument,
+std::optional<local_series> make_series(const legendre_shape& s, std::uint64_t argument,
                                         const fixed_point_polynomial::values& start,
                                         double log2_reach, precision bits) {
   constexpr precision bits_of_constants = 192;  // enough to have them exactly, for all n allowed
@@ -343,12 +359,6 @@ ball sum_of(const local_series& series, const ball& g, precision fewer, long las
 // ---------------------------------------------------------------------------------------------
 // 4. Zeros.
 
-/// A zero of q, the only one in a neighbourhood, and q' there.
-struct zero {
-  ball square;
-  ball slope;
-};
-
 /// Newton's method at growing precision: a number near the zero of the series, to about half its bits. A search:
 /// the midpoints of balls are taken for numbers.
 ball approximate_zero(const local_series& series, precision bits) {
@@ -397,7 +407,8 @@ ball approximate_zero(const local_series& series, precision bits) {
 /// The zero of q near the centre of the series, proved. Let f(g) = q(y_0 + scale g). If J is an interval around g, if
 /// 0 is not in f'(J), and if N = g - f(g)/f'(J) is a part of J, then f has exactly one zero in J, and it is in N
 /// (Moore; it follows from the mean value theorem). Nothing where that does not come out so.
-std::optional<zero> proved_zero(const shape& s, const local_series& series, precision bits) {
+std::optional<legendre_zero> proved_zero(const legendre_shape& s, const local_series& series,
+                                         precision bits) {
   if (contains_zero(series.coefficients[1])) return std::nullopt;
   const ball g = approximate_zero(series, bits);
   if (!g.is_bounded()) return std::nullopt;
@@ -430,7 +441,8 @@ std::optional<zero> proved_zero(const shape& s, const local_series& series, prec
   const ball quotient = value.with_precision(bits - fewer) / slope_of(neighbourhood, fewer);
   const ball position = g.with_precision(bits) - quotient;
   if (!position.is_bounded() || !contains(neighbourhood, position)) return std::nullopt;
-  return zero{series.centre + series.scale * position, slope_of(position, 0) / series.scale};
+  return legendre_zero{series.centre + series.scale * position, slope_of(position, 0),
+                       series.scale};
 }
 
 /// A better start by a step of Newton's method, in units of 2^-64; the old one where that leaves (0, 1).
@@ -450,14 +462,75 @@ std::uint64_t improved(std::uint64_t argument, const fixed_point_polynomial::val
 /// no enclosure. All that distinguishes the balls of a rule is then their midpoints.
 std::optional<ball> with_radius(const ball& x, precision bits, bool relative) {
   if (!x.is_bounded()) return std::nullopt;
-  const ball middle = x.middle().with_precision(bits).middle();
+  const ball shorter = x.with_precision(bits);
   detail::mpfr_cell cell(bits);
-  middle.midpoint(cell.get());
+  shorter.midpoint(cell.get());
   if (mpfr_regular_p(cell.get()) == 0) return std::nullopt;
   const long exponent = relative ? mpfr_get_exp(cell.get()) - bits : -bits;
   const magnitude radius = magnitude::power_of_two(exponent);
-  if ((x - middle).magnitude_upper() > radius) return std::nullopt;
+  if (shorter.radius() > radius) return std::nullopt;
   return ball::from_midpoint_radius(cell.get(), radius);
+}
+
+/// The zeros of q near the starts, or better ones.
+class zero_finder {
+ public:
+  zero_finder(const legendre_shape& s, precision bits_at_work)
+      : shape_(s), bits_at_work_(bits_at_work) {
+    if (s.n >= 2 && s.n <= detail::few_limbed_zeros::greatest_n &&
+        bits_at_work <= detail::few_limbed_zeros::most_bits) {
+      few_limbed_.emplace(s, bits_at_work);
+    }
+  }
+  /// For each start the zero, or nothing.
+  [[nodiscard]] std::vector<std::optional<legendre_zero>> near(
+      const std::vector<std::uint64_t>& starts);
+
+ private:
+  [[nodiscard]] std::optional<legendre_zero> found(std::uint64_t start,
+                                                   fixed_point_polynomial::values at) const;
+
+  legendre_shape shape_;
+  precision bits_at_work_;
+  std::optional<detail::few_limbed_zeros> few_limbed_;
+  std::optional<fixed_point_polynomial> polynomial_;
+};
+
+std::optional<legendre_zero> zero_finder::found(std::uint64_t start,
+                                                fixed_point_polynomial::values at) const {
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    if (attempt > 0) {
+      start = improved(start, at);
+      at = polynomial_->at({start}).front();
+    }
+    // A start that hits the zero tells nothing of its distance: a unit of y_0 at least.
+    const double log2_reach = std::max(
+        estimated_log2(divide_up(at.value.magnitude_upper(), at.slope.magnitude_lower())), -70.0);
+    const auto series = make_series(shape_, start, at, log2_reach + 1, bits_at_work_);
+    if (!series) continue;
+    if (auto zero = proved_zero(shape_, *series, bits_at_work_)) return zero;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::optional<legendre_zero>> zero_finder::near(
+    const std::vector<std::uint64_t>& starts) {
+  std::vector<std::optional<legendre_zero>> zeros(starts.size());
+  std::vector<std::uint64_t> left;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (few_limbed_) zeros[i] = few_limbed_->near(starts[i]);
+    if (!zeros[i]) left.push_back(starts[i]);
+  }
+  if (left.empty()) return zeros;
+  polynomial_.emplace(shape_, bits_at_work_);
+  const std::vector<fixed_point_polynomial::values> at = polynomial_->at(left);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (zeros[i]) continue;
+    zeros[i] = found(starts[i], at[next++]);
+    if (!zeros[i]) break;
+  }
+  return zeros;
 }
 
 /// The rule, or nothing where `bits_at_work` do not suffice.
@@ -466,10 +539,11 @@ std::optional<ball> with_radius(const ball& x, precision bits, bool relative) {
 /// odd n, where q = 0. So it is 2 / (4y (1-y) q'^2), and divided by y once more for odd n. At the node 0 of an
 /// odd n P_n' = q(0).
 std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision bits_at_work,
-                                             std::vector<std::uint64_t> starts) {
-  const shape s(n);
+                                             const std::vector<std::uint64_t>& starts) {
+  const legendre_shape s(n);
   gauss_legendre_rule rule{n, bits, {}, {}};
-  const fixed_point_polynomial polynomial(s, bits_at_work);
+  rule.nodes.reserve(starts.size() + 1);
+  rule.weights.reserve(starts.size() + 1);
   const auto append = [&](const ball& node, const ball& weight) {
     auto x = with_radius(node, bits, false);
     auto w = with_radius(weight, bits, true);
@@ -489,21 +563,7 @@ std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision b
     rule.nodes.emplace_back(0, bits);
     rule.weights.push_back(std::move(*w));
   }
-  std::vector<fixed_point_polynomial::values> at = polynomial.at(starts);
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    std::optional<zero> found;
-    for (int attempt = 0; attempt < 12 && !found; ++attempt) {
-      if (attempt > 0) {
-        starts[i] = improved(starts[i], at[i]);
-        at[i] = polynomial.at({starts[i]}).front();
-      }
-      // A start that hits the zero tells nothing of its distance: a unit of y_0 at least.
-      const double log2_reach = std::max(
-          estimated_log2(divide_up(at[i].value.magnitude_upper(), at[i].slope.magnitude_lower())),
-          -70.0);
-      const auto series = make_series(s, starts[i], at[i], log2_reach + 1, bits_at_work);
-      if (series) found = proved_zero(s, *series, bits_at_work);
-    }
+  for (const auto& found : zero_finder(s, bits_at_work).near(starts)) {
     if (!found) return std::nullopt;
     const ball& y = found->square;
     const ball complement = 1 - y;
@@ -511,10 +571,12 @@ std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision b
     if (s.odd != 0) denominator *= y;
     const ball node = sqrt(y);
     if (!certainly_positive(y) || !certainly_positive(complement)) return std::nullopt;
-    if (!append(node, 1 / denominator)) return std::nullopt;
+    constexpr precision exactly = 256;  // of a product of four limbs
+    const ball numerator = square(found->scale.with_precision(exactly));
+    if (!append(node, numerator / denominator)) return std::nullopt;
     // The enclosures in the rule contain those of the zeros.
     const std::size_t count = rule.nodes.size();
-    if (count > 1 && !certainly_less(rule.nodes[count - 2], rule.nodes[count - 1])) {
+    if (count > 1 && !certainly_positive(rule.nodes[count - 1] - rule.nodes[count - 2])) {
       return std::nullopt;
     }
   }
@@ -557,8 +619,13 @@ detail::taylor_remainder detail::legendre_taylor_remainder(long n, long j, const
 }
 
 gauss_legendre_rule make_gauss_legendre(long n, precision bits) {
-  return detail::make_gauss_legendre_from(
-      n, bits, [](long degree) { return estimated_squares(shape(degree)); });
+  return detail::make_gauss_legendre_from(n, bits, [bits](long degree) {
+    // A start of 60 bits, for less terms of the series, is worth its time where they have many limbs.
+    const bool few = degree <= detail::few_limbed_zeros::greatest_n &&
+                     bits < detail::few_limbed_zeros::most_bits / 2;
+    const legendre_shape s(degree);
+    return few ? roughly_estimated_squares(s) : estimated_squares(s);
+  });
 }
 
 gauss_legendre_rule detail::make_gauss_legendre_from(

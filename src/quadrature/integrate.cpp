@@ -490,10 +490,10 @@ double integrator::log2_of_typical(const panel& p, double log2_goal) const {
   const auto most = static_cast<precision>(8 * std::max(log2_size_ - log2_goal, 48.0));
   for (precision wide = 96 + 2 * p.level; wide == 96 + 2 * p.level || wide < most; wide *= 4) {
     const auto f = evaluator_of(segments_[p.segment], wide);
+    const ball centre(p.centre, wide);
     bool defined = false;
     for (const long offset : {-5, 0, 3}) {
-      const rational t = p.centre + offset * p.half_length() / 8;
-      const complex_ball value = f(ball(t, wide));
+      const complex_ball value = f(centre + scale(ball(offset, wide), -p.level - 4));  // exact
       if (!value.is_bounded()) continue;
       defined = true;
       largest = std::max(largest, approximate_log2(value.magnitude_upper()));
@@ -552,6 +552,13 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
     while (rho < 1e4 && consider(rho * step)) rho *= step;
   } else {
     consider(2.2);
+  }
+  // Between the steps, while what may be saved is more than the price of some tiles and arcs.
+  constexpr double regions_of_step = 12;
+  for (double finer = std::sqrt(step); finer > 1.02; finer = std::sqrt(finer)) {
+    const double saved = best_nodes * (1 - std::log2(p.rho) / std::log2(p.rho * finer));
+    if (best_nodes > 1e17 || saved < regions_of_step * region_price) break;
+    consider(p.rho * finer);
   }
   return best_nodes;
 }
@@ -1013,7 +1020,8 @@ integrator::outcome integrator::estimate_size() {
             std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
       }
     }
-    for (long k = 5; k < 14; ++k) {  // a piece may have the most of its size near t = 0
+    for (long k = 5; k < 14 && !segments_[i].along; ++k) {
+      // A piece of the real line may have the most of its size near t = 0.
       ball t(1, 64);
       scale(t, t, -k);
       const complex_ball value = f(t);

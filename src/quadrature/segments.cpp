@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "breaks.hpp"
 #include "oscillation.hpp"
@@ -293,17 +294,18 @@ segment exponential_segment(const integrand& f, const end_of_range& end, const e
 
 segment affine_segment(const integrand& f, const limit& a, const limit& b) {
   segment whole;
-  const affine_map x(a, b);
-  whole.over = [=](const region& t) { return f.over(x(t)); };
-  whole.evaluator = [=](precision p) -> std::function<ball(const ball&)> {
-    return [a = x.start(p), length = x.length(p), g = f.evaluator(p)](const ball& t) {
+  // The functions below are copied often, and limits take long to copy.
+  const auto x = std::make_shared<const affine_map>(a, b);
+  whole.over = [x, over = f.over](const region& t) { return over((*x)(t)); };
+  whole.evaluator = [x, at = f.evaluator](precision p) -> std::function<ball(const ball&)> {
+    return [a = x->start(p), length = x->length(p), g = at(p)](const ball& t) {
       ball argument;
       fma(argument, length, t, a);
       return g(argument);
     };
   };
-  whole.scale = [=](precision p) { return x.length(p); };
-  whole.position = [=](const ball& t) { return x(t); };
+  whole.scale = [x](precision p) { return x->length(p); };
+  whole.position = [x](const ball& t) { return (*x)(t); };
   return whole;
 }
 

@@ -1,0 +1,150 @@
+// The zeros of Legendre polynomials in fixed point with few limbs, against rules with so many bits that they are made in
+// another way (gauss_legendre.cpp): that the sets hold the zeros, and that they are not much larger than they have to be.
+
+#include "quadrature/legendre_zeros.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/quadrature/gauss_legendre.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace {
+
+using detail::few_limbed_zeros;
+using detail::legendre_shape;
+
+struct known_zero {
+  ball square;            // y
+  ball size_of_slope;     // |q'(y)|
+  std::uint64_t rounded;  // y in units of 2^-64, downward
+};
+
+/// Of q, increasing.
+std::vector<known_zero> known_zeros(long n) {
+  const gauss_legendre_rule rule = make_gauss_legendre(n, few_limbed_zeros::most_bits + 128);
+  std::vector<known_zero> zeros;
+  detail::mpfr_cell cell(64);
+  for (std::size_t i = rule.n % 2 != 0 ? 1 : 0; i < rule.nodes.size(); ++i) {
+    const ball y = square(rule.nodes[i]);
+    // The weight is 2 / (4 y (1 - y) q'^2), and for odd n divided by y.
+    ball square_of_slope = 1 / (2 * y * (1 - y) * rule.weights[i]);
+    if (n % 2 != 0) square_of_slope /= y;
+    mpfr_set_ui(cell.get(), 0, MPFR_RNDD);
+    scale(y, 64).with_precision(64).midpoint(cell.get());
+    zeros.push_back({y, sqrt(square_of_slope), mpfr_get_ui(cell.get(), MPFR_RNDD)});
+  }
+  return zeros;
+}
+
+/// |middle of x - y| / radius of x.
+double share_of_radius(const ball& x, const ball& y) {
+  const auto log2_of = [](const magnitude& m) {
+    return m.is_zero()
+               ? -1e9
+               : std::log2(static_cast<double>(m.fraction())) + static_cast<double>(m.exponent());
+  };
+  return std::exp2(log2_of((x.middle() - y).magnitude_upper()) - log2_of(x.radius()));
+}
+
+struct shares {
+  double of_square = 0;
+  double of_slope = 0;
+};
+
+/// Looks for all zeros from starts that are off by up to 2^spread units of 2^-64.
+shares expect_enclosures(long n, precision bits, int spread, const std::vector<known_zero>& zeros,
+                         support::random_source& random) {
+  const few_limbed_zeros finder(legendre_shape(n), bits);
+  shares largest;
+  for (const known_zero& known : zeros) {
+    const std::uint64_t offset = random.bits() >> (64 - spread);
+    const std::uint64_t start =
+        random.bits() >> 63 != 0 ? known.rounded + offset : known.rounded - offset;
+    const auto found = finder.near(start);
+    EXPECT_TRUE(found) << n << " " << bits << " " << start;
+    if (!found) continue;
+    EXPECT_TRUE(contains(found->square, known.square)) << n << " " << bits;
+    const ball slope = abs(found->slope / found->scale);
+    EXPECT_TRUE(contains(slope, known.size_of_slope)) << n << " " << bits;
+    // The set is small: of a few units for each term of the polynomial, or what the search was asked for.
+    EXPECT_TRUE(found->square.radius() <=
+                magnitude::power_of_two(9 + 2 * static_cast<long>(std::log2(n)) - bits))
+        << n << " " << bits;
+    largest.of_square = std::max(largest.of_square, share_of_radius(found->square, known.square));
+    largest.of_slope = std::max(
+        largest.of_slope, share_of_radius(abs(found->slope), known.size_of_slope * found->scale));
+  }
+  return largest;
+}
+
+TEST(LegendreZeros, AreEnclosedFromNearbyStarts) {
+  support::random_source random(11);
+  for (const long n : {2L, 3L, 4L, 5L, 6L, 7L, 20L, 33L, 64L, 105L, 160L, 301L}) {
+    const std::vector<known_zero> zeros = known_zeros(n);
+    for (const precision bits : {1L, 128L, 162L, 229L, 424L, 640L, 1024L}) {
+      for (const int spread : {1, 6, 9}) expect_enclosures(n, bits, spread, zeros, random);
+    }
+  }
+}
+
+TEST(LegendreZeros, AreEnclosedInSetsThatAreHardlyTooLarge) {
+  support::random_source random(12);
+  double greatest_when_searched = 0;
+  double greatest_when_rounded = 0;
+  double greatest_of_slope = 0;
+  for (const long n : {40L, 81L, 160L}) {
+    const std::vector<known_zero> zeros = known_zeros(n);
+    // Where the search ends early, what is left is the radius; where it ends at the last bit, Horner's scheme.
+    for (const precision bits : {135L, 150L, 152L, 155L, 160L, 216L, 408L}) {
+      greatest_when_searched =
+          std::max(greatest_when_searched, expect_enclosures(n, bits, 9, zeros, random).of_square);
+    }
+    for (const precision bits : {128L, 192L, 384L}) {
+      const shares found = expect_enclosures(n, bits, 9, zeros, random);
+      greatest_when_rounded = std::max(greatest_when_rounded, found.of_square);
+      greatest_of_slope = std::max(greatest_of_slope, found.of_slope);
+    }
+  }
+  EXPECT_GT(greatest_when_searched, 0.9);
+  EXPECT_GT(greatest_when_rounded, 0.3);
+  EXPECT_GT(greatest_of_slope, 0.05);
+}
+
+TEST(LegendreZeros, AreNotInventedFromBadStarts) {
+  // From anywhere: nothing, or a set that holds one of the zeros.
+  support::random_source random(13);
+  for (const long n : {2L, 3L, 8L, 25L, 60L, 150L}) {
+    const std::vector<known_zero> zeros = known_zeros(n);
+    const few_limbed_zeros finder(legendre_shape(n), 192);
+    EXPECT_FALSE(finder.near(0));
+    const auto check = [&](std::uint64_t start) {
+      const auto found = finder.near(start);
+      if (!found) return;
+      const bool holds_one = std::any_of(zeros.begin(), zeros.end(), [&](const known_zero& known) {
+        return contains(found->square, known.square);
+      });
+      EXPECT_TRUE(holds_one) << n << " " << start;
+    };
+    for (const std::uint64_t start :
+         {std::uint64_t{1}, ~std::uint64_t{0}, std::uint64_t{1} << 63}) {
+      check(start);
+    }
+    for (int trial = 0; trial < 200; ++trial) {
+      check(random.bits());
+      const known_zero& known = zeros[random.bits() % zeros.size()];
+      check(known.rounded + (random.bits() >> (8 + random.bits() % 48)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode
