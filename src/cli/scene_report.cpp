@@ -66,8 +66,14 @@ json body_json(const scene_body& of, long digits) {
   result["kind"] = to_text(of.kind);
   if (of.moments) {
     constexpr const char* names[] = {"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i)
-      result["moments"][names[i]] = number_json({"", {}, (*of.moments)[i], ""}, digits);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto exact = [&](const rational& q) { return number_json({"", {}, q, ""}, digits); };
+      result["moments"][names[i]] = exact((*of.moments)[i]);
+      if (!of.ranges) continue;
+      const auto& [value, sigma] = of.uncertainties[i];
+      result["ranges"][names[i]] = {{"from", exact(value - sigma)}, {"to", exact(value + sigma)}};
+      result["sigma"][names[i]] = exact(sigma);
+    }
   }
   if (of.has_unit && of.moments) {
     const precision p = bits_for_digits(digits) + 64;

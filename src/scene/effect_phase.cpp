@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/elliptic/complete.hpp"
+#include "polhode/rigid_body/curve_motions.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "scene/effect_context.hpp"
 
@@ -32,19 +33,6 @@ void remark_unless_periodic(effect_result& result, const effect_context& x, cons
                              ": the angular momentum does not move in the body, and there is no " +
                              what);
   }
-}
-
-/// The middles of as many equal parts of the range.
-std::vector<rational> motions_of(const effect_context& x) {
-  const rational low = x.what.c_range ? (*x.what.c_range)[0] : rational(-x.rigid().b());
-  const rational high =
-      x.what.c_range ? (*x.what.c_range)[1] : std::min(x.rigid().a(), x.rigid().b());
-  const long points = x.what.points;
-  std::vector<rational> result;
-  result.reserve(static_cast<std::size_t>(points));
-  for (long k = 0; k < points; ++k)
-    result.emplace_back(low + (high - low) * (2 * k + 1) / (2 * points));
-  return result;
 }
 
 }  // namespace
@@ -141,7 +129,7 @@ effect_result montgomery_curve(const effect_context& x) {
   effect_table table;
   table.columns = {"c", "phase"};
   table.digits = x.digits();
-  for (const rational& c : motions_of(x)) {
+  for (const rational& c : curve_motions(x.rigid(), x.what.c_range, x.what.points)) {
     if (!is_periodic(regime_of(x.rigid(), c))) continue;  // infinite on the separatrix
     const certain_number phase = montgomery_phase_to_digits(x.rigid(), c, x.digits());
     result.work += phase.work;
@@ -163,7 +151,7 @@ effect_result twist_curve(const effect_context& x) {
   effect_table table;
   table.columns = {"c", "epsilon"};
   table.digits = x.digits();
-  for (const rational& c : motions_of(x)) {
+  for (const rational& c : curve_motions(x.rigid(), x.what.c_range, x.what.points)) {
     const twist t = twist_to_digits(x.rigid(), c, x.digits(), with_slope::no);
     result.work += t.work;
     if (t.verdict != status::certified) {
