@@ -267,15 +267,15 @@ TEST(SceneCommand, PageRunsInABrowser) {
   if (!without_pages.empty()) GTEST_SKIP() << without_pages;
   if (sanitized || run_script("command -v chromium >&2").status != 0) GTEST_SKIP() << "no chromium";
   const scratch_directory directory;
-  // Of the attitude and the momentum, of solids with the momentum alone, and of a hostile title.
+  // Solids with attitude, momentum and curves; the momentum alone, with a hostile title.
   write(directory.path("hostile.toml"),
         "title = \"</script><script>document.documentElement.dataset.hostile = 1</script>\"\n" +
             racket);
-  ASSERT_EQ(run({"scene", scenes + "/toutatis.toml", scenes + "/smartphone.toml",
-                 directory.path("hostile.toml"), "--out", directory.path("out"), "--page"})
+  ASSERT_EQ(run({"scene", scenes + "/skateboard.toml", directory.path("hostile.toml"), "--out",
+                 directory.path("out"), "--page"})
                 .status,
             0);
-  for (const std::string name : {"toutatis", "smartphone", "hostile"}) {
+  for (const std::string name : {"skateboard", "hostile"}) {
     const auto shown_by_browser = [&] {
       return run_script(
           "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
