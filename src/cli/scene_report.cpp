@@ -19,9 +19,8 @@ json number_json(const effect_number& n, long digits) {
   if (n.exact) {
     constexpr long least = 20;  // a count is whole, whatever the digits of the numbers
     const long shown = std::max(digits, least);
-    result = is_short(*n.exact, shown)
-                 ? exact_json(*n.exact, shown)
-                 : to_json(ball(*n.exact, bits_for_digits(shown) + 64), shown);
+    result = exact_json(*n.exact, shown);
+    if (!is_short(*n.exact, shown)) result.erase("rational");  // too long to be written out
   } else {
     result = to_json(n.enclosure, digits);
   }

@@ -68,7 +68,7 @@ const short = x => String(Number(x.toPrecision(4)));
 const chart = (name, {columns, rows}) => {
   const width = 640;
   const height = 260;
-  const [left, right, top, bottom] = [64, 14, 14, 34];
+  const [left, right, top, bottom] = [64, 14, 28, 34];
   const range = k => {
     const values = rows.map(one => one[k]);
     const [least, greatest] = [Math.min(...values), Math.max(...values)];
@@ -88,7 +88,7 @@ const chart = (name, {columns, rows}) => {
     const anchor = k === 0 ? 'start' : k === 4 ? 'end' : 'middle';
     picture.append(svg('text', {x: x(v), y: height - bottom + 16, 'text-anchor': anchor}, short(v)));
   });
-  picture.append(svg('text', {x: left + 6, y: top + 12, 'font-style': 'italic'}, columns[1]));
+  picture.append(svg('text', {x: left - 6, y: top - 14, 'text-anchor': 'end', 'font-style': 'italic'}, columns[1]));
   picture.append(svg('text', {x: width - right, y: height - 3, 'text-anchor': 'end', 'font-style': 'italic'}, columns[0]));
   // Where a regime ends, at c = 0, a phase is infinite: no line is drawn across.
   const infinite_at_0 = name === 'montgomery_curve';

@@ -1,9 +1,9 @@
 // The body turning in three dimensions: what is drawn of a moment, and how it is lit.
 
 import {
-  AmbientLight, BoxGeometry, CircleGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, EdgesGeometry, Group,
-  LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Quaternion, Scene, SphereGeometry,
-  Vector3, WebGLRenderer
+  AmbientLight, BoxGeometry, BufferGeometry, CircleGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, DoubleSide, EdgesGeometry, Group,
+  LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Points, PointsMaterial, Quaternion,
+  Scene, SphereGeometry, Vector3, WebGLRenderer
 } from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {Line2} from 'three/addons/lines/Line2.js';
@@ -166,7 +166,12 @@ export class stage {
     name.position.y = length + .1;
   }
 
+  // Through the points; only these where the samples are too few to tell what is between.
   curve(points, property) {
+    if (this.path.is_sparse) {
+      const dots = new BufferGeometry().setFromPoints(points);
+      return new Points(dots, this.paint(new PointsMaterial({size: 6, sizeAttenuation: false}), property));
+    }
     const geometry = new LineGeometry().setPositions(points.flatMap(p => [p.x, p.y, p.z]));
     return new Line2(geometry, this.paint(new LineMaterial({linewidth: 2.5}), property));
   }
