@@ -102,7 +102,13 @@ std::vector<sweep_point> points_of(const scene& what) {
   return result;
 }
 
-/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and as text, in JSON.
+/// The rows of tables are written to files and stand in JSON; elsewhere they are counted.
+table_rows rows_of(const scene_options& options) {
+  return options.out || options.format.value() == "json" ? table_rows::kept : table_rows::counted;
+}
+
+/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and, where rows are kept, as text, in
+/// JSON.
 class memory_of_reports {
  public:
   void add(const scene_options& options, const scene& what);
@@ -114,7 +120,9 @@ class memory_of_reports {
 
 void memory_of_reports::add(const scene_options& options, const scene& what) {
   constexpr double bytes_per_digit = 60;
-  constexpr double bytes_per_number = 1500;
+  const bool kept = rows_of(options) == table_rows::kept;
+  const double bytes_per_number = kept ? 1500 : 160;
+  const double bytes_per_digit_kept = kept ? 5 : 1;
   const auto digits = static_cast<double>(what.digits);
   double numbers = 40;
   for (const std::string& name : what.want) {
@@ -125,7 +133,7 @@ void memory_of_reports::add(const scene_options& options, const scene& what) {
       numbers += 7 * static_cast<double>(what.time->samples);
   }
   numbers_ += numbers;
-  bytes_ += numbers * (bytes_per_number + 5 * digits) + bytes_per_digit * digits;
+  bytes_ += numbers * (bytes_per_number + bytes_per_digit_kept * digits) + bytes_per_digit * digits;
   options.memory_limit.check({fmt::format("some {} numbers", numbers_), bytes_});
 }
 
@@ -272,7 +280,7 @@ exit_status run(const scene_options& options) {
     }
     const scene what = scene_of(one, files);
     const scene_report results = compute(what);
-    reports.push_back(scene_json(what, results, one.file, one.point, one.digest));
+    reports.push_back(scene_json(what, results, one.file, one.point, one.digest, rows_of(options)));
     if (options.out) write_job(options, one, what, reports.back(), results);
   }
   line.reset();

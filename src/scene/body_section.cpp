@@ -116,12 +116,6 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
   return result;
 }
 
-/// As it is where it is short, else about.
-std::string shown(const rational& q) {
-  constexpr precision longest = 200;
-  return size_in_bits(q) <= longest ? to_text(q) : "about " + to_decimal(ball(q, 64), 6);
-}
-
 std::string violation(const scene_body& of) {
   if (!of.margin) return "the greatest moment is above the sum of the others";
   const rational_vector& m = *of.moments;
@@ -131,6 +125,11 @@ std::string violation(const scene_body& of) {
 }
 
 }  // namespace
+
+std::string shown(const rational& q) {
+  constexpr precision longest = 200;
+  return size_in_bits(q) <= longest ? to_text(q) : "about " + to_decimal(ball(q, 64).middle(), 6);
+}
 
 std::optional<unit> read_unit(section& from, const std::string& key,
                               const std::vector<unit>& units) {

@@ -41,6 +41,9 @@ struct imported_inertia {
 /// [state]
 [[nodiscard]] scene_state read_state(section from, const scene_body& of, scene& whole);
 
+/// For a message: as it is where it is short, else about.
+[[nodiscard]] std::string shown(const rational& q);
+
 /// The unit under this key, one of those; input_error with the nearest one.
 [[nodiscard]] std::optional<unit> read_unit(section& from, const std::string& key,
                                             const std::vector<unit>& units);

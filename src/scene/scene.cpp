@@ -315,7 +315,7 @@ scene read_sections(const std::string& text, const std::filesystem::path& direct
   if (result.in_double && result.body.moments) {
     for (const rational& moment : *result.body.moments) {
       if (std::isnormal(static_cast<double>(moment))) continue;
-      root.refuse("precision", "in double " + to_text(moment) +
+      root.refuse("precision", "in double " + detail::shown(moment) +
                                    " has no room; give moments in another unit, or digits = 15");
     }
   }
