@@ -68,6 +68,13 @@ initial_state initial_state::from_squared_momentum(const triple<rational>& momen
                                                    const triple<int>& senses) {
   refuse_unless_positive(moments);
   refuse_rest(squares, "angular momentum");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int sense = senses[i];
+    if (sense >= -1 && sense <= 1 && sense * sense == sign_of_rational(squares[i])) continue;
+    throw input_error("angular momentum: the square " + to_text(squares[i]) +
+                      " does not go with the sign " + std::to_string(sense) +
+                      "; it must be positive with -1 or 1, or 0 with 0");
+  }
   initial_state s;
   s.moments_ = moments;
   s.squared_momentum_ = squares[0] + squares[1] + squares[2];

@@ -683,8 +683,14 @@ TEST(Rotor, StateBySquaresIsThatByComponents) {
   // sqrt 2 along the second axis: no rational has it.
   EXPECT_EQ(initial_state::from_squared_momentum(moments, {0, 2, 1}, {0, 1, -1}).c(),
             2 * (rational(2, 3) + 1) / 3 - 1);
-  EXPECT_THROW((void)initial_state::from_squared_momentum(moments, {0, 0, 0}, {0, 0, 0}),
-               input_error);
+  const auto refused = [&](const triple<rational>& squares, const triple<int>& senses) {
+    EXPECT_THROW((void)initial_state::from_squared_momentum(moments, squares, senses), input_error);
+  };
+  refused({0, 0, 0}, {0, 0, 0});
+  refused({1, -4, 0}, {1, 1, 0});
+  refused({1, 4, 0}, {1, 0, 0});
+  refused({1, 4, 0}, {1, -1, 1});
+  refused({1, 4, 0}, {1, 2, 0});
 }
 
 TEST(Rotor, CountsWhatItIntegrates) {

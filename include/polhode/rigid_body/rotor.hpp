@@ -64,7 +64,8 @@ class initial_state {
                                      const triple<rational>& momentum);
   static initial_state from_angular_velocity(const triple<rational>& moments,
                                              const triple<rational>& omega);
-  /// The momentum by the squares of its components and their signs -1, 0, 1: the components themselves may be irrational.
+  /// The momentum by the squares of its components and their signs -1, 0, 1: the components themselves may be irrational. Throws
+  /// input_error, too, where these contradict each other.
   static initial_state from_squared_momentum(const triple<rational>& moments,
                                              const triple<rational>& squares,
                                              const triple<int>& senses);

@@ -25,13 +25,13 @@ struct principal_axis {
   rational square = 1;
 };
 
-/// A homogeneous solid of which a body is composed: "box", "cylinder" or "ellipsoid".
+/// A homogeneous solid of which a body is composed: a "box", "cylinder" or "ellipsoid".
 struct body_solid {
   std::string shape;
-  rational_vector half;  // half its sides, its semi-axes
-  std::size_t axis = 2;  // of a cylinder
-  rational_vector
-      position;  // of its centre, from the body's centre of mass; all in one unit of length
+  std::size_t axis = 2;  // along which a cylinder is
+  /// Half its sides, or its semi-axes, and its centre as seen from the body's centre of mass, in one unit of length.
+  rational_vector half;
+  rational_vector position;
 };
 
 struct scene_body {
