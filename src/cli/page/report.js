@@ -70,8 +70,8 @@ const chart = (name, {columns, rows}) => {
   const height = 260;
   const [left, right, top, bottom] = [64, 14, 28, 34];
   const range = k => {
-    const values = rows.map(one => one[k]);
-    const [least, greatest] = [Math.min(...values), Math.max(...values)];
+    const least = rows.reduce((found, one) => Math.min(found, one[k]), Infinity);
+    const greatest = rows.reduce((found, one) => Math.max(found, one[k]), -Infinity);
     return least < greatest ? [least, greatest] : [least - 1, greatest + 1];
   };
   const [x0, x1] = range(0);
