@@ -16,6 +16,9 @@ library_packages=(
 )
 oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
 peer_packages=(libpari-dev)  # of the benchmarks alone
+# Of the pages of scenes, unless npm comes from elsewhere than Debian.
+page_packages=()
+if ! { command -v node && command -v npm; } >/dev/null; then page_packages=(nodejs npm); fi
 
 # Compiled objects are shared between checkouts of this project, wherever they lie.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
@@ -117,6 +120,7 @@ fingerprint() {
   local package name
   cksum <"$root/CMakePresets.json"
   echo "${CC-} ${CXX-} ${CXXFLAGS-}"
+  echo "node $(node --version 2>/dev/null) npm $(npm --version 2>/dev/null)"
   if command -v dpkg-query >/dev/null; then
     for package in "${toolchain_packages[@]}" "${library_packages[@]}" "${oracle_packages[@]}" \
       "${peer_packages[@]}"; do

@@ -19,6 +19,7 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/curve_motions.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -43,16 +44,10 @@ struct point {
   std::optional<ball> turning;  // epsilon of S up to pi/2, for c <= 0
 };
 
-/// The middles of N equal parts of the range.
-std::vector<rational> motions_of(const curve_options& options, const body& rigid, long points) {
-  motion_range range{rational(-rigid.b()), std::min(rigid.a(), rigid.b()), {}};
-  if (options.c) range = read_motion_range(*options.c, rigid);
-  std::vector<rational> result;
-  result.reserve(static_cast<std::size_t>(points));
-  for (long k = 0; k < points; ++k) {
-    result.emplace_back(range.low + (range.high - range.low) * (2 * k + 1) / (2 * points));
-  }
-  return result;
+std::optional<std::array<rational, 2>> range_of(const curve_options& options, const body& rigid) {
+  if (!options.c) return std::nullopt;
+  const motion_range range = read_motion_range(*options.c, rigid);
+  return {{range.low, range.high}};
 }
 
 point point_at(const body& rigid, const rational& c, long digits) {
@@ -155,7 +150,7 @@ exit_status run(const curve_options& options) {
   const long points = options.points.value();
   const std::string& format = options.format.value();
   const body rigid = options.which.value();
-  const std::vector<rational> motions = motions_of(options, rigid, points);
+  const std::vector<rational> motions = curve_motions(rigid, range_of(options, rigid), points);
   constexpr double bytes_per_digit = 60;
   constexpr double bytes_kept = 20;
   const std::string what = fmt::format("{} points of {} digits", points, digits);

@@ -59,11 +59,12 @@ std::string hexadecimal(const sha256_digest& digest) {
 }
 
 /// Everything that the results depend on.
-std::string digest_of(const scene_options& options, const job& one, const scene& what) {
+std::string digest_of(const scene_options& options, const job& one, const scene& what,
+                      text_files& files) {
   std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + *one.text + '\n' +
                     options.plot.value_or("") + (options.page ? "page" : "");
   for (const auto& [key, value] : one.point) all += '\n' + key + '=' + to_text(value);
-  if (what.body.file) all += '\n' + read_text_file(*what.body.file);
+  if (what.body.file) all += '\n' + files[*what.body.file];
   return hexadecimal(sha256(std::as_bytes(std::span(all))));
 }
 
@@ -77,10 +78,11 @@ auto reading(const std::string& file, const F& read) {
   }
 }
 
-scene scene_of(const job& one) {
+scene scene_of(const job& one, text_files& files) {
   const std::map<std::string, rational> replaced(one.point.begin(), one.point.end());
-  return reading(one.file,
-                 [&] { return read_scene(*one.text, fs::path(one.file).parent_path(), replaced); });
+  return reading(one.file, [&] {
+    return read_scene(*one.text, fs::path(one.file).parent_path(), replaced, files);
+  });
 }
 
 /// All points of a sweep, the last key fastest; one without a point where there is no sweep.
@@ -100,7 +102,13 @@ std::vector<sweep_point> points_of(const scene& what) {
   return result;
 }
 
-/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and as text, in JSON.
+/// The rows of tables are written to files and stand in JSON; elsewhere they are counted.
+table_rows rows_of(const scene_options& options) {
+  return options.out || options.format.value() == "json" ? table_rows::kept : table_rows::counted;
+}
+
+/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and, where rows are kept, as text, in
+/// JSON.
 class memory_of_reports {
  public:
   void add(const scene_options& options, const scene& what);
@@ -112,7 +120,9 @@ class memory_of_reports {
 
 void memory_of_reports::add(const scene_options& options, const scene& what) {
   constexpr double bytes_per_digit = 60;
-  constexpr double bytes_per_number = 1500;
+  const bool kept = rows_of(options) == table_rows::kept;
+  const double bytes_per_number = kept ? 1500 : 160;
+  const double bytes_per_digit_kept = kept ? 5 : 1;
   const auto digits = static_cast<double>(what.digits);
   double numbers = 40;
   for (const std::string& name : what.want) {
@@ -123,12 +133,12 @@ void memory_of_reports::add(const scene_options& options, const scene& what) {
       numbers += 7 * static_cast<double>(what.time->samples);
   }
   numbers_ += numbers;
-  bytes_ += numbers * (bytes_per_number + 5 * digits) + bytes_per_digit * digits;
+  bytes_ += numbers * (bytes_per_number + bytes_per_digit_kept * digits) + bytes_per_digit * digits;
   options.memory_limit.check({fmt::format("some {} numbers", numbers_), bytes_});
 }
 
 /// Reads and checks everything, so that a fault in the last file is found before the first is computed.
-std::vector<job> jobs_of(const scene_options& options) {
+std::vector<job> jobs_of(const scene_options& options, text_files& files) {
   std::vector<job> jobs;
   std::set<std::string> stems;
   memory_of_reports memory;
@@ -143,7 +153,7 @@ std::vector<job> jobs_of(const scene_options& options) {
                       "--out; rename one",
                       in_quotes(file), in_quotes(stem)));
     };
-    const scene what = scene_of(whole);
+    const scene what = scene_of(whole, files);
     const std::vector<sweep_point> points = points_of(what);
     jobs.reserve(jobs.size() + points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
@@ -151,9 +161,9 @@ std::vector<job> jobs_of(const scene_options& options) {
       one.point = points[k];
       if (!one.point.empty()) one.stem += fmt::format("-{:04}", k + 1);
       take_name(one.stem);
-      const scene at_point = one.point.empty() ? what : scene_of(one);
+      const scene at_point = one.point.empty() ? what : scene_of(one, files);
       memory.add(options, at_point);
-      one.digest = digest_of(options, one, at_point);
+      one.digest = digest_of(options, one, at_point, files);
       jobs.push_back(std::move(one));
     }
   }
@@ -161,15 +171,25 @@ std::vector<job> jobs_of(const scene_options& options) {
 }
 
 /// The report that an earlier run left of the same job; nothing where it left none, or of something else.
-std::optional<json> kept_report(const std::string& directory, const job& one) {
-  const fs::path path = fs::path(directory) / (one.stem + ".json");
+std::optional<json> kept_report(const scene_options& options, const job& one) {
+  const auto written = [&](const std::string& end) {
+    return fs::path(*options.out) / (one.stem + end);
+  };
+  const fs::path path = written(".json");
   if (!fs::is_regular_file(path)) return std::nullopt;
   try {
     std::ifstream file(path, std::ios::binary);
     json report = json::parse(file);
     const bool is_whole = report.contains("effects") && report.contains("verdict");
     if (!is_whole || report.at("digest") != one.digest) return std::nullopt;
-    if (!fs::is_regular_file(fs::path(directory) / (one.stem + ".txt"))) return std::nullopt;
+    if (!fs::is_regular_file(written(".txt"))) return std::nullopt;
+    if (options.page && !fs::is_regular_file(written(".html"))) return std::nullopt;
+    for (const auto& [name, effect] : report.at("effects").items()) {
+      if (!effect.contains("table")) continue;
+      if (!fs::is_regular_file(written('.' + name + ".csv"))) return std::nullopt;
+      if (options.plot && !fs::is_regular_file(written('.' + name + '.' + *options.plot)))
+        return std::nullopt;
+    }
     (void)scene_text(report);  // all that will be read of it
     (void)results_csv({report});
     return report;
@@ -239,7 +259,9 @@ exit_status run(const scene_options& options) {
   if ((options.plot || options.page) && !options.out) {
     throw usage_error("--plot and --page write files: give --out DIR, too");
   }
-  const std::vector<job> jobs = jobs_of(options);
+  if (options.page) require_pages();
+  text_files files;  // that scenes name
+  const std::vector<job> jobs = jobs_of(options, files);
   if (options.plot) require_gnuplot("leave out --plot");
   // Before anything is computed: whether the table of results can be written.
   if (options.out) output_directory(*options.out, {"results.csv"});
@@ -250,15 +272,15 @@ exit_status run(const scene_options& options) {
   for (const job& one : jobs) {
     line->show(fmt::format("{} ({}/{})", one.stem, reports.size() + 1, jobs.size()));
     if (options.out) {
-      if (auto report = kept_report(*options.out, one)) {
+      if (auto report = kept_report(options, one)) {
         ++kept;
         reports.push_back(std::move(*report));
         continue;
       }
     }
-    const scene what = scene_of(one);
+    const scene what = scene_of(one, files);
     const scene_report results = compute(what);
-    reports.push_back(scene_json(what, results, one.file, one.point, one.digest));
+    reports.push_back(scene_json(what, results, one.file, one.point, one.digest, rows_of(options)));
     if (options.out) write_job(options, one, what, reports.back(), results);
   }
   line.reset();

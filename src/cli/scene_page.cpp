@@ -5,11 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "errors.hpp"
 #include "exact_decimals.hpp"
 #include "gnuplot.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "scene_page_template.hpp"  // made from scene_page.html
+#include "scene_page_template.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -22,22 +23,36 @@ const effect_table* table_of(const scene_report& results, const std::string& nam
   return found && found->table ? &*found->table : nullptr;
 }
 
-json columns(const effect_table& table, std::size_t first, std::size_t count) {
+/// So many of the columns, of every stride-th row.
+json columns(const effect_table& table, std::size_t first, std::size_t count, std::size_t stride) {
   json result = json::array();
-  for (const auto& row : table.rows) {
+  for (std::size_t i = 0; i < table.rows.size(); i += stride) {
     json one = json::array();
-    for (std::size_t k = 0; k < count; ++k) one.push_back(drawn(row[first + k]));
+    for (std::size_t k = 0; k < count; ++k) one.push_back(drawn(table.rows[i][first + k]));
     result.push_back(std::move(one));
   }
+  return result;
+}
+
+json first_column(const effect_table& table, std::size_t stride) {
+  json result = json::array();
+  for (std::size_t i = 0; i < table.first.size(); i += stride)
+    result.push_back(static_cast<double>(table.first[i]));
+  return result;
+}
+
+/// The moments, the greatest 1.
+std::array<double, 3> relative_moments(const scene_body& of) {
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = static_cast<double>(rational((*of.moments)[i] / (*of.moments)[0]));
   return result;
 }
 
 /// The half sides of a box with these moments, the longest 1: side i^2 is as I_j + I_k - I_i. A non-physical body has none: its least
 /// side is drawn thin.
 std::array<double, 3> half_sides(const scene_body& of) {
-  std::array<double, 3> m{};
-  for (std::size_t i = 0; i < 3; ++i)
-    m[i] = static_cast<double>(rational((*of.moments)[i] / (*of.moments)[0]));
+  const std::array<double, 3> m = relative_moments(of);
   std::array<double, 3> side{};
   for (std::size_t i = 0; i < 3; ++i)
     side[i] = std::sqrt(std::max(m[(i + 1) % 3] + m[(i + 2) % 3] - m[i], 1e-3));
@@ -57,6 +72,47 @@ json axes_of(const scene_body& of) {
   return result;
 }
 
+/// The solids of which the body is composed, so large that none reaches farther from the centre of mass than 1 along an axis.
+json solids_of(const scene_body& of) {
+  rational reach = 0;
+  for (const body_solid& one : of.solids) {
+    for (std::size_t i = 0; i < 3; ++i)
+      reach = std::max(reach, rational(abs(one.position[i]) + one.half[i]));
+  }
+  const auto scaled = [&](const rational_vector& v) {
+    json result = json::array();
+    for (const rational& x : v) result.push_back(static_cast<double>(rational(x / reach)));
+    return result;
+  };
+  json result = json::array();
+  for (const body_solid& one : of.solids) {
+    result.push_back({{"shape", one.shape},
+                      {"half", scaled(one.half)},
+                      {"axis", one.axis},
+                      {"position", scaled(one.position)}});
+  }
+  return result;
+}
+
+/// What is drawn of a series in time.
+void add_series(json& data, const scene& what, const effect_table* attitude,
+                const effect_table* momentum) {
+  constexpr std::size_t most_drawn = 20'000;
+  const effect_table& any = attitude ? *attitude : *momentum;
+  const std::size_t stride = (any.rows.size() + most_drawn - 1) / most_drawn;
+  data["stride"] = stride;
+  data["t"] = first_column(any, stride);
+  data["axes"] = axes_of(what.body);
+  data["moments"] = relative_moments(what.body);
+  data["half"] = half_sides(what.body);
+  if (!what.body.solids.empty()) data["solids"] = solids_of(what.body);
+  if (attitude) data["q"] = columns(*attitude, 0, 4, stride);
+  if (momentum) {
+    data["j"] = columns(*momentum, 0, 3, stride);
+    data["omega"] = columns(*momentum, 3, 3, stride);
+  }
+}
+
 /// As it may stand in a script of a page: no "</script>" and no comment can begin in it.
 std::string embedded(const json& data) {
   std::string result;
@@ -67,28 +123,30 @@ std::string embedded(const json& data) {
 
 }  // namespace
 
+void require_pages() {
+  if (!page_template.empty()) return;
+  throw output_error(
+      "--page: this polhode was built without pages, which npm bundles: install Debian's nodejs "
+      "and npm, configure and build it again; or leave out --page");
+}
+
 std::string scene_page(const scene& what, const scene_report& results, const json& report) {
   json data{{"title", what.title.empty() ? report["file"].get<std::string>() : what.title},
             {"source", what.source},
             {"unit", what.time_unit.name},
             {"report", report}};
-  for (auto& [name, effect] : data["report"]["effects"].items()) {
-    if (effect.contains("table")) effect["table"] = effect["table"]["rows"].size();
+  for (auto& [name, effect] : data["report"]["effects"].items()) effect.erase("table");
+  for (const char* name : {"montgomery_curve", "twist_curve"}) {
+    const effect_table* curve = table_of(results, name);
+    if (!curve) continue;
+    json points = json::array();
+    for (std::size_t i = 0; i < curve->rows.size(); ++i)
+      points.push_back({static_cast<double>(curve->first[i]), drawn(curve->rows[i][0])});
+    data["curves"][name] = {{"columns", curve->columns}, {"rows", std::move(points)}};
   }
   const effect_table* attitude = table_of(results, "attitude");
   const effect_table* momentum = table_of(results, "momentum");
-  if (attitude || momentum) {
-    const effect_table& any = attitude ? *attitude : *momentum;
-    data["t"] = json::array();
-    for (const rational& t : any.first) data["t"].push_back(static_cast<double>(t));
-    data["axes"] = axes_of(what.body);
-    data["half"] = half_sides(what.body);
-    if (attitude) data["q"] = columns(*attitude, 0, 4);
-    if (momentum) {
-      data["j"] = columns(*momentum, 0, 3);
-      data["omega"] = columns(*momentum, 3, 3);
-    }
-  }
+  if (attitude || momentum) add_series(data, what, attitude, momentum);
   const std::string page(page_template);
   const std::string mark = "%DATA%";
   const std::size_t place = page.find(mark);

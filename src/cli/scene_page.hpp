@@ -6,6 +6,9 @@
 
 namespace polhode::cli {
 
+/// Throws output_error where the program was built without pages.
+void require_pages();
+
 /// One HTML page without any other file: the body turning in three dimensions where the scene wants its attitude, with polhode and
 /// herpolhode where it wants its momentum, and the effects with their certified values. `report` is that of scene_json.
 [[nodiscard]] std::string scene_page(const scene& what, const scene_report& results,

@@ -19,9 +19,8 @@ json number_json(const effect_number& n, long digits) {
   if (n.exact) {
     constexpr long least = 20;  // a count is whole, whatever the digits of the numbers
     const long shown = std::max(digits, least);
-    result = is_short(*n.exact, shown)
-                 ? exact_json(*n.exact, shown)
-                 : to_json(ball(*n.exact, bits_for_digits(shown) + 64), shown);
+    result = exact_json(*n.exact, shown);
+    if (!is_short(*n.exact, shown)) result.erase("rational");  // too long to be written out
   } else {
     result = to_json(n.enclosure, digits);
   }
@@ -33,8 +32,13 @@ json number_json(const effect_number& n, long digits) {
 /// Of a number that is one.
 double as_double(const ball& x) { return midpoint(x).convert_to<double>(); }
 
-json table_json(const effect_table& table) {
-  json result{{"columns", table.columns}, {"certified", table.certified}, {"rows", json::array()}};
+json table_json(const effect_table& table, table_rows rows) {
+  json result{{"columns", table.columns}, {"certified", table.certified}};
+  if (rows == table_rows::counted) {
+    result["rows"] = table.rows.size();
+    return result;
+  }
+  result["rows"] = json::array();
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     json row{{table.columns[0], number_json({"", {}, table.first[i], ""}, table.digits)}};
     for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
@@ -46,12 +50,12 @@ json table_json(const effect_table& table) {
   return result;
 }
 
-json effect_json(const effect_result& effect, bool wanted, long digits) {
+json effect_json(const effect_result& effect, bool wanted, long digits, table_rows rows) {
   json result{{"wanted", wanted}, {"verdict", to_text(effect.verdict)}};
   if (!effect.why.empty()) result["why"] = effect.why;
   for (const auto& [key, word] : effect.words) result["words"][key] = word;
   for (const effect_number& n : effect.numbers) result["numbers"][n.name] = number_json(n, digits);
-  if (effect.table) result["table"] = table_json(*effect.table);
+  if (effect.table) result["table"] = table_json(*effect.table, rows);
   if (!effect.remarks.empty()) result["remarks"] = effect.remarks;
   result["work"] = {{"integrals", effect.work.integrals},
                     {"agm_steps", effect.work.agm_steps},
@@ -66,8 +70,14 @@ json body_json(const scene_body& of, long digits) {
   result["kind"] = to_text(of.kind);
   if (of.moments) {
     constexpr const char* names[] = {"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i)
-      result["moments"][names[i]] = number_json({"", {}, (*of.moments)[i], ""}, digits);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto exact = [&](const rational& q) { return number_json({"", {}, q, ""}, digits); };
+      result["moments"][names[i]] = exact((*of.moments)[i]);
+      if (!of.ranges) continue;
+      const auto& [value, sigma] = of.uncertainties[i];
+      result["ranges"][names[i]] = {{"from", exact(value - sigma)}, {"to", exact(value + sigma)}};
+      result["sigma"][names[i]] = exact(sigma);
+    }
   }
   if (of.has_unit && of.moments) {
     const precision p = bits_for_digits(digits) + 64;
@@ -150,7 +160,7 @@ std::string named_number(const std::string& name, const std::string& digits,
 }  // namespace
 
 json scene_json(const scene& what, const scene_report& report, const std::string& file,
-                const sweep_point& point, const std::string& digest) {
+                const sweep_point& point, const std::string& digest, table_rows rows) {
   json result{{"file", file}};
   if (!what.title.empty()) result["title"] = what.title;
   if (!what.source.empty()) result["source"] = what.source;
@@ -163,7 +173,7 @@ json scene_json(const scene& what, const scene_report& report, const std::string
   for (const effect_result& effect : report.effects) {
     const bool wanted =
         std::find(report.wanted.begin(), report.wanted.end(), effect.name) != report.wanted.end();
-    result["effects"][effect.name] = effect_json(effect, wanted, what.digits);
+    result["effects"][effect.name] = effect_json(effect, wanted, what.digits, rows);
   }
   if (!what.remarks.empty()) result["remarks"] = what.remarks;
   result["polhode"] = POLHODE_VERSION;
@@ -199,10 +209,11 @@ std::string scene_text(const json& report) {
       }
     }
     if (effect.contains("table")) {
-      result += paragraph(
-          fmt::format("{} rows of {} (--out DIR, --format json)", effect["table"]["rows"].size(),
-                      fmt::format("{}", effect["table"]["columns"].dump())),
-          2);
+      const json& rows = effect["table"]["rows"];
+      result += paragraph(fmt::format("{} rows of {} (--out DIR, --format json)",
+                                      rows.is_array() ? rows.size() : rows.get<std::size_t>(),
+                                      effect["table"]["columns"].dump()),
+                          2);
     }
     if (effect.contains("remarks")) {
       for (const json& remark : effect["remarks"])

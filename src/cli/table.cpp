@@ -1,6 +1,7 @@
 // polhode table: a quantity of the rotation for many bodies and motions.
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@
 #include "memory_limit.hpp"
 #include "motion_option.hpp"
 #include "options.hpp"
+#include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "progress.hpp"
@@ -144,6 +146,22 @@ std::string literal(const rational& q) {
   return literal(leading_digits_of(q, digits_of_literals).value);
 }
 
+/// A double has no room for what is neither 0 nor a normal number of its own.
+void refuse_unless_double(const std::string& name, bool is_zero, double x,
+                          const std::string& text) {
+  if (is_zero || std::isnormal(x)) return;
+  throw usage_error(fmt::format(
+      "--format cpp: {} = {} is outside the range of a double; csv and json have it", name, text));
+}
+void refuse_unless_doubles(const row& r) {
+  const auto refuse = [](const std::string& name, const rational& x) {
+    refuse_unless_double(name, x == 0, static_cast<double>(x), with_dots(leading_digits_of(x, 10)));
+  };
+  refuse("a", r.a);
+  refuse("b", r.b);
+  if (r.c) refuse("c", *r.c);
+}
+
 std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits) {
   std::string result = fmt::format(
       "// Written by polhode {}: the {}. The decimals are the first {} significant\n"
@@ -159,6 +177,9 @@ std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits)
       q.name, q.of_motion ? "  double c;\n" : "", q.name);
   result += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows.size());
   for (const row& r : rows) {
+    refuse_unless_double(q.name, r.value.is_exact() && contains_zero(r.value),
+                         midpoint(r.value).convert_to<double>(),
+                         to_decimal_enclosure(r.value, 10).value);
     result += "    {" + literal(r.a) + ", " + literal(r.b) + ", ";
     if (r.c) result += literal(*r.c) + ", ";
     result += fmt::format("{}, \"{}\"}},\n",
@@ -262,6 +283,7 @@ exit_status run(const table_options& options) {
   const std::string& format = options.format.value();
   const long computed = format == "cpp" ? std::max(digits, digits_of_literals) : digits;
   std::vector<row> rows = rows_of(options, q);
+  if (format == "cpp") std::for_each(rows.begin(), rows.end(), refuse_unless_doubles);
   constexpr double bytes_per_digit = 60;
   constexpr double bytes_kept = 12;
   // Measured: a row's names, punctuation, numbers a, b, c and the like.

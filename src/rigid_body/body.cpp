@@ -6,21 +6,13 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/inertia_tensor.hpp"
+#include "rigid_body/moments_text.hpp"
 
 namespace polhode {
 namespace {
 
-std::string listed(const std::array<rational, 3>& moments) {
-  return to_text(moments[0]) + ", " + to_text(moments[1]) + ", " + to_text(moments[2]);
-}
-
-void refuse_unless_positive(const std::array<rational, 3>& moments) {
-  for (const rational& moment : moments) {
-    if (moment > 0) continue;
-    throw input_error("moments of inertia " + listed(moments) + ": " + to_text(moment) +
-                      " is not positive; all three must be");
-  }
-}
+using detail::listed;
+using detail::refuse_unless_positive;
 
 /// For I_x >= I_y >= I_z.
 body_kind kind_of(const std::array<rational, 3>& sorted) {

@@ -222,6 +222,7 @@ struct prepared {
   matrix3<T> base;
   /// Phi at time 0.
   T phase_0;
+  work_count work;
 
   template <bool WithLag>
   [[nodiscard]] theta_point<T> point(const T& cycle) const {
@@ -270,6 +271,8 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   rotor_tables tables(state, bits + spare);
   r.rates = std::move(tables.rates);
   rotor_tables working(state, bits);
+  r.work = tables.work;
+  r.work += working.work;
   r.series = std::move(working.series);
   r.amplitude = std::move(working.amplitude);
   r.across = ball(1, bits);
@@ -319,7 +322,9 @@ prepared<ball> prepare_to(const initial_state& state, precision p, precision gua
   prepared<ball> result = prepare(state, p + guard, spare);
   for (int i = 0; i < most_attempts && !within(result.base, p + 16); ++i) {
     guard *= 4;
+    const work_count before = result.work;
     result = prepare(state, p + guard, spare);
+    result.work += before;
   }
   return result;
 }
@@ -340,6 +345,7 @@ prepared<T> as_scalars(const prepared<ball>& x) {
   r.signs = x.signs;
   r.base = as_scalars<T>(x.base, bits);
   r.phase_0 = as_scalar<T>(x.phase_0, bits);
+  r.work = x.work;
   return r;
 }
 
@@ -421,6 +427,7 @@ class rotor_motion {
   [[nodiscard]] const rotor_rates& rates() const { return first_.rates; }
   [[nodiscard]] T number(const ball& x) const { return as_scalar<T>(x, first_.bits); }
   [[nodiscard]] const prepared<T>& prepared_first() const { return first_; }
+  [[nodiscard]] const work_count& work() const { return first_.work; }
 
  private:
   [[nodiscard]] prepared<T> made(precision guard) const {
@@ -581,6 +588,7 @@ class rotor_motion<double> {
   [[nodiscard]] const initial_state& state() const { return exact_.state(); }
   [[nodiscard]] double size() const { return number(exact_.size()); }
   [[nodiscard]] const rotor_rates& rates() const { return exact_.rates(); }
+  [[nodiscard]] const work_count& work() const { return exact_.work(); }
   [[nodiscard]] static double number(const ball& x) {
     return mpfr_get_d(midpoint(x).backend().data(), MPFR_RNDN);
   }
@@ -720,6 +728,10 @@ rotor_attitude<T> rotor<T>::attitude(double t) const requires std::same_as<T, do
 template <class T>
 const initial_state& rotor<T>::state() const {
   return motion_->state();
+}
+template <class T>
+const work_count& rotor<T>::work() const {
+  return motion_->work();
 }
 template <class T>
 T rotor<T>::momentum_size() const {

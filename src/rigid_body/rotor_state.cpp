@@ -4,25 +4,16 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/rotor.hpp"
+#include "rigid_body/moments_text.hpp"
 
 namespace polhode {
 namespace {
 
-std::string listed(const triple<rational>& v) {
-  return to_text(v[0]) + ", " + to_text(v[1]) + ", " + to_text(v[2]);
-}
+using detail::refuse_unless_positive;
 
 int sign_of_rational(const rational& q) { return q > 0 ? 1 : (q < 0 ? -1 : 0); }
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-void refuse_unless_positive(const triple<rational>& moments) {
-  for (const rational& moment : moments) {
-    if (moment > 0) continue;
-    throw input_error("moments of inertia " + listed(moments) + ": " + to_text(moment) +
-                      " is not positive; all three must be");
-  }
-}
 
 void refuse_rest(const triple<rational>& v, const char* what) {
   if (v[0] != 0 || v[1] != 0 || v[2] != 0) return;
@@ -63,17 +54,33 @@ initial_state initial_state::from_momentum(const triple<rational>& moments,
                                            const triple<rational>& momentum) {
   refuse_unless_positive(moments);
   refuse_rest(momentum, "angular momentum");
-  initial_state s;
-  s.moments_ = moments;
   triple<rational> squares;
   triple<int> senses{};
   for (std::size_t i = 0; i < 3; ++i) {
     squares[i] = momentum[i] * momentum[i];
     senses[i] = sign_of_rational(momentum[i]);
   }
+  return from_squared_momentum(moments, squares, senses);
+}
+
+initial_state initial_state::from_squared_momentum(const triple<rational>& moments,
+                                                   const triple<rational>& squares,
+                                                   const triple<int>& senses) {
+  refuse_unless_positive(moments);
+  refuse_rest(squares, "angular momentum");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int sense = senses[i];
+    if (sense >= -1 && sense <= 1 && sense * sense == sign_of_rational(squares[i])) continue;
+    throw input_error("angular momentum: the square " + to_text(squares[i]) +
+                      " does not go with the sign " + std::to_string(sense) +
+                      "; it must be positive with -1 or 1, or 0 with 0");
+  }
+  initial_state s;
+  s.moments_ = moments;
   s.squared_momentum_ = squares[0] + squares[1] + squares[2];
-  for (rational& square : squares) square /= s.squared_momentum_;
-  s.settle(squares, senses);
+  triple<rational> shares = squares;
+  for (rational& share : shares) share /= s.squared_momentum_;
+  s.settle(shares, senses);
   return s;
 }
 
@@ -145,7 +152,7 @@ rational initial_state::twice_energy() const {
   return rational((1 + c_) * squared_momentum_ / middle);
 }
 
-void initial_state::set_matrix(const matrix3<rational>& rows) {
+void refuse_unless_rotation(const matrix3<rational>& rows) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = i; j < 3; ++j) {
       const rational product(rows[i][0] * rows[j][0] + rows[i][1] * rows[j][1] +
@@ -161,6 +168,10 @@ void initial_state::set_matrix(const matrix3<rational>& rows) {
   if (determinant(rows) < 0) {
     throw input_error("attitude matrix: its determinant is -1, a reflection; it must be 1");
   }
+}
+
+void initial_state::set_matrix(const matrix3<rational>& rows) {
+  refuse_unless_rotation(rows);
   matrix_ = rows;
   angles_.reset();
 }

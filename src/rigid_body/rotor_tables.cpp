@@ -39,14 +39,39 @@ magnitude product(const ball& x, long n) { return (x * n).magnitude_upper(); }
 
 ball alternating(const ball& x, std::size_t n) { return n % 2 == 0 ? x : -x; }
 
+}  // namespace
+
+jacobi_start jacobi_start_of(const initial_state& state) {
+  const rational& a = state.a();
+  const rational& b = state.b();
+  const rational& c = state.c();
+  const bool oscillating = state.regime() == rotor_regime::oscillating;
+  const auto& [x2, y2, z2] = state.direction_squares();
+  const triple<int>& senses = state.direction_signs();
+  const rational x(x2 * (a + b) / (a - c));
+  const rational z(z2 * (a + b) / (b + c));
+  jacobi_start result;
+  result.sine = senses[1];
+  result.cosine = oscillating ? senses[2] : -senses[0];
+  result.sine2 = oscillating ? rational(y2 * b / (b + c)) : rational(y2 * a / (a - c));
+  result.cosine2 = oscillating ? z : x;
+  result.delta2 = oscillating ? x : z;
+  return result;
+}
+
+/// Of 1 and this.
+ball rotor_tables::counted_agm(const ball& second) {
+  ++work.integrals;
+  return agm(ball(1, second.precision()), second);
+}
+
 /// alpha with sc(alpha | 1-m) = 1/sqrt kappa: s R_F(1, 1 + m s^2, 1 + s^2), s = 1/sqrt kappa (DLMF 22.15.20).
-ball pole(const rational& m, const rational& kappa, precision bits) {
+ball rotor_tables::pole(const rational& m, const rational& kappa, precision bits) {
   const rational square(1 / kappa);
+  ++work.integrals;
   return sqrt(ball(square, bits)) * carlson_rf(ball(1, bits), ball(rational(1 + m * square), bits),
                                                ball(rational(1 + square), bits));
 }
-
-}  // namespace
 
 rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size_t terms)
     : terms_(terms) {
@@ -81,7 +106,7 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   const rational y2(oscillating ? (b + c) / b : (a - c) / a);
   const rational z2((b + c) / sum);
   const ball lambda = sqrt(ball(lambda2, bits));
-  const ball agm1 = forever ? ball(0, bits) : agm(ball(1, bits), sqrt(ball(m1, bits)));
+  const ball agm1 = forever ? ball(0, bits) : counted_agm(sqrt(ball(m1, bits)));
 
   if (2 * m > 1) {
     set_hyperbolic(b, m, m1, kappa, agm1, lambda, bits);
@@ -94,14 +119,14 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   amplitude[2] *= oscillating ? series.of_cn : series.of_dn;
 
   // u_0 = F(am u_0) = sn R_F(cn^2, dn^2, 1) where cn >= 0 (DLMF 19.25.5), and sn(2K - u) = sn u, cn(2K - u) = -cn u.
-  const rational sn2(squares[1] / y2);
-  const rational cn2(oscillating ? squares[2] / z2 : squares[0] / x2);
-  const rational dn2(oscillating ? squares[0] / x2 : squares[2] / z2);
-  const bool back = oscillating ? senses[2] < 0 : senses[0] > 0;
+  const jacobi_start start = jacobi_start_of(state);
+  const bool back = start.cosine < 0;
   const ball per_cycle = forever ? ball(1, bits) : agm1 / pi(bits);  // 1/(2K)
-  ball u0 = sqrt(ball(sn2, bits)) * senses[1];
-  if (senses[1] != 0) {
-    u0 *= carlson_rf(ball(cn2, bits), ball(dn2, bits), ball(1, bits)) * per_cycle;
+  ball u0 = sqrt(ball(start.sine2, bits)) * start.sine;
+  if (start.sine != 0) {
+    ++work.integrals;
+    u0 *=
+        carlson_rf(ball(start.cosine2, bits), ball(start.delta2, bits), ball(1, bits)) * per_cycle;
   }
   rates.cycles = unit * lambda * per_cycle;
   rates.cycles_0 = back ? -u0 : u0;
@@ -115,7 +140,7 @@ void rotor_tables::set_circular(const rational& b, const rational& m, const rati
   series.hyperbolic = false;
   series.scale = pi(bits);
   ball& q = series.nome;
-  q = m == 0 ? ball(0, bits) : exp(-(pi(bits) * agm1 / agm(one, sqrt(ball(m, bits)))));
+  q = m == 0 ? ball(0, bits) : exp(-(pi(bits) * agm1 / counted_agm(sqrt(ball(m, bits)))));
   const std::size_t count = terms_ > 0 ? terms_ : terms_for(q, bits);
   const std::vector<ball> squares = square_powers(q, count);
 
@@ -185,7 +210,7 @@ void rotor_tables::set_hyperbolic(const rational& b, const rational& m, const ra
                                   const rational& kappa, const ball& agm1, const ball& lambda,
                                   precision bits) {
   const ball one(1, bits);
-  const ball agm0 = agm(one, sqrt(ball(m, bits)));  // pi/(2K')
+  const ball agm0 = counted_agm(sqrt(ball(m, bits)));  // pi/(2K')
   series.hyperbolic = true;
   const bool forever = m1 == 0;
   series.scale = forever ? one : pi(bits) * agm0 / agm1;

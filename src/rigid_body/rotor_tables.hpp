@@ -14,6 +14,14 @@ struct rotor_rates {
   long half_turns_0 = 0;
 };
 
+/// Jacobi's functions at time 0, u = u_0: their squares, and the signs of sn and cn. The motion is not steady.
+struct jacobi_start {
+  int sine = 0;
+  int cosine = 0;
+  rational sine2, cosine2, delta2;
+};
+[[nodiscard]] jacobi_start jacobi_start_of(const initial_state& state);
+
 struct rotor_tables {
   /// With so many terms of the series as bits need, or with `terms` >= 2 (where the nome is not 0): what is left out is in the
   /// bounds either way.
@@ -25,12 +33,15 @@ struct rotor_tables {
   triple<ball> amplitude;
   /// |J|.
   ball size;
+  work_count work;
 
  private:
   void set_circular(const rational& b, const rational& m, const rational& kappa, const ball& agm1,
                     const ball& lambda, precision bits);
   void set_hyperbolic(const rational& b, const rational& m, const rational& m1,
                       const rational& kappa, const ball& agm1, const ball& lambda, precision bits);
+  [[nodiscard]] ball counted_agm(const ball& second);
+  [[nodiscard]] ball pole(const rational& m, const rational& kappa, precision bits);
   void set_factors(const std::vector<ball>& odd_powers, const std::vector<ball>& even_powers);
   std::size_t terms_;
   /// The mean of phi' in the formula, in units of |J|/I_y: mu of rotor_series.hpp.

@@ -1,6 +1,7 @@
 #include "polhode/scene/body_file.hpp"
 
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -119,6 +120,11 @@ std::array<rational, 6> tensor_in(const json& value) {
 
 std::string read_text_file(const std::string& path) {
   constexpr std::size_t longest = 4'000'000;
+  std::error_code none;
+  const std::filesystem::file_status what = std::filesystem::status(path, none);
+  if (std::filesystem::is_directory(what)) throw input_error("a directory; it must be a file");
+  if (std::filesystem::exists(what) && !std::filesystem::is_regular_file(what))
+    throw input_error("a pipe, a socket or a device; it must be a regular file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file)
@@ -132,8 +138,15 @@ std::string read_text_file(const std::string& path) {
   return text;
 }
 
-body_file read_body_file(const std::string& path) {
-  const std::string text = read_text_file(path);
+const std::string& text_files::operator[](const std::string& path) {
+  const auto found = read_.find(path);
+  if (found != read_.end()) return found->second;
+  return read_.emplace(path, read_text_file(path)).first->second;
+}
+
+body_file read_body_file(const std::string& path) { return parse_body_file(read_text_file(path)); }
+
+body_file parse_body_file(const std::string& text) {
   exact_reader reader;
   if (!json::sax_parse(text, &reader)) refuse(reader.error);
   if (!reader.result.is_object()) refuse("it is no JSON object");

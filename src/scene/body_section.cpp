@@ -49,11 +49,14 @@ scene_body of_measured(const std::vector<measured_number>& given,
     // Of the values given, and not of the middles of the moments' ranges.
     const auto moment = [&](std::size_t i) { return rational(1 / given[i].value); };
     scene_body result = body_of_moments({moment(0), moment(1), moment(2)});
-    result.ranges.emplace(ranges);
-    result.kind = result.ranges->kind();
+    set_ranges(result, ranges);
     return result;
   }
-  if (uncertain) return body_of_ranges(ranges);
+  if (uncertain) {
+    scene_body result = body_of_moments({ranges[0].value, ranges[1].value, ranges[2].value});
+    set_ranges(result, ranges);
+    return result;
+  }
   return body_of_moments({ranges[0].value, ranges[1].value, ranges[2].value});
 }
 
@@ -79,8 +82,8 @@ std::vector<measured_number> measured(const std::array<rational, Count>& values)
   return result;
 }
 
-scene_body of_json(const std::string& path) {
-  const body_file file = read_body_file(path);
+scene_body of_json(const std::string& text) {
+  const body_file file = parse_body_file(text);
   if (file.ab) return of_ab(*file.ab);
   if (file.tensor) return body_of_tensor(*file.tensor);
   std::optional<std::vector<rational>> sigma;
@@ -89,13 +92,15 @@ scene_body of_json(const std::string& path) {
                       : of_measured(measured(*file.rotational), sigma, true);
 }
 
-scene_body of_file(section& from, const std::filesystem::path& directory) {
+scene_body of_file(section& from, const std::filesystem::path& directory, text_files& files) {
   const std::filesystem::path given = from.text("file");
   const std::string path = (given.is_absolute() ? given : directory / given).string();
   const std::optional<std::string> link = from.optional_text("link");
   if (given.extension() == ".json") {
     if (link) from.refuse("link", "a JSON body has no links");
-    return of_json(path);
+    scene_body result = of_json(files[path]);
+    result.file = path;
+    return result;
   }
   const std::vector<std::string> extensions{".urdf", ".sdf", ".xml", ".mjcf"};
   if (std::find(extensions.begin(), extensions.end(), given.extension().string()) ==
@@ -103,17 +108,12 @@ scene_body of_file(section& from, const std::filesystem::path& directory) {
     throw input_error(detail::quoted(given.string()) +
                       ": it must be a .json, .urdf, .sdf, .xml or .mjcf file");
   }
-  const imported_inertia imported = import_inertia(path, link);
+  const imported_inertia imported = import_inertia(files[path], link);
   scene_body result = body_of_tensor(imported.tensor);
   result.name = imported.name;
   result.has_unit = true;  // all three formats are in kg m^2
+  result.file = path;
   return result;
-}
-
-/// As it is where it is short, else about.
-std::string shown(const rational& q) {
-  constexpr precision longest = 200;
-  return size_in_bits(q) <= longest ? to_text(q) : "about " + to_decimal(ball(q, 64), 6);
 }
 
 std::string violation(const scene_body& of) {
@@ -125,6 +125,11 @@ std::string violation(const scene_body& of) {
 }
 
 }  // namespace
+
+std::string shown(const rational& q) {
+  constexpr precision longest = 200;
+  return size_in_bits(q) <= longest ? to_text(q) : "about " + to_decimal(ball(q, 64).middle(), 6);
+}
 
 std::optional<unit> read_unit(section& from, const std::string& key,
                               const std::vector<unit>& units) {
@@ -140,7 +145,7 @@ std::optional<unit> read_unit(section& from, const std::string& key,
   return std::nullopt;
 }
 
-scene_body read_body(section body, const std::filesystem::path& directory,
+scene_body read_body(section body, const std::filesystem::path& directory, text_files& files,
                      std::vector<std::string>& remarks) {
   static const std::vector<std::string> ways{"moments",    "ab",    "tensor",
                                              "rotational", "solid", "file"};
@@ -202,10 +207,10 @@ scene_body read_body(section body, const std::filesystem::path& directory,
     const composed whole = read_solids(body);
     result = at_key(body, way, [&] { return body_of_tensor(whole.tensor); });
     result.size = whole.size;
+    result.solids = whole.solids;
     result.has_unit = true;
   } else {
-    result = at_key(body, way, [&] { return of_file(body, directory); });
-    result.file = (directory / body.text("file")).string();
+    result = at_key(body, way, [&] { return of_file(body, directory, files); });
   }
   if (name) result.name = *name;
   if (source) result.source = *source;

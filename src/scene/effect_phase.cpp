@@ -1,18 +1,18 @@
 // Effects of a motion c: regime, period, Montgomery phase; and the curves over c.
 
-#include <algorithm>
+#include <optional>
 
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/elliptic/complete.hpp"
+#include "polhode/rigid_body/curve_motions.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "scene/effect_context.hpp"
 
 namespace polhode::detail {
 namespace {
 
-/// What there is to say where nothing is periodic.
 /// Exactly about the intermediate axis, where that is known.
 bool is_on_middle_axis(const effect_context& x) {
   if (x.motion() != regime::separatrix || !x.what.state->momentum) return false;
@@ -21,6 +21,7 @@ bool is_on_middle_axis(const effect_context& x) {
 }
 constexpr const char* middle_axis = "exactly about the intermediate axis: an unstable equilibrium";
 
+/// What there is to say where nothing is periodic.
 void remark_unless_periodic(effect_result& result, const effect_context& x, const char* what) {
   const regime motion = x.motion();
   if (is_on_middle_axis(x)) {
@@ -34,16 +35,28 @@ void remark_unless_periodic(effect_result& result, const effect_context& x, cons
   }
 }
 
-/// The middles of as many equal parts of the range.
-std::vector<rational> motions_of(const effect_context& x) {
-  const rational low = x.what.c_range ? (*x.what.c_range)[0] : rational(-x.rigid().b());
-  const rational high =
-      x.what.c_range ? (*x.what.c_range)[1] : std::min(x.rigid().a(), x.rigid().b());
-  const long points = x.what.points;
-  std::vector<rational> result;
-  result.reserve(static_cast<std::size_t>(points));
-  for (long k = 0; k < points; ++k)
-    result.emplace_back(low + (high - low) * (2 * k + 1) / (2 * points));
+/// A table over the curve's motions; none where one of its numbers is not certified.
+template <class F>
+effect_result curve(const effect_context& x, const std::string& column, const std::string& name,
+                    const F& at) {
+  effect_result result;
+  effect_table table;
+  table.columns = {"c", column};
+  table.digits = x.digits();
+  for (const rational& c : curve_motions(x.rigid(), x.what.c_range, x.what.points)) {
+    const std::optional<certain_number> found = at(c);
+    if (!found) continue;
+    result.work += found->work;
+    if (found->verdict != status::certified) {
+      not_certified(result, name + " at c = " + to_text(c) + " was not certified (" +
+                                to_text(found->why) + ")");
+      return result;
+    }
+    table.first.push_back(c);
+    table.rows.push_back({found->enclosure});
+  }
+  add_exact(result, "points", rational(static_cast<long>(table.rows.size())));
+  result.table = std::move(table);
   return result;
 }
 
@@ -137,46 +150,17 @@ effect_result mean_precession(const effect_context& x) {
 }
 
 effect_result montgomery_curve(const effect_context& x) {
-  effect_result result;
-  effect_table table;
-  table.columns = {"c", "phase"};
-  table.digits = x.digits();
-  for (const rational& c : motions_of(x)) {
-    if (!is_periodic(regime_of(x.rigid(), c))) continue;  // infinite on the separatrix
-    const certain_number phase = montgomery_phase_to_digits(x.rigid(), c, x.digits());
-    result.work += phase.work;
-    if (phase.verdict != status::certified) {
-      not_certified(result, "the phase at c = " + to_text(c) + " was not certified (" +
-                                to_text(phase.why) + ")");
-      return result;
-    }
-    table.first.push_back(c);
-    table.rows.push_back({phase.enclosure});
-  }
-  add_exact(result, "points", rational(static_cast<long>(table.rows.size())));
-  result.table = std::move(table);
-  return result;
+  return curve(x, "phase", "the phase", [&](const rational& c) -> std::optional<certain_number> {
+    if (!is_periodic(regime_of(x.rigid(), c))) return std::nullopt;  // infinite on the separatrix
+    return montgomery_phase_to_digits(x.rigid(), c, x.digits());
+  });
 }
 
 effect_result twist_curve(const effect_context& x) {
-  effect_result result;
-  effect_table table;
-  table.columns = {"c", "epsilon"};
-  table.digits = x.digits();
-  for (const rational& c : motions_of(x)) {
+  return curve(x, "epsilon", "epsilon", [&](const rational& c) -> std::optional<certain_number> {
     const twist t = twist_to_digits(x.rigid(), c, x.digits(), with_slope::no);
-    result.work += t.work;
-    if (t.verdict != status::certified) {
-      not_certified(result,
-                    "epsilon at c = " + to_text(c) + " was not certified (" + to_text(t.why) + ")");
-      return result;
-    }
-    table.first.push_back(c);
-    table.rows.push_back({t.epsilon});
-  }
-  add_exact(result, "points", rational(static_cast<long>(table.rows.size())));
-  result.table = std::move(table);
-  return result;
+    return certain_number{t.verdict, t.why, t.epsilon, t.work};
+  });
 }
 
 }  // namespace polhode::detail

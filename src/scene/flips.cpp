@@ -5,56 +5,21 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
+#include "rigid_body/rotor_tables.hpp"
 #include "scene/motion.hpp"
 
 namespace polhode::detail {
 namespace {
 
-int sign_of(const rational& q) { return (q > 0 ? 1 : 0) - (q < 0 ? 1 : 0); }
-
-/// Where the motion starts. In units of |J| and I_y/|J|, and in principal axes turned by half turns so that J_x < 0 where the body
-/// oscillates, J_z > 0 where it rotates, and both on the separatrix, Euler's equations are solved by
-///
-///   oscillating   J = (-A dn u, B sn u, C cn u),  B^2 = (b+c)/b
-///   rotating      J = (-A cn u, B sn u, C dn u),  B^2 = (a-c)/a
-///   separatrix    J = (-A sech u, tanh u, C sech u)
-///
-/// with u = lambda t + u_0, A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b) (L. D. Landau, E. M. Lifshitz, Mechanics, 37). A half turn about a
-/// principal axis is a symmetry of the equations. J_y is 0 at u = 2K n, and at u = 0 on the separatrix. The squares of sn, cn and dn at
-/// time 0 are rational.
-struct start {
-  int sine = 0;  // the signs
-  int cosine = 0;
-  rational sine2, cosine2, delta2;
-};
-
-start start_of(const effect_context& x) {
-  const rational& a = x.rigid().a();
-  const rational& b = x.rigid().b();
-  const rational& c = x.c();
-  const rational_vector& j = *x.what.state->momentum;
-  const rational_vector squares = direction_squares(x.what);
-  const rational a2((a - c) / (a + b));
-  const rational c2((b + c) / (a + b));
-  start result;
-  if (x.motion() == regime::oscillating) {
-    result.sine = j[0] > 0 ? -sign_of(j[1]) : sign_of(j[1]);  // half a turn about z
-    result.cosine = sign_of(j[2]);
-    result.sine2 = squares[1] * b / (b + c);
-    result.cosine2 = squares[2] / c2;
-    result.delta2 = squares[0] / a2;
-  } else {
-    result.sine = sign_of(j[1]);
-    result.cosine = j[2] < 0 ? sign_of(j[0]) : -sign_of(j[0]);  // half a turn about y
-    result.sine2 = squares[1] * a / (a - c);
-    result.cosine2 = squares[0] / a2;
-    result.delta2 = squares[2] / c2;
-  }
-  return result;
+/// J_y is 0 at u = 2K n, and at u = 0 on the separatrix, in the solution of rotor.hpp: half turns about principal axes, which are
+/// symmetries of the motion, have turned its start there.
+jacobi_start start_of(const effect_context& x) {
+  return jacobi_start_of(initial_state::from_squared_momentum(
+      *x.what.body.moments, direction_squares(x.what), momentum_senses(x.what)));
 }
 
 /// u_0/(2K) where it is a multiple of 1/2.
-std::optional<rational> exact_share(const start& at) {
+std::optional<rational> exact_share(const jacobi_start& at) {
   if (at.sine == 0) return at.cosine < 0 ? rational(1) : rational(0);
   if (at.cosine == 0) return rational(at.sine, 2);
   return std::nullopt;
@@ -62,7 +27,7 @@ std::optional<rational> exact_share(const start& at) {
 
 /// lambda t_0 with t_0 = u_0/lambda, in (-2K, 2K]: F(am u_0 | m) = sn R_F(cn^2, dn^2, 1) for cn >= 0 (DLMF 19.25.5), and 2K less that
 /// of the angle's supplement beyond.
-ball initial_time(const effect_context& x, const start& at, const ball& period) {
+ball initial_time(const effect_context& x, const jacobi_start& at, const ball& period) {
   const precision p = period.precision();
   const rational& a = x.rigid().a();
   const rational& b = x.rigid().b();
@@ -86,10 +51,8 @@ ball natural(const effect_context& x, const rational& time, precision p) {
 }
 
 void separatrix_flip(const effect_context& x, effect_result& result) {
-  const rational_vector& j = *x.what.state->momentum;
   const rational_vector squares = direction_squares(x.what);
-  const int turned = (j[0] < 0 ? 1 : -1) * (j[2] > 0 ? 1 : -1);
-  const int side = turned * sign_of(j[1]);
+  const int side = start_of(x).sine;
   result.remarks.emplace_back("on the separatrix: it turns over once in all time");
   // artanh y = log((1 + y)/sqrt(1 - y^2)), and 1 - y^2 is the sum of the other squares.
   const rational rest(squares[0] + squares[2]);
@@ -144,7 +107,7 @@ effect_result flips(const effect_context& x) {
             : to_text(x.motion()) + ", in which it stays");
     return result;
   }
-  const start at = start_of(x);
+  const jacobi_start at = start_of(x);
   const auto exact = exact_share(at);
   const ball& shared = x.number("period", "natural_period");
   const auto period = [&](precision p) {

@@ -6,7 +6,6 @@
 #include <pugixml.hpp>
 
 #include "arithmetic/quoted.hpp"
-#include "polhode/scene/body_file.hpp"
 #include "scene/inertia.hpp"
 
 namespace polhode::detail {
@@ -133,8 +132,7 @@ class reader : public pugi::xml_tree_walker {
 
 }  // namespace
 
-imported_inertia import_inertia(const std::string& path, const std::optional<std::string>& link) {
-  const std::string text = read_text_file(path);
+imported_inertia import_inertia(const std::string& text, const std::optional<std::string>& link) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
   if (!parsed) {

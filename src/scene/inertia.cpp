@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "polhode/arithmetic/text.hpp"
+#include "rigid_body/moments_text.hpp"
 
 namespace polhode::detail {
 namespace {
@@ -14,10 +14,6 @@ rational dot(const rational_vector& x, const rational_vector& y) {
   return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 rational_vector negative(const rational_vector& x) { return {-x[0], -x[1], -x[2]}; }
-
-std::string listed(const rational_vector& x) {
-  return to_text(x[0]) + ", " + to_text(x[1]) + ", " + to_text(x[2]);
-}
 
 /// Turns z round where the frame is left-handed.
 void make_right_handed(std::array<principal_axis, 3>& axes) {
@@ -60,11 +56,7 @@ rational_vector eigenvector(const tensor_entries& t, const rational& value) {
 }  // namespace
 
 scene_body body_of_moments(const rational_vector& given) {
-  for (const rational& moment : given) {
-    if (moment > 0) continue;
-    throw input_error("moments of inertia " + listed(given) + ": " + to_text(moment) +
-                      " is not positive; all three must be");
-  }
+  refuse_unless_positive(given);
   std::array<std::size_t, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return given[i] > given[j]; });
@@ -101,11 +93,15 @@ scene_body body_of_tensor(const tensor_entries& given) {
   return sorted_body(moments, axes);
 }
 
-scene_body body_of_ranges(const std::array<uncertain_moment, 3>& given) {
-  scene_body result = body_of_moments({given[0].value, given[1].value, given[2].value});
-  result.ranges.emplace(given);
-  result.kind = result.ranges->kind();
-  return result;
+void set_ranges(scene_body& of, const std::array<uncertain_moment, 3>& given) {
+  of.ranges.emplace(given);
+  of.kind = of.ranges->kind();
+  // Those of principal moments are along the axes.
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (of.axes[i].direction[k] != 0) of.uncertainties[i] = given[k];
+    }
+  }
 }
 
 }  // namespace polhode::detail

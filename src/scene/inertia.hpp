@@ -16,29 +16,33 @@ using tensor_entries = std::array<rational, 6>;
 /// The same of principal moments about the given axes.
 [[nodiscard]] scene_body body_of_moments(const rational_vector& given);
 
-/// The same with uncertainties.
-[[nodiscard]] scene_body body_of_ranges(const std::array<uncertain_moment, 3>& given);
+/// Gives a body of principal moments their ranges, in the order in which they were given.
+void set_ranges(scene_body& of, const std::array<uncertain_moment, 3>& given);
 
 /// The inertia about its centre of mass of a body composed of solids; the tables [[body.solid]].
 struct composed {
   tensor_entries tensor;
   pi_scale size;  // in kg m^2
+  std::vector<body_solid> solids;
 };
 [[nodiscard]] composed read_solids(section& body);
 
-/// A body from a URDF, SDF or MuJoCo file; `link` chooses where there are several. Throws input_error.
+/// A body from the text of a URDF, SDF or MuJoCo file; `link` chooses where there are several. Throws input_error.
 struct imported_inertia {
   std::string name;
   tensor_entries tensor;
 };
-[[nodiscard]] imported_inertia import_inertia(const std::string& path,
+[[nodiscard]] imported_inertia import_inertia(const std::string& text,
                                               const std::optional<std::string>& link);
 
 /// [body]
 [[nodiscard]] scene_body read_body(section body, const std::filesystem::path& directory,
-                                   std::vector<std::string>& remarks);
+                                   text_files& files, std::vector<std::string>& remarks);
 /// [state]
 [[nodiscard]] scene_state read_state(section from, const scene_body& of, scene& whole);
+
+/// For a message: as it is where it is short, else about.
+[[nodiscard]] std::string shown(const rational& q);
 
 /// The unit under this key, one of those; input_error with the nearest one.
 [[nodiscard]] std::optional<unit> read_unit(section& from, const std::string& key,

@@ -91,6 +91,7 @@ initial_state state_of(const scene& what) {
 matrix3<ball> attitude_at_0(const scene& what, initial_state any, precision p) {
   const scene_state& state = *what.state;
   if (state.quaternion) any.set_quaternion(*state.quaternion);
+  if (state.matrix) any.set_matrix(*state.matrix);
   if (state.euler) any.set_euler_angles(*state.euler, state.euler_unit);
   return any.attitude(p);
 }
@@ -179,9 +180,10 @@ effect_table table_of(const effect_context& x, std::vector<std::string> columns,
 
 /// J/|J| and omega in the given frame, omega in rad per unit of the scene's time.
 template <class T>
-effect_table momentum_table(const effect_context& x, precision p) {
+effect_table momentum_table(const effect_context& x, precision p, work_count& work) {
   const motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
+  work += turning.work();
   const auto frame = numbers_of<T>(frame_of(x.what.body), p);
   const T unit = number_of<T>(path.unit().at(p), p);
   const T size = number_of<T>(sqrt(ball(path.state().squared_momentum(), p)), p);
@@ -211,9 +213,10 @@ effect_table momentum_table(const effect_context& x, precision p) {
 
 /// The quaternion that takes the given frame to space, and the unwrapped angle phi about J.
 template <class T>
-effect_table attitude_table(const effect_context& x, precision p) {
+effect_table attitude_table(const effect_context& x, precision p, work_count& work) {
   const motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
+  work += turning.work();
   const auto frame = numbers_of<T>(frame_of(x.what.body), p);
   const auto start = numbers_of<T>(attitude_at_0(x.what, path.state(), p), p);
   // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
@@ -239,7 +242,8 @@ constexpr const char* by_double = "in double, as the scene asks: some 15 digits,
 
 precision bits_of(const effect_context& x) { return bits_for_digits(x.working_digits()) + 16; }
 
-/// Makes a table not certified in which a number's radius is more than 10^-digits of its own size or of its column's scale.
+}  // namespace
+
 void check_rows(effect_result& result, const std::vector<magnitude>& scales) {
   const effect_table& table = *result.table;
   if (!table.certified) return;
@@ -258,8 +262,6 @@ void check_rows(effect_result& result, const std::vector<magnitude>& scales) {
   }
 }
 
-}  // namespace
-
 rational_vector direction_squares(const scene& what) {
   rational_vector squares;
   rational sum = 0;
@@ -272,10 +274,16 @@ rational_vector direction_squares(const scene& what) {
   return squares;
 }
 
+std::array<int, 3> momentum_senses(const scene& what) {
+  std::array<int, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = (*what.state->momentum)[i].sign();
+  return result;
+}
+
 effect_result momentum(const effect_context& x) {
   effect_result result;
-  result.table =
-      x.what.in_double ? momentum_table<double>(x, 53) : momentum_table<ball>(x, bits_of(x));
+  result.table = x.what.in_double ? momentum_table<double>(x, 53, result.work)
+                                  : momentum_table<ball>(x, bits_of(x), result.work);
   if (x.what.in_double) not_certified(result, by_double);
   add_exact(result, "samples", rational(x.what.time->samples));
   // |omega| <= |J|/I_z.
@@ -291,8 +299,8 @@ effect_result momentum(const effect_context& x) {
 
 effect_result attitude(const effect_context& x) {
   effect_result result;
-  result.table =
-      x.what.in_double ? attitude_table<double>(x, 53) : attitude_table<ball>(x, bits_of(x));
+  result.table = x.what.in_double ? attitude_table<double>(x, 53, result.work)
+                                  : attitude_table<ball>(x, bits_of(x), result.work);
   if (x.what.in_double) not_certified(result, by_double);
   add_exact(result, "samples", rational(x.what.time->samples));
   const magnitude one = magnitude::from_integer_up(1);
@@ -303,8 +311,8 @@ effect_result attitude(const effect_context& x) {
   return result;
 }
 
-void audit_motion(const effect_context& x, precision p,
-                  const std::function<void(const std::string&, const ball&)>& expect_zero) {
+work_count audit_motion(const effect_context& x, precision p,
+                        const std::function<void(const std::string&, const ball&)>& expect_zero) {
   const initial_state start = state_of(x.what);
   const rotor<ball> turning(start, p);
   const rotor_sample<ball> begin = turning.sample(rational(0));
@@ -337,6 +345,7 @@ void audit_motion(const effect_context& x, precision p,
   expect_zero("energy", *energy);
   expect_zero("squared_momentum", *momentum);
   expect_zero("momentum_in_space", *direction);
+  return turning.work();
 }
 
 }  // namespace polhode::detail

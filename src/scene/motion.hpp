@@ -10,9 +10,16 @@ namespace polhode::detail {
 
 /// J_x^2, J_y^2, J_z^2 over J^2.
 [[nodiscard]] rational_vector direction_squares(const scene& what);
+/// Makes a result not certified, and says where, in whose table a number's radius is more than 10^-digits of its own size or of its
+/// column's scale; `scales` are those of the columns from the second on. Tables of doubles are passed over.
+void check_rows(effect_result& result, const std::vector<magnitude>& scales);
 
-/// Calls back with what is conserved, less its value at time 0, at about 1, 10 and 100 I_y/J, computed with p bits.
-void audit_motion(const effect_context& x, precision p,
-                  const std::function<void(const std::string&, const ball&)>& expect_zero);
+/// The signs -1, 0, 1 of J_x, J_y, J_z.
+[[nodiscard]] std::array<int, 3> momentum_senses(const scene& what);
+
+/// The work done. Calls back with what is conserved, less its value at time 0, at about 1, 10 and 100 I_y/J, computed with p bits.
+[[nodiscard]] work_count audit_motion(
+    const effect_context& x, precision p,
+    const std::function<void(const std::string&, const ball&)>& expect_zero);
 
 }  // namespace polhode::detail

@@ -30,53 +30,6 @@ unit unit_named(const std::vector<unit>& units, const std::string& name) {
                        [&](const unit& one) { return one.name == name; });
 }
 
-/// A rotation's quaternion (w, x, y, z), up to a factor, from its matrix: column i is where axis i goes. One of the four numbers
-/// 4w^2, 4x^2, 4y^2, 4z^2 below is at least 1, as they add to 4; the products of it with the others are linear in the entries
-/// (S. W. Shepperd, J. Guidance and Control 1, 1978).
-std::array<rational, 4> quaternion_of(const std::vector<std::vector<rational>>& m) {
-  const std::array<rational, 4> squares{
-      1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
-      1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2]};
-  const auto greatest =
-      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
-  const rational wx(m[2][1] - m[1][2]);
-  const rational wy(m[0][2] - m[2][0]);
-  const rational wz(m[1][0] - m[0][1]);
-  const rational xy(m[1][0] + m[0][1]);
-  const rational xz(m[0][2] + m[2][0]);
-  const rational yz(m[2][1] + m[1][2]);
-  switch (greatest) {
-    case 0:
-      return {squares[0], wx, wy, wz};
-    case 1:
-      return {wx, squares[1], xy, xz};
-    case 2:
-      return {wy, xy, squares[2], yz};
-    default:
-      return {wz, xz, yz, squares[3]};
-  }
-}
-
-void refuse_unless_rotation(section& from, const std::vector<std::vector<rational>>& m) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = i; k < 3; ++k) {
-      const rational product(m[0][i] * m[0][k] + m[1][i] * m[1][k] + m[2][i] * m[2][k]);
-      if (product == (i == k ? 1 : 0)) continue;
-      from.refuse(
-          "matrix",
-          "its columns are not orthonormal: columns " + std::to_string(i + 1) + " and " +
-              std::to_string(k + 1) + " have the product " + to_text(product) +
-              " in the place of " + (i == k ? "1" : "0") +
-              "; it must be exact (3/5, 4/5), or give a quaternion, which is normalised exactly");
-    }
-  }
-  const rational determinant(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                             m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
-  if (determinant < 0)
-    from.refuse("matrix", "it is a reflection, of determinant -1; a rotation has 1");
-}
-
 void read_attitude(section& from, scene_state& result) {
   const int given = int{from.has("quaternion")} + int{from.has("matrix")} + int{from.has("euler")};
   if (given > 1) from.refuse("the attitude is given twice; give one of quaternion, matrix, euler");
@@ -88,9 +41,15 @@ void read_attitude(section& from, scene_state& result) {
     result.quaternion = {q[0], q[1], q[2], q[3]};
   }
   if (from.find("matrix")) {
-    const auto m = from.matrix("matrix", 3);
-    refuse_unless_rotation(from, m);
-    result.quaternion = quaternion_of(m);
+    const auto entries = from.matrix("matrix", 3);
+    matrix3<rational> rows;
+    for (std::size_t i = 0; i < 3; ++i) rows[i] = {entries[i][0], entries[i][1], entries[i][2]};
+    try {
+      refuse_unless_rotation(rows);
+    } catch (const input_error& error) {
+      from.refuse("matrix", error.what());
+    }
+    result.matrix = rows;
   }
   const bool has_unit = from.find("euler_unit") != nullptr;
   if (!from.find("euler")) {
@@ -130,7 +89,7 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
   }
   if (by_c) {
     if (has_unit) from.refuse("unit", "c has no unit: contradictory");
-    if (result.quaternion || result.euler)
+    if (result.quaternion || result.matrix || result.euler)
       from.refuse("an attitude goes with omega or momentum, which tell where the body starts");
     if (!of.rigid) from.refuse("c", "c needs a body with three different rational moments");
     result.c = from.number("c");
@@ -331,7 +290,7 @@ void read_effects(section from, scene& result) {
 }
 
 scene read_sections(const std::string& text, const std::filesystem::path& directory,
-                    replacements& replaced) {
+                    replacements& replaced, text_files& files) {
   const document_value document = parse_document(text);
   section root(document, "", replaced);
   scene result;
@@ -352,11 +311,11 @@ scene read_sections(const std::string& text, const std::filesystem::path& direct
   result.digits = root.count("digits", result.digits, 1, most_scene_digits);
   if (!root.has("body")) root.refuse("there is no [body]");
   if (!root.has("effects")) root.refuse("there are no [effects]; give want = [\"period\"]");
-  result.body = read_body(root.table("body"), directory, result.remarks);
+  result.body = read_body(root.table("body"), directory, files, result.remarks);
   if (result.in_double && result.body.moments) {
     for (const rational& moment : *result.body.moments) {
       if (std::isnormal(static_cast<double>(moment))) continue;
-      root.refuse("precision", "in double " + to_text(moment) +
+      root.refuse("precision", "in double " + detail::shown(moment) +
                                    " has no room; give moments in another unit, or digits = 15");
     }
   }
@@ -373,8 +332,14 @@ scene read_sections(const std::string& text, const std::filesystem::path& direct
 
 scene read_scene(const std::string& text, const std::filesystem::path& directory,
                  const std::map<std::string, rational>& replaced) {
+  text_files files;
+  return read_scene(text, directory, replaced, files);
+}
+
+scene read_scene(const std::string& text, const std::filesystem::path& directory,
+                 const std::map<std::string, rational>& replaced, text_files& files) {
   replacements in_place{replaced, {}};
-  return read_sections(text, directory, in_place);
+  return read_sections(text, directory, in_place, files);
 }
 
 }  // namespace polhode

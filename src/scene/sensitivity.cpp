@@ -191,7 +191,7 @@ effect_result audit(const effect_context& x) {
       broken = broken || (difference.is_bounded() && !contains_zero(difference));
     };
     const precision p = bits_for_digits(x.working_digits()) + guard;
-    audit_motion(x, p, expect_zero);
+    result.work += audit_motion(x, p, expect_zero);
     if (is_periodic(x.motion())) {
       expect_zero("phase_slope", difference_of_slopes(x.rigid(), x.c(), p));
       result.work.integrals += 5;

@@ -13,6 +13,7 @@ struct solid {
   pi_scale mass;
   rational_vector square;
   rational_vector position;
+  body_solid drawn;
   const document_value* at = nullptr;
   std::string path;
 };
@@ -51,12 +52,14 @@ solid read_solid(section from, const solid_units& units) {
   const std::string shape = from.text("shape");
   refuse_unless_known(from.at("shape"), from.path_of("shape"), shape, shapes, "the shape");
   solid result;
+  result.drawn.shape = shape;
   pi_scale volume;
   // The mean squares of the coordinates, x^2: the moment about x is m (y^2 + z^2).
   rational_vector mean;
   if (shape == "box") {  // side^2/12
     const rational_vector sides = positive_vector(from, "size");
     for (std::size_t i = 0; i < 3; ++i) mean[i] = sides[i] * sides[i] / 12;
+    for (std::size_t i = 0; i < 3; ++i) result.drawn.half[i] = sides[i] / 2;
     volume.factor = sides[0] * sides[1] * sides[2];
   } else if (shape == "cylinder") {  // r^2/4 across, h^2/12 along
     const std::size_t axis = read_axis(from);
@@ -65,14 +68,19 @@ solid read_solid(section from, const solid_units& units) {
     for (std::size_t i = 0; i < 3; ++i)
       mean[i] = i == axis ? rational(height * height / 12) : rational(radius * radius / 4);
     volume = {radius * radius * height, 1};
+    result.drawn.axis = axis;
+    for (std::size_t i = 0; i < 3; ++i)
+      result.drawn.half[i] = i == axis ? rational(height / 2) : radius;
   } else {  // a^2/5
     const rational_vector axes = positive_vector(from, "semi_axes");
     for (std::size_t i = 0; i < 3; ++i) mean[i] = axes[i] * axes[i] / 5;
     volume = {axes[0] * axes[1] * axes[2] * 4 / 3, 1};
+    result.drawn.half = axes;
   }
   const rational area = units.length * units.length;
   for (std::size_t i = 0; i < 3; ++i)
     result.square[i] = (mean[(i + 1) % 3] + mean[(i + 2) % 3]) * area;
+  for (rational& one : result.drawn.half) one *= units.length;
   volume.factor *= area * units.length;
   if (from.has("mass") == from.has("density")) {
     from.refuse(from.has("mass") ? "it has a mass and a density; give one"
@@ -129,6 +137,7 @@ composed read_solids(section& body) {
   composed result;
   result.size.power = power;
   result.tensor = {0, 0, 0, 0, 0, 0};
+  result.solids.reserve(solids.size());
   for (const solid& s : solids) {
     rational_vector r;
     for (std::size_t i = 0; i < 3; ++i) r[i] = s.position[i] - centre[i];
@@ -139,6 +148,8 @@ composed read_solids(section& body) {
     result.tensor[3] -= m * r[0] * r[1];
     result.tensor[4] -= m * r[0] * r[2];
     result.tensor[5] -= m * r[1] * r[2];
+    result.solids.push_back(s.drawn);
+    result.solids.back().position = r;
   }
   return result;
 }

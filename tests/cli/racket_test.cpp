@@ -154,6 +154,19 @@ TEST(TableCommand, JsonAndCpp) {
   EXPECT_NE(cpp.find("\"0.025528\"},"), std::string::npos) << cpp;
 }
 
+TEST(TableCommand, RefusesWhatNoDoubleHolds) {
+  expect_refused({"table", "c0", "--ab", "1e400,1e-3", "--format", "cpp"},
+                 {"a = 1e400", "range of a double", "json"});
+  expect_refused({"table", "epsilon0", "--ab", "1,1e-400", "--format", "cpp"}, {"b = 1e-400"});
+  expect_refused({"table", "epsilon", "--ab", "2,1/4", "--c", "1e-320", "--format", "cpp"},
+                 {"c = 1e-320"});
+  expect_refused({"table", "epsilon0", "--ab", "1e308,1e-300", "--format", "cpp"},
+                 {"epsilon0 = 3.4473"});
+  // What it does hold: great numbers, and 0.
+  (void)certified({"table", "epsilon0", "--ab", "1e30,1e-30", "--format", "cpp"});
+  (void)certified({"table", "epsilon", "--ab", "2,1/4", "--c", "0", "--format", "cpp"});
+}
+
 TEST(TableCommand, RefusesBadInput) {
   expect_refused({"table"}, {"no quantity", "epsilon0"});
   expect_refused({"table", "fase", "--ab", "2,1/4"}, {"nearest is phase"});

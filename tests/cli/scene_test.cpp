@@ -1,5 +1,7 @@
 // polhode scene: files in, certified files out, and nothing left behind by what is refused.
 
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -38,6 +40,29 @@ TEST(SceneCommand, JsonHasEnclosuresAndWork) {
   EXPECT_EQ(effects.at("period").at("work").at("integrals"), 1);
   EXPECT_EQ(effects.at("momentum").at("table").at("rows").size(), 5U);
   EXPECT_EQ(effects.at("momentum").at("table").at("rows")[1].at("t").at("rational"), "5");
+}
+
+TEST(SceneCommand, JsonHasTheUncertainties) {
+  const scratch_directory directory;
+  write(directory.path("u.toml"),
+        "[body]\nmoments = [\"2 ± 0.25\", 3, \"1 +- 1/8\"]\n[effects]\nwant = [\"planarity\"]\n");
+  const outcome result = run({"scene", directory.path("u.toml"), "--format", "json"});
+  EXPECT_EQ(result.status, 1);  // undecided
+  const json body = json::parse(result.out).at("body");
+  EXPECT_EQ(body.at("moments").at("y").at("rational"), "2");
+  EXPECT_EQ(body.at("sigma").at("x").at("rational"), "0");
+  EXPECT_EQ(body.at("sigma").at("y").at("rational"), "1/4");
+  EXPECT_EQ(body.at("sigma").at("z").at("rational"), "1/8");
+  EXPECT_EQ(body.at("ranges").at("z").at("from").at("rational"), "7/8");
+  EXPECT_EQ(body.at("ranges").at("z").at("to").at("rational"), "9/8");
+  // Of rotational constants: the moment of 1/(4 ± 1) is from 1/5 to 1/3.
+  write(directory.path("r.toml"),
+        "[body]\nrotational = [2, \"4 ± 1\", 8]\n[effects]\nwant = [\"planarity\"]\n");
+  const json molecule =
+      json::parse(run({"scene", directory.path("r.toml"), "--format", "json"}).out).at("body");
+  EXPECT_EQ(molecule.at("moments").at("y").at("rational"), "1/4");
+  EXPECT_EQ(molecule.at("ranges").at("y").at("from").at("rational"), "1/5");
+  EXPECT_EQ(molecule.at("ranges").at("y").at("to").at("rational"), "1/3");
 }
 
 TEST(SceneCommand, TextFitsATerminal) {
@@ -139,51 +164,141 @@ TEST(SceneCommand, RefusesBadInputAndLeavesNothing) {
           {"does not turn"});
   expect_refused({"scene"}, {"no scene"});
   expect_refused({"scene", directory.path("none.toml")}, {"No such file"});
-  expect_refused({"scene", directory.path("")}, {"polhode"});
+  expect_refused({"scene", directory.path("")}, {"directory"});
+  ASSERT_EQ(mkfifo(directory.path("pipe").c_str(), 0600), 0);
+  expect_refused({"scene", directory.path("pipe")}, {"regular file"});
   expect_refused({"scene", directory.path("good.toml"), "--format", "xml"}, {"--format"});
   expect_refused({"scene", directory.path("good.toml"), directory.path("good.toml"), "--out", out},
                  {"same files"});
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(SceneCommand, PageNeedsNothingElse) {
-  const scratch_directory directory;
-  write(directory.path("r.toml"), "title = \"</script><b>x\"\n" + racket);
-  (void)certified({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--page"});
-  const std::string page = contents(directory.path("out/r.html"));
-  for (const char* outside : {"http:", "https:", " src=", "@import", "fetch("})
-    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
-  const std::string opening = "<script id=\"data\" type=\"application/json\">";
-  const std::size_t begin = page.find(opening) + opening.size();
-  const json data = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
-  EXPECT_EQ(data.at("title"), "</script><b>x");
-  EXPECT_EQ(data.at("omega").size(), 5U);
+constexpr bool have_pages = POLHODE_HAVE_PAGES != 0;
+constexpr const char* without_pages = "built without pages";
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t from = text.find(begin) + begin.size();
+  return text.substr(from, text.find(end, from) - from);
 }
 
-// In a headless browser, where there is one: it draws, scrubs, plays, and has no error.
+TEST(SceneCommand, PageNeedsNothingElse) {
+  if (!have_pages) GTEST_SKIP() << without_pages;
+  const scratch_directory directory;
+  const std::string hostile = "</script><!-- <b onclick='x()'>%DATA%\u2028 & \\\" @x@";
+  write(directory.path("r.toml"),
+        "title = \"" + hostile + "\"\nsource = \"" + hostile + "\"\n" + racket);
+  (void)certified({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--page"});
+  const std::string page = contents(directory.path("out/r.html"));
+  // The policy forbids the page to load anything, and to run any script but its own.
+  const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+  EXPECT_EQ(policy.rfind("default-src 'none'; script-src 'sha256-", 0), 0U) << policy;
+  EXPECT_EQ(policy.find("unsafe"), std::string::npos) << policy;
+  // Nothing of the title has come to stand outside of its text.
+  std::size_t scripts = 0;
+  for (std::size_t at = page.find("</script"); at != std::string::npos;
+       at = page.find("</script", at + 1)) {
+    ++scripts;
+  }
+  EXPECT_EQ(scripts, 2U);
+  EXPECT_EQ(page.find("<!--"), std::string::npos);
+  EXPECT_EQ(page.find("<b onclick"), std::string::npos);
+  const json data = json::parse(between(page, "<script id=\"data\" type=\"application/json\">",  //
+                                        "</script>"));
+  EXPECT_EQ(data.at("title"), "</script><!-- <b onclick='x()'>%DATA%\u2028 & \" @x@");
+  EXPECT_EQ(data.at("omega").size(), 5U);
+  EXPECT_EQ(data.at("stride"), 1);
+  // What the licence of three.js asks for.
+  EXPECT_NE(page.find("three.js authors"), std::string::npos);
+  EXPECT_NE(page.find("Permission is hereby granted"), std::string::npos);
+  // A page is asked for again where it is gone.
+  std::filesystem::remove(directory.path("out/r.html"));
+  const std::string again =
+      certified({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--page"});
+  EXPECT_NE(again.find("1 computed, 0 kept"), std::string::npos) << again;
+  EXPECT_EQ(contents(directory.path("out/r.html")), page);
+}
+
+TEST(SceneCommand, PageHasTheSolidsAndNotTooManySamples) {
+  if (!have_pages) GTEST_SKIP() << without_pages;
+  const scratch_directory directory;
+  write(directory.path("s.toml"),
+        "precision = \"double\"\n[[body.solid]]\nshape = \"box\"\nsize = [2, 4, 6]\nmass = 1\n"
+        "[[body.solid]]\nshape = \"cylinder\"\naxis = \"x\"\nradius = 1\nheight = 4\nmass = 1\n"
+        "position = [0, 0, 4]\n[state]\nomega = [1, 0, 2]\nunit = \"rad/s\"\n"
+        "[time]\nto = 5\nsamples = 50001\n[effects]\nwant = [\"attitude\"]\n");
+  EXPECT_EQ(
+      run({"scene", directory.path("s.toml"), "--out", directory.path("out"), "--page"}).status,
+      1);  // in double nothing is certified
+  const json data =
+      json::parse(between(contents(directory.path("out/s.html")),
+                          "<script id=\"data\" type=\"application/json\">", "</script>"));
+  EXPECT_EQ(data.at("stride"), 3);
+  EXPECT_EQ(data.at("t").size(), 16667U);
+  EXPECT_EQ(data.at("q").size(), 16667U);
+  const json& solids = data.at("solids");
+  ASSERT_EQ(solids.size(), 2U);
+  // The centre of mass is at z = 2: the box reaches from -5 to 1.
+  EXPECT_EQ(solids[0].at("half"), json({0.2, 0.4, 0.6}));
+  EXPECT_EQ(solids[0].at("position"), json({0.0, 0.0, -0.4}));
+  EXPECT_EQ(solids[1].at("half"), json({0.4, 0.2, 0.2}));
+  EXPECT_EQ(solids[1].at("position"), json({0.0, 0.0, 0.4}));
+  EXPECT_EQ(solids[1].at("axis"), 0);
+}
+
+TEST(SceneCommand, WithoutPagesSaysSo) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), racket);
+  std::vector<std::string> command{POLHODE_WITHOUT_PAGES_PATH, "scene", directory.path("r.toml"),
+                                   "--out", directory.path("out")};
+  EXPECT_EQ(run_command(command).status, 0);
+  std::filesystem::remove_all(directory.path("out"));
+  command.emplace_back("--page");
+  const outcome refused = run_command(command);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_TRUE(refused.out.empty());
+  for (const char* word : {"built without pages", "nodejs", "npm", "leave out --page"})
+    EXPECT_NE(refused.err.find(word), std::string::npos) << refused.err;
+  EXPECT_EQ(lines_of(refused.err).size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(directory.path("out")));
+}
+
+// In a headless browser, where there is one: it draws, scrubs, plays, heeds the keys, and has no error.
 TEST(SceneCommand, PageRunsInABrowser) {
+  if (!have_pages) GTEST_SKIP() << without_pages;
   if (sanitized || run_script("command -v chromium >&2").status != 0) GTEST_SKIP() << "no chromium";
   const scratch_directory directory;
-  ASSERT_EQ(
-      run({"scene", scenes + "/toutatis.toml", "--out", directory.path("out"), "--page"}).status,
-      0);
-  const auto shown_by_browser = [&] {
-    return run_script(
-        "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
-        "--enable-unsafe-swiftshader "
-        "--window-size=800,600 --virtual-time-budget=5000 --dump-dom "
-        "file://$PWD/out/toutatis.html#check",
-        directory.path(""));
-  };
-  // A browser that a busy machine starves may not come to draw at all: then it is asked again.
-  outcome shown = shown_by_browser();
-  for (int again = 0; again < 2 && shown.out.find("data-drawn") == std::string::npos; ++again) {
-    shown = shown_by_browser();
-  }
-  for (const char* word : {"data-errors=\"0\"", "data-drawn=\"yes\"", "data-scrubbed=\"yes\"",
-                           "data-played=\"yes\"", "data-gl=\"0\""}) {
-    EXPECT_NE(shown.out.find(word), std::string::npos)
-        << word << " in " << shown.out.substr(0, 400) << shown.err;
+  // Solids with attitude, momentum and curves; the momentum alone, with a hostile title.
+  write(directory.path("hostile.toml"),
+        "title = \"</script><script>document.documentElement.dataset.hostile = 1</script>\"\n" +
+            racket);
+  ASSERT_EQ(run({"scene", scenes + "/skateboard.toml", directory.path("hostile.toml"), "--out",
+                 directory.path("out"), "--page"})
+                .status,
+            0);
+  for (const std::string name : {"skateboard", "hostile"}) {
+    const auto shown_by_browser = [&] {
+      return run_script(
+          "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
+          "--enable-unsafe-swiftshader "
+          "--window-size=800,600 --virtual-time-budget=20000 --dump-dom "
+          "file://$PWD/out/" +
+              name + ".html#check",
+          directory.path(""));
+    };
+    // A browser that a busy machine starves may not come to draw at all, or only once: then it is asked again.
+    outcome shown = shown_by_browser();
+    const std::string last = "data-played=\"yes\"";
+    for (int again = 0; again < 2 && shown.out.find(last) == std::string::npos; ++again) {
+      shown = shown_by_browser();
+    }
+    const std::string attributes = between(shown.out, "<html", ">");
+    for (const char* word :
+         {"data-errors=\"0\"", "data-drawn=\"yes\"", "data-scrubbed=\"yes\"", "data-keys=\"yes\"",
+          "data-choices=\"yes\"", "data-played=\"yes\"", "data-gl=\"0\""}) {
+      EXPECT_NE(attributes.find(word), std::string::npos)
+          << name << ": " << word << " in " << attributes << shown.err;
+    }
+    EXPECT_EQ(attributes.find("hostile"), std::string::npos) << attributes;
   }
 }
 

@@ -662,6 +662,48 @@ TEST(Rotor, AttitudesGivenInThreeWays) {
                                     rotation(z, ball(3, 150)))));
 }
 
+TEST(Rotor, StateBySquaresIsThatByComponents) {
+  const triple<rational> moments{2, 3, 1};
+  for (const triple<rational>& j : {triple<rational>{1, -2, 3}, triple<rational>{-5, 2, 0},
+                                    triple<rational>{0, -1, 0}, triple<rational>{-1, 1, -9}}) {
+    const initial_state known = initial_state::from_momentum(moments, j);
+    triple<rational> squares;
+    triple<int> senses{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      squares[i] = j[i] * j[i];
+      senses[i] = j[i].sign();
+    }
+    const initial_state by_squares = initial_state::from_squared_momentum(moments, squares, senses);
+    EXPECT_EQ(by_squares.c(), known.c());
+    EXPECT_EQ(by_squares.regime(), known.regime());
+    EXPECT_EQ(by_squares.squared_momentum(), known.squared_momentum());
+    EXPECT_EQ(by_squares.direction_squares(), known.direction_squares());
+    EXPECT_EQ(by_squares.direction_signs(), known.direction_signs());
+  }
+  // sqrt 2 along the second axis: no rational has it.
+  EXPECT_EQ(initial_state::from_squared_momentum(moments, {0, 2, 1}, {0, 1, -1}).c(),
+            2 * (rational(2, 3) + 1) / 3 - 1);
+  const auto refused = [&](const triple<rational>& squares, const triple<int>& senses) {
+    EXPECT_THROW((void)initial_state::from_squared_momentum(moments, squares, senses), input_error);
+  };
+  refused({0, 0, 0}, {0, 0, 0});
+  refused({1, -4, 0}, {1, 1, 0});
+  refused({1, 4, 0}, {1, 0, 0});
+  refused({1, 4, 0}, {1, -1, 1});
+  refused({1, 4, 0}, {1, 2, 0});
+}
+
+TEST(Rotor, CountsWhatItIntegrates) {
+  // 2K, the other period, the pole and the start, each at two precisions; no start where J_y is 0.
+  EXPECT_EQ(rotor<ball>(initial_state::from_momentum({3, 2, 1}, {1, 2, 3}), 100).work().integrals,
+            8);
+  EXPECT_EQ(rotor<ball>(initial_state::from_momentum({3, 2, 1}, {1, 0, 3}), 100).work().integrals,
+            6);
+  EXPECT_EQ(rotor<double>(initial_state::from_momentum({3, 2, 1}, {1, 0, 3})).work().integrals, 6);
+  EXPECT_EQ(rotor<ball>(initial_state::from_momentum({3, 2, 1}, {0, 0, 3}), 100).work(),
+            work_count{});
+}
+
 TEST(Rotor, ManyThreadsMayAskOne) {
   const rotor<ball> r(initial_state::from_momentum({3, 2, 1}, {1, 2, 3}), 100);
   const auto expected = to_exact_text(r.attitude(rational(17, 3)).matrix[1][2]);

@@ -14,6 +14,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "polhode/rigid_body/rotor.hpp"
+#include "scene/motion.hpp"
 
 namespace polhode {
 namespace {
@@ -84,7 +85,52 @@ TEST(EffectGraph, CountsAreThoseOfTheWork) {
   EXPECT_GT(report.find("period")->work.agm_steps, 3);
   EXPECT_EQ(report.find("montgomery_phase")->work.integrals, 1);
   EXPECT_GT(report.find("tennis_racket")->work.newton_steps, 3);
-  EXPECT_EQ(report.find("momentum")->work, work_count{});
+  // Of a series in time: the mean for 2K, the one for the other period, the pole and the start, each at two precisions, whatever the
+  // number of samples; the audit has the same at its own.
+  EXPECT_EQ(report.find("momentum")->work, (work_count{8, 0, 0}));
+  const std::string more = racket + "[effects]\nwant = [\"attitude\"]\n";
+  scene many = read_scene(more, ".");
+  many.time->samples = 1000;
+  EXPECT_EQ(compute(many).find("attitude")->work, (work_count{8, 0, 0}));
+  // Nothing is integrated where the motion is steady.
+  const std::string steady =
+      "[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0, 1, 0]\n[time]\nto = 20\nsamples = 5\n";
+  EXPECT_EQ(report_of(steady, {"attitude"}).find("attitude")->work, work_count{});
+}
+
+// No input is known that makes a series so wide: the rotor computes again with more bits.
+TEST(Effects, ATooWideSampleIsNotCertified) {
+  const auto table_with = [](const ball& x) {
+    effect_result result;
+    effect_table table;
+    table.columns = {"t", "j", "omega"};
+    table.digits = 20;
+    table.first = {0, 1};
+    table.rows = {{ball(1, 100), ball(1, 100)}, {ball(0, 100), x}};
+    result.table = table;
+    return result;
+  };
+  const std::vector<magnitude> scales{magnitude::from_integer_up(1), magnitude::from_integer_up(8)};
+  const auto width = [](long power) { return magnitude::power_of_two(power); };
+  const auto bits = static_cast<long>(bits_for_digits(20));
+  const auto checked = [&](effect_result result) {
+    detail::check_rows(result, scales);
+    return result;
+  };
+  // 8 2^(1 - bits) is allowed of omega, and no more.
+  EXPECT_EQ(checked(table_with(ball(0, 100).enlarged(width(4 - bits)))).verdict, status::certified);
+  const effect_result wide = checked(table_with(ball(0, 100).enlarged(width(5 - bits))));
+  EXPECT_EQ(wide.verdict, status::not_certified);
+  EXPECT_EQ(wide.why, "omega at sample 2 has fewer digits than asked for");
+  // Of its own size, where that is more than the column's.
+  EXPECT_EQ(checked(table_with(ball(64, 100).enlarged(width(7 - bits)))).verdict,
+            status::certified);
+  EXPECT_EQ(checked(table_with(ball(64, 100).enlarged(width(8 - bits)))).verdict,
+            status::not_certified);
+  EXPECT_EQ(checked(table_with(ball::undefined(100))).verdict, status::not_certified);
+  effect_result doubles = table_with(ball::undefined(100));
+  doubles.table->certified = false;
+  EXPECT_EQ(checked(doubles).verdict, status::certified);
 }
 
 TEST(Effects, AgreeWithTheirRooms) {

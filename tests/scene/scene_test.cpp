@@ -2,6 +2,8 @@
 
 #include "polhode/scene/scene.hpp"
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -190,6 +192,38 @@ TEST(SceneBody, Imports) {
   refused("file = \"h.urdf\"", {"no inertia"});
 }
 
+// A scene is read several times by the program; a file that it names must be the same each time.
+TEST(SceneBody, ImportedFilesAreReadOnce) {
+  const support::scratch_directory directory;
+  const std::string path = directory.path("body.json");
+  std::ofstream(path) << R"({"moments": [3, 2, 1]})";
+  const std::string text = "[body]\nfile = \"body.json\"\n" + wanting;
+  text_files files;
+  const scene first = read_scene(text, directory.path(""), {}, files);
+  std::filesystem::remove(path);
+  const scene second = read_scene(text, directory.path(""), {}, files);
+  EXPECT_EQ(*first.body.moments, *second.body.moments);
+  EXPECT_THROW((void)read_scene(text, directory.path("")), input_error);
+}
+
+TEST(SceneBody, OnlyRegularFiles) {
+  const support::scratch_directory directory;
+  const std::string pipe = directory.path("pipe.json");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto refused = [&](const std::string& path) -> std::string {
+    try {
+      (void)read_text_file(path);
+    } catch (const input_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(refused(pipe).find("regular file"), std::string::npos);  // and it does not wait
+  EXPECT_NE(refused(directory.path("")).find("directory"), std::string::npos);
+  EXPECT_NE(refused("/dev/zero").find("regular file"), std::string::npos);
+  EXPECT_NE(refused(directory.path("none")).find("No such file"), std::string::npos);
+}
+
 TEST(SceneBody, Refusals) {
   expect_refused(wanting, {"no [body]"});
   expect_refused("[body]\n" + wanting, {"no body"});
@@ -244,6 +278,16 @@ TEST(SceneState, TurnsIntoC) {
   EXPECT_EQ(*turned.state->c, *again.state->c);
 }
 
+TEST(SceneState, AttitudeByMatrix) {
+  const scene s = read(
+      "[body]\nmoments = [3, 2, 1]\n[state]\nomega = [1, 0, 0]\n"
+      "matrix = [[\"3/5\", \"-4/5\", 0], [\"4/5\", \"3/5\", 0], [0, 0, 1]]\n" +
+      wanting);
+  ASSERT_TRUE(s.state->matrix);
+  EXPECT_EQ((*s.state->matrix)[0][1], rational(-4, 5));
+  EXPECT_EQ((*s.state->matrix)[1][0], rational(4, 5));
+}
+
 TEST(SceneState, Refusals) {
   const auto refused = [](const std::string& state, const std::vector<std::string>& words,
                           const std::string& body = "moments = [3, 2, 1]") {
@@ -258,7 +302,7 @@ TEST(SceneState, Refusals) {
   refused("c = 2", {"line 4", "a = 1"});
   refused("c = 0.1\nunit = \"rad/s\"", {"line 5", "contradictory"});
   refused("omega = [1, 0, 0]\nmatrix = [[1, 0, 0], [0, 1, 0], [0, 0.001, 1]]",
-          {"line 5", "not orthonormal", "columns 2 and 2", "1000001/1000000"});
+          {"line 5", "rows 2 and 3", "the product 1/1000", "quaternion"});
   refused("omega = [1, 0, 0]\nmatrix = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]", {"reflection"});
   refused("omega = [1, 0, 0]\nquaternion = [0, 0, 0, 0]", {"line 5", "must not be 0"});
   refused("omega = [1, 0, 0]\nquaternion = [1, 0, 0, 0]\neuler = [1, 2, 3]", {"given twice"});

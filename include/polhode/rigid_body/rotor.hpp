@@ -30,6 +30,7 @@
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/rigid_body/body.hpp"
+#include "polhode/rigid_body/work.hpp"
 
 namespace polhode {
 
@@ -51,6 +52,9 @@ enum class rotor_regime {
 /// "steady", "oscillating", "separatrix", "rotating".
 [[nodiscard]] std::string to_text(rotor_regime r);
 
+/// Throws input_error for what is no rotation: rows with R R^T not exactly 1, or of determinant -1.
+void refuse_unless_rotation(const matrix3<rational>& rows);
+
 /// A body with its motion at time 0, exact.
 class initial_state {
  public:
@@ -60,6 +64,11 @@ class initial_state {
                                      const triple<rational>& momentum);
   static initial_state from_angular_velocity(const triple<rational>& moments,
                                              const triple<rational>& omega);
+  /// The momentum by the squares of its components and their signs -1, 0, 1: the components themselves may be irrational. Throws
+  /// input_error, too, where these contradict each other.
+  static initial_state from_squared_momentum(const triple<rational>& moments,
+                                             const triple<rational>& squares,
+                                             const triple<int>& senses);
   /// The motion c of a body with I_y = 1 and |J| = 1, axes in the order x, y, z, from the middle of the twist: u_0 = 0, psi = 0.
   /// Throws input_error for c outside [-b, a].
   static initial_state at_middle_of_twist(const body& rigid, const rational& c);
@@ -175,6 +184,9 @@ class rotor {
   [[nodiscard]] std::optional<T> period() const;
   /// The angle by which the body has then turned about J: the Montgomery phase, unwrapped.
   [[nodiscard]] std::optional<T> phase_per_period() const;
+  /// What was computed at once, for all times: elliptic integrals, those of repetitions with more digits included. Times so far that
+  /// the digits do not suffice have their own, which are not counted.
+  [[nodiscard]] const work_count& work() const;
   /// The mean of dphi/dt: that phase over the period; |J|/I where it is steady, |J|/I_y on the separatrix.
   [[nodiscard]] T mean_precession() const;
 

@@ -3,6 +3,7 @@
 // A body in a JSON file, its numbers exact.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -27,8 +28,20 @@ struct body_file {
 
 /// Throws input_error, which says what was found and what would be right.
 [[nodiscard]] body_file read_body_file(const std::string& path);
+/// The same of what stands in such a file.
+[[nodiscard]] body_file parse_body_file(const std::string& text);
 
-/// A whole file of text. Throws input_error where it cannot be read, is empty, or is longer than 4,000,000 bytes.
+/// A whole file of text. Throws input_error where it is no regular file (a pipe would be waited for), cannot be read, is empty, or is
+/// longer than 4,000,000 bytes.
 [[nodiscard]] std::string read_text_file(const std::string& path);
+
+/// Such files, each read once.
+class text_files {
+ public:
+  [[nodiscard]] const std::string& operator[](const std::string& path);
+
+ private:
+  std::map<std::string, std::string> read_;
+};
 
 }  // namespace polhode

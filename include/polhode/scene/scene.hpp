@@ -11,6 +11,7 @@
 #include "polhode/rigid_body/inertia_tensor.hpp"
 #include "polhode/rigid_body/regime.hpp"
 #include "polhode/rigid_body/rotor.hpp"
+#include "polhode/scene/body_file.hpp"
 #include "polhode/scene/document.hpp"
 #include "polhode/scene/units.hpp"
 
@@ -24,6 +25,15 @@ struct principal_axis {
   rational square = 1;
 };
 
+/// A homogeneous solid of which a body is composed: a "box", "cylinder" or "ellipsoid".
+struct body_solid {
+  std::string shape;
+  std::size_t axis = 2;  // along which a cylinder is
+  /// Half its sides, or its semi-axes, and its centre as seen from the body's centre of mass, in one unit of length.
+  rational_vector half;
+  rational_vector position;
+};
+
 struct scene_body {
   std::string name;
   std::string source;
@@ -35,10 +45,13 @@ struct scene_body {
   std::array<principal_axis, 3> axes;
   /// Where the moments are rational and different.
   std::optional<body> rigid;
-  /// Where uncertainties were given.
+  /// Where uncertainties were given; and the moments' own, in the order of `moments`: each in value - sigma .. value + sigma.
   std::optional<uncertain_body> ranges;
+  std::array<uncertain_moment, 3> uncertainties;
   /// Where the principal moments are irrational.
   std::optional<inertia_tensor> tensor;
+  /// Where it was given by solids.
+  std::vector<body_solid> solids;
   /// Of the file from which it was imported.
   std::optional<std::string> file;
   /// Of all members of the ranges.
@@ -57,6 +70,8 @@ struct scene_state {
   pi_scale momentum_size;
   /// The attitude, as a quaternion w, x, y, z that is not normalised: from the frame in which the body was given to that of space.
   std::optional<std::array<rational, 4>> quaternion;
+  /// Or as its matrix, by rows.
+  std::optional<matrix3<rational>> matrix;
   /// Or as R_z(phi) R_x(theta) R_z(psi).
   std::optional<rational_vector> euler;
   angle_unit euler_unit = angle_unit::radians;
@@ -99,5 +114,8 @@ struct scene {
 /// Throws input_error, "line 12: body.moments[0]: ...", for whatever cannot be used.
 [[nodiscard]] scene read_scene(const std::string& text, const std::filesystem::path& directory,
                                const std::map<std::string, rational>& replaced = {});
+/// The same. A file that the scene names is taken from `files`.
+[[nodiscard]] scene read_scene(const std::string& text, const std::filesystem::path& directory,
+                               const std::map<std::string, rational>& replaced, text_files& files);
 
 }  // namespace polhode

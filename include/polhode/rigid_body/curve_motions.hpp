@@ -1,0 +1,26 @@
+#pragma once
+
+// The motions at which a curve over c is computed.
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "polhode/rigid_body/body.hpp"
+
+namespace polhode {
+
+/// The middles of so many equal parts of a range of c, without one of [-b, min(a, b)]: neither end, where there may be nothing to
+/// compute, is among them.
+[[nodiscard]] inline std::vector<rational> curve_motions(
+    const body& rigid, const std::optional<std::array<rational, 2>>& range, long points) {
+  const rational low = range ? (*range)[0] : rational(-rigid.b());
+  const rational high = range ? (*range)[1] : std::min(rigid.a(), rigid.b());
+  std::vector<rational> result;
+  result.reserve(static_cast<std::size_t>(points));
+  for (long k = 0; k < points; ++k)
+    result.emplace_back(low + (high - low) * (2 * k + 1) / (2 * points));
+  return result;
+}
+
+}  // namespace polhode
