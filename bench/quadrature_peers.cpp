@@ -503,15 +503,15 @@ struct figures {
 template <class F>
 figures measure_calls(F f, bool warm_too) {
   figures result;
-  result.cold = processor_seconds_of(f, 1);
+  result.cold = seconds_of(f, 1);
   rusage used;
   getrusage(RUSAGE_SELF, &used);
   result.mebibytes = static_cast<double>(used.ru_maxrss) / 1024;
   if (!warm_too) return result;
   constexpr double enough = 0.01;
-  result.warm = processor_seconds_of(f, 1);
+  result.warm = seconds_of(f, 1);
   const auto more = static_cast<long>(enough / std::max(result.warm, 1e-7));
-  if (more > 1) result.warm = processor_seconds_of(f, more) / static_cast<double>(more);
+  if (more > 1) result.warm = seconds_of(f, more) / static_cast<double>(more);
   return result;
 }
 
@@ -664,13 +664,6 @@ outcome worst(const ratios_so_far& all) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Asked for by a filter only: minutes.
-  const std::string slow = "slow";
-  std::vector<std::string> arguments(argv, argv + argc);
-  arguments.insert(arguments.begin() + 1, "--benchmark_filter=-^" + slow);
-  std::vector<char*> pointers;
-  for (std::string& text : arguments) pointers.push_back(text.data());
-
   suite benchmarks;
   std::map<long, ratios_so_far> ratios;
   const auto table_of = [](const std::string& name, long digits) {
@@ -691,7 +684,7 @@ int main(int argc, char** argv) {
     for (const bool slow_ones : {false, true}) {
       const bool slow_table = slow_ones && digits == 1000;
       const std::string name = std::to_string(digits) + " digits";
-      const table t = table_of(slow_table ? slow + ", " + name : name, digits);
+      const table t = table_of(slow_table ? suite::slow + ", " + name : name, digits);
       [[maybe_unused]] bool any = false;
       for (const peer& p : peers()) {
         if (is_slow(p, digits) == slow_ones) {
@@ -709,5 +702,5 @@ int main(int argc, char** argv) {
 #endif
     }
   }
-  return benchmarks.main(static_cast<int>(pointers.size()), pointers.data());
+  return benchmarks.main(argc, argv);
 }

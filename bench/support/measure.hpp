@@ -5,7 +5,7 @@
 //
 // A program declares tables of rows. Each row is registered with Google Benchmark (whose
 // --benchmark_filter, --benchmark_list_tests and --benchmark_out serve as usual; --json FILE is
-// short for the last; --quick measures three rounds, for a look), and printed as one line: the median time of a call for each contestant, then
+// short for the last; --quick measures three rounds at most, for a look), and printed as one line: the median time of a call for each contestant, then
 // the ratios of two contestants that the table is about, "/Arb" for the first one's time over
 // Arb's. A ratio is the median of the rounds' ratios; where it misses the limit printed beside it,
 // it is marked with an exclamation mark.
@@ -97,10 +97,11 @@ struct outcome {
 namespace detail {
 
 inline constexpr double least_batch_seconds = 1e-3;
-/// How long a row is measured, and in how many rounds at least.
+/// How long a row is measured, and in how many rounds at least, or in how many there is time for where they are long.
 struct effort {
   double row_seconds = 0.4;
   int least_rounds = 7;
+  double most_row_seconds = 30;
 };
 /// --quick lessens it, for the whole program.
 [[nodiscard]] inline effort& effort_of_program() {
@@ -139,8 +140,9 @@ struct batch_size {
     round_seconds += sizes.back().seconds;
   }
   const effort& wanted = effort_of_program();
+  const int affordable = std::max(1, static_cast<int>(wanted.most_row_seconds / round_seconds));
   const int rounds = std::clamp(static_cast<int>(wanted.row_seconds / round_seconds),
-                                wanted.least_rounds, most_rounds);
+                                std::min(wanted.least_rounds, affordable), most_rounds);
   std::vector<std::vector<double>> seconds(r.contestants.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < r.contestants.size(); ++i) {
@@ -214,6 +216,9 @@ class suite {
         ->UseManualTime();
   }
 
+  /// Tables whose names begin so take minutes, and are measured only where a filter asks for them.
+  static inline const std::string slow = "slow";
+
   /// Runs the rows that --benchmark_filter asks for. Returns the exit status.
   int main(int argc, char** argv) {
     std::vector<std::string> texts = with_json_as_output(argc, argv);
@@ -237,13 +242,13 @@ class suite {
   };
 
   static std::vector<std::string> with_json_as_output(int argc, char** argv) {
-    std::vector<std::string> result;
-    for (int i = 0; i < argc; ++i) {
+    std::vector<std::string> result{argv[0], "--benchmark_filter=-^" + slow};
+    for (int i = 1; i < argc; ++i) {
       if (std::string(argv[i]) == "--json" && i + 1 < argc) {
         result.push_back(std::string("--benchmark_out=") + argv[++i]);
         result.emplace_back("--benchmark_out_format=json");
       } else if (std::string(argv[i]) == "--quick") {
-        detail::effort_of_program() = {0.03, 3};
+        detail::effort_of_program() = {0.03, 3, 3};
       } else {
         result.emplace_back(argv[i]);
       }
@@ -261,7 +266,7 @@ class suite {
     for (std::size_t i = 0; i < result.ratios.size(); ++i) {
       state.counters["ratio, " + of.ratios[i]] = result.ratios[i];
     }
-    if (open_table_ != of.name) print_head(of);
+    if (open_table_ != of.name) print_head(of, open_table_.empty());
     open_table_ = of.name;
     std::cout << std::left << std::setw(of.label_width) << label << std::right;
     for (std::size_t i = 0; i < of.contestants.size(); ++i) {
@@ -274,9 +279,11 @@ class suite {
     std::cout << result.remark << std::endl;
   }
 
-  static void print_head(const table& of) {
+  static void print_head(const table& of, bool first) {
     std::cout << '\n' << of.about << '\n';
-    for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
+    if (first) {
+      for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
+    }
     std::cout << '\n' << std::setw(of.label_width) << "";
     for (const std::string& name : of.contestants) std::cout << std::setw(time_width) << name;
     for (const std::string& name : of.ratios) {
