@@ -1,4 +1,4 @@
-# The rows of two reports of scripts/bench, $now[0] and $then[0], whose times differ by 10 % or more: the times of both, their ratio, and
+# The rows of two reports of scripts/bench, $now[0] and $before[0], whose times differ by 10 % or more: the times of both, their ratio, and
 # by what factor the times beside the peers' have changed, on which the speed of the machine has no part.
 
 def rows:
@@ -12,14 +12,14 @@ def text:
 def two_places: . * 100 | round / 100 | tostring;
 def left(n): . + " " * (n - length);
 def right(n): (" " * (n - length) // "") + .;
-def beside_peers(now; then):
-  [now | to_entries[] | select(.key | startswith("ratio, /")) | .key as $k | select(then[$k] != null and then[$k] > 0)
-   | .value / then[$k]]
+def beside_peers(now; before):
+  [now | to_entries[] | select(.key | startswith("ratio, /")) | .key as $k | select(before[$k] != null and before[$k] > 0)
+   | .value / before[$k]]
   | if length == 0 then "-" else sort | .[length / 2 | floor] | two_places end;
 
-($now[0] | rows) as $a | ($then[0] | rows) as $b
+($now[0] | rows) as $a | ($before[0] | rows) as $b
 | [$a | keys_unsorted[] | select($b[.] != null)] as $both
-| ($now[0] | machine) as $machine | ($then[0] | machine) as $machine_then
+| ($now[0] | machine) as $machine | ($before[0] | machine) as $machine_then
 | (if $machine != $machine_then then "measured elsewhere\n  now:  \($machine)\n  then: \($machine_then)" else empty end),
   ("row" | left(52)) + ("now" | right(12)) + ("then" | right(12)) + ("ratio" | right(8)) + ("beside peers" | right(14)),
   ([$both[] | . as $k | ($a[$k].real_time / $b[$k].real_time) as $r | select($r >= 1.1 or $r <= 1 / 1.1)

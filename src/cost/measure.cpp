@@ -267,29 +267,27 @@ std::optional<double> extrapolated_seconds(const std::vector<measurement>& known
 }
 
 std::optional<double> growth_exponent(const std::vector<measurement>& known) {
-  constexpr long many = 300;
+  const auto has_many = [](const measurement& m) { return m.digits >= 300; };
   constexpr std::size_t enough = 3;
-  const auto fit = [&](long least) -> std::optional<double> {
-    double n = 0;
-    double x = 0;
-    double y = 0;
-    double xx = 0;
-    double xy = 0;
-    for (const measurement& m : known) {
-      if (m.digits < least || !(m.seconds > 0)) continue;
-      const double u = std::log(static_cast<double>(m.digits));
-      const double v = std::log(m.seconds);
-      n += 1;
-      x += u;
-      y += v;
-      xx += u * u;
-      xy += u * v;
-    }
-    if (n < enough) return std::nullopt;
-    return (n * xy - x * y) / (n * xx - x * x);
-  };
-  const std::optional<double> of_many = fit(many);
-  return of_many ? of_many : fit(0);
+  if (known.size() < enough) return std::nullopt;
+  const auto first =
+      std::min(std::find_if(known.begin(), known.end(), has_many), known.end() - enough);
+  double n = 0;
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double xy = 0;
+  for (auto m = first; m != known.end(); ++m) {
+    if (!(m->seconds > 0)) return std::nullopt;
+    const double u = std::log(static_cast<double>(m->digits));
+    const double v = std::log(m->seconds);
+    n += 1;
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
 }
 
 double multiplication_seconds(long digits) {

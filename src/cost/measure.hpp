@@ -56,8 +56,8 @@ class cold_processes {
 [[nodiscard]] std::optional<double> extrapolated_seconds(const std::vector<measurement>& known,
                                                          long digits);
 
-/// The exponent of the digits that time grows by, by least squares over the measurements of 300 digits and more, or over all
-/// where there are fewer than 3 of those; nothing where there are fewer than 3.
+/// The exponent of the digits that time grows by, by least squares over the measurements of 300 digits and more, or over the last 3
+/// where those are fewer, of measurements by growing digits; nothing where there are fewer than 3.
 [[nodiscard]] std::optional<double> growth_exponent(const std::vector<measurement>& known);
 
 /// Seconds of a multiplication of two numbers of so many digits, M(n).

@@ -89,8 +89,23 @@ std::vector<measurement> of_power(double exponent) {
   return result;
 }
 
+TEST(Cost, FitsThePowerOfManyDigits) {
+  std::vector<measurement> known = of_power(2);
+  // What a call costs whatever the digits does not count where there are three sizes without it.
+  measurement few;
+  few.digits = 16;
+  few.seconds = 1;
+  known.insert(known.begin(), few);
+  EXPECT_NEAR(growth_exponent(known).value(), 2, 1e-9);
+  known.pop_back();
+  EXPECT_NEAR(growth_exponent(known).value(), 2, 1e-9);
+  known.pop_back();
+  EXPECT_LT(growth_exponent(known).value(), 0);
+}
+
 TEST(Cost, FitsPowers) {
   EXPECT_FALSE(growth_exponent({}));
+  EXPECT_FALSE(growth_exponent({measurement{}, measurement{}}));
   EXPECT_FALSE(extrapolated_seconds({}, 100));
   for (const double e : {1.25, 2.0, 3.5}) {
     const std::vector<measurement> known = of_power(e);
