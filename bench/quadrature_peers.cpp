@@ -503,15 +503,15 @@ struct figures {
 template <class F>
 figures measure_calls(F f, bool warm_too) {
   figures result;
-  result.cold = seconds_of(f, 1);
+  result.cold = processor_seconds_of(f, 1);
   rusage used;
   getrusage(RUSAGE_SELF, &used);
   result.mebibytes = static_cast<double>(used.ru_maxrss) / 1024;
   if (!warm_too) return result;
   constexpr double enough = 0.01;
-  result.warm = seconds_of(f, 1);
+  result.warm = processor_seconds_of(f, 1);
   const auto more = static_cast<long>(enough / std::max(result.warm, 1e-7));
-  if (more > 1) result.warm = seconds_of(f, more) / static_cast<double>(more);
+  if (more > 1) result.warm = processor_seconds_of(f, more) / static_cast<double>(more);
   return result;
 }
 
