@@ -88,7 +88,8 @@ struct row {
 
 /// What came out of a row. A line that has no times, such as a mean of other rows, leaves `seconds` empty.
 struct outcome {
-  std::vector<double> seconds;  // a call of each contestant, median
+  std::vector<double>
+      seconds;  // a call of each contestant, median; of the first ones, where the others do not take part
   std::vector<double> ratios;
   std::vector<std::optional<ratio_limit>> bounds;
   std::string remark = {};  // printed after the ratios
@@ -268,15 +269,18 @@ class suite {
     }
     if (open_table_ != of.name) print_head(of, open_table_.empty());
     open_table_ = of.name;
-    std::cout << std::left << std::setw(of.label_width) << label << std::right;
+    std::ostringstream line;
+    line << std::left << std::setw(of.label_width) << label << std::right;
     for (std::size_t i = 0; i < of.contestants.size(); ++i) {
-      std::cout << std::setw(time_width)
-                << (result.seconds.empty() ? "" : detail::time_text(result.seconds[i]));
+      const std::string none = result.seconds.empty() ? "" : "-";
+      line << std::setw(time_width(of.contestants[i]))
+           << (i < result.seconds.size() ? detail::time_text(result.seconds[i]) : none);
     }
     for (std::size_t i = 0; i < result.ratios.size(); ++i) {
-      std::cout << std::setw(ratio_width) << detail::ratio_text(result.ratios[i], result.bounds[i]);
+      line << std::setw(ratio_width(of.ratios[i]) + after_ratio)
+           << detail::ratio_text(result.ratios[i], result.bounds[i]);
     }
-    std::cout << result.remark << std::endl;
+    print(line.str() + result.remark);
   }
 
   static void print_head(const table& of, bool first) {
@@ -284,17 +288,30 @@ class suite {
     if (first) {
       for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
     }
-    std::cout << '\n' << std::setw(of.label_width) << "";
-    for (const std::string& name : of.contestants) std::cout << std::setw(time_width) << name;
-    for (const std::string& name : of.ratios) {
-      std::cout << std::setw(ratio_width - detail::limit_width - 2) << name << "  limit  ";
-    }
     std::cout << '\n';
+    std::ostringstream line;
+    line << std::setw(of.label_width) << "";
+    for (const std::string& name : of.contestants) line << std::setw(time_width(name)) << name;
+    for (const std::string& name : of.ratios) {
+      line << std::setw(ratio_width(name)) << name << "  limit" << std::setw(after_ratio - 7) << "";
+    }
+    print(line.str());
   }
 
-  // 100 columns hold four contestants and three ratios.
-  static constexpr int time_width = 10;
-  static constexpr int ratio_width = 16;
+  /// Without the spaces at its end.
+  static void print(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::cout << line << std::endl;
+  }
+
+  // 100 columns hold four contestants and three ratios, all with short names.
+  static int time_width(const std::string& name) {
+    return std::max(10, static_cast<int>(name.size()) + 2);
+  }
+  static int ratio_width(const std::string& name) {
+    return std::max(8, static_cast<int>(name.size()) + 2);
+  }
+  static constexpr int after_ratio = 2 + detail::limit_width;
 
   std::string open_table_;
 };
