@@ -15,9 +15,11 @@ using cost::measurement;
 using nlohmann::json;
 
 std::string seconds_text(double seconds) {
-  if (seconds < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
-  if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
-  if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+  // To three digits 0.9996 s is 1 s.
+  constexpr double rounds_up = 0.9995;
+  if (seconds < rounds_up * 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
+  if (seconds < rounds_up * 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+  if (seconds < rounds_up) return fmt::format("{:.3g} ms", seconds * 1e3);
   return fmt::format("{:.3g} s", seconds);
 }
 
@@ -176,9 +178,9 @@ std::string csv_of(const std::string& what, const std::string& method, bool cert
 
 /// A colour and a point for each method of a list.
 std::string style(std::size_t i, bool certified) {
-  static const std::vector<std::string> colours{"#20406a", "#b03020", "#2a8040",
-                                                "#c08010", "#6a3a8a", "#208090",
-                                                "#a02070", "#606060", "#80a020"};
+  static const std::vector<std::string> colours{"#20406a", "#b03020", "#2a8040", "#c08010",
+                                                "#6a3a8a", "#208090", "#a02070", "#606060",
+                                                "#80a020", "#d06090"};
   return fmt::format("with linespoints lw 2 dt {} pt {} lc rgb '{}'", certified ? 1 : 2,
                      certified ? 7 : 6, colours[i % colours.size()]);
 }
@@ -305,10 +307,9 @@ cost_picture picture_of(const measured_family& f) {
           settings + p.data() +
               fmt::format("set title \"{}; {} digits; certified: full lines\" noenhanced\n",
                           f.what->description, f.digits) +
-              "set key outside right top reverse Left samplen 2\nset xlabel 'k (0 is drawn at "
-              "0.5)'\nset ylabel "
-              "'seconds'\n" +
-              plots};
+              "set key outside right top reverse Left samplen 2\nset xlabel 'k" +
+              (f.what->exponents.front() == 0 ? " (0 is drawn at 0.5)" : "") +
+              "'\nset ylabel 'seconds'\n" + plots};
 }
 
 cost_picture certainty(const cost_report& report) {
