@@ -335,8 +335,8 @@ double multiplication_seconds(long digits) {
 }
 
 cost_model::cost_model(std::vector<std::pair<long, double>> known,
-                       const std::function<double(long digits)>& multiplication)
-    : known_(std::move(known)), multiplication_(multiplication) {
+                       std::function<double(long digits)> multiplication)
+    : known_(std::move(known)), multiplication_(std::move(multiplication)) {
   if (known_.empty()) throw std::invalid_argument("cost_model: it needs a time at least");
   const auto last = known_.rbegin();
   // The exponent between the last time and an earlier one.

@@ -70,9 +70,8 @@ class cold_processes {
 class cost_model {
  public:
   /// Throws std::invalid_argument without a time.
-  explicit cost_model(
-      std::vector<std::pair<long, double>> known,
-      const std::function<double(long digits)>& multiplication = multiplication_seconds);
+  explicit cost_model(std::vector<std::pair<long, double>> known,
+                      std::function<double(long digits)> multiplication = multiplication_seconds);
   [[nodiscard]] double seconds(long digits) const;
 
  private:
