@@ -37,23 +37,6 @@ double processor_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// What f takes where no other program is in the way. The shortest of two calls or more, for a hundredth of a second; of a call that takes so
-/// long that others will have been in the way, the processor's time, where that is less than the clock's (on several threads it is more).
-double undisturbed_seconds(const std::function<void()>& f) {
-  constexpr double long_call = 0.03;
-  constexpr double enough = 0.01;
-  const double start = processor_seconds();
-  double shortest = seconds_of(f);
-  if (shortest > long_call) return std::min(shortest, processor_seconds() - start);
-  double sum = shortest;
-  do {
-    const double taken = seconds_of(f);
-    shortest = std::min(shortest, taken);
-    sum += taken;
-  } while (sum < enough);
-  return shortest;
-}
-
 double median(std::vector<double> x) {
   const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
   std::nth_element(x.begin(), middle, x.end());
@@ -303,6 +286,22 @@ std::optional<double> growth_exponent(const std::vector<measurement>& known) {
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
+double undisturbed_seconds(const std::function<void()>& f) {
+  constexpr double long_call = 0.005;
+  constexpr double enough = 0.01;
+  constexpr int least_calls = 3;
+  const double start = processor_seconds();
+  double shortest = seconds_of(f);
+  if (shortest > long_call) return std::min(shortest, processor_seconds() - start);
+  double sum = shortest;
+  for (int calls = 1; calls < least_calls || sum < enough; ++calls) {
+    const double taken = seconds_of(f);
+    shortest = std::min(shortest, taken);
+    sum += taken;
+  }
+  return shortest;
+}
+
 double multiplication_seconds(long digits) {
   // Beyond, it grows as n log n.
   constexpr long most_measured = 1'000'000;
@@ -408,7 +407,10 @@ double estimate_cost(const std::string& name, long digits) {
   for (const quantity& q : quantities()) {
     if (q.name != name) continue;
     const method& m = q.methods.front();
-    const auto timed = [&](long n) { return undisturbed_seconds([&] { (void)m.compute(n); }); };
+    const auto timed = [&](long n) {
+      (void)m.compute(n);  // what is made once and kept
+      return undisturbed_seconds([&] { (void)m.compute(n); });
+    };
     return estimated_seconds(timed, digits, std::max(30L, std::min(m.most_digits, digits)), 1)
         .value();
   }

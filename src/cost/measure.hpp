@@ -60,6 +60,10 @@ class cold_processes {
 /// where those are fewer, of measurements by growing digits; nothing where there are fewer than 3.
 [[nodiscard]] std::optional<double> growth_exponent(const std::vector<measurement>& known);
 
+/// What f takes where no other program is in the way. The shortest of three calls or more, for a hundredth of a second; of a call that takes
+/// so long that others may have been in the way of all of them, the processor's time, where that is less than the clock's (on several threads it is more).
+[[nodiscard]] double undisturbed_seconds(const std::function<void()>& f);
+
 /// Seconds of a multiplication of two numbers of so many digits, M(n).
 [[nodiscard]] double multiplication_seconds(long digits);
 
@@ -88,7 +92,7 @@ class cost_model {
     double longest_call,
     const std::function<double(long digits)>& multiplication = multiplication_seconds);
 
-/// Seconds of a later call of the first method of the quantity of that name, by estimated_seconds with calls of up to a second.
+/// Seconds of a later call of the first method of the quantity of that name, undisturbed, by estimated_seconds with calls of up to a second.
 /// Throws std::invalid_argument for an unknown name.
 [[nodiscard]] double estimate_cost(const std::string& name, long digits);
 
