@@ -664,13 +664,6 @@ outcome worst(const ratios_so_far& all) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Asked for by a filter only: minutes.
-  const std::string slow = "slow";
-  std::vector<std::string> arguments(argv, argv + argc);
-  arguments.insert(arguments.begin() + 1, "--benchmark_filter=-^" + slow);
-  std::vector<char*> pointers;
-  for (std::string& text : arguments) pointers.push_back(text.data());
-
   suite benchmarks;
   std::map<long, ratios_so_far> ratios;
   const auto table_of = [](const std::string& name, long digits) {
@@ -691,7 +684,7 @@ int main(int argc, char** argv) {
     for (const bool slow_ones : {false, true}) {
       const bool slow_table = slow_ones && digits == 1000;
       const std::string name = std::to_string(digits) + " digits";
-      const table t = table_of(slow_table ? slow + ", " + name : name, digits);
+      const table t = table_of(slow_table ? suite::slow + ", " + name : name, digits);
       [[maybe_unused]] bool any = false;
       for (const peer& p : peers()) {
         if (is_slow(p, digits) == slow_ones) {
@@ -709,5 +702,5 @@ int main(int argc, char** argv) {
 #endif
     }
   }
-  return benchmarks.main(static_cast<int>(pointers.size()), pointers.data());
+  return benchmarks.main(argc, argv);
 }

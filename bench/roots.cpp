@@ -133,6 +133,8 @@ int main(int argc, char** argv) {
   for (const long digits : {15L, 100L}) {
     benchmarks.add(wilkinsons, std::to_string(digits),
                    [digits] { return all_roots(real_function::of(wilkinson(20)), 0, 30, digits); });
+  }
+  for (const long digits : {15L, 100L}) {
     benchmarks.add(oscillations, std::to_string(digits), [digits] {
       return all_roots([](const auto& x) { return sin(square(x)); }, 0, 60, digits);
     });

@@ -1,8 +1,8 @@
 // PARI, whose results have no error bound, and MPFI's intervals, beside the certified ones.
 //
 // PARI is called through its library. Behind each of its rows stands the error that its result has, measured against the certified value;
-// its intnum is given the ends, with exponential decay where they are infinite, and nothing else, as one does who does not know better. A row without PARI or MPFI has their
-// column empty.
+// its intnum is given the ends, with exponential decay where they are infinite, and nothing else, as one does who does not know better. Without PARI its columns are empty; without MPFI there is
+// no table of it.
 
 #include <cmath>
 #include <functional>
@@ -64,19 +64,39 @@ std::string error_text(GEN x, const ball& value, long digits) {
 }
 #endif
 
+#ifdef POLHODE_HAVE_PARI
+using pari_call = std::function<GEN(long prec)>;
+#define WITH_PARI(...) __VA_ARGS__
+#else
+struct pari_call {};
+#define WITH_PARI(...) \
+  {}
+#endif
+
+/// Ours beside PARI's to so many digits, and the error of what that gives against the value.
+outcome beside_pari(const std::function<void()>& ours, [[maybe_unused]] const pari_call& theirs,
+                    [[maybe_unused]] const std::function<ball()>& value,
+                    [[maybe_unused]] long digits) {
+  bench_row race;
+  race.contestants = {warm(ours)};
+#ifdef POLHODE_HAVE_PARI
+  const long prec = ndec2prec(digits);
+  race.contestants.push_back(
+      warm([&] { with_stack([&] { benchmark::DoNotOptimize(theirs(prec)); }); }));
+  race.ratios = {{0, 1}};
+  outcome result = polhode::bench::detail::measure(race);
+  with_stack([&] { result.remark = error_text(theirs(prec), value(), digits); });
+  return result;
+#else
+  return polhode::bench::detail::measure(race);
+#endif
+}
+
 struct integral_case {
   std::string name;
   std::function<polhode::integral(const polhode::integrate_options&)> ours;
-#ifdef POLHODE_HAVE_PARI
-  std::function<GEN(long prec)> theirs;
-#endif
+  pari_call theirs;
 };
-
-#ifdef POLHODE_HAVE_PARI
-#define WITH_PARI(...) __VA_ARGS__
-#else
-#define WITH_PARI(...)
-#endif
 
 std::vector<integral_case> integrals() {
   using polhode::integrate;
@@ -138,50 +158,23 @@ std::vector<integral_case> integrals() {
 }
 
 outcome of_integral(const integral_case& c, long digits) {
-  polhode::integrate_options options;
-  options.digits = digits;
-  bench_row race;
-  race.contestants = {warm([&] { benchmark::DoNotOptimize(c.ours(options)); })};
-#ifdef POLHODE_HAVE_PARI
-  const long prec = ndec2prec(digits);
-  race.contestants.push_back(
-      warm([&] { with_stack([&] { benchmark::DoNotOptimize(c.theirs(prec)); }); }));
-  race.ratios = {{0, 1}};
-  outcome result = polhode::bench::detail::measure(race);
-  options.digits = digits + 20;
-  const ball value = c.ours(options).enclosure;
-  with_stack([&] { result.remark = error_text(c.theirs(prec), value, digits); });
-  return result;
-#else
-  outcome result = polhode::bench::detail::measure(race);
-  result.seconds.push_back(0);
-  return result;
-#endif
+  const auto to_digits = [&c](long n) {
+    polhode::integrate_options options;
+    options.digits = n;
+    return c.ours(options);
+  };
+  return beside_pari([=] { benchmark::DoNotOptimize(to_digits(digits)); }, c.theirs,
+                     [=] { return to_digits(digits + 20).enclosure; }, digits);
 }
 
 outcome of_elliptic(long digits) {
-  const polhode::rational quarter(1, 4);
-  bench_row race;
-  race.contestants = {warm([=] {
-    benchmark::DoNotOptimize(
-        polhode::elliptic_k(ball(quarter, polhode::bits_for_digits(digits) + 8)));
-  })};
-#ifdef POLHODE_HAVE_PARI
-  // By its modulus, k = 1/2.
-  const long prec = ndec2prec(digits);
-  const auto theirs = [prec] { return ellK(real2n(-1, prec), prec); };
-  race.contestants.push_back(
-      warm([=] { with_stack([&] { benchmark::DoNotOptimize(theirs()); }); }));
-  race.ratios = {{0, 1}};
-  outcome result = polhode::bench::detail::measure(race);
-  const ball value = polhode::elliptic_k(ball(quarter, polhode::bits_for_digits(2 * digits)));
-  with_stack([&] { result.remark = error_text(theirs(), value, digits); });
-  return result;
-#else
-  outcome result = polhode::bench::detail::measure(race);
-  result.seconds.push_back(0);
-  return result;
-#endif
+  const auto k = [](polhode::precision p) {
+    return polhode::elliptic_k(ball(polhode::rational(1, 4), p));
+  };
+  // PARI's is of the modulus, k = 1/2.
+  return beside_pari([=] { benchmark::DoNotOptimize(k(polhode::bits_for_digits(digits) + 8)); },
+                     WITH_PARI([](long prec) { return ellK(real2n(-1, prec), prec); }),
+                     [=] { return k(polhode::bits_for_digits(2 * digits)); }, digits);
 }
 
 #ifdef POLHODE_HAVE_MPFI
@@ -233,11 +226,12 @@ int main(int argc, char** argv) {
   GP_DATA->fmt->sigd = -1;  // all digits that there are
 #endif
   suite benchmarks;
+  constexpr int label_width = 20;
   const table of_integrals{"integrals",
                            "certified integrals, and PARI's intnum, which is not",
                            {"Polhode", "PARI"},
                            {"/PARI"},
-                           20};
+                           label_width};
   for (const long digits : {50L, 100L}) {
     for (const integral_case& c : integrals()) {
       benchmarks.add_measured(of_integrals, c.name + ", " + std::to_string(digits),
@@ -248,7 +242,7 @@ int main(int argc, char** argv) {
                    "K(m = 1/4), certified, and PARI's ellK, which is not",
                    {"Polhode", "PARI"},
                    {"/PARI"},
-                   20};
+                   label_width};
   for (const long digits : {50L, 1000L, 10'000L}) {
     benchmarks.add_measured(of_k, std::to_string(digits), [digits] { return of_elliptic(digits); });
   }
@@ -257,7 +251,7 @@ int main(int argc, char** argv) {
                       "operations on balls, and on MPFI's intervals, which keep two ends",
                       {"Polhode", "MPFI"},
                       {"/MPFI"},
-                      20};
+                      label_width};
   for (const polhode::precision p : {64L, 333L, 3333L}) {
     const auto add_row = [&](const std::string& name, ball_operation ours, mpfi_operation theirs) {
       benchmarks.add(of_mpfi, name + '/' + std::to_string(p),

@@ -5,7 +5,7 @@
 //
 // A program declares tables of rows. Each row is registered with Google Benchmark (whose
 // --benchmark_filter, --benchmark_list_tests and --benchmark_out serve as usual; --json FILE is
-// short for the last; --quick measures three rounds, for a look), and printed as one line: the median time of a call for each contestant, then
+// short for the last; --quick measures three rounds at most, for a look), and printed as one line: the median time of a call for each contestant, then
 // the ratios of two contestants that the table is about, "/Arb" for the first one's time over
 // Arb's. A ratio is the median of the rounds' ratios; where it misses the limit printed beside it,
 // it is marked with an exclamation mark.
@@ -88,7 +88,8 @@ struct row {
 
 /// What came out of a row. A line that has no times, such as a mean of other rows, leaves `seconds` empty.
 struct outcome {
-  std::vector<double> seconds;  // a call of each contestant, median
+  std::vector<double>
+      seconds;  // a call of each contestant, median; of the first ones, where the others do not take part
   std::vector<double> ratios;
   std::vector<std::optional<ratio_limit>> bounds;
   std::string remark = {};  // printed after the ratios
@@ -97,10 +98,11 @@ struct outcome {
 namespace detail {
 
 inline constexpr double least_batch_seconds = 1e-3;
-/// How long a row is measured, and in how many rounds at least.
+/// How long a row is measured, and in how many rounds at least, or in how many there is time for where they are long.
 struct effort {
   double row_seconds = 0.4;
   int least_rounds = 7;
+  double most_row_seconds = 30;
 };
 /// --quick lessens it, for the whole program.
 [[nodiscard]] inline effort& effort_of_program() {
@@ -139,8 +141,9 @@ struct batch_size {
     round_seconds += sizes.back().seconds;
   }
   const effort& wanted = effort_of_program();
+  const int affordable = std::max(1, static_cast<int>(wanted.most_row_seconds / round_seconds));
   const int rounds = std::clamp(static_cast<int>(wanted.row_seconds / round_seconds),
-                                wanted.least_rounds, most_rounds);
+                                std::min(wanted.least_rounds, affordable), most_rounds);
   std::vector<std::vector<double>> seconds(r.contestants.size());
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t i = 0; i < r.contestants.size(); ++i) {
@@ -214,6 +217,9 @@ class suite {
         ->UseManualTime();
   }
 
+  /// Tables whose names begin so take minutes, and are measured only where a filter asks for them.
+  static inline const std::string slow = "slow";
+
   /// Runs the rows that --benchmark_filter asks for. Returns the exit status.
   int main(int argc, char** argv) {
     std::vector<std::string> texts = with_json_as_output(argc, argv);
@@ -237,13 +243,13 @@ class suite {
   };
 
   static std::vector<std::string> with_json_as_output(int argc, char** argv) {
-    std::vector<std::string> result;
-    for (int i = 0; i < argc; ++i) {
+    std::vector<std::string> result{argv[0], "--benchmark_filter=-^" + slow};
+    for (int i = 1; i < argc; ++i) {
       if (std::string(argv[i]) == "--json" && i + 1 < argc) {
         result.push_back(std::string("--benchmark_out=") + argv[++i]);
         result.emplace_back("--benchmark_out_format=json");
       } else if (std::string(argv[i]) == "--quick") {
-        detail::effort_of_program() = {0.03, 3};
+        detail::effort_of_program() = {0.03, 3, 3};
       } else {
         result.emplace_back(argv[i]);
       }
@@ -261,33 +267,51 @@ class suite {
     for (std::size_t i = 0; i < result.ratios.size(); ++i) {
       state.counters["ratio, " + of.ratios[i]] = result.ratios[i];
     }
-    if (open_table_ != of.name) print_head(of);
+    if (open_table_ != of.name) print_head(of, open_table_.empty());
     open_table_ = of.name;
-    std::cout << std::left << std::setw(of.label_width) << label << std::right;
+    std::ostringstream line;
+    line << std::left << std::setw(of.label_width) << label << std::right;
     for (std::size_t i = 0; i < of.contestants.size(); ++i) {
-      std::cout << std::setw(time_width)
-                << (result.seconds.empty() ? "" : detail::time_text(result.seconds[i]));
+      const std::string none = result.seconds.empty() ? "" : "-";
+      line << std::setw(time_width(of.contestants[i]))
+           << (i < result.seconds.size() ? detail::time_text(result.seconds[i]) : none);
     }
     for (std::size_t i = 0; i < result.ratios.size(); ++i) {
-      std::cout << std::setw(ratio_width) << detail::ratio_text(result.ratios[i], result.bounds[i]);
+      line << std::setw(ratio_width(of.ratios[i]) + after_ratio)
+           << detail::ratio_text(result.ratios[i], result.bounds[i]);
     }
-    std::cout << result.remark << std::endl;
+    print(line.str() + result.remark);
   }
 
-  static void print_head(const table& of) {
+  static void print_head(const table& of, bool first) {
     std::cout << '\n' << of.about << '\n';
-    for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
-    std::cout << '\n' << std::setw(of.label_width) << "";
-    for (const std::string& name : of.contestants) std::cout << std::setw(time_width) << name;
-    for (const std::string& name : of.ratios) {
-      std::cout << std::setw(ratio_width - detail::limit_width - 2) << name << "  limit  ";
+    if (first) {
+      for (const auto& [name, value] : environment()) std::cout << name << ": " << value << '\n';
     }
     std::cout << '\n';
+    std::ostringstream line;
+    line << std::setw(of.label_width) << "";
+    for (const std::string& name : of.contestants) line << std::setw(time_width(name)) << name;
+    for (const std::string& name : of.ratios) {
+      line << std::setw(ratio_width(name)) << name << "  limit" << std::setw(after_ratio - 7) << "";
+    }
+    print(line.str());
   }
 
-  // 100 columns hold four contestants and three ratios.
-  static constexpr int time_width = 10;
-  static constexpr int ratio_width = 16;
+  /// Without the spaces at its end.
+  static void print(std::string line) {
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::cout << line << std::endl;
+  }
+
+  // 100 columns hold four contestants and three ratios, all with short names.
+  static int time_width(const std::string& name) {
+    return std::max(10, static_cast<int>(name.size()) + 2);
+  }
+  static int ratio_width(const std::string& name) {
+    return std::max(8, static_cast<int>(name.size()) + 2);
+  }
+  static constexpr int after_ratio = 2 + detail::limit_width;
 
   std::string open_table_;
 };

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "cost_report.hpp"
 #include "count_option.hpp"
+#include "duration.hpp"
 #include "gnuplot.hpp"
 #include "layout.hpp"
 #include "options.hpp"
@@ -180,9 +181,15 @@ measured_family measured(const cost::hard_family& f, long digits, double allowed
 
 std::string estimates(const std::vector<const cost::quantity*>& quantities, long digits) {
   std::string result;
+  const progress line;
   for (const cost::quantity* q : quantities) {
-    result += fmt::format("{:<18}{} digits by {}: about {:.2g} s\n", q->name, digits,
-                          q->methods.front().name, cost::estimate_cost(q->name, digits));
+    line.show("estimating " + q->name);
+    const cost::method& m = q->methods.front();
+    const double seconds = cost::estimate_cost(q->name, digits);
+    result += fmt::format(
+        "{:<18}{} digits by {}: about {}{}\n", q->name, digits, m.name, duration_text(seconds),
+        digits > m.most_digits ? fmt::format(" (it is measured to {} at most)", m.most_digits)
+                               : "");
   }
   return result;
 }
@@ -192,12 +199,18 @@ exit_status run(const cost_options& options) {
   const std::vector<long> digits = digits_up_to(options.most_digits.value());
   const double allowed = seconds_of(options);
   const std::string& format = options.format.value();
+  const long estimated = options.estimate.value();
+  if ((options.list || estimated > 0) &&
+      (options.directory || options.data_only || format != "text")) {
+    throw usage_error(
+        "--list and --estimate print text: leave out --out, --data-only and --format");
+  }
   if (options.list) {
     print(list_of(quantities));
     return exit_status::all_certified;
   }
-  if (const long wanted = options.estimate.value(); wanted > 0) {
-    print(estimates(quantities, wanted));
+  if (estimated > 0) {
+    print(estimates(quantities, estimated));
     return exit_status::all_certified;
   }
   std::vector<const cost::hard_family*> families;

@@ -15,9 +15,11 @@ using cost::measurement;
 using nlohmann::json;
 
 std::string seconds_text(double seconds) {
-  if (seconds < 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
-  if (seconds < 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
-  if (seconds < 1) return fmt::format("{:.3g} ms", seconds * 1e3);
+  // To three digits 0.9996 s is 1 s.
+  constexpr double rounds_up = 0.9995;
+  if (seconds < rounds_up * 1e-6) return fmt::format("{:.3g} ns", seconds * 1e9);
+  if (seconds < rounds_up * 1e-3) return fmt::format("{:.3g} us", seconds * 1e6);
+  if (seconds < rounds_up) return fmt::format("{:.3g} ms", seconds * 1e3);
   return fmt::format("{:.3g} s", seconds);
 }
 
@@ -109,7 +111,7 @@ std::string text_of(const measured_quantity& q, const std::vector<long>& digits)
   std::string growth;
   for (const measured_method& m : q.methods) {
     if (const auto e = cost::growth_exponent(m.points)) {
-      growth += fmt::format("{}{} n^{:.2f}", growth.empty() ? "" : ", ", m.what->name, *e);
+      growth += fmt::format("{}{} n^{:.2f}", growth.empty() ? "" : "; ", m.what->name, *e);
     }
   }
   if (!growth.empty()) {
@@ -176,12 +178,23 @@ std::string csv_of(const std::string& what, const std::string& method, bool cert
 
 /// A colour and a point for each method of a list.
 std::string style(std::size_t i, bool certified) {
-  static const std::vector<std::string> colours{"#20406a", "#b03020", "#2a8040",
-                                                "#c08010", "#6a3a8a", "#208090",
-                                                "#a02070", "#606060", "#80a020"};
+  static const std::vector<std::string> colours{"#20406a", "#b03020", "#2a8040", "#c08010",
+                                                "#6a3a8a", "#208090", "#a02070", "#606060",
+                                                "#80a020", "#d06090"};
   return fmt::format("with linespoints lw 2 dt {} pt {} lc rgb '{}'", certified ? 1 : 2,
                      certified ? 7 : 6, colours[i % colours.size()]);
 }
+
+/// Points of methods that have fewer digits than were asked for, and those among them whose own error estimate says otherwise.
+struct failures {
+  std::vector<std::pair<double, double>> few_digits;
+  std::vector<std::pair<double, double>> claimed;
+
+  void add(double x, const measurement& m) {
+    if (!m.has_digits()) few_digits.emplace_back(x, m.seconds);
+    if (m.claims_too_much()) claimed.emplace_back(x, m.seconds);
+  }
+};
 
 /// Data in blocks, and a plot of them.
 class plot {
@@ -195,6 +208,11 @@ class plot {
     data_ += "EOD\n";
     plots_ += fmt::format("{}{} {} {}", plots_.empty() ? "plot " : ", ", name, how,
                           title.empty() ? "notitle" : "title \"" + title + '"');
+  }
+  void add(const failures& of) {
+    add(of.few_digits, "with points pt 2 ps 1.8 lw 2 lc rgb '#d00000'",
+        "fewer digits than asked for");
+    add(of.claimed, "with points pt 6 ps 3 lw 2 lc rgb '#d00000'", "own error estimate too small");
   }
   [[nodiscard]] const std::string& data() const { return data_; }
   /// The command, and a start on the next one.
@@ -212,23 +230,28 @@ class plot {
 };
 
 const char* const settings =
-    "set encoding utf8\nset grid lc rgb '#dddddd'\nset key noenhanced\nset format y '10^{%T}'\nset "
+    "set encoding utf8\nset grid lc rgb '#cccccc'\nset key noenhanced\nset format y "
+    "'10^{%T}'\nset "
     "logscale xy\n";
 
 std::string with_exponent(const measured_method& m) {
   const auto e = cost::growth_exponent(m.points);
-  return m.what->name + (e ? fmt::format(", n^{:.2f}", *e) : "");
+  return m.what->name + (e ? fmt::format(": n^{:.2f}", *e) : "");
 }
 
 cost_picture picture_of(const measured_quantity& q) {
   plot p;
-  std::vector<std::pair<std::string, bool>> shown;
+  failures failed;
   for (std::size_t i = 0; i < q.methods.size(); ++i) {
     const measured_method& m = q.methods[i];
     std::vector<std::pair<double, double>> points;
-    for (const measurement& x : m.points) points.emplace_back(x.digits, x.seconds);
+    for (const measurement& x : m.points) {
+      points.emplace_back(x.digits, x.seconds);
+      failed.add(static_cast<double>(x.digits), x);
+    }
     p.add(points, style(i, m.what->certified), with_exponent(m));
   }
+  p.add(failed);
   const std::string times = p.take();
   constexpr double most_digits_drawn = 1e6;
   for (std::size_t i = 0; i < q.methods.size(); ++i) {
@@ -247,15 +270,19 @@ cost_picture picture_of(const measured_quantity& q) {
   }
   const std::string accuracy = p.take();
   std::string program = settings + p.data();
-  program += fmt::format("set multiplot layout 1,2 title \"{}\" noenhanced\n", q.what->description);
+  // One key for both, below them.
+  program += fmt::format(
+      "set multiplot layout 1,2 margins 0.06,0.98,0.27,0.88 spacing 0.08,0 title \"{}\" "
+      "noenhanced\n",
+      q.what->description);
   program +=
-      "set key below reverse Left samplen 2 maxrows 4\nset xlabel 'digits asked for'\nset ylabel "
-      "'seconds'\n"
-      "set title 'time; certified: full lines'\n" +
+      "set key at screen 0.06,0.15 left top vertical maxrows 4 reverse Left samplen 2\nset xlabel "
+      "'digits asked for'\nset ylabel 'seconds'\n"
+      "set title 'time, and by which power of n digits it grows; certified: full lines'\n" +
       times;
   program +=
-      "set xlabel 'seconds'\nset ylabel 'digits reached'\nset format x '10^{%T}'\nset format y "
-      "'%g'\n"
+      "set key inside top left reverse Left samplen 2\nset xlabel 'seconds'\nset ylabel 'correct "
+      "digits'\nset format x '10^{%T}'\nset format y '%g'\n"
       "set title 'accuracy against time'\n" +
       accuracy + "unset multiplot\n";
   return {q.what->name, program};
@@ -263,27 +290,26 @@ cost_picture picture_of(const measured_quantity& q) {
 
 cost_picture picture_of(const measured_family& f) {
   plot p;
+  failures failed;
   for (std::size_t i = 0; i < f.methods.size(); ++i) {
     const auto& m = f.methods[i];
     std::vector<std::pair<double, double>> points;
-    std::vector<std::pair<double, double>> wrong;
     for (const auto& [k, x] : m.points) {
-      points.emplace_back(std::max(static_cast<double>(k), 0.5), x.seconds);
-      if (!x.has_digits()) wrong.emplace_back(std::max(static_cast<double>(k), 0.5), x.seconds);
+      const double at = std::max(static_cast<double>(k), 0.5);
+      points.emplace_back(at, x.seconds);
+      failed.add(at, x);
     }
     p.add(points, style(i, m.certified), m.name);
-    p.add(wrong, "with points pt 2 ps 1.8 lw 2 lc rgb '#d00000'", "");
   }
+  p.add(failed);
   const std::string plots = p.take();
   return {"hard_" + f.what->name,
           settings + p.data() +
-              fmt::format(
-                  "set title \"{}; {} digits. Crosses: fewer digits than asked for\" noenhanced\n",
-                  f.what->description, f.digits) +
-              "set key outside right top reverse Left samplen 2\nset xlabel 'k (0 is drawn at "
-              "0.5)'\nset ylabel "
-              "'seconds'\n" +
-              plots};
+              fmt::format("set title \"{}; {} digits; certified: full lines\" noenhanced\n",
+                          f.what->description, f.digits) +
+              "set key outside right top reverse Left samplen 2\nset xlabel 'k" +
+              (f.what->exponents.front() == 0 ? " (0 is drawn at 0.5)" : "") +
+              "'\nset ylabel 'seconds'\n" + plots};
 }
 
 cost_picture certainty(const cost_report& report) {
@@ -304,7 +330,8 @@ cost_picture certainty(const cost_report& report) {
   return {"certainty",
           settings + p.data() +
               "set title 'The price of certainty: time certified over time uncertified'\n"
-              "set key top right reverse Left samplen 2\nset xlabel 'digits'\nset ylabel 'ratio'\n"
+              "set rmargin 5\nset key top right reverse Left samplen 2\nset xlabel 'digits'\nset "
+              "ylabel 'ratio'\n"
               "set format y '%g'\nunset logscale y\nset yrange [0:*]\n" +
               plots};
 }
@@ -320,12 +347,12 @@ cost_picture cold(const cost_report& report) {
     p.add(points, style(i++, true), q.what->name);
   }
   const std::string plots = p.take();
-  return {"cold",
-          settings + p.data() +
-              "set title 'The first call in a new process over a later one'\n"
-              "set key top right reverse Left samplen 2\nset xlabel 'digits'\nset ylabel 'ratio'\n"
-              "set format y '%g'\n" +
-              plots};
+  return {"cold", settings + p.data() +
+                      "set title 'The first call in a new process over a later one'\n"
+                      "set rmargin 5\nset key top right reverse Left samplen 2\nset xlabel "
+                      "'digits'\nset ylabel 'ratio'\n"
+                      "set format y '%g'\n" +
+                      plots};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "progress.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -25,6 +26,18 @@ constexpr std::string_view clear_line = "\r\x1b[K";
 bool understands_escapes() {
   const char* terminal = std::getenv("TERM");
   return terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+/// What fits in a line of the terminal: of a line that it has broken only the last part could be cleared.
+std::string shortened(std::string line) {
+  winsize size{};
+  if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return line;
+  if (line.size() < size.ws_col) return line;
+  std::size_t length = size.ws_col - 1U;
+  // Not within a character.
+  while (length > 0 && (static_cast<unsigned char>(line[length]) & 0xc0U) == 0x80U) --length;
+  line.resize(length);
+  return line;
 }
 
 clock::duration of_seconds(double seconds) {
@@ -75,13 +88,13 @@ class progress::countdown {
   }
   void print() const {
     if (doing_.empty()) return;
-    std::string line = std::string(clear_line) + doing_;
+    std::string line = doing_;
     if (end_) {
       const double left = std::chrono::duration<double>(*end_ - clock::now()).count();
       line += left > 0 ? fmt::format(", about {} left", duration_text(std::max(left, 1.0)))
                        : ", longer than estimated";
     }
-    print_error(line + "...");
+    print_error(std::string(clear_line) + shortened(line + "..."));
   }
 
   std::mutex mutex_;

@@ -39,25 +39,16 @@ std::optional<double> time_limit_option::check(const std::string& what, long dig
   const double most = limit();
   constexpr long few_digits = 3000;
   if (digits < few_digits) return std::nullopt;
-  const auto estimate = [&](double longest_call) -> std::optional<double> {
-    double sum = 0;
-    for (const work& one : works) {
-      const auto seconds = cost::estimated_seconds(one, digits, longest_call);
-      if (!seconds) return std::nullopt;
-      sum += *seconds * times;
-    }
-    return sum;
-  };
-  constexpr double short_call = 0.03;
-  constexpr double long_call = 1;
-  std::optional<double> seconds = estimate(short_call);
-  // That was from far below. Where much is to be done, a second more is spent to estimate it from nearer, before anything is refused.
-  constexpr double much = 20;
-  if (seconds && *seconds > std::min(much, most)) seconds = estimate(long_call);
-  if (!seconds || *seconds <= most) return seconds;
+  double seconds = 0;
+  for (const work& one : works) {
+    const auto of_one = cost::estimated_seconds_of_work(one, digits);
+    if (!of_one) return std::nullopt;
+    seconds += *of_one * times;
+  }
+  if (seconds <= most) return seconds;
   throw usage_error(
       fmt::format("{} are estimated to take {}; the limit is {} (--time-limit raises it)", what,
-                  duration_text(*seconds), duration_text(most)));
+                  duration_text(seconds), duration_text(most)));
 }
 
 }  // namespace polhode::cli

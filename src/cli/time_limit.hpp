@@ -10,7 +10,7 @@
 namespace polhode::cli {
 
 /// --time-limit DAYS: how long a request may take by its estimate, which is made from the same request for fewer digits
-/// (cost::estimated_seconds).
+/// (cost::estimated_seconds_of_work).
 struct time_limit_option {
   /// One of several things that are done one after the other, for any number of digits.
   using work = std::function<void(long digits)>;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <stdexcept>
 
@@ -28,6 +29,12 @@ double seconds_of(const std::function<void()>& f) {
   f();
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return taken.count();
+}
+
+double processor_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 double median(std::vector<double> x) {
@@ -256,29 +263,43 @@ std::optional<double> extrapolated_seconds(const std::vector<measurement>& known
 }
 
 std::optional<double> growth_exponent(const std::vector<measurement>& known) {
-  constexpr long many = 300;
+  const auto has_many = [](const measurement& m) { return m.digits >= 300; };
   constexpr std::size_t enough = 3;
-  const auto fit = [&](long least) -> std::optional<double> {
-    double n = 0;
-    double x = 0;
-    double y = 0;
-    double xx = 0;
-    double xy = 0;
-    for (const measurement& m : known) {
-      if (m.digits < least || !(m.seconds > 0)) continue;
-      const double u = std::log(static_cast<double>(m.digits));
-      const double v = std::log(m.seconds);
-      n += 1;
-      x += u;
-      y += v;
-      xx += u * u;
-      xy += u * v;
-    }
-    if (n < enough) return std::nullopt;
-    return (n * xy - x * y) / (n * xx - x * x);
-  };
-  const std::optional<double> of_many = fit(many);
-  return of_many ? of_many : fit(0);
+  if (known.size() < enough) return std::nullopt;
+  const auto first =
+      std::min(std::find_if(known.begin(), known.end(), has_many), known.end() - enough);
+  double n = 0;
+  double x = 0;
+  double y = 0;
+  double xx = 0;
+  double xy = 0;
+  for (auto m = first; m != known.end(); ++m) {
+    if (!(m->seconds > 0)) return std::nullopt;
+    const double u = std::log(static_cast<double>(m->digits));
+    const double v = std::log(m->seconds);
+    n += 1;
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+double undisturbed_seconds(const std::function<void()>& f) {
+  constexpr double long_call = 0.005;
+  constexpr double enough = 0.01;
+  constexpr int least_calls = 3;
+  const double start = processor_seconds();
+  double shortest = seconds_of(f);
+  if (shortest > long_call) return std::min(shortest, processor_seconds() - start);
+  double sum = shortest;
+  for (int calls = 1; calls < least_calls || sum < enough; ++calls) {
+    const double taken = seconds_of(f);
+    shortest = std::min(shortest, taken);
+    sum += taken;
+  }
+  return shortest;
 }
 
 double multiplication_seconds(long digits) {
@@ -295,61 +316,54 @@ double multiplication_seconds(long digits) {
   detail::mpfr_cell product(bits);
   mpfr_sqrt_ui(x.get(), 2, MPFR_RNDN);
   mpfr_sqrt_ui(y.get(), 3, MPFR_RNDN);
-  std::vector<double> times;
-  constexpr double short_time = 1e-4;
-  int calls = 1;
-  while (times.size() < 5) {
-    const double taken = seconds_of([&] {
+  const auto seconds_of_calls = [&](int calls) {
+    return seconds_of([&] {
       for (int i = 0; i < calls; ++i) mpfr_mul(product.get(), x.get(), y.get(), MPFR_RNDN);
     });
-    if (taken < short_time && times.empty() && calls < (1 << 24)) {
-      calls *= 4;
-      continue;
-    }
-    times.push_back(taken / calls);
-    if (taken > 100 * short_time) break;
+  };
+  constexpr double short_time = 1e-4;
+  int calls = 1;
+  double taken = seconds_of_calls(calls);
+  while (taken < short_time && calls < (1 << 24)) {
+    calls *= 4;
+    taken = seconds_of_calls(calls);
   }
-  return median(times);
+  constexpr int rounds = 6;
+  for (int i = 0; i < rounds; ++i) taken = std::min(taken, seconds_of_calls(calls));
+  return taken / calls;
 }
 
-namespace {
-
-constexpr long first_digits = 30;
-constexpr long step = 4;
-
-std::vector<std::pair<long, double>> times_of(const quantity& q) {
-  const method& m = q.methods.front();
-  constexpr double enough_seconds = 0.03;
-  std::vector<std::pair<long, double>> known;
-  for (long digits = first_digits; digits <= m.most_digits; digits *= step) {
-    const double taken = measure(m, digits, std::nullopt, enough_seconds / 10).seconds;
-    known.emplace_back(digits, taken);
-    if (taken > enough_seconds) break;
-  }
-  return known;
-}
-
-}  // namespace
-
-cost_model::cost_model(const quantity& q) : cost_model(times_of(q)) {}
-
-cost_model::cost_model(std::vector<std::pair<long, double>> known) : known_(std::move(known)) {
+cost_model::cost_model(std::vector<std::pair<long, double>> known,
+                       std::function<double(long digits)> multiplication)
+    : known_(std::move(known)), multiplication_(std::move(multiplication)) {
+  if (known_.empty()) throw std::invalid_argument("cost_model: it needs a time at least");
+  const auto last = known_.rbegin();
+  // The exponent between the last time and an earlier one.
+  const auto exponent_from = [&](const std::pair<long, double>& earlier) {
+    const auto& [n, t] = *last;
+    const auto& [n_before, t_before] = earlier;
+    return std::log(t / t_before / (multiplication_(n) / multiplication_(n_before))) /
+           std::log(static_cast<double>(n) / static_cast<double>(n_before));
+  };
   if (known_.size() < 2) return;
-  const auto& [n, t] = known_.back();
-  const auto& [n_before, t_before] = known_[known_.size() - 2];
-  const double multiplications = multiplication_seconds(n) / multiplication_seconds(n_before);
-  const double ratio = static_cast<double>(n) / static_cast<double>(n_before);
+  exponent_ = exponent_from(last[1]);
+  if (known_.size() > 2) exponent_ = std::max(exponent_, exponent_from(last[2]));
   constexpr double least = -0.5;
-  constexpr double most = 3;
-  exponent_ = std::clamp(std::log(t / t_before / multiplications) / std::log(ratio), least, most);
+  constexpr double most = 2;
+  exponent_ = std::clamp(exponent_, least, most);
 }
 
 double cost_model::seconds(long digits) const {
   const auto& [last, last_seconds] = known_.back();
   if (digits <= known_.front().first) return known_.front().second;
   if (digits > last) {
-    return last_seconds * multiplication_seconds(digits) / multiplication_seconds(last) *
-           std::pow(static_cast<double>(digits) / static_cast<double>(last), exponent_);
+    constexpr double near = 4;
+    constexpr double least_far = 0.1;
+    const double leap = static_cast<double>(digits) / static_cast<double>(last);
+    const double near_leap = std::min(leap, near);
+    return last_seconds * multiplication_(digits) / multiplication_(last) *
+           std::pow(near_leap, exponent_) *
+           std::pow(leap / near_leap, std::max(exponent_, least_far));
   }
   const auto above = std::find_if(known_.begin() + 1, known_.end(),
                                   [=](const auto& k) { return digits <= k.first; });
@@ -360,35 +374,59 @@ double cost_model::seconds(long digits) const {
   return t0 * std::pow(t1 / t0, share);
 }
 
+std::optional<double> estimated_seconds(const std::function<double(long digits)>& timed,
+                                        long digits, long most_timed, double longest_call,
+                                        const std::function<double(long digits)>& multiplication) {
+  // Each is measured once.
+  std::map<long, double> multiplications;
+  const auto of_multiplication = [&](long n) {
+    const auto found = multiplications.find(n);
+    if (found != multiplications.end()) return found->second;
+    return multiplications[n] = multiplication(n);
+  };
+  constexpr long first_digits = 30;
+  constexpr long step = 2;
+  constexpr double always_allowed = 0.03;
+  constexpr double share = 0.1;
+  std::vector<std::pair<long, double>> known;
+  std::optional<double> estimate;
+  for (long n = first_digits; n <= most_timed; n *= step) {
+    if (!known.empty()) {
+      const double allowed = std::min(std::max(always_allowed, share * *estimate), longest_call);
+      if (cost_model(known, of_multiplication).seconds(n) > allowed) break;
+    }
+    // Of a time of 0, which a coarse clock may say, there is no logarithm.
+    constexpr double grain = 1e-9;
+    known.emplace_back(n, std::max(timed(n), grain));
+    estimate = cost_model(known, of_multiplication).seconds(digits);
+  }
+  return estimate;
+}
+
 double estimate_cost(const std::string& name, long digits) {
-  static std::map<std::string, cost_model> models;
   for (const quantity& q : quantities()) {
     if (q.name != name) continue;
-    const auto found = models.try_emplace(name, q).first;
-    return found->second.seconds(digits);
+    const method& m = q.methods.front();
+    const auto timed = [&](long n) {
+      (void)m.compute(n);  // what is made once and kept
+      return undisturbed_seconds([&] { (void)m.compute(n); });
+    };
+    return estimated_seconds(timed, digits, std::max(30L, std::min(m.most_digits, digits)), 1)
+        .value();
   }
   throw std::invalid_argument("estimate_cost: there is no quantity " + name);
 }
 
-std::optional<double> estimated_seconds(const std::function<void(long digits)>& work, long digits,
-                                        double longest_call) {
-  std::vector<std::pair<long, double>> known;
+std::optional<double> estimated_seconds_of_work(const std::function<void(long digits)>& work,
+                                                long digits) {
+  constexpr double longest_call = 1;
+  const auto timed = [&](long n) { return undisturbed_seconds([&] { work(n); }); };
   try {
-    for (long n = first_digits; n < digits / 2; n *= step) {
-      double taken = seconds_of([&] { work(n); });
-      // Of short calls the shortest: another program may have been in the way.
-      for (int again = 0; again < 2 && taken < longest_call / 4; ++again) {
-        taken = std::min(taken, seconds_of([&] { work(n); }));
-      }
-      known.emplace_back(n, taken);
-      if (known.back().second > longest_call) break;
-    }
+    return estimated_seconds(timed, digits, digits / 2, longest_call);
   } catch (
       const std::exception&) {  // what is to be said of it is said when it is done with all digits
     return std::nullopt;
   }
-  if (known.empty()) return std::nullopt;
-  return cost_model(std::move(known)).seconds(digits);
 }
 
 }  // namespace polhode::cost

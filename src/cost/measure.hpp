@@ -2,7 +2,10 @@
 
 // Time, accuracy and memory of a method, measured; and a model of the time at digits that were not.
 
-#include <memory>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "quantity.hpp"
 
@@ -53,34 +56,49 @@ class cold_processes {
 [[nodiscard]] std::optional<double> extrapolated_seconds(const std::vector<measurement>& known,
                                                          long digits);
 
-/// The exponent of the digits that time grows by, by least squares over the measurements of 300 digits and more, or over all
-/// where there are fewer than 3 of those; nothing where there are fewer than 3.
+/// The exponent of the digits that time grows by, by least squares over the measurements of 300 digits and more, or over the last 3
+/// where those are fewer, of measurements by growing digits; nothing where there are fewer than 3.
 [[nodiscard]] std::optional<double> growth_exponent(const std::vector<measurement>& known);
 
-/// Estimates of what a quantity costs by its first method: between sizes that were timed, a power of the digits through both;
-/// beyond the last one, N, t(n) = t(N) (M(n)/M(N)) (n/N)^e with M(n) the time of a multiplication of n digits, measured, and e from
-/// the last two. Calibrated by calls of up to about a tenth of a second in all.
+/// What f takes where no other program is in the way. The shortest of three calls or more, for a hundredth of a second; of a call that takes
+/// so long that others may have been in the way of all of them, the processor's time, where that is less than the clock's (on several threads it is more).
+[[nodiscard]] double undisturbed_seconds(const std::function<void()>& f);
+
+/// Seconds of a multiplication of two numbers of so many digits, M(n).
+[[nodiscard]] double multiplication_seconds(long digits);
+
+/// Estimates of a time from times t at growing numbers of digits: between two of them, a power of the digits through both. Beyond the
+/// last one, N, t(n) = t(N) (M(n)/M(N)) (n/N)^e: the multiplications that are done, t/M, grow by the power e, the greater of
+/// those between the last time and each of the two before it, which is at least -1/2 (calls cost more than multiplications while digits
+/// are few) and at most 2. Beyond 4N, e is at least 1/10: no count of multiplications falls for long. Where only one time is known, e = 0.
 class cost_model {
  public:
-  explicit cost_model(const quantity& q);
-  /// From times at growing numbers of digits, of which there is one at least.
-  explicit cost_model(std::vector<std::pair<long, double>> known);
+  /// Throws std::invalid_argument without a time.
+  explicit cost_model(std::vector<std::pair<long, double>> known,
+                      std::function<double(long digits)> multiplication = multiplication_seconds);
   [[nodiscard]] double seconds(long digits) const;
 
  private:
   std::vector<std::pair<long, double>> known_;  // digits and seconds
+  std::function<double(long digits)> multiplication_;
   double exponent_ = 0;
 };
 
-/// The quantity of that name by a model calibrated once in this process. Throws std::invalid_argument for an unknown name.
+/// Seconds at `digits`, by the cost_model of timed(n) for n = 30, 60, 120, ... up to `most_timed`. A time is taken as long as it is itself
+/// estimated to be at most 0.03 s, or at most a tenth of what is estimated for `digits`, and in any case at most `longest_call`; the
+/// first is always taken. So the more there is to be done, the nearer to it the last time is. Nothing where `most_timed` is below 30.
+[[nodiscard]] std::optional<double> estimated_seconds(
+    const std::function<double(long digits)>& timed, long digits, long most_timed,
+    double longest_call,
+    const std::function<double(long digits)>& multiplication = multiplication_seconds);
+
+/// Seconds of a later call of the first method of the quantity of that name, undisturbed, by estimated_seconds with calls of up to a second.
+/// Throws std::invalid_argument for an unknown name.
 [[nodiscard]] double estimate_cost(const std::string& name, long digits);
 
-/// Seconds that work(digits) would take: by the model of calls with 30, 120, 480, ... digits, fewer than half of those, until one takes
-/// longer than `longest_call` seconds. Nothing where a call throws.
-[[nodiscard]] std::optional<double> estimated_seconds(const std::function<void(long digits)>& work,
-                                                      long digits, double longest_call);
-
-/// Seconds of a multiplication of two numbers of so many digits.
-[[nodiscard]] double multiplication_seconds(long digits);
+/// Seconds that work(digits) would take: by estimated_seconds with calls of up to a second and half of the digits. Nothing where a call
+/// throws, or the digits are fewer than 60.
+[[nodiscard]] std::optional<double> estimated_seconds_of_work(
+    const std::function<void(long digits)>& work, long digits);
 
 }  // namespace polhode::cost

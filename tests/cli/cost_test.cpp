@@ -63,6 +63,18 @@ TEST(CostCommand, WritesTheFilesTogether) {
   EXPECT_EQ(rows, 5);  // two methods to 16 and 30 digits, double to 16
 }
 
+TEST(CostCommand, SaysWhereAnEstimateIsBeyondWhatIsMeasured) {
+  const outcome result = run({"cost", "beta", "c0", "--estimate", "50000"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  std::istringstream lines(result.out);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_NE(line.find("50000 digits by interval newton: about "), std::string::npos) << line;
+  EXPECT_EQ(line.find("at most"), std::string::npos) << line;
+  std::getline(lines, line);
+  EXPECT_NE(line.find("to 30000 at most"), std::string::npos) << line;
+}
+
 TEST(CostCommand, Refusals) {
   expect_refused({"cost", "bta"}, {"beta"});
   expect_refused({"cost", "--max-digits", "3"}, {"from 16"});
@@ -70,6 +82,8 @@ TEST(CostCommand, Refusals) {
   expect_refused({"cost", "--seconds", "x"}, {"above 0"});
   expect_refused({"cost", "--data-only"}, {"--out"});
   expect_refused({"cost", "--estimate", "-1"}, {"from 0"});
+  expect_refused({"cost", "beta", "--estimate", "100", "--format", "json"}, {"--format"});
+  expect_refused({"cost", "--list", "--out", "x"}, {"--out"});
 }
 
 }  // namespace
