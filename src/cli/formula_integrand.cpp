@@ -241,10 +241,9 @@ struct supplement<recorded> {
   static recorded max(const recorded& x, const recorded& y) { return greater(x, y); }
   static recorded power_integer(const recorded& x, long n) { return pow(x, n); }
   static recorded power(const recorded& x, const recorded& y) {
-    recorded_operation operation =
-        recorded_operation::of([](const auto& v, const auto& w, long) {
-          return supplement<std::remove_cvref_t<decltype(v)>>::power(v, w);
-        });
+    recorded_operation operation = recorded_operation::of([](const auto& v, const auto& w, long) {
+      return supplement<std::remove_cvref_t<decltype(v)>>::power(v, w);
+    });
     operation.rule = recorded_rule::power;
     return x.applied(operation, y);
   }

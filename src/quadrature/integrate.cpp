@@ -1190,9 +1190,7 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
     if (insists_on_series) {
       result.why = reason::not_applicable;
       result.obstacle =
-          "Taylor series need an integrand that is made of powers of polynomials, and of "
-          "exponential functions of them, "
-          "in x, e^(k x) or sin^2 (k x)";
+          "Taylor series need a sum of hyperexponential functions of x, e^(k x) or sin^2 (k x)";
       return result;
     }
   }

@@ -30,13 +30,13 @@ TEST(ParallelIntegral, HasTheSameBitsOnAnyNumberOfThreads) {
   };
   const limit infinity = limit::infinity();
   check(
-      "panels", [](const auto& x) { return 1 / (1 + 25 * square(x)) + exp(x); }, -1, 1);
+      "panels", [](const auto& x) { return 1 / (1 + 25 * square(x)) + log(x + 3); }, -1, 1);
   check(
       "a period", [](const auto& x) { return sqrt(3 + cos(x) + sin(2 * x)); }, 0, limit::pi(2));
   check(
       "an end", [](const auto& x) { return log(x) * cos(x); }, 0, 1);
   check(
-      "tails", [](const auto& x) { return exp(-x * x); }, -infinity, infinity);
+      "tails", [](const auto& x) { return exp(-x * x) * cos(x); }, -infinity, infinity);
 }
 
 /// Counts the evaluators that were made, and sees to it that each is called by one thread.
@@ -64,7 +64,8 @@ struct watched {
 
 TEST(ParallelIntegral, MakesAnEvaluatorForEachThread) {
   watched::counts seen;
-  const integral i = integrate(watched{&seen}, 0, 1, {.digits = 300, .threads = 8});
+  const integral i = integrate(
+      watched{&seen}, 0, 1, {.digits = 300, .rule = quadrature_rule::gauss_legendre, .threads = 8});
   EXPECT_EQ(i.verdict, status::certified);
   EXPECT_GE(seen.evaluators, 1);
   EXPECT_EQ(seen.shared, 0);
@@ -76,7 +77,7 @@ struct throws_at_many_bits {
     if constexpr (std::same_as<T, ball>) {
       if (x.precision() > 2000) throw std::runtime_error("thrown by the integrand");
     }
-    return exp(x);
+    return log(x + 2);
   }
 };
 

@@ -292,7 +292,11 @@ TEST(SymmetricIntegral, IsTheTrapezoidalRules) {
                "reversed", [](const auto& x) { return exp(sin(x)); }, limit::pi(), -limit::pi(),
                -2 * p * bessel_i0_of_1(), 43),
        }) {
-    const integral result = i.run({.digits = 50});
+    // Of hyperexponential ones the front door makes Taylor series.
+    const bool is_chosen = i.name != "K" && i.name != "Poisson";
+    const integral result =
+        i.run({.digits = 50,
+               .rule = is_chosen ? quadrature_rule::automatic : quadrature_rule::trapezoid});
     EXPECT_EQ(result.verdict, status::certified) << i.name;
     EXPECT_TRUE(holds(result, i.value)) << i.name;
     EXPECT_EQ(result.account.rules, trapezoid_only) << i.name;
@@ -355,8 +359,12 @@ TEST(SymmetricIntegral, OfWhatIsNotAnalyticIsRefusedOrOtherwiseDone) {
   const auto close = [=](const auto& x) { return 1 / (near - cos(x)); };
   const integral result = integrate(close, 0, limit::pi(), {.digits = 30});
   EXPECT_EQ(result.verdict, status::certified);
-  EXPECT_EQ(result.account.rules, std::vector{quadrature_rule::gauss_legendre});
+  EXPECT_EQ(result.account.rules, std::vector{quadrature_rule::taylor_series});
   EXPECT_TRUE(holds(result, pi(value_bits) / sqrt(ball(near * near - 1, value_bits))));
+  const auto of_another_kind = [=](const auto& x) { return exp(cos(x)) / (near - cos(x)); };
+  const integral other = integrate(of_another_kind, 0, limit::pi(), {.digits = 30});
+  EXPECT_EQ(other.verdict, status::certified);
+  EXPECT_EQ(other.account.rules, std::vector{quadrature_rule::gauss_legendre});
 }
 
 TEST(SymmetricIntegral, OfRandomTrigonometricFunctionsIsThatOverTheHalves) {
