@@ -75,7 +75,7 @@ method by_rule(quadrature_rule rule, const F& f, const limit& from, const limit&
             const integral found = integrate(f, from, to, options);
             ball value = found.enclosure;
             if (divisor) value = value / sqrt(ball(*divisor, bits_for_digits(digits) + 64));
-            return estimate{value, std::nullopt, found.account.evaluations};
+            return estimate{value, std::nullopt, found.account.evaluations + found.account.terms};
           }};
 }
 
@@ -138,6 +138,7 @@ quantity half_phase(const rational& u) {
             return scale(
                 montgomery_phase_to_digits(the_body(), rational(-the_b * u), digits).enclosure, -1);
           }),
+      by_rule(quadrature_rule::taylor_series, kernel, from, to, 30'000, the_b),
       by_rule(quadrature_rule::trapezoid, kernel, from, to, 30'000, the_b),
       by_rule(quadrature_rule::gauss_legendre, kernel, from, to, 10'000, the_b),
       by_rule(quadrature_rule::clenshaw_curtis, kernel, from, to, 3000, the_b),
@@ -207,6 +208,7 @@ quantity phase_integral_quantity() {
                 [](long digits) {
                   return phase_integral(the_body(), the_c, the_u, bits_for_digits(digits) + 16);
                 }),
+      by_rule(quadrature_rule::taylor_series, phase_kernel(), 0, 1, 30'000, divisor),
       by_rule(quadrature_rule::gauss_legendre, phase_kernel(), 0, 1, 10'000, divisor),
       by_rule(quadrature_rule::clenshaw_curtis, phase_kernel(), 0, 1, 3000, divisor),
       in_mpfr_float("carlson, floating", "our R_F and R_J in mpfr_float, uncertified", many_digits,
