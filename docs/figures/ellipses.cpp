@@ -132,6 +132,7 @@ int main(int argc, char** argv) {
   const auto seen = std::make_shared<notes>();
   integrate_options options;
   options.digits = argc > 1 ? std::stol(argv[1]) : 30;
+  options.rule = quadrature_rule::gauss_legendre;
   const integral i = integrate(noting_integrand(seen), -1, 1, options);
   if (i.verdict != status::certified) return 1;
 

@@ -11,7 +11,9 @@
 // mathematician's sense: the same argument gives the same value, and it is defined by the same formula for
 // every type of argument.
 //
-// How: f is recorded (recorded.hpp), and the range is cut where abs, min, max, floor or ceil passes from one analytic
+// How: f is recorded (recorded.hpp). Where it is found to be a sum of functions whose logarithmic derivative is rational,
+// in x, e^(k x) or sin^2 (k x), it is integrated by its Taylor series (taylor_series.hpp in src/quadrature), and of what
+// follows nothing is done. Otherwise the range is cut where abs, min, max, floor or ceil passes from one analytic
 // function to another, at points that are found to any precision. Each piece is cut into panels. Around each, a
 // Bernstein ellipse is covered by regions, which prove that f is analytic inside and give M >= |f|; the
 // Gauss-Legendre rule with n nodes is then off by at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no
@@ -52,7 +54,7 @@ struct integrate_options {
   long digits = 15;
   /// An absolute goal beside it, as a power of two: a radius of at most 2^absolute_exponent will do.
   std::optional<long> absolute_exponent = std::nullopt;
-  /// Of f, at nodes and over regions.
+  /// Of f, at nodes and over regions; and terms of Taylor series.
   long most_evaluations = 20'000'000;
   /// How often a panel may be halved; by default as often as the goal may need.
   std::optional<long> most_depth = std::nullopt;
