@@ -68,7 +68,41 @@ hyperexponential product(const hyperexponential& f, const hyperexponential& g) {
   for (const constant_power& c : g.constants) multiply_by(result, c);
   for (const polynomial_power& p : g.powers) multiply_by(result, p);
   if (!g.exponent.is_zero()) result.exponent = result.exponent + g.exponent;
+  if (!g.phase.is_zero()) {  // f has none
+    result.phase = g.phase;
+    result.is_sine = g.is_sine;
+  }
   return result;
+}
+
+/// f times the cosine or sine of t, where f has none of its own.
+hyperexponential with_phase(hyperexponential f, const rational_polynomial& t, bool is_sine) {
+  const bool is_negative = !t.is_zero() && t.leading() < 0;
+  f.phase = is_negative ? t * rational_polynomial({rational(-1)}) : t;
+  f.is_sine = is_sine && !t.is_zero();
+  if (is_sine && t.is_zero()) f.coefficient = 0;
+  if (is_sine && is_negative) f.coefficient = -f.coefficient;
+  return f;
+}
+
+/// f g, a sum where both have a phase.
+sum products(const hyperexponential& f, const hyperexponential& g) {
+  if (f.phase.is_zero() || g.phase.is_zero()) return {product(f, g)};
+  hyperexponential x = f;
+  hyperexponential y = g;
+  x.phase = y.phase = {};
+  x.is_sine = y.is_sine = false;
+  hyperexponential both = product(x, y);
+  both.coefficient /= 2;
+  hyperexponential negative = both;
+  negative.coefficient = -negative.coefficient;
+  const rational_polynomial difference = f.phase - g.phase;
+  const rational_polynomial total = f.phase + g.phase;
+  // 2 cos a cos b = cos(a-b) + cos(a+b), 2 sin a sin b = cos(a-b) - cos(a+b),
+  // 2 sin a cos b = sin(a-b) + sin(a+b), 2 cos a sin b = -sin(a-b) + sin(a+b).
+  const bool is_sine = f.is_sine != g.is_sine;
+  return {with_phase(is_sine && g.is_sine ? negative : both, difference, is_sine),
+          with_phase(f.is_sine && g.is_sine ? negative : both, total, is_sine)};
 }
 
 /// The exponent of a base; 0 where f does not have it.
@@ -119,15 +153,16 @@ class taking_apart {
     sum result;
     for (const hyperexponential& x : f) {
       for (const hyperexponential& y : g) {
-        const hyperexponential both = product(x, y);
-        if (both.powers.size() > most_factors || !add(result, both)) return std::nullopt;
+        for (const hyperexponential& term : products(x, y)) {
+          if (term.powers.size() > most_factors || !add(result, term)) return std::nullopt;
+        }
       }
     }
-    if (result.empty()) return std::nullopt;
+    if (result.empty() || result.size() > most_terms) return std::nullopt;
     return result;
   }
   [[nodiscard]] maybe_sum raised(const sum& f, const rational& e) const {
-    if (f.size() > 1) {
+    if (f.size() > 1 || !f.front().phase.is_zero()) {
       if (!is_integer(e) || e < 1 || e > 8) return std::nullopt;
       maybe_sum result = f;
       for (long k = 1; result && k < e; ++k) result = multiplied(*result, f);
@@ -184,7 +219,9 @@ class taking_apart {
     const bool has_conditions =
         std::any_of(x.powers.begin(), x.powers.end(),
                     [](const polynomial_power& p) { return p.must_be_positive; });
-    if (has_conditions || !x.constants.empty() || !x.exponent.is_zero()) return std::nullopt;
+    if (has_conditions || !x.constants.empty() || !x.exponent.is_zero() || !x.phase.is_zero()) {
+      return std::nullopt;
+    }
     return polynomial_of(x.coefficient, x.powers);
   }
 
@@ -210,10 +247,14 @@ class taking_apart {
       return true;
     }
     for (auto i = f.begin(); i != f.end(); ++i) {
-      if (!(i->exponent == g.exponent) || !have_same_constants(*i, g)) continue;
+      const bool is_alike = i->exponent == g.exponent && i->phase == g.phase &&
+                            i->is_sine == g.is_sine && have_same_constants(*i, g);
+      if (!is_alike) continue;
       hyperexponential common;
       common.constants = i->constants;
       common.exponent = i->exponent;
+      common.phase = i->phase;
+      common.is_sine = i->is_sine;
       std::vector<polynomial_power> left;
       std::vector<polynomial_power> right;
       bool is_possible = true;
@@ -413,7 +454,7 @@ rational_polynomial reflected(const rational_polynomial& p) {
   return rational_polynomial(std::move(c));
 }
 
-/// x = sign y, sign = 1 or -1. `plain` are the forms in x of what exponential functions are taken of.
+/// x = sign y, sign = 1 or -1. `plain` are the forms in x of what exponential and circular functions are taken of.
 substitution argument_itself(const formula& f, int sign, const rational& inside,
                              const forms* plain) {
   const taking_apart apart(inside);
@@ -425,13 +466,16 @@ substitution argument_itself(const formula& f, int sign, const rational& inside,
     if (plain == nullptr || node.what != recorded_node::kind::function) return std::nullopt;
     const auto rule = node.operation.rule;
     const bool is_exponential = rule == recorded_rule::exp;
-    if (!is_exponential && rule != recorded_rule::sinh && rule != recorded_rule::cosh) {
+    const bool is_circular = rule == recorded_rule::sin || rule == recorded_rule::cos;
+    if (!is_exponential && !is_circular && rule != recorded_rule::sinh &&
+        rule != recorded_rule::cosh) {
       return std::nullopt;
     }
     const maybe_sum& form = (*plain)[node.left];
     auto p = form ? taking_apart::as_polynomial(*form) : std::nullopt;
     if (!p) return std::nullopt;
     if (sign < 0) p = reflected(*p);
+    if (is_circular) return sum{with_phase(number(1), *p, rule == recorded_rule::sin)};
     hyperexponential up;
     up.exponent = *p;
     if (is_exponential) return sum{up};
@@ -531,7 +575,11 @@ class parts_of {
     for (const hyperexponential& term : form) {
       hyperexponential_integral part = range;
       part.function = product(term, factor);
-      if (part.function.coefficient == 0 && part.function.powers.empty()) continue;
+      const std::vector<polynomial_power>& powers = part.function.powers;
+      const bool has_conditions =
+          std::any_of(powers.begin(), powers.end(),
+                      [](const polynomial_power& p) { return p.must_be_positive; });
+      if (part.function.coefficient == 0 && !has_conditions) continue;
       const auto same = [&](const hyperexponential_integral& other) {
         return other.lower.exact && other.lower.exact == part.lower.exact &&
                other.upper.exact == part.upper.exact &&

@@ -2,10 +2,11 @@
 
 // Formulas that are hyperexponential: f'/f is a rational function. They are the products
 //
-//   f(y) = c p_1(y)^e_1 ... p_m(y)^e_m exp(s(y))
+//   f(y) = c p_1(y)^e_1 ... p_m(y)^e_m exp(s(y) + i t(y))
 //
-// with polynomials p_i and s that have rational coefficients, rational e_i, and a number c. The coefficients of such a
-// function's Taylor series follow from a few of those before them (taylor_sum.hpp).
+// with polynomials p_i, s and t that have rational coefficients, rational e_i, and a number c. The coefficients of such a
+// function's Taylor series follow from a few of those before them (taylor_series.hpp). Of f with t != 0 the real or the
+// imaginary part is meant.
 //
 // Where a formula is a sum of such, in x itself, in y = e^(k x + d), or in y = sin^2 (k x), cos(k x) or sin(k x), it is
 // taken apart: its integral is a sum of integrals of hyperexponential functions of y. All of this is about real
@@ -52,6 +53,8 @@ struct hyperexponential {
   std::vector<constant_power> constants;
   std::vector<polynomial_power> powers;
   rational_polynomial exponent;  // s
+  rational_polynomial phase;     // t: 0, or with a positive leading coefficient
+  bool is_sine = false;          // sin t instead of cos t
 
   /// c with p bits; undefined where it has no value.
   [[nodiscard]] ball constant(const formula& f, precision p) const;

@@ -151,6 +151,8 @@ struct smooth_range {
   std::vector<factor> factors;
   rational_polynomial numerator;  // P
   rational_polynomial exponent;   // s
+  rational_polynomial phase;      // t
+  bool is_sine = false;           // the imaginary part is meant
   range_end lower;
   range_end upper;
   bool begins_at_0 = false;
@@ -210,6 +212,33 @@ class antiderivative {
   integer sum_;
 };
 
+/// The real or the imaginary part of a series, and of its integral.
+struct series_part {
+  std::vector<integer> a;   // the last of the a_n, in a ring
+  integer at_plus;          // the sum of the b_n, which is G(1)
+  integer at_minus;         // G(-1)
+  integer sum_of_sizes;     // of the |e_n|
+  std::size_t longest = 0;  // of the b_n, in bits
+  std::optional<antiderivative> at_low;
+  std::optional<antiderivative> at_high;
+
+  /// b_n, and for sums that are cut off e_n, at least.
+  void add(const integer& b, integer& e, long n, bool is_cut) {
+    at_plus += b;
+    if (!is_cut) return;
+    if (n % 2 == 0) {
+      at_minus += b;
+    } else {
+      at_minus -= b;
+    }
+    if (at_low) at_low->add(b);
+    if (at_high) at_high->add(b);
+    longest = std::max(longest, mpz_sizeinbase(b.backend().data(), 2));
+    mpz_abs(e.backend().data(), e.backend().data());
+    sum_of_sizes += e;
+  }
+};
+
 /// The integral of P h over one panel.
 class panel_integral {
  public:
@@ -229,7 +258,7 @@ class panel_integral {
           multiply_up(size.magnitude_upper(), power_of_two_above(log2_greatest)));
     }
     const double lost = ((log_greatest_ - log_least_ - log_least_q_) / log_of_2).upper();
-    const double bits = approximate_log2(size.magnitude_upper()) + lost - log2_goal + 4;
+    const double bits = approximate_log2(size.magnitude_upper()) + lost - log2_goal + 5;
     const double log2_terms = std::log2(std::max(bits, 16.0)) + 1;
     const double f = std::ceil(std::max(bits + 2 * log2_terms, 64.0));
     if (!(f < static_cast<double>(most_bits))) return std::nullopt;
@@ -259,21 +288,22 @@ class panel_integral {
     integer most = 0;
     for (const integer& x : numerator_.coefficients) most += abs(x);
     maximum_ = ball(most, 64);
-    if (!range_.exponent.is_zero()) prepare_exponent();
+    if (!range_.exponent.is_zero()) exponent_ = local(range_.exponent);
+    if (!range_.phase.is_zero()) phase_ = local(range_.phase);
     if (!prepare_bounds()) return false;
     prepare_recurrence();
     is_prepared_ = true;
     return true;
   }
 
-  /// s(c + r z) = exponent_scale_ * exponent_.
-  void prepare_exponent() {
+  /// p(c + r z), where p has rational coefficients; the content is positive.
+  [[nodiscard]] local_polynomial local(const rational_polynomial& p) const {
     integer below = 1;
-    for (const rational& c : range_.exponent.coefficients()) below = lcm(below, denominator(c));
-    local_polynomial s = at_panel(range_.exponent * rational_polynomial({rational(below)}),
-                                  panel_.centre, panel_.radius);
-    exponent_ = std::move(s.coefficients);
-    exponent_scale_ = s.content / rational(below);
+    for (const rational& c : p.coefficients()) below = lcm(below, denominator(c));
+    local_polynomial result =
+        at_panel(p * rational_polynomial({rational(below)}), panel_.centre, panel_.radius);
+    result.content /= rational(below);
+    return result;
   }
 
   /// Bounds of log g, and of log(Q/q_0) from below.
@@ -289,8 +319,8 @@ class panel_integral {
       exponents.emplace_back(f.exponent);
     }
     std::vector<double_interval> s(1);  // without s(c)
-    for (std::size_t k = 1; k < exponent_.size(); ++k) {
-      s.emplace_back(rational(exponent_[k] * exponent_scale_));
+    for (std::size_t k = 1; k < exponent_.coefficients.size(); ++k) {
+      s.emplace_back(rational(exponent_.coefficients[k] * exponent_.content));
     }
     const polynomial_range range_of_s(std::move(s));
     for (int pieces = 4; pieces <= 64; pieces *= 4) {
@@ -341,23 +371,25 @@ class panel_integral {
       add_to(s_, part);
       q_ = product(q_, f.p.coefficients);
     }
-    if (!exponent_.empty()) {
-      // S/(common Q) + scale * s'
-      integers part = product(derivative(exponent_), q_);
-      multiply_by(part, numerator(exponent_scale_) * common);
-      multiply_by(s_, denominator(exponent_scale_));
-      add_to(s_, part);
-      multiply_by(q_, common * denominator(exponent_scale_));
-    } else {
-      multiply_by(q_, common);
-    }
+    multiply_by(q_, common);
+    if (!exponent_.coefficients.empty()) add_derivative(exponent_, s_);
+    if (!phase_.coefficients.empty()) add_derivative(phase_, t_);
     integer divisor = 0;
-    for (const integer& x : q_) divisor = gcd(divisor, x);
-    for (const integer& x : s_) divisor = gcd(divisor, x);
-    if (divisor > 1) {
-      for (integer& x : q_) x /= divisor;
-      for (integer& x : s_) x /= divisor;
+    for (const integers* p : {&q_, &s_, &t_}) {
+      for (const integer& x : *p) divisor = gcd(divisor, x);
     }
+    if (divisor > 1) {
+      for (integers* p : {&q_, &s_, &t_}) {
+        for (integer& x : *p) x /= divisor;
+      }
+    }
+  }
+  /// Adds p' to the quotient of S's part by Q.
+  void add_derivative(const local_polynomial& p, integers& part) {
+    integers sum = product(derivative(p.coefficients), q_);
+    multiply_by(sum, numerator(p.content));
+    for (integers* all : {&q_, &s_, &t_}) multiply_by(*all, denominator(p.content));
+    add_to(part, sum);
   }
 
   /// |r| times the factors at z = 0, that of P among them, with p bits.
@@ -378,8 +410,9 @@ class panel_integral {
     for (const auto& [exponent, value] : values) {
       result = result * power_of_positive(ball(value, p), exponent);
     }
-    if (!exponent_.empty()) {
-      result = result * exp(ball(rational(exponent_.front() * exponent_scale_), p));
+    if (!exponent_.coefficients.empty()) {
+      const rational at_centre = exponent_.coefficients.front() * exponent_.content;
+      result = result * exp(ball(at_centre, p));
     }
     return result;
   }
@@ -402,18 +435,21 @@ class panel_integral {
     const bool falls = panel_.radius < 0;
     if (panel_.from_lower) (falls ? high : low) = coordinate(range_.lower, bits);
     if (panel_.to_upper) (falls ? low : high) = coordinate(range_.upper, bits);
-    std::optional<antiderivative> at_low;
-    std::optional<antiderivative> at_high;
-    for (const auto& [z, at] : {std::pair(&low, &at_low), std::pair(&high, &at_high)}) {
-      if (!*z) continue;
-      fixed_point_number number = in_fixed_point(**z, f);
-      const bool is_inside =
-          (*z)->magnitude_upper() <= magnitude::power_of_two(0) &&
-          mpz_sizeinbase(number.value.backend().data(), 2) <= static_cast<std::size_t>(f);
-      if (!is_inside || (panel_.at_end && !certainly_positive(**z))) return std::nullopt;
-      at->emplace(std::move(number), f);
+    // The real part and, where g is complex, the imaginary one.
+    const std::size_t parts = phase_.coefficients.empty() ? 1 : 2;
+    std::vector<series_part> part(parts);
+    for (series_part& own : part) {
+      for (const auto& [z, at] : {std::pair(&low, &own.at_low), std::pair(&high, &own.at_high)}) {
+        if (!*z) continue;
+        fixed_point_number number = in_fixed_point(**z, f);
+        const bool is_inside =
+            (*z)->magnitude_upper() <= magnitude::power_of_two(0) &&
+            mpz_sizeinbase(number.value.backend().data(), 2) <= static_cast<std::size_t>(f);
+        if (!is_inside || (panel_.at_end && !certainly_positive(**z))) return std::nullopt;
+        at->emplace(std::move(number), f);
+      }
     }
-    const bool is_cut = at_low || at_high;
+    const bool is_cut = low || high;
 
     // p = above/below
     constexpr long greatest = 1L << 31;
@@ -421,12 +457,12 @@ class panel_integral {
     const auto above = static_cast<long>(numerator(power_));
     const auto below = static_cast<unsigned long>(denominator(power_));
     // a_n and e_n = sum of P_k a_(n-k), until all that are looked back at are 0.
-    const std::size_t depth = std::max(q_.size() - 1, s_.size());
+    const std::size_t depth = std::max({q_.size() - 1, s_.size(), t_.size()});
     const std::size_t looked_at = std::max(depth, numerator_.coefficients.size());
     const std::size_t ring = looked_at + 1;
-    std::vector<integer> a(ring);
-    mpz_setbit(a[0].backend().data(), static_cast<mp_bitcnt_t>(f));
-    // s_k - (n - k) q_(k+1), for the n of the step.
+    for (series_part& own : part) own.a.resize(ring);
+    mpz_setbit(part[0].a[0].backend().data(), static_cast<mp_bitcnt_t>(f));
+    // The real part of s_k - (n - k) q_(k+1), for the n of the step.
     std::vector<integer> c(depth);
     for (std::size_t k = 0; k < depth; ++k) {
       if (k < s_.size()) c[k] = s_[k];
@@ -435,63 +471,62 @@ class panel_integral {
     std::vector<integer> step(depth);  // of c from one n to the next
     for (std::size_t k = 0; k < depth && k + 1 < q_.size(); ++k) step[k] = q_[k + 1];
     const integers& of_p = numerator_.coefficients;
-    integer at_plus;   // the sum of the b_n
-    integer at_minus;  // with signs that change
-    integer sum_of_sizes;
+    std::vector<integer> next(parts);
     integer e;
     integer b;
     integer divisor;
     std::size_t zeros = 0;
-    std::size_t longest = 0;
     std::size_t newest = 0;
     // A series that converges takes no such terms, or less than so many.
     const auto most_limbs = static_cast<std::size_t>(2 * f / GMP_NUMB_BITS + 32);
     most_terms = std::min(most_terms, 8 * f + 500);
     long n = 0;
     for (;; ++n) {
-      const auto before = [&](std::size_t back) -> mpz_srcptr {
-        return a[newest >= back ? newest - back : newest + ring - back].backend().data();
+      const auto before = [&](const series_part& own, std::size_t back) -> mpz_srcptr {
+        return own.a[newest >= back ? newest - back : newest + ring - back].backend().data();
       };
       const std::size_t known = std::min(static_cast<std::size_t>(n) + 1, looked_at);
       mpz_ptr const sum = e.backend().data();
-      mpz_ptr const quotient = b.backend().data();
       if (panel_.at_end || is_cut || n % 2 == 0) {
         // b_n = e_n / (n + p + 1)
-        mpz_set_ui(sum, 0);
-        for (std::size_t k = 0; k < std::min(of_p.size(), known); ++k) {
-          mpz_addmul(sum, before(k), of_p[k].backend().data());
-        }
-        if (below != 1) mpz_mul_ui(sum, sum, below);
         const auto by = static_cast<unsigned long>(above + static_cast<long>(below) * (n + 1));
-        mpz_tdiv_q_ui(quotient, sum, by);
-        mpz_add(at_plus.backend().data(), at_plus.backend().data(), quotient);
-        if (is_cut) {
-          mpz_ptr const minus = at_minus.backend().data();
-          (n % 2 == 0 ? mpz_add : mpz_sub)(minus, minus, quotient);
-          if (at_low) at_low->add(b);
-          if (at_high) at_high->add(b);
-          longest = std::max(longest, mpz_sizeinbase(quotient, 2));
-          mpz_abs(sum, sum);
-          mpz_add(sum_of_sizes.backend().data(), sum_of_sizes.backend().data(), sum);
+        for (series_part& own : part) {
+          mpz_set_ui(sum, 0);
+          for (std::size_t k = 0; k < std::min(of_p.size(), known); ++k) {
+            mpz_addmul(sum, before(own, k), of_p[k].backend().data());
+          }
+          if (below != 1) mpz_mul_ui(sum, sum, below);
+          mpz_tdiv_q_ui(b.backend().data(), sum, by);
+          own.add(b, e, n, is_cut);
         }
       }
       if (zeros >= looked_at) break;
       if (n >= most_terms) return std::nullopt;
       // a_(n+1)
-      mpz_set_ui(sum, 0);
-      for (std::size_t k = 0; k < std::min(depth, known); ++k) {
-        mpz_addmul(sum, before(k), c[k].backend().data());
+      mpz_mul_ui(divisor.backend().data(), q_[0].backend().data(),
+                 static_cast<unsigned long>(n) + 1);
+      bool is_zero = true;
+      for (std::size_t i = 0; i < parts; ++i) {
+        mpz_set_ui(sum, 0);
+        for (std::size_t k = 0; k < std::min(depth, known); ++k) {
+          mpz_addmul(sum, before(part[i], k), c[k].backend().data());
+        }
+        for (std::size_t k = 0; k < std::min(t_.size(), known); ++k) {
+          // i t_k times the other part
+          (i == 0 ? mpz_submul : mpz_addmul)(sum, before(part[1 - i], k), t_[k].backend().data());
+        }
+        mpz_tdiv_q(next[i].backend().data(), sum, divisor.backend().data());
+        if (mpz_size(next[i].backend().data()) > most_limbs) return std::nullopt;
+        is_zero = is_zero && mpz_sgn(next[i].backend().data()) == 0;
       }
+      zeros = is_zero ? zeros + 1 : 0;
       for (std::size_t k = 0; k < depth; ++k) {
         mpz_sub(c[k].backend().data(), c[k].backend().data(), step[k].backend().data());
       }
       newest = newest + 1 == ring ? 0 : newest + 1;
-      mpz_ptr const next = a[newest].backend().data();
-      mpz_mul_ui(divisor.backend().data(), q_[0].backend().data(),
-                 static_cast<unsigned long>(n) + 1);
-      mpz_tdiv_q(next, sum, divisor.backend().data());
-      if (mpz_size(next) > most_limbs) return std::nullopt;
-      zeros = mpz_sgn(next) == 0 ? zeros + 1 : 0;
+      for (std::size_t i = 0; i < parts; ++i) {
+        mpz_swap(part[i].a[newest].backend().data(), next[i].backend().data());
+      }
     }
     terms_ = n + 1;
 
@@ -501,37 +536,45 @@ class panel_integral {
     const magnitude count = magnitude::from_integer_up(static_cast<std::uint64_t>(terms_));
     const magnitude relative =
         power_of_two_above((log_greatest_ - log_least_ - log_least_q_) / log_of_2);
-    const magnitude of_a = multiply_up(multiply_up(count, count), multiply_up(unit, relative));
+    const magnitude square_of_count = multiply_up(count, count);
+    // N (N + 1) sqrt(2)/2 <= 2 terms^2
+    const magnitude of_a = scale(multiply_up(square_of_count, multiply_up(unit, relative)), 1);
     const magnitude of_series = multiply_up(multiply_up(of_a, maximum_.magnitude_upper()),
                                             length_factor().magnitude_upper());
     const magnitude of_terms = scale(multiply_up(count, unit), 1);
-    ball result(0, p);
     const auto from_units = [&](const integer& units, const magnitude& error) {
       ball value(units, p);
       scale(value, value, -f);
       return value.enlarged(error);
     };
-    const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
-      const magnitude of_powers =
-          multiply_up(multiply_up(multiply_up(count, count), unit),
-                      magnitude::power_of_two(std::max(0L, static_cast<long>(longest) - f)));
-      const magnitude size = scale(ball(sum_of_sizes, 64).magnitude_upper(), -f);
-      const ball value = from_units(
-          cut->sum(), add_up(of_terms, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
-      const ball own = z.with_precision(p);
-      return value * (power_ == 0 ? own : power_of_positive(own, rational(power_ + 1)));
-    };
-    if (!is_cut && !panel_.at_end) {
-      result = from_units(at_plus * 2, scale(of_terms, 1));
-    } else {
-      result = at_high ? at(at_high, *high) : from_units(at_plus, of_terms);
-      if (at_low) {
-        result = result - at(at_low, *low);
+    const auto value_of = [&](const series_part& own) {
+      const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
+        const magnitude of_powers =
+            multiply_up(multiply_up(square_of_count, unit),
+                        magnitude::power_of_two(std::max(0L, static_cast<long>(own.longest) - f)));
+        const magnitude size = scale(ball(own.sum_of_sizes, 64).magnitude_upper(), -f);
+        const ball value = from_units(
+            cut->sum(), add_up(of_terms, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
+        const ball power = z.with_precision(p);
+        return value * (power_ == 0 ? power : power_of_positive(power, rational(power_ + 1)));
+      };
+      if (!is_cut && !panel_.at_end) return from_units(own.at_plus * 2, scale(of_terms, 1));
+      ball value = own.at_high ? at(own.at_high, *high) : from_units(own.at_plus, of_terms);
+      if (own.at_low) {
+        value = value - at(own.at_low, *low);
       } else if (!panel_.at_end) {
-        result = result + from_units(at_minus, of_terms);
+        value = value + from_units(own.at_minus, of_terms);
       }
-    }
-    return result.enlarged(of_series) * constant(p);
+      return value;
+    };
+    const ball real = value_of(part[0]).enlarged(of_series);
+    if (parts == 1) return real * constant(p);
+    // The part of (real + i imaginary) e^(i t(c)) that is meant.
+    const ball imaginary = value_of(part[1]).enlarged(of_series);
+    const ball angle(rational(phase_.coefficients.front() * phase_.content), p);
+    const ball result = range_.is_sine ? real * sin(angle) + imaginary * cos(angle)
+                                       : real * cos(angle) - imaginary * sin(angle);
+    return result * constant(p);
   }
 
   inline static const double_interval log_of_2 = log(double_interval(2));
@@ -541,8 +584,8 @@ class panel_integral {
   bool is_prepared_ = false;
   std::vector<local_factor> factors_;
   local_polynomial numerator_;
-  integers exponent_;
-  rational exponent_scale_ = 0;
+  local_polynomial exponent_;
+  local_polynomial phase_;
   rational power_ = 0;  // p
   ball maximum_;        // of |P|, an upper bound
   double_interval log_least_;
@@ -550,6 +593,7 @@ class panel_integral {
   double_interval log_least_q_;
   integers q_;
   integers s_;
+  integers t_;  // the imaginary part of S
   long terms_ = 0;
   long bits_ = 0;
 };
@@ -628,6 +672,7 @@ class panel_choice {
       }
     }
     for (const rational& c : range_.exponent.coefficients()) exponent_.push_back(approximately(c));
+    for (const rational& c : range_.phase.coefficients()) phase_.push_back(approximately(c));
     for (const rational& c : range_.numerator.coefficients()) {
       numerator_.push_back(approximately(c));
     }
@@ -767,7 +812,9 @@ class panel_choice {
     }
     std::complex<double> s = 0;
     for (std::size_t k = exponent_.size(); k-- > 0;) s = s * y + exponent_[k];
-    return sum + s.real();
+    std::complex<double> t = 0;
+    for (std::size_t k = phase_.size(); k-- > 0;) t = t * y + phase_[k];
+    return sum + s.real() + std::abs(t.imag());
   }
   /// log2 of how much |g| varies on a panel's circle and on the panel.
   [[nodiscard]] double spread(double c, double r, const std::optional<rational>& except) const {
@@ -833,6 +880,7 @@ class panel_choice {
   double ratio_;
   std::vector<approximate_root> roots_;
   std::vector<double> exponent_;
+  std::vector<double> phase_;
   std::vector<double> numerator_;
   double log_of_constant_ = 0;
 };
@@ -1098,11 +1146,13 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
       range.factors.push_back({p.base, rational(0)});
     }
   }
-  long degree = part.function.exponent.degree();  // of Q and S, about
+  long degree = std::max(part.function.exponent.degree(), part.function.phase.degree());  // about
   for (const factor& f : range.factors) degree += f.base.degree();
   constexpr long most_degree = 64;
   if (degree > most_degree) return std::nullopt;
   range.exponent = part.function.exponent;
+  range.phase = part.function.phase;
+  range.is_sine = part.function.is_sine;
   range.lower = part.lower;
   range.upper = part.upper;
   range.begins_at_0 = part.begins_at_0;
@@ -1115,6 +1165,11 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
     std::optional<finite_ranges> finite = cut_off(std::move(range), bits);
     if (!finite) return std::nullopt;
     result.of = std::move(*finite);
+    return result;
+  }
+  if (range.phase.degree() >= 0) {
+    if (range.upper.is_infinite) return std::nullopt;
+    result.of.ranges.push_back(std::move(range));
     return result;
   }
   // Far out, over 1/y.

@@ -3,22 +3,24 @@
 // Integrals of hyperexponential functions by their Taylor series.
 //
 // On a panel, with y = c + r z, h(y) = h(c) g(z), g(0) = 1, and P a polynomial: the integral of P h is wanted. As
-// g'/g = S/Q with polynomials Q = q_0 + q_1 z + ..., S = s_0 + s_1 z + ... with integer coefficients, q_0 > 0,
+// g'/g = S/Q with polynomials Q = q_0 + q_1 z + ..., S = s_0 + s_1 z + ... with integer coefficients, q_0 > 0 (and
+// Gaussian integers in S, where h has a factor e^(i t(y)) and is complex),
 //
 //   q_0 (n + 1) a_(n+1) = sum over k >= 0 of (s_k - (n - k) q_(k+1)) a_(n-k),    a_0 = 1,                       (1)
 //
-// for the coefficients of g. They are computed in units of 2^-F, the quotient rounded towards 0, until so many in a row
+// for the coefficients of g. They are computed in units of 2^-F, the quotient's parts rounded towards 0, until so many in a row
 // are 0 that all later ones are: A(z) is the polynomial of these numbers. That is all that has to be known of them.
 //
-// Theorem. Let Q and g be positive on an interval I with 0 in it and |z| <= 1 for each z in it, and let m <= Q/q_0,
-// l <= g <= u there. If N of the a_n were computed by (1), then for z in I
+// Theorem. Let Q be positive on an interval I with 0 in it and |z| <= 1 for each z in it, and let 0 < m <= Q/q_0,
+// 0 < l <= |g| <= u there. If N of the a_n were computed by (1), then for z in I
 //
-//   |A(z) - g(z)| <= u / (m l) * N (N + 1)/2 * 2^-F.
+//   |A(z) - g(z)| <= u / (m l) * N (N + 1)/2 * 2^-F, and sqrt(2) times as much where S is complex.
 //
 // Proof. Let D = Q A' - S A. Its n-th coefficient is q_0 (n + 1) a_(n+1) less the right-hand side of (1), formed from the
-// rounded numbers; it is what the division left over, less than q_0 (n + 1) units, for n < N, and 0 for all later
-// n. So |D| <= q_0 N (N + 1)/2 * 2^-F on I. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and A(0)/g(0) = 1, |A/g - 1| is at
-// most |D|/(Q g) integrated from 0 to z. QED.
+// rounded numbers; it is what the division left over, less than q_0 (n + 1) units in each part, for n < N, and 0 for all
+// later n. So |D| <= q_0 N (N + 1)/2 * 2^-F on I, or sqrt(2) times that. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and
+// A(0)/g(0) = 1, |A/g - 1| is at most |D|/(Q |g|) integrated from 0 to z. QED. As |e^(i t)| = 1, |g| is what it is
+// without that factor.
 //
 // Neither the radius of convergence nor the size of the rest of the series is needed: the number of terms is found, and the
 // theorem's hypotheses are inequalities between real numbers, which interval arithmetic proves.

@@ -126,6 +126,54 @@ std::vector<known_integral> in_the_argument() {
   };
 }
 
+/// Times cosines and sines of polynomials.
+std::vector<known_integral> with_a_phase() {
+  return {
+      known(
+          "e^(-x) cos x", "GR 3.893.2", [](const auto& x) { return exp(-x) * cos(x); }, 0, infinity,
+          exactly(half)),
+      known(
+          "e^(-x) sin(3x)", "GR 3.893.1", [](const auto& x) { return exp(-x) * sin(3 * x); }, 0,
+          infinity, exactly(rational(3, 10))),
+      known(
+          "e^(-x^2) cos(3x)", "GR 3.896.4",
+          [](const auto& x) { return exp(-square(x)) * cos(3 * x); }, -infinity, infinity,
+          [](precision p) { return sqrt(pi(p)) * exp(ball(rational(-9, 4), p)); }),
+      known(
+          "x sin x", antiderivative, [](const auto& x) { return x * sin(x); }, 0, limit::pi(),
+          [](precision p) { return pi(p); }),
+      known(
+          "x^2 cos(5x+1)", antiderivative, [](const auto& x) { return square(x) * cos(5 * x + 1); },
+          -1, 3,
+          [](precision p) {
+            const auto f = [p](long x) {
+              const ball w(5 * x + 1, p);
+              return ball(x * x, p) * sin(w) / 5 + 2 * x * cos(w) / 25 - 2 * sin(w) / 125;
+            };
+            return f(3) - f(-1);
+          }),
+      known(
+          "sin(x) sin(2x) cos(-x)", "derivation: (cos 0 - cos 4x)/4 + sums that end in sin 2x^2/2",
+          [](const auto& x) { return sin(x) * sin(2 * x) * cos(-x) * 2; }, 0, 1,
+          [](precision p) { return half - sin(ball(4, p)) / 8; }),
+      known(
+          "2x cos(x^2+1)", antiderivative, [](const auto& x) { return 2 * x * cos(square(x) + 1); },
+          -2, irrational(3), [](precision p) { return sin(ball(4, p)) - sin(ball(5, p)); }),
+      known(
+          "cos(x)/sqrt(x) + 2 sqrt(x) (-sin x)", antiderivative,
+          [](const auto& x) { return cos(x) / sqrt(x) - 2 * sqrt(x) * sin(x); }, 0, 4,
+          [](precision p) { return 4 * cos(ball(4, p)); }),
+      known(
+          "sin(1000 x) e^x", antiderivative, [](const auto& x) { return sin(1000 * x) * exp(x); },
+          0, 1,
+          [](precision p) {
+            const ball e = exp(ball(1, p));
+            const ball w(1000, p);
+            return (e * (sin(w) - 1000 * cos(w)) + 1000) / 1'000'001;
+          }),
+  };
+}
+
 /// In e^(k x).
 std::vector<known_integral> in_exponentials() {
   return {
@@ -203,7 +251,7 @@ std::vector<known_integral> in_circular_functions() {
 
 std::vector<known_integral> all() {
   std::vector<known_integral> result = in_the_argument();
-  for (const auto& more : {in_exponentials(), in_circular_functions()}) {
+  for (const auto& more : {with_a_phase(), in_exponentials(), in_circular_functions()}) {
     result.insert(result.end(), more.begin(), more.end());
   }
   return result;
@@ -360,7 +408,12 @@ TEST(TaylorSeries, AreRefusedWhereTheFunctionIsOfAnotherKind) {
   expect_refused(
       "|x|", [](const auto& x) { return abs(x); }, -1, 2);
   expect_refused(
-      "e^x sin x", [](const auto& x) { return exp(x) * sin(x); }, 0, 1);
+      "e^x/(2+sin x)", [](const auto& x) { return exp(x) / (2 + sin(x)); }, 0, 1);
+  expect_refused(
+      "sin x to infinity", [](const auto& x) { return sin(x); }, 0, infinity);
+  expect_refused(
+      "cos(x)/(1+x^2) to infinity", [](const auto& x) { return cos(x) / (1 + square(x)); }, 0,
+      infinity);
   expect_refused(
       "1/(e^x+x)", [](const auto& x) { return 1 / (exp(x) + x); }, 0, 1);
   expect_refused(
@@ -394,9 +447,11 @@ TEST(TaylorSeries, AgreeWithGaussLegendre) {
     const rational s(pick(-3, 3), pick(1, 3));
     const rational c(pick(-3, 3));
     const bool is_irrational = pick(0, 3) == 0;
+    const rational frequency = pick(0, 1) * rational(pick(-9, 9), 4);
     const auto f = [=](const auto& x) {
-      return (x - c) * support::real_power(square(x - p) + q, e) *
-             support::real_power(root - x, of_root) * exp(s * square(x) / 4 - x);
+      return (x - c + sin(frequency * x)) * cos(frequency * (square(x) - c)) *
+             support::real_power(square(x - p) + q, e) * support::real_power(root - x, of_root) *
+             exp(s * square(x) / 4 - x);
     };
     const limit to =
         is_irrational
