@@ -920,11 +920,12 @@ range_end exact_end(const rational& y) {
   return end;
 }
 
-/// The same integral over w = 1/y; s must be 0, and the range is one of y > 0.
+/// The same integral over w = 1/y; s must be constant, t 0, and the range one of y > 0.
 smooth_range inverted(const smooth_range& range) {
   smooth_range result;
   rational power = -2 - range.numerator.degree();  // dy = -dw/w^2
   result.numerator = reversed(range.numerator);
+  result.exponent = range.exponent;
   for (const factor& f : range.factors) {
     power -= f.base.degree() * f.exponent;
     rational_polynomial base = reversed(f.base);
@@ -1190,7 +1191,9 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
     result.of.ranges.push_back(std::move(near));
     range.lower = exact_end(exactly(far));
   }
-  if (!certainly_positive(range.lower.value(128))) return std::nullopt;
+  const bool may_be_inverted = range.exponent.degree() <= 0 && range.phase.is_zero() &&
+                               certainly_positive(range.lower.value(128));
+  if (!may_be_inverted) return std::nullopt;
   result.of.ranges.push_back(inverted(range));
   return result;
 }

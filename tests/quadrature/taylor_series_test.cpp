@@ -120,6 +120,23 @@ std::vector<known_integral> in_the_argument() {
           "|x| as sqrt(x^2), where x < 0", antiderivative,
           [](const auto& x) { return sqrt(square(x)); }, -3, -1, exactly(4)),
       known(
+          "e^x e^(1-x)/(1+x^2), where the exponent is constant", antiderivative,
+          [](const auto& x) { return exp(x) * exp(1 - x) / (1 + square(x)); }, 0, infinity,
+          [](precision p) { return exp(ball(1, p)) * pi(p) / 2; }),
+      known(
+          "the same far out, and finite", antiderivative,
+          [](const auto& x) { return exp(square(x)) * exp(2 - square(x)) / square(1 + x); }, 0,
+          1000, [](precision p) { return exp(ball(2, p)) * 1000 / 1001; }),
+      known(
+          "cosh(x/x) x^-2", antiderivative, [](const auto& x) { return cosh(x / x) / square(x); },
+          1, infinity, [](precision p) { return cosh(ball(1, p)); }),
+      known(
+          "a constant phase", antiderivative,
+          [](const auto& x) {
+            return sin(x + 1) * cos(x) / square(1 + x) * 2 - sin(2 * x + 1) / square(1 + x);
+          },
+          0, 1000, [](precision p) { return sin(ball(1, p)) * 1000 / 1001; }),
+      known(
           "a sum of different kinds", antiderivative,
           [](const auto& x) { return 1 / (1 + x) + exp(-x) - sqrt(x); }, 0, 1,
           [](precision p) { return log(ball(2, p)) + 1 - exp(-ball(1, p)) - rational(2, 3); }),
