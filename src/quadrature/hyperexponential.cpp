@@ -709,8 +709,8 @@ class parts_of {
       result.coefficient /= sign < 0 && n < 0 ? -2 : 2;
       return result;
     };
-    const maybe_sum cosine = sum{half_of(1)};
-    const maybe_sum sine = sum{half_of(-1)};
+    maybe_sum cosine = sum{half_of(1)};
+    maybe_sum sine = sum{half_of(-1)};
     if (rule == recorded_rule::cosh) return cosine;
     if (rule == recorded_rule::sinh) return sine;
     const maybe_sum inverse = apart.raised(*cosine, -1);

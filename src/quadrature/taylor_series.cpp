@@ -942,7 +942,7 @@ smooth_range inverted(const smooth_range& range) {
 /// Where all have one sign, or are 0, p has that sign between the two, or is 0.
 std::vector<rational> coefficients_between(const rational_polynomial& p, const rational& inner,
                                            const std::optional<rational>& outer) {
-  const std::vector<rational> at_inner = shifted(p, inner).coefficients();
+  std::vector<rational> at_inner = shifted(p, inner).coefficients();
   if (!outer) return at_inner;
   // Sum of c_k length^k w^k (1 + w)^(n-k), by Horner's rule from the last.
   const rational_polynomial w = rational_polynomial::variable();
@@ -1270,7 +1270,7 @@ class taylor_sum {
                            precision most_bits, int depth) {
     panel_integral own(range, panel);
     const long left = options_.most_evaluations - account_.terms;
-    const auto value = own.to(goal, most_bits, left);
+    auto value = own.to(goal, most_bits, left);
     if (value) {
       ++account_.panels;
       account_.terms += own.terms();
