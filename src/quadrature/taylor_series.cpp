@@ -625,8 +625,8 @@ std::vector<std::complex<double>> approximate_roots(const rational_polynomial& p
   std::vector<complex> roots;
   for (std::size_t k = 0; k < n; ++k) {
     const double angle = 6.2831853 * static_cast<double>(k) / static_cast<double>(n) + 0.7;
-    roots.push_back(std::polar(
-        bound * (0.5 + 0.5 * static_cast<double>(k + 1) / static_cast<double>(n)), angle));
+    const double size = bound * (0.5 + 0.5 * static_cast<double>(k + 1) / static_cast<double>(n));
+    roots.emplace_back(size * std::cos(angle), size * std::sin(angle));
   }
   for (int step = 0; step < 100; ++step) {
     double moved = 0;
@@ -822,7 +822,8 @@ class panel_choice {
     double most = own;
     double least = own;
     for (int k = 0; k <= 6; ++k) {
-      const double value = log_size(c + std::polar(r, 3.14159265 * k / 6), except);
+      const double angle = 3.14159265 * k / 6;
+      const double value = log_size({c + r * std::cos(angle), r * std::sin(angle)}, except);
       most = std::max(most, value);
       if (k == 0 || (k == 6 && !except)) least = std::min(least, value);
     }
