@@ -434,7 +434,8 @@ std::optional<affine> affine_of(const maybe_sum& form) {
 /// A rational number between x < y, as far as is known; nothing where it would be a long one.
 std::optional<rational> between(const ball& x, const ball& y) {
   if (certainly_less(x, 1) && certainly_greater(y, 1)) return rational(1);
-  const ball middle = ((x + y) / 2).middle();
+  const ball next = x + abs(x) + 1;  // near x, where y is far
+  const ball middle = (certainly_less(next, y) ? next : (x + y) / 2).middle();
   constexpr long most = 100'000;
   const magnitude size = middle.magnitude_upper();
   if (size.is_infinite() || (!size.is_zero() && std::abs(size.log2_floor()) > most)) {
@@ -444,7 +445,7 @@ std::optional<rational> between(const ball& x, const ball& y) {
 }
 /// The same for a range without an end.
 std::optional<rational> beyond(const ball& x) {
-  return certainly_less(x, 1) ? std::optional<rational>(1) : between(x, x * 2 + 1);
+  return certainly_less(x, 1) ? std::optional<rational>(1) : between(x, x * 3 + 1);
 }
 
 /// p(-y).

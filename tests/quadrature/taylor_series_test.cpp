@@ -198,6 +198,10 @@ std::vector<known_integral> in_exponentials() {
           "sech x", antiderivative, [](const auto& x) { return 1 / cosh(x); }, 0, infinity,
           [](precision p) { return pi(p) / 2; }),
       known(
+          "sech far beyond what counts", antiderivative,
+          [](const auto& x) { return 1 / cosh(100'000'000 * x); }, 0, 1,
+          [](precision p) { return pi(p) / 200'000'000; }),
+      known(
           "tanh x", antiderivative, [](const auto& x) { return tanh(x); }, 0, 10,
           [](precision p) { return log(cosh(ball(10, p))); }),
       known(
