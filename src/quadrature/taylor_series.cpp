@@ -8,7 +8,6 @@
 
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/arithmetic/text.hpp"
 
 namespace polhode::detail {
 
@@ -318,7 +317,7 @@ class panel_integral {
       ranges.emplace_back(std::move(c));
       exponents.emplace_back(f.exponent);
     }
-    std::vector<double_interval> s(1);  // without s(c)
+    std::vector<double_interval> s{double_interval(0)};  // without s(c)
     for (std::size_t k = 1; k < exponent_.coefficients.size(); ++k) {
       s.emplace_back(rational(exponent_.coefficients[k] * exponent_.content));
     }
@@ -965,7 +964,7 @@ std::vector<rational> coefficients_between(const rational_polynomial& p, const r
 /// A bound of the integral between two points, between which the integrand falls from the inner to the outer; outer is
 /// infinite where it is not given. Nothing where none is proved.
 ///
-/// With P^ >= |P|, of the absolute values of P's coefficients, y >= 0, let |log (P^ h)'| be at least lambda > 0 between
+/// With P^ >= |P|, of the absolute values of P's coefficients, y >= 0, let |(log (P^ h))'| be at least lambda > 0 between
 /// the two, with the sign that makes P^ h fall. Then P^ h is at most (P^ h)(inner) e^(-lambda |y - inner|), and its integral
 /// at most (P^ h)(inner)/lambda. With Q the product of the p_i and d the direction, the condition is that
 ///   d (P^' Q + P^ (sum of e_i p_i' Q/p_i) + s' P^ Q) + lambda P^ Q <= 0:
@@ -1122,17 +1121,10 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   return result;
 }
 
-/// constant * the ranges.
-struct prepared_part {
-  const hyperexponential* function = nullptr;
-  rational content = 1;  // beside the function's own constant
-  finite_ranges of;
-};
-
-std::optional<prepared_part> prepare_part(const hyperexponential_integral& part, double bits) {
+/// The ranges of an integral, for so many bits; without the function's constant.
+std::optional<finite_ranges> ranges_of(const hyperexponential_integral& part, double bits) {
   constexpr long greatest_degree = 12;  // of P
-  prepared_part result;
-  result.function = &part.function;
+  finite_ranges result;
   smooth_range range;
   range.numerator = rational_polynomial({rational(1)});
   for (const polynomial_power& p : part.function.powers) {
@@ -1164,14 +1156,11 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
                                     [](const factor& f) { return abs(f.exponent) >= 16; });
   if (is_steep && (range.exponent.degree() >= 1 || !range.upper.is_infinite)) {
     if (range.upper.is_infinite && !range.lower.exact) return std::nullopt;
-    std::optional<finite_ranges> finite = cut_off(std::move(range), bits);
-    if (!finite) return std::nullopt;
-    result.of = std::move(*finite);
-    return result;
+    return cut_off(std::move(range), bits);
   }
   if (range.phase.degree() >= 0) {
     if (range.upper.is_infinite) return std::nullopt;
-    result.of.ranges.push_back(std::move(range));
+    result.ranges.push_back(std::move(range));
     return result;
   }
   // Far out, over 1/y.
@@ -1183,19 +1172,19 @@ std::optional<prepared_part> prepare_part(const hyperexponential_integral& part,
   if (!std::isfinite(low) || std::isnan(high) || !std::isfinite(far)) return std::nullopt;
   const bool is_far = range.upper.is_infinite || (size > 0 && high > 16 * std::max(far, low));
   if (!is_far) {
-    result.of.ranges.push_back(std::move(range));
+    result.ranges.push_back(std::move(range));
     return result;
   }
   if (low < far / 2) {
     smooth_range near = range;
     near.upper = exact_end(exactly(far));
-    result.of.ranges.push_back(std::move(near));
+    result.ranges.push_back(std::move(near));
     range.lower = exact_end(exactly(far));
   }
   const bool may_be_inverted = range.exponent.degree() <= 0 && range.phase.is_zero() &&
                                certainly_positive(range.lower.value(128));
   if (!may_be_inverted) return std::nullopt;
-  result.of.ranges.push_back(inverted(range));
+  result.ranges.push_back(inverted(range));
   return result;
 }
 
@@ -1213,7 +1202,7 @@ class taylor_sum {
       const smooth_range* range;
       std::vector<taylor_panel> panels;
     };
-    std::vector<prepared_part> prepared;
+    std::vector<finite_ranges> prepared;
     std::vector<piece> pieces;
     std::vector<double> log2_constants;
     double size = -1e18;
@@ -1223,13 +1212,13 @@ class taylor_sum {
       const double constant = approximate_log2(h.constant(f_, 64).magnitude_upper());
       if (!(std::abs(constant) < 1e17)) return std::nullopt;
       log2_constants.push_back(constant);
-      auto one = prepare_part(part, bits);
+      auto one = ranges_of(part, bits);
       if (!one) return std::nullopt;
       prepared.push_back(std::move(*one));
     }
     long count = 0;
     for (std::size_t i = 0; i < prepared.size(); ++i) {
-      for (const smooth_range& range : prepared[i].of.ranges) {
+      for (const smooth_range& range : prepared[i].ranges) {
         panel_choice choice(range, bits);
         auto panels = choice.panels();
         if (!panels) return std::nullopt;
@@ -1249,7 +1238,7 @@ class taylor_sum {
         options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
     ball total(0, result_bits);
     for (std::size_t i = 0; i < prepared.size(); ++i) {
-      ball of_part = prepared[i].of.rest.with_precision(result_bits);
+      ball of_part = prepared[i].rest.with_precision(result_bits);
       for (const piece& p : pieces) {
         if (p.part != i) continue;
         for (const taylor_panel& panel : p.panels) {
