@@ -47,6 +47,9 @@ struct constant {
   std::function<ball(precision p)> enclose;
   /// Numbers of full length held at once, for estimating memory.
   int live_numbers = 0;
+  /// The same by another formula with other functions, named in `second_route`.
+  std::string second_route = {};
+  std::function<ball(precision p)> enclose_again = {};
 };
 
 [[nodiscard]] const std::vector<constant>& all_constants();

@@ -11,3 +11,4 @@ Print Assumptions HalfPhase.G_derive.
 Print Assumptions HalfPhase.G_derive_negative.
 Print Assumptions HalfPhase.G_decreasing.
 Print Assumptions BetaDigits.beta_digits.
+Print Assumptions BetaDigits.beta_width.

@@ -3,3 +3,4 @@ From Polhode Require HalfPhaseValue Epsilon0 BetaManyDigits.
 Print Assumptions HalfPhaseValue.half_phase_value.
 Print Assumptions Epsilon0.epsilon0_min_digits.
 Print Assumptions BetaManyDigits.beta_digits.
+Print Assumptions BetaManyDigits.beta_width.

@@ -249,7 +249,21 @@ void ball_access::finish(ball& r, int ternary, const magnitude& error) {
   }
 }
 
-void ball_access::set_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper) {
+namespace {
+/// Ends of one sign that agree to half the precision.
+bool are_close(mpfr_srcptr lower, mpfr_srcptr upper, mpfr_ptr width) {
+  if (mpfr_regular_p(lower) == 0 || mpfr_regular_p(upper) == 0 ||
+      sign_of_number(lower) != sign_of_number(upper) ||
+      std::abs(mpfr_get_exp(lower) - mpfr_get_exp(upper)) > 1) {
+    return false;
+  }
+  mpfr_sub(width, upper, lower, MPFR_RNDU);
+  return mpfr_get_exp(width) <=
+         mpfr_get_exp(lower) - std::max<precision>(mpfr_get_prec(lower) / 2, 32);
+}
+}  // namespace
+
+void ball_access::set_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper, bool exactly) {
   const precision p = mpfr_get_prec(lower.get());
   if (mpfr_nan_p(lower.get()) != 0 || mpfr_nan_p(upper.get()) != 0) {
     set_undefined(r, p);
@@ -261,19 +275,17 @@ void ball_access::set_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper) {
     r.form_ = form::midpoint_radius;
     return;
   }
-  // Ends of one sign that agree to half the precision pass to midpoint and radius.
-  if (mpfr_regular_p(lower.get()) != 0 && mpfr_regular_p(upper.get()) != 0 &&
-      sign_of_number(lower.get()) == sign_of_number(upper.get()) &&
-      std::abs(mpfr_get_exp(lower.get()) - mpfr_get_exp(upper.get())) <= 1) {
-    mpfr_cell width(64);
-    mpfr_sub(width.get(), upper.get(), lower.get(), MPFR_RNDU);
-    if (mpfr_get_exp(width.get()) <= mpfr_get_exp(lower.get()) - std::max<precision>(p / 2, 32)) {
-      mpfr_cell middle(p);
-      set_middle(middle.get(), lower.get(), upper.get());
-      mpfr_sub(width.get(), upper.get(), middle.get(), MPFR_RNDU);
-      const magnitude above = magnitude::abs_up(width.get());
-      mpfr_sub(width.get(), middle.get(), lower.get(), MPFR_RNDU);
-      const magnitude below = magnitude::abs_up(width.get());
+  mpfr_cell width(64);
+  if (are_close(lower.get(), upper.get(), width.get())) {
+    mpfr_cell middle(p);
+    set_middle(middle.get(), lower.get(), upper.get());
+    bool is_same = mpfr_sub(width.get(), upper.get(), middle.get(), MPFR_RNDU) == 0;
+    const magnitude above = magnitude::abs_up(width.get());
+    is_same = magnitude::abs_down(width.get()) == above && is_same;
+    is_same = mpfr_sub(width.get(), middle.get(), lower.get(), MPFR_RNDU) == 0 && is_same;
+    const magnitude below = magnitude::abs_up(width.get());
+    is_same = magnitude::abs_down(width.get()) == above && below == above && is_same;
+    if (is_same || !exactly) {
       r.first_ = std::move(middle);
       r.radius_ = max(above, below);
       r.form_ = form::midpoint_radius;
@@ -283,6 +295,13 @@ void ball_access::set_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper) {
   r.first_ = std::move(lower);
   r.second_ = std::move(upper);
   r.form_ = form::end_points;
+}
+
+void ball_access::set_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper) {
+  set_ends(r, lower, upper, false);
+}
+void ball_access::set_exact_ends(ball& r, mpfr_cell& lower, mpfr_cell& upper) {
+  set_ends(r, lower, upper, true);
 }
 
 detail::end_points::end_points(const ball& x, precision p) {
@@ -383,7 +402,7 @@ ball ball::from_end_points(mpfr_srcptr lower, mpfr_srcptr upper, polhode::precis
   mpfr_set(low.get(), lower, MPFR_RNDD);
   mpfr_set(high.get(), upper, MPFR_RNDU);
   ball r;
-  ball_access::set_ends(r, low, high);
+  ball_access::set_exact_ends(r, low, high);
   return r;
 }
 
@@ -534,7 +553,7 @@ ball ball::with_precision(polhode::precision p) const {
       mpfr_cell high(p);
       mpfr_set(low.get(), first_.get(), MPFR_RNDD);
       mpfr_set(high.get(), second_.get(), MPFR_RNDU);
-      ball_access::set_ends(r, low, high);
+      ball_access::set_exact_ends(r, low, high);
       break;
     }
     case form::undefined:
@@ -553,6 +572,7 @@ ball ball::middle() const {
 
 ball ball::enlarged(const magnitude& error) const {
   ball r = *this;
+  if (error.is_zero()) return r;
   if (form_ == form::midpoint_radius) {
     ball_access::finish(r, 0, add_up(radius_, error));
   } else if (form_ == form::end_points) {
@@ -787,7 +807,7 @@ void scale(ball& result, const ball& x, long n) {
   mpfr_cell upper(p);
   mpfr_mul_2si(lower.get(), x.first_.get(), n, MPFR_RNDD);
   mpfr_mul_2si(upper.get(), x.second_.get(), n, MPFR_RNDU);
-  ball_access::set_ends(result, lower, upper);
+  ball_access::set_exact_ends(result, lower, upper);
 }
 
 void negate(ball& result, const ball& x) {
@@ -934,7 +954,7 @@ ball hull(const ball& x, const ball& y) {
   mpfr_min(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);
   mpfr_max(upper.get(), ex.upper(), ey.upper(), MPFR_RNDU);
   ball r;
-  ball_access::set_ends(r, lower, upper);
+  ball_access::set_exact_ends(r, lower, upper);
   return r;
 }
 
@@ -948,7 +968,7 @@ ball intersection(const ball& x, const ball& y) {
   mpfr_max(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);
   mpfr_min(upper.get(), ex.upper(), ey.upper(), MPFR_RNDU);
   ball r;
-  ball_access::set_ends(r, lower, upper);
+  ball_access::set_exact_ends(r, lower, upper);
   return r;
 }
 

@@ -34,6 +34,12 @@ struct ball_access {
   /// Makes r the set [lower, upper]; the cells have the precision that r shall have, and are
   /// emptied. A NaN at either end makes r undefined.
   static void set_ends(ball& r, detail::mpfr_cell& lower, detail::mpfr_cell& upper);
+  /// The same, but that no end is moved: what set_ends keeps by midpoint and radius, at the cost of a wider
+  /// set, stays a pair of ends.
+  static void set_exact_ends(ball& r, detail::mpfr_cell& lower, detail::mpfr_cell& upper);
+
+ private:
+  static void set_ends(ball& r, detail::mpfr_cell& lower, detail::mpfr_cell& upper, bool exactly);
 };
 
 namespace detail {

@@ -7,12 +7,14 @@
 
 #include "ball_access.hpp"
 #include "exact_product.hpp"
+#include "exponent_range.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "raw_error.hpp"
 
 namespace polhode {
 
 using detail::difference_of_products;
+using detail::exponent_range;
 using detail::halved;
 using detail::mpfr_cell;
 using detail::product_error;
@@ -66,27 +68,24 @@ ball real_set<ball>::lower_end(const ball& x) { return end_of(x, -1); }
 ball real_set<ball>::upper_end(const ball& x) { return end_of(x, 1); }
 
 namespace {
-// Squares and products of numbers with exponents below this stay far from the ends of MPFR's
-// range, and magnitudes far from those of theirs.
-constexpr std::int64_t moderate_exponent = std::int64_t{1} << 58;
-
-bool is_moderate(mpfr_srcptr x) {
-  return mpfr_regular_p(x) == 0 || std::abs(std::int64_t{mpfr_get_exp(x)}) < moderate_exponent;
-}
-/// By midpoint and radius, and not near the ends of the range of exponents.
-bool is_moderate(const ball& x) {
-  return ball_access::is_midpoint_radius(x) && is_moderate(ball_access::first(x));
+/// By midpoint and radius, and moderate.
+bool is_moderate(const ball& x, const exponent_range& range) {
+  return ball_access::is_midpoint_radius(x) && range.is_moderate(ball_access::first(x));
 }
 /// The same for a bounded ball in either form.
-bool has_moderate_ends(const ball& x) {
-  if (ball_access::is_midpoint_radius(x)) return is_moderate(x);
-  return x.is_bounded() && is_moderate(ball_access::first(x)) &&
-         is_moderate(ball_access::second(x));
+bool has_moderate_ends(const ball& x, const exponent_range& range) {
+  if (ball_access::is_midpoint_radius(x)) return is_moderate(x, range);
+  return x.is_bounded() && range.is_moderate(ball_access::first(x)) &&
+         range.is_moderate(ball_access::second(x));
+}
+bool has_moderate_ends(const rectangle<ball>& z, const exponent_range& range) {
+  return has_moderate_ends(z.re, range) && has_moderate_ends(z.im, range);
 }
 }  // namespace
 
 ball real_set<ball>::modulus(const ball& x, const ball& y) {
-  if (!is_moderate(x) || !is_moderate(y)) return hypot(x, y);
+  const exponent_range range;
+  if (!is_moderate(x, range) || !is_moderate(y, range)) return hypot(x, y);
   if (is_zero(y)) return abs(x);
   if (is_zero(x)) return abs(y);
   return sqrt(square(x) + square(y));
@@ -121,10 +120,12 @@ std::pair<ball, ball> real_set<ball>::sinh_cosh(const ball& x) {
   const bool is_thin =
       ball_access::is_midpoint_radius(x) && ball_access::radius(x) <= magnitude::power_of_two(-10);
   const mpfr_srcptr m = ball_access::first(x);
-  if (!is_thin || (mpfr_regular_p(m) != 0 && mpfr_get_exp(m) > moderate)) {
+  const precision p = x.precision();
+  // mpfr_sinh_cosh works with as many bits as a tiny x has zeros behind the point; mpfr_sinh and mpfr_cosh do not.
+  if (!is_thin ||
+      (mpfr_regular_p(m) != 0 && (mpfr_get_exp(m) > moderate || mpfr_get_exp(m) < -p))) {
     return {sinh(x), cosh(x)};
   }
-  const precision p = x.precision();
   mpfr_cell s(p);
   mpfr_cell c(p);
   // The ternary values are packed as mpfr_sin_cos packs them.
@@ -195,8 +196,12 @@ class centred_copy {
   centred view_;
 };
 
-bool is_narrow_and_moderate(const rectangle<ball>& z) {
-  return is_moderate(z.re) && is_moderate(z.im);
+bool is_narrow_and_moderate(const rectangle<ball>& z, const exponent_range& range = {}) {
+  return is_moderate(z.re, range) && is_moderate(z.im, range);
+}
+bool are_narrow_and_moderate(const rectangle<ball>& z, const rectangle<ball>& w) {
+  const exponent_range range;
+  return is_narrow_and_moderate(z, range) && is_narrow_and_moderate(w, range);
 }
 
 precision common_precision(const rectangle<ball>& z, const rectangle<ball>& w) {
@@ -238,8 +243,8 @@ detail::raw_error products_error(const ball& a, const ball& b, const ball& c, co
   return raw_sum(halved(product_error(a, b)), halved(product_error(c, d)));
 }
 
-/// z w, each part rounded once. The error of a product of balls is that of product_error, whatever
-/// is added to it.
+/// z w for moderate z and w, each part rounded once. The error of a product of balls is that of product_error,
+/// whatever is added to it.
 complex_ball narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) {
   const precision p = common_precision(z, w);
   const mpfr_srcptr a = ball_access::first(z.re);
@@ -254,7 +259,7 @@ complex_ball narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) 
   return r;
 }
 
-/// z^2, each part rounded once: a product of a ball with itself is a product of balls.
+/// z^2 for a moderate z, each part rounded once: a product of a ball with itself is a product of balls.
 complex_ball narrow_square(const rectangle<ball>& z) {
   const precision p = common_precision(z, z);
   const mpfr_srcptr a = ball_access::first(z.re);
@@ -275,18 +280,30 @@ complex_ball narrow_square(const rectangle<ball>& z) {
   return r;
 }
 
-complex_ball centred_quotient(const centred& a, const centred& b, precision p) {
+/// The quotient of moderate sets, to first order; nothing where an intermediate number left MPFR's range, or b's
+/// midpoint is 0.
+std::optional<complex_ball> centred_quotient(const centred& a, const centred& b, precision p) {
   // m / n at the midpoints: numerators and |n|^2 are rounded once each, to p + 8 bits, and so is
   // their quotient: a relative error of each part below 3.1 * 2^-(p+8), below 2^-(p+6).
   const precision wp = p + 8;
   mpfr_cell norm(wp);
   mpfr_cell re(wp);
   mpfr_cell im(wp);
-  const bool inexact_norm = mpfr_fmma(norm.get(), b.re, b.re, b.im, b.im, MPFR_RNDN) != 0;
-  bool inexact_re = mpfr_fmma(re.get(), a.re, b.re, a.im, b.im, MPFR_RNDN) != 0 || inexact_norm;
-  bool inexact_im = mpfr_fmms(im.get(), a.im, b.re, a.re, b.im, MPFR_RNDN) != 0 || inexact_norm;
-  inexact_re = mpfr_div(re.get(), re.get(), norm.get(), MPFR_RNDN) != 0 || inexact_re;
-  inexact_im = mpfr_div(im.get(), im.get(), norm.get(), MPFR_RNDN) != 0 || inexact_im;
+  const exponent_range range;
+  bool faithful = true;
+  const auto is_inexact = [&](const mpfr_cell& x, int ternary) {
+    faithful = range.is_faithful(x.get(), ternary) && faithful;
+    return ternary != 0;
+  };
+  const bool inexact_norm =
+      is_inexact(norm, mpfr_fmma(norm.get(), b.re, b.re, b.im, b.im, MPFR_RNDN));
+  bool inexact_re = is_inexact(re, mpfr_fmma(re.get(), a.re, b.re, a.im, b.im, MPFR_RNDN));
+  bool inexact_im = is_inexact(im, mpfr_fmms(im.get(), a.im, b.re, a.re, b.im, MPFR_RNDN));
+  inexact_re = is_inexact(re, mpfr_div(re.get(), re.get(), norm.get(), MPFR_RNDN)) || inexact_re;
+  inexact_im = is_inexact(im, mpfr_div(im.get(), im.get(), norm.get(), MPFR_RNDN)) || inexact_im;
+  if (!faithful) return std::nullopt;
+  inexact_re = inexact_re || inexact_norm;
+  inexact_im = inexact_im || inexact_norm;
   const magnitude re_up = magnitude::abs_up(re.get());
   const magnitude im_up = magnitude::abs_up(im.get());
   magnitude re_error;
@@ -323,8 +340,28 @@ complex_ball centred_quotient(const centred& a, const centred& b, precision p) {
   return r;
 }
 
-/// The square root about that of the midpoint m = x + iy; nothing where the set is not far from 0 for its radii, or may
-/// meet the cut.
+/// z / w by interval evaluation, with both brought near 1 in size by powers of two, and of w's parts one at least: nothing
+/// leaves the range that is not negligible beside 1, and balls enclose what does. Undefined where |w|^2 may be 0.
+rectangle<ball> scaled_quotient(const rectangle<ball>& z, const rectangle<ball>& w, precision p) {
+  constexpr precision guard = 10;
+  const auto exponent_of = [](const rectangle<ball>& x) {
+    const magnitude size = max(x.re.magnitude_upper(), x.im.magnitude_upper());
+    return size.is_zero() || size.is_infinite() ? 0L : static_cast<long>(size.log2_floor());
+  };
+  const auto scaled = [](const rectangle<ball>& x, long n) {
+    return rectangle<ball>{scale(x.re, n), scale(x.im, n)};
+  };
+  const long ez = exponent_of(z);
+  const long ew = exponent_of(w);
+  const rectangle<ball> a = detail::rectangles::raised(scaled(z, -ez), guard);
+  const rectangle<ball> b = detail::rectangles::raised(scaled(w, -ew), guard);
+  const ball norm = square(b.re) + square(b.im);
+  const rectangle<ball> r{(a.re * b.re + a.im * b.im) / norm, (a.im * b.re - a.re * b.im) / norm};
+  return scaled(rectangle<ball>{r.re.with_precision(p), r.im.with_precision(p)}, ez - ew);
+}
+
+/// The square root about that of the moderate midpoint m = x + iy; nothing where the set is not far from 0 for its radii,
+/// or may meet the cut, or an intermediate number left MPFR's range.
 ///
 /// With r = |m|, w = sqrt((r + |x|)/2) and |y|/(2w) are the parts' sizes, in this order for x >= 0. r^2, r, the sum, w and
 /// the quotient are rounded once each, to p + 10 bits: relative errors, in units of 2^-(p+10), below 1, 1.6, 2.7, 2.4 and
@@ -349,15 +386,22 @@ std::optional<complex_ball> narrow_sqrt(const rectangle<ball>& z) {
   mpfr_cell larger(wp);
   mpfr_cell smaller(wp);
   const mpfr_ptr w = larger.get();
-  bool inexact = mpfr_fmma(w, c.re, c.re, c.im, c.im, MPFR_RNDN) != 0;
-  inexact = mpfr_sqrt(w, w, MPFR_RNDN) != 0 || inexact;
+  const exponent_range range;
+  bool inexact = false;
+  bool faithful = true;
+  const auto rounded = [&](mpfr_srcptr number, int ternary) {
+    inexact = ternary != 0 || inexact;
+    faithful = range.is_faithful(number, ternary) && faithful;
+  };
+  rounded(w, mpfr_fmma(w, c.re, c.re, c.im, c.im, MPFR_RNDN));
+  rounded(w, mpfr_sqrt(w, w, MPFR_RNDN));
   const bool is_left = mpfr_sgn(c.re) < 0;
-  inexact =
-      (is_left ? mpfr_sub(w, w, c.re, MPFR_RNDN) : mpfr_add(w, w, c.re, MPFR_RNDN)) != 0 || inexact;
-  mpfr_div_2ui(w, w, 1, MPFR_RNDN);
-  inexact = mpfr_sqrt(w, w, MPFR_RNDN) != 0 || inexact;
-  inexact = mpfr_div(smaller.get(), c.im, w, MPFR_RNDN) != 0 || inexact;
-  mpfr_div_2ui(smaller.get(), smaller.get(), 1, MPFR_RNDN);
+  rounded(w, is_left ? mpfr_sub(w, w, c.re, MPFR_RNDN) : mpfr_add(w, w, c.re, MPFR_RNDN));
+  rounded(w, mpfr_div_2ui(w, w, 1, MPFR_RNDN));
+  rounded(w, mpfr_sqrt(w, w, MPFR_RNDN));
+  rounded(smaller.get(), mpfr_div(smaller.get(), c.im, w, MPFR_RNDN));
+  rounded(smaller.get(), mpfr_div_2ui(smaller.get(), smaller.get(), 1, MPFR_RNDN));
+  if (!faithful) return std::nullopt;
   if (is_left) {
     mpfr_setsign(w, w, mpfr_sgn(c.im) < 0 ? 1 : 0, MPFR_RNDN);
     mpfr_abs(smaller.get(), smaller.get(), MPFR_RNDN);
@@ -394,15 +438,15 @@ std::optional<complex_ball> narrow_sqrt(const rectangle<ball>& z) {
 
 rectangle<ball> real_set<ball>::quotient(const rectangle<ball>& z, const rectangle<ball>& w) {
   const precision p = common_precision(z, w);
-  if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w)) {
-    return centred_quotient(centred(z), centred(w), p);
+  const exponent_range range;
+  std::optional<complex_ball> r;
+  if (is_narrow_and_moderate(z, range) && is_narrow_and_moderate(w, range)) {
+    r = centred_quotient(centred(z), centred(w), p);
+  } else if (has_moderate_ends(z, range) && has_moderate_ends(w, range)) {
+    r = centred_quotient(centred_copy(z).view(), centred_copy(w).view(), p);
   }
-  if (has_moderate_ends(z.re) && has_moderate_ends(z.im) && has_moderate_ends(w.re) &&
-      has_moderate_ends(w.im)) {
-    return centred_quotient(centred_copy(z).view(), centred_copy(w).view(), p);
-  }
-  const ball norm = square(hypot(w.re, w.im)).with_precision(p);
-  return {(z.re * w.re + z.im * w.im) / norm, (z.im * w.re - z.re * w.im) / norm};
+  if (r) return *std::move(r);
+  return scaled_quotient(z, w, p);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -465,12 +509,15 @@ complex_ball operator-(const complex_ball& z, const complex_ball& w) {
   return r;
 }
 complex_ball operator*(const complex_ball& z, const complex_ball& w) {
-  if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w)) return narrow_product(z, w);
+  if (are_narrow_and_moderate(z, w)) return narrow_product(z, w);
   return base(z) * base(w);
 }
 complex_ball operator/(const complex_ball& z, const complex_ball& w) {
-  if (is_narrow_and_moderate(z) && is_narrow_and_moderate(w) && !contains_zero(base(w))) {
-    return centred_quotient(centred(z), centred(w), std::max(z.precision(), w.precision()));
+  if (are_narrow_and_moderate(z, w) && !contains_zero(base(w))) {
+    if (std::optional<complex_ball> r =
+            centred_quotient(centred(z), centred(w), std::max(z.precision(), w.precision()))) {
+      return *std::move(r);
+    }
   }
   return at_common_precision(
       z, w, [](const rectangle<ball>& s, const rectangle<ball>& t) { return s / t; });

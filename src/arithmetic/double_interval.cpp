@@ -150,6 +150,11 @@ double log_of_quotient(double numerator, double denominator) {
 // t = k * half_pi_3 is below 2^-44 and off by 2^-97 at most, with the error of half_pi_3 itself,
 // 2^20 * 2^-118; l - t rounds by less than 2^-97. So the computed r = h + (l - t) is
 // (r + e) (1 + d), |e| <= 2^-96, |d| <= u: off by u |r| + 2^-95.9.
+//   Where |h| < 2^-30, next to a multiple of pi/2, that would be much of r. There d and w, multiples of 2^-63, have
+// an exact difference: l = 0. k * half_pi_4 is exact (20 + 31 bits); s + f = h - k * half_pi_4 exactly, with |s| < 2^-29,
+// |f| <= 2^-83; k * half_pi_5 is exact (20 + 25 bits) and below 2^-83; k * half_pi_6 is below 2^-109 and off by 2^-162, with
+// the error of half_pi_6 itself, 2^20 * 2^-184; the two differences that follow are below 2^-81 and round by 2^-135 each. So
+// the computed r is off by u |r| + 2^-133.9.
 struct reduced_angle {
   double r;
   long k;
@@ -159,6 +164,12 @@ reduced_angle reduce_by_half_pi(double x) {
   const double d = x - k.value * point::half_pi_1;
   const double w = k.value * point::half_pi_2;
   const double h = d - w;
+  if (std::abs(h) < 0x1p-30 && k.integer != 0) {
+    const double t = k.value * point::half_pi_4;
+    const double s = h - t;
+    const double f = detail::sum_error(h, -t, s);
+    return {s + ((f - k.value * point::half_pi_5) - k.value * point::half_pi_6), k.integer};
+  }
   const double l = detail::sum_error(d, -w, h);
   return {h + (l - k.value * point::half_pi_3), k.integer};
 }
@@ -305,7 +316,8 @@ double log1p(double x) {
   return log(1 + x);
 }
 
-// 4.6 u <= 8 u for both, and 2^-95.9 <= 2^-94 absolutely.
+// 4.6 u <= 8 u for both, and 2^-95.9 <= 2^-94 absolutely. Where one of them is below 2^-31, |r| is below 2^-30.9, and |h|,
+// which differs from r by |l - t| < 2^-43 at most, below 2^-30: then 2^-133.9 <= 2^-132 for both.
 circular sin_cos(double x) {
   const reduced_angle a = reduce_by_half_pi(x);
   const double s = sine_reduced(a.r);
@@ -313,7 +325,10 @@ circular sin_cos(double x) {
   const bool swapped = (a.k & 1) != 0;
   const double sine = swapped ? c : s;
   const double cosine = swapped ? s : c;
-  return {(a.k & 2) != 0 ? -sine : sine, ((a.k + 1) & 2) != 0 ? -cosine : cosine, a.k};
+  const double small = std::min(std::abs(sine), std::abs(cosine));
+  const double absolute =
+      a.k == 0 ? 0 : (small < 0x1p-31 ? circular_absolute_at_multiples : circular_absolute);
+  return {(a.k & 2) != 0 ? -sine : sine, ((a.k + 1) & 2) != 0 ? -cosine : cosine, a.k, absolute};
 }
 
 // Below the diagonal: 7.1 u. Above: pi/2 - (1.74 u), where half_pi is off by 0.56 u and the
@@ -395,12 +410,9 @@ double detail::scale_down(double x, long n) {
     const long step = std::clamp(n, -1000L, 1000L);
     n -= step;
     const double product = x * power_of_two(step);
-    const double size = std::abs(product);
-    if (size >= least_normal_double && size < infinity) {
-      x = product;
-    } else {
-      x = x > 0 ? std::max(next_down(product), 0.0) : next_down(product);
-    }
+    // The way back is exact: it leads to x where nothing was rounded, and beyond x where the product was rounded up,
+    // also where it was rounded up to the least normal number.
+    x = product * power_of_two(-step) > x ? next_down(product) : product;
   }
   return x;
 }
@@ -489,17 +501,16 @@ constexpr double pi_up = 2 * half_pi_up;
 
 constexpr double widest_reduced = 0x1p20;
 
-/// The end of an interval, |x| <= 2^20, with floor(2 x / pi) between first and last. The computed r
-/// is off by less than 2^-94 if k != 0, and r = x else.
+/// The end of an interval, |x| <= 2^20, with floor(2 x / pi) between first and last. The computed r has the sign of
+/// r where it is greater in size than `absolute`, for it is off by less beside a rounding; if k = 0, r = x.
 struct circular_end {
   point::circular at;
   long first_quadrant;
   long last_quadrant;
   double absolute;
 
-  explicit circular_end(double x) : at(point::sin_cos(x)) {
+  explicit circular_end(double x) : at(point::sin_cos(x)), absolute(at.absolute) {
     const long k = at.turns;
-    absolute = k == 0 ? 0 : point::circular_absolute;
     // The sign of r is that of the function that is small at k pi/2.
     const double small = (k & 1) != 0 ? at.cosine : at.sine;
     const double r = ((k + 1) & 2) != 0 ? -small : small;

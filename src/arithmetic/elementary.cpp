@@ -635,6 +635,24 @@ void atanh(ball& result, const ball& x) {
 ball hypot(const ball& x, const ball& y) {
   const precision p = std::max(x.precision(), y.precision());
   if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
+  if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y)) {
+    // The derivatives are x / |(x, y)| and y / |(x, y)|: at most 1 in size, and at most the greatest |x|, or |y|, over the
+    // least |(x, y)|.
+    const magnitude least_x = x.magnitude_lower();
+    const magnitude least_y = y.magnitude_lower();
+    const magnitude least =
+        sqrt_down(add_down(multiply_down(least_x, least_x), multiply_down(least_y, least_y)));
+    const auto change = [&](const ball& s) {
+      const magnitude& radius = ball_access::radius(s);
+      if (radius.is_zero()) return magnitude{};
+      return multiply_up(radius, min(one, divide_up(s.magnitude_upper(), least)));
+    };
+    ball r;
+    detail::set_midpoint(r, p, add_up(change(x), change(y)), [&](mpfr_ptr value) {
+      return mpfr_hypot(value, ball_access::first(x), ball_access::first(y), MPFR_RNDN);
+    });
+    return r;
+  }
   const ball ax = abs(x);
   const ball ay = abs(y);
   const end_points ex(ax, p + guard_bits);
@@ -699,6 +717,23 @@ ball root(const ball& x, unsigned long n) {
   if (n == 1) return x;
   if (n == 2) return sqrt(x);
   if (x.is_undefined()) return x;
+  if (ball_access::is_midpoint_radius(x) && (n % 2 != 0 || sign_of(x) == sign::positive)) {
+    // |(m+h)^(1/n) - m^(1/n)| <= |m|^(1/n) (1 - (1 - q)^(1/n)) for q = r/|m| < 2^-22: the root is concave. By the mean
+    // value theorem that is at most (q/n) (1 - q)^(1/n - 1) <= (q/n) / (1 - q) <= (q + 2 q^2) / n.
+    const mpfr_srcptr m = ball_access::first(x);
+    const magnitude q =
+        x.is_exact() ? magnitude{} : divide_up(ball_access::radius(x), magnitude::abs_down(m));
+    mpfr_cell value(p);
+    const int ternary = mpfr_rootn_ui(value.get(), m, n, MPFR_RNDN);
+    const magnitude relative =
+        divide_up(multiply_up(q, add_up(one, scale(q, 1))), magnitude::from_integer_down(n));
+    const magnitude error =
+        q.is_zero() ? magnitude{} : multiply_up(true_value_up(value.get()), relative);
+    ball r;
+    ball_access::first(r) = std::move(value);
+    ball_access::finish(r, ternary, error);
+    return r;
+  }
   const end_points e(
       x, p + guard_bits);  // increasing; MPFR answers a NaN for even roots of negative numbers
   mpfr_cell lower(p);
@@ -758,9 +793,8 @@ ball pow(const ball& x, const ball& y) {
   if (mpfr_sgn(ex.lower()) < 0 || (zero_base && mpfr_sgn(ey.lower()) <= 0)) {
     return ball::undefined(p);
   }
-  if (!x.is_bounded() || !y.is_bounded()) {
-    return zero_base ? ball::undefined(p) : exp(y * log(x)).with_precision(p);
-  }
+  // An infinite end is a limit, and MPFR gives that of the power at each corner.
+  if (zero_base && !(x.is_bounded() && y.is_bounded())) return ball::undefined(p);
   if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y) && !zero_base) {
     // The exponent y log x changes by at most d = |y| (q + q^2) + ry |log x|, q = rx / mx, and the power
     // by a factor within e^(+-d): |change| <= value (d + d^2) for d <= 1.
@@ -802,7 +836,7 @@ ball step_function(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)) {
   f(lower.get(), e.lower(), MPFR_RNDD);
   f(upper.get(), e.upper(), MPFR_RNDU);
   ball r;
-  ball_access::set_ends(r, lower, upper);
+  ball_access::set_exact_ends(r, lower, upper);
   return r;
 }
 
@@ -817,7 +851,7 @@ ball lattice_operation(const ball& x, const ball& y,
   f(lower.get(), ex.lower(), ey.lower(), MPFR_RNDD);
   f(upper.get(), ex.upper(), ey.upper(), MPFR_RNDU);
   ball r;
-  ball_access::set_ends(r, lower, upper);
+  ball_access::set_exact_ends(r, lower, upper);
   return r;
 }
 }  // namespace

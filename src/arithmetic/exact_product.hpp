@@ -8,6 +8,8 @@
 #include <gmp.h>
 #include <mpfr.h>
 
+#include "exponent_range.hpp"
+
 namespace polhode::detail {
 
 // Beyond this MPFR's own way costs little more.
@@ -15,7 +17,8 @@ inline constexpr long most_limbs_of_factor = 20;
 
 inline long limbs_of_precision(mpfr_prec_t p) { return (p + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS; }
 
-/// A regular number that exact_product takes. Its exponent is to be below 2^60 in size.
+/// A regular number that exact_product takes. It is to be moderate as well: the product is then a number
+/// within MPFR's range, which MPFR's functions take it for.
 inline bool is_short(mpfr_srcptr x) {
   return mpfr_regular_p(x) != 0 &&
          mpfr_get_prec(x) <= mpfr_prec_t{most_limbs_of_factor} * GMP_NUMB_BITS;
@@ -64,7 +67,9 @@ class exact_product {
   mp_limb_t limbs_[2 * most_limbs_of_factor];  // set as far as they are used
 };
 
-/// r = a b + c d, and a b - c d, to nearest; the answer is MPFR's.
+/// r = a b + c d, and a b - c d, to nearest; the answer is MPFR's. All four are to be moderate: where one product is 0 and
+/// the other underflows, mpfr_fmma and mpfr_fmms of MPFR 4.2.0 return a number with an exponent far
+/// outside the range.
 inline int sum_of_products(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b, mpfr_srcptr c, mpfr_srcptr d) {
   if (!is_short(a) || !is_short(b) || !is_short(c) || !is_short(d)) {
     return mpfr_fmma(r, a, b, c, d, MPFR_RNDN);
@@ -81,11 +86,8 @@ inline int difference_of_products(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b, mpfr
 
 /// r = a b + c to nearest; the answer is MPFR's.
 inline int product_and_sum(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b, mpfr_srcptr c) {
-  constexpr mpfr_exp_t most = mpfr_exp_t{1} << 60;
-  const auto is_moderate = [](mpfr_srcptr x) {
-    return mpfr_get_exp(x) < most && mpfr_get_exp(x) > -most;
-  };
-  if (!is_short(a) || !is_short(b) || !is_moderate(a) || !is_moderate(b)) {
+  const exponent_range range;
+  if (!is_short(a) || !is_short(b) || !range.is_moderate(a) || !range.is_moderate(b)) {
     return mpfr_fma(r, a, b, c, MPFR_RNDN);
   }
   return mpfr_add(r, exact_product(a, b).get(), c, MPFR_RNDN);

@@ -136,7 +136,7 @@ ball read_ends(reader& in, precision p) {
     in.fail("the lower end exceeds the upper end");
   }
   ball r;
-  ball_access::set_ends(r, lower, upper);
+  ball_access::set_exact_ends(r, lower, upper);
   return r;
 }
 

@@ -245,7 +245,7 @@ ball cancel_minus(const ball& x, const ball& y) {
   difference(lower.get(), a, c, MPFR_RNDD);
   difference(upper.get(), b, d, MPFR_RNDU);
   ball r;
-  ball_access::set_ends(r, lower, upper);
+  ball_access::set_exact_ends(r, lower, upper);
   return r;
 }
 

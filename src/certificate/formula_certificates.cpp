@@ -113,7 +113,21 @@ void expect_at_most(long most, long digits, const char* what) {
 
 using inputs = std::vector<std::pair<const char*, std::string>>;
 
+/// The checker refuses a variable that a reader takes for a constant, a function or a number: "Pi", "e", "l".
+void expect_plain_variable(const std::string& name) {
+  std::string small = name;
+  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  constexpr std::array others{"e", "i", "inf", "infinity", "nan", "euler_gamma", "catalan"};
+  if (std::find(known_names.begin(), known_names.end(), small) != known_names.end() ||
+      std::find(others.begin(), others.end(), small) != others.end() ||
+      name.find_first_not_of("lIOo_0123456789") == std::string::npos) {
+    throw input_error(fmt::format(
+        "no certificate: the variable {} looks like something else in it; name it x", name));
+  }
+}
+
 inputs inputs_of(const formula_over_range& what, const char* name_of_formula) {
+  expect_plain_variable(what.f.variables().front());
   return {{name_of_formula, what.f.to_text()},
           {"variable", what.f.variables().front()},
           {"from", what.from.to_text()},

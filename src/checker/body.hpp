@@ -15,8 +15,8 @@ struct body {
   /// I^2 = (1-b)^2/(b (a+b)), (J+1)^2 = (a+1)^2/(a (a+b)).
   [[nodiscard]] rational squared_I() const { return (1 - b) * (1 - b) / (b * (a + b)); }
   [[nodiscard]] rational squared_J_plus_1() const { return (a + 1) * (a + 1) / (a * (a + b)); }
-  [[nodiscard]] interval I(long bits) const { return sqrt(interval(squared_I(), bits)); }
-  [[nodiscard]] interval J(long bits) const {
+  [[nodiscard]] interval I(precision bits) const { return sqrt(interval(squared_I(), bits)); }
+  [[nodiscard]] interval J(precision bits) const {
     return sqrt(interval(squared_J_plus_1(), bits)) - interval(rational(1), bits);
   }
   /// q > I, q > J.

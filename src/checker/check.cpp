@@ -11,8 +11,8 @@ namespace {
 
 constexpr long version = 2;
 
-void check_document(const json& certificate, report& result) {
-  const place root(certificate, "");
+void check_document(const json& certificate, report& result, budget& work) {
+  const place root(certificate, "", work);
   if (root["format"].text() != "polhode certificate") {
     root["format"].malformed("it must be \"polhode certificate\"");
   }
@@ -44,7 +44,7 @@ void check_document(const json& certificate, report& result) {
     expect_software(root["software"]);
     return name == "roots" ? check_roots(root, result) : check_integral(root, result);
   }
-  examination e(certificate, *text, result);
+  examination e(root, *text, result);
   e.expect_words();
   check_claim(name, e);
 }
@@ -55,6 +55,8 @@ std::string to_text(outcome result) {
   switch (result) {
     case outcome::verified:
       return "verified";
+    case outcome::verified_in_part:
+      return "verified in part";
     case outcome::not_checkable:
       return "not checkable";
     case outcome::refuted:
@@ -65,11 +67,13 @@ std::string to_text(outcome result) {
   return "malformed";
 }
 
-report check(std::string_view certificate) {
+report check(std::string_view certificate, const limits& most) {
   report result;
+  budget work(most);
   try {
-    check_document(read_json(certificate), result);
-    result.result = outcome::verified;
+    work.hold(static_cast<long>(certificate.size()));
+    check_document(read_json(certificate, work), result, work);
+    result.result = result.left_out.empty() ? outcome::verified : outcome::verified_in_part;
   } catch (const refusal& problem) {
     result.result = problem.result;
     result.place = problem.place;
@@ -81,6 +85,12 @@ report check(std::string_view certificate) {
     result.result = outcome::not_checkable;
     result.message = "there is not enough memory";
   }
+  if (!result.is_verified()) {
+    result.subject.clear();
+    result.statement.clear();
+  }
+  result.work = work.spent();
+  result.memory = work.most_held();
   return result;
 }
 

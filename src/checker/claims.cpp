@@ -15,7 +15,7 @@ namespace {
 
 using tri = std::optional<bool>;
 
-interval exactly(const rational& q, long bits) { return {q, bits}; }
+interval exactly(const rational& q, precision bits) { return {q, bits}; }
 
 /// x < y: true, false, or not known.
 tri below(const interval& x, const interval& y) {
@@ -38,17 +38,17 @@ body body_of(const examination& e) { return {e.a(), e.b()}; }
 // ---------------------------------------------------------------------------------------------
 // Constants
 
-interval epsilon0_min(long bits) { return atan(exp(-pi(bits))).scaled(1); }
-interval delta_psi_max(long bits) { return pi(bits) - epsilon0_min(bits).scaled(1); }
+interval epsilon0_min(precision bits) { return atan(exp(-pi(bits))).scaled(1); }
+interval delta_psi_max(precision bits) { return pi(bits) - epsilon0_min(bits).scaled(1); }
 /// 2 agm(sqrt(1+x), sqrt(x)) - 1, which increases in x > 0 and is 0 at beta.
-interval mean_equation(const rational& x, long bits) {
+interval mean_equation(const rational& x, precision bits) {
   const mean_and_sum s = agm_with_sum(sqrt(exactly(rational(1 + x), bits)), sqrt(exactly(x, bits)));
   return s.mean.scaled(1) - exactly(1, bits);
 }
 
 /// F(0, sin^2 epsilon) - 2 pi, which decreases in 0 < epsilon < pi/2 and is 0 at epsilon0.
-std::function<interval(const rational& x, long bits)> separatrix_equation(const body& rigid) {
-  return [rigid](const rational& epsilon, long bits) {
+std::function<interval(const rational& x, precision bits)> separatrix_equation(const body& rigid) {
+  return [rigid](const rational& epsilon, precision bits) {
     // The root is below pi/2: beyond, the sign is that on its upper side.
     if (is_below(pi(bits) / 2, exactly(epsilon, bits))) return exactly(-1, bits);
     if (epsilon <= 0 || !is_below(exactly(epsilon, bits), pi(bits) / 2)) {
@@ -67,7 +67,7 @@ void check_epsilon0(examination& e, const std::string& name, const body& rigid) 
 }
 
 void check_constant(examination& e, const std::string& name, bool exists, const rational& exact,
-                    const std::function<interval(long bits)>& f) {
+                    const std::function<interval(precision bits)>& f) {
   if (exists) {
     e.fact("at the given a, b: " + name + " = " + exact.str() + " exactly", true);
   } else {
@@ -78,28 +78,28 @@ void check_I(examination& e) {
   const body rigid = body_of(e);
   rational exact;
   const bool exists = exact_root(rigid.squared_I(), exact);
-  check_constant(e, "I", exists, exact, [&](long bits) { return rigid.I(bits); });
+  check_constant(e, "I", exists, exact, [&](precision bits) { return rigid.I(bits); });
 }
 void check_J(examination& e) {
   const body rigid = body_of(e);
   rational exact;
   const bool exists = exact_root(rigid.squared_J_plus_1(), exact);
   exact -= 1;
-  check_constant(e, "J", exists, exact, [&](long bits) { return rigid.J(bits); });
+  check_constant(e, "J", exists, exact, [&](precision bits) { return rigid.J(bits); });
 }
 
 // ---------------------------------------------------------------------------------------------
 // Brackets
 
 /// G(lower) > q pi > G(upper) for 0 < lower < upper < 1.
-tri passes_half_phase(const body& rigid, const rational& q, const range& u, long bits) {
+tri passes_half_phase(const body& rigid, const rational& q, const range& u, precision bits) {
   if (u.lower <= 0 || u.upper >= 1) return false;
   const interval target = pi(bits) * exactly(q, bits);
   return all_of({below(target, half_phase(rigid.a, rigid.b, u.lower, bits)),
                  below(half_phase(rigid.a, rigid.b, u.upper, bits), target)});
 }
 /// F(c,0) > q pi > F(c',0) for c = a lower, c' = a upper, 0 < lower < upper < 1.
-tri passes_rotating_phase(const body& rigid, const rational& q, const range& s, long bits) {
+tri passes_rotating_phase(const body& rigid, const rational& q, const range& s, precision bits) {
   if (s.lower <= 0 || s.upper >= 1) return false;
   const interval target = pi(bits) * exactly(q, bits);
   return all_of(
@@ -128,9 +128,9 @@ void check_brackets(examination& e, const integer& count, const std::function<ra
       continue;
     }
     const range u = examination::bracket(one);
-    e.fact(
-        "at the given a, b, by the AGM: G(u) passes " + target + " between u = " + in_decimals(u),
-        [&](long bits) { return passes_half_phase(rigid, q(k), u, bits + size_of(u)); });
+    e.fact("at the given a, b, by the AGM: G(u) passes " + target +
+               " between u = " + in_decimals(u, e.work()),
+           [&](precision bits) { return passes_half_phase(rigid, q(k), u, bits + size_of(u)); });
   }
   if (all.size() > static_cast<std::size_t>(shown)) {
     all.at(static_cast<std::size_t>(shown)).malformed("there are not so many roots to bracket");
@@ -141,7 +141,7 @@ void check_absence(examination& e, const rational& q) {
   const body rigid = body_of(e);
   e.fact("at the given a, b, in rationals: I >= " + q.str() + "; by the AGM G(1/2) > " +
              multiple_of_pi(q),
-         [&](long bits) -> tri {
+         [&](precision bits) -> tri {
            if (rigid.is_above_I(q)) return false;
            return below(pi(bits) * exactly(q, bits),
                         half_phase(rigid.a, rigid.b, rational(1, 2), bits));
@@ -152,7 +152,7 @@ void check_absence(examination& e, const rational& q) {
 // The phases
 
 /// At u = 1/4, 1/2, 3/4 G decreases and keeps within its bounds.
-tri half_phase_obeys_its_bounds(const body& rigid, long bits) {
+tri half_phase_obeys_its_bounds(const body& rigid, precision bits) {
   const rational& a = rigid.a;
   const rational& b = rigid.b;
   const interval limit = pi(bits) * rigid.I(bits);
@@ -173,7 +173,7 @@ tri half_phase_obeys_its_bounds(const body& rigid, long bits) {
 }
 
 /// At c = a/4, a/2, 3a/4 F(c,0) decreases and keeps within its bounds.
-tri rotating_phase_obeys_its_bounds(const body& rigid, long bits) {
+tri rotating_phase_obeys_its_bounds(const body& rigid, precision bits) {
   const interval limit = pi(bits) * rigid.J(bits);
   std::optional<interval> before;
   tri result = true;
@@ -209,12 +209,13 @@ void check_montgomery_oscillating(examination& e) {
   e.read_body();
   e.steps();
   const body rigid = body_of(e);
-  e.number("greatest_lower_bound", [&](long bits) { return (pi(bits) * rigid.I(bits)).scaled(1); });
+  e.number("greatest_lower_bound",
+           [&](precision bits) { return (pi(bits) * rigid.I(bits)).scaled(1); });
   e.fact(
       "at the given a, b the phase by the AGM at u = 1/4, 1/2, 3/4 decreases, is above 2 pi I and "
       "4 I "
       "arsinh(pi/(2 sqrt(u))), and below 2 pi I g(u)/g(1)",
-      [&](long bits) { return half_phase_obeys_its_bounds(rigid, bits); });
+      [&](precision bits) { return half_phase_obeys_its_bounds(rigid, bits); });
   const bool below_one = rigid.is_above_I(1);
   e.fact("at the given a, b, in rationals: the body is " + rigid.kind_in_words() +
              ", and the greatest lower bound is " + (below_one ? "below 2 pi" : "2 pi or more"),
@@ -225,12 +226,13 @@ void check_montgomery_rotating(examination& e) {
   e.read_body();
   e.steps();
   const body rigid = body_of(e);
-  e.number("greatest_lower_bound", [&](long bits) { return (pi(bits) * rigid.J(bits)).scaled(1); });
+  e.number("greatest_lower_bound",
+           [&](precision bits) { return (pi(bits) * rigid.J(bits)).scaled(1); });
   e.fact(
       "at the given a, b the phase by the AGM at c = a/4, a/2, 3a/4 decreases, is above 2 pi J and "
       "4 I "
       "arsinh((pi/2) sqrt(b/c)), and below 2 pi J sqrt(a/c)",
-      [&](long bits) { return rotating_phase_obeys_its_bounds(rigid, bits); });
+      [&](precision bits) { return rotating_phase_obeys_its_bounds(rigid, bits); });
 }
 
 /// The integrals are compared by their integrands and ranges: the integrand is positive, and at every x smaller for the greater c (the
@@ -264,7 +266,7 @@ void check_rotating_root(examination& e, const rational& q, const rational& poly
          exists == (polynomial > 0));
   if (!exists) {
     e.fact("at the given a, b, by the AGM: F(c,0) > " + q.str() + " pi at c = a/2 and 3a/4",
-           [&](long bits) {
+           [&](precision bits) {
              const interval value = pi(bits) * exactly(q, bits);
              return all_of({below(value, rotating_phase(a, e.b(), rational(a / 2), bits)),
                             below(value, rotating_phase(a, e.b(), rational(3 * a / 4), bits))});
@@ -277,9 +279,9 @@ void check_rotating_root(examination& e, const rational& q, const rational& poly
     return;
   }
   const range s = examination::bracket(where);
-  e.fact(
-      "at the given a, b, by the AGM: F(c,0) passes " + target + " between c/a = " + in_decimals(s),
-      [&](long bits) { return passes_rotating_phase(rigid, q, s, bits + size_of(s)); });
+  e.fact("at the given a, b, by the AGM: F(c,0) passes " + target +
+             " between c/a = " + in_decimals(s, e.work()),
+         [&](precision bits) { return passes_rotating_phase(rigid, q, s, bits + size_of(s)); });
 }
 
 void check_perfect_twist(examination& e) {
@@ -359,6 +361,7 @@ constexpr std::size_t most_points = 100;
 
 void expect_side(const place& where, const body& rigid, const rational& c, const rational& level,
                  int side, const std::string& wrong) {
+  const budget::at here = where.working();
   const long size = bit_length(rigid.a) + bit_length(rigid.b) + bit_length(c);
   if (size > most_twist_bits || bit_length(level) > most_level_bits) {
     where.not_checkable("it, c, a and b have too many digits together");
@@ -366,7 +369,8 @@ void expect_side(const place& where, const body& rigid, const rational& c, const
   for (const long bits : twist_precisions) {
     try {
       const long more = 2 * size;
-      if (side_of_defect(rigid, c, level, bits + more) != side) where.refute(wrong);
+      if (side_of_defect(rigid, c, level, precision(bits + more, where.work())) != side)
+        where.refute(wrong);
       return;
     } catch (const undecided&) {  // more bits
     }
@@ -410,7 +414,7 @@ void check_chain(examination& e) {
              " points towards -b, and is below pi/2, its limit there; as it is monotone by the "
              "proof, the "
              "boxes between neighbouring points cover the curve between them",
-         [&](long bits) { return below(exactly(*epsilon_before, bits), pi(bits) / 2); });
+         [&](precision bits) { return below(exactly(*epsilon_before, bits), pi(bits) / 2); });
 }
 
 void check_two_c(examination& e) {
@@ -428,22 +432,22 @@ void check_two_c(examination& e) {
   if (first.upper > second.lower) two["u_second"]["lower"].refute("it is below u_first");
   if (second.upper >= 1) two["u_second"]["upper"].refute("it is not below 1");
   const auto c_of = [&](const rational& u) { return rational(-rigid.b * u); };
-  const auto text = [&](const rational& u) { return decimal_for_reading(c_of(u), 12); };
+  const auto text = [&](const rational& u) { return decimal_for_reading(c_of(u), 12, e.work()); };
   const std::string above = "epsilon is above the level there";
   const std::string under = "epsilon is below the level there";
   expect_side(two["u_first"]["lower"], rigid, c_of(first.lower), level, -1, above);
   expect_side(two["u_first"]["upper"], rigid, c_of(first.upper), level, 1, under);
   expect_side(two["u_second"]["lower"], rigid, c_of(second.lower), level, 1, under);
   // epsilon <= pi/2 + arcsin sqrt(1 - u), as |psi_c| is at most the turning point.
-  const auto most_is_below = [&](long bits) -> tri {
+  const auto most_is_below = [&](precision bits) -> tri {
     const interval sine_squared = exactly(rational(1 - second.upper), bits);
     const interval most = pi(bits) / 2 + atan(sqrt(sine_squared / exactly(second.upper, bits)));
     return below(most, exactly(level, bits));
   };
-  if (most_is_below(256 + size_of(second)) != tri(true)) {
+  if (most_is_below(precision(256 + size_of(second), e.work())) != tri(true)) {
     expect_side(two["u_second"]["upper"], rigid, c_of(second.upper), level, -1, above);
   }
-  e.fact("at the given a, b: epsilon = " + decimal_for_reading(level, 8) +
+  e.fact("at the given a, b: epsilon = " + decimal_for_reading(level, 8, e.work()) +
              " (one exact number) is passed between c = " + text(first.lower) + " and " +
              text(first.upper) + ", and again between " + text(second.lower) + " and " +
              text(second.upper) + ": two c with the same epsilon",
@@ -483,8 +487,8 @@ void check_c0_decreases(examination& e) {
   const range first = examination::bracket(e.witness("c0_over_a"));
   const range second = examination::bracket(e.witness("c0_over_a_for_2a"));
   e.fact("at the given b, by the AGM: c0 for 2a is below c0 for the given a, c0/a lying between " +
-             in_decimals(first),
-         [&](long bits) {
+             in_decimals(first, e.work()),
+         [&](precision bits) {
            return all_of({passes_rotating_phase(rigid, 2, first, bits + size_of(first)),
                           passes_rotating_phase(other, 2, second, bits + size_of(second)),
                           tri(other.a * second.upper < rigid.a * first.lower)});
@@ -531,7 +535,7 @@ void check_limit_minimum(examination& e) {
     // epsilon0 is above epsilon0_min where F(0, sin^2) - 2 pi is still positive.
     e.fact("at the given a, b, " + rigid.kind_in_words() +
                ": epsilon0, by interval Newton, is above epsilon0_min",
-           [&](long bits) {
+           [&](precision bits) {
              const sine_and_cosine at = sin_cos(epsilon0_min(bits));
              return below(pi(bits).scaled(1),
                           separatrix_phase(rigid.a, rigid.b, square(at.sine), square(at.cosine)));
@@ -546,8 +550,8 @@ void check_limit_minimum(examination& e) {
     return;
   }
   const range c0 = examination::bracket(e.witness("c0_over_a"));
-  e.fact("at the given a, b: c0/b is above beta (c0/a between " + in_decimals(c0) + ")",
-         [&](long bits) {
+  e.fact("at the given a, b: c0/b is above beta (c0/a between " + in_decimals(c0, e.work()) + ")",
+         [&](precision bits) {
            return all_of({tri(beta.upper < rigid.a * c0.lower / rigid.b),
                           passes_rotating_phase(rigid, 2, c0, bits + size_of(c0))});
          });
@@ -561,7 +565,7 @@ void check_epsilon0_min(examination& e) {
       "enclosure "
       "overlaps the one by the formula",
       // log(tan(x/2)) increases on (0, pi), so that the root is where the signs differ, and tan(x/2) = e^-pi is the formula.
-      [&](long bits) {
+      [&](precision bits) {
         const auto value = [&](const rational& x) {
           const sine_and_cosine at = sin_cos(exactly(rational(x / 2), bits));
           return log(at.sine / at.cosine) + pi(bits);
@@ -588,9 +592,9 @@ void check_half_phase_limits(examination& e) {
   e.read_body();
   e.steps();
   const body rigid = body_of(e);
-  e.number("limit", [&](long bits) { return pi(bits) * rigid.I(bits); });
+  e.number("limit", [&](precision bits) { return pi(bits) * rigid.I(bits); });
   e.fact("at the given a, b both bounds hold at u = 1/4, 1/2, 3/4 for the value by the AGM",
-         [&](long bits) { return half_phase_obeys_its_bounds(rigid, bits); });
+         [&](precision bits) { return half_phase_obeys_its_bounds(rigid, bits); });
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -603,7 +607,7 @@ struct printed_number {
   const char* as_read;   // with the decimals that are meant
   int places;            // of them
   const char* in_short;  // the value to ten digits
-  std::function<interval(long bits)> value;
+  std::function<interval(precision bits)> value;
 };
 
 rational number_in(const char* text) {
@@ -618,8 +622,8 @@ body with_constants(const char* C, const char* B, const char* A) {
 }
 body water_at_equilibrium() { return with_constants("9.5077", "14.5924", "27.2660"); }
 
-std::function<interval(long bits)> I_of(const body& rigid) {
-  return [rigid](long bits) { return rigid.I(bits); };
+std::function<interval(precision bits)> I_of(const body& rigid) {
+  return [rigid](precision bits) { return rigid.I(bits); };
 }
 
 /// |value - printed| <= half a unit of the last place.
@@ -646,7 +650,7 @@ void check_printed(examination& e, const std::vector<printed_number>& numbers, b
   for (const printed_number& n : numbers) {
     e.fact(std::string(n.where) + " prints " + n.as_read + " for " + n.what + ", which is " +
                n.in_short + (right ? "...: right to the last digit printed" : "...: wrong"),
-           [&](long bits) -> tri {
+           [&](precision bits) -> tri {
              const rational cut = number_in(n.in_short);
              const auto decimals = static_cast<long>(std::string(n.in_short).find('.'));
              const auto length = static_cast<long>(std::string(n.in_short).size());
@@ -712,7 +716,7 @@ void check_errata(examination& e) {
     e.fact(
         std::string("figure 7 with b = 0.0629 in place of 0.06: ") + m.as_read + " for a = " + m.a +
             " would be " + (m.right ? "right" : "wrong") + ", I = " + m.in_short + "...",
-        [&](long bits) {
+        [&](precision bits) {
           const interval value = with_ab(m.a, "0.0629").I(bits);
           const rational cut = number_in(m.in_short);
           const auto length = static_cast<long>(std::string(m.in_short).size());
@@ -733,7 +737,7 @@ void check_errata(examination& e) {
       "increases, "
       "for a = 12.65, b = 0.0629 from c = -3b/4 to -b/4 (for all bodies: the claim "
       "montgomery_oscillating)",
-      [&](long bits) {
+      [&](precision bits) {
         return below(half_phase(usual.a, usual.b, rational(3, 4), bits),
                      half_phase(usual.a, usual.b, rational(1, 4), bits));
       });
@@ -741,8 +745,8 @@ void check_errata(examination& e) {
   e.fact(
       "proposition 3 seeks c0 in (-b, a): it lies in (0, a), for a = 12.65, b = 0.0629 at c0/a "
       "between " +
-          in_decimals(c0),
-      [&](long bits) { return passes_rotating_phase(usual, 2, c0, bits); });
+          in_decimals(c0, e.work()),
+      [&](precision bits) { return passes_rotating_phase(usual, 2, c0, bits); });
   const body planar{1, rational(1, 3)};
   e.fact(
       "section 8 says \"if and only if I > 1\": theorem 3 has I >= 1; the planar body a = 1, b = "

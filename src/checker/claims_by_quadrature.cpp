@@ -15,7 +15,7 @@ namespace {
 
 using tri = std::optional<bool>;
 
-interval exactly(const rational& q, long bits) { return {q, bits}; }
+interval exactly(const rational& q, precision bits) { return {q, bits}; }
 
 // ---------------------------------------------------------------------------------------------
 // Rounded steps of the arithmetic-geometric mean
@@ -38,8 +38,15 @@ void check_chain_of_steps(const place& chain, const integer& S, const integer& n
     return pair;
   };
   const std::string way = upward ? "at least " : "at most ";
+  budget& work = chain.work();
+  // Products of two numbers of the chain, and of one with the scale.
+  const auto charge = [&](const integer& x, const integer& y) {
+    work.spend(4 * budget::of_product(words(x) + words(S), words(y) + words(S)));
+  };
   const place start = chain["start"];
+  const budget::at here = start.working();
   auto [A, B] = read_pair(start);
+  charge(A, B);
   if (!is_rounded(A * A, (S + n) * S)) start.at(0).refute("it must be " + way + "sqrt(1+x) S");
   if (!is_rounded(B * B, n * S)) start.at(1).refute("it must be " + way + "sqrt(x) S");
   const place steps = chain["steps"];
@@ -47,6 +54,9 @@ void check_chain_of_steps(const place& chain, const integer& S, const integer& n
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const place step = steps.at(i);
     const auto [A_next, B_next] = read_pair(step);
+    const budget::at at_step = step.working();
+    charge(A, B);
+    charge(B_next, B_next);
     if (!is_rounded(2 * A_next, A + B)) {
       step.at(0).refute("it must be " + way + "the mean of the pair before");
     }
@@ -86,14 +96,16 @@ range check_agm_bracket(examination& e) {
 struct periodic_integrand {
   std::function<interval(const interval& cosine)> value;
   /// A bound of its modulus on the strip; throws undecided where it proves none.
-  std::function<interval(const rational& half_width, long bits)> supremum;
+  std::function<interval(const rational& half_width, precision bits)> supremum;
 };
 
 /// Repeats the integral that a witness describes by "nodes", "half_width", "supremum" and "truncation_error", with `extra` bits for
 /// what inputs of so many bits cancel.
 interval check_integral(const place& where, const periodic_integrand& f, long extra) {
   constexpr long most_nodes = 200'000;
-  constexpr long most_work = 30'000'000;  // nodes times bits
+  const budget::at here = where.working();
+  constexpr long most_work =
+      30'000'000;  // nodes times bits: what is far beyond a proof's need is refused at once
   where["rule"].expect_text("periodic trapezoid, 2n nodes (2k+1) pi/(2n)");
   const long n = where["nodes"].whole(1, most_nodes);
   const rational half_width = where["half_width"].fraction();
@@ -102,8 +114,9 @@ interval check_integral(const place& where, const periodic_integrand& f, long ex
   }
   // e^(2 n H) is 2^(2.885... n H).
   const rational exponent(half_width * n * 3);
-  const long bits =
-      96 + extra + static_cast<long>(floor_quotient(numerator(exponent), denominator(exponent)));
+  const precision bits(
+      96 + extra + static_cast<long>(floor_quotient(numerator(exponent), denominator(exponent))),
+      where.work());
   if (bits > most_work / n) where["nodes"].not_checkable("it would take too many operations");
   try {
     const interval least = f.supremum(half_width, bits);
@@ -134,11 +147,11 @@ interval check_integral(const place& where, const periodic_integrand& f, long ex
 /// 1/sqrt(x + cos^2(t/2)); on the strip Re(x + (1 + cos t)/2) >= x + (1 - cosh H)/2.
 periodic_integrand inverse_root(const rational& x) {
   return {[x](const interval& cosine) {
-            const long bits = cosine.bits();
+            const precision bits = cosine.bits();
             return exactly(1, bits) /
                    sqrt(exactly(rational(x + rational(1, 2)), bits) + cosine / 2);
           },
-          [x](const rational& half_width, long bits) {
+          [x](const rational& half_width, precision bits) {
             const interval growth = exp(exactly(half_width, bits));
             const interval cosh = (growth + exactly(1, bits) / growth) / 2;
             return exactly(1, bits) / sqrt(exactly(x, bits) + (exactly(1, bits) - cosh) / 2);
@@ -150,7 +163,7 @@ periodic_integrand inverse_root(const rational& x) {
 periodic_integrand slope_integrand(const rational& a, const rational& b, const rational& u) {
   const rational slope((a + 2) * b);
   return {[=](const interval& cosine) {
-            const long bits = cosine.bits();
+            const precision bits = cosine.bits();
             const interval x = exactly(rational((1 + u) / 2), bits) -
                                exactly(rational((1 - u) / 2), bits) * cosine;
             const interval product = x * (exactly(a, bits) + exactly(b, bits) * x);
@@ -158,7 +171,7 @@ periodic_integrand slope_integrand(const rational& a, const rational& b, const r
                 (exactly(1, bits) + cosine) * (exactly(a, bits) + exactly(slope, bits) * x);
             return -numerator / (sqrt(exactly(b, bits)) * product * sqrt(product) * 4);
           },
-          [=](const rational& half_width, long bits) {
+          [=](const rational& half_width, precision bits) {
             const strip_range x = range_on_strip(u, half_width, bits);
             if (!x.below.is_positive()) throw undecided("x may be 0 on it");
             const interval growth = exp(exactly(half_width, bits));
@@ -175,6 +188,8 @@ periodic_integrand slope_integrand(const rational& a, const rational& b, const r
 
 constexpr long cells = 64;
 constexpr long sweep_bits = 96;
+/// Units of a comparison of two boxes.
+constexpr long units_of_two_boxes = 300;
 
 struct box {
   range p;
@@ -187,7 +202,7 @@ bool have_common_inside(const range& x, const range& y) {
 }
 
 /// cos^2 at k pi/(2 cells), k = 0 ... cells.
-std::vector<interval> squared_cosines(long bits) {
+std::vector<interval> squared_cosines(precision bits) {
   std::vector<interval> values;
   values.reserve(cells + 1);
   for (long k = 0; k <= cells; ++k) {
@@ -204,18 +219,19 @@ interval sweep_integrand(const interval& cos_squared, const interval& sigma, con
 /// A lower bound of W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt, sigma = u + p (1-u) cos^2 t, on a box: on every cell the
 /// least cos^2 outside, the greatest sigma, which increases in u, in p and in cos^2, and the least r u.
 interval lower_bound(const box& b, const std::vector<interval>& cosines) {
-  const interval r_u = exactly(rational(b.r.lower * b.u.lower), sweep_bits);
-  interval sum = exactly(0, sweep_bits);
+  const precision& bits = cosines.front().bits();
+  const interval r_u = exactly(rational(b.r.lower * b.u.lower), bits);
+  interval sum = exactly(0, bits);
   for (std::size_t k = 0; k < cells; ++k) {
-    const interval sigma = exactly(b.u.upper, sweep_bits) +
-                           exactly(rational(b.p.upper * (1 - b.u.upper)), sweep_bits) * cosines[k];
+    const interval sigma = exactly(b.u.upper, bits) +
+                           exactly(rational(b.p.upper * (1 - b.u.upper)), bits) * cosines[k];
     sum = sum + sweep_integrand(cosines[k + 1], sigma, r_u);
   }
-  return sum * pi(sweep_bits) / (2 * cells);
+  return sum * pi(bits) / (2 * cells);
 }
 
 /// An enclosure of W at a point with u > 0: on every cell cos^2 and sigma lie between their values at its ends.
-interval enclosure_at(const rational& p, const rational& r, const rational& u, long bits) {
+interval enclosure_at(const rational& p, const rational& r, const rational& u, precision bits) {
   const std::vector<interval> cosines = squared_cosines(bits);
   interval sum = exactly(0, bits);
   for (std::size_t k = 0; k < cells; ++k) {
@@ -250,12 +266,15 @@ std::size_t check_sweep(const place& sweep) {
   sweep["bound"].expect_text("3/4");
   const place list = sweep["boxes"];
   if (list.size() > most_boxes) list.not_checkable("it has more than 4096 boxes");
-  const std::vector<interval> cosines = squared_cosines(sweep_bits);
+  const precision bits(sweep_bits, sweep.work());
+  const std::vector<interval> cosines = squared_cosines(bits);
   std::vector<box> boxes;
   boxes.reserve(list.size());
   rational volume(0);
   for (std::size_t i = 0; i < list.size(); ++i) {
     const box b = read_box(list.at(i));
+    const budget::at here = list.at(i).working();
+    sweep.work().spend(units_of_two_boxes * static_cast<long>(1 + boxes.size()));
     for (std::size_t j = 0; j < boxes.size(); ++j) {
       if (have_common_inside(b.p, boxes[j].p) && have_common_inside(b.r, boxes[j].r) &&
           have_common_inside(b.u, boxes[j].u)) {
@@ -263,7 +282,7 @@ std::size_t check_sweep(const place& sweep) {
       }
     }
     try {
-      if (!(lower_bound(b, cosines) - exactly(rational(3, 4), sweep_bits)).is_positive()) {
+      if (!(lower_bound(b, cosines) - exactly(rational(3, 4), bits)).is_positive()) {
         list.at(i).refute("the bound is not shown on it");
       }
     } catch (const undecided&) {
@@ -294,7 +313,7 @@ bool identity_holds() {
 void check_beta(examination& e) {
   e.read_no_inputs();
   const range steps = check_agm_bracket(e);
-  const auto equation = [](const rational& x, long bits) {
+  const auto equation = [](const rational& x, precision bits) {
     return agm_with_sum(sqrt(exactly(rational(1 + x), bits)), sqrt(exactly(x, bits)))
                .mean.scaled(1) -
            exactly(1, bits);
@@ -320,9 +339,9 @@ void check_beta(examination& e) {
   if (image.upper > box.upper) newton["image"]["upper"].refute("the image leaves the box");
   // f' = M (x + 1/2 - S)/(2 x (1+x)), S the sum of 2^(n-1) c_n^2 over n >= 1: of f = agm - 1/2. In parts of the box, as intervals that occur
   // several times in a formula make it wide.
-  const auto derivative = [&](long bits) {
+  const auto derivative = [&](precision bits) {
     constexpr int parts = 32;
-    const long w = bits + 64;
+    const precision w = bits + 64;
     const interval one = exactly(1, w);
     const rational step((box.upper - box.lower) / parts);
     std::optional<interval> all;
@@ -340,14 +359,14 @@ void check_beta(examination& e) {
       "interval Newton maps its box into itself with a derivative that is not 0: exactly one root "
       "in the "
       "box",
-      [&](long bits) -> tri {
-        const long more = bits + bit_length(image.lower) + bit_length(image.upper);
+      [&](precision bits) -> tri {
+        const precision more = bits + bit_length(image.lower) + bit_length(image.upper);
         const interval at_lower = equation(image.lower, more);
         const interval at_upper = equation(image.upper, more);
         if (slope.lower <= 0 || at_lower.is_positive() || at_upper.is_negative()) return false;
         if (!at_lower.is_negative() || !at_upper.is_positive()) return std::nullopt;
         // The step from the box's middle, for f = agm - 1/2, which is half of the equation's function.
-        const long w = more + bit_length(box.lower) + bit_length(box.upper);
+        const precision w = more + bit_length(box.lower) + bit_length(box.upper);
         const rational middle((box.lower + box.upper) / 2);
         const interval step =
             exactly(middle, w) -
@@ -365,7 +384,7 @@ void check_beta(examination& e) {
       "t)^(-1/2) "
       "exceeds pi at the first " +
       std::to_string(digits) + " digits of beta and is below pi one unit of the last place higher");
-  const std::string first = decimal(beta.lower, digits, rounding::to_zero);
+  const std::string first = decimal(beta.lower, digits, rounding::to_zero, e.work());
   rational below;
   static_cast<void>(read_decimal(first, below));
   const rational above(below + power_of_ten(static_cast<long>(first.find('.')) + 1 -
@@ -394,7 +413,8 @@ void check_sign_dF_du(examination& e) {
   const rational& a = e.a();
   const rational& b = e.b();
   const rational& u = e.u();
-  const range value = e.number("dF_du", [&](long bits) { return half_phase_slope(a, b, u, bits); });
+  const range value =
+      e.number("dF_du", [&](precision bits) { return half_phase_slope(a, b, u, bits); });
   e.fact("at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)", value.upper < 0);
 
   const place quadrature = e.witness("quadrature");
@@ -449,14 +469,15 @@ void check_sign_dF_du(examination& e) {
           std::to_string(boxes) + " boxes)",
       true);
   const interval integral = enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u,
-                                         sweep_bits + e.input_bits());
-  e.fact("the sweep's integral at the given a, b, u holds the value above", [&](long bits) -> tri {
-    const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
-    const interval W = factor * interval::between(value.lower, value.upper, bits);
-    if (is_inside(W, integral.lower(), integral.upper())) return true;
-    if (!overlaps(W, integral.lower(), integral.upper())) return false;
-    return std::nullopt;
-  });
+                                         precision(sweep_bits + e.input_bits(), e.work()));
+  e.fact("the sweep's integral at the given a, b, u holds the value above",
+         [&](precision bits) -> tri {
+           const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
+           const interval W = factor * interval::between(value.lower, value.upper, bits);
+           if (is_inside(W, integral.lower(), integral.upper())) return true;
+           if (!overlaps(W, integral.lower(), integral.upper())) return false;
+           return std::nullopt;
+         });
 }
 
 }  // namespace polhode::checker

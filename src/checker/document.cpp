@@ -32,6 +32,8 @@ std::string escaped(std::string_view key) {
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class limited_reader : public nlohmann::json_sax<json> {
  public:
+  explicit limited_reader(budget& work) : work_(work) {}
+
   json result;
 
   bool null() override { return add(nullptr); }
@@ -42,7 +44,10 @@ class limited_reader : public nlohmann::json_sax<json> {
     refuse("the number " + in_quotes(text) +
            " stands outside quotes: it must be whole and below 2^63");
   }
-  bool string(string_t& value) override { return add(std::move(value)); }
+  bool string(string_t& value) override {
+    work_.hold(static_cast<long>(value.size()));
+    return add(std::move(value));
+  }
   bool binary(binary_t&) override { refuse("binary data"); }
   bool start_object(std::size_t) override { return open(json::object()); }
   bool start_array(std::size_t) override { return open(json::array()); }
@@ -50,6 +55,9 @@ class limited_reader : public nlohmann::json_sax<json> {
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
     levels_.back().key = name;
+    const budget::at here(work_, pointer());
+    work_.spend(16 * static_cast<long>(levels_.back().value->size()));
+    work_.hold(static_cast<long>(sizeof(json::object_t::value_type) + name.size()));
     constexpr std::size_t most_members = 1000;  // they are looked through one by one
     if (levels_.back().value->size() >= most_members) {
       refuse("more than " + std::to_string(most_members) + " members");
@@ -82,6 +90,9 @@ class limited_reader : public nlohmann::json_sax<json> {
   }
   json* put(json value) {
     if (++values_ > most_values) refuse("more than a million values");
+    const budget::at here(work_, pointer());
+    work_.spend(400);
+    work_.hold(2 * static_cast<long>(sizeof(json)));
     if (levels_.empty()) return &(result = std::move(value));
     json& parent = *levels_.back().value;
     if (parent.is_array()) {
@@ -106,6 +117,7 @@ class limited_reader : public nlohmann::json_sax<json> {
     return true;
   }
 
+  budget& work_;
   std::vector<level> levels_;
   std::size_t values_ = 0;
 };
@@ -114,7 +126,7 @@ std::string kind_of(const json& value) { return value.type_name(); }
 
 }  // namespace
 
-json read_json(std::string_view text) {
+json read_json(std::string_view text, budget& work) {
   if (text.size() > most_certificate_bytes) {
     throw refusal(outcome::malformed, "",
                   "it has " + std::to_string(text.size()) + " bytes; at most " +
@@ -125,7 +137,9 @@ json read_json(std::string_view text) {
     throw refusal(outcome::malformed, "",
                   "it is no JSON from byte " + std::to_string(end + 1) + " on");
   }
-  limited_reader reader;
+  constexpr long units_of_a_byte = 40;
+  work.spend(units_of_a_byte * static_cast<long>(text.size()));
+  limited_reader reader(work);
   if (!json::sax_parse(text, &reader)) throw refusal(outcome::malformed, "", "it is no JSON");
   return std::move(reader.result);
 }
@@ -161,8 +175,9 @@ bool place::has(const std::string& key) const {
 place place::operator[](const std::string& key) const {
   if (!value_->is_object())
     malformed("it is of type " + kind_of(*value_) + "; it must be an object");
+  work_->spend(100 + 16 * static_cast<long>(value_->size()));
   const auto found = value_->find(key);
-  place member(found == value_->end() ? *value_ : *found, pointer_ + '/' + escaped(key));
+  place member(found == value_->end() ? *value_ : *found, pointer_ + '/' + escaped(key), *work_);
   if (found == value_->end()) member.malformed("it is missing");
   return member;
 }
@@ -171,7 +186,8 @@ void place::expect_keys(std::initializer_list<const char*> keys) const {
   for (const auto& [key, value] : value_->items()) {
     const std::string& name = key;
     if (std::none_of(keys.begin(), keys.end(), [&](const char* k) { return name == k; })) {
-      place(value, pointer_ + '/' + escaped(name)).malformed("no certificate has this key here");
+      place(value, pointer_ + '/' + escaped(name), *work_)
+          .malformed("no certificate has this key here");
     }
   }
 }
@@ -181,7 +197,8 @@ std::size_t place::size() const {
 }
 place place::at(std::size_t index) const {
   const bool there = index < size();
-  place element(there ? (*value_)[index] : *value_, pointer_ + '/' + std::to_string(index));
+  work_->spend(100);
+  place element(there ? (*value_)[index] : *value_, pointer_ + '/' + std::to_string(index), *work_);
   if (!there) element.malformed("it is missing");
   return element;
 }
@@ -203,16 +220,22 @@ long place::whole(long least, long most) const {
   if (value < least || value > most) malformed("it is " + std::to_string(value) + "; " + range());
   return static_cast<long>(value);
 }
+bool place::may_be_read() const {
+  if (text().size() > most_digits) return false;
+  const budget::at here = working();
+  work_->decimals(bits_of_decimal(text()));
+  return true;
+}
 integer place::big() const {
   integer value;
-  if (text().size() > most_digits || !read_integer(text(), value)) {
+  if (!may_be_read() || !read_integer(text(), value)) {
     malformed("it is " + in_quotes(text()) + "; it must be a whole number in decimal digits");
   }
   return value;
 }
 rational place::fraction() const {
   rational value;
-  if (text().size() > most_digits || !read_rational(text(), value)) {
+  if (!may_be_read() || !read_rational(text(), value)) {
     malformed("it is " + in_quotes(text()) +
               "; it must be a whole number or a fraction in lowest terms, as 253/20");
   }
@@ -220,7 +243,7 @@ rational place::fraction() const {
 }
 rational place::decimal_value() const {
   rational value;
-  if (text().size() > most_digits || !read_decimal(text(), value)) {
+  if (!may_be_read() || !read_decimal(text(), value)) {
     malformed("it is " + in_quotes(text()) + "; it must be a decimal number, as 0.028 or 2.8e-20");
   }
   return value;

@@ -3,7 +3,6 @@
 // A certificate's JSON: read within limits, and walked with the place known at every step, so that an error can name it.
 
 #include <initializer_list>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -16,28 +15,23 @@ namespace polhode::checker {
 
 using json = nlohmann::ordered_json;
 
-/// Ends the check: what is wrong, where, and what would be right.
-class refusal : public std::runtime_error {
- public:
-  refusal(outcome what_it_is, std::string pointer, const std::string& message)
-      : std::runtime_error(message), result(what_it_is), place(std::move(pointer)) {}
-  outcome result;
-  std::string place;
-};
-
 /// Reads JSON of at most 16 levels in which no key appears twice and every number is whole; throws refusal.
-[[nodiscard]] json read_json(std::string_view text);
+[[nodiscard]] json read_json(std::string_view text, budget& work);
 
 /// "…" with what is long cut short and what is not printable escaped.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// A value and where it stands.
+/// A value, where it stands, and the budget that reading it is charged to.
 class place {
  public:
-  place(const json& value, std::string pointer) : value_(&value), pointer_(std::move(pointer)) {}
+  place(const json& value, std::string pointer, budget& work)
+      : value_(&value), pointer_(std::move(pointer)), work_(&work) {}
 
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
   [[nodiscard]] const json& value() const { return *value_; }
+  [[nodiscard]] budget& work() const { return *work_; }
+  /// What is done while it lives is done here.
+  [[nodiscard]] budget::at working() const { return {*work_, pointer_}; }
 
   [[noreturn]] void malformed(const std::string& message) const;
   [[noreturn]] void refute(const std::string& message) const;
@@ -63,8 +57,12 @@ class place {
   void expect_whole(long right) const;
 
  private:
+  /// Charges for reading a number.
+  [[nodiscard]] bool may_be_read() const;
+
   const json* value_;
   std::string pointer_;
+  budget* work_;
 };
 
 }  // namespace polhode::checker

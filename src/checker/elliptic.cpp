@@ -15,7 +15,7 @@ struct bartky_sums {
   interval sum;   // of the Q
 };
 bartky_sums bartky(interval A, interval g) {
-  const long bits = A.bits();
+  const precision bits = A.bits();
   const long most_steps = 2 * bits;
   const integer close = 64;  // units, beyond which steps gain nothing
   interval p(rational(1), bits);
@@ -39,14 +39,14 @@ bartky_sums bartky(interval A, interval g) {
   return {hull(A, g), sum.widened(Q.magnitude())};
 }
 
-interval number(const rational& q, long bits) { return {q, bits}; }
+interval number(const rational& q, precision bits) { return {q, bits}; }
 
 }  // namespace
 
 // c_(n+1)^2 = (A_n - g_n)^2/4 = c_n^2 (A_n - g_n)/(4 (A_n + g_n)) in absolute value, for c_n^2 = A_n^2 - g_n^2: it is at most c_n^2/4. So the
 // terms at least halve, and what is left is at most the last one taken. The mean lies between A and g at every step.
 mean_and_sum agm_with_sum(const interval& A_0, const interval& g_0) {
-  const long bits = A_0.bits();
+  const precision bits = A_0.bits();
   const integer close = 64;
   interval A = A_0;
   interval g = g_0;
@@ -70,8 +70,9 @@ mean_and_sum agm_with_sum(const interval& A_0, const interval& g_0) {
 // (put y = sin s, tan s = sqrt(u) tan t in the paper's eq. (44): the integrand becomes cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) with
 // sigma = v (1 - m sin^2 t), and the integral of cos^2 t/Delta^3 is D(m), for d/dt (sin t cos t/Delta) = cos^2 t/Delta^3 - sin^2 t/Delta).
 // K = pi/(2M), E = K (1 - sum over n >= 0 of 2^(n-1) c_n^2), with (A, g) = (1, sqrt(1-m)), c_0^2 = m (DLMF 19.8.5, 19.8.6): D = K (1/2 + sum/m).
-interval half_phase_slope(const rational& a, const rational& b, const rational& u, long bits) {
-  const long w = bits + 32 + 6 * (bit_length(a) + bit_length(b) + bit_length(u));
+interval half_phase_slope(const rational& a, const rational& b, const rational& u, precision bits) {
+  bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(u));
+  const precision w = bits + 32 + 6 * (bit_length(a) + bit_length(b) + bit_length(u));
   const rational v((a + b * u) / (a + b));
   const rational m(a * (1 - u) / (a + b * u));
   const rational r(b * (1 + a) / (a + b));
@@ -89,8 +90,9 @@ interval half_phase_slope(const rational& a, const rational& b, const rational& 
 // 3 pi/(4M) sum of Q) and x = 1 - (1-u) s, s in (0, 1), in the integral give
 //   G(u) = pi/(sqrt(b (a+b)) M) (1 - b + (b/2)(1 - u) sum),  M and sum of (sqrt(v), sqrt(u)).
 // For u = 1: M = 1, G = pi (1-b)/sqrt(b (a+b)) = pi I.
-interval half_phase(const rational& a, const rational& b, const rational& u, long bits) {
-  const long w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(u));
+interval half_phase(const rational& a, const rational& b, const rational& u, precision bits) {
+  bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(u));
+  const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(u));
   const bartky_sums s =
       bartky(sqrt(number(rational((a + b * u) / (a + b)), w)), sqrt(number(u, w)));
   const interval bracket =
@@ -99,8 +101,9 @@ interval half_phase(const rational& a, const rational& b, const rational& u, lon
 }
 
 // In the same way, with (sqrt(a/(a+b)), sqrt(c/(b+c))):  F(c,0) = pi/(sqrt((a+b)(b+c)) M) (1 - b + (b/2) sum).
-interval rotating_phase(const rational& a, const rational& b, const rational& c, long bits) {
-  const long w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(c));
+interval rotating_phase(const rational& a, const rational& b, const rational& c, precision bits) {
+  bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(c));
+  const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(c));
   const bartky_sums s =
       bartky(sqrt(number(rational(a / (a + b)), w)), sqrt(number(rational(c / (b + c)), w)));
   const interval bracket = number(rational(1 - b), w) + number(rational(b / 2), w) * s.sum;
@@ -112,7 +115,8 @@ interval rotating_phase(const rational& a, const rational& b, const rational& c,
 // (steps of the claim separatrix_twist), and it is 0 at u = 1. 2 artanh(z) = log((1+z)^2/(1 - z^2)), 1 - a w^2 = (a+b) u/(a + b u).
 interval separatrix_phase(const rational& a, const rational& b, const interval& sine_squared,
                           const interval& cosine_squared) {
-  const long w = sine_squared.bits();
+  const precision w = sine_squared.bits();
+  w.work().rationals(4, bit_length(a) + bit_length(b));
   const interval denominator = number(a, w) + number(b, w) * sine_squared;
   const interval square_of_w = cosine_squared / denominator;
   const interval z = sqrt(number(a, w) * square_of_w);
@@ -198,7 +202,7 @@ using integrand = std::function<series(const interval& m, const interval& r)>;
 interval integral_on(const integrand& f, const interval& from, const interval& to, int depth) {
   constexpr int most_depth = 12;
   constexpr long wanted_bits = 56;
-  const long bits = from.bits();
+  const precision bits = from.bits();
   const interval m = (from + to) / 2;
   const interval r = (to - from) / 2;
   const interval zero(integer(0), integer(0), bits);
@@ -228,7 +232,7 @@ interval integral_on(const integrand& f, const interval& from, const interval& t
 
 interval partial_phase(const rational& a, const rational& b, const rational& c,
                        const interval& psi) {
-  const long bits = psi.bits();
+  const precision bits = psi.bits();
   const interval one = number(1, bits);
   const auto one_minus_bx = [&](const series& x) { return linear(one, number(-b, bits), x); };
   const auto a_plus_bx = [&](const series& x) {
@@ -263,7 +267,7 @@ interval partial_phase(const rational& a, const rational& b, const rational& c,
 
 periodic_integral periodic_trapezoid(const std::function<interval(const interval& cosine)>& g,
                                      long n, const rational& half_width, const rational& supremum,
-                                     long bits) {
+                                     precision bits) {
   const interval step = pi(bits) / (2 * n);
   interval sum(integer(0), integer(0), bits);
   // The angles (2k+1) step with k = i block + j are sums of 2 i block step and (2j+1) step.
@@ -283,7 +287,7 @@ periodic_integral periodic_trapezoid(const std::function<interval(const interval
   return {(sum * step.scaled(1)).widened(error.magnitude()), error};
 }
 
-strip_range range_on_strip(const rational& u, const rational& half_width, long bits) {
+strip_range range_on_strip(const rational& u, const rational& half_width, precision bits) {
   const interval e = exp(number(rational(half_width / 2), bits));
   const interval sinh = (e - number(1, bits) / e) / 2;
   const interval spread = number(rational(1 - u), bits) * square(sinh);

@@ -19,14 +19,14 @@ struct mean_and_sum {
 
 /// dG/du at 0 < u <= 1.
 [[nodiscard]] interval half_phase_slope(const rational& a, const rational& b, const rational& u,
-                                        long bits);
+                                        precision bits);
 
 /// G(u), 0 < u <= 1.
 [[nodiscard]] interval half_phase(const rational& a, const rational& b, const rational& u,
-                                  long bits);
+                                  precision bits);
 /// F(c,0), 0 < c <= a.
 [[nodiscard]] interval rotating_phase(const rational& a, const rational& b, const rational& c,
-                                      long bits);
+                                      precision bits);
 /// F(0,u), 0 < u < 1, with u given by sin^2 and cos^2 of one angle: u = sine_squared.
 [[nodiscard]] interval separatrix_phase(const rational& a, const rational& b,
                                         const interval& sine_squared,
@@ -44,7 +44,7 @@ struct periodic_integral {
 };
 [[nodiscard]] periodic_integral periodic_trapezoid(
     const std::function<interval(const interval& cosine)>& g, long n, const rational& half_width,
-    const rational& supremum, long bits);
+    const rational& supremum, precision bits);
 
 /// x(t) = ((1 + u) + (1 - u) cos t)/2 for |Im t| <= H: Re x >= below, |x| <= above. u -+ (1 - u) sinh^2(H/2), as |cos t| <= cosh H,
 /// Re cos t >= -cosh H and cosh H = 1 + 2 sinh^2(H/2).
@@ -52,6 +52,7 @@ struct strip_range {
   interval below;
   interval above;
 };
-[[nodiscard]] strip_range range_on_strip(const rational& u, const rational& half_width, long bits);
+[[nodiscard]] strip_range range_on_strip(const rational& u, const rational& half_width,
+                                         precision bits);
 
 }  // namespace polhode::checker

@@ -63,6 +63,7 @@ long bit_length(const integer& n) {
 long bit_length(const rational& q) {
   return bit_length(integer(numerator(q))) + bit_length(integer(denominator(q)));
 }
+long words(const integer& n) { return static_cast<long>(mpz_size(raw(n))); }
 rational power_of_two(long k) {
   const integer power = integer(1) << static_cast<unsigned>(std::abs(k));
   return k < 0 ? rational(integer(1), power) : rational(power);
@@ -135,8 +136,22 @@ bool read_decimal(std::string_view text, rational& value) {
   return true;
 }
 
-std::string decimal(const rational& q, long digits, rounding way) {
+long bits_of_decimal(std::string_view text) {
+  constexpr std::size_t most_exponent_digits = 6;
+  long exponent = 0;
+  if (const auto e = text.find('e'); e != std::string_view::npos) {
+    std::string_view digits = text.substr(e + 1);
+    if (!digits.empty() && digits.front() == '-') digits.remove_prefix(1);
+    if (digits.size() <= most_exponent_digits) {
+      exponent = std::strtol(std::string(digits).c_str(), nullptr, 10);
+    }
+  }
+  return 4 * (static_cast<long>(text.size()) + std::abs(exponent)) + 64;
+}
+
+std::string decimal(const rational& q, long digits, rounding way, budget& work) {
   if (q == 0) return "0";
+  work.rationals(4, bit_length(q) + 4 * digits + 64);
   const bool negative = q < 0;
   const rational size = negative ? rational(-q) : q;
   long e = decimal_exponent(size);
@@ -168,10 +183,11 @@ std::string decimal(const rational& q, long digits, rounding way) {
   return sign + text.substr(0, whole) + (count > e + 1 ? "." + text.substr(whole) : "");
 }
 
-std::string decimal_for_reading(const rational& q, long digits) {
-  std::string text = decimal(q, digits, rounding::to_zero);
+std::string decimal_for_reading(const rational& q, long digits, budget& work) {
+  std::string text = decimal(q, digits, rounding::to_zero, work);
+  work.decimals(bits_of_decimal(text));
   rational again;
-  if (read_decimal(text, again) && again == q) return decimal(q, digits, rounding::down);
+  if (read_decimal(text, again) && again == q) return decimal(q, digits, rounding::down, work);
   const auto e = text.find('e');
   return e == std::string::npos ? text + "..." : text.substr(0, e) + "..." + text.substr(e);
 }

@@ -8,6 +8,8 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
+#include "budget.hpp"
+
 namespace polhode::checker {
 
 using integer =
@@ -24,6 +26,7 @@ using rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 [[nodiscard]] integer floor_root(const integer& n);
 [[nodiscard]] long bit_length(const integer& n);   // of |n|; 0 for 0
 [[nodiscard]] long bit_length(const rational& q);  // of numerator and denominator together
+[[nodiscard]] long words(const integer& n);        // of 64 bits
 /// q = 2^k, k of any sign.
 [[nodiscard]] rational power_of_two(long k);
 [[nodiscard]] rational power_of_ten(long k);
@@ -36,13 +39,15 @@ using rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 [[nodiscard]] bool read_rational(std::string_view text, rational& value);
 /// Reads "-0.028", "1.5e-20"; false for anything else, and for an exponent of more than 6 digits.
 [[nodiscard]] bool read_decimal(std::string_view text, rational& value);
+/// At least the bits that such a decimal's value and the powers of ten in it have.
+[[nodiscard]] long bits_of_decimal(std::string_view text);
 
 enum class rounding { down, up, to_zero };
 
 /// q to so many significant digits: positional where that is short, otherwise "1.5e-20". Rounded
 /// down and up it drops zeros at the end, cut off it keeps them: they are digits.
-[[nodiscard]] std::string decimal(const rational& q, long digits, rounding way);
+[[nodiscard]] std::string decimal(const rational& q, long digits, rounding way, budget& work);
 /// "1.414...": cut off, with dots where q has more digits.
-[[nodiscard]] std::string decimal_for_reading(const rational& q, long digits);
+[[nodiscard]] std::string decimal_for_reading(const rational& q, long digits, budget& work);
 
 }  // namespace polhode::checker

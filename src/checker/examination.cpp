@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "body.hpp"
 #include "digest.hpp"
 #include "polynomial.hpp"
 
@@ -26,16 +27,27 @@ rational dyadic(const place& where) {
   if (mantissa == 0 ? exponent != 0 : mantissa % 2 == 0) {
     where["mantissa"].malformed("it is even; mantissa and exponent must be in lowest form");
   }
+  const budget::at here = where.working();
+  where.work().rationals(1, bit_length(mantissa) + std::abs(exponent));
   return rational(mantissa) * power_of_two(exponent);
 }
 
 /// That `value` is the digits that both ends share.
 void expect_shared(const place& where, const range& exact, long digits) {
-  const std::string low = decimal(exact.lower, digits, rounding::to_zero);
-  if (low != decimal(exact.upper, digits, rounding::to_zero)) {
+  const budget::at here = where.working();
+  const std::string low = decimal(exact.lower, digits, rounding::to_zero, where.work());
+  if (low != decimal(exact.upper, digits, rounding::to_zero, where.work())) {
     where.not_checkable("the exact ends do not share " + std::to_string(digits) + " digits");
   }
   where.expect_text(low);
+}
+
+/// The fraction as it is written, where it is not too long to read.
+std::string in_short(const place& where, const rational& value) {
+  constexpr std::size_t longest = 100;
+  if (where.text().size() <= longest) return where.text();
+  return decimal_for_reading(value, 30, where.work()) + " (a fraction of " +
+         std::to_string(where.text().size()) + " characters)";
 }
 
 void expect_range(const place& where, const rational& value, bool right, const char* name) {
@@ -53,13 +65,15 @@ long bits_for_digits(long digits) {
 
 void expect_outward(const place& where, const rational& end, long digits, rounding way) {
   const rational given = where.decimal_value();
+  const budget::at here = where.working();
   const bool down = way == rounding::down;
   if (down ? given > end : given < end) {
     where.refute("it is " + in_quotes(where.text()) + ", which excludes the exact " +
                  (down ? "lower" : "upper") + " end");
   }
   // The decimal that is nearest, outward, is less than a unit away; two are allowed for how it was found.
-  const std::string nearest = decimal(end, digits, way);
+  const std::string nearest = decimal(end, digits, way, where.work());
+  where.work().rationals(4, bit_length(given) + bit_length(end) + 4 * digits);
   rational value;
   static_cast<void>(read_decimal(nearest, value));
   const rational size = end < 0 ? rational(-end) : end;
@@ -71,19 +85,29 @@ void expect_outward(const place& where, const rational& end, long digits, roundi
 }
 
 void expect_inside(const place& where, const range& r, long bits,
-                   const std::function<interval(long bits)>& f) {
+                   const std::function<interval(precision bits)>& f) {
+  const budget::at here = where.working();
   for (int attempt = 0; attempt < 5; ++attempt, bits += bits / 2 + 64) {
     try {
-      const interval x = f(bits);
+      const interval x = f(precision(bits, where.work()));
       if (is_inside(x, r.lower, r.upper)) return;
       if (!overlaps(x, r.lower, r.upper)) {
-        where.refute("the true value is between " + decimal(x.lower(), 25, rounding::down) +
-                     " and " + decimal(x.upper(), 25, rounding::up) + ", outside it");
+        where.refute("the true value is between " +
+                     decimal(x.lower(), 25, rounding::down, where.work()) + " and " +
+                     decimal(x.upper(), 25, rounding::up, where.work()) + ", outside it");
       }
     } catch (const undecided&) {  // more bits
     }
   }
   where.not_checkable("the checker did not find the true value closely enough");
+}
+
+std::string in_between(const std::string& it, const range& r, long digits, budget& work) {
+  constexpr long most_shown = 40;
+  const long shown = std::min(digits, most_shown) + 3;
+  return it + " is between " + decimal(r.lower, shown, rounding::down, work) + " and " +
+         decimal(r.upper, shown, rounding::up, work) +
+         (digits > most_shown ? " (here cut short: " + std::to_string(digits) + " digits)" : "");
 }
 
 void expect_software(const place& software) {
@@ -99,6 +123,8 @@ void examination::expect_words() {
   root_["formula"].expect_text(text_.formula);
   root_["reference"].expect_text(text_.reference);
   expect_software(root_["software"]);
+  report_.subject = "claim " + in_quotes(text_.name);
+  report_.statement = {std::string(text_.statement), std::string(text_.formula)};
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -117,6 +143,10 @@ void examination::read_a_and_b() {
   b_ = inputs["b"].fraction();
   expect_range(inputs["a"], a_, a_ > 0, "positive");
   expect_range(inputs["b"], b_, b_ > 0 && b_ < 1, "between 0 and 1, ends excluded");
+  work().rationals(8, bit_length(a_) + bit_length(b_));
+  report_.subject += " for the " + body{a_, b_}.kind_in_words() +
+                     " body a = " + in_short(inputs["a"], a_) +
+                     ", b = " + in_short(inputs["b"], b_);
 }
 
 void examination::read_motion() {
@@ -125,6 +155,7 @@ void examination::read_motion() {
   read_a_and_b();
   u_ = inputs["u"].fraction();
   expect_range(inputs["u"], u_, u_ > 0 && u_ <= 1, "above 0 and at most 1");
+  report_.subject += ", u = " + in_short(inputs["u"], u_);
 }
 
 long examination::input_bits() const {
@@ -140,6 +171,7 @@ place examination::fact(const std::string& statement) {
   one["statement"].expect_text(statement);
   one["holds"].expect_true();
   report_.checks.push_back(statement);
+  if (statement.starts_with("at the given")) report_.statement.push_back(statement);
   return one["statement"];
 }
 
@@ -149,11 +181,12 @@ void examination::fact(const std::string& statement, bool shown) {
 }
 
 void examination::fact(const std::string& statement,
-                       const std::function<std::optional<bool>(long bits)>& shown) {
+                       const std::function<std::optional<bool>(precision bits)>& shown) {
   const place where = fact(statement);
+  const budget::at here = where.working();
   for (const long bits : precisions) {
     try {
-      const std::optional<bool> answer = shown(bits + input_bits());
+      const std::optional<bool> answer = shown(precision(bits + input_bits(), work()));
       if (answer && !*answer) where.refute("it is not so");
       if (answer) return;
     } catch (const undecided&) {  // more bits
@@ -175,8 +208,11 @@ void examination::steps() {
   if (text_.steps.empty()) return;
   const place all = witness("polynomials");
   for (std::size_t i = 0; i < text_.steps.size(); ++i) {
+    constexpr long units_of_a_step = 200'000;  // of the checker's own polynomials
     const step_text& step = text_.steps[i];
     const place one = all.at(i);
+    const budget::at here = one.working();
+    work().spend(units_of_a_step);
     const polynomial left = polynomial::read(step.left);
     const polynomial right = polynomial::read(step.right);
     std::string statement;
@@ -249,26 +285,31 @@ examination::ends examination::next_number(const std::string& name) {
       bits - leading_zeros > 40 * bits_for_digits(digits) + 16 * input_bits() + 8192) {
     where["dyadic"].not_checkable("its ends are nearer to each other than its digits need");
   }
-  report_.checks.push_back(name + " = " + decimal_for_reading(exact.lower, std::min(digits, 20L)) +
+  report_.checks.push_back(name + " = " +
+                           decimal_for_reading(exact.lower, std::min(digits, 20L), work()) +
                            (digits > 20 ? " to " + std::to_string(digits) + " digits" : ""));
+  report_.statement.push_back(in_between(name, exact, digits, work()));
   return {where, exact, bits};
 }
 
-range examination::number(const std::string& name, const std::function<interval(long bits)>& f) {
+range examination::number(const std::string& name,
+                          const std::function<interval(precision bits)>& f) {
   const ends e = next_number(name);
   expect_inside(e.where["dyadic"], e.exact, e.bits + input_bits(), f);
   return e.exact;
 }
 
-range examination::root_number(const std::string& name, bool decreases,
-                               const std::function<interval(const rational& x, long bits)>& f) {
+range examination::root_number(
+    const std::string& name, bool decreases,
+    const std::function<interval(const rational& x, precision bits)>& f) {
   const ends e = next_number(name);
   const auto check_end = [&](const char* end, const rational& x, bool positive) {
     const place where = e.where["dyadic"][end];
+    const budget::at here = where.working();
     for (long bits = e.bits + 32 + input_bits(), attempt = 0; attempt < 5;
          ++attempt, bits += bits / 2 + 64) {
       try {
-        const interval value = f(x, bits);
+        const interval value = f(x, precision(bits, work()));
         if (positive ? value.is_positive() : value.is_negative()) return;
         if (positive ? value.is_negative() : value.is_positive()) {
           where.refute("the root is not on this side of it");
@@ -308,7 +349,7 @@ range examination::dyadic_range(const place& where) {
   return r;
 }
 
-range examination::decimals(const place& where, const std::function<interval(long bits)>& f) {
+range examination::decimals(const place& where, const std::function<interval(precision bits)>& f) {
   where.expect_keys({"value", "digits", "lower", "upper"});
   const long digits = where["digits"].whole(1, 1L << 40U);
   if (digits > most_digits) where["digits"].not_checkable("it has too many digits");
@@ -340,19 +381,21 @@ void examination::finish() {
       given[key].malformed("a certificate of this claim has no such witness");
     }
   }
-  root_["digest"].expect_text(digest_of(root_.value()));
+  root_["digest"].expect_text(digest_of(root_));
 }
 
 std::string multiple_of_pi(const rational& q) {
   const integer n = numerator(q);
   const integer d = denominator(q);
-  return (n == 1 ? std::string("pi") : n.str() + " pi") + (d == 1 ? "" : "/" + d.str());
+  std::string text = n == 1 ? "pi" : n.str().append(" pi");
+  if (d != 1) text.append("/").append(d.str());
+  return text;
 }
 
-std::string in_decimals(const range& r) {
+std::string in_decimals(const range& r, budget& work) {
   constexpr long digits = 13;
-  return decimal(r.lower, digits, rounding::down) + " and " +
-         decimal(r.upper, digits, rounding::up);
+  return decimal(r.lower, digits, rounding::down, work) + " and " +
+         decimal(r.upper, digits, rounding::up, work);
 }
 
 }  // namespace polhode::checker

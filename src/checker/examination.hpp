@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "claim_texts.hpp"
@@ -28,14 +29,19 @@ struct range {
 void expect_outward(const place& where, const rational& end, long digits, rounding way);
 /// That f(bits) lies in the range for some bits from `bits` on.
 void expect_inside(const place& where, const range& r, long bits,
-                   const std::function<interval(long bits)>& f);
+                   const std::function<interval(precision bits)>& f);
+/// "it is between 3.1415 and 3.1416": the ends rounded outward, to few more digits than they share.
+[[nodiscard]] std::string in_between(const std::string& it, const range& r, long digits,
+                                     budget& work);
 /// The versions: that they are texts.
 void expect_software(const place& software);
 
 class examination {
  public:
-  examination(const json& certificate, const claim_text& text, report& result)
-      : root_(certificate, ""), text_(text), report_(result) {}
+  examination(place certificate, const claim_text& text, report& result)
+      : root_(std::move(certificate)), text_(text), report_(result) {}
+
+  [[nodiscard]] budget& work() const { return root_.work(); }
 
   /// Statement, formula and reference are the claim's.
   void expect_words();
@@ -57,7 +63,7 @@ class examination {
   /// The next fact, and that `shown` shows it: tried with more and more bits while it throws undecided or returns nothing; false
   /// refutes the fact.
   void fact(const std::string& statement,
-            const std::function<std::optional<bool>(long bits)>& shown);
+            const std::function<std::optional<bool>(precision bits)>& shown);
   void fact(const std::string& statement, bool shown);
   /// Whether the method says that `what` was not found for the given body: then there is no such fact.
   bool is_missing(const std::string& what);
@@ -67,11 +73,11 @@ class examination {
 
   // Numbers -----------------------------------------------------------------------------------
   /// The next number, of that name, which must hold all of f(bits) for some bits. Returns its exact ends.
-  range number(const std::string& name, const std::function<interval(long bits)>& f);
+  range number(const std::string& name, const std::function<interval(precision bits)>& f);
   /// The next number, the root of a function with these signs at the number's ends: f is certainly positive at the lower and negative
   /// at the upper end if it decreases, and the other way round.
   range root_number(const std::string& name, bool decreases,
-                    const std::function<interval(const rational& x, long bits)>& f);
+                    const std::function<interval(const rational& x, precision bits)>& f);
   /// The digits that all numbers so far were asked for.
   [[nodiscard]] long digits() const { return digits_; }
 
@@ -82,7 +88,7 @@ class examination {
   /// {"lower": {"mantissa", "exponent"}, "upper": ...}.
   static range dyadic_range(const place& where);
   /// {"value", "digits", "lower", "upper"}: decimals that hold f(bits) for some bits.
-  static range decimals(const place& where, const std::function<interval(long bits)>& f);
+  static range decimals(const place& where, const std::function<interval(precision bits)>& f);
 
   /// The method, that nothing is left of facts, numbers and witness, and the digest.
   void finish();
@@ -112,7 +118,7 @@ class examination {
 /// lower < q pi < upper in words of the claims: "2 pi/3", "pi".
 [[nodiscard]] std::string multiple_of_pi(const rational& q);
 /// "0.1234567890123 and 0.1234567890124": both ends, rounded outward.
-[[nodiscard]] std::string in_decimals(const range& r);
+[[nodiscard]] std::string in_decimals(const range& r, budget& work);
 
 /// Checks what a claim of that name says, and calls finish.
 void check_claim(std::string_view name, examination& e);

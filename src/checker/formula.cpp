@@ -12,6 +12,8 @@ constexpr int most_levels = 500;
 constexpr long most_exponent = 1'000'000;
 /// Of a rational number that is worked out.
 constexpr long most_bits = 1L << 17U;
+constexpr long units_of_a_character = 100;
+constexpr long units_of_an_instruction = 400;
 /// Before the point of any value.
 constexpr long most_bits_before_point = 1L << 12U;
 
@@ -40,9 +42,11 @@ bool is_function(std::string_view name) {
 class formula_reader {
  public:
   formula_reader(const place& where, std::string_view variable)
-      : where_(where), text_(where.text()), variable_(variable) {}
+      : where_(where), work_(where.work()), text_(where.text()), variable_(variable) {}
 
   formula read() {
+    const budget::at here = where_.working();
+    work_.spend(units_of_a_character * static_cast<long>(text_.size()));
     if (text_.size() > formula::most_characters) {
       where_.malformed("a formula of " + std::to_string(text_.size()) + " characters; at most " +
                        std::to_string(formula::most_characters) + " are read");
@@ -52,7 +56,7 @@ class formula_reader {
     // The result is the last; what an exact operation has left over goes unused.
     if (root + 1 != result_.code_.size()) {
       formula::instruction last = result_.code_[root];
-      result_.code_.push_back(std::move(last));
+      plain(std::move(last));
     }
     return std::move(result_);
   }
@@ -152,6 +156,7 @@ class formula_reader {
     }
     if (is_digit(text_[at_])) {
       while (at_ < text_.size() && is_digit(text_[at_])) ++at_;
+      work_.decimals(bits_of_decimal(text_.substr(start, at_ - start)));
       integer value;
       if (!read_integer(text_.substr(start, at_ - start), value)) {
         at_ = start;
@@ -179,6 +184,8 @@ class formula_reader {
   // Operations -------------------------------------------------------------------------------
 
   id plain(formula::instruction i) {
+    work_.spend(units_of_an_instruction);
+    work_.hold(2 * static_cast<long>(sizeof i) + bit_length(i.number) / 8);
     result_.code_.push_back(std::move(i));
     return result_.code_.size() - 1;
   }
@@ -203,6 +210,7 @@ class formula_reader {
       where_.malformed("before column " + std::to_string(at_ + 1) + ": a division by 0");
     }
     if (p != nullptr && q != nullptr && bit_length(*p) + bit_length(*q) < most_bits) {
+      work_.rationals(2, bit_length(*p) + bit_length(*q));
       switch (what) {
         case operation::add:
           return number(*p + *q);
@@ -232,8 +240,11 @@ class formula_reader {
       where_.malformed("before column " + std::to_string(at_ + 1) + ": a negative power of 0");
     }
     if (p != nullptr && bit_length(*p) * std::abs(n) < most_bits) {
-      rational result(1);
-      for (long i = 0; i < std::abs(n); ++i) result *= *p;
+      work_.rationals(3, bit_length(*p) * std::abs(n));
+      const auto power = [&](const integer& x) {
+        return integer(pow(x, static_cast<unsigned>(std::abs(n))));
+      };
+      const rational result(power(numerator(*p)), power(denominator(*p)));
       return number(n < 0 ? rational(1 / result) : result);
     }
     formula::instruction i{operation::power, base};
@@ -286,6 +297,7 @@ class formula_reader {
   }
 
   const place& where_;
+  budget& work_;
   std::string_view text_;
   std::string_view variable_;
   std::size_t at_ = 0;
@@ -299,37 +311,17 @@ formula formula::read(const place& where, std::string_view variable) {
 
 bool formula::is_variable(std::string_view text) {
   constexpr std::size_t longest = 100;
-  return !text.empty() && text.size() <= longest && is_letter(text.front()) &&
-         std::all_of(text.begin(), text.end(),
-                     [](char c) { return is_letter(c) || is_digit(c); }) &&
-         text != "pi" && !is_function(text);
-}
-
-long formula::cost() const {
-  constexpr long of_a_function = 20;
-  constexpr long bits_at_once = 2048;
-  long result = 0;
-  for (const instruction& i : code_) {
-    switch (i.what) {
-      case operation::number:
-        result += 1 + bit_length(i.number) / bits_at_once;
-        break;
-      case operation::power:
-        result += 2 * bit_length(integer(i.exponent)) + 1;
-        break;
-      case operation::variable:
-      case operation::negate:
-      case operation::add:
-      case operation::subtract:
-      case operation::multiply:
-      case operation::divide:
-        ++result;
-        break;
-      default:
-        result += of_a_function;
-    }
+  if (text.empty() || text.size() > longest || !is_letter(text.front()) ||
+      !std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c); })) {
+    return false;
   }
-  return result;
+  std::string small(text);
+  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  constexpr std::array constants{"pi",       "e",   "i",           "inf",
+                                 "infinity", "nan", "euler_gamma", "catalan"};
+  if (is_function(small) || std::find(constants.begin(), constants.end(), small) != constants.end())
+    return false;
+  return text.find_first_not_of("lIOo_0123456789") != std::string_view::npos;
 }
 
 std::optional<rational> formula::exact_value() const {
@@ -364,9 +356,15 @@ T whole_power(const T& x, long n) {
 
 template <class T>
 T formula::operator()(const T& x) const {
+  const precision& bits = precision_of(x);
+  const auto count = static_cast<long>(code_.size());
+  constexpr long ends = 2 * sizeof(T) / sizeof(interval);
+  const budget::memory held(bits.work(), count * (static_cast<long>(sizeof(T)) +
+                                                  ends * (bits + most_bits_before_point) / 8));
   std::vector<T> values;
   values.reserve(code_.size());
   for (const instruction& i : code_) {
+    bits.work().spend(units_of_an_instruction);
     const auto left = [&]() -> const T& { return values[i.left]; };
     const auto right = [&]() -> const T& { return values[i.right]; };
     values.push_back([&]() -> T {

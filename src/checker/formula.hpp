@@ -8,7 +8,7 @@
 //   power   = operand [ ^ { - } power ]            from the right: 2^3^2 is 2^9
 //   operand = whole number | variable | pi | function ( sum ) | ( sum )
 //
-// Operations on rational numbers are done exactly while they are short. x^n for a whole number n is defined as a product (x^0 = 1), any other
+// Operations on rational numbers are done exactly while they are short. Reading is charged to the place's budget, evaluation to the set's. x^n for a whole number n is defined as a product (x^0 = 1), any other
 // power as exp(y log x).
 
 #include <cstddef>
@@ -28,14 +28,13 @@ class formula {
   /// this checker does not know, or is longer than most_characters.
   static formula read(const place& where, std::string_view variable);
   static constexpr std::size_t most_characters = 20'000;
-  /// Whether a text can be the name of a variable: a letter or _, then letters, digits and _, and the name of nothing else.
+  /// Whether a text can be the name of a variable: a letter or _, then letters, digits and _; neither the name of something else, in
+  /// capitals or not, nor what a reader takes for e, i or a number (l, I, O).
   static bool is_variable(std::string_view text);
 
   /// The values for all x, of the kinds interval, jet or rectangle. Throws undecided.
   template <class T>
   [[nodiscard]] T operator()(const T& x) const;
-  /// About how many products that takes.
-  [[nodiscard]] long cost() const;
   /// The number, where the formula was found to be one.
   [[nodiscard]] std::optional<rational> exact_value() const;
 

@@ -6,11 +6,12 @@ formula_inputs formula_inputs::read(const place& inputs, const char* name) {
   inputs.expect_keys({name, "variable", "from", "to"});
   const std::string& variable = inputs["variable"].text();
   if (!formula::is_variable(variable)) {
-    inputs["variable"].malformed("it is " + in_quotes(variable) +
-                                 "; it must be a name that no function or constant has");
+    inputs["variable"].malformed(
+        "it is " + in_quotes(variable) +
+        "; it must be a name that no function, constant or number has or resembles");
   }
   return {formula::read(inputs[name], variable), formula::read(inputs["from"], ""),
-          formula::read(inputs["to"], ""), variable};
+          formula::read(inputs["to"], ""), variable, inputs};
 }
 
 number_ends read_number(const place& number) {
@@ -22,33 +23,40 @@ number_ends read_number(const place& number) {
     number["digits_asked"].not_checkable("it is more than " + std::to_string(most_digits));
   }
   const range exact = examination::dyadic_range(number["dyadic"]);
+  const budget::at here = number.working();
+  budget& work = number.work();
+  work.rationals(8, bit_length(exact.lower) + bit_length(exact.upper));
   const rational width(exact.upper - exact.lower);
   const long bits = bit_length(integer(denominator(width))) + 16;
-  if (bits > most_bits || bit_length(exact.lower) > most_bits ||
-      bit_length(exact.upper) > most_bits) {
+  // Numerator and denominator together have twice the bits of the digits.
+  if (bits > most_bits || bit_length(exact.lower) > 2 * most_bits ||
+      bit_length(exact.upper) > 2 * most_bits) {
     number["dyadic"].not_checkable("its ends have too many digits");
   }
   // The digits that both ends share, and no fewer.
   const long digits = number["digits"].whole(0, asked);
   const auto shares = [&](long n) {
-    return decimal(exact.lower, n, rounding::to_zero) == decimal(exact.upper, n, rounding::to_zero);
+    return decimal(exact.lower, n, rounding::to_zero, work) ==
+           decimal(exact.upper, n, rounding::to_zero, work);
   };
   if ((digits > 0 && !shares(digits)) || (digits < asked && shares(digits + 1))) {
     number["digits"].refute("it is not the number of digits that both ends share");
   }
   if (digits > 0) {
-    number["value"].expect_text(decimal(exact.lower, digits, rounding::to_zero));
+    number["value"].expect_text(decimal(exact.lower, digits, rounding::to_zero, work));
   } else if (!number["value"].value().is_null()) {
     number["value"].refute("the ends share no digit: it must be null");
   }
   // The decimals are outward, and by no more than the ends are apart.
   const rational lower = number["lower"].decimal_value();
   const rational upper = number["upper"].decimal_value();
+  work.rationals(
+      6, bit_length(exact.lower) + bit_length(exact.upper) + bit_length(lower) + bit_length(upper));
   if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
   if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
   if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
   if (upper > exact.upper + width) number["upper"].refute("it is far above the exact upper end");
-  return {exact, bits};
+  return {exact, bits, digits};
 }
 
 }  // namespace polhode::checker

@@ -11,22 +11,6 @@
 
 namespace polhode::checker {
 
-/// Refuses to do more than so much: one unit is about one product of numbers of 64 bits, and all of it some five seconds.
-class work_limit {
- public:
-  void spend(long units, const place& where) {
-    left_ -= units;
-    if (left_ < 0) where.not_checkable("it takes more work than this checker does");
-  }
-  /// An evaluation of f.
-  void spend(const formula& f, long bits, const place& where) {
-    spend((f.cost() + 1) * (1 + bits / 64), where);
-  }
-
- private:
-  long left_ = 4'000'000;
-};
-
 /// Bits of evaluations over sets, which decide no digits: tried one after the other.
 inline constexpr std::array<long, 3> region_bits{128, 512, 2048};
 
@@ -36,6 +20,7 @@ struct formula_inputs {
   formula from;
   formula to;
   std::string variable;
+  place where;  // of the inputs
 
   /// {`name`: f, "variable": …, "from": …, "to": …}.
   static formula_inputs read(const place& inputs, const char* name);
@@ -45,6 +30,7 @@ struct formula_inputs {
 struct number_ends {
   range exact;
   long bits;
+  long digits;  // that both ends share
 };
 [[nodiscard]] number_ends read_number(const place& number);
 

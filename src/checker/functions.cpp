@@ -5,7 +5,7 @@
 namespace polhode::checker {
 namespace {
 
-interval point(const integer& units, long bits) { return {units, units, bits}; }
+interval point(const integer& units, precision bits) { return {units, units, bits}; }
 
 interval number(long n, const interval& like) { return {rational(n), like.bits()}; }
 
@@ -26,7 +26,7 @@ interval from_ends(const interval& x, const F& f) {
 /// e^x of one number. What is far below a unit costs nothing, and what is far too great for a formula is not worked out.
 interval exp_of(const interval& x) {
   constexpr long greatest = 4096;
-  const long bits = x.bits();
+  const precision bits = x.bits();
   if (x.low() > (integer(greatest) << static_cast<unsigned>(bits))) {
     throw undecided("an argument of exp is too great");
   }
@@ -63,7 +63,7 @@ hyperbolic hyperbolic_over(const interval& x) {
 // Real intervals
 
 sine_and_cosine sin_cos_over(const interval& x) {
-  const long bits = x.bits();
+  const precision bits = x.bits();
   const integer middle = floor_shift(x.low() + x.high(), 1);
   const integer radius = std::max<integer>(x.high() - middle, middle - x.low());
   sine_and_cosine at = sin_cos(point(middle, bits));

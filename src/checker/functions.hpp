@@ -77,6 +77,9 @@ struct rectangle {
 [[nodiscard]] interval pi_like(const interval& like);
 [[nodiscard]] jet pi_like(const jet& like);
 [[nodiscard]] rectangle pi_like(const rectangle& like);
+[[nodiscard]] inline const precision& precision_of(const interval& x) { return x.bits(); }
+[[nodiscard]] inline const precision& precision_of(const jet& x) { return x.value.bits(); }
+[[nodiscard]] inline const precision& precision_of(const rectangle& x) { return x.re.bits(); }
 /// The bits before the point of the greatest member.
 [[nodiscard]] long bits_before_point(const interval& x);
 [[nodiscard]] long bits_before_point(const jet& x);

@@ -35,7 +35,7 @@ struct fejer_rule {
   std::vector<interval> weights;
 };
 
-fejer_rule make_rule(long n, long bits) {
+fejer_rule make_rule(long n, precision bits) {
   // cos(i pi/(2n)) for 0 <= i < 4n, from the first quarter.
   std::vector<interval> quarter;
   quarter.reserve(static_cast<std::size_t>(n) + 1);
@@ -119,7 +119,7 @@ class integral_check {
   void check_suprema() {
     for (const piece& p : pieces_) {
       for (const long bits : region_bits) {
-        if (is_bounded(p, bits)) break;
+        if (is_bounded(p, precision(bits, p.where.work()))) break;
         if (bits == region_bits.back()) {
           p.where.not_checkable("the integrand is not shown to be analytic and at most " +
                                 in_quotes(p.where["supremum"].text()) + " on this piece's ellipse");
@@ -128,18 +128,16 @@ class integral_check {
     }
   }
 
-  interval value(long bits) {
-    const interval zero(rational(0), bits);
-    const interval start = inputs_.from(zero);
-    const interval length = inputs_.to(zero) - start;
-    interval total = zero;
+  interval value(precision bits) {
+    const auto& [start, length] = limits_at(bits);
+    interval total(rational(0), bits);
     for (const piece& p : pieces_) {
+      const budget::at here = p.where.working();
       const fejer_rule& rule = rule_for(p, bits);
       const interval middle = start + length * interval(p.middle(), bits);
       const interval half = length * interval(p.half(), bits);
-      interval sum = zero;
+      interval sum(rational(0), bits);
       for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-        work_.spend(inputs_.f, bits, p.where);
         const interval step = half * rule.nodes[k];
         const bool in_the_middle = p.nodes % 2 != 0 && k + 1 == rule.nodes.size();
         const interval values =
@@ -154,19 +152,36 @@ class integral_check {
   }
 
  private:
+  const std::pair<interval, interval>& limits_at(precision bits) {
+    auto found = limits_.find(bits);
+    if (found == limits_.end()) {
+      const interval zero(rational(0), bits);
+      const auto value = [&](const formula& f, const char* key) {
+        const budget::at here = inputs_.where[key].working();
+        return f(zero);
+      };
+      const interval start = value(inputs_.from, "from");
+      found = limits_.emplace(bits, std::pair(start, value(inputs_.to, "to") - start)).first;
+    }
+    return found->second;
+  }
+
   /// 8 M rho^(1-n)/(rho - 1).
-  static interval truncation_error(const piece& p, long bits) {
+  static interval truncation_error(const piece& p, precision bits) {
+    bits.work().rationals(3, bit_length(p.rho) + bit_length(p.supremum));
     interval power(rational(1), bits);
     const interval factor(rational(1 / p.rho), bits);
     for (long i = 1; i < p.nodes; ++i) power = power * factor;
     return power * interval(rational(8 * p.supremum / (p.rho - 1)), bits);
   }
 
-  const fejer_rule& rule_for(const piece& p, long bits) {
-    const auto key = std::pair(p.nodes, bits);
+  const fejer_rule& rule_for(const piece& p, precision bits) {
+    const auto key = std::pair(p.nodes, static_cast<long>(bits));
     auto found = rules_.find(key);
     if (found == rules_.end()) {
-      work_.spend((p.nodes * p.nodes / 64 + p.nodes) * (1 + bits / 64), p.where);
+      constexpr long numbers_of_a_node = 3;  // a cosine, a node, a weight
+      bits.work().hold(p.nodes * numbers_of_a_node *
+                       (static_cast<long>(sizeof(interval)) + 2 * bits / 8));
       found = rules_.emplace(key, make_rule(p.nodes, bits)).first;
     }
     return found->second;
@@ -179,24 +194,25 @@ class integral_check {
   };
 
   /// Covers the ellipse's upper half. False where that does not come about with so many bits.
-  bool is_bounded(const piece& p, long bits) {
+  bool is_bounded(const piece& p, precision bits) {
     constexpr int most_depth = 60;
+    const budget::at here = p.where.working();
     const rational wide((p.rho + 1 / p.rho) / 2);
     const rational high((p.rho - 1 / p.rho) / 2);
-    const interval zero(rational(0), bits);
-    const interval start = inputs_.from(zero);
-    const interval length = inputs_.to(zero) - start;
+    const auto& [start, length] = limits_at(bits);
     const interval most(p.supremum, bits);
     std::vector<tile> rest{{-wide, wide, 0, high, 0}};
     while (!rest.empty()) {
       const tile t = std::move(rest.back());
       rest.pop_back();
+      constexpr long operations_of_a_tile = 30;
+      bits.work().rationals(operations_of_a_tile,
+                            t.depth + bit_length(p.rho) + bit_length(p.begin) + bit_length(p.end));
       // The point of the tile that is nearest to 0 is on no greater ellipse of these half-axes than any other.
       const rational x(t.left > 0 ? t.left : t.right < 0 ? t.right : rational(0));
       const rational u(x / wide);
       const rational v(t.bottom / high);
       if (u * u + v * v > 1) continue;
-      work_.spend(inputs_.f, bits, p.where);
       bool shown = false;
       try {
         const rational m = p.middle();
@@ -238,14 +254,15 @@ class integral_check {
   }
   static std::string near(const rectangle& z) {
     constexpr long few = 6;
-    return decimal(z.re.lower(), few, rounding::to_zero) + " + " +
-           decimal(z.im.lower(), few, rounding::to_zero) + " i";
+    budget& work = z.re.bits().work();
+    return decimal(z.re.lower(), few, rounding::to_zero, work) + " + " +
+           decimal(z.im.lower(), few, rounding::to_zero, work) + " i";
   }
 
   formula_inputs inputs_;
   std::vector<piece> pieces_;
   std::map<std::pair<long, long>, fejer_rule> rules_;
-  work_limit work_;
+  std::map<long, std::pair<interval, interval>> limits_;  // A and B - A, by their bits
 };
 
 }  // namespace
@@ -268,16 +285,21 @@ void check_integral(const place& certificate, report& result) {
   const number_ends ends = read_number(number);
   const place witness = certificate["witness"];
   witness.expect_keys({"pieces"});
+  result.subject = "integral";
+  result.statement = {"the integral of " + inputs["integrand"].text() + " over " + given.variable +
+                          " from " + inputs["from"].text() + " to " + inputs["to"].text(),
+                      in_between("", ends.exact, ends.digits, certificate.work()).substr(1)};
   std::vector<piece> pieces = read_pieces(witness["pieces"]);
   const std::size_t count = pieces.size();
   integral_check check(std::move(given), std::move(pieces));
   check.check_suprema();
   expect_inside(number["dyadic"], ends.exact, ends.bits + 32,
-                [&](long bits) { return check.value(bits); });
+                [&](precision bits) { return check.value(bits); });
   result.checks.push_back("the integrand is analytic around the range: ellipses around " +
                           std::to_string(count) + (count == 1 ? " piece" : " pieces"));
-  result.checks.push_back("integral = " + decimal_for_reading(ends.exact.lower, 20));
-  certificate["digest"].expect_text(digest_of(certificate.value()));
+  result.checks.push_back("integral = " +
+                          decimal_for_reading(ends.exact.lower, 20, certificate.work()));
+  certificate["digest"].expect_text(digest_of(certificate));
 }
 
 }  // namespace polhode::checker

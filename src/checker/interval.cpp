@@ -13,6 +13,16 @@ namespace {
 
 constexpr long guard_bits = 16;
 constexpr long most_argument_bits = 17;
+/// Units of any operation, for what does not grow with its operands.
+constexpr long overhead = 150;
+
+long words_of(long bits) { return bits / 64 + 1; }
+/// Of the greater end.
+long words_of(const interval& x) { return std::max(words(x.low()), words(x.high())); }
+/// One that takes time in proportion to its operands' length, and `more` bits.
+void charge_linear(const interval& x, long more = 0) {
+  x.bits().work().spend(overhead + 2 * (words_of(x) + words_of(std::abs(more))));
+}
 
 /// The k >= 0 with |x| 2^-k <= 2^-r.
 long halvings(const interval& x, long r) {
@@ -35,11 +45,13 @@ bool is_small(const interval& term) { return term.magnitude() <= 1; }
 /// arctan(1/q) = sum of (-1)^k / ((2k+1) q^(2k+1)); the terms alternate and decrease, so the rest is at most the first one left
 /// out. q^2 divides a whole number of units each time: that quotient, cut off, is below the true one by less than 2 units (q^2 >= 2),
 /// and each term so by less than 3.
-interval atan_of_inverse(long q, long bits) {
-  integer power = (integer(1) << static_cast<unsigned>(bits)) / q;
+interval atan_of_inverse(long q, precision bits) {
+  bits.work().spend(words_of(bits));
+  integer power = (integer(1) << static_cast<unsigned>(static_cast<long>(bits))) / q;
   integer sum(0);
   long k = 0;
   for (; power != 0; ++k) {
+    bits.work().spend(overhead + 6 * words(power));
     const integer term = power / (2 * k + 1);
     sum += k % 2 == 0 ? term : integer(-term);
     power /= q * q;
@@ -72,24 +84,35 @@ interval log_near_one(interval x, long k) {
 // ---------------------------------------------------------------------------------------------
 // Arithmetic
 
-interval::interval(const rational& q, long bits) : bits_(bits) {
-  const integer n = integer(numerator(q)) << static_cast<unsigned>(bits);
+interval::interval(const rational& q, precision bits) : bits_(bits) {
+  bits.work().spend(overhead);
+  const long divisor_words = words_of(bit_length(integer(denominator(q))));
+  const long all_words = words_of(bit_length(integer(numerator(q))) + bits);
+  for (int end = 0; end < 2; ++end) bits.work().quotient(all_words, divisor_words);
+  const integer n = integer(numerator(q)) << static_cast<unsigned>(static_cast<long>(bits));
   const integer d = denominator(q);
   low_ = floor_quotient(n, d);
   high_ = ceiling_quotient(n, d);
 }
-interval::interval(integer low, integer high, long bits)
+interval::interval(integer low, integer high, precision bits)
     : low_(std::move(low)), high_(std::move(high)), bits_(bits) {}
-interval interval::between(const rational& lower, const rational& upper, long bits) {
+interval interval::between(const rational& lower, const rational& upper, precision bits) {
   return hull(interval(lower, bits), interval(upper, bits));
 }
-interval interval::around_zero(const integer& units, long bits) {
+interval interval::around_zero(const integer& units, precision bits) {
   return {integer(-units), units, bits};
 }
-rational interval::lower() const { return rational(low_) * power_of_two(-bits_); }
-rational interval::upper() const { return rational(high_) * power_of_two(-bits_); }
+rational interval::lower() const {
+  bits_.work().rationals(1, bit_length(low_) + bits_);
+  return rational(low_) * power_of_two(-bits_);
+}
+rational interval::upper() const {
+  bits_.work().rationals(1, bit_length(high_) + bits_);
+  return rational(high_) * power_of_two(-bits_);
+}
 integer interval::magnitude() const { return std::max<integer>(abs(low_), abs(high_)); }
-interval interval::with_bits(long bits) const {
+interval interval::with_bits(precision bits) const {
+  charge_linear(*this, bits);
   if (bits >= bits_) {
     const auto k = static_cast<unsigned>(bits - bits_);
     return {integer(low_ << k), integer(high_ << k), bits};
@@ -97,6 +120,7 @@ interval interval::with_bits(long bits) const {
   return {floor_shift(low_, bits_ - bits), ceiling_shift(high_, bits_ - bits), bits};
 }
 interval interval::scaled(long k) const {
+  charge_linear(*this, k);
   if (k >= 0) {
     const auto n = static_cast<unsigned>(k);
     return {integer(low_ << n), integer(high_ << n), bits_};
@@ -104,18 +128,29 @@ interval interval::scaled(long k) const {
   return {floor_shift(low_, -k), ceiling_shift(high_, -k), bits_};
 }
 interval interval::widened(const integer& units) const {
+  charge_linear(*this);
   return {low_ - units, high_ + units, bits_};
 }
 
-interval operator-(const interval& x) { return {integer(-x.high_), integer(-x.low_), x.bits_}; }
+interval operator-(const interval& x) {
+  charge_linear(x);
+  return {integer(-x.high_), integer(-x.low_), x.bits_};
+}
 interval operator+(const interval& x, const interval& y) {
+  charge_linear(words(x.low_) < words(y.low_) ? y : x);
   return {x.low_ + y.low_, x.high_ + y.high_, x.bits_};
 }
 interval operator-(const interval& x, const interval& y) {
+  charge_linear(words(x.low_) < words(y.low_) ? y : x);
   return {x.low_ - y.high_, x.high_ - y.low_, x.bits_};
 }
 interval operator*(const interval& x, const interval& y) {
-  if (x.low_ >= 0 && y.low_ >= 0) {
+  const bool simple = x.low_ >= 0 && y.low_ >= 0;
+  const long x_words = words_of(x);
+  const long y_words = words_of(y);
+  x.bits_.work().spend(2 * overhead + 4 * (x_words + y_words) +
+                       (simple ? 2 : 4) * budget::of_product(x_words, y_words));
+  if (simple) {
     return {floor_shift(x.low_ * y.low_, x.bits_), ceiling_shift(x.high_ * y.high_, x.bits_),
             x.bits_};
   }
@@ -127,16 +162,22 @@ interval operator*(const interval& x, const interval& y) {
 interval operator/(const interval& x, const interval& y) {
   if (y.low_ <= 0 && y.high_ >= 0) throw undecided("a divisor is not known to be different from 0");
   if (y.high_ < 0) return -x / -y;
-  const auto up = static_cast<unsigned>(x.bits_);
+  x.bits_.work().spend(2 * overhead);
+  for (int end = 0; end < 2; ++end) {
+    x.bits_.work().quotient(words_of(x) + words_of(x.bits_), words_of(y));
+  }
+  const auto up = static_cast<unsigned>(static_cast<long>(x.bits_));
   // For y > 0 a negative end is divided by the least y to be lowest, another by the greatest; and so for the high end.
   return {floor_quotient(integer(x.low_ << up), x.low_ < 0 ? y.low_ : y.high_),
           ceiling_quotient(integer(x.high_ << up), x.high_ < 0 ? y.high_ : y.low_), x.bits_};
 }
 interval operator*(const interval& x, long n) {
   if (n < 0) return -(x * -n);
+  charge_linear(x);
   return {x.low_ * n, x.high_ * n, x.bits_};
 }
 interval operator/(const interval& x, long n) {
+  x.bits_.work().spend(2 * overhead + 8 * words_of(x));
   return {floor_quotient(x.low_, integer(n)), ceiling_quotient(x.high_, integer(n)), x.bits_};
 }
 
@@ -154,13 +195,19 @@ interval hull(const interval& x, const interval& y) {
 interval square(const interval& x) {
   if (x.is_negative()) return square(-x);
   if (x.low() >= 0) return x * x;
+  x.bits().work().spend(2 * overhead);
+  x.bits().work().product(words_of(x), words_of(x));
   const integer most = x.magnitude();
   return {integer(0), ceiling_shift(most * most, x.bits()), x.bits()};
 }
 
 interval sqrt(const interval& x) {
   if (x.low() < 0) throw undecided("a number is not known to have a square root");
-  const auto up = static_cast<unsigned>(x.bits());
+  const long radicand = words_of(x) + words_of(x.bits());
+  x.bits().work().spend(2 * overhead);
+  for (int end = 0; end < 2; ++end) x.bits().work().root(radicand);
+  x.bits().work().product(radicand / 2 + 1, radicand / 2 + 1);
+  const auto up = static_cast<unsigned>(static_cast<long>(x.bits()));
   const integer high = x.high() << up;
   integer root = floor_root(high);
   if (root * root < high) ++root;
@@ -170,9 +217,9 @@ interval sqrt(const interval& x) {
 // ---------------------------------------------------------------------------------------------
 // Series
 
-interval pi(long bits) {
+interval pi(precision bits) {
   // Machin: pi = 16 arctan(1/5) - 4 arctan(1/239).
-  const long w = bits + guard_bits + 8;
+  const precision w = bits + guard_bits + 8;
   return (atan_of_inverse(5, w) * 16 - atan_of_inverse(239, w) * 4).with_bits(bits);
 }
 
@@ -181,7 +228,7 @@ interval exp(const interval& x) {
   const long k = halvings(x, reduction(x.bits()));
   // e^x has at most 1.5 |x| bits before the point, and every squaring costs one bit.
   const auto whole = static_cast<long>(floor_shift(x.magnitude(), x.bits()));
-  const long w = x.bits() + 2 * k + 3 * (whole + 1) + guard_bits;
+  const precision w = x.bits() + 2 * k + 3 * (whole + 1) + guard_bits;
   const interval y = x.with_bits(w).scaled(-k);
   interval term(rational(1), w);
   interval sum = term;
@@ -201,10 +248,11 @@ interval exp(const interval& x) {
 interval log(const interval& x) {
   if (!x.is_positive()) throw undecided("a number is not known to be positive");
   const long k = reduction(x.bits());
-  const long w = x.bits() + 2 * k + guard_bits + 8;
+  const precision w = x.bits() + 2 * k + guard_bits + 8;
   // x = m 2^e with m in [1/2, 1] at its high end; log increases, so its ends are those of x.
   const auto at = [&](const integer& end) {
     const long e = bit_length(end) - x.bits();
+    w.work().rationals(1, bit_length(end));
     const rational m = rational(end) * power_of_two(-bit_length(end));
     return log_near_one(interval(m, w), k) + log_near_one(interval(rational(2), w), k) * e;
   };
@@ -214,7 +262,7 @@ interval log(const interval& x) {
 interval atan(const interval& x) {
   const long r = reduction(x.bits());
   const long k = 2 + r;
-  const long w = x.bits() + 2 * k + guard_bits;
+  const precision w = x.bits() + 2 * k + guard_bits;
   const interval one(rational(1), w);
   interval y = x.with_bits(w);
   // tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t)). After the first |y| <= 1, after two |y| < 1/2, and then it halves at least.
@@ -235,7 +283,7 @@ interval atan(const interval& x) {
 sine_and_cosine sin_cos(const interval& x) {
   refuse_great(x);
   const long k = halvings(x, reduction(x.bits()));
-  const long w = x.bits() + 2 * k + guard_bits;
+  const precision w = x.bits() + 2 * k + guard_bits;
   const interval y = x.with_bits(w).scaled(-k);
   const interval y_squared = square(y);
   // Taylor with Lagrange's remainder: after the terms up to degree n the rest is at most |y|^(n+1)/(n+1)!, for both series, and that is less

@@ -2,6 +2,7 @@
 
 // Intervals in fixed point: [low, high] * 2^-bits with whole low and high. Every operation returns an interval that holds
 // the results for all members of its operands; ends are rounded outward by whole-number division. Both operands have the same bits.
+// Every operation is charged, by the sizes of its operands, to the budget of the first.
 //
 // What cannot be decided at these bits (a division by an interval that holds 0) throws `undecided`: it is never an answer.
 
@@ -19,16 +20,16 @@ class undecided : public std::runtime_error {
 
 class interval {
  public:
-  interval(const rational& q, long bits);
-  interval(integer low, integer high, long bits);
+  interval(const rational& q, precision bits);
+  interval(integer low, integer high, precision bits);
   /// The interval between two rationals, lower <= upper.
-  static interval between(const rational& lower, const rational& upper, long bits);
+  static interval between(const rational& lower, const rational& upper, precision bits);
   /// [-r, r], r of this many units 2^-bits.
-  static interval around_zero(const integer& units, long bits);
+  static interval around_zero(const integer& units, precision bits);
 
   [[nodiscard]] const integer& low() const { return low_; }
   [[nodiscard]] const integer& high() const { return high_; }
-  [[nodiscard]] long bits() const { return bits_; }
+  [[nodiscard]] const precision& bits() const { return bits_; }
   [[nodiscard]] rational lower() const;
   [[nodiscard]] rational upper() const;
   [[nodiscard]] bool is_positive() const { return low_ > 0; }
@@ -36,7 +37,7 @@ class interval {
   /// The greatest |x| of a member, in units.
   [[nodiscard]] integer magnitude() const;
   /// At other bits, rounded outward.
-  [[nodiscard]] interval with_bits(long bits) const;
+  [[nodiscard]] interval with_bits(precision bits) const;
   /// times 2^k, exactly for k >= 0.
   [[nodiscard]] interval scaled(long k) const;
   /// Widened by so many units on both sides.
@@ -54,7 +55,7 @@ class interval {
  private:
   integer low_;
   integer high_;
-  long bits_;
+  precision bits_;
 };
 
 /// Every member of x is below every member of y.
@@ -66,7 +67,7 @@ class interval {
 [[nodiscard]] interval square(const interval& x);
 /// Throws undecided where x holds a negative number.
 [[nodiscard]] interval sqrt(const interval& x);
-[[nodiscard]] interval pi(long bits);
+[[nodiscard]] interval pi(precision bits);
 /// Throws undecided for |x| > 2^17.
 [[nodiscard]] interval exp(const interval& x);
 /// Throws undecided unless x is positive.

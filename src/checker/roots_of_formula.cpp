@@ -26,10 +26,10 @@ class roots_check {
 
   /// f's sign at x, with more and more bits.
   sign sign_at(const rational& x, long bits, const place& where) {
+    const budget::at here = where.working();
     for (int attempt = 0; attempt < 5; ++attempt, bits += bits / 2 + 64) {
-      work_.spend(f_, bits, where);
       try {
-        const sign s = sign_of(f_(interval(x, bits)));
+        const sign s = sign_of(f_(interval(x, precision(bits, where.work()))));
         if (s != sign::unknown) return s;
       } catch (const undecided&) {  // more bits
       }
@@ -40,7 +40,7 @@ class roots_check {
   /// That f' has one sign on the box.
   void expect_monotone(const range& box, const place& where) {
     sign all = sign::unknown;
-    const auto shows = [&](const range& part, long bits) {
+    const auto shows = [&](const range& part, precision bits) {
       const sign s = sign_of(jet_over(part, bits).slope);
       if (s == sign::unknown) return false;
       if (all != sign::unknown && s != all) {
@@ -51,16 +51,15 @@ class roots_check {
     };
     if (const auto left = first_not_shown(box, shows, where)) {
       where.not_checkable("the derivative is not shown to be different from 0 between " +
-                          in_decimals(*left));
+                          in_decimals(*left, where.work()));
     }
   }
 
   /// That f is nowhere 0 between.
   void expect_no_root(const range& gap, const place& where) {
-    const auto shows = [&](const range& part, long bits) {
+    const auto shows = [&](const range& part, precision bits) {
       if (sign_of(f_(interval::between(part.lower, part.upper, bits))) != sign::unknown)
         return true;
-      work_.spend(f_, 2 * bits, where);
       const rational middle((part.lower + part.upper) / 2);
       const interval step =
           interval::between(part.lower - middle, part.upper - middle, bits).widened(integer(1));
@@ -69,12 +68,12 @@ class roots_check {
     };
     if (const auto left = first_not_shown(gap, shows, where)) {
       where.not_checkable("the formula is not shown to be different from 0 between " +
-                          in_decimals(*left) + ", where there is no box");
+                          in_decimals(*left, where.work()) + ", where there is no box");
     }
   }
 
  private:
-  jet jet_over(const range& x, long bits) {
+  jet jet_over(const range& x, precision bits) {
     return f_(jet{interval::between(x.lower, x.upper, bits), interval(rational(1), bits)});
   }
 
@@ -86,14 +85,16 @@ class roots_check {
       range x;
       int depth;
     };
+    const budget::at here = where.working();
     std::optional<range> stuck;
-    for (const long bits : region_bits) {
+    for (const long number_of_bits : region_bits) {
+      const precision bits(number_of_bits, where.work());
       stuck.reset();
       std::vector<part> rest{{all, 0}};
       while (!rest.empty() && !stuck) {
         part one = std::move(rest.back());
         rest.pop_back();
-        work_.spend(f_, bits, where);
+        bits.work().rationals(8, bit_length(one.x.lower) + bit_length(one.x.upper));
         try {
           if (shows(one.x, bits)) continue;
         } catch (const undecided&) {  // smaller parts
@@ -112,13 +113,13 @@ class roots_check {
   }
 
   formula f_;
-  work_limit work_;
 };
 
 /// An end of the range: the number, or two that it lies between.
-range end_of(const formula& f) {
+range end_of(const formula& f, const place& where) {
+  const budget::at here = where.working();
   if (const auto exact = f.exact_value()) return {*exact, *exact};
-  const long bits = region_bits.back();
+  const precision bits(region_bits.back(), where.work());
   const interval x = f(interval(rational(0), bits));
   return {x.lower(), x.upper()};
 }
@@ -143,12 +144,16 @@ void check_roots(const place& certificate, report& result) {
                                      inputs["from"].text() + " <= " + given.variable +
                                      " <= " + inputs["to"].text());
   if (certificate["facts"].size() != 0) certificate["facts"].at(0).malformed("there must be none");
+  result.subject = count == 1 ? "1 root" : std::to_string(count) + " roots";
+  result.statement = {inputs["formula"].text() + " is 0 for exactly " + std::to_string(count) +
+                      " " + given.variable + " in the range " + inputs["from"].text() +
+                      " <= " + given.variable + " <= " + inputs["to"].text()};
   const place witness = certificate["witness"];
   witness.expect_keys({"boxes"});
   const place boxes = witness["boxes"];
   if (boxes.size() != count) boxes.refute("there must be a box for each number");
-  const range from = end_of(given.from);
-  const range to = end_of(given.to);
+  const range from = end_of(given.from, inputs["from"]);
+  const range to = end_of(given.to, inputs["to"]);
   if (from.upper >= to.lower) inputs["to"].refute("it must be above the range's lower end");
   std::vector<number_ends> ends;
   std::vector<range> box;
@@ -180,14 +185,17 @@ void check_roots(const place& certificate, report& result) {
     if (above == sign::unknown) number["upper"].not_checkable("the sign there is not decided");
     if (below == above) number.refute("the formula has the same sign at both ends");
     check.expect_monotone(box[i], boxes.at(i));
-    result.checks.push_back(name_of(i) + " = " + decimal_for_reading(ends[i].exact.lower, 20));
+    result.statement.push_back(
+        in_between(name_of(i), ends[i].exact, ends[i].digits, certificate.work()));
+    result.checks.push_back(name_of(i) + " = " +
+                            decimal_for_reading(ends[i].exact.lower, 20, certificate.work()));
   }
   for (std::size_t i = 0; i <= count; ++i) {
     const range gap{i == 0 ? from.lower : box[i - 1].upper, i == count ? to.upper : box[i].lower};
     if (gap.lower < gap.upper) check.expect_no_root(gap, boxes);
   }
   result.checks.emplace_back("there is no other root in the range");
-  certificate["digest"].expect_text(digest_of(certificate.value()));
+  certificate["digest"].expect_text(digest_of(certificate));
 }
 
 }  // namespace polhode::checker

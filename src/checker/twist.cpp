@@ -14,7 +14,7 @@ int sign_of(const interval& x) {
 /// The sign of s - t, where s in [0, most] has F(c, cos^2 s) = value > 0 and F increases in s.
 int side_of_amplitude(const body& rigid, const rational& c, const interval& value,
                       const interval& t) {
-  const long bits = t.bits();
+  const precision bits = t.bits();
   if (t.is_negative()) return 1;
   const interval half_pi = pi(bits) / 2;
   if (is_below(half_pi, t)) return -1;
@@ -33,7 +33,7 @@ int side_of_amplitude(const body& rigid, const rational& c, const interval& valu
 
 }  // namespace
 
-int side_of_defect(const body& rigid, const rational& c, const rational& level, long bits) {
+int side_of_defect(const body& rigid, const rational& c, const rational& level, precision bits) {
   const interval whole = pi(bits);
   // psi against this: epsilon is above the level where psi is below.
   const interval psi = whole / 2 - interval(level, bits);

@@ -20,7 +20,8 @@ namespace {
 
 constexpr const char* exit_statuses =
     "Exit status: 0 all certified; 1 something was not certified or was refuted; 2 bad usage or\n"
-    "bad input (one line on standard error says what was given and what would be right).";
+    "bad input (one line on standard error says what was given and what would be right); 3 two\n"
+    "proofs contradict each other, which is a fault in Polhode.";
 
 std::string version_text() {
   return fmt::format("polhode {}\nMPFR {}\nGMP {}\nBoost {}.{}.{}", POLHODE_VERSION,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "progress.hpp"
 #include "proofs/claim.hpp"
+#include "second_opinion.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -26,6 +28,7 @@ using proofs::constant;
 struct enclosed_constant {
   const constant* what;
   ball enclosure;
+  std::optional<second_opinion> opinion = std::nullopt;  // with --verify
 };
 
 [[noreturn]] void not_certified(const constant& c, long digits) {
@@ -44,11 +47,22 @@ decimal_enclosure certain_decimals(const enclosed_constant& c, long digits) {
 // ---------------------------------------------------------------------------------------------
 // The formats
 
+/// Each line two columns to the right.
+std::string indented(const std::string& lines) {
+  std::string result;
+  for (const char c : lines) {
+    if (result.empty() || result.back() == '\n') result += "  ";
+    result += c;
+  }
+  return result;
+}
+
 std::string as_text(const std::vector<enclosed_constant>& constants, long digits) {
   std::string result;
   for (const auto& c : constants) {
     const decimal_enclosure d = certain_decimals(c, digits);
     result.append(c.what->name).append(" = ").append(d.value).append(d.exact ? "\n" : "...\n");
+    if (c.opinion) result += indented(c.opinion->as_text());
   }
   return result;
 }
@@ -70,6 +84,7 @@ std::string as_json(const std::vector<enclosed_constant>& constants, long digits
   for (const auto& c : constants) {
     json number = to_json(c.enclosure, digits);
     if (number["digits"] < digits && !number.contains("exact")) not_certified(*c.what, digits);
+    if (c.opinion) number["second_opinion"] = c.opinion->as_json();
     result[c.what->name] = std::move(number);
   }
   return result.dump(2) + '\n';
@@ -134,6 +149,7 @@ struct constants_options {
   format_option format{names_of(output_formats())};
   memory_limit_option memory_limit;
   certificate_option certificate;
+  verify_option verify;
   time_limit_option time_limit;
 };
 
@@ -164,7 +180,44 @@ std::vector<enclosed_constant> enclose_all(const std::vector<const constant*>& c
   std::vector<enclosed_constant> result;
   for (const constant* c : constants) {
     line.show(fmt::format("computing {} ({}/{})", c->name, result.size() + 1, constants.size()));
-    result.push_back({c, proofs::enclose_to_digits(*c, digits)});
+    result.push_back({.what = c, .enclosure = proofs::enclose_to_digits(*c, digits)});
+  }
+  return result;
+}
+
+/// By the constant's second formula, and by the checker from the claim's certificate; that of few digits, as its time grows with their square
+/// and more.
+second_opinion verify(const enclosed_constant& c, long digits) {
+  constexpr long most_digits_for_checker = 1000;
+  constexpr long more_digits = 11;
+  const std::string first_route = "the formula";
+  second_opinion result;
+  const stopwatch time;
+  const precision bits = bits_for_digits(digits + more_digits) | 1;
+  const ball again = c.what->enclose_again(bits);
+  route_report report;
+  report.route = c.what->second_route;
+  report.work = fmt::format("{} bits", bits);
+  report.seconds = time.seconds();
+  expect_overlap(c.what->name, {first_route, c.enclosure}, {report.route, again});
+  if (again.is_bounded() && again.radius() <= confirming_radius(c.enclosure, digits)) {
+    report.enclosure = to_json(again, digits);
+  } else {
+    report.obstacle = "its enclosure is wider than the digits that are asked for";
+  }
+  result.add(std::move(report));
+  const proofs::claim* same = proofs::find_claim(c.what->name);
+  if (same == nullptr || digits > most_digits_for_checker) return result;
+  proofs::request wanted;
+  wanted.digits = digits;
+  const certificate proved = same->prove(wanted);
+  for (const enclosed_number& number : proved.numbers) {
+    if (number.name != c.what->name) continue;
+    const std::string proof = "the claim of its name";
+    expect_overlap(c.what->name, {first_route, c.enclosure}, {proof, number.enclosure});
+    if (proved.verdict == status::certified) {
+      result.add(checked_again(c.what->name, proof, to_json(proved)));
+    }
   }
   return result;
 }
@@ -203,6 +256,7 @@ exit_status run(constants_options& options) {
                                    [&wanted](const output_format& f) { return f.name == wanted; });
   const memory_estimate memory = estimate(constants, digits, format->kept_decimals);
   options.memory_limit.check(memory);
+  options.verify.expect_format(wanted);
   const proofs::claim* about = nullptr;
   if (options.certificate.is_given()) {
     about = &claim_about(constants);
@@ -218,11 +272,19 @@ exit_status run(constants_options& options) {
       works.emplace_back([c](long fewer) { (void)proofs::enclose_to_digits(*c, fewer); });
     }
     line.expect(options.time_limit.check(memory.what, digits, works));
-    if (about != nullptr) write_certificate(*about, digits, options.certificate);
     enclosed = enclose_all(constants, std::max(digits, format->least_digits), line);
+    for (enclosed_constant& c : enclosed) {
+      if (!options.verify.given) break;
+      line.show(fmt::format("looking for a second opinion on {}", c.what->name));
+      if (c.enclosure.is_bounded()) c.opinion = verify(c, digits);
+    }
+    if (about != nullptr) write_certificate(*about, digits, options.certificate);
   }
   print(format->write(enclosed, digits));
-  return exit_status::all_certified;
+  const bool confirmed = std::all_of(enclosed.begin(), enclosed.end(), [](const auto& c) {
+    return !c.opinion || c.opinion->agrees();
+  });
+  return confirmed ? exit_status::all_certified : exit_status::not_certified;
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
@@ -233,6 +295,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->certificate.declare(app);
+  options->verify.declare(app);
   options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
@@ -245,7 +308,8 @@ command constants_command() {
       "  polhode constants\n"
       "  polhode constants beta --digits 1000\n"
       "  polhode constants --format cpp > polhode_constants.hpp\n"
-      "  polhode constants beta --certificate beta.json && polhode check beta.json\n\n"
+      "  polhode constants beta --certificate beta.json && polhode check beta.json\n"
+      "  polhode constants --digits 300 --verify\n\n"
       "The decimals printed are the first N significant digits of the true value, cut off, never\n"
       "rounded: all of them are digits of its expansion. In csv and json, lower and upper are\n"
       "decimals rounded outward: the true value is proved to lie between them.\n",

@@ -42,6 +42,9 @@ exit_status report(std::string_view message, exit_status status) {
 exit_status report_by_type() {
   try {
     throw;
+  } catch (const contradiction_error& e) {
+    print_error(std::string("polhode: ") + e.what() + '\n');
+    return exit_status::contradiction;
   } catch (const not_certified_error& e) {
     return report(e.what(), exit_status::not_certified);
   } catch (const std::domain_error& e) {  // the library: a number that is not defined here

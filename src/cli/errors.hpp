@@ -11,7 +11,8 @@ namespace polhode::cli {
 enum class exit_status : int {
   all_certified = 0,
   not_certified = 1,  // something was not certified, or was refuted
-  bad_input = 2       // bad usage, bad input, or no room for the output
+  bad_input = 2,      // bad usage, bad input, or no room for the output
+  contradiction = 3   // two proofs contradict each other: a fault in Polhode
 };
 
 /// The command line cannot be used; what() says what was given and what would be right.
@@ -32,6 +33,12 @@ class not_certified_error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Two proofs contradict each other, so that one of them is wrong; what() names both in several lines.
+class contradiction_error : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
 /// A text as it may stand in a message: in double quotes, control characters escaped, and without
 /// the middle of a long one.
 [[nodiscard]] std::string in_quotes(std::string_view text);
@@ -39,8 +46,8 @@ class not_certified_error : public std::runtime_error {
 /// "No space left on device" for ENOSPC, and so on.
 [[nodiscard]] std::string system_message(int error_number);
 
-/// Prints the exception being handled as "polhode: ..." in one line on standard error. To be
-/// called in a catch block; returns the status to exit with.
+/// Prints the exception being handled as "polhode: ..." on standard error, in one line unless it is a
+/// contradiction_error. To be called in a catch block; returns the status to exit with.
 [[nodiscard]] exit_status report_current_exception() noexcept;
 
 }  // namespace polhode::cli

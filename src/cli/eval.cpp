@@ -17,6 +17,8 @@
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/certificate/certificate.hpp"
 #include "progress.hpp"
+#include "second_opinion.hpp"
+#include "second_value.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -30,6 +32,7 @@ struct eval_options {
   digits_option digits;
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
+  verify_option verify;
   time_limit_option time_limit;
 };
 
@@ -164,7 +167,7 @@ std::string as_text(const expression& f, const answer& a, long digits) {
 // ---------------------------------------------------------------------------------------------
 // The command
 
-std::string as_json(const expression& f, json number, const answer& a, long digits) {
+json as_json(const expression& f, json number, const answer& a, long digits) {
   json result{
       {"expression", f.to_text()},
       {"verdict", to_text(a.why == reason::none ? status::certified : status::not_certified)}};
@@ -173,7 +176,7 @@ std::string as_json(const expression& f, json number, const answer& a, long digi
     result["remark"] = remark_on(f, a, digits);
   }
   result["number"] = std::move(number);
-  return result.dump(2) + '\n';
+  return result;
 }
 
 /// How many numbers MPFR's functions hold meanwhile, from above. Measured to 300,000 digits: 15 for
@@ -213,13 +216,23 @@ exit_status run(const eval_options& options) {
   const memory_estimate memory = estimate(f, digits);
   options.memory_limit.check(memory);
   (void)options.time_limit.limit();
+  const auto print_with = [&](const std::string& text, json described,
+                              const std::optional<second_opinion>& opinion) {
+    if (opinion) described["second_opinion"] = opinion->as_json();
+    print(json_wanted ? described.dump(2) + '\n' : text + (opinion ? opinion->as_text() : ""));
+    return opinion ? opinion->status() : exit_status::all_certified;
+  };
   if (const auto& q = f.exact_value()) {
-    print(json_wanted ? as_json(f, exact_json(*q, digits), {}, digits) : exact_text(*q, digits));
-    return exit_status::all_certified;
+    std::optional<second_opinion> opinion;
+    if (options.verify.given) {
+      opinion = exact_value_again(*options.formula, options.let, *q, digits);
+    }
+    return print_with(exact_text(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
+                      opinion);
   }
   if (const auto decimal = power_of_ten(f)) {
-    print(json_wanted ? as_json(f, power_json(*decimal), {}, digits) : *decimal + " exactly\n");
-    return exit_status::all_certified;
+    return print_with(*decimal + " exactly\n", as_json(f, power_json(*decimal), {}, digits),
+                      options.verify.given ? std::optional(second_opinion()) : std::nullopt);
   }
   const answer a = [&] {
     const progress line;
@@ -228,8 +241,12 @@ exit_status run(const eval_options& options) {
                                          {[&](long fewer) { (void)enclose(f, fewer, line); }}));
     return enclose(f, digits, line);
   }();
-  print(json_wanted ? as_json(f, to_json(a.enclosure, digits), a, digits) : as_text(f, a, digits));
-  return a.why == reason::none ? exit_status::all_certified : exit_status::not_certified;
+  const bool certified = a.why == reason::none;
+  std::optional<second_opinion> opinion;
+  if (options.verify.given && certified) opinion = value_again(f, a.enclosure, a.bits, digits);
+  const exit_status status = print_with(
+      as_text(f, a, digits), as_json(f, to_json(a.enclosure, digits), a, digits), opinion);
+  return certified ? status : exit_status::not_certified;
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
@@ -241,6 +258,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_flag("--functions", options->list_functions,
                "Print the functions and constants, and exit");
   options->memory_limit.declare(app);
+  options->verify.declare(app);
   options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
@@ -252,7 +270,8 @@ command eval_command() {
       "eval", "Evaluate a formula to any number of certain digits",
       "  polhode eval \"exp(pi*sqrt(163)) - 262537412640768744\"\n"
       "  polhode eval \"2*agm(1, k)^-1\" --let \"k=sqrt(2)/2\" --digits 1000\n"
-      "  polhode eval \"-2^2\"\n\n"
+      "  polhode eval \"-2^2\"\n"
+      "  polhode eval \"zeta(3)/log(2)\" --verify\n\n"
       "Operators, from weak to strong: + -, * /, the sign -, ^ (or **) from the right, ! of whole\n"
       "numbers. x^n is defined for every x where n is a whole number, with 0^0 = 1; x^y else for\n"
       "x > 0, and 0^y = 0 for y > 0. Functions:\n\n" +

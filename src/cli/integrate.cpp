@@ -25,6 +25,8 @@
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/certificate/formula_certificates.hpp"
 #include "progress.hpp"
+#include "second_integral.hpp"
+#include "second_opinion.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -46,6 +48,7 @@ struct integrate_command_options {
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
   certificate_option certificate;
+  verify_option verify;
   time_limit_option time_limit;
 
   /// From 1 to greatest_boxes; throws usage_error for anything else.
@@ -183,8 +186,8 @@ json describe(const expression& f, const integrate_command_options& options, con
 }
 
 template <class Integral>
-std::string as_json(const expression& f, const integrate_command_options& options,
-                    const Integral& i, long digits) {
+json as_json(const expression& f, const integrate_command_options& options, const Integral& i,
+             long digits) {
   json result = describe(f, options, i);
   result["number"] = number_json(i.enclosure, digits);
   json rules = json::array();
@@ -196,7 +199,7 @@ std::string as_json(const expression& f, const integrate_command_options& option
                        {"terms", i.account.terms},
                        {"most_nodes", i.account.most_nodes},
                        {"precision", i.account.precision}};
-  return result.dump(2) + '\n';
+  return result;
 }
 
 void check_memory(const integrate_command_options& options, long digits) {
@@ -218,10 +221,12 @@ struct nothing {
   void operator()(const Integral&) const {}
 };
 
-/// Prints an integral that integral_to(options) computes, after before_printing(integral).
-template <class Integral, class Then = nothing>
+/// Prints an integral that integral_to(options) computes, after before_printing(integral). With --verify, verify(integral) is the second
+/// opinion of a certified one, and comes first: where it contradicts, nothing is printed.
+template <class Integral, class Again, class Then = nothing>
 exit_status report(const expression& f, const integrate_command_options& options,
-                   const Integral& integral_to, const Then& before_printing = {}) {
+                   const Integral& integral_to, const Again& verify,
+                   const Then& before_printing = {}) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
   check_memory(options, digits);
@@ -236,9 +241,23 @@ exit_status report(const expression& f, const integrate_command_options& options
         {[&](long fewer) { (void)integrate_for(integral_to, fewer, how); }}));
     return integrate_for(integral_to, digits, how);
   }();
+  const bool certified = i.verdict == status::certified;
+  std::optional<second_opinion> opinion;
+  if (options.verify.given && certified) {
+    const progress line;
+    line.show("looking for a second opinion");
+    opinion = verify(i);
+  }
   before_printing(i);
-  print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
-  return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
+  if (json_wanted) {
+    json result = as_json(f, options, i, digits);
+    if (opinion) result["second_opinion"] = opinion->as_json();
+    print(result.dump(2) + '\n');
+  } else {
+    print(as_text(i, digits) + (opinion ? opinion->as_text() : ""));
+  }
+  if (opinion) return opinion->status();
+  return certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
 /// Exactly one of the ways to say from where to where.
@@ -290,8 +309,8 @@ std::string as_text(const box_integral& i, long digits) {
       i.attained ? "both ends are attained" : "the ends may be outside of what is attained");
 }
 
-std::string as_json(const expression& f, const integrate_command_options& options,
-                    const box_integral& i, long digits) {
+json as_json(const expression& f, const integrate_command_options& options, const box_integral& i,
+             long digits) {
   json result = describe(f, options, i);
   for (const auto& [name, interval] : options.let.intervals().value()) {
     result["parameters"][name] = interval;
@@ -301,7 +320,7 @@ std::string as_json(const expression& f, const integrate_command_options& option
     result["range"] = {{"lower", lower}, {"upper", upper}, {"attained", i.attained}};
   }
   result["account"] = {{"boxes", i.boxes}, {"integrals", i.integrals}};
-  return result.dump(2) + '\n';
+  return result;
 }
 
 /// With parameters in intervals.
@@ -323,12 +342,12 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   line.show("integrating");
   const box_integral i = detail::integrate_function_over_box(
       parametric_integrand_of(f), a, b, box, {.digits = digits + 1, .most_boxes = options.boxes()});
-  print(json_wanted ? as_json(f, options, i, digits) : as_text(i, digits));
+  print(json_wanted ? as_json(f, options, i, digits).dump(2) + '\n' : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
 /// What a certificate is of. Throws usage_error for an infinite range.
-formula_over_range certified_range(const expression& f, const integrate_command_options& options) {
+formula_over_range checkable_range(const expression& f, const integrate_command_options& options) {
   const auto end_of = [&](const std::string& text) {
     if (read_limit(text, options.let).infinite_sign() != 0) {
       throw usage_error("--certificate: the range must be finite");
@@ -340,6 +359,21 @@ formula_over_range certified_range(const expression& f, const integrate_command_
   return what;
 }
 
+/// The checker's opinion, where there is a certificate of the integral; of few digits, as its time grows with their square and more.
+void add_checkers_opinion(second_opinion& result, const expression& f,
+                          const integrate_command_options& options, const integral& i) {
+  constexpr long most_digits_for_checker = 200;
+  const long digits = options.digits.value();
+  if (digits > most_digits_for_checker) return;
+  std::optional<json> certificate;
+  try {
+    certificate = integral_certificate(checkable_range(f, options), i.enclosure, digits);
+  } catch (const std::invalid_argument&) {
+    return;  // no certificate can hold it
+  }
+  result.add(checked_again("the integral", route_text(i.account), *certificate));
+}
+
 exit_status integrate_real(integrate_command_options& options) {
   const expression f = read_formula(options.formula, {options.variable}, options.let);
   const limit a = read_limit(*options.from, options.let);
@@ -347,15 +381,21 @@ exit_status integrate_real(integrate_command_options& options) {
   const auto integrate_to = [g = integrand_of(f), a, b](const integrate_options& goal) {
     return detail::integrate_function(g, a, b, goal);
   };
-  if (!options.certificate.is_given()) return report(f, options, integrate_to);
-  const formula_over_range what = certified_range(f, options);
+  const auto verify = [&](const integral& i) {
+    second_opinion result =
+        integral_again(integrand_of(f), a, b, i, options.digits.value(), options.threads);
+    add_checkers_opinion(result, f, options, i);
+    return result;
+  };
+  if (!options.certificate.is_given()) return report(f, options, integrate_to, verify);
+  const formula_over_range what = checkable_range(f, options);
   options.certificate.prepare();
   const auto integrate_closer = [&](integrate_options goal) {
     goal.digits += 4;  // the certificate's number is wider than the enclosure
     return integrate_to(goal);
   };
   bool certified = false;
-  const exit_status result = report(f, options, integrate_closer, [&](const integral& i) {
+  const exit_status result = report(f, options, integrate_closer, verify, [&](const integral& i) {
     certified = i.verdict == status::certified;
     if (!certified) return;
     options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
@@ -381,11 +421,17 @@ exit_status integrate_along_path(const integrate_command_options& options) {
     contour_integral refused;
     refused.why = reason::not_analytic;
     refused.obstacle = fmt::format("{} is not analytic in the complex plane", *name);
-    return report(f, options, [&](const integrate_options&) { return refused; });
+    return report(
+        f, options, [&](const integrate_options&) { return refused; },
+        [](const contour_integral&) { return second_opinion(); });
   }
-  return report(f, options, [g = complex_integrand_of(f), along](const integrate_options& goal) {
-    return detail::integrate_path(g, along, goal);
-  });
+  const detail::complex_integrand g = complex_integrand_of(f);
+  return report(
+      f, options,
+      [&](const integrate_options& goal) { return detail::integrate_path(g, along, goal); },
+      [&](const contour_integral& i) {
+        return integral_again(g, along, i, options.digits.value(), options.threads);
+      });
 }
 
 exit_status run(integrate_command_options& options) {
@@ -399,6 +445,9 @@ exit_status run(integrate_command_options& options) {
   if (options.certificate.is_given() && (!options.from || has_intervals)) {
     throw usage_error(
         "--certificate is for limits --from and --to, and numbers for the parameters");
+  }
+  if (options.verify.given && has_intervals) {
+    throw usage_error("--verify is for numbers as parameters, not for intervals");
   }
   if (has_intervals && options.from) return integrate_over_box(options);
   if (has_intervals) {
@@ -443,6 +492,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->certificate.declare(app);
+  options->verify.declare(app);
   options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
@@ -459,7 +509,8 @@ command integrate_command() {
       "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"
       "  polhode integrate \"sqrt(x)\" --along \"1, 1+i, -1+i\"\n"
       "  polhode integrate \"4/(1+x^2)\" --from 0 --to 1 --certificate pi.json && polhode check "
-      "pi.json\n\n"
+      "pi.json\n"
+      "  polhode integrate \"sin(x)^3*exp(x)\" --from 0 --to 7 --verify\n\n"
       "The integrand may be singular at the limits (powers, logarithms, and what is 0/0 there), "
       "and\n"
       "the limits infinite where it decays. That it is analytic between them is proved, never\n"

@@ -1,5 +1,8 @@
 #include "path_option.hpp"
 
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,12 +18,23 @@ path_point read_point(const std::string& text, const let_option& let) {
   return path_point([f](precision p) { return f.evaluator<complex_ball>(p)(complex_ball::i(p)); });
 }
 
+std::string without_margins(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
 }  // namespace
 
 path read_polygon(const std::string& text, const let_option& let) {
   std::vector<path_point> points;
-  for (const std::string& part : parts_between_commas(text))
-    points.push_back(read_point(part, let));
+  std::map<std::string, path_point> known;  // the same text is the same point
+  for (const std::string& part : parts_between_commas(text)) {
+    const std::string key = without_margins(part);
+    const auto found = known.find(key);
+    points.push_back(found != known.end() ? found->second : read_point(part, let));
+    known.emplace(key, points.back());
+  }
   if (points.size() < 2) {
     throw usage_error(fmt::format(
         "--along {}: it must be two points or more, such as \"0, 1, 1+i\"", in_quotes(text)));

@@ -21,6 +21,8 @@
 #include "polhode/certificate/formula_certificates.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "progress.hpp"
+#include "second_opinion.hpp"
+#include "second_roots.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -37,6 +39,7 @@ struct roots_options {
   format_option format{{"text", "csv", "json"}};
   memory_limit_option memory_limit;
   certificate_option certificate;
+  verify_option verify;
   time_limit_option time_limit;
 };
 
@@ -266,8 +269,7 @@ std::string as_csv(const answer& a, long digits) {
   return result;
 }
 
-std::string as_json(const expression& f, const roots_options& options, const answer& a,
-                    long digits) {
+json as_json(const expression& f, const roots_options& options, const answer& a, long digits) {
   json result{{"function", f.to_text()},
               {"variable", options.variable},
               {"in", options.range},
@@ -296,14 +298,14 @@ std::string as_json(const expression& f, const roots_options& options, const ans
   result["account"] = {{"boxes", a.roots.account.boxes},
                        {"evaluations", a.roots.account.evaluations},
                        {"precision", a.roots.account.most_bits}};
-  return result.dump(2) + '\n';
+  return result;
 }
 
 // ---------------------------------------------------------------------------------------------
 // The command
 
 /// What a certificate is of. Throws usage_error for an infinite range.
-formula_over_range certified_range(const expression& f, const given_range& range) {
+formula_over_range checkable_range(const expression& f, const given_range& range) {
   if (!range.first.formula || !range.second.formula) {
     throw usage_error("--certificate: the range must be finite");
   }
@@ -330,9 +332,49 @@ json certificate_of(const formula_over_range& what, const answer& a, long digits
   return roots_certificate(what, enclosures, digits);
 }
 
+// ---------------------------------------------------------------------------------------------
+// The second opinion
+
+proved_roots as_proved(const answer& a) {
+  proved_roots result;
+  result.complete = a.roots.complete;
+  result.identically_zero = a.roots.identically_zero;
+  for (const listed_root& r : a.list) {
+    result.roots.push_back(
+        {r.region.verdict, r.region.multiplicity, r.enclosure, r.region.may_lie_outside});
+  }
+  return result;
+}
+
+/// The checker's opinion, where there is a certificate of the roots; of few digits, as its time grows with their square and more.
+void add_checkers_opinion(second_opinion& result, const expression& f, const given_range& range,
+                          const answer& a, const std::string& first_route, long digits) {
+  constexpr long most_digits_for_checker = 1000;
+  if (digits > most_digits_for_checker) return;
+  std::optional<json> certificate;
+  try {
+    certificate = certificate_of(checkable_range(f, range), a, digits);
+  } catch (const std::invalid_argument&) {
+    return;  // no certificate can hold it
+  }
+  result.add(checked_again("the roots", first_route, *certificate));
+}
+
+second_opinion verify(const expression& f, const given_range& range, const answer& a, long digits,
+                      int threads) {
+  const progress line;
+  line.show("looking for a second opinion");
+  const std::string first_route = fmt::format("the search, {} boxes", a.roots.account.boxes);
+  second_opinion result =
+      roots_again(f, range.first.end, range.second.end, as_proved(a), first_route, digits, threads);
+  add_checkers_opinion(result, f, range, a, first_route, digits);
+  return result;
+}
+
 exit_status run(roots_options& options) {
   const long digits = options.digits.value();
   const std::string format = options.format.value();
+  options.verify.expect_format(format);
   const expression f = read_formula(options.formula, {options.variable}, options.let);
   const auto range = read_range(options.range, options.let);
   constexpr double bytes_per_digit = 0.4153;
@@ -341,13 +383,24 @@ exit_status run(roots_options& options) {
                               bytes_per_digit * numbers * static_cast<double>(digits)});
   (void)options.time_limit.limit();
   std::optional<formula_over_range> what;
-  if (options.certificate.is_given()) what = certified_range(f, range);
+  if (options.certificate.is_given()) what = checkable_range(f, range);
   options.certificate.prepare();
   const answer a = find_roots(f, range, digits, options.threads, options.time_limit);
+  std::optional<second_opinion> opinion;
+  if (options.verify.given && a.is_certified()) {
+    opinion = verify(f, range, a, digits, options.threads);
+  }
   if (what && a.is_certified()) options.certificate.write(certificate_of(*what, a, digits));
-  print(format == "json" ? as_json(f, options, a, digits)
-                         : (format == "csv" ? as_csv(a, digits) : as_text(a, digits)));
+  if (format == "json") {
+    json result = as_json(f, options, a, digits);
+    if (opinion) result["second_opinion"] = opinion->as_json();
+    print(result.dump(2) + '\n');
+  } else {
+    print((format == "csv" ? as_csv(a, digits) : as_text(a, digits)) +
+          (opinion ? opinion->as_text() : ""));
+  }
   options.certificate.expect_certified(a.is_certified());
+  if (opinion) return opinion->status();
   return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
 }
 
@@ -369,6 +422,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->certificate.declare(app);
+  options->verify.declare(app);
   options->time_limit.declare(app);
   return [options] { return run(*options); };
 }
@@ -382,7 +436,8 @@ command roots_command() {
       "  polhode roots \"(x-1)*(x^2-2)^3\" --in -inf..inf\n"
       "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n"
       "  polhode roots \"cos(x) - x\" --in 0..1 --certificate root.json && polhode check "
-      "root.json\n\n"
+      "root.json\n"
+      "  polhode roots \"sin(x^2)*(x^3-2)\" --in -5..5 --verify\n\n"
       "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
       "  unique         a simple root, the only one in its place\n"
       "  multiple M     a root of multiplicity M, the only one in its place\n"

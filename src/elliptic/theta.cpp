@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "elliptic/enclose.hpp"
+#include "elliptic/theta_series.hpp"
 #include "polhode/arithmetic/exact.hpp"
 
 namespace polhode {
@@ -38,10 +39,12 @@ class multiples {
   std::vector<ball> sines_;
 };
 
+}  // namespace
+
 /// The series of the definition, for q <= 1/20. With k = 2n+1 (theta_1, theta_2) or k = 2n, the terms are in size
 /// at most 2 k q^(k^2/4) (k = 1 in the value), and the next one at most (k+2)/k q^(k+1) <= 3/20 times as great for
 /// k >= 1: the rest is at most twice its first term.
-theta_values by_definition(int j, const ball& z, const ball& q, precision p) {
+theta_values detail::theta_by_definition(int j, const ball& z, const ball& q, precision p) {
   const bool half = j <= 2;
   multiples of_z(z);
   const ball root = half ? sqrt(sqrt(q)) : ball(1, p);
@@ -80,9 +83,9 @@ theta_values by_definition(int j, const ball& z, const ball& q, precision p) {
 /// exp(-x^2/L) and, in the derivative, 2x/L exp(-x^2/L) at x, x + pi, ...; from an x >= pi/2 on the next one is at
 /// most (x+pi)/x exp(-pi(2x+pi)/L) <= 3 exp(-2 pi^2/L) < 3 e^(-6) times as great: the rest is at most twice its first
 /// term.
-theta_values by_poisson(int j, const ball& z, const ball& q, precision p) {
+theta_values detail::theta_by_poisson(int j, const ball& z, const ball& q, precision p) {
   const ball L = -log(q);
-  const ball period = pi(p);
+  const ball period = pi(std::max({p, z.precision(), q.precision()}));
   ball from = z;
   if (j == 1) from = z - scale(period, -1);
   if (j == 4) from = z + scale(period, -1);
@@ -130,9 +133,11 @@ theta_values by_poisson(int j, const ball& z, const ball& q, precision p) {
   return result;
 }
 
+namespace {
+
 theta_values theta_with(int j, const ball& z, const ball& q, precision p) {
-  if (certainly_less(q, ball(rational(1, 20), p))) return by_definition(j, z, q, p);
-  if (certainly_less(ball(rational(1, 25), p), q)) return by_poisson(j, z, q, p);
+  if (certainly_less(q, ball(rational(1, 20), p))) return detail::theta_by_definition(j, z, q, p);
+  if (certainly_less(ball(rational(1, 25), p), q)) return detail::theta_by_poisson(j, z, q, p);
   return {ball::undefined(p), ball::undefined(p)};  // a wide set, for which no one series will do
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "path_pieces.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "segments.hpp"
 
 namespace polhode {
@@ -87,6 +89,7 @@ complex_ball difference(const path_point& a, const path_point& b, precision p) {
 bool is_zero(const ball& x) { return x.is_exact() && contains_zero(x); }
 
 bool has_no_length(const line_piece& line) {
+  if (line.from.is_same_as(line.to)) return true;
   const complex_ball d = difference(line.from, line.to, 64);
   return is_zero(d.re) && is_zero(d.im);
 }
@@ -176,6 +179,21 @@ segment segment_on(const complex_integrand& f, const arc_piece& piece) {
   return result;
 }
 
+/// As obstacles elsewhere on a path are named.
+std::string in_words(const obstacle_near_end& found) {
+  const std::string at = " near z = " + to_decimal(found.position, 20);
+  switch (found.why) {
+    case obstacle::none:
+      return "a bound too large to be of use" + at;
+    case obstacle::unknown:
+      return found.where + " of complex arguments is not available" + at;
+    case obstacle::undefined:
+      return "an undefined value" + (found.where.empty() ? "" : " in " + found.where) + at;
+    default:
+      return "the " + to_text(found.why) + " of " + found.where + at;
+  }
+}
+
 }  // namespace
 
 contour_integral integrate_path(const complex_integrand& f, const path& along,
@@ -189,6 +207,7 @@ contour_integral integrate_path(const complex_integrand& f, const path& along,
     return result;
   }
   preparation prepared;
+  const precision bits = 64 + 2 * bits_for_digits(options.digits);
   for (const path_piece& piece : along.pieces()) {
     if (!std::visit([](const auto& p) { return is_bounded(p); }, piece)) {
       result.why = reason::not_defined;
@@ -197,13 +216,32 @@ contour_integral integrate_path(const complex_integrand& f, const path& along,
     }
     if (std::visit([](const auto& p) { return has_no_length(p); }, piece)) continue;
     prepared.segments.push_back(std::visit([&](const auto& p) { return segment_on(f, p); }, piece));
+    if (!runs_over(prepared.segments.back(), piece, bits)) {
+      throw std::logic_error("integrate_along: what is integrated over a piece is not the piece");
+    }
+  }
+  if (const auto gap = gap_between(along.pieces(), bits)) {
+    throw std::invalid_argument("integrate_along: " + *gap);
   }
   if (prepared.segments.empty()) {
     result.enclosure = complex_ball(0, 64);
     result.verdict = status::certified;
     return result;
   }
-  return integrate_segments(prepared, options);
+  // Far below where what is beside an end could be told from it in the enclosure.
+  const long deepest = 420 + 4 * options.digits;
+  long evaluations = 0;
+  for (const segment& s : prepared.segments) {
+    const std::optional<obstacle_near_end> found = obstacle_near_ends(s, deepest, evaluations);
+    if (!found) continue;
+    result.why = reason::not_analytic;
+    result.obstacle = in_words(*found);
+    result.account.region_evaluations = evaluations;
+    return result;
+  }
+  result = integrate_segments(prepared, options);
+  result.account.region_evaluations += evaluations;
+  return result;
 }
 
 }  // namespace detail

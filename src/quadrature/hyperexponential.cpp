@@ -768,43 +768,46 @@ class parts_of {
   bool in_circular(std::size_t node, bool by_quarters, int shift, parts& result) const {
     const auto own = common_frequency(node);
     if (!own || a_.infinite_sign() != 0 || b_.infinite_sign() != 0) return false;
-    // w in units of w's period in w'.
-    const auto turns_of = [&](const limit& x) {
-      ball value;
-      constexpr precision p = 128;
-      if (own->of_pi) {
-        if (x.is_exact())
-          return std::pair(std::optional<rational>(own->of_x * x.exact_value()), value);
-        value = x.at(p) * own->of_x;
+    // w' as a number of pieces: one is that from k to k + 1.
+    const rational pieces_of_turn = by_quarters ? 2 : 1;
+    const rational start = by_quarters ? rational(0) : rational(shift, 2);
+    const auto in_pieces = [&](const limit& x) {
+      range_end end;
+      const bool is_rational = own->of_pi ? x.is_exact() : x.form() && x.form()->q == 0;
+      if (is_rational) {
+        const rational turns = own->of_x * (own->of_pi ? x.exact_value() : x.form()->r);
+        end.exact = turns * pieces_of_turn + start;
       } else {
-        if (x.form() && x.form()->q == 0) {
-          return std::pair(std::optional<rational>(own->of_x * x.form()->r), value);
-        }
-        value = x.at(p) * own->of_x / pi(p);
+        end.at = [=, w = *own](precision p) {
+          const ball turns = w.of_pi ? x.at(p) * w.of_x : x.at(p) * w.of_x / pi(p);
+          return turns * pieces_of_turn + start;
+        };
       }
-      return std::pair(std::optional<rational>(), value);
+      return end;
     };
-    const auto place_of = [&](const limit& x) -> std::optional<std::pair<integer, bool>> {
-      auto [exact, value] = turns_of(x);
-      const rational factor = by_quarters ? 2 : 1;
-      const rational start = by_quarters ? rational(0) : rational(shift, 2);
-      if (exact) {
-        const rational t = *exact * factor + start;
-        return std::pair(floor_of(t), is_integer(t));
-      }
+    const range_end lower = in_pieces(a_);
+    const range_end upper = in_pieces(b_);
+    // The piece in which an end lies, and whether it is surely where the piece begins.
+    const auto place_of = [](const range_end& end) -> std::optional<std::pair<integer, bool>> {
+      if (end.exact) return std::pair(floor_of(*end.exact), is_integer(*end.exact));
+      const ball value = end.value(128);
       if (!value.is_bounded()) return std::nullopt;
-      const ball t = value * factor + start;
-      const integer low = floor_of(lower_rational(t));
-      if (low != floor_of(upper_rational(t))) return std::nullopt;
+      const integer low = floor_of(lower_rational(value));
+      if (low != floor_of(upper_rational(value))) return std::nullopt;
       return std::pair(low, false);
     };
-    const auto first = place_of(a_);
-    const auto last = place_of(b_);
+    const auto first = place_of(lower);
+    const auto last = place_of(upper);
     if (!first || !last || last->first - first->first > most_pieces) return false;
     if (abs(first->first) > 1L << 40) return false;
     const auto low = static_cast<long>(first->first);
     const auto high = static_cast<long>(last->first) - (last->second ? 1 : 0);
+    range_tiling tiling(lower, upper);
     for (long k = low; k <= high; ++k) {
+      const bool from_a = k == low && !first->second;
+      const bool to_b = k == high && !last->second;
+      tiling.add({from_a ? place::lower_end() : place(k), to_b ? place::upper_end() : place(k + 1)},
+                 {rational(k), rational(k + 1)});
       const auto end = [&](const limit& x) {
         range_end y;
         y.at = [x, k, shift, by_quarters, w = *own](precision p) {
@@ -818,12 +821,12 @@ class parts_of {
       hyperexponential_integral range;
       range.begins_at_0 = true;
       range.greatest = 1;
-      if (k == low && !first->second) {
+      if (from_a) {
         range.lower = end(a_);
       } else {
         range.lower.exact = 0;
       }
-      if (k == high && !last->second) {
+      if (to_b) {
         range.upper = end(b_);
       } else {
         range.upper.exact = 1;
@@ -854,7 +857,7 @@ class parts_of {
       }
       append(result, *found[node], factor, range);
     }
-    return true;
+    return tiling.is_complete();
   }
   static integer floor_of(const rational& q) {
     integer result;

@@ -12,13 +12,13 @@
 // taken apart: its integral is a sum of integrals of hyperexponential functions of y. All of this is about real
 // functions on a range, with one sign where a root of them is taken: branches and cuts have no part in it.
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/quadrature/limit.hpp"
 #include "recorded_formula.hpp"
+#include "tiling.hpp"
 
 namespace polhode::detail {
 
@@ -64,15 +64,6 @@ struct hyperexponential {
 
 /// x^e of x > 0; half-integer powers by the square root.
 [[nodiscard]] ball power_of_positive(const ball& x, const rational& e);
-
-/// An end of a range of y.
-struct range_end {
-  std::optional<rational> exact;
-  std::function<ball(precision p)> at;  // where it is not exact
-  bool is_infinite = false;             // +infinity
-
-  [[nodiscard]] ball value(precision p) const { return exact ? ball(*exact, p) : at(p); }
-};
 
 /// The integral of a hyperexponential function of y, from lower to upper.
 struct hyperexponential_integral {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "breaks.hpp"
@@ -20,6 +21,7 @@
 #include "polhode/quadrature/gauss_legendre.hpp"
 #include "segments.hpp"
 #include "taylor_series.hpp"
+#include "tiling.hpp"
 
 namespace polhode {
 
@@ -110,6 +112,15 @@ struct panel {
     integer one = 1;
     return {integer(1), one << static_cast<unsigned>(level + 1)};
   }
+  /// The values of t on it.
+  [[nodiscard]] closed_interval interval() const {
+    const rational half = half_length();
+    return {centre - half, rational(centre + half)};
+  }
+  [[nodiscard]] piece_done piece() const {
+    const closed_interval all = interval();
+    return {place(all.lower), place(*all.upper)};
+  }
   /// It reaches to t = 0 or to t = 1.
   [[nodiscard]] bool is_at_end() const {
     const rational half = half_length();
@@ -127,6 +138,12 @@ struct panel {
     }
     return p;
   }
+};
+
+/// What a rule gives for a panel: an integral of F, and what it is over.
+struct panel_sum {
+  complex_ball value;
+  piece_done done;
 };
 
 /// The regions that tile the Bernstein ellipses of one panel. Coordinates are those in which the panel
@@ -442,11 +459,11 @@ class integrator {
   [[nodiscard]] double mean_goal(const panel& p, double log2_goal) const;
   [[nodiscard]] double nodes_accepted(const panel& p, double log2_goal) const;
   outcome sum(double log2_goal);
-  [[nodiscard]] complex_ball part_of_panel(panel& p, double share, precision most_precision,
-                                           bool& exhausted);
+  [[nodiscard]] panel_sum part_of_panel(panel& p, double share, precision most_precision,
+                                        bool& exhausted);
   [[nodiscard]] bool has_room_for(const panel& p, precision working);
   [[nodiscard]] magnitude truncation_error(const panel& p) const;
-  [[nodiscard]] complex_ball sum_of_panel(const panel& p, precision& working);
+  [[nodiscard]] panel_sum sum_of_panel(const panel& p, precision& working);
   [[nodiscard]] ball clenshaw_curtis_part(const panel& p, precision working);
   [[nodiscard]] ball gauss_legendre_part(const panel& p, const gauss_legendre_rule& rule) const;
   [[nodiscard]] ball trapezoid_part(const panel& p, precision working) const;
@@ -479,7 +496,8 @@ class integrator {
   std::map<std::pair<long, precision>, std::shared_ptr<const chebyshev_points_rule<ball>>>
       clenshaw_curtis_rules_;
   long deepest_ = 0;
-  double log2_size_ = 0;  // about log2 of the integral of |f|
+  double log2_size_ = 0;        // about log2 of the integral of |f|
+  precision result_bits_ = 64;  // of sums of panels
   contour_integral result_;
 };
 
@@ -822,16 +840,18 @@ magnitude integrator::truncation_error(const panel& p) const {
 }
 
 /// The rule on one panel, with at least `working` bits, which become those that were used.
-complex_ball integrator::sum_of_panel(const panel& p, precision& working) {
-  if (p.rule == quadrature_rule::trapezoid) return complex_ball(trapezoid_part(p, working));
+panel_sum integrator::sum_of_panel(const panel& p, precision& working) {
+  if (p.rule == quadrature_rule::trapezoid) {  // which is for a whole segment
+    return {complex_ball(trapezoid_part(p, working)), {place(0), place(1)}};
+  }
   if (p.rule == quadrature_rule::clenshaw_curtis) {
-    return complex_ball(clenshaw_curtis_part(p, working));
+    return {complex_ball(clenshaw_curtis_part(p, working)), p.piece()};
   }
   const auto rule = gauss_legendre(p.nodes, working);
   working = rule->bits;
   const std::optional<complex_piece>& along = segments_[p.segment].along;
-  if (along) return gauss_legendre_along(along->evaluator(working), p, *rule);
-  return complex_ball(gauss_legendre_part(p, *rule));
+  if (along) return {gauss_legendre_along(along->evaluator(working), p, *rule), p.piece()};
+  return {complex_ball(gauss_legendre_part(p, *rule)), p.piece()};
 }
 
 /// Half-length times the sum of w_k F(centre + half-length x_k).
@@ -890,9 +910,15 @@ ball integrator::trapezoid_part(const panel& p, precision working) const {
 
 /// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds. `exhausted` where
 /// the precision that this would take is not allowed, or does not help.
-complex_ball integrator::part_of_panel(panel& p, double share, precision most_precision,
-                                       bool& exhausted) {
+panel_sum integrator::part_of_panel(panel& p, double share, precision most_precision,
+                                    bool& exhausted) {
   const segment& s = segments_[p.segment];
+  if (p.closed_by) {
+    return {scale(*p.closed_by, -p.level) * scale_of(s, result_bits_), p.piece()};
+  }
+  const auto bound_alone = [&]() -> panel_sum {
+    return {at_most(s, scale(p.supremum, -p.level)) * scale_of(s, 64), p.piece()};
+  };
   const auto allowed = static_cast<double>(most_precision);
   const double goal = share - log2_scales_[p.segment] + static_cast<double>(p.level);
   p.nodes = nodes_of_panel(p, goal);
@@ -903,7 +929,7 @@ complex_ball integrator::part_of_panel(panel& p, double share, precision most_pr
       std::max(p.log2_typical - goal, 16.0) + 12 + std::log2(static_cast<double>(p.nodes));
   if (needed > allowed) {
     exhausted = true;
-    return at_most(s, scale(p.supremum, -p.level)) * scale_of(s, 64);
+    return bound_alone();
   }
   double last_radius = 1e18;
   while (true) {
@@ -911,13 +937,13 @@ complex_ball integrator::part_of_panel(panel& p, double share, precision most_pr
     if (!has_room_for(p, working)) {
       memory_exhausted_ = true;
       exhausted = true;
-      return at_most(s, scale(p.supremum, -p.level)) * scale_of(s, 64);
+      return bound_alone();
     }
-    const complex_ball sum = sum_of_panel(p, working);
+    const panel_sum sum = sum_of_panel(p, working);
     result_.account.evaluations += p.nodes;
     result_.account.precision = std::max(result_.account.precision, working);
-    complex_ball part = enlarged(s, sum, truncation) * scale_of(s, working);
-    const double radius = approximate_log2(radius_of(part));
+    const panel_sum part{enlarged(s, sum.value, truncation) * scale_of(s, working), sum.done};
+    const double radius = approximate_log2(radius_of(part.value));
     if (radius <= share + 1) return part;
     // More bits, until they do not help any more; to tell a short panel's nodes from what is beside it, they
     // may have to be many before they do.
@@ -951,17 +977,25 @@ integrator::outcome integrator::sum(double log2_goal) {
   // Half of the goal for truncation and half for rounding, in equal shares.
   const double share = log2_goal - std::log2(static_cast<double>(panels_.size())) - 1.5;
   const double bits = std::max(log2_size_ - log2_goal, 16.0);
-  const auto result_bits = static_cast<precision>(bits) + 64;
+  result_bits_ = static_cast<precision>(bits) + 64;
   const auto most_precision =
       options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
-  complex_ball total(remainder_.with_precision(result_bits));
   bool exhausted = false;
+  // Of each segment, 0 <= t <= 1.
+  const complex_ball zero(0, result_bits_);
+  std::vector<tiled_sum<complex_ball>> of_segments(
+      segments_.size(), tiled_sum<complex_ball>(exact_end(0), exact_end(1), zero));
   for (panel& p : panels_) {
-    if (p.closed_by) {
-      total += scale(*p.closed_by, -p.level) * scale_of(segments_[p.segment], result_bits);
-    } else {
-      total += part_of_panel(p, share, most_precision, exhausted);
+    const panel_sum part = part_of_panel(p, share, most_precision, exhausted);
+    of_segments[p.segment].add(part.done, p.interval(), part.value);
+  }
+  complex_ball total(remainder_.with_precision(result_bits_));
+  for (const tiled_sum<complex_ball>& sum : of_segments) {
+    const std::optional<complex_ball> value = sum.total();
+    if (!value) {
+      throw std::logic_error("integrate: internal error: the panels of a range do not tile it");
     }
+    total += *value;
   }
   result_.account.panels = static_cast<long>(panels_.size());
   const bool better =

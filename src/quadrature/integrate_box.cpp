@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "box_tiling.hpp"
+
 namespace polhode {
 
 parameter_range::parameter_range(rational lower, rational upper)
@@ -29,6 +31,7 @@ namespace {
 
 /// What is known of I over one box.
 struct bounds {
+  parameter_box over;  // that box
   ball enclosure = ball::undefined(64);
   bool attained = false;
   std::size_t best_cut = 0;  // the side that is worth cutting most
@@ -78,8 +81,11 @@ integral box_integrator::over(const integrand& f) {
 /// The common part; both hold the same numbers, of which there are some.
 ball common(const ball& x, const ball& y) {
   if (x.is_undefined()) return y;
-  const ball both = intersection(x, y);
-  return both.is_undefined() ? x : both;
+  ball both = intersection(x, y);
+  if (both.is_undefined()) {
+    throw std::logic_error("integrate_box: two enclosures of the same integrals contradict");
+  }
+  return both;
 }
 
 std::size_t widest(const parameter_box& box) {
@@ -91,6 +97,7 @@ std::size_t widest(const parameter_box& box) {
 
 bounds box_integrator::enclose(const parameter_box& box) {
   bounds result;
+  result.over = box;
   const bool is_point =
       std::all_of(box.begin(), box.end(), [](const auto& side) { return side.is_point(); });
   if (is_point) {
@@ -169,45 +176,44 @@ box_integral integrate_function_over_box(const parametric_integrand& f, const li
     throw std::invalid_argument("integrate_box: most_boxes must be at least 1");
   }
   box_integrator work(f, a, b, options);
-  struct part {
-    parameter_box box;
-    bounds known;
-  };
-  std::vector<part> parts{{box, work.enclose(box)}};
+  std::vector<bounds> parts{work.enclose(box)};
   // What is undefined is the widest of all.
-  const auto width_of = [](const part& p) {
-    if (p.known.attained) return magnitude();
-    return p.known.enclosure.is_bounded() ? p.known.enclosure.radius() : magnitude::infinity();
+  const auto width_of = [](const bounds& p) {
+    if (p.attained) return magnitude();
+    return p.enclosure.is_bounded() ? p.enclosure.radius() : magnitude::infinity();
   };
   while (static_cast<long>(parts.size()) < options.most_boxes) {
-    const auto worst =
-        std::max_element(parts.begin(), parts.end(),
-                         [&](const part& x, const part& y) { return width_of(x) < width_of(y); });
-    const std::size_t i = worst->known.best_cut;
-    if (worst->known.attained || i >= box.size() || worst->box[i].is_point()) break;
-    parameter_box left = worst->box;
-    parameter_box right = worst->box;
+    const auto worst = std::max_element(
+        parts.begin(), parts.end(),
+        [&](const bounds& x, const bounds& y) { return width_of(x) < width_of(y); });
+    const std::size_t i = worst->best_cut;
+    if (worst->attained || i >= box.size() || worst->over[i].is_point()) break;
+    parameter_box left = worst->over;
+    parameter_box right = worst->over;
     const rational cut = left[i].middle();
     left[i] = parameter_range(left[i].lower(), cut);
     right[i] = parameter_range(cut, right[i].upper());
-    *worst = {left, work.enclose(left)};
-    parts.push_back({right, work.enclose(right)});
+    *worst = work.enclose(left);
+    parts.push_back(work.enclose(right));
   }
+  std::vector<const parameter_box*> boxes;
+  for (const bounds& p : parts) boxes.push_back(&p.over);
+  expect_box_tiling(box, boxes);
   box_integral result;
   result.boxes = static_cast<long>(parts.size());
   result.integrals = work.integrals();
   result.attained = true;
-  for (const part& p : parts) {
-    if (!p.known.enclosure.is_bounded()) {
+  for (const bounds& p : parts) {
+    if (!p.enclosure.is_bounded()) {
       result.enclosure = ball::undefined(64);
-      result.why = p.known.why;
-      result.obstacle = p.known.obstacle;
+      result.why = p.why;
+      result.obstacle = p.obstacle;
       result.attained = false;
       return result;
     }
-    result.attained = result.attained && p.known.attained;
-    result.enclosure = result.enclosure.is_undefined() ? p.known.enclosure
-                                                       : hull(result.enclosure, p.known.enclosure);
+    result.attained = result.attained && p.attained;
+    result.enclosure =
+        result.enclosure.is_undefined() ? p.enclosure : hull(result.enclosure, p.enclosure);
   }
   result.verdict = status::certified;
   return result;

@@ -28,6 +28,12 @@
 // coefficients are off by and by less than a unit each, and the quotient by less than another one. For the bounds E_k of what e_k is off
 // by, in units, that is E_(k+2) <= (4k+6)/((k+2) n) E_(k+1) + (n+1)/(n (k+1)(k+2)) E_k + 3, where n >= 2k + 4: the two factors are at most
 // 3/4 and 5/8 for k = 0, and together at most 3/4 for k > 0. So E_k <= max(1.4 max(E_0, E_1) + 3, 12), which is below 2^12 for n <= 1024.
+//
+// How generous that is. E_0 and E_1 leave out that a step's error is multiplied by y_0 in all steps after it: b_0 is off by less than
+// 2/(1 - y_0), s_0 by less than 2/(1 - y_0)^2 + 1/(1 - y_0). Times s/(n |T'|) and s/n, which are small where y_0 is near 1, that is at
+// most a few units in y and in e_1 for every n. No zero and no start comes near the bounds E_0 and E_1, and without them the units
+// that are counted beside them in `proved` would suffice. They stay, as the sharper ones would need y_0 in every count; the tests reach
+// the radius where the search ends early, and the three units of y where it ends at the last bit.
 
 #include <algorithm>
 #include <bit>
@@ -395,7 +401,8 @@ bool neighbourhood::search(long wanted) {
 ///
 /// t: with r < 2^48 and F >= 128, r u M < 2^-72, as is what T'(g) is off by; they are less than one unit of 2^-64.
 /// y is off by s r/n units, and by less than two for a product and a quotient that are cut off. T' is off by M r units, and by what
-/// T'(g) is.
+/// T'(g) is. That is true for each zero between g - r u and g + r u; the zero's slope is s q'(y) = n T' and what T leaves out of q', times s <= 1.
+/// |y - y_0| <= s (|g| + r u)/n, as |g| + r u is less than its first limb and two units of 2^-64.
 std::optional<legendre_zero> neighbourhood::proved() {
   const number value = evaluate<false>(w_, last_);
   const number slope = evaluate<true>(w_, last_);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 
 #include "breaks.hpp"
 #include "oscillation.hpp"
@@ -13,11 +14,34 @@ namespace polhode::detail {
 
 namespace {
 
-/// A limit moved: from it, in the direction of the other one.
+limit sum_of(const limit& a, const limit& b, const rational& factor) {
+  if (a.form() && b.form()) return limit(*a.form() + *b.form() * factor);
+  return limit([=](precision p) { return a.at(p) + b.at(p) * factor; });
+}
+limit difference(const limit& a, const limit& b) { return sum_of(a, -b, 1); }
+
+/// A limit moved: from it, in the direction of another point.
 struct end_of_range {
   limit at;        // p; for an infinite end, 0
   limit distance;  // s: the argument is p + s t^q, 0 < t <= 1; at infinity s t^q with q < 0
   bool infinite = false;
+  limit end;    // t = 0: p, or an infinity
+  limit start;  // t = 1: p + s
+
+  [[nodiscard]] static end_of_range finite(const limit& end, const limit& start) {
+    return {end, difference(start, end), false, end, start};
+  }
+  /// The infinity of this sign; the start, which is not 0, has the same sign.
+  [[nodiscard]] static end_of_range infinity(int sign, const limit& start) {
+    const limit end = sign > 0 ? limit::infinity() : -limit::infinity();
+    return {limit(0), start, true, end, start};
+  }
+  /// Whether the integral runs to the end: with direction 1 it runs from a finite end, and to an infinite one.
+  [[nodiscard]] bool is_reached_last(int direction) const { return (direction > 0) == infinite; }
+  /// Between two points, of which the first is nearer to the end.
+  [[nodiscard]] part_done part(const limit& near, const limit& far, int direction) const {
+    return is_reached_last(direction) ? part_done{far, near} : part_done{near, far};
+  }
 };
 
 /// How an end is dealt with.
@@ -312,7 +336,7 @@ segment affine_segment(const integrand& f, const limit& a, const limit& b) {
 /// From a to b, where f is regular at both; a symmetry of f is used.
 segment regular_segment(const integrand& f, const limit& a, const limit& b) {
   const std::optional<fundamental_range> range = fundamental_range_of(f, a, b);
-  if (!range || !is_regular(f, {limit(range->b), limit(range->a - range->b), false})) {
+  if (!range || !is_regular(f, end_of_range::finite(limit(range->b), limit(range->a)))) {
     return affine_segment(f, a, b);
   }
   segment result = affine_segment(f, limit(range->a), limit(range->b));
@@ -331,12 +355,6 @@ segment regular_segment(const integrand& f, const limit& a, const limit& b) {
   };
   return result;
 }
-
-limit sum_of(const limit& a, const limit& b, const rational& factor) {
-  if (a.form() && b.form()) return limit(*a.form() + *b.form() * factor);
-  return limit([=](precision p) { return a.at(p) + b.at(p) * factor; });
-}
-limit difference(const limit& a, const limit& b) { return sum_of(a, -b, 1); }
 
 /// About log2 of the largest |f| at a few points p + s t; 0 where f is undefined or 0 at all of them.
 double log2_of_samples(const integrand& f, const ball& p, const ball& s,
@@ -379,6 +397,7 @@ void add_analytic_pieces(preparation& result, const integrand& f, const limit& a
   result.has_tail = result.has_tail || parts.has_remainder;
   for (const piece& p : parts.pieces) {
     result.segments.push_back(affine_segment(p.f, p.left, p.right));
+    result.parts.push_back({p.left, p.right});
   }
 }
 
@@ -413,13 +432,19 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
     result.remainder = result.remainder.enlarged(rest);
     result.has_tail = true;
     const rational exact_y = lower_rational(ball::exactly(y, 64));
-    const limit start = sum_of(end.at, end.distance, 1);
     const limit far = sum_of(end.at, end.distance, end.infinite ? exact_y : rational(1 / exact_y));
-    const bool away = (direction > 0) == end.infinite;  // from start to far, as the integral runs
-    add_analytic_pieces(result, f, away ? start : far, away ? far : start, bits);
+    result.parts.push_back(end.part(end.end, far, direction));
+    const part_done rest_of_it = end.part(far, end.start, direction);
+    add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
     return true;
   }
   return false;
+}
+
+void require_tiled(const std::vector<part_done>& parts, const limit& a, const limit& b) {
+  if (!is_tiled(parts, a, b)) {
+    throw std::logic_error("integrate: internal error: the pieces of a range do not tile it");
+  }
 }
 
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
@@ -438,7 +463,15 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
                       size - 1.05 * static_cast<double>(bits) - 48);
   if (!found) return false;
   if (found->steady) {
-    add_part(result, *found->steady, {limit(0), limit(found->start), true}, 1, bits);
+    // In y, from Y0 to infinity.
+    preparation steady;
+    const limit start(found->start);
+    add_part(steady, *found->steady, end_of_range::infinity(1, start), 1, bits);
+    if (steady.why == reason::none) require_tiled(steady.parts, start, limit::infinity());
+    result.segments.insert(result.segments.end(), steady.segments.begin(), steady.segments.end());
+    result.remainder += steady.remainder;
+    result.why = steady.why;
+    result.obstacle = steady.obstacle;
     if (result.why == reason::not_integrable)
       result.obstacle = "the integrand grows too fast at " + place;
     if (result.why != reason::none) return true;
@@ -446,10 +479,10 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   for (const segment& line : found->segments) result.segments.push_back(line);
   result.remainder = result.remainder.enlarged(found->rest);
   result.has_tail = true;
-  const limit start = sum_of(end.at, end.distance, 1);
   const limit far = sum_of(end.at, end.distance, found->far);
-  const bool away = (direction > 0) == end.infinite;  // from start to far, as the integral runs
-  add_analytic_pieces(result, f, away ? start : far, away ? far : start, bits);
+  result.parts.push_back(end.part(end.end, far, direction));
+  const part_done rest_of_it = end.part(far, end.start, direction);
+  add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
   return true;
 }
 
@@ -457,18 +490,19 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
 /// as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
               long bits) {
-  const auto add = [&](segment s) {
+  const auto add = [&](segment s, const limit& near, const limit& far) {
     if (direction < 0) {
       s.scale = [scale = s.scale](precision p) { return -scale(p); };
     }
     result.segments.push_back(std::move(s));
+    result.parts.push_back(end.part(near, far, direction));
   };
   const end_plan plan = look_at_end(f, end);
   const std::string place =
       end.infinite ? std::string("infinity") : "x = " + to_decimal(end.at.at(96), 20);
   switch (plan.how) {
     case manner::power:
-      add(power_segment(f, end, plan));
+      add(power_segment(f, end, plan), end.end, end.start);
       return;
     case manner::exponential: {
       // From t = 1 to r0 without, and from there with the exponential.
@@ -477,10 +511,14 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
                        static_cast<double>(denominator(plan.exponent));
       const double length = std::ceil((1.05 * static_cast<double>(bits) + 48) * 0.6931 / c);
       ball remainder(0, 64);
-      add(exponential_segment(f, end, plan, r0, length, remainder));
+      segment near = exponential_segment(f, end, plan, r0, length, remainder);
+      const limit at_1 = limit([at = near.position](precision p) { return at(ball(1, p)); });
+      const limit at_0 = limit([at = near.position](precision p) { return at(ball(0, p)); });
+      result.parts.push_back(end.part(end.end, at_1, direction));
       result.remainder += direction < 0 ? -remainder : remainder;
       result.has_tail = true;
-      add(segment_beyond(r0, f, end, plan));
+      add(std::move(near), at_1, at_0);
+      add(segment_beyond(r0, f, end, plan), at_0, end.start);
       return;
     }
     case manner::divergent:
@@ -497,10 +535,23 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
     result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";
     return;
   }
-  add(affine_segment(f, end.at, sum_of(end.at, end.distance, 1)));
+  add(affine_segment(f, end.at, end.start), end.end, end.start);
 }
 
 }  // namespace
+
+bool is_tiled(const std::vector<part_done>& parts, const limit& a, const limit& b) {
+  std::vector<bool> is_used(parts.size(), false);
+  limit reached = a;
+  for (std::size_t count = 0; count < parts.size(); ++count) {
+    std::size_t next = 0;
+    while (next < parts.size() && (is_used[next] || !parts[next].from.is_same_as(reached))) ++next;
+    if (next == parts.size()) return false;
+    is_used[next] = true;
+    reached = parts[next].to;
+  }
+  return !parts.empty() && reached.is_same_as(b);
+}
 
 /// a < q < b, certainly: what is proved of f at q is said of the integral.
 bool is_inside(const rational& q, const limit& a, const limit& b) {
@@ -512,7 +563,8 @@ bool is_inside(const rational& q, const limit& a, const limit& b) {
 
 bool can_cut_at(const integrand& f, const rational& q) {
   for (const long side : {-1L, 1L}) {
-    if (look_at_end(f, {limit(q), limit(side), false}).how != manner::unknown) continue;
+    if (look_at_end(f, end_of_range::finite(limit(q), limit(q + side))).how != manner::unknown)
+      continue;
     const tail_series near =
         f.near_infinity(tail_series::argument(exact_ball(q), exact_ball(rational(side)), 0x1p-8));
     if (near.is_blocked() || near.integral_before(ball(1L << 20, 64)).is_infinite()) return false;
@@ -526,20 +578,21 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
   // f as it is known at the two ends.
   const auto finite = [&](const limit& left, const integrand& at_left, const limit& right,
                           const integrand& at_right) {
-    const limit length = difference(right, left);
-    const limit back = difference(left, right);
-    const bool left_regular = is_regular(at_left, {left, length, false});
-    const bool right_regular = is_regular(at_right, {right, back, false});
+    const end_of_range at_left_end = end_of_range::finite(left, right);
+    const end_of_range at_right_end = end_of_range::finite(right, left);
+    const bool left_regular = is_regular(at_left, at_left_end);
+    const bool right_regular = is_regular(at_right, at_right_end);
     if (left_regular && right_regular) {
       result.segments.push_back(regular_segment(at_left, left, right));
+      result.parts.push_back({left, right});
     } else if (right_regular) {
-      add_part(result, at_left, {left, length, false}, 1, bits);
+      add_part(result, at_left, at_left_end, 1, bits);
     } else if (left_regular) {
-      add_part(result, at_right, {right, back, false}, -1, bits);
+      add_part(result, at_right, at_right_end, -1, bits);
     } else {
-      const limit middle = sum_of(left, length, rational(1, 2));
-      add_part(result, at_left, {left, difference(middle, left), false}, 1, bits);
-      add_part(result, at_right, {right, difference(middle, right), false}, -1, bits);
+      const limit middle = sum_of(left, difference(right, left), rational(1, 2));
+      add_part(result, at_left, end_of_range::finite(left, middle), 1, bits);
+      add_part(result, at_right, end_of_range::finite(right, middle), -1, bits);
     }
   };
   const auto finite_with_cuts = [&](const limit& left, const limit& right) {
@@ -572,13 +625,14 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
     integer c;
     mpz_ui_pow_ui(c.backend().data(), 2, e);
     limit point(rational(sign * c));
-    add_part(result, f, {limit(0), point, true}, sign, bits);
+    add_part(result, f, end_of_range::infinity(sign, point), sign, bits);
     return point;
   };
   const bool both = a.infinite_sign() != 0 && b.infinite_sign() != 0;
   const limit left = a.infinite_sign() != 0 ? to_infinity(both ? limit(0) : b, -1) : a;
   const limit right = b.infinite_sign() != 0 ? to_infinity(both ? limit(0) : a, 1) : b;
   finite_with_cuts(left, right);
+  if (result.why == reason::none) require_tiled(result.parts, a, b);
   return result;
 }
 

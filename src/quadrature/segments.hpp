@@ -7,7 +7,13 @@
 
 namespace polhode::detail {
 
-/// The pieces of an integral, and what they leave out.
+/// The part of a range from one point to another, in the direction of the integral.
+struct part_done {
+  limit from;
+  limit to;
+};
+
+/// The segments whose integrals make up an integral, and what they leave out.
 struct preparation {
   std::vector<segment> segments;
   /// Holds the sum of what the segments do not cover: tails beyond where they are cut off.
@@ -16,10 +22,17 @@ struct preparation {
   bool has_tail = false;
   reason why = reason::none;  // where it cannot be done
   std::string obstacle;
+  /// What the segments and the remainder stand for: each that is added says it here.
+  std::vector<part_done> parts;
 };
+
+/// The parts run from a to b, each from where another one ends: their integrals add up to that from a to b. Points are
+/// the same where limit::is_same_as says so.
+[[nodiscard]] bool is_tiled(const std::vector<part_done>& parts, const limit& a, const limit& b);
 
 /// The range from a to b, cut at points between them, in increasing order. a < b as far as is known, or
 /// neither is infinite. The tails, where there are any, are made smaller than about 2^-bits of the rest.
+/// Throws std::logic_error where the parts do not tile the range, whatever they say.
 [[nodiscard]] preparation prepare(const integrand& f, const limit& a, const limit& b,
                                   const std::vector<rational>& cuts, long bits);
 

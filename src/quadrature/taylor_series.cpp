@@ -8,6 +8,7 @@
 
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "tiling.hpp"
 
 namespace polhode::detail {
 
@@ -156,6 +157,18 @@ struct smooth_range {
   range_end upper;
   bool begins_at_0 = false;
   std::optional<rational> greatest;
+  bool is_inverted = false;  // the line is that of 1/y
+
+  /// Where it lies in the range of y that it was cut from, of which it keeps the ends that are not exact.
+  [[nodiscard]] piece_done piece() const {
+    const place from = lower.exact ? place(*lower.exact) : place::lower_end();
+    const place to = upper.exact ? place(*upper.exact) : place::upper_end();
+    if (!is_inverted) return {from, to};
+    const auto inverse = [](const range_end& end, const place& otherwise) {
+      return end.exact && *end.exact != 0 ? place(rational(1 / *end.exact)) : otherwise;
+    };
+    return {inverse(upper, place::lower_end()), inverse(lower, place::upper_end())};
+  }
 };
 
 /// A panel: y = centre + radius z, -1 <= z <= 1 or, at an end, 0 <= z <= 1.
@@ -165,6 +178,55 @@ struct taylor_panel {
   bool at_end = false;
   bool from_lower = false;  // it is cut off at the range's lower, or upper, end, which is not exact
   bool to_upper = false;
+
+  /// The values of y on the whole of it.
+  [[nodiscard]] closed_interval interval() const {
+    const rational other = at_end ? centre : rational(centre - radius);
+    const rational end = centre + radius;
+    return {std::min(other, end), std::max(other, end)};
+  }
+  /// What is to be integrated over.
+  [[nodiscard]] piece_done piece() const {
+    const closed_interval all = interval();
+    return {from_lower ? place::lower_end() : place(all.lower),
+            to_upper ? place::upper_end() : place(*all.upper)};
+  }
+  [[nodiscard]] bool is_cut() const { return from_lower || to_upper; }
+};
+
+/// Those of the panels, which follow one another, that meet the range, with the ones that its ends cut marked. Returns
+/// nullopt where it is not clear which those are.
+std::optional<std::vector<taylor_panel>> cut_to(const smooth_range& range,
+                                                const std::vector<taylor_panel>& panels) {
+  std::vector<taylor_panel> result;
+  for (taylor_panel p : panels) {
+    const closed_interval all = p.interval();
+    // Panels before the lower end are left out, and those after the upper end.
+    if (!range.lower.exact && result.empty()) {
+      const std::optional<int> at_upper = side_of(range.lower, *all.upper);
+      if (!at_upper) return std::nullopt;
+      if (*at_upper > 0) continue;
+      const std::optional<int> at_lower = side_of(range.lower, all.lower);
+      if (!at_lower) return std::nullopt;
+      p.from_lower = *at_lower > 0;
+    }
+    if (!range.upper.exact) {
+      const std::optional<int> at_lower = side_of(range.upper, all.lower);
+      if (!at_lower) return std::nullopt;
+      if (*at_lower < 0) break;
+      const std::optional<int> at_upper = side_of(range.upper, *all.upper);
+      if (!at_upper) return std::nullopt;
+      p.to_upper = *at_upper < 0;
+    }
+    result.push_back(std::move(p));
+  }
+  return result;
+}
+
+/// The integral over a panel, or over the part of it that is in the range, and which part that was.
+struct panel_value {
+  ball value;
+  piece_done done;
 };
 
 /// z as an integer in units of 2^-F.
@@ -244,25 +306,30 @@ class panel_integral {
   panel_integral(const smooth_range& range, const taylor_panel& panel)
       : range_(range), panel_(panel) {}
 
-  /// To about 2^log2_goal. Nothing where the theorem's hypotheses are not proved, or where it takes more bits or terms
-  /// than allowed.
-  std::optional<ball> to(double log2_goal, precision most_bits, long most_terms) {
+  /// To about 2^log2_goal. Returns nullopt where the theorem's hypotheses are not proved, or where it takes more bits or
+  /// terms than allowed.
+  std::optional<panel_value> to(double log2_goal, precision most_bits, long most_terms) {
     if (!is_prepared_ && !prepare()) return std::nullopt;
     const ball size = constant(64) * maximum_ * length_factor();
     const double_interval log2_greatest = log_greatest_ / log_of_2;
     const double log2_size = approximate_log2(size.magnitude_upper()) + log2_greatest.upper();
     if (!(log2_size < 1e15)) return std::nullopt;
     if (log2_size <= log2_goal) {
-      return ball(0, 64).enlarged(
-          multiply_up(size.magnitude_upper(), power_of_two_above(log2_greatest)));
+      // A bound over the whole panel is one over each part of it.
+      const magnitude most = multiply_up(size.magnitude_upper(), power_of_two_above(log2_greatest));
+      return panel_value{ball(0, 64).enlarged(most), panel_.piece()};
     }
     const double lost = ((log_greatest_ - log_least_ - log_least_q_) / log_of_2).upper();
     const double bits = approximate_log2(size.magnitude_upper()) + lost - log2_goal + 5;
     const double log2_terms = std::log2(std::max(bits, 16.0)) + 1;
-    const double f = std::ceil(std::max(bits + 2 * log2_terms, 64.0));
+    // Only a cut panel's powers of z add up to errors of the square of the number of terms.
+    const double f = std::ceil(std::max(bits + (panel_.is_cut() ? 2 : 1) * log2_terms, 64.0));
     if (!(f < static_cast<double>(most_bits))) return std::nullopt;
-    return sum(static_cast<long>(f), std::max(static_cast<long>(log2_size - log2_goal) + 32, 64L),
-               most_terms);
+    const std::optional<ball> value =
+        sum(static_cast<long>(f), std::max(static_cast<long>(log2_size - log2_goal) + 32, 64L),
+            most_terms);
+    if (!value) return std::nullopt;
+    return panel_value{*value, panel_.piece()};
   }
   [[nodiscard]] long terms() const { return terms_; }
   [[nodiscard]] long bits() const { return bits_; }
@@ -536,8 +603,9 @@ class panel_integral {
     const magnitude relative =
         power_of_two_above((log_greatest_ - log_least_ - log_least_q_) / log_of_2);
     const magnitude square_of_count = multiply_up(count, count);
-    // N (N + 1) sqrt(2)/2 <= 2 terms^2
-    const magnitude of_a = scale(multiply_up(square_of_count, multiply_up(unit, relative)), 1);
+    // N, or sqrt(2) N < 3/2 N
+    const magnitude steps = parts == 1 ? count : scale(multiply_up(count, three), -1);
+    const magnitude of_a = multiply_up(steps, multiply_up(unit, relative));
     const magnitude of_series = multiply_up(multiply_up(of_a, maximum_.magnitude_upper()),
                                             length_factor().magnitude_upper());
     const magnitude of_terms = scale(multiply_up(count, unit), 1);
@@ -577,6 +645,7 @@ class panel_integral {
   }
 
   inline static const double_interval log_of_2 = log(double_interval(2));
+  inline static const magnitude three = magnitude::from_integer_up(3);
 
   const smooth_range& range_;
   const taylor_panel& panel_;
@@ -708,10 +777,7 @@ class panel_choice {
     if (upper.at > to) {
       result.push_back({upper.at, rational(to - upper.at), true, false, false});
     }
-    if (result.empty()) return std::nullopt;
-    result.front().from_lower = lower.is_cut;
-    result.back().to_upper = upper.is_cut;
-    return result;
+    return cut_to(range_, result);
   }
 
   /// About log2 of the greatest contribution of a panel.
@@ -739,7 +805,6 @@ class panel_choice {
  private:
   struct end {
     rational at;
-    bool is_cut = false;
     bool is_singular = false;
   };
 
@@ -762,27 +827,30 @@ class panel_choice {
     for (const factor& f : range_.factors) power += multiplicity(f.base) * f.exponent;
     return power > -1;
   }
+  /// Where panels begin: at the range's end or, if that is not exact, a little before it, or at the singular point before
+  /// it that a series begins at and reaches it from.
   [[nodiscard]] end lower_end(double low, double length) const {
-    if (range_.lower.exact)
-      return {*range_.lower.exact, false, is_singular_at(*range_.lower.exact)};
-    if (range_.begins_at_0 && low < ratio_ / 2 * distance(0, rational(0)) && is_integrable_at(0)) {
-      return {0, true, true};
+    if (range_.lower.exact) return {*range_.lower.exact, is_singular_at(*range_.lower.exact)};
+    if (range_.begins_at_0 && low < ratio_ / 2 * distance(0, rational(0)) && is_integrable_at(0) &&
+        low < length_at(0, 1, exactly(low + length))) {
+      return {0, true};
     }
     const double unit = unit_of(std::min(distance(low), length), 12);
-    return {exactly((std::floor(low / unit) - 1) * unit), true, false};
+    return {exactly((std::floor(low / unit) - 1) * unit), false};
   }
   [[nodiscard]] end upper_end(double high, double length) const {
-    if (range_.upper.exact)
-      return {*range_.upper.exact, false, is_singular_at(*range_.upper.exact)};
+    if (range_.upper.exact) return {*range_.upper.exact, is_singular_at(*range_.upper.exact)};
     if (range_.greatest) {
       const rational& most = *range_.greatest;
       const double y = approximately(most);
-      if (y - high < ratio_ / 2 * distance(y, most) && is_integrable_at(most)) {
-        return {most, true, is_singular_at(most)};
+      const double rest = y - high;
+      if (rest < ratio_ / 2 * distance(y, most) && is_integrable_at(most) &&
+          rest < length_at(most, -1, exactly(rest + length))) {
+        return {most, is_singular_at(most)};
       }
     }
     const double unit = unit_of(std::min(distance(high), length), 12);
-    return {exactly((std::ceil(high / unit) + 1) * unit), true, false};
+    return {exactly((std::ceil(high / unit) + 1) * unit), false};
   }
 
   /// From y to the next root, but for those at the given place.
@@ -914,11 +982,6 @@ range_end inverse(const range_end& y) {
   }
   return w;
 }
-range_end exact_end(const rational& y) {
-  range_end end;
-  end.exact = y;
-  return end;
-}
 
 /// The same integral over w = 1/y; s must be constant, t 0, and the range one of y > 0.
 smooth_range inverted(const smooth_range& range) {
@@ -935,6 +998,7 @@ smooth_range inverted(const smooth_range& range) {
   result.lower = inverse(range.upper);
   result.upper = inverse(range.lower);
   result.begins_at_0 = true;
+  result.is_inverted = true;
   return result;
 }
 
@@ -1004,10 +1068,16 @@ std::optional<ball> bound_by_slope(const smooth_range& range, const rational& in
   return bound * exp(ball(range.exponent(inner), 64)) / ball(lambda, 64);
 }
 
-/// The integrals over finite ranges whose sum an integral is, times a constant, and what is left out.
+/// A part of a range, and a ball that holds its integral.
+struct bounded_part {
+  ball value;
+  piece_done done;
+  closed_interval within;
+};
+/// The finite ranges that a range is made up of, and what is left out.
 struct finite_ranges {
   std::vector<smooth_range> ranges;
-  ball rest = ball(0, 64);
+  std::vector<bounded_part> rests;
 };
 
 /// The greatest absolute value of a root, about; 0 where all roots are 0.
@@ -1073,8 +1143,18 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     return outside;
   };
   finite_ranges result;
-  const auto rest = [&](const ball& bound) {
-    result.rest = result.rest.enlarged(bound.magnitude_upper());
+  // What lies beyond t in the range, of which this is a bound, is left out.
+  const auto leave_out_above = [&](const rational& t, const ball& bound) {
+    result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
+                            {place(t), place::upper_end()},
+                            {t, range.upper.exact}});
+    range.upper = exact_end(t);
+  };
+  const auto leave_out_below = [&](const rational& t, const ball& bound) {
+    result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
+                            {place::lower_end(), place(t)},
+                            {*range.lower.exact, t}});
+    range.lower = exact_end(t);
   };
   const auto is_small = [&](const std::optional<ball>& bound) {
     return bound && approximate_log2(bound->magnitude_upper()) <= greatest - bits;
@@ -1095,8 +1175,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
       const rational t = short_number(*last + step, *last);
       const std::optional<ball> bound = bound_by_slope(range, t, std::nullopt);
       if (!is_small(bound)) continue;
-      rest(*bound);
-      range.upper = exact_end(t);
+      leave_out_above(t, *bound);
       break;
     }
   } else if (range.upper.exact && size(high) < least - much) {
@@ -1104,8 +1183,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     const rational t = short_number(y, *last);
     const std::optional<ball> bound = bound_by_slope(range, t, range.upper.exact);
     if (t < *range.upper.exact && t > exactly(*last) && is_small(bound)) {
-      rest(*bound);
-      range.upper = exact_end(t);
+      leave_out_above(t, *bound);
     }
   }
   if (range.lower.exact && *first > low && size(low) < least - much) {
@@ -1113,8 +1191,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     const rational t = short_number(y, *first);
     const std::optional<ball> bound = bound_by_slope(range, t, range.lower.exact);
     if (t > *range.lower.exact && t < exactly(*first) && is_small(bound)) {
-      rest(*bound);
-      range.lower = exact_end(t);
+      leave_out_below(t, *bound);
     }
   }
   result.ranges.push_back(std::move(range));
@@ -1176,10 +1253,11 @@ std::optional<finite_ranges> ranges_of(const hyperexponential_integral& part, do
     return result;
   }
   if (low < far / 2) {
+    const rational cut = exactly(far);
     smooth_range near = range;
-    near.upper = exact_end(exactly(far));
+    near.upper = exact_end(cut);
     result.ranges.push_back(std::move(near));
-    range.lower = exact_end(exactly(far));
+    range.lower = exact_end(cut);
   }
   const bool may_be_inverted = range.exponent.degree() <= 0 && range.phase.is_zero() &&
                                certainly_positive(range.lower.value(128));
@@ -1195,15 +1273,15 @@ class taylor_sum {
              const integrate_options& options)
       : f_(f), parts_(parts), options_(options) {}
 
-  /// To about 2^-bits of the greatest part, or to the absolute goal.
+  /// To about 2^-bits of the greatest part, or to the absolute goal. Returns nullopt where it is not found, or where the
+  /// pieces are not proved to tile their ranges.
   std::optional<ball> to(double bits) {
-    struct piece {
-      std::size_t part;
+    struct covered_range {
       const smooth_range* range;
       std::vector<taylor_panel> panels;
     };
     std::vector<finite_ranges> prepared;
-    std::vector<piece> pieces;
+    std::vector<std::vector<covered_range>> covered;
     std::vector<double> log2_constants;
     double size = -1e18;
     for (const hyperexponential_integral& part : parts_) {
@@ -1218,13 +1296,14 @@ class taylor_sum {
     }
     long count = 0;
     for (std::size_t i = 0; i < prepared.size(); ++i) {
+      covered.emplace_back();
       for (const smooth_range& range : prepared[i].ranges) {
         panel_choice choice(range, bits);
         auto panels = choice.panels();
         if (!panels) return std::nullopt;
         size = std::max(size, log2_constants[i] + choice.log2_of_size(*panels));
         count += static_cast<long>(panels->size());
-        pieces.push_back({i, &range, std::move(*panels)});
+        covered.back().push_back({&range, std::move(*panels)});
       }
     }
     if (!(std::abs(size) < 1e15)) return std::nullopt;
@@ -1238,16 +1317,24 @@ class taylor_sum {
         options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
     ball total(0, result_bits);
     for (std::size_t i = 0; i < prepared.size(); ++i) {
-      ball of_part = prepared[i].rest.with_precision(result_bits);
-      for (const piece& p : pieces) {
-        if (p.part != i) continue;
-        for (const taylor_panel& panel : p.panels) {
-          const auto value = over(*p.range, panel, goal - log2_constants[i], most_bits, 0);
-          if (!value) return std::nullopt;
-          of_part += *value;
-        }
+      const double own_goal = goal - log2_constants[i];
+      tiled_sum<ball> of_part(parts_[i].lower, parts_[i].upper, ball(0, result_bits));
+      for (const bounded_part& rest : prepared[i].rests) {
+        of_part.add(rest.done, rest.within, rest.value.with_precision(result_bits));
       }
-      total += of_part * parts_[i].function.constant(f_, result_bits);
+      for (const covered_range& own : covered[i]) {
+        const smooth_range& range = *own.range;
+        tiled_sum<ball> of_range(range.lower, range.upper, ball(0, result_bits));
+        for (const taylor_panel& panel : own.panels) {
+          if (!add_panel(of_range, range, panel, own_goal, most_bits, 0)) return std::nullopt;
+        }
+        const std::optional<ball> value = of_range.total();
+        if (!value) return std::nullopt;
+        of_part.add_tiled(range.piece(), *value);
+      }
+      const std::optional<ball> value = of_part.total();
+      if (!value) return std::nullopt;
+      total += *value * parts_[i].function.constant(f_, result_bits);
     }
     if (!total.is_bounded()) return std::nullopt;
     return total;
@@ -1255,33 +1342,34 @@ class taylor_sum {
   [[nodiscard]] const integral_account& account() const { return account_; }
 
  private:
-  /// Over a panel, or over its halves.
-  std::optional<ball> over(const smooth_range& range, const taylor_panel& panel, double goal,
-                           precision most_bits, int depth) {
+  /// Adds the integral over a panel, by its halves where that is needed. Returns false where it is not found.
+  bool add_panel(tiled_sum<ball>& sum, const smooth_range& range, const taylor_panel& panel,
+                 double goal, precision most_bits, int depth) {
     panel_integral own(range, panel);
     const long left = options_.most_evaluations - account_.terms;
-    auto value = own.to(goal, most_bits, left);
-    if (value) {
+    if (const std::optional<panel_value> found = own.to(goal, most_bits, left)) {
+      sum.add(found->done, panel.interval(), found->value);
       ++account_.panels;
       account_.terms += own.terms();
       account_.most_nodes = std::max(account_.most_nodes, own.terms());
       account_.precision = std::max<precision>(account_.precision, own.bits());
-      return value;
+      return true;
     }
     constexpr int deepest = 8;
-    if (depth >= deepest || panel.from_lower || panel.to_upper || left <= 0) return std::nullopt;
-    const rational half = panel.radius / 2;
-    const auto part = [&](const rational& centre, const rational& radius, bool at_end) {
-      return over(range, {centre, radius, at_end, false, false}, goal - 1, most_bits, depth + 1);
-    };
+    if (depth >= deepest || left <= 0) return false;
+    const auto halves = cut_to(range, halves_of(panel));
+    return halves && std::all_of(halves->begin(), halves->end(), [&](const taylor_panel& half) {
+             return add_panel(sum, range, half, goal - 1, most_bits, depth + 1);
+           });
+  }
+  /// In the order of y.
+  [[nodiscard]] static std::vector<taylor_panel> halves_of(const taylor_panel& p) {
+    const rational half = p.radius / 2;
+    if (!p.at_end) return {{p.centre - half, half}, {p.centre + half, half}};
+    const taylor_panel inner{p.centre, half, true};
     const rational quarter = abs(rational(half / 2));
-    const auto first =
-        panel.at_end ? part(panel.centre, half, true) : part(panel.centre - half, half, false);
-    if (!first) return std::nullopt;
-    const auto second = panel.at_end ? part(panel.centre + half + half / 2, quarter, false)
-                                     : part(panel.centre + half, half, false);
-    if (!second) return std::nullopt;
-    return *first + *second;
+    const taylor_panel outer{p.centre + half + half / 2, quarter};
+    return p.radius > 0 ? std::vector{inner, outer} : std::vector{outer, inner};
   }
 
   const formula& f_;

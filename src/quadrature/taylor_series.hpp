@@ -14,18 +14,21 @@
 // Theorem. Let Q be positive on an interval I with 0 in it and |z| <= 1 for each z in it, and let 0 < m <= Q/q_0,
 // 0 < l <= |g| <= u there. If N of the a_n were computed by (1), then for z in I
 //
-//   |A(z) - g(z)| <= u / (m l) * N (N + 1)/2 * 2^-F, and sqrt(2) times as much where S is complex.
+//   |A(z) - g(z)| <= u / (m l) * N * 2^-F, and sqrt(2) times as much where S is complex.
 //
 // Proof. Let D = Q A' - S A. Its n-th coefficient is q_0 (n + 1) a_(n+1) less the right-hand side of (1), formed from the
 // rounded numbers; it is what the division left over, less than q_0 (n + 1) units in each part, for n < N, and 0 for all
-// later n. So |D| <= q_0 N (N + 1)/2 * 2^-F on I, or sqrt(2) times that. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and
-// A(0)/g(0) = 1, |A/g - 1| is at most |D|/(Q |g|) integrated from 0 to z. QED. As |e^(i t)| = 1, |g| is what it is
-// without that factor.
+// later n. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and A(0)/g(0) = 1, |A/g - 1| is at most |D|/(Q |g|) integrated from 0
+// to z, and so at most 1/(m l q_0) times the integral of |D|. Of q_0 (n + 1) t^n that is q_0 |z|^(n+1) <= q_0: in all, at
+// most N q_0 units, or sqrt(2) times that. QED. As |e^(i t)| = 1, |g| is what it is without that factor.
 //
 // Neither the radius of convergence nor the size of the rest of the series is needed: the number of terms is found, and the
 // theorem's hypotheses are inequalities between real numbers, which interval arithmetic proves.
 //
 // At an end where h(y) = r^e z^e g(z), e > -1, the same is done with g, and z^e A(z) is integrated.
+//
+// A range of y is cut into panels, of which the first and the last may be cut off at an end that is not rational. That the
+// panels make up the range is proved where they are added up (tiling.hpp), not by the panels.
 
 #include <optional>
 
@@ -35,7 +38,7 @@
 namespace polhode::detail {
 
 /// The integral by Taylor series, where f is found to be a sum of hyperexponential functions (hyperexponential.hpp) and
-/// the goal is reached: then it is certified. Nothing, and no more, is said otherwise. a < b as far as is known.
+/// the goal is reached: then it is certified. Otherwise returns nullopt. a < b as far as is known.
 [[nodiscard]] std::optional<integral> integrate_by_taylor_series(const integrand& f, const limit& a,
                                                                  const limit& b,
                                                                  const integrate_options& options);

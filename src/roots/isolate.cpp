@@ -14,6 +14,7 @@
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "tiling.hpp"
 
 namespace polhode {
 namespace {
@@ -22,38 +23,12 @@ constexpr precision first_bits = 64;
 
 using series_type = jet<ball, dynamic_order>;
 
-/// A closed interval whose ends are exact, or infinite where there is none.
-struct exact_box {
-  std::optional<rational> lower;
-  std::optional<rational> upper;
-
-  [[nodiscard]] bool is_bounded() const { return lower && upper; }
-  /// Hypothesis of these two: it is bounded.
-  [[nodiscard]] rational width() const { return *upper - *lower; }
-  [[nodiscard]] rational middle() const { return (*lower + *upper) / 2; }
-  [[nodiscard]] ball to_ball(precision p) const {
-    mpfr_float low = zero_of_precision(p);
-    mpfr_float high = zero_of_precision(p);
-    if (lower) {
-      mpfr_set_q(low.backend().data(), lower->backend().data(), MPFR_RNDD);
-    } else {
-      mpfr_set_inf(low.backend().data(), -1);
-    }
-    if (upper) {
-      mpfr_set_q(high.backend().data(), upper->backend().data(), MPFR_RNDU);
-    } else {
-      mpfr_set_inf(high.backend().data(), 1);
-    }
-    return ball::from_end_points(low.backend().data(), high.backend().data(), p);
-  }
-};
+using exact_box = detail::exact_interval;
+using detail::expect;
+using detail::holds;
+using detail::precedes;
 
 exact_box exact_ends(const ball& x) { return {lower_rational(x), upper_rational(x)}; }
-
-bool precedes(const exact_box& x, const exact_box& y) {
-  if (!x.lower || !y.lower) return !x.lower && y.lower;
-  return *x.lower < *y.lower;
-}
 
 /// The box and half of its width more on either side; a point, and a little.
 exact_box widened(const exact_box& b) {
@@ -74,18 +49,47 @@ struct work_box {
   std::shared_ptr<outcome> ahead = nullptr;
 };
 
-/// What the examination of a box gives. It depends on the box and the options alone.
+/// What the examination of a box gives, of pieces that make up the box. It depends on the box and the options alone.
 struct outcome {
+  struct without_root {
+    exact_box x;
+    ball over;  // has no root in this set
+  };
+  /// All roots in `done`, which holds the box, are known: the region's, or none where there is no region.
+  struct known_part {
+    exact_box done;
+    ball over;  // what the proof is about: the region's box
+    std::optional<root_region> region;
+  };
   std::vector<work_box> rest;  // left to do, in the order of a stack
   std::vector<work_box> stuck;
+  std::vector<without_root> excluded;
+  std::optional<known_part> known;
   std::vector<singular_place> singular;
-  /// All roots in this part are known: the region's, or none where there is no region.
-  std::optional<exact_box> done;
-  std::optional<root_region> region;
   long evaluations = 0;
   precision most_bits = 0;
   std::exception_ptr error;  // what f threw
 };
+
+/// Proves that the outcome is about the whole box: the pieces make it up, and what was proved was proved over them.
+void expect_whole(const exact_box& box, const outcome& o) {
+  detail::interval_tiling pieces(box);
+  for (const work_box& b : o.rest) pieces.add(b.x);
+  for (const work_box& b : o.stuck) pieces.add(b.x);
+  for (const auto& e : o.excluded) {
+    pieces.add(e.x);
+    expect(holds(e.over, e.x), "a piece without a root is not in the set that has none");
+  }
+  if (o.known) {
+    pieces.add(box);
+    expect(holds(o.known->done, box), "a box is not in the part where the roots are known");
+    expect(holds(o.known->over, o.known->done), "a part is not in the set that the proof is about");
+    if (const auto& r = o.known->region) {
+      expect(contains(r->box, r->enclosure), "an enclosure is not in the box of its region");
+    }
+  }
+  pieces.expect_complete();
+}
 
 /// A function whose roots are looked for: f, or a factor of the polynomial f with simple roots only.
 struct root_problem {
@@ -147,7 +151,8 @@ struct root_search::state {
   range_end lower = 0;
   range_end upper = 0;
   std::vector<root_problem> problems;
-  std::vector<work_box> pending;  // a stack, the leftmost box on top
+  std::vector<detail::settled_pieces> settled;  // of each problem
+  std::vector<work_box> pending;                // a stack, the leftmost box on top
   std::vector<work_box> stuck;
   std::vector<found_root> found;
   std::vector<singular_place> singular;
@@ -214,13 +219,32 @@ std::vector<work_box> joined(std::vector<work_box> boxes, const std::vector<foun
   for (work_box& b : boxes) {
     if (!result.empty() && result.back().problem == b.problem &&
         are_neighbours(result.back(), b, found)) {
-      result.back().x.upper = b.x.upper;
+      exact_box& x = result.back().x;
+      if (x.upper && (!b.x.upper || *x.upper < *b.x.upper)) x.upper = b.x.upper;
       result.back().bits = std::max(result.back().bits, b.bits);
     } else {
       result.push_back(std::move(b));
     }
   }
   return result;
+}
+
+/// The boxes that each cluster, made by `joined`, has in it. Proves that every box is in one.
+std::vector<std::vector<const exact_box*>> parts_of(const std::vector<work_box>& clusters,
+                                                    const std::vector<work_box>& boxes) {
+  std::vector<std::vector<const exact_box*>> parts(clusters.size());
+  for (const work_box& b : boxes) {
+    // The last cluster that does not begin after it.
+    const auto next = std::upper_bound(
+        clusters.begin(), clusters.end(), b, [](const work_box& x, const work_box& y) {
+          return x.problem != y.problem ? x.problem < y.problem : precedes(x.x, y.x);
+        });
+    expect(next != clusters.begin(), "an open box is in no cluster");
+    const work_box& cluster = *std::prev(next);
+    expect(cluster.problem == b.problem && holds(cluster.x, b.x), "an open box is in no cluster");
+    parts[static_cast<std::size_t>(std::prev(next) - clusters.begin())].push_back(&b.x);
+  }
+  return parts;
 }
 
 /// The evaluators of one thread.
@@ -282,7 +306,7 @@ class examination {
     const ball x = b.x.to_ball(b.bits);
     const int n = problem(b).g->best_order();
     series_type over = series(b, x, n);
-    if (is_certainly_not_zero(over[0])) return;
+    if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
     if (over[0].is_undefined() || over[1].is_undefined()) {
       if (!has_no_root_where_defined(b) && !by_structure(b)) halve(b);
       return;
@@ -296,7 +320,7 @@ class examination {
       over = shorter;
     }
     const enclosed_function f = taylor(at_middle, over, x - middle);
-    if (is_certainly_not_zero(f.value)) return;
+    if (is_certainly_not_zero(f.value)) return exclude(b.x, x);
     if (!contains_zero(f.slope) && by_newton(b, x, middle, at_middle[0], f.slope)) return;
     // Where rounding, not the width of the box, is what leaves f undecided.
     constexpr int least_gain = 8;
@@ -305,6 +329,9 @@ class examination {
     if (is_turn_for_structure(b.halvings) && by_structure(b)) return;
     halve(b);
   }
+
+  /// There is no root in x, nor in the set, which holds it.
+  void exclude(const exact_box& x, const ball& over) { result_.excluded.push_back({x, over}); }
 
   /// What is spent on cancellation grows with the depth: a function that is 0 on an interval is not to cost
   /// the most everywhere.
@@ -322,7 +349,10 @@ class examination {
                  const ball& slope) {
     const ball image = middle - value / slope;
     if (image.is_undefined()) return false;
-    if (!overlaps(image, x)) return true;
+    if (!overlaps(image, x)) {
+      exclude(b.x, x);
+      return true;
+    }
     if (contains(x, image)) {
       add_simple_root(b, b.x, x, image);
       return true;
@@ -346,9 +376,14 @@ class examination {
     rest.x = exact_ends(left);
     rest.x.lower = std::max(*rest.x.lower, *b.x.lower);
     rest.x.upper = std::min(*rest.x.upper, *b.x.upper);
-    if (*rest.x.upper < *rest.x.lower) return true;
+    if (*rest.x.upper < *rest.x.lower) {
+      exclude(b.x, x);
+      return true;
+    }
     if (rest.x.width() > b.x.width() * rational(3, 4) || b.x.width() == 0) return false;
     if (++rest.halvings > options_.most_halvings) return false;
+    if (*b.x.lower < *rest.x.lower) exclude({b.x.lower, rest.x.lower}, x);
+    if (*rest.x.upper < *b.x.upper) exclude({rest.x.upper, b.x.upper}, x);
     result_.rest.push_back(std::move(rest));
     return true;
   }
@@ -377,6 +412,7 @@ class examination {
         structure(problem(b), function_structure::variable(x, ball(b.x.middle(), b.bits)));
     if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
     result_.singular.push_back({x, 0});
+    exclude(b.x, x);
     return true;
   }
 
@@ -392,6 +428,7 @@ class examination {
     const bool is_defined = !over[0].is_undefined();
     if (!s->natural_range() || is_certainly_not_zero(*s->natural_range())) {
       if (!is_defined) result_.singular.push_back({b.x.to_ball(b.bits), 0});
+      exclude(b.x, x);
       return true;
     }
     const auto vanishing = [](const std::vector<function_structure::factor>& factors) {
@@ -412,21 +449,27 @@ class examination {
     const auto poles = s->denominator() ? vanishing(s->denominator()->factors)
                                         : std::vector<const function_structure::factor*>{};
     if (zeros.empty()) {
-      if (poles.size() == 1) {
+      // What the pole is a factor beside must be defined there: exp(1/x)/x has no pole at 0.
+      const bool has_order = s->numerator().over[0].is_bounded() &&
+                             (!s->denominator() || s->denominator()->over[0].is_bounded());
+      if (poles.size() == 1 && has_order) {
         if (const auto pole = only_root(*poles.front())) {
           const real_function g = factor_of(*problem(b).g, poles.front()->id);
           result_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
-          result_.done = wide;
+          result_.known = {wide, x, std::nullopt};
           return true;
         }
       }
       if (poles.empty()) {
         if (!is_defined) result_.singular.push_back({b.x.to_ball(b.bits), 0});
+        exclude(b.x, x);
         return true;
       }
-      // The poles are told apart first.
-      if (b.halvings < options_.most_halvings) return false;
+      // The poles are told apart first; where they are no poles, the place is only made narrower.
+      constexpr int few_halvings = 8;
+      if (b.halvings < (has_order ? options_.most_halvings : few_halvings)) return false;
       result_.singular.push_back({b.x.to_ball(b.bits), 0});
+      exclude(b.x, x);
       return true;
     }
     if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
@@ -438,7 +481,7 @@ class examination {
       if (root) {
         const long m = zeros.front()->power;
         const auto& f = *problem(b).g;
-        add(wide, x, *root, m, std::nullopt,
+        add(b, wide, x, *root, m, std::nullopt,
             std::make_shared<real_function>(factor_of(f, zeros.front()->id)));
         return true;
       }
@@ -493,7 +536,7 @@ class examination {
       if (over[k].is_undefined()) return false;
     }
     if (contains_zero(over[m])) return false;
-    add(wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
+    add(b, wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
     return true;
   }
 
@@ -509,6 +552,8 @@ class examination {
     const sign first = sign_of(at_end[0]);
     if (first != sign::positive && first != sign::negative) return false;
     for (int k = 0; k <= over.order(); ++k) {
+      // f^(k) may go on where f itself has a jump.
+      if (over[k].is_undefined()) return false;
       // The k-th coefficient of f(-x), or of -f, where these take the place of f.
       const bool turned = (!rightward && k % 2 != 0) != (first == sign::negative);
       if (certainly_positive(turned ? -over[k] : over[k])) return true;
@@ -534,9 +579,9 @@ class examination {
     constexpr int order = 12;
     const int n = std::min(std::max(order, problem(b).g->best_order()), problem(b).g->most_order());
     const series_type over = series(b, x, n);
-    if (is_certainly_not_zero(over[0])) return;
+    if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
     if (size >= 1) {
-      if (keeps_its_sign(b, over)) return;
+      if (keeps_its_sign(b, over)) return exclude(b.x, x);
       if (const auto s =
               structure(problem(b), function_structure::variable(x, ball(end, b.bits)))) {
         const bool nowhere = !s->natural_range() || is_certainly_not_zero(*s->natural_range());
@@ -545,7 +590,7 @@ class examination {
               return is_certainly_not_zero(g.over[0]);
             })) {
           if (s->over()[0].is_undefined()) result_.singular.push_back({x, 0});
-          return;
+          return exclude(b.x, x);
         }
       }
     }
@@ -569,22 +614,22 @@ class examination {
   // Roots
 
   void add_simple_root(const work_box& b, const exact_box& done, const ball& x, const ball& image) {
-    add(done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
+    add(b, done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
   }
 
-  /// The only root in the box; `done`, which lies in the box, need not be searched any more.
-  void add(const exact_box& done, const ball& box, const ball& enclosure, long multiplicity,
-           std::optional<rational> exact, std::shared_ptr<const real_function> simple) {
+  /// The only root of the problem in the box; `done`, which lies in the box, need not be searched any more.
+  void add(const work_box& b, const exact_box& done, const ball& box, const ball& enclosure,
+           long multiplicity, std::optional<rational> exact,
+           std::shared_ptr<const real_function> simple) {
     root_region r;
     r.verdict = multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
     r.box = box;
     r.enclosure = intersection(enclosure, box);
     r.multiplicity = multiplicity;
     r.exact = std::move(exact);
-    r.function = s_.f;
+    r.function = problem(b).g;
     r.simple = std::move(simple);
-    result_.done = done;
-    result_.region = std::move(r);
+    result_.known = {done, box, std::move(r)};
   }
 
   // -------------------------------------------------------------------------------------------
@@ -595,8 +640,7 @@ class examination {
     root_region r;
     r.box = r.enclosure = b.x.to_ball(b.bits);
     r.remark = b.remark;
-    r.function = s_.f;
-    r.simple = problem(b).g;
+    r.function = r.simple = problem(b).g;
     if (b.x.is_bounded()) {
       // A structure that no single one of its boxes had.
       if (by_structure(b)) return;
@@ -613,11 +657,13 @@ class examination {
       const auto zeros = count_zeros(*problem(b).g, b.x.middle(), b.x.width() / 2, 2 * b.bits);
       if (zeros) {
         result_.evaluations += zeros->evaluations;
-        if (zeros->count == 0) return;
-        r.complex_roots = zeros->count;
+        const bool holds_box = 2 * zeros->radius >= b.x.width();
+        if (zeros->count == 0 && holds_box) return exclude(b.x, r.box);
+        const bool of_f = s_.problems.size() == 1 && problem(b).multiplicity == 1;
+        if (of_f) r.complex_roots = zeros->count;
       }
     }
-    result_.region = std::move(r);
+    result_.known = {b.x, r.box, std::move(r)};
   }
 
   /// f is continuously differentiable on the box and has opposite signs at its ends.
@@ -691,7 +737,7 @@ class searcher {
       s_.pending.pop_back();
       ++s_.account.boxes;
       --waiting_;
-      merge(b.problem, std::move(*b.ahead));
+      merge(b, {&b.x}, std::move(*b.ahead));
     }
     if (!s_.concluded) conclude();
     s_.concluded = true;
@@ -753,8 +799,10 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Merging
 
-  void merge(std::size_t problem, outcome o) {
+  /// Proves that the outcome is about the whole box, and keeps it. Of the box, the parts are what was open until now.
+  void merge(const work_box& b, const std::vector<const exact_box*>& parts, outcome o) {
     if (o.error) std::rethrow_exception(o.error);
+    expect_whole(b.x, o);
     s_.account.evaluations += o.evaluations;
     s_.account.most_bits = std::max(s_.account.most_bits, o.most_bits);
     const auto append = [](auto& to, auto& from) {
@@ -762,22 +810,49 @@ class searcher {
                 std::make_move_iterator(from.end()));
     };
     append(s_.singular, o.singular);
-    if (o.done) take_out(problem, *o.done);
-    if (o.region) add(problem, std::move(*o.region));
+    settle(b, parts, o);
     append(s_.stuck, o.stuck);
     append(s_.pending, o.rest);
   }
 
-  void add(std::size_t problem, root_region r) {
+  /// A cluster's outcome is about its hull, one set without a root or with known ones, and settles its parts.
+  void settle(const work_box& b, const std::vector<const exact_box*>& parts, outcome& o) {
+    detail::settled_pieces& settled = s_.settled[b.problem];
+    const bool is_cluster = parts.size() != 1 || parts.front() != &b.x;
+    expect(!is_cluster || (o.rest.empty() && o.stuck.empty()), "a cluster is not concluded");
+    if (!o.known) {
+      if (is_cluster) {
+        for (const exact_box* x : parts) settled.add_without_root(*x);
+      } else {
+        for (const auto& e : o.excluded) settled.add_without_root(e.x);
+      }
+      return;
+    }
+    const auto settle_all = [&](const auto& add_piece) {
+      for (const exact_box* x : parts) add_piece(*x);
+      take_out(b.problem, o.known->done, add_piece);
+    };
+    if (!o.known->region) {
+      settle_all([&](const exact_box& x) { settled.add_without_root(x); });
+      return;
+    }
+    const std::size_t region = add(b.problem, std::move(*o.known->region));
+    settle_all([&](const exact_box& x) { settled.add_known(x, region); });
+  }
+
+  /// The number of the region in the list.
+  std::size_t add(std::size_t problem, root_region r) {
     const auto about = double_interval::from_ball(r.box);
-    for (found_root& known : s_.found) {
+    for (std::size_t i = 0; i < s_.found.size(); ++i) {
+      found_root& known = s_.found[i];
       if (r.multiplicity > 0 && known.problem == problem && overlaps(known.about, about) &&
           is_the_same(known.region, r)) {
         known.about = double_interval::from_ball(known.region.box);
-        return;
+        return i;
       }
     }
     s_.found.push_back({std::move(r), problem, about});
+    return s_.found.size() - 1;
   }
 
   /// Whether the roots of the two regions are one. Each is the only one in its box.
@@ -798,8 +873,9 @@ class searcher {
     return true;
   }
 
-  /// All roots of the problem in the box are known: nothing is left to do there.
-  void take_out(std::size_t problem, const exact_box& done) {
+  /// All roots of the problem in `done` are known: nothing is left to do there. What is taken out is given to add_piece.
+  template <class AddPiece>
+  void take_out(std::size_t problem, const exact_box& done, const AddPiece& add_piece) {
     for (auto* boxes : {&s_.pending, &s_.stuck}) {
       std::vector<work_box> left;
       left.reserve(boxes->size());
@@ -818,6 +894,9 @@ class searcher {
           continue;
         }
         forget_ahead(b);
+        add_piece(
+            {!b.x.lower || (done.lower && *b.x.lower < *done.lower) ? done.lower : b.x.lower,
+             !b.x.upper || (done.upper && *b.x.upper > *done.upper) ? done.upper : b.x.upper});
         // The right part first: the leftmost box is on top.
         if (!b.x.upper || *b.x.upper > *done.upper) {
           left.push_back(b);
@@ -834,8 +913,10 @@ class searcher {
 
   /// What can be said of the boxes that were left unresolved.
   void conclude() {
-    const std::vector<work_box> clusters = joined(std::move(s_.stuck), s_.found);
+    const std::vector<work_box> boxes = std::move(s_.stuck);
     s_.stuck.clear();
+    const std::vector<work_box> clusters = joined(boxes, s_.found);
+    const auto parts = parts_of(clusters, boxes);
     std::vector<std::shared_ptr<outcome>> outcomes(clusters.size());
     const auto step = [&](long i) {
       const auto k = static_cast<std::size_t>(i);
@@ -848,7 +929,7 @@ class searcher {
       for (long i = 0; i < count; ++i) step(i);
     }
     for (std::size_t i = 0; i < clusters.size(); ++i) {
-      merge(clusters[i].problem, std::move(*outcomes[i]));
+      merge(clusters[i], parts[i], std::move(*outcomes[i]));
     }
   }
 
@@ -911,9 +992,75 @@ std::optional<rational> outer_end(const range_end& end, bool is_lower) {
   return is_lower ? lower_rational(x) : upper_rational(x);
 }
 
+/// Ends that are not exact, and are nearer to each other than the numbers of outer_end show.
+void expect_in_order(const range_end& lower, const range_end& upper) {
+  if (lower.infinite_sign() != 0 || upper.infinite_sign() != 0) return;
+  if (lower.exact() && upper.exact()) return;
+  constexpr precision most = 1024;
+  for (precision p = 128; p <= most; p *= 2) {
+    const ball low = lower.at(p);
+    const ball high = upper.at(p);
+    if (certainly_less(high, low)) {
+      throw input_error(
+          "the interval is the wrong way round: its lower end is greater than its upper end");
+    }
+    if (certainly_less_equal(low, high)) return;
+  }
+}
+
 void require_threads(const std::string& function, int threads) {
   if (threads >= 0) return;
   throw std::invalid_argument(function + ": threads must be at least 0 (0: all processors)");
+}
+
+void in_order(std::vector<root_region>& regions) {
+  std::sort(regions.begin(), regions.end(), [](const root_region& x, const root_region& y) {
+    return mpfr_less_p(lower(x.enclosure).backend().data(), lower(y.enclosure).backend().data()) !=
+           0;
+  });
+}
+
+/// Roots of different factors, neither in the other's enclosure, may have enclosures that overlap: they are made narrower.
+void keep_apart(std::vector<root_region>& regions) {
+  constexpr long most_digits = 1L << 14;
+  for (std::size_t i = 1; i < regions.size(); ++i) {
+    root_region& x = regions[i - 1];
+    root_region& y = regions[i];
+    if (x.multiplicity == 0 || y.multiplicity == 0) continue;
+    for (long digits = 15; overlaps(x.enclosure, y.enclosure) && digits < most_digits;
+         digits *= 2) {
+      x.enclosure = refine(x, digits).enclosure;
+      y.enclosure = refine(y, digits).enclosure;
+    }
+  }
+  in_order(regions);
+}
+
+/// Proves that the interval that was asked for, from end to end, is in the one that is searched, and that every point of
+/// it is settled or open: for every problem.
+void expect_whole(const root_search::state& s) {
+  constexpr precision p = 192;  // other than that which the ends were made with
+  for (std::size_t i = 0; i < s.problems.size(); ++i) {
+    const exact_box& whole = s.settled[i].whole();
+    const auto is_outside = [&](const std::optional<rational>& end, const range_end& asked,
+                                bool is_lower) {
+      if (asked.infinite_sign() != 0) return !end;
+      if (asked.exact()) return end == asked.exact();
+      if (!end) return false;
+      const ball e = asked.at(p);
+      const ball b(*end, p);
+      return is_lower ? !certainly_less(e, b) : !certainly_less(b, e);
+    };
+    expect(is_outside(whole.lower, s.lower, true) && is_outside(whole.upper, s.upper, false),
+           "the interval is not the one that was asked for");
+    std::vector<const exact_box*> open;
+    for (const auto* boxes : {&s.pending, &s.stuck}) {
+      for (const work_box& b : *boxes) {
+        if (b.problem == i) open.push_back(&b.x);
+      }
+    }
+    s.settled[i].expect_whole(open, s.found.size());
+  }
 }
 
 /// The boxes of the regions of a polynomial's factors hold roots of other factors: they are made narrower.
@@ -957,6 +1104,7 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
     throw input_error(
         "the interval is the wrong way round: its lower end is greater than its upper end");
   }
+  expect_in_order(lower, upper);
   // A polynomial is made free of multiple roots.
   const ball any(0, first_bits);
   const auto shape = f.structure(function_structure::variable(ball::undefined(first_bits), any));
@@ -964,6 +1112,7 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
   s->account.evaluations = 1;
   if (!p) {
     s->problems.push_back({s->f, 1, false});
+    s->settled.emplace_back(range);
     s->pending.push_back({range, 0, first_bits, 0, {}});
   } else if (p->is_zero()) {
     s->identically_zero = true;
@@ -977,6 +1126,8 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
         r.multiplicity = factor.multiplicity;
         r.function = s->f;
         r.simple = std::make_shared<real_function>(real_function::of(factor.factor));
+        s->settled.emplace_back(range);
+        s->settled.back().add_known(range, s->found.size());
         s->found.push_back({r, s->problems.size(), double_interval::from_ball(r.box)});
         s->problems.push_back({r.simple, factor.multiplicity, true});
         continue;
@@ -985,6 +1136,10 @@ root_search::root_search(const real_function& f, const range_end& lower, const r
       exact_box part = range;
       if (!part.lower) part.lower = part.upper ? std::min(rational(-bound), *part.upper) : -bound;
       if (!part.upper) part.upper = std::max(bound, *part.lower);
+      // Beyond the bound there is no root.
+      s->settled.emplace_back(range);
+      if (!range.lower) s->settled.back().add_without_root({std::nullopt, part.lower});
+      if (!range.upper) s->settled.back().add_without_root({part.upper, std::nullopt});
       s->pending.push_back({part, 0, first_bits, s->problems.size(), {}});
       s->problems.push_back({std::make_shared<real_function>(real_function::of(factor.factor)),
                              factor.multiplicity, true});
@@ -1011,6 +1166,7 @@ bool root_set::is_resolved() const {
 
 root_set root_search::result() const {
   const state& s = *state_;
+  expect_whole(s);
   root_set result;
   result.identically_zero = s.identically_zero;
   result.complete = s.pending.empty();
@@ -1018,17 +1174,21 @@ root_set root_search::result() const {
   result.singular = s.singular;
   for (const found_root& known : s.found) {
     root_region r = known.region;
-    const side at_lower = side_of(r, s.lower, true, *s.f, r);
-    const side at_upper = side_of(r, s.upper, false, *s.f, r);
+    const real_function& g = *s.problems[known.problem].g;
+    const side at_lower = side_of(r, s.lower, true, g, r);
+    const side at_upper = side_of(r, s.upper, false, g, r);
     if (at_lower == side::outside || at_upper == side::outside) continue;
     r.may_lie_outside = (at_lower == side::undecided || at_upper == side::undecided) &&
                         r.verdict != root_verdict::unresolved;
     keep_out_other_roots(r, known.problem, s.problems);
+    r.function = s.f;
     result.regions.push_back(std::move(r));
   }
   std::vector<work_box> open = s.pending;
   open.insert(open.end(), s.stuck.begin(), s.stuck.end());
-  for (const work_box& b : joined(std::move(open), s.found)) {
+  const std::vector<work_box> clusters = joined(open, s.found);
+  (void)parts_of(clusters, open);
+  for (const work_box& b : clusters) {
     root_region r;
     r.box = r.enclosure = b.x.to_ball(b.bits);
     r.remark = s.limit.empty() ? "not examined yet" : s.limit + " was reached";
@@ -1036,11 +1196,8 @@ root_set root_search::result() const {
     r.simple = s.problems[b.problem].g;
     result.regions.push_back(std::move(r));
   }
-  std::sort(result.regions.begin(), result.regions.end(),
-            [](const root_region& x, const root_region& y) {
-              return mpfr_less_p(lower(x.enclosure).backend().data(),
-                                 lower(y.enclosure).backend().data()) != 0;
-            });
+  in_order(result.regions);
+  keep_apart(result.regions);
   std::sort(result.singular.begin(), result.singular.end(),
             [](const singular_place& x, const singular_place& y) {
               return mpfr_less_p(lower(x.place).backend().data(),
@@ -1153,7 +1310,9 @@ refined_root refine(const root_region& region, long digits) {
     const ball coarse = x.with_precision(std::min(few, x.precision()));
     const auto short_one =
         simplest_between(lower_rational(coarse), upper_rational(coarse), few_terms);
-    if (short_one && height(*short_one) <= most_height && contains(x, *short_one)) {
+    // Rounded to p bits the enclosure may hold a root beside the box; in the box there is one only.
+    if (short_one && height(*short_one) <= most_height && contains(x, *short_one) &&
+        contains(region.box, *short_one)) {
       const rational& q = *short_one;
       const auto s = region.function->structure(function_structure::variable_at(q, 0, p));
       if (s && s->series() && (*s->series())[0].is_exactly(0)) {

@@ -1,15 +1,19 @@
 #include "polhode/roots/systems.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "tiling.hpp"
 
 namespace polhode {
 namespace {
 
+using detail::expect;
 using vector = std::vector<ball>;
 using matrix = std::vector<vector>;
 
@@ -192,7 +196,23 @@ krawczyk_step krawczyk(const real_system& f, const std::vector<ball>& x, precisi
   return r;
 }
 
-/// One run of a search.
+/// What the examination of a box gives: where its roots can be, and what becomes of that part. What was cut off has none.
+struct system_outcome {
+  enum class kind {
+    no_root,
+    known,   // all of the box is in that of a region found before
+    proved,  // it is in the region's
+    stuck,
+    cut  // in two
+  };
+  kind what = kind::no_root;
+  vector left_over;  // of the box
+  std::size_t known = 0;
+  system_region region = {};
+  std::pair<vector, vector> parts = {};
+};
+
+/// One run of a search: run() proves of each outcome that it is about the whole box, and accounts for the box.
 class system_searcher {
  public:
   system_searcher(system_search& s, const system_options& options) : s_(s), options_(options) {
@@ -208,18 +228,51 @@ class system_searcher {
                               static_cast<long>(s_.found_.size())})) {
         return false;
       }
-      vector x = std::move(s_.pending_.back().x);
+      const system_search::waiting box = std::move(s_.pending_.back());
       s_.pending_.pop_back();
       ++s_.account_.boxes;
-      examine(std::move(x));
+      merge(box, examine(box.x));
     }
     return true;
   }
 
  private:
-  void examine(vector x) {
-    for (const system_region& known : s_.found_) {
-      if (holds(known.box, x)) return;  // its root is known
+  using kind = system_outcome::kind;
+
+  void merge(const system_search::waiting& box, system_outcome o) {
+    const auto settle = [&] { s_.settled_ += detail::share_of(box.halvings); };
+    switch (o.what) {
+      case kind::no_root:
+        return settle();
+      case kind::known:
+        expect(o.known < s_.found_.size() && holds(s_.found_[o.known].box, box.x),
+               "a box is not in the region where its roots are known");
+        return settle();
+      case kind::proved:
+        expect(holds(o.region.box, o.left_over) && holds(o.region.box, o.region.enclosure),
+               "a box is not in the region of its root");
+        add(std::move(o.region));
+        return settle();
+      case kind::stuck:
+        s_.stuck_.push_back({std::move(o.left_over), box.halvings});
+        return;
+      case kind::cut:
+        detail::expect_cut(o.left_over, o.parts.first, o.parts.second);
+        s_.pending_.push_back({std::move(o.parts.second), box.halvings + 1});
+        s_.pending_.push_back({std::move(o.parts.first), box.halvings + 1});
+    }
+  }
+
+  void add(system_region r) {
+    for (system_region& known : s_.found_) {
+      if (is_the_same(known, r)) return;
+    }
+    s_.found_.push_back(std::move(r));
+  }
+
+  system_outcome examine(vector x) {
+    for (std::size_t i = 0; i < s_.found_.size(); ++i) {
+      if (holds(s_.found_[i].box, x)) return {.what = kind::known, .left_over = {}, .known = i};
     }
     constexpr int most_steps = 8;
     for (int step = 0; step < most_steps; ++step) {
@@ -232,15 +285,16 @@ class system_searcher {
         throw input_error("a system of " + std::to_string(value.size()) + " equations in " +
                           std::to_string(x.size()) + " variables: there must be as many of both");
       }
-      if (!is_undefined(value) && !holds_zero(value)) return;
+      if (!is_undefined(value) && !holds_zero(value)) return {};
       if (is_undefined(value)) break;
       const magnitude before = widest(x);
-      if (prune(x)) return;
+      if (prune(x)) return {};
       if (widest(x) > scale(multiply_up(before, magnitude::from_integer_up(3)), -2)) break;
-      if (step > 0 && prove(x)) return;
+      if (step == 0) continue;
+      if (auto root = prove(x)) return *std::move(root);
     }
-    if (prove(x)) return;
-    halve(x);
+    if (auto root = prove(x)) return *std::move(root);
+    return halved(x);
   }
 
   /// Bits that tell the ends apart, twice over: f may cancel.
@@ -294,7 +348,7 @@ class system_searcher {
   }
 
   /// Exactly one root in a box around x?
-  bool prove(const vector& x) {
+  std::optional<system_outcome> prove(const vector& x) {
     const precision p = bits_for(x);
     vector wide;
     for (const ball& t : with_precision(x, p)) {
@@ -304,17 +358,13 @@ class system_searcher {
     }
     const krawczyk_step step = krawczyk(s_.f_, wide, p);
     s_.account_.evaluations += static_cast<long>(x.size()) + 1;
-    if (is_undefined(step.image)) return false;
-    if (!holds_inside(wide, step.image)) return false;
-    system_region r;
-    r.verdict = root_verdict::unique;
-    r.box = wide;
-    r.enclosure = common(step.image, wide);
-    for (system_region& known : s_.found_) {
-      if (is_the_same(known, r)) return true;
-    }
-    s_.found_.push_back(std::move(r));
-    return true;
+    if (is_undefined(step.image)) return std::nullopt;
+    if (!holds_inside(wide, step.image)) return std::nullopt;
+    system_outcome o{.what = kind::proved, .left_over = x};
+    o.region.verdict = root_verdict::unique;
+    o.region.box = wide;
+    o.region.enclosure = common(step.image, wide);
+    return o;
   }
 
   bool is_the_same(system_region& known, system_region& more) {
@@ -325,15 +375,15 @@ class system_searcher {
       known.enclosure = refine(s_.f_, known, digits).enclosure;
       more.enclosure = refine(s_.f_, more, digits).enclosure;
     }
-    known.box = joined(known.box, more.box);
-    known.enclosure = joined(known.enclosure, more.enclosure);
+    // What holds both boxes has corners that are in neither: nothing is known of roots there.
+    known.box = known.enclosure = joined(known.box, more.box);
     known.verdict = root_verdict::at_least_one;
     known.remark = "one root or two";
     return true;
   }
 
   /// In the direction in which x is widest beside the given box.
-  void halve(const vector& x) {
+  system_outcome halved(const vector& x) {
     std::size_t widest_one = 0;
     magnitude most;
     bool any = false;
@@ -347,16 +397,18 @@ class system_searcher {
       }
     }
     if (!any || most <= magnitude::power_of_two(-options_.most_halvings)) {
-      s_.stuck_.push_back({x});
-      return;
+      return {.what = kind::stuck, .left_over = x};
     }
     const auto [low, high] = split(x[widest_one]);
     vector left = x;
     vector right = x;
     left[widest_one] = low;
     right[widest_one] = high;
-    s_.pending_.push_back({std::move(right)});
-    s_.pending_.push_back({std::move(left)});
+    return {.what = kind::cut,
+            .left_over = x,
+            .known = 0,
+            .region = {},
+            .parts = {std::move(left), std::move(right)}};
   }
 
   system_search& s_;
@@ -374,6 +426,7 @@ system_search::system_search(real_system f, std::vector<std::pair<rational, rati
           "the box is the wrong way round: a lower end is greater than its upper end");
     }
     all.x.push_back(from_end_points(low, high, 64));
+    expect(detail::holds(all.x.back(), {low, high}), "the box is not the one that was asked for");
   }
   pending_.push_back(std::move(all));
 }
@@ -387,6 +440,11 @@ bool system_root_set::is_resolved() const {
 }
 
 system_root_set system_search::result() const {
+  std::vector<int> open_halvings;
+  for (const auto* boxes : {&pending_, &stuck_}) {
+    for (const waiting& b : *boxes) open_halvings.push_back(b.halvings);
+  }
+  detail::expect_all_shares(settled_, open_halvings);
   system_root_set result;
   result.complete = pending_.empty();
   result.account = account_;
@@ -430,6 +488,15 @@ system_root_set system_search::result() const {
       open[i] = joined(open[i], open[j]);
       open.erase(open.begin() + static_cast<std::ptrdiff_t>(j));
       j = i + 1;
+    }
+  }
+  for (const auto* boxes : {&pending_, &stuck_}) {
+    for (const waiting& b : *boxes) {
+      const auto has_it = [&](const vector& x) { return holds(x, b.x); };
+      expect(std::any_of(open.begin(), open.end(), has_it) ||
+                 std::any_of(found_.begin(), found_.end(),
+                             [&](const system_region& r) { return has_it(r.box); }),
+             "an open box is in no region");
     }
   }
   for (vector& x : open) {

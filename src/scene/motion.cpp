@@ -1,5 +1,8 @@
 #include "scene/motion.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include <tbb/parallel_for.h>
 
 #include "polhode/arithmetic/certain_digits.hpp"
@@ -244,8 +247,15 @@ precision bits_of(const effect_context& x) { return bits_for_digits(x.working_di
 
 }  // namespace
 
-void check_rows(effect_result& result, const std::vector<magnitude>& scales) {
+void check_rows(effect_result& result, const scene_time& time,
+                const std::vector<magnitude>& scales) {
   const effect_table& table = *result.table;
+  const bool is_whole = table.first == times_of(time) && table.rows.size() == table.first.size() &&
+                        std::all_of(table.rows.begin(), table.rows.end(),
+                                    [&](const auto& row) { return row.size() == scales.size(); });
+  if (!is_whole) {
+    throw std::logic_error("scene: internal error: a series has not one row for each time");
+  }
   if (!table.certified) return;
   const magnitude tolerance =
       magnitude::power_of_two(1 - static_cast<std::int64_t>(bits_for_digits(table.digits)));
@@ -291,7 +301,7 @@ effect_result momentum(const effect_context& x) {
   const magnitude fastest =
       multiply_up(path.attitude_speed(), path.unit().at(64).magnitude_upper());
   const magnitude one = magnitude::from_integer_up(1);
-  check_rows(result, {one, one, one, fastest, fastest, fastest});
+  check_rows(result, *x.what.time, {one, one, one, fastest, fastest, fastest});
   result.remarks.push_back("j = J/|J| and omega in rad per " + x.what.time_unit.name +
                            ", along the axes in which the body was given");
   return result;
@@ -304,7 +314,7 @@ effect_result attitude(const effect_context& x) {
   if (x.what.in_double) not_certified(result, by_double);
   add_exact(result, "samples", rational(x.what.time->samples));
   const magnitude one = magnitude::from_integer_up(1);
-  check_rows(result, {one, one, one, one, one});
+  check_rows(result, *x.what.time, {one, one, one, one, one});
   result.remarks.emplace_back(
       "q takes the axes in which the body was given to those of space; phi is the angle about J, "
       "unwrapped");

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -471,6 +472,77 @@ TEST(Corners, ContainmentInANarrowRangeOfExponents) {
     }
     ASSERT_TRUE(middle.is_exact());
     EXPECT_TRUE(sx.holds(*exact(middle).lower)) << "the middle is a member";
+  }
+}
+
+// A complex function rounds intermediate numbers itself: none of them may be taken for more than it is after an underflow.
+TEST(Corners, ComplexContainmentInANarrowRangeOfExponents) {
+  constexpr long least = -80;
+  constexpr long most = 80;
+  struct number {
+    rational re;
+    rational im;
+    number operator*(const number& w) const {
+      return {re * w.re - im * w.im, re * w.im + im * w.re};
+    }
+    [[nodiscard]] number inverse() const {
+      const rational norm = re * re + im * im;
+      return {re / norm, -im / norm};
+    }
+  };
+  random_source random(803);
+  for (repeat trial(6000); trial.again();) {
+    const precision p = random.choose(std::array<precision, 5>{24, 53, 64, 100, 130});
+    complex_ball z;
+    complex_ball w;
+    std::array<complex_ball, 6> results;
+    {
+      const narrow_exponents narrow(least, most);
+      // Exponents around an eighth of the range, where the functions change their way, are of interest too.
+      const long from = random.one_in(2) ? least : -11;
+      const long to = random.one_in(2) ? most : 11;
+      const auto part = [&] {
+        return random.one_in(6) ? ball(0, p) : any_ball_in_range(random, p, from, to);
+      };
+      z = complex_ball(part(), part());
+      w = complex_ball(part(), part());
+      if (random.one_in(3)) {
+        // Nearly i z, and exact: a part of the quotient is the difference of two products that agree in all p bits.
+        const real x = any_in_range(random, p, -8, 8);
+        const real y = any_in_range(random, p, -8, 8);
+        real beside = y;
+        mpfr_nextbelow(beside);
+        if (mpfr_number_p(beside) == 0) continue;
+        z = complex_ball(ball(x.get()), ball(y.get()));
+        w = complex_ball(-ball(beside.get()), ball(x.get()));
+        if (random.one_in(2)) w = complex_ball(ball(x.get()), ball(beside.get()));
+      }
+      results = {z * w, square(z), z / w, reciprocal(z), pow(z, 3), square(sqrt(z))};
+    }
+    const std::array parts = {exact(z.re), exact(z.im), exact(w.re), exact(w.im)};
+    if (!std::ranges::all_of(parts, [](const exact_set& x) { return x.is_bounded(); })) continue;
+    SCOPED_TRACE(described(z.re) + ", " + described(z.im) + "; " + described(w.re) + ", " +
+                 described(w.im));
+    const number a{random.member(parts[0]), random.member(parts[1])};
+    const number b{random.member(parts[2]), random.member(parts[3])};
+    const auto check = [&](const complex_ball& r, auto&& value, const char* name) {
+      if (r.is_undefined()) return;
+      const number v = value();
+      EXPECT_TRUE(holds(r.re, v.re)) << name;
+      EXPECT_TRUE(holds(r.im, v.im)) << name;
+    };
+    check(
+        results[0], [&] { return a * b; }, "*");
+    check(
+        results[1], [&] { return a * a; }, "square");
+    check(
+        results[2], [&] { return a * b.inverse(); }, "/");
+    check(
+        results[3], [&] { return a.inverse(); }, "reciprocal");
+    check(
+        results[4], [&] { return a * a * a; }, "cube");
+    check(
+        results[5], [&] { return a; }, "square of the root");
   }
 }
 

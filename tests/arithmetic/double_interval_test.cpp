@@ -472,12 +472,38 @@ TEST(DoubleIntervalApproximations, NearMultiplesOfHalfPi) {
     const double x = moved(mpfr_get_d(t, MPFR_RNDN), random.between(-1, 1));
     if (std::abs(x) > 0x1p20) continue;
     const point::circular value = point::sin_cos(x);
+    EXPECT_LE(value.absolute, point::circular_absolute_at_multiples);
     mpfr_sin(t, exactly(x), MPFR_RNDN);
-    EXPECT_LE(error_in_units(value.sine, t, point::circular_absolute),
-              point::circular_bound * 0x1p53);
+    EXPECT_LE(error_in_units(value.sine, t, value.absolute), point::circular_bound * 0x1p53);
     mpfr_cos(t, exactly(x), MPFR_RNDN);
-    EXPECT_LE(error_in_units(value.cosine, t, point::circular_absolute),
-              point::circular_bound * 0x1p53);
+    EXPECT_LE(error_in_units(value.cosine, t, value.absolute), point::circular_bound * 0x1p53);
+    // Both functions keep their digits there, and so does tan.
+    for (const double_interval& y :
+         {sin(double_interval(x)), cos(double_interval(x)), tan(double_interval(x))}) {
+      if (x == 0 || y.is_undefined()) continue;
+      EXPECT_LE(y.width(), 0x1p-46 * y.mignitude()) << x;
+    }
+  }
+}
+
+/// Between the careful reduction beside the multiples and the plain one.
+TEST(DoubleIntervalApproximations, NotFarFromMultiplesOfHalfPi) {
+  random_source random(41);
+  real half_pi(300);
+  mpfr_const_pi(half_pi, MPFR_RNDN);
+  mpfr_div_2ui(half_pi, half_pi, 1, MPFR_RNDN);
+  real t(300);
+  for (repeat trial(15000); trial.again();) {
+    mpfr_mul_si(t, half_pi, random.between(-667543, 667543), MPFR_RNDN);
+    const double step =
+        std::ldexp(random.one_in(2) ? 1.0 : 1.5, static_cast<int>(-random.between(25, 40)));
+    const double x = mpfr_get_d(t, MPFR_RNDN) + (random.one_in(2) ? step : -step);
+    if (std::abs(x) > 0x1p20) continue;
+    const point::circular value = point::sin_cos(x);
+    mpfr_sin(t, exactly(x), MPFR_RNDN);
+    EXPECT_LE(error_in_units(value.sine, t, value.absolute), point::circular_bound * 0x1p53) << x;
+    mpfr_cos(t, exactly(x), MPFR_RNDN);
+    EXPECT_LE(error_in_units(value.cosine, t, value.absolute), point::circular_bound * 0x1p53) << x;
   }
 }
 
@@ -943,15 +969,25 @@ TEST(DoubleIntervalFunctions, HypotAndScale) {
     EXPECT_TRUE(
         holds(scaled, [&](mpfr_ptr r, mpfr_rnd_t rounding) { mpfr_mul_2si(r, s, n, rounding); }))
         << described(x) << n;
-    const double low = std::ldexp(x.lower(), static_cast<int>(n));
-    if (std::abs(low) >= 0x1p-1021 && std::abs(low) < infinity) {
-      EXPECT_EQ(scaled.lower(), low);
-    }
-    const double high = std::ldexp(x.upper(), static_cast<int>(n));
-    if (std::abs(high) >= 0x1p-1021 && std::abs(high) < infinity) {
-      EXPECT_EQ(scaled.upper(), high);
-    }
+    // The tightest ends; an infinite end is a limit.
+    const real low = exactly(x.lower());
+    const real high = exactly(x.upper());
+    real end(53);
+    mpfr_mul_2si(end, low, n, MPFR_RNDN);
+    EXPECT_EQ(scaled.lower(), mpfr_get_d(end, MPFR_RNDD)) << described(x) << n;
+    mpfr_mul_2si(end, high, n, MPFR_RNDN);
+    EXPECT_EQ(scaled.upper(), mpfr_get_d(end, MPFR_RNDU)) << described(x) << n;
   }
+}
+
+TEST(DoubleIntervalFunctions, ScaledToTheLeastNormalNumber) {
+  // The product lies below 2^-1022 and is rounded up to it.
+  const double_interval x(0x1.fffffffffffffp-1);
+  EXPECT_IDENTICAL(scale(x, -1022), double_interval(0x1.ffffffffffffep-1023, 0x1p-1022));
+  EXPECT_IDENTICAL(scale(-x, -1022), double_interval(-0x1p-1022, -0x1.ffffffffffffep-1023));
+  EXPECT_IDENTICAL(scale(double_interval(1), -1022), double_interval(0x1p-1022));
+  EXPECT_IDENTICAL(scale(double_interval(1), -1074), double_interval(least_double));
+  EXPECT_IDENTICAL(scale(double_interval(least_double), 1074), double_interval(1));
 }
 
 // ---------------------------------------------------------------------------------------------

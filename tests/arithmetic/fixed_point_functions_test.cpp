@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "arithmetic/fixed_point_functions.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "support/random.hpp"
 #include "support/real.hpp"
@@ -133,6 +134,63 @@ TEST_P(FixedPointFunctions, HoldTheValueTightly) {
 
 INSTANTIATE_TEST_SUITE_P(All, FixedPointFunctions, ::testing::ValuesIn(functions),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+struct near_inverse {
+  const char* name;
+  detail::near_function of;
+  int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+  int (*inverse)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+  long least, most;  // of values, in units of 2^-12
+};
+constexpr std::array<near_inverse, 6> near_inverses = {
+    {{"exp", detail::near_exp, mpfr_exp, mpfr_log, 1, 1L << 20},
+     {"sinh", detail::near_sinh, mpfr_sinh, mpfr_asinh, 1, 1L << 20},
+     {"cosh", detail::near_cosh, mpfr_cosh, mpfr_acosh, 4100, 1L << 20},
+     {"sin", detail::near_sin, mpfr_sin, mpfr_asin, 1, 4000},
+     {"cos", detail::near_cos, mpfr_cos, mpfr_acos, 1, 4000},
+     {"atan", detail::near_atan, mpfr_atan, mpfr_tan, 1, 6300}}};
+
+/// Half way between two numbers of p bits, from those bounds.
+real any_tie(random_source& random, precision p, long least, long most) {
+  real y(p + 1);
+  mpfr_set_si_2exp(y, random.between(least, most - 1), -12, MPFR_RNDN);
+  const real more = random.any_real(p + 1, -12, -12);
+  mpfr_add(y, y, more, MPFR_RNDZ);
+  mpfr_nextabove(y);
+  real rounded(p);
+  while (mpfr_set(rounded, y, MPFR_RNDZ) == 0) mpfr_nextabove(y);
+  return y;
+}
+
+// Where the value is half way between two numbers, but for a few units of the fractions that are computed with, the wrong one of
+// them is chosen as soon as an error goes the other way: then the result is off by more than half a unit in its last place,
+// and only the errors counted before the rounding cover that.
+TEST(FixedPointErrors, AreCountedWhereTheResultIsRoundedTheWrongWay) {
+  random_source random(1801);
+  for (const near_inverse& f : near_inverses) {
+    long wrong = 0;
+    for (repeat trial(1500); trial.again();) {
+      const precision p = random.one_in(3) ? random.between(600, 1500) : random.between(40, 500);
+      const real y = any_tie(random, p, f.least, f.most);
+      real x(p + random.between(16, 90));
+      f.inverse(x, y, MPFR_RNDN);
+      real got(p);
+      magnitude error;
+      if (!f.of(got, x, error)) continue;
+      real exact(p + 300);
+      f.function(exact, x, MPFR_RNDN);
+      real difference(p + 300);
+      mpfr_sub(difference, exact, got, MPFR_RNDZ);
+      mpfr_abs(difference, difference, MPFR_RNDN);
+      const rational off = support::to_rational(difference);
+      ASSERT_LE(off, support::to_rational(error)) << f.name << " at " << p << " bits";
+      if (support::power_of_two(mpfr_get_exp(got.get()) - p - 1) < off) ++wrong;
+    }
+    if (support::effort() >= 1) {
+      EXPECT_GT(wrong, 20) << f.name;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace polhode

@@ -16,6 +16,7 @@ namespace {
 using support::described;
 using support::exact;
 using support::exact_set;
+using support::holds;
 using support::random_source;
 using support::real;
 using support::repeat;
@@ -58,6 +59,49 @@ TEST(Interval, FromEndPointsAndText) {
   }
   const ball x = from_end_points(mpfr_float(1), mpfr_float(4), 64);
   EXPECT_TRUE(is_equal(x, hull(ball(1, 64), ball(4, 64))));
+}
+
+TEST(Interval, RepresentableEndsStayWhereTheyAre) {
+  const auto next_to_one = [](precision p) {
+    real above(p, 1);
+    mpfr_nextabove(above);
+    return ball::from_end_points(real(p, 1), above, p);
+  };
+  const ball x = next_to_one(53);
+  EXPECT_EQ(exact(x), (exact_set{rational(1), 1 + support::power_of_two(-52)}));
+  EXPECT_FALSE(is_interior(ball(1, 53), x));
+  EXPECT_FALSE(contains(x, rational(1) - support::power_of_two(-53)));
+
+  random_source random(4401);
+  for (repeat trial(3000); trial.again();) {
+    const precision p = random.any_precision();
+    const real a = random.any_real(p, -3, 3);
+    real b = a;
+    for (long i = random.between(0, 3); i > 0; --i) mpfr_nextabove(b);
+    if (random.one_in(3)) {
+      const real step = random.any_real(p, -p - 3, -p / 2);
+      mpfr_abs(b, step, MPFR_RNDN);
+      mpfr_add(b, a, b, MPFR_RNDU);
+    }
+    const exact_set ends{to_rational(a), to_rational(b)};
+    const ball y = ball::from_end_points(a, b, p);
+    SCOPED_TRACE(described(y));
+    EXPECT_EQ(exact(y), ends);
+    EXPECT_EQ(exact(hull(ball(a.get()), ball(b.get()))), ends);
+    EXPECT_EQ(exact(intersection(y, hull(y, ball(1, p)))), ends);
+    EXPECT_EQ(exact(min(y, ball(100, p))), ends);
+    EXPECT_EQ(exact(max(y, ball(-100, p))), ends);
+    EXPECT_EQ(exact(y.with_precision(p + 30)), ends);
+    EXPECT_EQ(exact(scale(y, 7)), (exact_set{*ends.lower * 128, *ends.upper * 128}));
+    EXPECT_EQ(exact(-(-y)), ends);
+    EXPECT_TRUE(is_equal(y, ball::from_end_points(a, b, p + 5)));
+    EXPECT_FALSE(is_interior(ball(a.get()), y));
+    EXPECT_FALSE(is_interior(ball(b.get()), y));
+    // y = 0 + y, and the other way round.
+    EXPECT_EQ(exact(cancel_minus(y, ball(0, p))), ends);
+    EXPECT_TRUE(holds(cancel_minus(y, y), rational(0)));
+    EXPECT_TRUE(cancel_minus(y, y).is_exact());
+  }
 }
 
 TEST(Interval, Numbers) {

@@ -3,6 +3,8 @@
 
 #include "polhode/arithmetic/jet.hpp"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
@@ -204,6 +206,24 @@ TEST(Jet, FunctionsWithBreaks) {
   only_a_value(floor(at("2")), "2", "2");
   only_a_value(ceil(at("2")), "2", "2");
   only_a_value(floor(jet5::variable(hull(number("1/2"), number("1")))), "0", "1");
+}
+
+TEST(Jet, OrdersThatDiffer) {
+  using series = jet<ball, dynamic_order>;
+  const series x = series::variable(number("5/3"), 3);
+  const series y = series::variable(number("7/3"), 5);
+  EXPECT_THROW(static_cast<void>(x + y), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(y - x), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(x * y), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(y / x), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(min(x, y)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(max(x, y)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(pow(x, y)), std::invalid_argument);
+  EXPECT_EQ((x + series::variable(number("7/3"), 3)).order(), 3);
+  // An order that is none, or not the type's.
+  EXPECT_THROW(static_cast<void>(series(-2)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(jet5::variable(number("1"), 6)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(jet5::variable(number("1"), 4)), std::invalid_argument);
 }
 
 }  // namespace

@@ -2,12 +2,16 @@
 
 #include "polhode/arithmetic/special_functions.hpp"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/region.hpp"
+#include "support/exact_set.hpp"
 #include "support/random.hpp"
+#include "support/real.hpp"
 
 namespace polhode {
 namespace {
@@ -215,6 +219,34 @@ TEST(SinPi, IsReducedExactly) {
   EXPECT_TRUE(contains(sinpi(number("1/2")), 1) && sinpi(number("1/2")).is_exact());
   EXPECT_TRUE(contains(sinpi(set("1/4", "3/4")), 1));
   EXPECT_FALSE(contains(sinpi(set("1/4", "3/4")), parse_rational("0.707")));
+}
+
+// Beside a pole, and beside a zero of log Gamma, radii far below the last place of the argument still count: a result is as
+// narrow as at many more bits, to its own last place.
+TEST(SpecialFunctions, BesidePolesAsNarrowAsTheOperandAllows) {
+  support::random_source random(2219);
+  for (support::repeat trial(300); trial.again();) {
+    const precision p = random.choose(std::array<precision, 3>{53, 64, 128});
+    const long place = random.between(-4, 2);
+    const long distance = random.between(1, p - 4);
+    support::real m(p, random.one_in(2) ? 1 : -1);
+    mpfr_div_2ui(m, m, static_cast<unsigned long>(distance), MPFR_RNDN);
+    mpfr_add_si(m, m, place, MPFR_RNDN);
+    const ball x = ball::from_midpoint_radius(
+        m, magnitude::power_of_two(-distance - random.between(2, 3 * p)));
+    SCOPED_TRACE(support::described(x));
+    using function = ball (*)(const ball&);
+    for (const function f : {function{gamma}, function{log_gamma}}) {
+      const ball y = f(x);
+      const ball z = f(x.with_precision(5 * p + 1000));
+      if (z.is_undefined()) continue;
+      ASSERT_FALSE(y.is_undefined());
+      EXPECT_TRUE(overlaps(y, z));
+      const magnitude place_of_y = scale(y.magnitude_upper(), 2 - std::int64_t{p});
+      EXPECT_TRUE(y.radius() <= add_up(scale(z.radius(), 2), place_of_y))
+          << support::described(y) << ", not " << support::described(z);
+    }
+  }
 }
 
 }  // namespace

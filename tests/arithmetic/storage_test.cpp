@@ -10,6 +10,7 @@
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "support/exact_set.hpp"
 #include "support/random.hpp"
 
@@ -99,6 +100,37 @@ TEST(Storage, CopiesAndMoves) {
       c = std::move(a);
       c = y;
       EXPECT_TRUE(identical(c, y));
+    }
+  }
+}
+
+TEST(Storage, WhatWasMovedFromIsUndefined) {
+  random_source random(703);
+  for (const precision p : sizes) {
+    for (int i = 0; i < 5; ++i) {
+      ball x = sample(random, p);
+      const ball taken = std::move(x);
+      ball y = sample(random, p);
+      ball assigned = sample(random, 64);
+      assigned = std::move(y);
+      // NOLINTBEGIN(bugprone-use-after-move): on purpose
+      for (ball* empty : {&x, &y}) {
+        EXPECT_TRUE(empty->is_undefined());
+        EXPECT_EQ(empty->precision(), 64);
+        for (const ball& r :
+             {*empty + 1L, *empty + taken, taken * *empty, -*empty, 1L / *empty, exp(*empty),
+              sin(*empty), sqrt(*empty), pow(*empty, 3), abs(*empty), scale(*empty, 2),
+              empty->with_precision(200), empty->middle(), hull(*empty, taken)}) {
+          EXPECT_TRUE(r.is_undefined());
+          EXPECT_GE(r.precision(), 64);
+        }
+        EXPECT_EQ(to_decimal(*empty, 10), "undefined");
+        EXPECT_FALSE(certainly_less(*empty, taken));
+        EXPECT_TRUE(possibly_less(*empty, taken));
+        EXPECT_FALSE(contains(*empty, 0L));
+        EXPECT_TRUE(empty->radius().is_infinite());
+      }
+      // NOLINTEND(bugprone-use-after-move)
     }
   }
 }

@@ -1,5 +1,6 @@
-# The checker uses nothing of the prover: no symbol of the prover's or of MPFR is missing from its library, and its sources include
-# no header of either, but for the digest's. LIBRARY, SOURCES and NM are given.
+# The checker uses nothing of the prover: no symbol of the prover's or of MPFR is missing from its library; its sources include GMP, Boost's
+# headers over it, a reader of JSON, the standard library, themselves and the digest's header, and nothing else; and the program
+# polhode-check needs GMP and the C++ runtime alone. LIBRARY, PROGRAM, SOURCES, HEADERS, NM and READELF are given.
 
 execute_process(COMMAND "${NM}" --demangle "${LIBRARY}"
   OUTPUT_VARIABLE symbols RESULT_VARIABLE status)
@@ -23,12 +24,32 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
-file(GLOB sources "${SOURCES}/*")
+# An ELF program names its libraries.
+execute_process(COMMAND "${READELF}" --dynamic "${PROGRAM}"
+  OUTPUT_VARIABLE dynamic RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${READELF} does not read ${PROGRAM}")
+endif()
+string(REGEX MATCHALL "Shared library: \\[[^\n]*\\]" libraries "${dynamic}")
+if(NOT libraries MATCHES "libgmp")
+  message(FATAL_ERROR "polhode-check does not name its libraries: ${libraries}")
+endif()
+foreach(library IN LISTS libraries)
+  # Sanitizers bring a library of their own.
+  if(NOT library MATCHES "\\[(libgmp|libstdc\\+\\+|libc\\+\\+|libgcc_s|libc|libm|libpthread|libasan|libubsan|libtsan|ld-linux[a-z0-9_-]*)\\.so")
+    message(FATAL_ERROR "polhode-check needs more than GMP: ${library}")
+  endif()
+endforeach()
+
+file(GLOB sources "${SOURCES}/*.?pp" "${SOURCES}/program/*.?pp" "${HEADERS}/*.hpp")
+list(LENGTH sources count)
+if(count LESS 20)
+  message(FATAL_ERROR "these are not the checker's sources: ${sources}")
+endif()
 foreach(source IN LISTS sources)
-  file(STRINGS "${source}" includes REGEX "^#include")
+  file(STRINGS "${source}" includes REGEX "^ *# *include")
   foreach(include IN LISTS includes)
-    if(include MATCHES "polhode/|proofs/|mpfr" AND
-       NOT include MATCHES "polhode/(checker/|arithmetic/sha256.hpp)")
+    if(NOT include MATCHES "^#include (<[a-z_]+>|<(fcntl|unistd|sys/stat)\\.h>|<boost/multiprecision/gmp\\.hpp>|<nlohmann/json\\.hpp>|\"[a-z_]+\\.hpp\"|\"polhode/checker/[a-z]+\\.hpp\"|\"polhode/arithmetic/sha256\\.hpp\")$")
       message(FATAL_ERROR "${source}: ${include}")
     endif()
   endforeach()

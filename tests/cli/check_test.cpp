@@ -7,23 +7,42 @@
 #include <fstream>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
+#include "polhode/certificate/digest.hpp"
 #include "refusal.hpp"
 
 namespace polhode::test {
 namespace {
 
+using json = nlohmann::ordered_json;
+
 void write(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+
+/// The lines of files, without what is said of each.
+std::vector<std::string> unindented(const std::string& text) {
+  std::vector<std::string> lines;
+  for (const std::string& line : lines_of(text)) {
+    if (!line.starts_with("  ")) lines.push_back(line);
+  }
+  return lines;
+}
 
 TEST(Check, VerifiesWhatCertifyWrote) {
   const scratch_directory scratch;
   const std::string directory = scratch.path("out");
   certified({"certify", "beta", "physical", "--digits", "20", "--out", directory});
   const std::string out = certified({"check", directory});
-  const auto lines = lines_of(out);
+  const auto lines = unindented(out);
   ASSERT_EQ(lines.size(), 3U) << out;
-  EXPECT_EQ(lines[0].rfind(directory + "/beta.json: verified: beta, ", 0), 0U) << out;
-  EXPECT_EQ(lines[1].rfind(directory + "/physical.json: verified: physical, ", 0), 0U) << out;
+  EXPECT_EQ(lines[0].rfind(directory + "/beta.json: verified: claim \"beta\", ", 0), 0U) << out;
+  EXPECT_EQ(lines[1].rfind(directory + "/physical.json: verified: claim \"physical\" for the "
+                                       "physical body a = 253/20, b = 629/10000, ",
+                           0),
+            0U)
+      << out;
   EXPECT_EQ(lines[2], "2 certificates: 2 verified");
+  EXPECT_NE(out.find("\n  beta is between 0.0289732280"), std::string::npos) << out;
   EXPECT_NE(certified({"check", directory + "/beta.json", "--verbose"}).find("beta = 0.028973"),
             std::string::npos);
 }
@@ -61,7 +80,7 @@ TEST(Check, WhatCannotBeReadCostsOnlyItsOwnLine) {
   const auto expect_line = [&](const std::string& path, const std::string& why) {
     const outcome result = run({"check", path, directory + "/physical.json"});
     EXPECT_EQ(result.status, 2) << path;
-    const auto lines = lines_of(result.out);
+    const auto lines = unindented(result.out);
     ASSERT_EQ(lines.size(), 3U) << result.out;
     EXPECT_EQ(lines[0], path + ": not read: " + why);
     EXPECT_NE(lines[1].find("physical.json: verified"), std::string::npos);
@@ -99,13 +118,112 @@ TEST(Check, NamesWhatIsNoFileInADirectory) {
   write(directory + "/notes.txt", "no certificate");
   const outcome result = run({"check", directory});
   EXPECT_EQ(result.status, 2);
-  const auto lines = lines_of(result.out);
+  const auto lines = unindented(result.out);
   ASSERT_EQ(lines.size(), 5U) << result.out;
   EXPECT_EQ(lines[0], directory + "/a.json: not read: a directory; it must be a file");
   EXPECT_EQ(lines[1], directory + "/b.json: not read: No such file or directory");
-  EXPECT_NE(lines[2].find("/physical.json: verified: physical, "), std::string::npos);
+  EXPECT_NE(lines[2].find("/physical.json: verified: claim \"physical\" for "), std::string::npos);
   EXPECT_NE(lines[3].find("/z.json: not read: a pipe"), std::string::npos);
   EXPECT_EQ(lines[4], "4 certificates: 1 verified");
+}
+
+/// The integral of pi and that of 4/(1+x^2) have one value, and must not look alike.
+TEST(Check, SaysWhatIsVerified) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path("c.json");
+  certified({"integrate", "4/(1+x^2)", "--from", "0", "--to", "1", "--certificate", file});
+  const std::string out = certified({"check", file});
+  EXPECT_NE(out.find(": verified: integral, "), std::string::npos) << out;
+  EXPECT_NE(out.find("\n  the integral of 4/(1 + x^2) over x from 0 to 1\n  is between 3.14159265"),
+            std::string::npos)
+      << out;
+  certified({"certify", "physical", "--ab", "39.95,0.0629", "--out", scratch.path("out")});
+  EXPECT_NE(certified({"check", scratch.path("out")}).find("for the non-physical body a = 799/20"),
+            std::string::npos);
+}
+
+/// What is left out is said first, and costs the status 1.
+TEST(Check, AnEmptiedCertificateIsNotVerified) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  certified({"certify", "separatrix_twist", "--out", directory});
+  json c = json::parse(contents(directory + "/separatrix_twist.json"));
+  c["numbers"] = json::object();
+  c["method"] = c["method"].get<std::string>() +
+                " (For the given body an enclosure of epsilon0 was not found at the precisions "
+                "tried. The proof does not need it.)";
+  c.erase("digest");
+  c["digest"] = digest_of(c.dump());
+  write(directory + "/separatrix_twist.json", c.dump());
+  const outcome result = run({"check", directory});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.out.find(": verified, without an enclosure of epsilon0: claim "),
+            std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("1 certificate: 0 verified, 1 without a part\n"), std::string::npos);
+}
+
+TEST(Check, NamesOfFilesCannotFakeALine) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  std::filesystem::create_directory(directory);
+  write(directory + "/x\ny.json: verified: integral.json", "{}");
+  write(directory + "/\x1b[1A.json", "{}");
+  const outcome result = run({"check", directory});
+  EXPECT_EQ(result.status, 2);
+  for (const std::string* text : {&result.out, &result.err}) {
+    EXPECT_EQ(text->find('\x1b'), std::string::npos) << *text;
+    EXPECT_EQ(text->find("\ny.json"), std::string::npos) << *text;
+  }
+  EXPECT_NE(result.out.find("/x\\x0ay.json: verified: integral.json\": malformed: "),
+            std::string::npos)
+      << result.out;
+}
+
+TEST(Check, HasABudget) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  certified({"certify", "beta", "--out", directory});
+  const outcome result = run({"check", directory, "--budget", "1"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.out.find("/beta.json: not checkable: at /"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("budget of 1 million operations"), std::string::npos) << result.out;
+  EXPECT_NE(certified({"check", directory, "--verbose"}).find("\n  cost: "), std::string::npos);
+  expect_refused({"check", directory, "--budget", "0"}, {"--budget", "whole number"});
+  expect_refused({"check", directory, "--memory", "much"}, {"--memory", "whole number"});
+}
+
+/// The program of its own prints the same, with the same status.
+TEST(Check, IsAProgramOfItsOwn) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  certified({"certify", "beta", "physical", "--out", directory});
+  const auto expect_same = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> command{POLHODE_CHECK_PATH};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    const outcome own = run_command(command);
+    std::vector<std::string> with = arguments;
+    with.insert(with.begin(), "check");
+    const outcome result = run(with);
+    EXPECT_EQ(own.status, result.status);
+    EXPECT_EQ(own.out, result.out);
+  };
+  expect_same({directory});
+  expect_same({"--verbose", directory + "/beta.json"});
+  expect_same({directory, "--budget", "1"});
+  expect_same({directory, "--memory", "1"});
+  write(directory + "/c.json", "{}");
+  expect_same({directory, scratch.path("nothing")});
+  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
+           {}, {"--fast", "x"}, {"x", "--budget"}, {"x", "--budget", "-1"}}) {
+    std::vector<std::string> command{POLHODE_CHECK_PATH};
+    command.insert(command.end(), wrong.begin(), wrong.end());
+    const outcome own = run_command(command);
+    EXPECT_EQ(own.status, 2);
+    EXPECT_EQ(own.out, "");
+    EXPECT_EQ(lines_of(own.err).size(), 1U) << own.err;
+  }
+  EXPECT_EQ(run_command({POLHODE_CHECK_PATH, "--help"}).status, 0);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -154,6 +272,8 @@ TEST(CertificateOption, WhatNoCertificateCanHoldIsRefusedAndNothingWritten) {
   refused({"integrate", "a*x", "--from", "0", "--to", "1", "--let", "a=[1, 2]"},
           {"--certificate", "--from and --to"});
   refused({"integrate", "x", "--along", "0, 1"}, {"--certificate", "--from and --to"});
+  refused({"integrate", "Pi", "--from", "0", "--to", "1", "--variable", "Pi"},
+          {"Pi", "looks like"});
   refused({"roots", "root(x, 3) - 1", "--in", "0..2"}, {"root"});
   refused({"roots", "exp(x) - 1", "--in", "-inf..1"}, {"--certificate", "finite"});
   refused({"roots", "(x-1)^2", "--in", "0..2"}, {"--certificate", "multiple"});

@@ -29,6 +29,17 @@ if(NOT output MATCHES "unique: 0\\.739085133215160641655312087673873404013411758
 endif()
 message("${output}")
 
+set(certificate "${CMAKE_CURRENT_LIST_DIR}/../../proofs/certificates/beta.json")
+run("${work}/build/consumer_checker" "${certificate}")
+if(NOT output STREQUAL "verified: claim \"beta\"\n")
+  message(FATAL_ERROR "the checker's consumer printed:\n${output}")
+endif()
+run("${prefix}/bin/polhode-check" "${certificate}")
+run("${prefix}/bin/polhode-check" --version)
+if(NOT output STREQUAL "${VERSION}\n")
+  message(FATAL_ERROR "the installed checker's --version printed:\n${output}")
+endif()
+
 run("${prefix}/bin/polhode" --version)
 if(NOT output MATCHES "${VERSION}")
   message(FATAL_ERROR "the installed program's --version printed:\n${output}")

@@ -275,6 +275,75 @@ TEST(ComplexElliptic, HoldsEveryMemberOfARegion) {
   EXPECT_GT(available, 130);
 }
 
+// Over regions the series end at some 30 bits: at numbers, which doubles hold exactly, what they leave out is far greater than the
+// rounding errors.
+TEST(ComplexElliptic, OverPointsTheSeriesHoldWhatTheyLeaveOut) {
+  sampler s;
+  int available = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const bool is_real = trial % 2 == 0;
+    struct argument {
+      rational re, im;
+    };
+    const auto any = [&](long low, long high) {
+      return argument{s.number(low, high), is_real ? rational(0) : s.number(-1, 1)};
+    };
+    const auto check = [&](const char* name, const std::vector<argument>& a, const auto& f) {
+      std::vector<region> sets;
+      std::vector<complex_ball> numbers;
+      for (const argument& x : a) {
+        sets.emplace_back(double_interval(x.re), double_interval(x.im));
+        numbers.push_back(at(x.re, x.im, 150));
+      }
+      const region value = f(sets);
+      const complex_ball exact = f(numbers);
+      if (!value.is_analytic() || exact.is_undefined()) return;
+      ++available;
+      EXPECT_TRUE(meet(value.to_complex_ball(), exact)) << name << ' ' << trial;
+    };
+    check("R_F", {any(0, 9), any(0, 3), any(0, 3)},
+          [](const auto& x) { return carlson_rf(x[0], x[1], x[2]); });
+    check("R_C", {any(1, 3), any(1, 3)}, [](const auto& x) { return carlson_rc(x[0], x[1]); });
+    check("R_J", {any(0, 3), any(0, 3), any(0, 3), any(0, 9)},
+          [](const auto& x) { return carlson_rj(x[0], x[1], x[2], x[3]); });
+    check("K", {any(-2, 1)}, [](const auto& x) { return elliptic_k(x[0]); });
+    check("D", {any(-2, 1)}, [](const auto& x) { return elliptic_d(x[0]); });
+    check("am", {any(-4, 4), any(0, 1)}, [](const auto& x) { return jacobi_am(x[0], x[1]); });
+    // With a nome so small that all of its series is left out.
+    check("am", {argument{rational(50 + trial, 64), 0}, argument{rational(1, 1L << 28), 0}},
+          [](const auto& x) { return jacobi_am(x[0], x[1]); });
+    for (const int j : {1, 2, 3, 4}) {
+      const argument z = trial % 3 == 0 ? argument{0, 0} : any(-4, 4);
+      const argument q = any(0, 1);
+      check("theta", {z, q}, [j](const auto& x) { return theta_value(j, x[0], x[1] / 2); });
+      check("theta'", {z, q}, [j](const auto& x) { return theta_derivative(j, x[0], x[1] / 2); });
+    }
+  }
+  EXPECT_GT(available, 400);
+}
+
+// The first or the last argument decides how many bits are wanted: where it has few and the others many, what the series leave out is far
+// greater than the rounding errors.
+TEST(ComplexElliptic, OfFewBitsTheSeriesHoldWhatTheyLeaveOut) {
+  sampler s;
+  constexpr precision many = 300;
+  const auto short_number = [&](precision p) {
+    return complex_ball(s.number(1, 4).convert_to<long>() + 1, p);
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    const complex_ball x = at(s.number(1, 9), s.number(-2, 2), many);
+    const complex_ball y = at(s.number(1, 9), trial % 2 == 0 ? 0 : s.number(-2, 2), many);
+    const complex_ball z = at(s.number(1, 9), 0, many);
+    const precision few = 4 + trial % 20;
+    const complex_ball p = short_number(few);
+    const complex_ball same = p.with_precision(many);
+    EXPECT_TRUE(meet(carlson_rf(p, y, z), carlson_rf(same, y, z))) << few;
+    EXPECT_TRUE(meet(carlson_rj(x, y, z, p), carlson_rj(x, y, z, same))) << few;
+    EXPECT_TRUE(meet(carlson_rj(p, y, z, p), carlson_rj(same, y, z, same))) << few;
+    EXPECT_TRUE(carlson_rj(x, y, z, p).is_bounded());
+  }
+}
+
 #ifdef POLHODE_HAVE_ARB
 TEST(ComplexElliptic, AgreesWithArb) {
   sampler s;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "elliptic/carlson_core.hpp"
+#include "elliptic/theta_series.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
 
@@ -58,6 +59,37 @@ TEST(Truncation, IsBoundedInBothMethods) {
       const ball zero(0, many);
       EXPECT_TRUE(meet(complete->rf, detail::rf_by_duplication(zero, y, z, many))) << few;
       EXPECT_TRUE(meet(complete->rj, detail::rj_by_duplication(zero, y, z, p, false, many))) << few;
+    }
+  }
+}
+
+// Where all waves of the value, or of the derivative, are at their crests the terms left out add up: to little more than the first of them.
+TEST(Truncation, IsBoundedInBothSeriesOfThetaFunctions) {
+  constexpr precision many = 500;
+  const auto check = [](const theta_values& few, const theta_values& exact, int j,
+                        const rational& q, precision p) {
+    EXPECT_TRUE(meet(few.value, exact.value)) << j << " " << q << " " << p;
+    EXPECT_TRUE(meet(few.derivative, exact.derivative)) << j << " " << q << " " << p;
+    EXPECT_FALSE(few.value.is_undefined() || magnitude::power_of_two(4 - p) < few.value.radius());
+  };
+  const ball turn = pi(many);
+  for (int j = 1; j <= 4; ++j) {
+    for (const long parts : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 10L, 12L, 14L}) {
+      for (const long of : {0L, 1L, 2L}) {
+        const ball z = turn * rational(of, parts);
+        for (const precision few : {4L, 9L, 20L, 45L}) {
+          for (const rational& q : {rational(1, 20), rational(1, 24)}) {
+            const ball nome(q, many);
+            check(detail::theta_by_definition(j, z, nome, few),
+                  detail::theta_by_definition(j, z, nome, 400), j, q, few);
+          }
+          for (const rational& q : {rational(2, 49), rational(1, 20), rational(1, 3)}) {
+            const ball nome(q, many);
+            check(detail::theta_by_poisson(j, z, nome, few),
+                  detail::theta_by_poisson(j, z, nome, 400), j, q, few);
+          }
+        }
+      }
     }
   }
 }

@@ -5,8 +5,10 @@
 #include <string>
 
 #include "polhode/expression/expression.hpp"
+#include "processor_time.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const polhode::fuzz::processor_time_limit limit;
   const std::string text(reinterpret_cast<const char*>(data), size);
   try {
     const polhode::expression formula(text, {{"x"}, {}, {}});

@@ -383,7 +383,7 @@ TEST(Contour, PiecesWithoutLengthAddNothing) {
   }
   const known_contour_integral beside =
       known("1/z around 0 with pieces of no length", f,
-            path::line(0, 0) + path::circle(0, 1) + path::circle(5, 0),
+            path::line(1, 1) + path::circle(0, 1) + path::circle(1, 0),
             [](precision p) { return i_times(2 * pi(p)); });
   EXPECT_TRUE(right(beside, 30));
 }

@@ -119,6 +119,61 @@ TEST(LegendreZeros, AreEnclosedInSetsThatAreHardlyTooLarge) {
   EXPECT_GT(greatest_of_slope, 0.05);
 }
 
+TEST(LegendreZeros, CoefficientsAreRoundedDownwardAndHaveRoom) {
+  // From P_n(x) = 2^-n sum of (-1)^k C(n, k) C(2n - 2k, n) x^(n-2k), each by itself.
+  support::random_source random(14);
+  for (support::repeat trial(6); trial.again();) {
+    const long n = random.between(1, few_limbed_zeros::greatest_n);
+    const precision bits = random.one_in(2) ? 64 * random.between(2, 16) : random.between(83, 4000);
+    const legendre_shape shape(n);
+    const detail::legendre_coefficients all(shape, bits);
+    const auto size = static_cast<std::size_t>(all.size);
+    ASSERT_EQ(all.limbs.size(), size * static_cast<std::size_t>(shape.degree + 1));
+    const auto last = static_cast<std::size_t>(64 * all.size);
+    const integer one = 1;
+    integer sum = 0;
+    integer weighted_sum = 0;
+    for (long k = 0; k <= shape.degree; ++k) {
+      integer a;
+      integer b;
+      mpz_bin_uiui(a.backend().data(), static_cast<unsigned long>(n),
+                   static_cast<unsigned long>(k));
+      mpz_bin_uiui(b.backend().data(), static_cast<unsigned long>(2 * n - 2 * k),
+                   static_cast<unsigned long>(n));
+      a *= b;
+      if (k % 2 != 0) a = -a;
+      a <<= static_cast<unsigned>(bits);
+      mpz_fdiv_q_2exp(a.backend().data(), a.backend().data(), static_cast<unsigned long>(n));
+      integer found;
+      mpz_import(found.backend().data(), size, -1, sizeof(mp_limb_t), 0, 0,
+                 all.limbs.data() + static_cast<std::size_t>(k) * size);
+      if (mpz_tstbit(found.backend().data(), last - 1) != 0) found -= one << last;
+      EXPECT_EQ(found, a) << n << " " << bits << " " << k;
+      const integer magnitude_up = abs(a) + 1;
+      sum += magnitude_up;
+      weighted_sum += magnitude_up * (shape.degree - k);
+    }
+    const integer room = one << (last - 3);
+    EXPECT_LE(sum, room) << n << " " << bits;
+    EXPECT_LE(weighted_sum, room) << n << " " << bits;
+  }
+}
+
+TEST(LegendreZeros, AreEnclosedForRandomDegreesBitsAndStarts) {
+  support::random_source random(15);
+  for (support::repeat trial(4); trial.again();) {
+    const long n = random.one_in(8) ? random.between(300, few_limbed_zeros::greatest_n)
+                                    : random.between(2, 200);
+    const std::vector<known_zero> zeros = known_zeros(n);
+    for (int k = 0; k < 6; ++k) {
+      const precision bits = random.between(1, few_limbed_zeros::most_bits);
+      // In units of y/n^2, the distance of the zeros next to 0, a start of a large n is soon too far off.
+      const int spread = static_cast<int>(random.between(1, n > 150 ? 1 : 9));
+      expect_enclosures(n, bits, spread, zeros, random);
+    }
+  }
+}
+
 TEST(LegendreZeros, AreNotInventedFromBadStarts) {
   // From anywhere: nothing, or a set that holds one of the zeros.
   support::random_source random(13);

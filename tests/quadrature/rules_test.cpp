@@ -331,6 +331,31 @@ TEST(ClenshawCurtis, HasABoundBelowTrefethens) {
   }
 }
 
+// The bounds are the sums of 2 M rho^-k times the rules' errors on T_k, as the tests above know them, each of them bounded: they are no
+// less than these sums, with all signs alike.
+TEST(ClenshawCurtis, HasBoundsNotBelowTheSumOfAllErrors) {
+  for (const rational& r : {rational(5, 4), rational(3), rational(10)}) {
+    const ball rho(r, p);
+    for (long n = 2; n <= 12; ++n) {
+      ball curtis(0, p);
+      ball fejer(0, p);
+      for (long k = 2; k <= 12 * n; k += 2) {
+        const long i = (k + n) / (2 * n);
+        const long m = std::abs(k - 2 * n * i);
+        const rational exact = integral_of_chebyshev(k);
+        const rational of_fejer =
+            m == n ? rational(0) : rational((i % 2 == 0 ? 1 : -1) * integral_of_chebyshev(m));
+        const ball weight = 2 / pow(rho, k);
+        if (k > n) curtis += abs(rational(integral_of_chebyshev(m) - exact)) * weight;
+        if (k >= n) fejer += abs(rational(of_fejer - exact)) * weight;
+      }
+      const magnitude one = magnitude::power_of_two(0);
+      EXPECT_TRUE(is_bound_of(clenshaw_curtis_error(n, rho, one), curtis)) << n << " " << r;
+      EXPECT_TRUE(is_bound_of(fejer_error(n, rho, one), fejer)) << n << " " << r;
+    }
+  }
+}
+
 // --------------------------------------------------------------------------------- the trapezoidal rule
 
 /// exp(-x^2) over [-x, x]: the bound from its true size.
@@ -394,6 +419,42 @@ TEST(TrapezoidError, IsNearlyAttainedAtAnEnd) {
   }
 }
 
+TEST(TrapezoidError, WeighsThePiecesOfASide) {
+  // Of |f| = 1 for 1/4 <= |y| <= 1/2 alone: the integral of 1/(1 + e^(2 pi |y|/h)) there, twice.
+  rectangle_bound bound;
+  bound.half_height = 1;
+  bound.left = {{0, 1, magnitude()}};
+  bound.right = {
+      {0, 0.25, magnitude()}, {0.25, 0.5, magnitude::power_of_two(0)}, {0.5, 1, magnitude()}};
+  for (const rational& h : {rational(1, 3), rational(1), rational(5)}) {
+    const auto weight = [&](const auto& y) { return 2 / (1 + exp(y * (2 / h) * pi(400))); };
+    const integral exact =
+        integrate(weight, limit(rational(1, 4)), limit(rational(1, 2)), {.digits = 20});
+    ASSERT_EQ(exact.verdict, status::certified);
+    const magnitude share = trapezoid_error(ball(h, p), bound);
+    EXPECT_TRUE(is_bound_of(share, exact.enclosure)) << h;
+    EXPECT_TRUE(is_at_most(share, rational(1'001, 1'000), exact.enclosure)) << h;
+  }
+}
+
+// e^(3x) over [-4, 0] is 1 at one end, and e^(-3x) at the other.
+TEST(TrapezoidError, KnowsTheSizeAtBothSides) {
+  long evaluations = 0;
+  const ball small = exp(ball(-12, p));
+  for (const long s : {3L, -3L}) {
+    const auto f = [s](const region& z) { return exp(s * z); };
+    const rational a = s > 0 ? -4 : 0;
+    const auto bound = detail::bound_of_real_function(f, a, rational(a + 4), 0.5, evaluations);
+    ASSERT_TRUE(bound.has_value());
+    for (const side_piece& piece : s > 0 ? bound->right : bound->left) {
+      EXPECT_TRUE(is_bound_of(piece.supremum, ball(1, p)));
+    }
+    for (const side_piece& piece : s > 0 ? bound->left : bound->right) {
+      EXPECT_TRUE(is_bound_of(piece.supremum, small));
+    }
+  }
+}
+
 TEST(TrapezoidError, RefusesWhatIsNotARectangle) {
   const rectangle_bound good = bound_of_gaussian(10, 3);
   EXPECT_FALSE(trapezoid_error(ball(1, p), good).is_infinite());
@@ -423,6 +484,18 @@ TEST(TrapezoidError, RefusesWhatIsNotARectangle) {
     return ::testing::AssertionSuccess();
   }
   return ::testing::AssertionFailure() << support::described(q.enclosure);
+}
+
+TEST(LineIntegral, CountsTheTruncationAndWhatIsBeyondTheRange) {
+  line_plan plan;
+  plan.nodes = 1;
+  plan.truncation_error = magnitude::power_of_two(-11);
+  const magnitude beyond = magnitude::power_of_two(-12);
+  const line_integral found =
+      detail::carry_out(plan, [](long, precision bits) { return ball(1, bits); }, 10, beyond, {});
+  EXPECT_TRUE(certified_to(found, 10));
+  EXPECT_TRUE(contains(found.enclosure, rational(1 + rational(3, 1 << 12))));
+  EXPECT_TRUE(contains(found.enclosure, rational(1 - rational(3, 1 << 12))));
 }
 
 constexpr auto gaussian = [](auto x) { return exp(-x * x); };
@@ -656,6 +729,27 @@ TEST(DoubleExponentialProblem, BoundsTheIntegrandAtTheSides) {
       EXPECT_TRUE(is_bound_of(other->left[k].supremum, size * (1 + logarithm)));
       EXPECT_TRUE(is_at_most(other->left[k].supremum, 2, size * (1 + logarithm)));
     }
+  }
+}
+
+TEST(DoubleExponentialProblem, BoundsIntegrandsOfAnySize) {
+  // 5 x^(-1/2) (1 + x): 5 (1 + reach) x^(-1/2) is not below it within reach of 0.
+  const double reach = 0.5;
+  const detail::exact_ball zero;
+  const end_series x = end_series::argument(zero, detail::exact_ball(rational(1)), 1, reach);
+  const auto growth = growth_from_series(5 * (1 + x) / sqrt(x), reach);
+  ASSERT_TRUE(growth.has_value());
+  EXPECT_EQ(growth->exponent, rational(-1, 2));
+  EXPECT_TRUE(is_bound_of(growth->factor, ball(rational(15, 2), p)));
+  // The sides of 5 x^(-1/2).
+  detail::double_exponential_problem problem = reciprocal_root();
+  problem.left.factor = magnitude::from_integer_up(5);
+  long evaluations = 0;
+  const auto bound = problem.rectangle(2, 0.75, evaluations);
+  ASSERT_TRUE(bound.has_value());
+  for (const side_piece& piece : bound->left) {
+    const complex_ball t(ball(-2, p), ball::exactly(piece.to, p));
+    EXPECT_TRUE(is_bound_of(piece.supremum, 5 * size_of_reciprocal_root(t))) << piece.to;
   }
 }
 

@@ -1,5 +1,8 @@
 // integrate by Taylor series: hyperexponential functions in x, e^(k x) and sin^2 (k x).
 
+#include <functional>
+#include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -447,6 +450,134 @@ TEST(TaylorSeries, KeepTheLimitOfEvaluations) {
   const integral i = integrate(
       f, 0, 1, {.digits = 50, .most_evaluations = 20, .rule = quadrature_rule::taylor_series});
   EXPECT_EQ(i.why, reason::not_applicable);
+}
+
+/// The value from `text`, with an error of one unit of the last digit that is given.
+ball rounded(const std::string& text, const std::string& unit) {
+  const precision p = 256;
+  return parse_ball(text, p).enlarged(ball(parse_rational(unit), p).magnitude_upper());
+}
+
+// Steep functions over ranges that begin or end in the middle of nowhere: what is negligible of a panel must not stand for
+// a range that ends in another one. The values are those of two other programs.
+TEST(TaylorSeries, EndWhereTheRangeDoes) {
+  const auto expect = [](const char* what, const auto& f, const limit& a, const limit& b,
+                         const ball& value) {
+    const integral i = integrate(f, a, b, {.digits = 20});
+    EXPECT_EQ(i.verdict, status::certified) << what;
+    EXPECT_TRUE(overlaps(i.enclosure, value)) << what << ": " << support::described(i.enclosure);
+  };
+  const auto q = [](const char* text) { return parse_rational(text); };
+  expect(
+      "e^x (1+e^x)^400", [](const auto& x) { return exp(x) * pow(1 + exp(x), 400); }, q("-1.4"),
+      q("-1.3999"), rounded("4.83231007601602947e33", "1e16"));
+  expect(
+      "sin x cos x (1+sin^2 x)^400",
+      [](const auto& x) { return sin(x) * cos(x) * pow(1 + square(sin(x)), 400); }, q("0.5"),
+      q("0.51"), rounded("1.96224333045310705e34", "1e17"));
+  expect(
+      "1/(1+e^-x)^400", [](const auto& x) { return 1 / pow(1 + exp(-x), 400); }, q("-1.5"),
+      q("-1.499"), rounded("3.21501712832247458e-299", "1e-316"));
+  expect(
+      "sin^700 x cos^233 x", [](const auto& x) { return pow(sin(x), 700) * pow(cos(x), 233); }, 1,
+      q("1.05"), rounded("4.12247083255237085e-116", "1e-133"));
+  expect(
+      "(1+cos^2 x)^400", [](const auto& x) { return pow(1 + square(cos(x)), 400); }, 1, q("1.1"),
+      rounded("1.11162885750378317e42", "1e25"));
+  expect(
+      "(4+cos x)^(2001/2)",
+      [](const auto& x) { return support::real_power(4 + cos(x), rational(2001, 2)); }, 2,
+      q("2.05"), rounded("1.67173057245511802e552", "1e535"));
+}
+
+// Poles at irrational ends, next to which the integrand is too small to be seen.
+TEST(TaylorSeries, SeeThePoleAtAnEndWhereTheIntegrandIsSmall) {
+  const limit cube_root([](precision p) { return root(ball(18, p), 3); });
+  const limit of_square([](precision p) { return (4 + sqrt(ball(40, p))) / 2; });
+  const auto is_refused = [](const auto& f, const limit& b) {
+    return integrate(f, 0, b, {.digits = 20}).verdict == status::not_certified;
+  };
+  EXPECT_TRUE(
+      is_refused([](const auto& x) { return exp(-20 * square(x)) / (18 - pow(x, 3)); }, cube_root));
+  EXPECT_TRUE(is_refused(
+      [](const auto& x) {
+        return 1 / (1 + exp(x)) + parse_rational("1e-40") / square(18 - pow(x, 3));
+      },
+      cube_root));
+  EXPECT_TRUE(is_refused(
+      [](const auto& x) { return exp(-16 * square(x)) / (square(x) - 4 * x - 6); }, of_square));
+}
+
+TEST(TaylorSeries, KeepANarrowIrrationalRange) {
+  const limit a([](precision p) { return sqrt(ball(2, p)); });
+  const rational length = parse_rational("4.29e-16");
+  const limit b([=](precision p) { return sqrt(ball(2, p)) + length; });
+  const rational slope = parse_rational("1.32e-308");
+  const integral i =
+      integrate([=](const auto& x) { return rational(1013, 1000) / (1 + exp(7 * x)) + slope * x; },
+                a, b, {.digits = 300});
+  ASSERT_EQ(i.verdict, status::certified);
+  // The antiderivative of 1/(1+e^(7x)) is x - log(1+e^(7x))/7.
+  const precision p = 2048;
+  const auto of = [&](const ball& x) {
+    return (x - log(1 + exp(7 * x)) / 7) * rational(1013, 1000) + square(x) * slope / 2;
+  };
+  EXPECT_TRUE(overlaps(i.enclosure, of(b.at(p)) - of(a.at(p))));
+}
+
+// The same over random ranges of all lengths: by both rules, and cut in two.
+TEST(TaylorSeries, OfSteepFunctionsAreRight) {
+  std::mt19937_64 random(29);
+  const auto pick = [&](long low, long high) {
+    return std::uniform_int_distribution<long>(low, high)(random);
+  };
+  const std::vector<
+      std::function<integral(long, const limit&, const limit&, const integrate_options&)>>
+      families{
+          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+            return integrate([n](const auto& x) { return exp(x) * pow(1 + exp(x), n); }, a, b, o);
+          },
+          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+            return integrate([n](const auto& x) { return pow(1 + exp(-x), -n); }, a, b, o);
+          },
+          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+            return integrate([n](const auto& x) { return pow(1 + square(cos(x)), n); }, a, b, o);
+          },
+          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+            return integrate(
+                [n](const auto& x) { return sin(x) * cos(x) * pow(2 + square(sin(x)), n); }, a, b,
+                o);
+          },
+          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+            return integrate([n](const auto& x) { return pow(x, n) * exp(-n * x); }, a, b, o);
+          },
+      };
+  int compared = 0;
+  for (support::repeat trial(100); trial.again();) {
+    const auto& f = families[static_cast<std::size_t>(pick(0, 4))];
+    const long n = pick(0, 1) * pick(1, 1000) + pick(1, 40);
+    const rational length = rational(pick(1, 99)) / support::power_of_ten(pick(2, 12));
+    const rational start(pick(1, 150), 100);
+    const auto point = [&](const rational& q) {
+      return pick(0, 2) == 0
+                 ? limit([q](precision p) { return ball(q, p) + sqrt(ball(2, p)) / 10000; })
+                 : limit(q);
+    };
+    const limit a = point(start);
+    const limit b = point(start + length + rational(1, 1000));
+    const limit middle = limit(start + length / 2 + rational(1, 2000) + rational(1, 14142));
+    const long digits = pick(5, 30);
+    const integral x = f(n, a, b, {.digits = digits, .rule = quadrature_rule::taylor_series});
+    if (x.verdict != status::certified) continue;
+    ++compared;
+    const integral y = f(n, a, b, {.digits = digits, .rule = quadrature_rule::gauss_legendre});
+    const integral left = f(n, a, middle, {.digits = digits});
+    const integral right = f(n, middle, b, {.digits = digits});
+    EXPECT_TRUE(overlaps(x.enclosure, y.enclosure)) << n << ": " << support::described(x.enclosure);
+    EXPECT_TRUE(overlaps(x.enclosure, left.enclosure + right.enclosure))
+        << n << ": " << support::described(x.enclosure);
+  }
+  EXPECT_GE(compared, 50);
 }
 
 // Rational functions' roots, exponential functions, and limits at random: by both rules.

@@ -114,7 +114,7 @@ TEST(Effects, ATooWideSampleIsNotCertified) {
   const auto width = [](long power) { return magnitude::power_of_two(power); };
   const auto bits = static_cast<long>(bits_for_digits(20));
   const auto checked = [&](effect_result result) {
-    detail::check_rows(result, scales);
+    detail::check_rows(result, {.from = 0, .to = 1, .samples = 2}, scales);
     return result;
   };
   // 8 2^(1 - bits) is allowed of omega, and no more.
@@ -131,6 +131,21 @@ TEST(Effects, ATooWideSampleIsNotCertified) {
   effect_result doubles = table_with(ball::undefined(100));
   doubles.table->certified = false;
   EXPECT_EQ(checked(doubles).verdict, status::certified);
+  // A row for each time, and no other.
+  const effect_result good = table_with(ball(0, 100));
+  effect_result bad = good;
+  bad.table->rows.pop_back();
+  EXPECT_THROW(checked(bad), std::logic_error);
+  bad = good;
+  bad.table->rows[1].pop_back();
+  EXPECT_THROW(checked(bad), std::logic_error);
+  bad = good;
+  bad.table->first[1] = rational(1, 2);
+  EXPECT_THROW(checked(bad), std::logic_error);
+  bad = good;
+  bad.table->first.emplace_back(2);
+  bad.table->rows.push_back(bad.table->rows[0]);
+  EXPECT_THROW(checked(bad), std::logic_error);
 }
 
 TEST(Effects, AgreeWithTheirRooms) {

@@ -11,8 +11,8 @@
 //                         radius of 31 bits rounded up (the style of Arb: F. Johansson, 2017);
 //   two end points        the tight form of a wide set: two MPFR numbers, rounded outward, either of
 //                         which may be infinite (the style of MPFI and IEEE 1788).
-// Results with a radius above 2^-24 of the midpoint pass to end points; end points closer together
-// than 2^-(precision/2) of their size pass to midpoint and radius. A ball may also be *undefined*:
+// Results with a radius above 2^-24 of the midpoint pass to end points; end points that were rounded, and are closer
+// together than 2^-(precision/2) of their size, pass to midpoint and radius. A ball may also be *undefined*:
 // the operation is not defined on the whole of its operands (a root of [-1, 1], a division by
 // [0, 1]). Undefined spreads to every result, prints as "undefined", and answers "possibly" and never
 // "certainly" to every question.
@@ -69,6 +69,28 @@ class ball {
   /// Exactly 0, at 64 bits.
   ball() noexcept : first_(64) {}
   explicit ball(detail::room r) : first_(r.bits) {}
+
+  ball(const ball&) = default;
+  ball& operator=(const ball&) = default;
+  /// A ball that was moved from is undefined, with 64 bits.
+  ball(ball&& other) noexcept
+      : first_(std::move(other.first_)),
+        second_(std::move(other.second_)),
+        radius_(other.radius_),
+        form_(other.form_) {
+    other.empty();
+  }
+  ball& operator=(ball&& other) noexcept {
+    if (this != &other) {
+      first_ = std::move(other.first_);
+      second_ = std::move(other.second_);
+      radius_ = other.radius_;
+      form_ = other.form_;
+      other.empty();
+    }
+    return *this;
+  }
+  ~ball() = default;
 
   /// The integer n; where it has more than p bits, the enclosure of it with p bits.
   template <machine_integer N>
@@ -170,6 +192,11 @@ class ball {
 
   void set_integer(long n, polhode::precision p);
   void set_integer(unsigned long n, polhode::precision p);
+  /// What is left of a ball whose cells were taken.
+  void empty() noexcept {
+    first_.reset(64);
+    form_ = form::undefined;
+  }
 
   detail::mpfr_cell first_;   // the midpoint, or the lower end
   detail::mpfr_cell second_;  // the upper end; meaningful only in the form of end points

@@ -27,7 +27,8 @@
 //   expm1                R            2^-49
 //   log                  (0, inf)     2^-50
 //   log1p                (-1, inf)    2^-49
-//   sin, cos             R            2^-50     and absolutely 2^-94 for |x| > pi/4;
+//   sin, cos             R            2^-50     and for |x| > pi/4 absolutely 2^-94, or 2^-132 where one of
+//                                               them is below 2^-31;
 //                                               [-1, 1] beyond 2^20: see needs_wider_range
 //   tan                  no odd pi/2  2^-48     undefined beyond 2^20
 //   asin, acos           [-1, 1]      2^-49
@@ -435,6 +436,10 @@ inline constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
 inline constexpr double half_pi_1 = 0x1.921fb544p+0;
 inline constexpr double half_pi_2 = 0x1.0b4611a8p-34;
 inline constexpr double half_pi_3 = -0x1.d9cceba3f91f2p-66;
+// pi/2 = half_pi_1 + half_pi_2 + half_pi_4 + half_pi_5 + half_pi_6 + less than 2^-184; multiples of 2^-96 and 2^-128.
+inline constexpr double half_pi_4 = -0x1.d9cceba4p-66;
+inline constexpr double half_pi_5 = 0x1.b839a2p-104;
+inline constexpr double half_pi_6 = 0x1.48127044533e6p-130;
 inline constexpr double log2_e = 0x1.71547652b82fep+0;
 // log 2 = log_2_high + log_2_low + less than 2^-96; log_2_high is a multiple of 2^-42.
 inline constexpr double log_2_high = 0x1.62e42fefa38p-1;
@@ -458,7 +463,9 @@ inline constexpr double expm1_bound = 0x1p-49;
 inline constexpr double log_bound = 0x1p-50;
 inline constexpr double log1p_bound = 0x1p-49;
 inline constexpr double circular_bound = 0x1p-50;     // and, where turns != 0,
-inline constexpr double circular_absolute = 0x1p-94;  // this beside it
+inline constexpr double circular_absolute = 0x1p-94;  // this beside it, or
+inline constexpr double circular_absolute_at_multiples =
+    0x1p-132;  // this: circular::absolute says which
 inline constexpr double angle_bound = 0x1p-50;
 inline constexpr double asin_bound = 0x1p-49;
 inline constexpr double sinh_bound = 0x1p-49;  // tanh, asinh, acosh, atanh too
@@ -481,6 +488,7 @@ struct circular {
   double sine;
   double cosine;
   long turns;  // the multiple of pi/2 nearest to x
+  double absolute;
 };
 [[nodiscard]] circular sin_cos(double x);
 /// arg(x + i y) for y >= 0, not both 0 and not both infinite.

@@ -9,7 +9,9 @@
 // undefined coefficients from the first one that fails.
 //
 // T may be ball, complex_ball, mpfr_float, double, or anything else with their operators and functions.
-// The order is a template parameter, or dynamic_order with a run-time order (then on the heap).
+// The order is a template parameter, or dynamic_order with a run-time order (then on the heap). Two jets that
+// meet in an operation have the same order, else it throws std::invalid_argument: the coefficients that the
+// shorter one lacks are unknown, not 0.
 //
 // Boost.Math's autodiff (fvar) was looked at first. It cannot serve here: it decides by `==`, by operator<
 // and by numeric_limits<T>::epsilon() which terms to form (in pow, in inverse, in products), makes scalars
@@ -23,6 +25,8 @@
 #include <cmath>
 #include <concepts>
 #include <initializer_list>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -63,6 +67,17 @@ template <class T>
 [[nodiscard]] T one_like(const T& x) {
   return T(x * exact<T>(0) + exact<T>(1));
 }
+
+[[noreturn]] inline void refuse_orders(int m, int n) {
+  throw std::invalid_argument("jets of the orders " + std::to_string(m) + " and " +
+                              std::to_string(n) + ": an operation takes jets of one order");
+}
+[[noreturn]] inline void refuse_order(int order, int fixed) {
+  throw std::invalid_argument(
+      "a jet of order " + std::to_string(order) + ": " +
+      (fixed == dynamic_order ? "it must be 0 or more, and be given where the type leaves it open"
+                              : "the type's order is " + std::to_string(fixed)));
+}
 }  // namespace detail
 
 template <class T, int Order>
@@ -85,12 +100,23 @@ class jet {
     if (order >= 1) r[1] = detail::one_like(x);
     return r;
   }
-  /// A jet with room for the order, to be filled.
+  /// A jet with room for the order, to be filled. Without one, where the type leaves it open, a jet without coefficients, to be
+  /// assigned.
   explicit jet(int order = Order) {
-    if constexpr (Order == dynamic_order) coefficients_.resize(static_cast<std::size_t>(order) + 1);
+    if constexpr (Order == dynamic_order) {
+      if (order < dynamic_order) detail::refuse_order(order, Order);
+      coefficients_.resize(static_cast<std::size_t>(order) + 1);
+    } else {
+      if (order != Order) detail::refuse_order(order, Order);
+    }
   }
 
   [[nodiscard]] int order() const { return static_cast<int>(coefficients_.size()) - 1; }
+  /// The order of both. Throws std::invalid_argument where they differ.
+  [[nodiscard]] friend int common_order(const jet& x, const jet& y) {
+    if (x.order() != y.order()) detail::refuse_orders(x.order(), y.order());
+    return x.order();
+  }
   /// f^(k) / k!.
   [[nodiscard]] const T& operator[](int k) const {
     return coefficients_[static_cast<std::size_t>(k)];
@@ -110,21 +136,21 @@ class jet {
   jet& operator/=(const jet& y) { return *this = *this / y; }
 
   friend jet operator+(const jet& x, const jet& y) {
-    return build(x.order(), [&](int k, const jet&) { return T(x[k] + y[k]); });
+    return build(common_order(x, y), [&](int k, const jet&) { return T(x[k] + y[k]); });
   }
   friend jet operator-(const jet& x, const jet& y) {
-    return build(x.order(), [&](int k, const jet&) { return T(x[k] - y[k]); });
+    return build(common_order(x, y), [&](int k, const jet&) { return T(x[k] - y[k]); });
   }
   friend jet operator-(const jet& x) {
     return build(x.order(), [&](int k, const jet&) { return T(-x[k]); });
   }
   friend jet operator+(const jet& x) { return x; }
   friend jet operator*(const jet& x, const jet& y) {
-    return build(x.order(), [&](int k, const jet&) { return convolution(x, y, 0, k, k); });
+    return build(common_order(x, y), [&](int k, const jet&) { return convolution(x, y, 0, k, k); });
   }
   /// q y = x.
   friend jet operator/(const jet& x, const jet& y) {
-    return build(x.order(), [&](int k, const jet& q) {
+    return build(common_order(x, y), [&](int k, const jet& q) {
       return k == 0 ? T(x[0] / y[0]) : T((x[k] - convolution(q, y, 0, k - 1, k)) / y[0]);
     });
   }
@@ -401,15 +427,17 @@ template <int Order>
 /// The lesser (greater) of the two where that is certain, else with undefined coefficients beyond the value.
 template <int Order>
 [[nodiscard]] jet<ball, Order> min(const jet<ball, Order>& x, const jet<ball, Order>& y) {
+  const int order = common_order(x, y);
   if (certainly_less(x[0], y[0])) return x;
   if (certainly_less(y[0], x[0])) return y;
-  return detail::value_alone<Order>(min(x[0], y[0]), x.order());
+  return detail::value_alone<Order>(min(x[0], y[0]), order);
 }
 template <int Order>
 [[nodiscard]] jet<ball, Order> max(const jet<ball, Order>& x, const jet<ball, Order>& y) {
+  const int order = common_order(x, y);
   if (certainly_less(x[0], y[0])) return y;
   if (certainly_less(y[0], x[0])) return x;
-  return detail::value_alone<Order>(max(x[0], y[0]), x.order());
+  return detail::value_alone<Order>(max(x[0], y[0]), order);
 }
 /// Constant away from the integers, else with undefined coefficients beyond the value.
 template <int Order>

@@ -12,30 +12,48 @@
 namespace polhode::checker {
 
 enum class outcome {
-  verified,       // everything that the certificate says was shown again
-  not_checkable,  // this checker cannot repeat some of it; nothing was found wrong
-  refuted,        // something in it is not so, or is not what a certificate of this claim says
-  malformed,      // it is no certificate of a form and a claim that this version knows
+  verified,          // everything that the claim says was shown again
+  verified_in_part,  // so was what the certificate says; but it leaves out a part of what its claim says (report::left_out)
+  not_checkable,     // this checker cannot repeat some of it; nothing was found wrong
+  refuted,           // something in it is not so, or is not what a certificate of this claim says
+  malformed,         // it is no certificate of a form and a claim that this version knows
 };
 
-/// "verified", "not checkable", "refuted", "malformed".
+/// "verified", "verified in part", "not checkable", "refuted", "malformed".
 [[nodiscard]] std::string to_text(outcome result);
+
+/// What one check may cost. Both are counted from the sizes of operands, never measured: a certificate costs the same on every machine.
+struct limits {
+  long work = 20'000'000'000;  // operations on 64-bit words; more than a thousand million a second
+  long memory = long{1024} << 20U;  // bytes
+};
 
 struct report {
   outcome result = outcome::malformed;
-  std::string claim;                // empty where it was not read
-  std::string place;                // JSON pointer of what is wrong, "/numbers/beta/lower"
-  std::string message;              // what is wrong there and what would be right
-  std::vector<std::string> checks;  // what was shown, in words
-  /// What the certificate leaves out of the claim's numbers and facts, as not found by the prover. The claim is shown without.
+  std::string claim;    // empty where it was not read
+  std::string place;    // JSON pointer of what is wrong, "/numbers/beta/lower"
+  std::string message;  // what is wrong there and what would be right
+  /// Of a verified one: what it is of, in words ("integral"; "claim \"crossing\" for the non-physical body a = 3, b = 1/4").
+  std::string subject;
+  /// Of a verified one: what was shown, a sentence a line, with all inputs and all numbers, in the checker's own words.
+  std::vector<std::string> statement;
+  std::vector<std::string> checks;  // what was shown again on the way, in words
+  /// What the certificate leaves out of the claim's numbers and facts, as not found by the prover.
   std::vector<std::string> left_out;
+  long work = 0;    // what the check cost, in the units of `limits`
+  long memory = 0;  // the most bytes that were held at a time
+
+  /// What the certificate says was shown again, be it all that its claim says or not.
+  [[nodiscard]] bool is_verified() const {
+    return result == outcome::verified || result == outcome::verified_in_part;
+  }
 };
 
 /// The greatest certificate that is read, in bytes.
 inline constexpr std::size_t most_certificate_bytes = std::size_t{64} << 20U;
 
-/// Checks one certificate, given as JSON text. Never throws for what the text holds; time and memory are bounded by a
-/// power of its length. Numbers of more than 100,000 digits are not checkable.
-[[nodiscard]] report check(std::string_view certificate);
+/// Checks one certificate, given as JSON text. Never throws for what the text holds. Where it would cost more than `most`, and where
+/// numbers have more than 100,000 digits, it is not checkable, and the report names the place.
+[[nodiscard]] report check(std::string_view certificate, const limits& most = {});
 
 }  // namespace polhode::checker

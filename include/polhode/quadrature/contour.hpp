@@ -10,7 +10,10 @@
 //
 // What is proved: f, with the branch cuts that complex_ball.hpp and region.hpp say its functions have, is analytic on
 // a neighbourhood of every piece of the path but for the piece's ends. A path that crosses a cut, or runs along one, or
-// through a pole, is refused. At an end of a piece f need not be analytic where it is bounded (sqrt(z) at 0, or at -1).
+// through a pole, is refused, however near to an end that is. At an end of a piece f need not be analytic where it is bounded (sqrt(z) at
+// 0, or at -1); beside such an end one looks for cuts down to 2^-420 of the piece's length, or less for many digits. Nearer to it the
+// values of f are its principal ones.
+// And that the pieces join: integrate_along says how.
 // How: integrate.hpp says; the ellipses around a panel are covered wholly, for f is not real on it.
 
 #include <concepts>
@@ -46,6 +49,11 @@ class path_point {
   [[nodiscard]] const limit& re() const { return re_; }
   [[nodiscard]] const limit& im() const { return im_; }
 
+  /// Certainly the same number: each part is, as limit::is_same_as says.
+  [[nodiscard]] bool is_same_as(const path_point& other) const {
+    return re_.is_same_as(other.re_) && im_.is_same_as(other.im_);
+  }
+
  private:
   limit re_;
   limit im_;
@@ -66,7 +74,7 @@ struct arc_piece {
 };
 using path_piece = std::variant<line_piece, arc_piece>;
 
-/// Pieces one after the other. They need not meet: the integral is the sum of theirs.
+/// Pieces one after the other. Each starts where the one before it ends; integrate_along refuses others.
 class path {
  public:
   /// No piece: every integral is 0.
@@ -139,8 +147,12 @@ template <class F>
 
 /// The integral of f(z) dz along a path. Each part of the enclosure has a radius of at most 10^-options.digits of the
 /// integral's size, or of that which options says, where it is certified. Verdicts as of `integrate`; not_analytic
-/// says which function is in the way, and near which z. A piece without length (equal exact points, radius 0, equal
-/// angles) adds 0, and f is not asked there. Throws std::invalid_argument for options.digits < 1.
+/// says which function is in the way, and near which z. A piece without length (points that are the same, radius 0, equal
+/// angles) adds 0, and f is not asked there.
+///
+/// That a piece starts where the one before it ends is proved where both points are one path_point or both are exact, as the corners
+/// of a polygon are. Of others, such as the ends of arcs, equality cannot be proved: their enclosures to twice the digits must
+/// overlap. Throws std::invalid_argument where pieces do not join, and for options.digits < 1.
 template <class F>
 [[nodiscard]] contour_integral integrate_along(const F& f, const path& along,
                                                const integrate_options& options = {}) {

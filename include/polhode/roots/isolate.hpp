@@ -20,6 +20,9 @@
 //   f, f', ..., f^(m-1) exactly 0 at a rational point and f^(m) not 0 over the box: that point, m times, and by
 //     Rolle's theorem no other;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does.
+// What an examination of a box has proved, it says of pieces, and the search proves in exact arithmetic that the pieces make up
+// the box; the result is made only where all pieces, settled and open, are proved to make up the interval, each point
+// once. Otherwise std::logic_error is thrown: a fault of the library.
 // A multiple root that none of these proves stays unresolved, however many bits are spent; the number of complex
 // roots near it, which Rouche's theorem gives, is reported with it.
 

@@ -12,7 +12,8 @@
 // f(m) + J(X) (X - m), does not hold 0, or where the preconditioned interval Newton method in Gauss-Seidel form
 // (E. Hansen, S. Sengupta, 1981) leaves nothing of it. It has exactly one root where Krawczyk's operator maps it
 // into its interior. What is left is halved. The proof is tried on a wider box, which is then taken out, so that a
-// root on a face of boxes is found once.
+// root on a face of boxes is found once. The result is made only where the boxes, settled and open, are proved to be the whole
+// box, each part once; otherwise std::logic_error is thrown: a fault of the library.
 
 #include <functional>
 #include <string>
@@ -114,11 +115,13 @@ class system_search {
   friend class system_searcher;
   struct waiting {
     std::vector<ball> x;
+    int halvings = 0;
   };
   real_system f_;
   std::vector<std::pair<rational, rational>> range_;
   std::vector<waiting> pending_;
   std::vector<waiting> stuck_;
+  rational settled_ = 0;  // the share of the box that is done with
   std::vector<system_region> found_;
   isolation_account account_;
 };

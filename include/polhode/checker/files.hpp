@@ -1,0 +1,37 @@
+#pragma once
+
+// Certificates in files, checked and reported as `polhode check` and `polhode-check` print it.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "polhode/checker/check.hpp"
+
+namespace polhode::checker {
+
+struct files_request {
+  std::vector<std::string>
+      paths;             // of certificates, or of directories of which every .json file is one
+  bool verbose = false;  // every fact and number that was shown again, and what the check cost
+  limits most;           // of each certificate
+};
+
+struct files_report {
+  std::string text;    // the lines to print: file by file, then how many are verified
+  bool whole = false;  // all are verified, and leave nothing out
+  std::string
+      unusable;  // the first that is malformed or was not read, and why; empty where there is none
+};
+
+/// Checks all files; what cannot be read has a line of its own and costs the others nothing. Calls `begins` before each with its path, fit
+/// to be shown, its number from 1 on, and the number of all.
+[[nodiscard]] files_report check_files(
+    const files_request& request,
+    const std::function<void(const std::string& path, std::size_t number, std::size_t of)>& begins);
+
+/// A path as it may stand in a line of a terminal: as it is where it has letters, digits and ._/+-,=@~% alone, else in quotes, with
+/// everything escaped that is not printable ASCII.
+[[nodiscard]] std::string printable(const std::string& path);
+
+}  // namespace polhode::checker

@@ -1,0 +1,296 @@
+#include "second_integral.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::cli {
+
+// ---------------------------------------------------------------------------------------------
+// Cuts
+
+namespace {
+
+constexpr std::int64_t greatest_log2 = 1L << 16;
+
+/// Bounded, and of a size that a rational number may have.
+bool is_moderate(const ball& x) {
+  if (!x.is_bounded()) return false;
+  const magnitude size = x.magnitude_upper();
+  return size.is_zero() || std::abs(size.log2_floor()) <= greatest_log2;
+}
+
+/// 2^k <= x < 2^(k+1).
+rational power_of_two_below(const rational& x) {
+  rational result(1);
+  while (result > x) result /= 2;
+  while (result * 2 <= x) result *= 2;
+  return result;
+}
+
+/// The greatest whole number that is not above x.
+integer floor_of(const rational& x) {
+  integer quotient = numerator(x) / denominator(x);
+  if (quotient * denominator(x) > numerator(x)) --quotient;
+  return quotient;
+}
+
+/// The number (k + 1/3) unit, k whole, that is at least x and less than a unit above it, or below x by less than one.
+rational third_of_grid(const rational& x, const rational& unit) {
+  return (rational(floor_of(x / unit)) + rational(1, 3)) * unit;
+}
+
+std::optional<rational> cut_of_finite(const limit& a, const limit& b) {
+  constexpr precision most_bits = 1L << 16;
+  for (precision p = 128; p <= most_bits; p *= 4) {
+    ball left = a.at(p);
+    ball right = b.at(p);
+    if (!is_moderate(left) || !is_moderate(right)) return std::nullopt;
+    if (certainly_less(right, left)) std::swap(left, right);
+    const rational lower = upper_rational(left);
+    const rational upper = lower_rational(right);
+    if (lower >= upper) continue;
+    const rational length(upper - lower);
+    const rational widest(upper_rational(right) - lower_rational(left));
+    if (widest > 2 * length) continue;
+    const rational share(37, 100);
+    const rational cut = third_of_grid(lower + share * length, power_of_two_below(length) / 64);
+    if (lower < cut && cut < upper) return cut;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<rational> cut_between(const limit& a, const limit& b) {
+  const int infinities = std::abs(a.infinite_sign()) + std::abs(b.infinite_sign());
+  if (infinities == 0) return cut_of_finite(a, b);
+  if (infinities == 2) return rational(1, 3);
+  const limit& infinite = a.infinite_sign() != 0 ? a : b;
+  const ball end = (a.infinite_sign() != 0 ? b : a).at(64);
+  if (!is_moderate(end)) return std::nullopt;
+  const rational nearest = infinite.infinite_sign() > 0 ? upper_rational(end) : lower_rational(end);
+  const rational step(1 + abs(nearest) / 3);
+  return infinite.infinite_sign() > 0 ? third_of_grid(nearest + step + 1, 1)
+                                      : third_of_grid(nearest - step - 1, 1);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Real ranges
+
+std::string route_text(const integral_account& account) {
+  std::string rules;
+  for (const quadrature_rule rule : account.rules) {
+    rules += (rules.empty() ? "" : " and ") + to_text(rule);
+  }
+  if (rules.empty()) rules = "bounds of the integrand";
+  return fmt::format("{}, {} panel{}", rules, account.panels, account.panels == 1 ? "" : "s");
+}
+
+namespace {
+
+/// The sum of the integrals over pieces.
+struct sum_of_pieces {
+  ball enclosure = ball(0, 64);
+  status verdict = status::certified;
+  reason why = reason::none;
+  std::string obstacle;
+  integral_account account;
+};
+
+void add_cost(integral_account& sum, const integral_account& more) {
+  sum.evaluations += more.evaluations;
+  sum.region_evaluations += more.region_evaluations;
+  sum.panels += more.panels;
+  sum.terms += more.terms;
+  sum.precision = std::max(sum.precision, more.precision);
+}
+
+std::string work_text(const integral_account& a) {
+  std::string result;
+  const auto append = [&](const std::string& part) {
+    result += (result.empty() ? "" : ", ") + part;
+  };
+  append(fmt::format("{} panel{}", a.panels, a.panels == 1 ? "" : "s"));
+  if (a.terms > 0) append(fmt::format("{} terms", a.terms));
+  if (a.evaluations > 0) append(fmt::format("{} evaluations", a.evaluations));
+  if (a.region_evaluations > 0) append(fmt::format("{} over regions", a.region_evaluations));
+  if (a.precision > 0) append(fmt::format("{} bits", a.precision));
+  return result;
+}
+
+/// One rule for all pieces between the points; integrated until one of them is not certified.
+sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<limit>& points,
+                               const integrate_options& how) {
+  sum_of_pieces sum;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    const integral part = detail::integrate_function(f, points[k - 1], points[k], how);
+    add_cost(sum.account, part.account);
+    sum.enclosure += part.enclosure;
+    if (part.verdict == status::certified) continue;
+    sum.verdict = part.verdict;
+    sum.why = part.why;
+    sum.obstacle = part.obstacle;
+    // What is left of the sum may be anything.
+    if (k + 1 < points.size()) sum.enclosure = ball::undefined(64);
+    return sum;
+  }
+  return sum;
+}
+
+/// How the pieces are integrated to a sum of that radius, which may be 0 for any: first to so many digits each, and to more where they
+/// cancel.
+sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<limit>& points,
+                                integrate_options how, const magnitude& goal) {
+  if (!goal.is_zero()) how.absolute_exponent = static_cast<long>(goal.log2_floor()) - 2;
+  sum_of_pieces sum = integrate_pieces(f, points, how);
+  const bool cancels =
+      sum.verdict == status::certified && !goal.is_zero() && !(sum.enclosure.radius() <= goal);
+  if (!cancels || sum.enclosure.radius().is_infinite()) return sum;
+  constexpr double digits_per_bit = 0.30103;
+  const auto lost = static_cast<double>(sum.enclosure.radius().log2_floor() - goal.log2_floor());
+  how.digits += static_cast<long>(std::ceil(lost * digits_per_bit)) + 2;
+  sum_of_pieces finer = integrate_pieces(f, points, how);
+  add_cost(finer.account, sum.account);
+  return finer;
+}
+
+bool is_among(quadrature_rule rule, const std::vector<quadrature_rule>& rules) {
+  return std::find(rules.begin(), rules.end(), rule) != rules.end();
+}
+
+/// Those that are not in `used`, then those that are.
+std::vector<quadrature_rule> rules_by_independence(const std::vector<quadrature_rule>& used) {
+  std::vector<quadrature_rule> rules{quadrature_rule::taylor_series,
+                                     quadrature_rule::gauss_legendre,
+                                     quadrature_rule::double_exponential,
+                                     quadrature_rule::clenshaw_curtis, quadrature_rule::trapezoid};
+  std::stable_partition(rules.begin(), rules.end(),
+                        [&](quadrature_rule r) { return !is_among(r, used); });
+  return rules;
+}
+
+/// So many digits more than the first route's goal: another precision.
+constexpr long more_digits = 7;
+
+/// "not integrable (the pole at x = 1/3)".
+std::string obstacle_text(reason why, const std::string& obstacle) {
+  return to_text(why) + (obstacle.empty() ? "" : " (" + obstacle + ")");
+}
+
+}  // namespace
+
+second_opinion integral_again(const detail::integrand& f, const limit& a, const limit& b,
+                              const integral& first, long digits, int threads) {
+  const std::string what = "the integral";
+  const finding<ball> known{route_text(first.account), first.enclosure};
+  const magnitude goal = confirming_radius(first.enclosure, digits);
+  const std::optional<rational> cut = cut_between(a, b);
+  std::vector<limit> points{a, b};
+  if (cut) points.insert(points.begin() + 1, limit(*cut));
+  second_opinion result;
+  bool another_failed = false;
+  for (const quadrature_rule rule : rules_by_independence(first.account.rules)) {
+    const stopwatch time;
+    integrate_options how;
+    how.digits = digits + more_digits;
+    how.rule = rule;
+    how.threads = threads;
+    const sum_of_pieces sum = integrate_closely(f, points, how, goal);
+    route_report report;
+    const bool own = is_among(rule, first.account.rules);
+    another_failed =
+        another_failed || (!own && sum.why != reason::none && sum.why != reason::not_applicable);
+    report.route = to_text(rule) + (own ? " again" : "");
+    if (cut) report.route += ", the range cut at " + to_decimal(ball(*cut, 64), 6);
+    report.work = work_text(sum.account);
+    report.seconds = time.seconds();
+    // The double exponential rule says so of an upper bound of f's growth, which is no proof.
+    const bool diverges =
+        sum.why == reason::not_integrable && rule != quadrature_rule::double_exponential;
+    if (diverges) {
+      contradict(what, {known.route, to_decimal(first.enclosure, digits)},
+                 {report.route, obstacle_text(sum.why, sum.obstacle)});
+    }
+    expect_overlap(what, known, {report.route, sum.enclosure});
+    if (sum.verdict != status::certified) {
+      report.obstacle = obstacle_text(sum.why, sum.obstacle);
+    } else if (!goal.is_zero() && !(sum.enclosure.radius() <= goal)) {
+      report.obstacle = "its enclosure is wider than the digits that are asked for";
+    } else if (own && another_failed) {
+      report.obstacle = "the same, but a rule that shares less with the first route fails";
+    } else {
+      report.enclosure = to_json(sum.enclosure, digits);
+    }
+    result.add(report);
+    if (report.agrees()) break;
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Paths
+
+namespace {
+
+/// a + (b - a) k.
+limit between(const limit& a, const limit& b, const rational& k) {
+  if (a.form() && b.form()) return limit(*a.form() + (*b.form() - *a.form()) * k);
+  return limit([=](precision p) { return a.at(p) + (b.at(p) - a.at(p)) * k; });
+}
+
+path cut_piece(const line_piece& line, const rational& k) {
+  const path_point middle(between(line.from.re(), line.to.re(), k),
+                          between(line.from.im(), line.to.im(), k));
+  return path::polygon({line.from, middle, line.to});
+}
+path cut_piece(const arc_piece& arc, const rational& k) {
+  const limit middle = between(arc.from_angle, arc.to_angle, k);
+  return path::arc(arc.centre, arc.radius, arc.from_angle, middle) +
+         path::arc(arc.centre, arc.radius, middle, arc.to_angle);
+}
+
+}  // namespace
+
+second_opinion integral_again(const detail::complex_integrand& f, const path& along,
+                              const contour_integral& first, long digits, int threads) {
+  const std::string what = "the integral";
+  const finding<complex_ball> known{route_text(first.account), first.enclosure};
+  const rational share(10, 27);
+  path cut;
+  for (const path_piece& piece : along.pieces()) {
+    cut = std::move(cut) + std::visit([&](const auto& p) { return cut_piece(p, share); }, piece);
+  }
+  const stopwatch time;
+  const magnitude goal = confirming_radius(first.enclosure, digits);
+  integrate_options how;
+  how.digits = digits + more_digits;
+  how.threads = threads;
+  if (!goal.is_zero()) how.absolute_exponent = static_cast<long>(goal.log2_floor()) - 2;
+  const contour_integral again = detail::integrate_path(f, -cut, how);
+  const complex_ball enclosure = -again.enclosure;
+  route_report report;
+  report.route = "Gauss-Legendre backwards, every piece cut at 10/27 of it";
+  report.work = work_text(again.account);
+  report.seconds = time.seconds();
+  expect_overlap(what, known, {report.route, enclosure});
+  if (again.verdict != status::certified) {
+    report.obstacle = obstacle_text(again.why, again.obstacle);
+  } else {
+    report.enclosure =
+        json{{"real", to_json(enclosure.re, digits)}, {"imaginary", to_json(enclosure.im, digits)}};
+  }
+  second_opinion result;
+  result.add(std::move(report));
+  return result;
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,301 @@
+// What happens at the ends of a range: singular ends of every exponent, infinite tails, divergent integrals, extreme sizes.
+
+#include "integrals.hpp"
+
+namespace polhode::differential {
+namespace {
+
+const term x = "x";
+
+long few_digits(maker& m) { return m.one_in(3) ? m.between(2, 10) : m.between(11, 25); }
+
+/// Analytic and not 0 at every x >= 0, of moderate size there.
+term regular(maker& m) {
+  switch (m.between(0, 5)) {
+    case 0:
+      return call("exp", -(m.positive_rational() * x));
+    case 1:
+      return 1 / (1 + m.positive_rational() * x);
+    case 2:
+      return 2 + call("cos", m.positive_rational() * x);
+    case 3:
+      return call("sqrt", 1 + m.positive_rational() * power(x, 2));
+    case 4:
+      return call("exp", call("sin", x));
+    default:
+      return m.positive_coefficient();
+  }
+}
+
+/// An exponent at which x^e is integrable at 0, at times only just.
+term integrable_exponent(maker& m) {
+  if (m.one_in(6)) return -(1 - m.decimal(m.scattered(1e-6, 0.1)));
+  return m.exponent_between(-0.97, 3);
+}
+/// One at which it is not.
+term divergent_exponent(maker& m) {
+  if (m.one_in(3)) return -1;
+  if (m.one_in(4)) return -(1 + m.decimal(m.scattered(1e-20, 0.1)));
+  return m.exponent_between(-4, -1);
+}
+
+term logarithm_power(maker& m, const term& t) { return power(call("log", t), m.between(1, 3)); }
+
+integral_case singular_lower_end(maker& m) {
+  term f = power(x, integrable_exponent(m)) * regular(m);
+  if (m.one_in(3)) f = f * logarithm_power(m, x);
+  return {f, 0, m.near(m.scattered(0.1, 3)), few_digits(m)};
+}
+
+integral_case singular_both_ends(maker& m) {
+  const term a = m.one_in(2) ? term(0) : m.near(m.within(-2, 1));
+  const term b = m.near(m.within(1.5, 4));
+  term f = power(x - a, integrable_exponent(m)) * power(b - x, integrable_exponent(m));
+  if (m.one_in(2)) f = f * call("exp", -x);
+  if (m.one_in(5)) f = f * call("log", b - x);
+  return {f, a, b, few_digits(m)};
+}
+
+/// sqrt, log, asin, acosh, ... at the ends of their domains.
+integral_case domain_end(maker& m) {
+  const term c = m.near(m.within(0.5, 3));
+  const term w = (x - c);
+  const auto c_and = [&](const term& more) { return c + more; };
+  const term length = m.quotient(m.within(0.2, 2));
+  switch (m.between(0, 6)) {
+    case 0:
+      return {call("sqrt", w) * regular(m), c, c_and(length), few_digits(m)};
+    case 1:
+      return {call("log", w) * call("cos", x), c, c_and(length), few_digits(m)};
+    case 2:
+      return {call("acosh", x / c), c, c_and(length), few_digits(m)};
+    case 3:
+      return {call("asin", x / c) * regular(m), -c, c, few_digits(m)};
+    case 4:
+      return {1 / call("sqrt", 1 - power(x / c, 2)), m.one_in(2) ? term(0) : -c, c, few_digits(m)};
+    case 5:
+      return {call("atanh", x / c), 0, c, few_digits(m)};
+    default:
+      return {call("cbrt", w) / (1 + power(x, 2)), c - length, c_and(length), few_digits(m)};
+  }
+}
+
+/// Divergent at an end, however small the coefficient.
+integral_case divergent_end(maker& m) {
+  const term c = m.one_in(3) ? term(0) : m.near(m.within(0.5, 3));
+  const term size = m.one_in(2) ? m.decimal(m.scattered(1e-60, 1)) : term(1);
+  const bool at_lower = m.one_in(2);
+  const term w = at_lower ? x - c : c - x;
+  term f = size * power(w, divergent_exponent(m));
+  if (m.one_in(3)) f = f * (2 + call("cos", x));
+  if (m.one_in(2)) f = f + 1 / (1 + call("exp", x));
+  const term length = m.near(m.scattered(1e-3, 2));
+  integral_case r{f, at_lower ? c : c - length, at_lower ? c + length : c, few_digits(m)};
+  r.diverges = true;
+  return r;
+}
+
+/// A polynomial and its one positive root, a simple and mostly irrational one.
+std::pair<term, term> polynomial_with_root(maker& m) {
+  const long n = m.between(2, 40);
+  term base = 0;
+  term root = 0;
+  switch (m.between(0, 3)) {
+    case 0:
+      base = power(x, 2) - n;
+      root = call("sqrt", n);
+      break;
+    case 1:
+      base = power(x, 3) - n;
+      root = call("cbrt", n);
+      break;
+    case 2:
+      base = power(x, 5) - n;
+      root = call("root", n, 5);
+      break;
+    default: {
+      const long p = m.between(1, 9);
+      base = power(x, 2) - p * x - n;
+      root = (p + call("sqrt", p * p + 4 * n)) / 2;
+    }
+  }
+  return m.one_in(2) ? std::pair(base, root) : std::pair(-base, root);
+}
+
+/// Divergent at the irrational root of a polynomial, at an end or between the limits.
+integral_case divergent_root(maker& m) {
+  const auto [base, root] = polynomial_with_root(m);
+  const term e = m.any_of({1L, 1L, 2L, 3L});
+  term f = 1 / power(base, e);
+  if (m.one_in(2)) f = call("exp", -(m.positive_rational() * power(x, 2))) * f;
+  if (m.one_in(2)) f = m.decimal(m.scattered(1e-60, 1)) * f;
+  if (m.one_in(2)) f = f + 1 / (1 + call("exp", x));
+  integral_case r{f, m.one_in(2) ? term(0) : m.rational_near(m.within(0.1, 1)), root,
+                  few_digits(m)};
+  switch (m.between(0, 3)) {
+    case 0:
+      r.from = root;
+      r.to = root + m.positive_rational();
+      break;
+    case 1:
+      r.to = root + m.decimal(m.scattered(1e-20, 1));
+      break;
+    default:
+      break;
+  }
+  r.diverges = true;
+  return r;
+}
+
+/// A pole of other functions between the limits, or at an end.
+integral_case divergent_pole(maker& m) {
+  const term c = m.near(m.within(0.5, 3));
+  const term low = c - m.decimal(m.scattered(1e-10, 0.4));
+  const term high = m.one_in(2) ? c : c + m.decimal(m.scattered(1e-10, 0.4));
+  const term w = x - c;
+  term f = 0;
+  switch (m.between(0, 5)) {
+    case 0:
+      f = 1 / call("sin", w);
+      break;
+    case 1:
+      f = 1 / call("expm1", w);
+      break;
+    case 2:
+      f = (2 + call("cos", x)) / w + call("exp", x);
+      break;
+    case 3:
+      f = 1 / (call("log", x) - call("log", c));
+      break;
+    case 4:
+      f = 1 / (call("cosh", w) - 1);
+      break;
+    default:
+      f = call("tan", w + term("pi") / 2);
+  }
+  integral_case r{f, low, high, few_digits(m)};
+  r.diverges = true;
+  return r;
+}
+
+integral_case divergent_tail(maker& m) {
+  const term a = m.near(m.within(1.5, 4));
+  term f = 0;
+  switch (m.between(0, 6)) {
+    case 0:
+      f = power(x, m.exponent_between(-1, 2));
+      break;
+    case 1:
+      f = 1 / x + call("exp", -x);
+      break;
+    case 2:
+      f = 1 / (x * call("log", x));
+      break;
+    case 3:
+      f = x / (1 + power(x, 2));
+      break;
+    case 4:
+      f = call("atan", x) / x;
+      break;
+    case 5:
+      f = 1 / (x + call("exp", -x)) + m.decimal(m.scattered(1e-30, 1)) / call("sqrt", x);
+      break;
+    default:
+      f = call("tanh", x) / power(x, m.quotient(m.within(0.2, 1)));
+  }
+  integral_case r{f, a, "inf", few_digits(m)};
+  r.diverges = true;
+  return r;
+}
+
+integral_case algebraic_tail(maker& m) {
+  const term e = m.exponent_between(1.05, 6);
+  term f = m.one_in(2) ? power(x, -e) : power(m.positive_rational() + x, -e);
+  if (m.one_in(3)) f = f * call("sqrt", x / (1 + x));
+  if (m.one_in(4)) f = f * call("log", x);
+  if (m.one_in(4)) f = f * call("exp", 1 / x);
+  return {f, m.near(m.within(0.5, 4)), "inf", few_digits(m)};
+}
+
+integral_case exponential_tail(maker& m) {
+  const term k = m.one_in(3) ? m.near(m.scattered(0.2, 5)) : m.positive_rational();
+  term f = call("exp", -(k * (m.one_in(2) ? x : power(x, 2))));
+  if (m.one_in(2)) f = f * power(x, m.one_in(2) ? m.between(1, 5) : m.exponent_between(-0.9, 3));
+  if (m.one_in(3)) f = f * call(m.one_in(2) ? "cos" : "sin", m.positive_rational() * x);
+  if (m.one_in(5)) f = f / (1 + x);
+  const bool both = !f.has("^") && m.one_in(2);
+  return {f, both && !f.has("/") ? term(0) : (m.one_in(2) ? term(0) : m.near(m.within(0.1, 3))),
+          "inf", few_digits(m)};
+}
+
+integral_case whole_line(maker& m) {
+  const term k = m.positive_rational();
+  const term c = m.one_in(2) ? term(0) : m.near(m.within(-2, 2));
+  const term w = x - c;
+  switch (m.between(0, 3)) {
+    case 0:
+      return {call("exp", -(k * power(w, 2))) * m.polynomial(m.between(0, 3)), "-inf", "inf",
+              few_digits(m)};
+    case 1:
+      return {1 / power(m.positive_rational() + power(w, 2), m.between(1, 4)), "-inf", "inf",
+              few_digits(m)};
+    case 2:
+      return {1 / call("cosh", k * w), "-inf", "inf", few_digits(m)};
+    default:
+      return {call("cos", x) * call("exp", -(k * power(w, 2))), "-inf", "inf", few_digits(m)};
+  }
+}
+
+/// Limits, and what the integrand changes over, of 1e-300 to 1e300.
+integral_case extreme_sizes(maker& m) {
+  const double exponent = m.within(-300, 300);
+  const term scale = term("1e" + std::to_string(static_cast<long>(exponent)));
+  const term w = x / scale;
+  term f = 0;
+  switch (m.between(0, 4)) {
+    case 0:
+      f = call("exp", -w);
+      break;
+    case 1:
+      f = 1 / (1 + power(w, 2));
+      break;
+    case 2:
+      f = power(x, m.exponent_between(-0.9, 2));
+      break;
+    case 3:
+      f = call("sqrt", w) * call("cos", w);
+      break;
+    default:
+      f = power(1 + w, m.exponent(30));
+  }
+  const term a = m.one_in(2) ? term(0) : scale * m.near(m.within(0.1, 1));
+  return {f, a, scale * m.near(m.within(1.1, 4)), few_digits(m)};
+}
+
+/// Of limits whose sizes have nothing in common.
+integral_case many_orders(maker& m) {
+  const term low = m.decimal(m.scattered(1e-200, 1e-3));
+  const term high = m.decimal(m.scattered(1e-2, 1e100));
+  const term f = m.one_in(2) ? power(x, m.exponent_between(-3, 1)) * call("exp", -x)
+                             : 1 / (x * power(1 + x, m.between(1, 3)));
+  return {f, low, high, few_digits(m)};
+}
+
+}  // namespace
+
+std::vector<integral_family> end_families() {
+  return {{"singular lower end", 12, singular_lower_end},
+          {"singular at both ends", 10, singular_both_ends},
+          {"end of a domain", 10, domain_end},
+          {"divergent at an end", 7, divergent_end},
+          {"divergent at a root", 7, divergent_root},
+          {"divergent at a pole", 7, divergent_pole},
+          {"divergent tail", 6, divergent_tail},
+          {"algebraic tail", 7, algebraic_tail},
+          {"exponential tail", 7, exponential_tail},
+          {"whole line", 7, whole_line},
+          {"extreme sizes", 7, extreme_sizes},
+          {"many orders of magnitude", 6, many_orders}};
+}
+
+}  // namespace polhode::differential

@@ -1,0 +1,250 @@
+// Integrals that are known in closed form: derivatives of random formulas, elliptic and gamma functions.
+
+#include "integrals.hpp"
+
+namespace polhode::differential {
+namespace {
+
+const term x = "x";
+
+long few_digits(maker& m) { return m.one_in(3) ? m.between(2, 10) : m.between(11, 25); }
+
+/// A random formula that is analytic on the line, of t.
+term smooth_formula(maker& m, const term& t, long depth) {
+  if (depth == 0) return m.one_in(2) ? t : m.rational_near(m.within(0.3, 2)) * t;
+  const term u = smooth_formula(m, t, depth - 1);
+  switch (m.between(0, 4)) {
+    case 0:
+      return u * m.gentle(t);
+    case 1:
+      return u + m.coefficient() * m.gentle(smooth_formula(m, t, depth - 1));
+    case 2:
+      return u / (m.between(2, 4) + call("cos", t));
+    default:
+      return m.gentle(u);
+  }
+}
+
+integral_case derivative_of_smooth(maker& m) {
+  const auto [a, b] = m.range(-2, 2);
+  const term f = smooth_formula(m, x, m.between(1, 3));
+  integral_case c{derivative(f), a, b, few_digits(m)};
+  c.antiderivative = f;
+  return c;
+}
+
+/// Steep powers whose integral is elementary.
+integral_case derivative_of_steep(maker& m) {
+  term base = 0;
+  switch (m.between(0, 4)) {
+    case 0:
+      base = 1 + call("exp", x);
+      break;
+    case 1:
+      base = 1 + power(call("sin", x), 2);
+      break;
+    case 2:
+      base = m.positive_polynomial(true);
+      break;
+    case 3:
+      base = m.between(2, 5) + call("cos", x);
+      break;
+    default:
+      base = 1 + call("exp", -x);
+  }
+  const term f = power(base, m.exponent(2000));
+  const auto [a, b] = m.one_in(2) ? m.narrow_range(-2, 2) : m.range(-2, 2);
+  integral_case c{derivative(f), a, b, few_digits(m)};
+  c.antiderivative = f;
+  return c;
+}
+
+/// F with a square root or logarithm that ends at a limit.
+integral_case derivative_at_its_end(maker& m) {
+  const term c = m.near(m.within(0.5, 3));
+  const term w = x - c;
+  const term e = m.exponent_between(0.05, 3);
+  const term f = m.one_in(3) ? w * (call("log", w) - 1) * 1 : power(w, e) * m.gentle(x);
+  const term length = m.near(m.scattered(1e-3, 2));
+  integral_case r{derivative(f), c, c + length, few_digits(m)};
+  // F(c) = 0 in both cases.
+  r.value = substituted(f, "x", r.to);
+  return r;
+}
+
+integral_case gamma_integral(maker& m) {
+  switch (m.between(0, 3)) {
+    case 0: {
+      const term s = m.exponent_between(0.05, 12);
+      return {power(x, s - 1) * call("exp", -x),
+              0,
+              "inf",
+              few_digits(m),
+              std::nullopt,
+              call("gamma", s)};
+    }
+    case 1: {
+      const term p = m.exponent_between(0.05, 5);
+      const term q = m.exponent_between(0.05, 5);
+      return {power(x, p - 1) * power(1 - x, q - 1),
+              0,
+              1,
+              few_digits(m),
+              std::nullopt,
+              call("gamma", p) * call("gamma", q) / call("gamma", p + q)};
+    }
+    case 2: {
+      const term p = m.exponent_between(0.1, 6);
+      return {power(call("sin", x), 2 * p - 1),
+              0,
+              term("pi") / 2,
+              few_digits(m),
+              std::nullopt,
+              power(call("gamma", p), 2) / (2 * call("gamma", 2 * p)) * power(2, 2 * p - 1)};
+    }
+    default: {
+      const term a = m.near(m.within(-2, 2));
+      const term b = m.near(m.within(-2, 2));
+      return {2 / call("sqrt", "pi") * call("exp", -power(x, 2)),
+              a,
+              b,
+              few_digits(m),
+              std::nullopt,
+              call("erf", b) - call("erf", a)};
+    }
+  }
+}
+
+integral_case elliptic_integral(maker& m) {
+  const term k = m.exponent_between(-4, 0.98);
+  const term root = call("sqrt", 1 - k * power(call("sin", x), 2));
+  const bool complete = m.one_in(3);
+  const term phi = complete ? term("pi") / 2 : m.near(m.within(0.05, 6));
+  const term n = m.exponent_between(-3, 0.9);
+  const auto of = [&](const char* name) { return complete ? call(name, k) : call(name, phi, k); };
+  switch (m.between(0, 4)) {
+    case 0:
+      return {1 / root,     0,
+              phi,          few_digits(m),
+              std::nullopt, complete ? call("ellipticK", k) : call("ellipticF", phi, k)};
+    case 1:
+      return {root, 0, phi, few_digits(m), std::nullopt, of("ellipticE")};
+    case 2:
+      return {
+          power(call("sin", x), 2) / root, 0, phi, few_digits(m), std::nullopt, of("ellipticD")};
+    case 3:
+      return {1 / ((1 - n * power(call("sin", x), 2)) * root),
+              0,
+              phi,
+              few_digits(m),
+              std::nullopt,
+              complete ? term("ellipticPi", {n, k}) : term("ellipticPi", {n, phi, k})};
+    default: {  // t = sin x
+      const term b = m.quotient(m.within(0.05, 0.98));
+      return {1 / call("sqrt", (1 - power(x, 2)) * (1 - k * power(x, 2))),
+              0,
+              b,
+              few_digits(m),
+              std::nullopt,
+              call("jacobiArcSN", b, k)};
+    }
+  }
+}
+
+integral_case carlson_integral(maker& m) {
+  const term a = m.positive_rational();
+  const term b = m.positive_rational();
+  const term c = m.one_in(4) ? term(0) : m.positive_rational();
+  const term p = m.positive_rational();
+  const term root = call("sqrt", (x + a) * (x + b) * (x + c));
+  if (m.one_in(2)) {
+    return {1 / (2 * root), 0, "inf", few_digits(m), std::nullopt, term("carlsonRF", {a, b, c})};
+  }
+  return {3 / (2 * (x + p) * root),       0, "inf", few_digits(m), std::nullopt,
+          term("carlsonRJ", {a, b, c, p})};
+}
+
+/// dn^2, sn cn dn and their like as integrands.
+integral_case jacobi_integral(maker& m) {
+  const term k = m.exponent_between(0.02, 0.97);
+  const term b = m.near(m.within(0.1, 2));
+  const auto of = [&](const char* name, const term& u) { return call(name, u, k); };
+  switch (m.between(0, 2)) {
+    case 0:
+      return {of("jacobiDN", x), 0, b, few_digits(m), std::nullopt, of("jacobiAM", b)};
+    case 1:
+      return {power(of("jacobiDN", x), 2),
+              0,
+              b,
+              few_digits(m),
+              std::nullopt,
+              call("ellipticE", of("jacobiAM", b), k)};
+    default:
+      return {of("jacobiCN", x) * of("jacobiDN", x),
+              0,
+              b,
+              few_digits(m),
+              std::nullopt,
+              of("jacobiSN", b)};
+  }
+}
+
+/// Definite integrals of the books.
+integral_case book_integral(maker& m) {
+  const term a = m.positive_rational();
+  switch (m.between(0, 5)) {
+    case 0:  // Gauss
+      return {call("exp", -(a * power(x, 2))), "-inf", "inf", few_digits(m), std::nullopt,
+              call("sqrt", term("pi") / a)};
+    case 1:
+      return {power(x, 3) / call("expm1", x),
+              0,
+              "inf",
+              few_digits(m),
+              std::nullopt,
+              power("pi", 4) / 15};
+    case 2: {
+      const long n = m.between(3, 9);
+      return {1 / (1 + power(x, n)),
+              0,
+              "inf",
+              few_digits(m),
+              std::nullopt,
+              term("pi") / n / call("sin", term("pi") / n)};
+    }
+    case 3:
+      return {
+          call("log", x) / (1 + power(x, 2)), 0, 1, few_digits(m), std::nullopt, -term("catalan")};
+    case 4:
+      return {call("exp", -(a * x)) * call("cos", x),
+              0,
+              "inf",
+              few_digits(m),
+              std::nullopt,
+              a / (1 + power(a, 2))};
+    default: {
+      const term c = a + 1;
+      return {1 / (c + call("cos", x)),
+              0,
+              2 * term("pi"),
+              few_digits(m),
+              std::nullopt,
+              2 * term("pi") / call("sqrt", power(c, 2) - 1)};
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<integral_family> known_families() {
+  return {{"derivative of a formula", 10, derivative_of_smooth},
+          {"derivative of a steep power", 12, derivative_of_steep},
+          {"derivative at its end", 7, derivative_at_its_end},
+          {"gamma and beta", 7, gamma_integral},
+          {"elliptic integrals", 7, elliptic_integral},
+          {"Carlson's integrals", 5, carlson_integral},
+          {"Jacobi's functions", 4, jacobi_integral},
+          {"integrals of the books", 7, book_integral}};
+}
+
+}  // namespace polhode::differential

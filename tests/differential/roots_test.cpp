@@ -1,0 +1,427 @@
+// Roots: products of factors whose roots are known, of which all and only those must be found, each with its multiplicity; and
+// functions whose roots are not known, searched whole, in parts, mirrored and moved.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "cli/formula_function.hpp"
+#include "cli/formula_integrand.hpp"
+#include "maker.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "tally.hpp"
+#include "term.hpp"
+
+namespace polhode::differential {
+namespace {
+
+const term x = "x";
+
+struct root_case {
+  term f = 0;
+  term from = 0;
+  term to = 0;
+};
+
+std::string command_of(const root_case& c) {
+  const std::string text = c.f.text();
+  return fmt::format("polhode roots \"{}{}\" --in \" {}..{}\"", text.front() == '-' ? " " : "",
+                     text, c.from.text(), c.to.text());
+}
+
+range_end end_of(const term& t) {
+  if (t.is("inf")) return range_end::infinity();
+  if (t.is("-inf")) return range_end::minus_infinity();
+  const expression f = read(t);
+  if (const auto form = cli::limit_of(f).form()) return range_end(*form);
+  return range_end([f](precision p) { return f.value(p); });
+}
+
+root_set roots_of(const root_case& c) {
+  isolate_options options;
+  options.most_boxes = 3'000;
+  options.most_unresolved = 100;
+  options.most_precision = 1L << 11;
+  return isolate_roots(cli::function_of(read(c.f, {"x"})), end_of(c.from), end_of(c.to), options);
+}
+
+/// A root that a function is known to have.
+struct known_root {
+  term at;
+  long multiplicity;
+};
+
+/// A function with these roots and no others between -10 and 10, times a positive one.
+struct known_case {
+  root_case c;
+  std::vector<known_root> roots;
+};
+
+std::string listed(const root_set& s) {
+  std::string text;
+  for (const root_region& r : s.regions) {
+    text += fmt::format("  {}{} at {}\n", to_text(r.verdict),
+                        r.multiplicity > 1 ? fmt::format(" ({} times)", r.multiplicity) : "",
+                        to_decimal(r.enclosure, 25));
+  }
+  for (const singular_place& p : s.singular) {
+    text += fmt::format("  not defined at {}\n", to_decimal(p.place, 20));
+  }
+  return text + (s.complete ? "" : "  not complete\n");
+}
+
+/// What is wrong in the answer, in words.
+std::optional<std::string> error_in(const known_case& k, const root_set& s) {
+  constexpr precision p = 600;
+  if (s.identically_zero) return "said to be 0 everywhere";
+  const auto value = [](const term& t) { return read(t).value(p); };
+  std::vector<long> claimed(s.regions.size());
+  for (const known_root& r : k.roots) {
+    const ball at = value(r.at);
+    const auto beyond = [&](const term& end, bool lower) {
+      if (end.is("inf") || end.is("-inf")) return false;
+      return lower ? certainly_less(at, value(end)) : certainly_less(value(end), at);
+    };
+    if (beyond(k.c.from, true) || beyond(k.c.to, false)) continue;
+    bool is_covered = false;
+    for (std::size_t i = 0; i < s.regions.size(); ++i) {
+      const root_region& region = s.regions[i];
+      if (!overlaps(region.enclosure, at)) continue;
+      is_covered = true;
+      if (contains(region.enclosure, at)) claimed[i] += r.multiplicity;
+    }
+    // An end that is written as the root is the root; of one that is only near it nothing is known.
+    const auto may_be = [&](const term& end) {
+      return !end.is("inf") && !end.is("-inf") && end.text() != r.at.text() &&
+             overlaps(at, value(end));
+    };
+    if (!is_covered && s.complete && !may_be(k.c.from) && !may_be(k.c.to)) {
+      return "the root " + r.at.text() + " is missing";
+    }
+  }
+  for (std::size_t i = 0; i < s.regions.size(); ++i) {
+    const root_region& region = s.regions[i];
+    if (region.multiplicity == 0) continue;
+    if (claimed[i] > region.multiplicity) {
+      return fmt::format("there are {} roots in {}, not {}", claimed[i],
+                         to_decimal(region.enclosure, 20), region.multiplicity);
+    }
+    const refined_root fine = refine(region, 40);
+    const bool is_known = std::any_of(k.roots.begin(), k.roots.end(), [&](const known_root& r) {
+      return overlaps(value(r.at), fine.enclosure) && r.multiplicity == region.multiplicity;
+    });
+    if (!is_known) {
+      return fmt::format("there is no root of multiplicity {} at {}", region.multiplicity,
+                         to_decimal(fine.enclosure, 40));
+    }
+  }
+  return std::nullopt;
+}
+
+/// A place for a root; rarely one very near the last.
+term place(maker& m, const std::vector<known_root>& before, bool rational_ones) {
+  if (!before.empty() && m.one_in(5)) {
+    return before.back().at + m.decimal(m.scattered(1e-18, 1e-2));
+  }
+  const double t = m.within(-4, 4);
+  return rational_ones || m.one_in(2) ? m.rational_near(t) : m.near(t);
+}
+
+/// With one real root, a simple one, at r.
+term factor_with_root(maker& m, const term& r) {
+  const term w = x - r;
+  switch (m.between(0, 7)) {
+    case 0:
+      return call("expm1", w);
+    case 1:
+      return call("atan", w);
+    case 2:
+      return call("sinh", w);
+    case 3:
+      return call("exp", x) - call("exp", r);
+    case 4:
+      return power(x, 3) - power(r, 3);
+    case 5:
+      return call("tanh", m.positive_rational() * w);
+    default:
+      return w;
+  }
+}
+
+term positive_factor(maker& m) {
+  switch (m.between(0, 5)) {
+    case 0:
+      return call("exp", m.rational_near(m.within(-1, 1)) * x);
+    case 1:
+      return 1 + power(x, 2);
+    case 2:
+      return 2 + call("cos", x);
+    case 3:
+      return call("cosh", x);
+    case 4:
+      return power(x - m.near(m.within(-3, 3)), 2) + m.decimal(m.scattered(1e-9, 1));
+    default:
+      return 1;
+  }
+}
+
+std::pair<term, term> searched(maker& m, const std::vector<known_root>& roots) {
+  if (m.one_in(8)) return {"-inf", "inf"};
+  term a = m.near(m.within(-6, -2));
+  term b = m.near(m.within(2, 6));
+  if (!roots.empty() && m.one_in(4)) (m.one_in(2) ? a : b) = roots.front().at;
+  if (!(approximately(a) < approximately(b))) return {-7, 7};
+  return {a, b};
+}
+
+bool all_differ(const std::vector<known_root>& roots) {
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (overlaps(read(roots[i].at).value(400), read(roots[j].at).value(400))) return false;
+    }
+  }
+  return true;
+}
+
+known_case product_of_factors(maker& m) {
+  for (;;) {
+    known_case k;
+    term f = positive_factor(m);
+    for (long n = m.between(1, 4); n > 0; --n) {
+      const term r = place(m, k.roots, false);
+      const long multiplicity = m.one_in(3) ? m.between(2, 4) : 1;
+      f = f * power(factor_with_root(m, r), multiplicity);
+      k.roots.push_back({r, multiplicity});
+    }
+    if (!all_differ(k.roots)) continue;
+    const auto [a, b] = searched(m, k.roots);
+    k.c = {m.one_in(6) ? -f : f, a, b};
+    return k;
+  }
+}
+
+/// Multiplied out: nothing of the factors is left in the formula.
+known_case expanded_polynomial(maker& m) {
+  for (;;) {
+    known_case k;
+    std::vector<rational> p{1};
+    const auto times = [&](const std::vector<rational>& q) {
+      std::vector<rational> product(p.size() + q.size() - 1);
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        for (std::size_t j = 0; j < q.size(); ++j) product[i + j] += p[i] * q[j];
+      }
+      p = product;
+    };
+    for (long n = m.between(1, 4); n > 0; --n) {
+      const long multiplicity = m.one_in(3) ? m.between(2, 3) : 1;
+      if (m.one_in(4)) {  // x^2 - n
+        const long square = m.between(2, 12);
+        for (long i = 0; i < multiplicity; ++i) times({rational(-square), 0, 1});
+        k.roots.push_back({call("sqrt", square), multiplicity});
+        k.roots.push_back({-call("sqrt", square), multiplicity});
+        continue;
+      }
+      term r = place(m, k.roots, true);
+      if (!read(r).exact_value())
+        r = m.rational_near(m.within(-4, 4));  // beside an irrational root
+      const auto exact = read(r).exact_value();
+      for (long i = 0; i < multiplicity; ++i) times({rational(-*exact), 1});
+      k.roots.push_back({r, multiplicity});
+    }
+    if (m.one_in(2)) times({rational(1), rational(m.between(-1, 1)), 1});  // x^2 + bx + 1
+    if (!all_differ(k.roots)) continue;
+    term f = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p[i] == 0) continue;
+      f = f + term(to_text(p[i])) * power(x, static_cast<long>(i));
+    }
+    const auto [a, b] = searched(m, k.roots);
+    k.c = {f, a, b};
+    return k;
+  }
+}
+
+/// sin(k (x - c)) and its kin: roots at equal distances.
+known_case many_roots(maker& m) {
+  known_case k;
+  const long n = m.between(1, 6);
+  const term c = m.one_in(2) ? term(0) : m.near(m.within(-1, 1));
+  const long multiplicity = m.one_in(3) ? m.between(2, 3) : 1;
+  const bool in_halves = m.one_in(2);
+  const term f = in_halves ? call("sinpi", n * (x - c)) : call("sin", n * (x - c));
+  const term step = in_halves ? term(1) / n : term("pi") / n;
+  const double c_about = approximately(c);
+  const auto steps = static_cast<long>(8.0 / approximately(step)) + 2;
+  for (long j = -steps; j <= steps; ++j) {
+    const double at = c_about + static_cast<double>(j) * approximately(step);
+    if (std::abs(at) < 5) k.roots.push_back({j < 0 ? c - (-j) * step : c + j * step, multiplicity});
+  }
+  k.c = {power(f, multiplicity) * positive_factor(m), m.near(m.within(-3, -1)),
+         m.near(m.within(1, 3))};
+  if (std::abs(approximately(k.c.from)) > 4 || std::abs(approximately(k.c.to)) > 4 ||
+      !(approximately(k.c.from) < approximately(k.c.to))) {
+    k.c.from = -3;
+    k.c.to = 3;
+  }
+  return k;
+}
+
+struct known_family {
+  std::string name;
+  long at_effort_one;
+  known_case (*make)(maker&);
+};
+
+class known_roots : public ::testing::TestWithParam<known_family> {};
+
+bool is_wrong(const known_case& k) {
+  try {
+    return error_in(k, roots_of(k.c)).has_value();
+  } catch (const input_error&) {
+    return false;
+  }
+}
+
+/// With fewer roots, as long as the answer is wrong.
+known_case shrunk(known_case k) {
+  for (bool is_smaller = true; is_smaller;) {
+    is_smaller = false;
+    const auto try_ends = [&](const term& a, const term& b) {
+      known_case less = k;
+      less.c.from = a;
+      less.c.to = b;
+      if (a.size() + b.size() >= k.c.from.size() + k.c.to.size() || !is_wrong(less)) return;
+      k = less;
+      is_smaller = true;
+    };
+    for (const term& a : smaller(k.c.from)) try_ends(a, k.c.to);
+    for (const term& b : smaller(k.c.to)) try_ends(k.c.from, b);
+  }
+  return k;
+}
+
+TEST_P(known_roots, are_all_found_and_no_others) {
+  const known_family& family = GetParam();
+  run_cases("roots", family.name, family.at_effort_one, [&](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const known_case k = family.make(m);
+    under_way(command_of(k.c));
+    ++c.cases;
+    try {
+      const root_set s = roots_of(k.c);
+      ++c.computed;
+      ++(s.is_resolved() && s.complete ? c.certified : c.refused);
+      c.checks += static_cast<long>(k.roots.size() + s.regions.size());
+      if (const auto error = error_in(k, s)) {
+        ++c.wrong;
+        const known_case less = shrunk(k);
+        ADD_FAILURE() << *error << '\n'
+                      << command_of(k.c) << '\n'
+                      << listed(s) << "shrunk:\n"
+                      << command_of(less.c) << '\n'
+                      << listed(roots_of(less.c));
+      }
+    } catch (const input_error&) {  // the limits are the wrong way round
+      ++c.refused;
+    }
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    family, known_roots,
+    ::testing::Values(known_family{"products of known factors", 250, product_of_factors},
+                      known_family{"polynomials multiplied out", 250, expanded_polynomial},
+                      known_family{"roots at equal distances", 150, many_roots}),
+    [](const auto& drawn) {
+      std::string name = drawn.param.name;
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    });
+
+// ---------------------------------------------------------------------------------------------
+// Roots that are not known
+
+/// The certain roots of a search that is resolved: nothing where it is not.
+std::optional<long> number_of_roots(const root_case& c, std::vector<ball>& enclosures) {
+  try {
+    const root_set s = roots_of(c);
+    if (!s.complete || !s.is_resolved() || s.identically_zero) return std::nullopt;
+    for (const root_region& r : s.regions) enclosures.push_back(r.enclosure);
+    return static_cast<long>(s.regions.size());
+  } catch (const input_error&) {
+    return std::nullopt;
+  }
+}
+
+term wavy(maker& m, long depth) {
+  if (depth == 0) return m.one_in(2) ? x : m.positive_rational() * x;
+  const term u = wavy(m, depth - 1);
+  switch (m.between(0, 4)) {
+    case 0:
+      return m.gentle(u) - m.rational_near(m.within(-1, 1));
+    case 1:
+      return call("sin", m.positive_rational() * u) - m.rational_near(m.within(-1, 1)) * u;
+    case 2:
+      return call("exp", m.rational_near(m.within(-1, 1)) * x) * m.gentle(u) -
+             m.positive_rational();
+    default:
+      return m.gentle(u) * (x - m.near(m.within(-2, 2)));
+  }
+}
+
+TEST(unknown_roots, are_the_same_in_parts_mirrored_and_moved) {
+  run_cases("roots", "unknown roots", 250, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const term f = wavy(m, m.between(1, 3));
+    const auto [a, b] = m.range(-4, 4);
+    const root_case whole{f, a, b};
+    under_way(command_of(whole));
+    ++c.cases;
+    std::vector<ball> roots;
+    const auto n = number_of_roots(whole, roots);
+    ++c.computed;
+    ++(n ? c.certified : c.refused);
+    const auto compare = [&](const std::vector<root_case>& parts, const char* how) {
+      long sum = 0;
+      std::vector<ball> others;
+      std::string commands;
+      for (const root_case& part : parts) {
+        const auto k = number_of_roots(part, others);
+        ++c.computed;
+        if (!k) return;
+        sum += *k;
+        commands += command_of(part) + '\n';
+      }
+      if (!n) return;
+      ++c.checks;
+      if (sum == *n) return;
+      ++c.wrong;
+      ADD_FAILURE() << *n << " roots by\n"
+                    << command_of(whole) << "\nand " << sum << " " << how << '\n'
+                    << commands;
+    };
+    // At a cut that is no root: then no root is in both parts.
+    const term cut = m.rational_near(m.within(approximately(a), approximately(b)));
+    const bool is_inside =
+        approximately(a) < approximately(cut) && approximately(cut) < approximately(b);
+    const bool is_root = std::any_of(roots.begin(), roots.end(), [&](const ball& r) {
+      return overlaps(r, read(cut).value(64));
+    });
+    if (is_inside && !is_root) compare({{f, a, cut}, {f, cut, b}}, "in two parts");
+    compare({{substituted(f, "x", -x), -b, -a}}, "with -x for x");
+    const term alpha = m.positive_rational();
+    compare({{substituted(f, "x", alpha * x), a / alpha, b / alpha}}, "with alpha*x for x");
+    compare({{substituted(f, "x", power(x, 3)), call("cbrt", a), call("cbrt", b)}},
+            "with x^3 for x");
+  });
+}
+
+}  // namespace
+}  // namespace polhode::differential

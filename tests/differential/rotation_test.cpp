@@ -1,0 +1,164 @@
+// Free rotation by different routes: phases and periods by quadrature, momenta by Jacobi's functions, what is conserved.
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "integrals.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/rotor.hpp"
+
+namespace polhode::differential {
+namespace {
+
+const term x = "x";
+
+/// A body with short numbers a and b.
+struct drawn_body {
+  term a = 0;
+  term b = 0;
+  body rigid;
+};
+rational exact(const term& t) { return *read(t).exact_value(); }
+
+drawn_body draw_body(maker& m) {
+  const term a = m.rational_near(m.scattered(0.02, 5));
+  term b = m.rational_near(m.within(0.02, 0.95));
+  if (!(exact(b) < 1) || !(exact(b) > 0)) b = "1/3";
+  return {a, b, body(exact(a), exact(b))};
+}
+
+/// A motion c in (-b, a), rarely very near an end or the separatrix.
+term draw_motion(maker& m, const drawn_body& d, bool oscillating) {
+  const term fraction =
+      m.one_in(4) ? m.decimal(m.scattered(1e-15, 0.1)) : m.quotient(m.within(0.05, 0.95));
+  const term part = m.one_in(2) ? fraction : 1 - fraction;
+  return oscillating ? -(d.b * part) : d.a * part;
+}
+
+void compare(const ball& v, const ball& w, const std::string& first, const std::string& second,
+             counts& c) {
+  if (!v.is_bounded() || !w.is_bounded()) return;
+  ++c.checks;
+  if (overlaps(v, w)) return;
+  ++c.wrong;
+  ADD_FAILURE() << "the enclosures are disjoint\n  " << first << "\n    " << to_decimal(v, 30)
+                << "\n  " << second << "\n    " << to_decimal(w, 30);
+}
+
+/// The phase is twice the integral of (1 - b x)/sqrt(x (1-x) (a + b x) (c + b x)) from 0 or -c/b to 1.
+TEST(rotation, montgomery_phase_by_quadrature) {
+  run_cases("rotation", "phases", 120, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const drawn_body d = draw_body(m);
+    const bool oscillating = m.one_in(2);
+    const term motion = draw_motion(m, d, oscillating);
+    if (exact(motion) == 0) return;  // on the separatrix, by rounding
+    const std::string command = fmt::format("polhode phase --ab \"{},{}\" --c \"{}\"", d.a.text(),
+                                            d.b.text(), motion.text());
+    under_way(command);
+    ++c.cases;
+    ++c.computed;
+    const precision p = m.between(30, 200);
+    const ball phase = montgomery_phase(d.rigid, exact(motion), p);
+    ++(phase.is_bounded() ? c.certified : c.refused);
+    compare(phase, montgomery_phase(d.rigid, exact(motion), p + 100), command, "more bits", c);
+    const term radicand = x * (1 - x) * (d.a + d.b * x) * (motion + d.b * x);
+    const piece by_quadrature{(1 - d.b * x) / call("sqrt", radicand),
+                              oscillating ? -motion / d.b : term(0), 1, m.between(5, 20)};
+    ++c.computed;
+    compare(phase, 2 * computed(by_quadrature).enclosure, command,
+            "twice " + command_of(by_quadrature), c);
+    const ball period = rotation_period(d.rigid, exact(motion), p);
+    const piece as_period{1 / call("sqrt", radicand), by_quadrature.from, 1, 12};
+    ++c.computed;
+    compare(period, 2 * computed(as_period).enclosure, "the period of " + command,
+            "twice " + command_of(as_period), c);
+    compare(phase,
+            dynamic_phase(d.rigid, exact(motion), p) + geometric_phase(d.rigid, exact(motion), p),
+            command, "its two parts", c);
+    const rotor<ball> r(initial_state::at_middle_of_twist(d.rigid, exact(motion)), p);
+    if (r.period()) compare(*r.period(), period, "the rotor's period", "the period", c);
+    if (r.phase_per_period()) {
+      compare(*r.phase_per_period(), phase, "the rotor's phase", "the phase", c);
+    }
+  });
+}
+
+/// From the middle of the twist, with I_y = 1 and |J| = 1 (rotor.hpp).
+TEST(rotation, momentum_by_jacobis_functions) {
+  run_cases("rotation", "momenta", 120, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const drawn_body d = draw_body(m);
+    const bool oscillating = m.one_in(2);
+    const term motion = draw_motion(m, d, oscillating);
+    const term t =
+        m.one_in(4) ? m.decimal(m.scattered(10, 1e12)) : m.rational_near(m.within(-20, 20));
+    const std::string command = fmt::format("the body {}, {} with c = {} at {}", d.a.text(),
+                                            d.b.text(), motion.text(), t.text());
+    under_way(command);
+    ++c.cases;
+    const precision p = m.between(30, 200);
+    const rotor<ball> r(initial_state::at_middle_of_twist(d.rigid, exact(motion)), p);
+    const rotor_sample<ball> sample = r.sample(exact(t));
+    ++c.computed;
+    ++(sample.momentum[0].is_bounded() ? c.certified : c.refused);
+    const term a = d.a;
+    const term b = d.b;
+    const term lambda = call("sqrt", oscillating ? b * (a - motion) : a * (b + motion));
+    const term one_minus_m = oscillating ? -motion * (a + b) / (b * (a - motion))
+                                         : motion * (a + b) / (a * (b + motion));
+    const term k = 1 - one_minus_m;
+    const auto jacobi = [&](const char* name) { return call(name, lambda * t, k); };
+    const term big_a = call("sqrt", (a - motion) / (a + b));
+    const term big_b = call("sqrt", oscillating ? (b + motion) / b : (a - motion) / a);
+    const term big_c = call("sqrt", (b + motion) / (a + b));
+    const std::array<term, 3> expected{-(big_a * jacobi(oscillating ? "jacobiDN" : "jacobiCN")),
+                                       big_b * jacobi("jacobiSN"),
+                                       big_c * jacobi(oscillating ? "jacobiCN" : "jacobiDN")};
+    for (std::size_t j = 0; j < 3; ++j) {
+      compare(sample.momentum[j], read(expected[j]).value(p + 100),
+              fmt::format("component {} of the momentum of {}", j, command), expected[j].text(), c);
+    }
+    // |J|, 2 H, and R J, which is along the third axis of space where the attitude says so at the start.
+    const auto& moments = r.state().moments();
+    ball size(0, p);
+    ball energy(0, p);
+    for (std::size_t j = 0; j < 3; ++j) {
+      size = size + square(sample.momentum[j]);
+      energy = energy + square(sample.momentum[j]) / moments[j];
+    }
+    compare(size, ball(r.state().squared_momentum(), p), "J^2 of " + command, "J^2 at the start",
+            c);
+    compare(energy, ball(r.state().twice_energy(), p), "2 H of " + command, "2 H at the start", c);
+    const auto in_space = [&](const rational& at) {
+      const rotor_sample<ball> s = r.sample(at);
+      const rotor_attitude<ball> attitude = r.attitude(at);
+      std::vector<ball> result;
+      for (const auto& row : attitude.matrix) {
+        result.push_back(row[0] * s.momentum[0] + row[1] * s.momentum[1] + row[2] * s.momentum[2]);
+      }
+      return result;
+    };
+    const std::vector<ball> now = in_space(exact(t));
+    const std::vector<ball> before = in_space(0);
+    for (std::size_t j = 0; j < 3; ++j) {
+      compare(now[j], before[j], fmt::format("component {} of R J of {}", j, command), "at time 0",
+              c);
+    }
+    const matrix3<ball> rows = r.attitude(exact(t)).matrix;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t l = 0; l <= j; ++l) {
+        const ball product =
+            rows[j][0] * rows[l][0] + rows[j][1] * rows[l][1] + rows[j][2] * rows[l][2];
+        compare(product, ball(j == l ? 1 : 0, p), "R R^T of " + command, "the unit matrix", c);
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace polhode::differential

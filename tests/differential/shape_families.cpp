@@ -1,0 +1,232 @@
+// What happens between the ends: oscillation, kinks, poles near the range, removable singularities, symmetry, nested functions.
+
+#include "integrals.hpp"
+
+namespace polhode::differential {
+namespace {
+
+const term x = "x";
+
+long few_digits(maker& m) { return m.one_in(3) ? m.between(2, 10) : m.between(11, 25); }
+
+integral_case oscillation(maker& m) {
+  const term k = m.near(m.scattered(1, 300));
+  const std::string wave = m.one_in(2) ? "cos" : "sin";
+  const auto [a, b] = m.range(0.2, 5);
+  switch (m.between(0, 4)) {
+    case 0:
+      return {call(wave, k * x) * m.gentle(x), a, b, few_digits(m)};
+    case 1:
+      return {call(wave, k * power(x, 2)), a, b, few_digits(m)};
+    case 2:
+      return {call(wave, k / x), a, b, few_digits(m)};
+    case 3:
+      return {call(wave, k * x) * call(wave, m.near(m.scattered(1, 50)) * x), a, b, few_digits(m)};
+    default:
+      return {call(wave, k * x) / (1 + power(x, 2)), a, b, few_digits(m)};
+  }
+}
+
+integral_case oscillating_tail(maker& m) {
+  const term k = m.positive_rational();
+  const std::string wave = m.one_in(2) ? "cos" : "sin";
+  const term e = m.exponent_between(0.3, 3);
+  const term f = call(wave, k * x) / (m.one_in(2) ? power(x, e) : power(1 + power(x, 2), 1));
+  return {f, m.near(m.within(0.5, 4)), "inf", m.between(5, 16)};
+}
+
+/// 0/0 at an end or between the limits.
+integral_case removable(maker& m) {
+  const term c = m.one_in(2) ? term(0) : m.near(m.within(-1, 1));
+  const term w = c.is("0") ? x : x - c;
+  term f = 0;
+  switch (m.between(0, 7)) {
+    case 0:
+      f = call("sin", w) / w;
+      break;
+    case 1:
+      f = call("expm1", w) / w;
+      break;
+    case 2:
+      f = (1 - call("cos", w)) / power(w, 2);
+      break;
+    case 3:
+      f = call("log1p", w) / w;
+      break;
+    case 4:
+      f = w / call("sin", w);
+      break;
+    case 5:
+      f = (w - call("sin", w)) / power(w, 3);
+      break;
+    case 6:
+      f = call("tan", w) / w;
+      break;
+    default:
+      f = 1 / w - 1 / call("sin", w);
+  }
+  const bool crosses = m.one_in(4);
+  const term length = m.quotient(m.within(0.1, 1.2));
+  return {f, crosses ? c - m.quotient(m.within(0.1, 0.9)) : c, c + length, few_digits(m)};
+}
+
+term kinked(maker& m, const term& t) {
+  const term c = m.near(m.within(-1, 1));
+  switch (m.between(0, 7)) {
+    case 0:
+      return call("abs", t - c);
+    case 1:
+      return call("min", t, c);
+    case 2:
+      return call("max", power(t, 2), c);
+    case 3:
+      return call("floor", m.positive_rational() * t);
+    case 4:
+      return call("ceil", t - c);
+    case 5:
+      return call("sqrt", power(t - c, 2));
+    case 6:
+      return call("abs", call("sin", m.positive_rational() * t));
+    default:
+      return call("min", call("sin", t), call("cos", t));
+  }
+}
+
+integral_case kinks(maker& m) {
+  const auto [a, b] = m.range(-3, 3);
+  term f = kinked(m, x);
+  switch (m.between(0, 3)) {
+    case 0:
+      f = f * m.gentle(x);
+      break;
+    case 1:
+      f = m.gentle(f);
+      break;
+    case 2:
+      f = f + kinked(m, x);
+      break;
+    default:
+      break;
+  }
+  return {f, a, b, few_digits(m)};
+}
+
+/// A pole, or a branch point, at a small distance outside of the range.
+integral_case pole_outside(maker& m) {
+  const term b = m.near(m.within(0.5, 3));
+  const double distance = m.scattered(1e-12, 0.3);
+  const term c = b + m.decimal(distance);
+  const term a = b - m.quotient(m.within(0.3, 3));
+  term f = 0;
+  switch (m.between(0, 5)) {
+    case 0:
+      f = 1 / (c - x);
+      break;
+    case 1:
+      f = power(c - x, m.exponent_between(-3, 1));
+      break;
+    case 2:
+      f = call("log", c - x);
+      break;
+    case 3:
+      f = 1 / call("sin", c - x);
+      break;
+    case 4:
+      f = 1 / call("expm1", c - x);
+      break;
+    default:
+      f = call("exp", x) / (power(c, 2) - power(x, 2) + power(x - b, 2));
+  }
+  if (f.is_leaf()) f = 1;
+  return {f, a, b, few_digits(m)};
+}
+
+/// A pair of complex poles near the range.
+integral_case pole_beside(maker& m) {
+  const auto [a, b] = m.range(-2, 2);
+  const term c = m.near(m.within(-2, 2));
+  const term h = m.decimal(m.scattered(1e-8, 1));
+  const term w = power(x - c, 2) + power(h, 2);
+  switch (m.between(0, 3)) {
+    case 0:
+      return {m.gentle(x) / w, a, b, few_digits(m)};
+    case 1:
+      return {power(w, m.exponent_between(-3, 2)), a, b, few_digits(m)};
+    case 2:
+      return {call("atan", (x - c) / h), a, b, few_digits(m)};
+    default:
+      return {1 / (call("cosh", x - c) - call("cos", h)), a, b, few_digits(m)};
+  }
+}
+
+integral_case nested(maker& m) {
+  const auto [a, b] = m.range(-2, 2);
+  term f = x;
+  for (long depth = m.between(2, 4); depth > 0; --depth) {
+    const term inside =
+        m.one_in(2) ? m.rational_near(m.within(0.3, 2)) * f : f + m.near(m.within(-1, 1));
+    f = m.gentle(inside);
+    if (m.one_in(4)) f = f * m.gentle(x);
+  }
+  return {f, a, b, few_digits(m)};
+}
+
+/// Even, odd, about 0 or the middle: half of it, and 0.
+integral_case symmetric(maker& m) {
+  const term b = m.near(m.scattered(0.3, 4));
+  const term even = m.gentle(power(x, 2)) * (m.one_in(2) ? call("cos", x) : term(1));
+  const bool is_odd = m.one_in(3);
+  integral_case c{is_odd ? even * call("sin", x) : even, -b, b, few_digits(m)};
+  if (is_odd) {
+    c.value = 0;
+  } else {
+    c.parts = {{even, 0, b, c.digits, quadrature_rule::automatic, 2}};
+  }
+  return c;
+}
+
+/// Over whole periods, from anywhere.
+integral_case periodic(maker& m) {
+  const long k = m.between(1, 3);
+  const term t = k * x;
+  const term a = m.one_in(3) ? term(0) : m.near(m.within(-3, 3));
+  const long turns = m.between(1, 3);
+  const term period = turns * (2 * term("pi"));
+  term f = 0;
+  switch (m.between(0, 4)) {
+    case 0:
+      f = 1 / (m.between(2, 5) + call("cos", t));
+      break;
+    case 1:
+      f = call("exp", m.rational_near(m.within(0.3, 3)) * call("sin", t));
+      break;
+    case 2:
+      f = call("sqrt", 1 + m.positive_rational() * power(call("sin", t), 2));
+      break;
+    case 3:
+      f = call("cos", call("sin", t)) * call("exp", call("cos", t));
+      break;
+    default:
+      f = power(call("cos", t), 2 * m.between(1, 12));
+  }
+  integral_case c{f, a, a + period, few_digits(m)};
+  const term other = m.near(m.within(-3, 3));
+  c.parts = {{f, other, other + 2 * term("pi"), c.digits, quadrature_rule::automatic, turns}};
+  return c;
+}
+
+}  // namespace
+
+std::vector<integral_family> shape_families() {
+  return {{"oscillation", 7, oscillation},
+          {"oscillating tail", 5, oscillating_tail},
+          {"removable singularity", 10, removable},
+          {"kinks and steps", 7, kinks},
+          {"pole just outside", 10, pole_outside},
+          {"complex poles near", 7, pole_beside},
+          {"nested functions", 5, nested},
+          {"symmetric", 7, symmetric},
+          {"periodic", 7, periodic}};
+}
+
+}  // namespace polhode::differential

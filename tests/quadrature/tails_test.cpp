@@ -1,0 +1,180 @@
+// What is cut off at an end is far below the digits asked for, so that no integral shows it: the bounds of what is left out against the tails
+// themselves, in closed form.
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "quadrature/oscillation.hpp"
+#include "quadrature/segments.hpp"
+#include "support/reference.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr precision p = 200;
+
+/// |tail| <= bound <= factor |tail|.
+void expect_bound(const magnitude& bound, const ball& tail, const rational& factor,
+                  const char* name) {
+  EXPECT_TRUE(tail.magnitude_lower() <= bound) << name;
+  EXPECT_TRUE(bound <= (abs(tail) * factor).magnitude_lower())
+      << name << ": " << ball(0, 64).enlarged(bound) << " for " << tail;
+}
+
+/// f from a to b is cut off towards `end`; tail(x) is what lies beyond x.
+template <class F, class Tail>
+void check_tail(const char* name, const F& f, const limit& a, const limit& b, bool towards_b,
+                const Tail& tail, const rational& factor) {
+  for (const long bits : {1L, 100L}) {
+    const auto prepared = detail::prepare(detail::make_integrand(f), a, b, {}, bits);
+    ASSERT_TRUE(prepared.why == reason::none && prepared.has_tail) << name;
+    ball cut = prepared.segments.front().position(ball(0, p));
+    for (const detail::segment& s : prepared.segments) {
+      for (const long end : {0L, 1L}) {
+        const ball x = s.position(ball(end, p));
+        if (towards_b ? certainly_less(cut, x) : certainly_less(x, cut)) cut = x;
+      }
+    }
+    expect_bound(prepared.remainder.magnitude_upper(), tail(cut), factor, name);
+  }
+}
+
+TEST(Tails, OfExponentialDecayAreBounded) {
+  const limit infinity = limit::infinity();
+  const rational little(101, 100);
+  check_tail(
+      "exp(-x)", [](const auto& x) { return exp(-x); }, limit(1), infinity, true,
+      [](const ball& x) { return exp(-x); }, little);
+  check_tail(
+      "x^2 exp(-x)", [](const auto& x) { return x * x * exp(-x); }, limit(1), infinity, true,
+      [](const ball& x) { return (x * x + 2 * x + 2) * exp(-x); }, little);
+  check_tail(
+      "x^2 exp(x)", [](const auto& x) { return x * x * exp(x); }, -infinity, limit(-1), false,
+      [](const ball& x) { return (x * x - 2 * x + 2) * exp(x); }, little);
+  check_tail(
+      "exp(-x/3)/7", [](const auto& x) { return exp(-x / 3) / 7; }, limit(2), infinity, true,
+      [](const ball& x) { return 3 * exp(-x / 3) / 7; }, little);
+  // Between x^2 (1 - 2x) exp(-1/x) and x^2 exp(-1/x).
+  check_tail(
+      "exp(-1/x)", [](const auto& x) { return exp(-1 / x); }, limit(0), limit(1), false,
+      [](const ball& x) { return x * x * exp(-1 / x) * (1 - 2 * x); }, rational(6, 5));
+}
+
+/// The bound of the integral of |f| beyond 2, from f's series for x >= 2.
+template <class F>
+magnitude beyond_two(const F& f) {
+  const tail_series x = tail_series::argument(detail::exact_ball(rational(1)), 0.5);
+  return f(x).integral_beyond(ball(2, 64));
+}
+
+// A second exponential that is hardly smaller than the first.
+TEST(Tails, OfSumsOfExponentialsAreBounded) {
+  const magnitude bound =
+      beyond_two([](const auto& x) { return exp(-x) + exp(-x * rational(51, 50)); });
+  const ball tail = exp(ball(-2, p)) + rational(50, 51) * exp(ball(rational(-51, 25), p));
+  expect_bound(bound, tail, rational(102, 100), "exp(-x) + exp(-1.02 x)");
+}
+
+// With w = c e^(-x) the integrals are those of f(w)/w over 0 < w < c e^-2, by their power series.
+TEST(Tails, OfFunctionsNearZeroAreBounded) {
+  const auto integral_of = [](const rational& c, const auto& coefficient) {
+    const ball w = c * exp(ball(-2, p));
+    ball sum(0, p);
+    ball power = w;
+    for (long k = 1; k < 60; ++k) {  // the terms fall at least as 0.9^k/k^2 from the 20th on
+      sum += coefficient(k) * power / k;
+      power *= w;
+    }
+    return sum.enlarged(magnitude::power_of_two(-12));
+  };
+  const auto inverse_factorial = [](long k) {
+    rational q(1);
+    for (long j = 2; j <= k; ++j) q /= j;
+    return q;
+  };
+  const auto sign = [](long k) { return k % 2 == 0 ? -1 : 1; };
+  const rational c(36, 10);
+  const rational little(13, 10);
+  expect_bound(beyond_two([&](const auto& x) { return expm1(c * exp(-x)); }),
+               integral_of(c, inverse_factorial), little, "expm1(w)");
+  expect_bound(beyond_two([&](const auto& x) { return log1p(-c * exp(-x)); }),
+               integral_of(c, [](long k) { return rational(1, k); }), rational(3, 2), "log1p(-w)");
+  expect_bound(beyond_two([&](const auto& x) {
+                 const auto w = c * exp(-x);
+                 return expm1(-w) + rational(13, 10) * w;
+               }),
+               integral_of(c,
+                           [&](long k) {
+                             return rational((k == 1 ? rational(13, 10) : rational(0)) -
+                                             sign(k) * inverse_factorial(k));
+                           }),
+               rational(3, 2), "expm1(-w) + 1.3 w");
+  expect_bound(beyond_two([&](const auto& x) {
+                 const auto w = c * exp(-x);
+                 return log1p(w) - rational(139, 100) * w;
+               }),
+               integral_of(c,
+                           [&](long k) {
+                             return rational((k == 1 ? rational(139, 100) : rational(0)) -
+                                             rational(sign(k), k));
+                           }),
+               rational(3, 2), "log1p(w) - 1.39 w");
+  // Beyond 1/2 nothing is said of expm1 w.
+  const magnitude great = beyond_two([](const auto& x) { return expm1(12 * exp(-x)); });
+  EXPECT_TRUE(integral_of(12, inverse_factorial).magnitude_lower() <= great);
+}
+
+TEST(Tails, OfLogarithmsAndPowersAreBounded) {
+  const rational little(101, 100);
+  check_tail(
+      "log x", [](const auto& x) { return log(x); }, limit(0), limit(1), false,
+      [](const ball& x) { return x * (1 - log(x)); }, little);
+  check_tail(
+      "log(x)^2", [](const auto& x) { return log(x) * log(x); }, limit(0), limit(1), false,
+      [](const ball& x) { return x * (square(log(x)) - 2 * log(x) + 2); }, little);
+  check_tail(
+      "log(x)/sqrt x", [](const auto& x) { return log(x) / sqrt(x); }, limit(0), limit(1), false,
+      [](const ball& x) { return 2 * sqrt(x) * (2 - log(x)); }, little);
+}
+
+// sin(x - 2)/x^(1/10) from 2 on is the integral of Re (2 + it)^(-1/10) e^(-t) over t > 0.
+TEST(Tails, OfOscillationsAreBounded) {
+  const auto f = [](const auto& x) { return sin(x - 2) / pow(x, rational(1, 10)); };
+  const auto found =
+      detail::oscillations_at(detail::make_integrand(f), limit(0), limit(1), true, 1, 0);
+  ASSERT_TRUE(found && found->segments.size() == 1);
+  ASSERT_EQ(found->start, 2);
+  const auto along = [](const auto& t) {
+    return pow(4 + t * t, rational(-1, 20)) * cos(atan(t / 2) / 10) * exp(-t);
+  };
+  const rational length = upper_rational(found->segments.front().scale(64));
+  const integral rest = integrate(along, limit(length), limit::infinity(), {.digits = 10});
+  ASSERT_EQ(rest.verdict, status::certified);
+  expect_bound(found->rest, rest.enclosure, rational(19, 10), "sin(x - 2)/x^(1/10)");
+}
+
+// With (log x)^2 the amplitude is greater far from the axis than where the line begins.
+TEST(Tails, OfOscillationsWithLogarithmsAreBounded) {
+  const auto f = [](const auto& x) {
+    return sin(x - 3) * log(x) * log(x) / pow(x, rational(1, 10));
+  };
+  const auto found =
+      detail::oscillations_at(detail::make_integrand(f), limit(0), limit(1), true, 1, 0);
+  ASSERT_TRUE(found && found->segments.size() == 1);
+  ASSERT_EQ(found->start, 2);
+  // Re e^(-i) (log z)^2 z^(-1/10) e^(-t), z = 2 + it.
+  const auto along = [](const auto& t) {
+    const auto a = log(4 + t * t) / 2;
+    const auto b = atan(t / 2);
+    const auto turn = 1 + b / 10;
+    return ((a * a - b * b) * cos(turn) + 2 * a * b * sin(turn)) *
+           pow(4 + t * t, rational(-1, 20)) * exp(-t);
+  };
+  const rational length = upper_rational(found->segments.front().scale(64));
+  const integral rest = integrate(along, limit(length), limit::infinity(), {.digits = 10});
+  ASSERT_EQ(rest.verdict, status::certified);
+  EXPECT_TRUE(rest.enclosure.magnitude_lower() <= found->rest);
+}
+
+}  // namespace
+}  // namespace polhode
