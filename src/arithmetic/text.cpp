@@ -91,6 +91,120 @@ bool add_to_numeral(std::string& digits, unsigned long n) {
   return true;
 }
 
+/// x, with two digits, away from 0.
+decimal two_digits_up(decimal x) {
+  drop_trailing_zeros(x);
+  if (x.digits.size() <= 2) return x;
+  x.digits.resize(2);
+  if (!add_to_numeral(x.digits, 1)) {
+    x.digits = "1";
+    ++x.exponent;
+  }
+  drop_trailing_zeros(x);
+  return x;
+}
+
+/// The digits of x's size at the places 10^(first - 1), 10^(first - 2), ...: `count` of them.
+std::string at_places(const decimal& x, long first, std::size_t count) {
+  std::string result(static_cast<std::size_t>(first - x.exponent), '0');
+  result += x.digits;
+  result.resize(count, '0');
+  return result;
+}
+
+/// The exponents of two decimals, if they lie further apart than this, differ by so much that a difference of the sizes is
+/// at most the larger, and no less than all but 10^-39 of it.
+constexpr long far_apart = 40;
+
+/// A decimal of two digits, at least |x - y|.
+decimal distance_up(const decimal& x, const decimal& y) {
+  if (x.digits.empty()) return two_digits_up({false, y.digits, y.exponent});
+  if (y.digits.empty()) return two_digits_up({false, x.digits, x.exponent});
+  const bool x_first = x.exponent >= y.exponent;
+  const decimal& greater = x_first ? x : y;
+  const decimal& smaller = x_first ? y : x;
+  if (greater.exponent - smaller.exponent > far_apart) {
+    // At most |greater| + |smaller|, and |smaller| is less than a unit of the digit after next of the greater.
+    decimal sum = two_digits_up({false, greater.digits, greater.exponent});
+    if (sum.digits.size() < 2) sum.digits += '0';
+    if (!add_to_numeral(sum.digits, 1)) {
+      sum.digits = "1";
+      ++sum.exponent;
+    }
+    return sum;
+  }
+  // Aligned, with one place to the left for a carry.
+  const long first = greater.exponent + 1;
+  const auto places = [&](const decimal& z) {
+    return static_cast<std::size_t>(first - z.exponent) + z.digits.size();
+  };
+  const std::size_t count = std::max(places(x), places(y));
+  std::string a = at_places(x, first, count);
+  std::string b = at_places(y, first, count);
+  if (x.negative == y.negative) {
+    if (a < b) std::swap(a, b);
+    for (std::size_t i = count, borrow = 0; i-- > 0;) {
+      const int digit = a[i] - b[i] - static_cast<int>(borrow);
+      borrow = digit < 0 ? 1 : 0;
+      a[i] = static_cast<char>('0' + digit + (borrow != 0 ? 10 : 0));
+    }
+  } else {
+    for (std::size_t i = count, carry = 0; i-- > 0;) {
+      const int digit = (a[i] - '0') + (b[i] - '0') + static_cast<int>(carry);
+      carry = digit > 9 ? 1 : 0;
+      a[i] = static_cast<char>('0' + digit - (carry != 0 ? 10 : 0));
+    }
+  }
+  const auto start = a.find_first_not_of('0');
+  if (start == std::string::npos) return {};
+  return two_digits_up({false, a.substr(start), first - static_cast<long>(start)});
+}
+
+/// Whether |x| <= |y|.
+bool is_at_most(const decimal& x, const decimal& y) {
+  if (x.digits.empty() || y.digits.empty()) return x.digits.empty();
+  if (x.exponent != y.exponent) return x.exponent < y.exponent;
+  // Numerals without trailing zeros compare as texts.
+  decimal a = x;
+  decimal b = y;
+  drop_trailing_zeros(a);
+  drop_trailing_zeros(b);
+  return a.digits <= b.digits;
+}
+
+/// The greatest n <= most for which the radius is at most one unit of the n-th significant digit of the value; or 0.
+long digits_within(const decimal& value, const decimal& radius, long most) {
+  if (value.digits.empty()) return 0;
+  if (radius.digits.empty()) return most;
+  // The radius is below 10^radius.exponent, and 10^(radius.exponent - 1) where its one digit is 1; the unit of the n-th digit
+  // is 10^(value.exponent - n).
+  const long unit = radius.digits == "1" ? radius.exponent - 1 : radius.exponent;
+  return std::clamp(value.exponent - unit, 0L, most);
+}
+
+/// The two ends as they are printed, and what is printed of the value beside them, which is cut off or rounded.
+decimal_enclosure assembled(const decimal& value, decimal low, decimal high, long shared,
+                            long most_digits) {
+  const bool cut = shared >= most_digits;
+  for (decimal* end : {&low, &high}) {
+    drop_trailing_zeros(*end);
+    fill_to_units(*end);
+  }
+  const decimal below = distance_up(value, low);
+  const decimal above = distance_up(high, value);
+  const decimal& radius = is_at_most(below, above) ? above : below;
+  decimal_enclosure result;
+  result.value = written(value);
+  result.radius = written(radius);
+  result.lower = written(low);
+  result.upper = written(high);
+  result.cut = cut;
+  result.shared = shared;
+  result.digits =
+      cut ? static_cast<long>(value.digits.size()) : digits_within(value, radius, most_digits);
+  return result;
+}
+
 /// ceil(width / 10^exponent), or 0 where that is beyond 10^6.
 unsigned long width_in_units(mpfr_srcptr width, long exponent) {
   constexpr unsigned long most = 1'000'000;
@@ -127,20 +241,33 @@ std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most
   // A set this narrow changes a wanted digit only by a carry through a run of nines, which may be the
   // numerals' and not the ends': the ends decide.
   if (shared != wanted) return std::nullopt;
-  decimal_enclosure result;
-  result.digits = static_cast<long>(digits);
   decimal value = low;
   value.digits.resize(digits);
-  result.value = written(value);
   low.digits.resize(digits + 3);
   high.digits.resize(digits + 3);
   if (!add_to_numeral(high.digits, 1)) return std::nullopt;
-  for (decimal* end : {&low, &high}) {
-    drop_trailing_zeros(*end);
-    fill_to_units(*end);
-  }
-  result.lower = written(sign > 0 ? low : high);
-  result.upper = written(sign > 0 ? high : low);
+  if (sign < 0) std::swap(low, high);
+  return assembled(value, std::move(low), std::move(high), most_digits, most_digits);
+}
+
+/// The middle of the ends, to nearest, with the digits that its distance from them gives a meaning; at most so many.
+decimal rounded_middle(const end_points& e, long most_digits, precision p) {
+  mpfr_cell middle(p);
+  mpfr_cell half(64);
+  mpfr_cell half_of_lower(p);
+  mpfr_div_2ui(half_of_lower.get(), e.lower(), 1, MPFR_RNDN);
+  mpfr_div_2ui(middle.get(), e.upper(), 1, MPFR_RNDN);
+  mpfr_sub(half.get(), middle.get(), half_of_lower.get(), MPFR_RNDU);
+  mpfr_add(middle.get(), middle.get(), half_of_lower.get(), MPFR_RNDN);
+  if (mpfr_zero_p(middle.get()) != 0) return {};
+  const long first = rounded(middle.get(), 2, MPFR_RNDZ).exponent;
+  const long last = mpfr_zero_p(half.get()) != 0 ? first - most_digits
+                                                 : rounded(half.get(), 2, MPFR_RNDU).exponent - 2;
+  if (first <= last) return {};
+  // mpfr_get_str takes 1 digit and more.
+  decimal result = rounded(middle.get(), std::min(first - last, most_digits), MPFR_RNDN);
+  drop_trailing_zeros(result);
+  fill_to_units(result);
   return result;
 }
 
@@ -169,7 +296,6 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
   if (!x.is_exact()) {
     if (auto narrow = narrow_enclosure(e, most_digits)) return *std::move(narrow);
   }
-  decimal_enclosure result;
 
   decimal low = rounded(e.lower(), most_digits, MPFR_RNDZ);
   decimal high = rounded(e.upper(), most_digits, MPFR_RNDZ);
@@ -180,42 +306,47 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
     shared = low;
     shared.digits.assign(low.digits.begin(), difference.first);
   }
-  result.digits = static_cast<long>(shared.digits.size());
+  const long shared_digits = static_cast<long>(shared.digits.size());
   if (x.is_exact()) {
     // Read the digits back: the number is all there when they give it again.
     mpfr_cell again(x.precision());
     const std::string text = written(shared);
     const bool converted_exactly =
         mpfr_strtofr(again.get(), text.c_str(), nullptr, 10, MPFR_RNDN) == 0;
-    result.exact = converted_exactly && mpfr_equal_p(again.get(), e.lower()) != 0;
-    if (result.exact) {
+    if (converted_exactly && mpfr_equal_p(again.get(), e.lower()) != 0) {
       drop_trailing_zeros(shared);
       fill_to_units(shared);
-      result.digits = static_cast<long>(shared.digits.size());
+      decimal_enclosure result = assembled(shared, shared, shared, most_digits, most_digits);
+      result.shared = result.digits;
+      result.exact = true;
+      return result;
     }
   }
-  if (result.digits > 0 || result.exact) result.value = written(shared);
 
   // As many digits as the ball's width gives a meaning, though the two ends may share fewer: 2 may lie
   // between 1.9999 and 2.0001.
   long meaningful = 1;
   const magnitude width = x.radius();
   const magnitude size = x.magnitude_upper();
-  if (!result.exact && !width.is_zero() && !width.is_infinite() && !size.is_zero()) {
+  if (!width.is_zero() && !width.is_infinite() && !size.is_zero()) {
     const auto bits = static_cast<double>(size.log2_floor() - width.log2_floor());
     meaningful =
         static_cast<long>(std::clamp(bits * 0.30103, 1.0, static_cast<double>(most_digits)));
   }
-  const long more = std::max(result.digits, meaningful) + 3;
+  const long more = std::max(shared_digits, meaningful) + 3;
   low = rounded(e.lower(), more, MPFR_RNDD);
   high = rounded(e.upper(), more, MPFR_RNDU);
-  for (decimal* end : {&low, &high}) {
-    drop_trailing_zeros(*end);
-    fill_to_units(*end);
-  }
-  result.lower = written(low);
-  result.upper = written(high);
-  return result;
+  const bool cut = shared_digits >= most_digits;
+  const decimal value = cut ? shared : rounded_middle(e, most_digits, x.precision() + 64);
+  return assembled(value, std::move(low), std::move(high), shared_digits, most_digits);
+}
+
+std::string to_text(const decimal_enclosure& d) {
+  if (d.exact) return d.value;
+  if (!d.cut) return d.value + " ± " + d.radius;
+  const auto e = d.value.find('e');
+  if (e == std::string::npos) return d.value + "...";
+  return d.value.substr(0, e) + "..." + d.value.substr(e);
 }
 
 std::string to_decimal(const ball& x, long most_digits) {
@@ -230,12 +361,7 @@ std::string to_decimal(const ball& x, long most_digits) {
     };
     return '[' + end(ends.lower(), MPFR_RNDD) + ", " + end(ends.upper(), MPFR_RNDU) + ']';
   }
-  const decimal_enclosure d = to_decimal_enclosure(x, most_digits);
-  if (d.exact) return d.value;
-  if (d.digits == 0) return '[' + d.lower + ", " + d.upper + ']';
-  const auto e = d.value.find('e');
-  if (e == std::string::npos) return d.value + "...";
-  return d.value.substr(0, e) + "..." + d.value.substr(e);
+  return to_text(to_decimal_enclosure(x, most_digits));
 }
 
 std::ostream& operator<<(std::ostream& out, const ball& x) {

@@ -31,8 +31,19 @@ json dyadic(const rational& q) {
 
 bool has_digits(const enclosed_number& n) {
   if (!n.enclosure.is_bounded()) return false;
-  const decimal_enclosure d = to_decimal_enclosure(n.enclosure, n.digits);
-  return d.exact || d.digits >= n.digits;
+  return to_decimal_enclosure(n.enclosure, n.digits).has_cut(n.digits);
+}
+
+/// What a certificate says of a number, which is what lies between two ends: the digits that both share, cut off.
+json shared_digits(const ball& x, long digits) {
+  if (!x.is_bounded()) {
+    return json{{"value", nullptr}, {"digits", 0}, {"lower", nullptr}, {"upper", nullptr}};
+  }
+  const decimal_enclosure d = to_decimal_enclosure(x, digits);
+  json value = nullptr;
+  if (d.exact || d.shared > 0)
+    value = d.has_cut(digits) ? d.value : to_decimal_enclosure(x, d.shared).value;
+  return json{{"value", value}, {"digits", d.shared}, {"lower", d.lower}, {"upper", d.upper}};
 }
 
 /// Text in lines of at most `width` columns, broken at spaces, each indented.
@@ -93,11 +104,19 @@ void certificate::conclude(reason otherwise) {
 
 json to_json(const ball& x, long digits) {
   if (!x.is_bounded()) {
-    return json{{"value", nullptr}, {"digits", 0}, {"lower", nullptr}, {"upper", nullptr}};
+    return json{{"value", nullptr},
+                {"radius", nullptr},
+                {"lower", nullptr},
+                {"upper", nullptr},
+                {"digits", 0}};
   }
   const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  json result{{"value", d.value}, {"digits", d.digits}, {"lower", d.lower}, {"upper", d.upper}};
-  if (d.digits == 0 && !d.exact) result["value"] = nullptr;
+  json result{{"value", d.value},
+              {"radius", d.radius},
+              {"lower", d.lower},
+              {"upper", d.upper},
+              {"digits", d.digits}};
+  if (!d.cut) result["rounded"] = true;
   if (d.exact) result["exact"] = true;
   return result;
 }
@@ -121,8 +140,7 @@ json to_json(const certificate& c) {
   for (const auto& [name, value] : c.inputs) result["inputs"][name] = to_text(value);
   result["numbers"] = json::object();
   for (const auto& n : c.numbers) {
-    json number = to_json(n.enclosure, n.digits);
-    number.erase("exact");  // a certificate's number is what is between two ends
+    json number = shared_digits(n.enclosure, n.digits);
     number["digits_asked"] = n.digits;
     number["dyadic"] = to_dyadic_json(n.enclosure);
     result["numbers"][n.name] = std::move(number);

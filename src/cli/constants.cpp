@@ -40,7 +40,7 @@ struct enclosed_constant {
 decimal_enclosure certain_decimals(const enclosed_constant& c, long digits) {
   if (!c.enclosure.is_bounded()) not_certified(*c.what, digits);
   decimal_enclosure result = to_decimal_enclosure(c.enclosure, digits);
-  if (result.digits < digits && !result.exact) not_certified(*c.what, digits);
+  if (!result.has_cut(digits)) not_certified(*c.what, digits);
   return result;
 }
 
@@ -68,10 +68,10 @@ std::string as_text(const std::vector<enclosed_constant>& constants, long digits
 }
 
 std::string as_csv(const std::vector<enclosed_constant>& constants, long digits) {
-  std::string result = "name,value,lower,upper,digits\n";
+  std::string result = "name,value,radius,lower,upper,digits\n";
   for (const auto& c : constants) {
     const decimal_enclosure d = certain_decimals(c, digits);
-    for (const std::string* cell : {&c.what->name, &d.value, &d.lower, &d.upper}) {
+    for (const std::string* cell : {&c.what->name, &d.value, &d.radius, &d.lower, &d.upper}) {
       result.append(*cell).append(",");
     }
     result.append(std::to_string(d.digits)).append("\n");
@@ -82,8 +82,8 @@ std::string as_csv(const std::vector<enclosed_constant>& constants, long digits)
 std::string as_json(const std::vector<enclosed_constant>& constants, long digits) {
   json result = json::object();
   for (const auto& c : constants) {
+    (void)certain_decimals(c, digits);
     json number = to_json(c.enclosure, digits);
-    if (number["digits"] < digits && !number.contains("exact")) not_certified(*c.what, digits);
     if (c.opinion) number["second_opinion"] = c.opinion->as_json();
     result[c.what->name] = std::move(number);
   }

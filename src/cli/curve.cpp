@@ -79,15 +79,13 @@ std::vector<point> points_of(const body& rigid, const std::vector<rational>& mot
 // ---------------------------------------------------------------------------------------------
 // The formats
 
-constexpr long digits_of_arguments = 1000;
-
 std::string as_csv(const std::vector<point>& points, long digits) {
-  std::string result = "c,epsilon,lower,upper,digits,epsilon_of_s\n";
+  std::string result = csv_header("c") + ",epsilon,radius,lower,upper,digits,epsilon_of_s\n";
   for (const point& p : points) {
     const decimal_enclosure d = to_decimal_enclosure(p.epsilon, digits);
-    result += fmt::format("{},{},{},{},{},{}\n", exact_text(p.c, digits_of_arguments), d.value,
-                          d.lower, d.upper, d.digits,
-                          p.turning ? to_decimal_enclosure(*p.turning, digits).value : "");
+    result +=
+        fmt::format("{},{},{},{},{},{},{}\n", csv_cells(p.c), d.value, d.radius, d.lower, d.upper,
+                    d.digits, p.turning ? to_decimal_enclosure(*p.turning, digits).value : "");
   }
   return result;
 }

@@ -97,12 +97,6 @@ precision greatest_working_precision(const expression& f, precision needed) {
   return 4 * needed + (precision{1} << 12);
 }
 
-bool is_certain(const ball& x, long digits) {
-  if (!x.is_bounded()) return false;
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  return d.exact || d.digits >= digits;
-}
-
 answer enclose(const expression& f, long digits, const progress& line) {
   const precision needed = bits_for_digits(digits);
   const precision most = greatest_working_precision(f, needed);
@@ -112,7 +106,12 @@ answer enclose(const expression& f, long digits, const progress& line) {
     result.bits = std::min(needed + guard, most);
     line.show(fmt::format("computing with {} bits", result.bits));
     result.enclosure = f.value(result.bits);
-    if (is_certain(result.enclosure, digits)) return result;
+    if (result.enclosure.is_bounded()) {
+      const decimal_enclosure d = to_decimal_enclosure(result.enclosure, digits);
+      // Two ends that fall on either side of a short decimal with so many bits to spare do so with more, too.
+      constexpr precision enough = 128;
+      if (d.has_cut(digits) || (d.has(digits) && guard >= enough)) return result;
+    }
     guard *= 4;
   } while (result.bits < most);
   result.why = result.enclosure.is_undefined() ? reason::not_defined : reason::precision_limit;

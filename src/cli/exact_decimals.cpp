@@ -89,12 +89,30 @@ std::string exact_text(const rational& q, long digits) {
   return to_text(q);
 }
 
+std::string csv_cells(const rational& q) {
+  constexpr long most = 40;
+  return leading_digits_of(q, most).value + ',' + to_text(q);
+}
+
+std::string csv_header(const std::string& name) { return name + ',' + name + "_exact"; }
+
+decimal_enclosure exact_decimals(const leading_digits& d) {
+  decimal_enclosure result;
+  result.value = result.lower = result.upper = d.value;
+  result.radius = "0";
+  result.digits = result.shared = d.digits;
+  result.cut = result.exact = true;
+  return result;
+}
+
 json exact_json(const rational& q, long digits) {
   const leading_digits d = leading_digits_of(q, digits);
   json number = to_json(ball(q, bits_for_digits(digits) + 64), digits);
-  number["value"] = d.value;
-  number["digits"] = d.digits;
-  if (d.all) number["lower"] = number["upper"] = d.value;
+  if (d.all) {
+    number["value"] = number["lower"] = number["upper"] = d.value;
+    number["radius"] = "0";
+    number["digits"] = d.digits;
+  }
   number["exact"] = true;
   number["rational"] = to_text(q);
   return number;

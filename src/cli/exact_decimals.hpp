@@ -5,6 +5,7 @@
 #include <string>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
 
 namespace polhode::cli {
@@ -26,6 +27,14 @@ struct leading_digits {
 
 /// All its decimals where these are at most so many, else the quotient.
 [[nodiscard]] std::string exact_text(const rational& q, long digits);
+
+/// Two cells for a table that other programs read: a decimal, cut off where it does not end, and the quotient.
+[[nodiscard]] std::string csv_cells(const rational& q);
+/// Their headers: "c,c_exact".
+[[nodiscard]] std::string csv_header(const std::string& name);
+
+/// All its decimals, where nothing else follows, as what every number is printed as.
+[[nodiscard]] decimal_enclosure exact_decimals(const leading_digits& d);
 
 /// Its decimals, as every number has them, with "exact": true and the quotient under "rational".
 [[nodiscard]] json exact_json(const rational& q, long digits);

@@ -18,7 +18,7 @@ constexpr long digits_of_exact = 100;
 decimal_enclosure decimals(const coordinate& x, long digits) {
   if (const auto* exact = std::get_if<rational>(&x)) {
     const leading_digits d = leading_digits_of(*exact, digits_of_exact);
-    if (d.all) return {d.value, d.value, d.value, d.digits, true};
+    if (d.all) return exact_decimals(d);
     return to_decimal_enclosure(ball(*exact, bits_for_digits(digits) + 64), digits);
   }
   return to_decimal_enclosure(std::get<ball>(x), digits);

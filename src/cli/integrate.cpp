@@ -104,9 +104,7 @@ quadrature_rule read_rule(const std::string& text) {
 
 /// Whether its first digits are as many, or all that there are.
 bool is_decided(const ball& x, long digits) {
-  if (!x.is_bounded()) return false;
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  return d.exact || d.digits >= digits;
+  return x.is_bounded() && to_decimal_enclosure(x, digits).has_cut(digits);
 }
 bool is_decided(const complex_ball& z, long digits) {
   if (!z.is_bounded()) return false;
@@ -138,16 +136,10 @@ std::string account_text(const integral_account& a) {
                      a.precision, a.region_evaluations);
 }
 
-std::string number_text(const ball& x, bool certified, long digits) {
-  if (!x.is_bounded()) return "undefined\n";
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  if (certified && !d.exact && d.digits < digits) {
-    // Both ends, with the digits that matter.
-    return fmt::format("from {}\n  to {}\n", d.lower, d.upper);
-  }
-  return to_decimal(x, digits) + '\n';
+std::string number_text(const ball& x, long digits) {
+  return x.is_bounded() ? to_decimal(x, digits) + '\n' : "undefined\n";
 }
-std::string number_text(const complex_ball& z, bool, long digits) {
+std::string number_text(const complex_ball& z, long digits) {
   if (!z.is_bounded()) return "undefined\n";
   return fmt::format("real part      {}\nimaginary part {}\n", to_decimal(z.re, digits),
                      to_decimal(z.im, digits));
@@ -156,7 +148,7 @@ std::string number_text(const complex_ball& z, bool, long digits) {
 template <class Integral>
 std::string as_text(const Integral& i, long digits) {
   const bool certified = i.verdict == status::certified;
-  const std::string number = number_text(i.enclosure, certified, digits);
+  const std::string number = number_text(i.enclosure, digits);
   if (certified) return number + fmt::format("certified: {}\n", account_text(i.account));
   std::string result = number + fmt::format("not certified: {}", to_text(i.why));
   if (!i.obstacle.empty()) result += fmt::format(" ({})", i.obstacle);

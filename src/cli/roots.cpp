@@ -103,8 +103,7 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, long di
     if (r.multiplicity == 0) continue;
     refined_root& root = roots[i];
     const auto shows_digits = [&] {
-      const decimal_enclosure d = to_decimal_enclosure(root.enclosure, digits);
-      return d.exact || d.digits >= digits;
+      return to_decimal_enclosure(root.enclosure, digits).has(digits);
     };
     if (root.verdict == status::certified && !shows_digits()) {
       refined_root finer = refine(r, digits + 6);
@@ -112,11 +111,7 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, long di
     }
     result.back().enclosure = root.enclosure;
     result.back().exact = root.exact;
-    // Two ends that differ by less than a unit of the last digit may share fewer.
-    const magnitude unit =
-        divide_down(root.enclosure.magnitude_lower(), pow(ball(10, 64), digits).magnitude_upper());
-    result.back().has_digits =
-        root.verdict == status::certified && (shows_digits() || root.enclosure.radius() <= unit);
+    result.back().has_digits = root.verdict == status::certified && shows_digits();
   }
   return result;
 }
@@ -192,15 +187,11 @@ std::string remark_on(const listed_root& r) {
 std::string number_text(const listed_root& r, long digits) {
   if (r.exact) return to_text(*r.exact) + " exactly";
   if (!r.enclosure.is_bounded()) return fmt::format("{}", "unbounded");
-  const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);
-  if (d.exact || d.digits >= std::min(digits, 3L)) {
-    return r.has_digits && d.digits < digits && !d.exact
-               ? fmt::format("from {} to {}", d.lower, d.upper)
-               : to_decimal(r.enclosure, digits);
-  }
   constexpr long few = 12;
-  const decimal_enclosure brief =
-      to_decimal_enclosure(r.enclosure, r.has_digits ? digits : std::min(digits, few));
+  const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);
+  if (r.region.multiplicity > 0 && d.digits > 0) return to_text(d);
+  // A region that may hold a root, or may not, is no number.
+  const decimal_enclosure brief = to_decimal_enclosure(r.enclosure, std::min(digits, few));
   return fmt::format("from {} to {}", brief.lower, brief.upper);
 }
 
@@ -257,14 +248,14 @@ std::string csv_cell(const std::string& text) {
 }
 
 std::string as_csv(const answer& a, long digits) {
-  std::string result = "verdict,multiplicity,value,lower,upper,digits,exact,remark\n";
+  std::string result = "verdict,multiplicity,value,radius,lower,upper,digits,exact,remark\n";
   for (const listed_root& r : a.list) {
     decimal_enclosure d;
     if (r.enclosure.is_bounded()) d = to_decimal_enclosure(r.enclosure, digits);
-    result += fmt::format("{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
+    result += fmt::format("{},{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
                           r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "",
-                          d.value, d.lower, d.upper, d.digits, r.exact ? to_text(*r.exact) : "",
-                          csv_cell(remark_on(r)));
+                          d.value, d.radius, d.lower, d.upper, d.digits,
+                          r.exact ? to_text(*r.exact) : "", csv_cell(remark_on(r)));
   }
   return result;
 }

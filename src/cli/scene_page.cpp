@@ -178,21 +178,25 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const ef
   return groups;
 }
 
-/// A table's numbers as they are drawn. Of a quaternion and its opposite, which are one attitude, the one is drawn that is nearer to
-/// the one before: the curve does not jump.
+/// The letter of a quantity, with its unit: "ω [rad/day]".
+std::string axis_label(const effect_table& table, std::size_t column, const std::string& name) {
+  const auto greek = [](const std::string& word) -> std::string {
+    if (word == "omega") return "ω";
+    if (word == "phi") return "φ";
+    if (word == "epsilon") return "ε";
+    return word;
+  };
+  const bool has_unit = column < table.units.size() && !table.units[column].empty();
+  return greek(name) + (has_unit ? " [" + table.units[column] + ']' : "");
+}
+
+/// A table's numbers as they are drawn.
 std::vector<std::vector<double>> drawn_rows(const effect_table& table) {
   std::vector<std::vector<double>> rows;
-  constexpr std::size_t parts = 4;
-  const bool has_quaternions = table.columns.size() > parts && table.columns[1] == "q_w";
   for (const std::vector<ball>& row : table.rows) {
     std::vector<double> numbers;
     numbers.reserve(row.size());
     for (const ball& x : row) numbers.push_back(drawn(x));
-    if (has_quaternions && !rows.empty()) {
-      double product = 0;
-      for (std::size_t k = 0; k < parts; ++k) product += numbers[k] * rows.back()[k];
-      for (std::size_t k = 0; k < parts && product < 0; ++k) numbers[k] = -numbers[k];
-    }
     rows.push_back(std::move(numbers));
   }
   return rows;
@@ -224,9 +228,11 @@ std::string scene_plot(const std::string& title, const effect_table& table,
                          for_gnuplot(title));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto& [name, columns] = groups[g];
-    program += fmt::format("set ylabel '{}' noenhanced\n", name);
+    program +=
+        fmt::format("set ylabel '{}' noenhanced\n", axis_label(table, columns.front(), name));
     if (g + 1 == groups.size()) {
-      program += fmt::format("set xlabel '{}' noenhanced\n", table.columns[0]);
+      program +=
+          fmt::format("set xlabel '{}' noenhanced\n", axis_label(table, 0, table.columns[0]));
     }
     std::string plots;
     for (const std::size_t k : columns) {

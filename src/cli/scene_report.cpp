@@ -117,11 +117,7 @@ std::string decimals_of(const json& number) {
     return (quotient.empty() || quotient.size() > longest ? "" : quotient + " = ") +
            with_dots(value);
   }
-  // A number just at a power of ten may be narrow without many certain digits.
-  constexpr long enough = 3;
-  if (value.empty() ||
-      number.value("digits", enough) < std::min(enough, number.value("digits_asked", enough)))
-    return fmt::format("[{}, {}]", text_or_empty(number, "lower"), text_or_empty(number, "upper"));
+  if (number.contains("rounded")) return value + " ± " + text_or_empty(number, "radius");
   return with_dots(value);
 }
 
@@ -231,42 +227,66 @@ std::string scene_text(const json& report) {
 }
 
 std::string results_csv(const std::vector<json>& reports) {
-  std::string result = "scene,point,effect,quantity,unit,value,lower,upper,digits,verdict\n";
+  std::vector<std::string> parameters;  // those of the points of a sweep
   for (const json& report : reports) {
-    const std::string head =
-        csv_field(text_or_empty(report, "file")) + ',' + csv_field(point_text(report)) + ',';
+    if (!report.contains("point")) continue;
+    for (const auto& [key, number] : report["point"].items()) {
+      if (std::find(parameters.begin(), parameters.end(), key) == parameters.end())
+        parameters.push_back(key);
+    }
+  }
+  std::string result = "scene,";
+  for (const std::string& key : parameters)
+    result += csv_field(key) + ',' + csv_field(key + "_exact") + ',';
+  result += "effect,quantity,unit,value,radius,lower,upper,digits,word,verdict\n";
+  for (const json& report : reports) {
+    std::string head = csv_field(text_or_empty(report, "file")) + ',';
+    for (const std::string& key : parameters) {
+      const bool is_given = report.contains("point") && report["point"].contains(key);
+      const json number = is_given ? report["point"][key] : json::object();
+      head += text_or_empty(number, "value") + ',' + text_or_empty(number, "rational") + ',';
+    }
     for (const auto& [name, effect] : report["effects"].items()) {
       if (!effect["wanted"].get<bool>()) continue;
       const std::string verdict = text_or_empty(effect, "verdict");
       if (effect.contains("words")) {
         for (const auto& [key, word] : effect["words"].items()) {
-          result += head + fmt::format("{},{},,{},,,,{}\n", name, key,
+          result += head + fmt::format("{},{},,,,,,,{},{}\n", name, key,
                                        csv_field(word.get<std::string>()), verdict);
         }
       }
       if (!effect.contains("numbers")) continue;
       for (const auto& [key, number] : effect["numbers"].items()) {
-        result += head + fmt::format("{},{},{},{},{},{},{},{}\n", name, key,
-                                     csv_field(text_or_empty(number, "unit")),
-                                     text_or_empty(number, "value"), text_or_empty(number, "lower"),
-                                     text_or_empty(number, "upper"),
-                                     number["digits"].is_null() ? 0L : number["digits"].get<long>(),
-                                     verdict);
+        result +=
+            head + fmt::format("{},{},{},{},{},{},{},{},,{}\n", name, key,
+                               csv_field(text_or_empty(number, "unit")),
+                               text_or_empty(number, "value"), text_or_empty(number, "radius"),
+                               text_or_empty(number, "lower"), text_or_empty(number, "upper"),
+                               number["digits"].is_null() ? 0L : number["digits"].get<long>(),
+                               verdict);
       }
     }
   }
   return result;
 }
 
+std::string with_unit(const effect_table& table, std::size_t column, const std::string& of_column) {
+  const std::string name = table.columns[column] + of_column;
+  return column < table.units.size() && !table.units[column].empty()
+             ? name + " [" + table.units[column] + ']'
+             : name;
+}
+
 std::string table_csv(const effect_table& table) {
-  std::string result = table.columns[0];
+  // The unit stands with the number; the exact quotient is the same in the same unit.
+  std::string result = with_unit(table, 0, "") + ',' + table.columns[0] + "_exact";
   for (std::size_t k = 1; k < table.columns.size(); ++k) {
-    result += fmt::format(fmt::runtime(table.certified ? ",{0},{0}_lower,{0}_upper" : ",{0}"),
-                          table.columns[k]);
+    result += ',' + with_unit(table, k, "");
+    if (table.certified) result += ',' + table.columns[k] + "_lower," + table.columns[k] + "_upper";
   }
   result += '\n';
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    result += exact_text(table.first[i], digits_of_arguments);
+    result += csv_cells(table.first[i]);
     for (const ball& x : table.rows[i]) {
       if (!table.certified) {
         result += fmt::format(",{}", as_double(x));

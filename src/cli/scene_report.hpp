@@ -23,10 +23,11 @@ enum class table_rows { kept, counted };
 /// For a terminal, made from the JSON.
 [[nodiscard]] std::string scene_text(const json& report);
 
-/// One line a number, of any scenes: scene, point, effect, quantity, unit, value, lower, upper, digits, verdict.
+/// One line a number, of any scenes: the scene, two columns for each parameter of a sweep (a decimal and the quotient), effect,
+/// quantity, unit, value, radius, lower, upper, digits, word, verdict. What is no number is a word.
 [[nodiscard]] std::string results_csv(const std::vector<json>& reports);
 
-/// An effect's series: its columns with their ends.
+/// An effect's series: its columns with their ends, and units in the header.
 [[nodiscard]] std::string table_csv(const effect_table& table);
 
 }  // namespace polhode::cli

@@ -35,20 +35,14 @@ struct quantity {
   certain_number (*compute)(const body&, const rational& c, long digits);
   /// Throws usage_error where there is none.
   void (*check)(const body&, const rational& c);
+  bool infinite_at_0 = false;  // on the separatrix, c = 0
 };
 
-void check_phase(const body& rigid, const rational& c) {
-  refuse_equilibrium(rigid, c, "phase");
-  if (c == 0) {
-    throw usage_error(
-        "c = 0: on the separatrix the phase is infinite; choose the range of --c so that 0 is not "
-        "in it");
-  }
-}
+void check_phase(const body& rigid, const rational& c) { refuse_equilibrium(rigid, c, "phase"); }
 
 const std::vector<quantity>& all_quantities() {
   static const std::vector<quantity> quantities{
-      {"phase", "Montgomery phase, unwrapped", true, montgomery_phase_to_digits, check_phase},
+      {"phase", "Montgomery phase, unwrapped", true, montgomery_phase_to_digits, check_phase, true},
       {"epsilon", "defect epsilon(c) of the tennis racket effect", true,
        [](const body& rigid, const rational& c, long digits) {
          const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
@@ -78,6 +72,7 @@ struct row {
   rational b;
   std::optional<rational> c;
   ball value;
+  bool is_infinite = false;  // and there is no other value
 };
 
 struct table_options {
@@ -94,17 +89,19 @@ struct table_options {
 // ---------------------------------------------------------------------------------------------
 // The formats
 
-constexpr long digits_of_arguments = 1000;
-
 std::string as_csv(const quantity& q, const std::vector<row>& rows, long digits) {
-  std::string result = q.of_motion ? "a,b,c," : "a,b,";
-  result += q.name + ",lower,upper,digits\n";
+  std::string result = csv_header("a") + ',' + csv_header("b") + ',';
+  if (q.of_motion) result += csv_header("c") + ',';
+  result += q.name + ",radius,lower,upper,digits\n";
   for (const row& r : rows) {
+    result += csv_cells(r.a) + ',' + csv_cells(r.b) + ',';
+    if (r.c) result += csv_cells(*r.c) + ',';
+    if (r.is_infinite) {
+      result += "inf,0,inf,inf,0\n";
+      continue;
+    }
     const decimal_enclosure d = to_decimal_enclosure(r.value, digits);
-    result +=
-        exact_text(r.a, digits_of_arguments) + ',' + exact_text(r.b, digits_of_arguments) + ',';
-    if (r.c) result += exact_text(*r.c, digits_of_arguments) + ',';
-    result += fmt::format("{},{},{},{}\n", d.value, d.lower, d.upper, d.digits);
+    result += fmt::format("{},{},{},{},{}\n", d.value, d.radius, d.lower, d.upper, d.digits);
   }
   return result;
 }
@@ -124,11 +121,13 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
   std::string result = head.dump(2);
   constexpr std::string_view end = "]\n}";  // of the array and the object
   result.resize(result.size() - end.size());
+  const json infinity{
+      {"value", "inf"}, {"radius", "0"}, {"lower", "inf"}, {"upper", "inf"}, {"digits", 0}};
   const char* before = "\n";
   for (const row& r : rows) {
     json one{{"a", exact_json(r.a, digits)}, {"b", exact_json(r.b, digits)}};
     if (r.c) one["c"] = exact_json(*r.c, digits);
-    one[q.name] = to_json(r.value, digits);
+    one[q.name] = r.is_infinite ? infinity : to_json(r.value, digits);
     result += before + indented(one.dump(2), "    ");
     before = ",\n";
   }
@@ -165,11 +164,15 @@ void refuse_unless_doubles(const row& r) {
 std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits) {
   std::string result = fmt::format(
       "// Written by polhode {}: the {}. The decimals are the first {} significant\n"
-      "// digits of the true values, cut off, not rounded; the floating point numbers are rounded "
+      "// digits of the true values, cut off, not rounded (where more than that are zeros or "
+      "nines, the "
+      "number\n// that they come to, off by less than a unit of the last); the floating point "
+      "numbers are rounded "
       "by the "
       "compiler\n"
       "// from {} digits.\n"
-      "#pragma once\n\n#include <array>\n#include <string_view>\n\nnamespace polhode_tables {{\n\n",
+      "#pragma once\n\n#include <array>\n#include <limits>\n#include <string_view>\n\nnamespace "
+      "polhode_tables {{\n\n",
       POLHODE_VERSION, q.description, digits, digits_of_literals);
   result += fmt::format(
       "struct {}_row {{\n  double a;\n  double b;\n{}  double {};\n  std::string_view "
@@ -177,14 +180,21 @@ std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits)
       q.name, q.of_motion ? "  double c;\n" : "", q.name);
   result += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows.size());
   for (const row& r : rows) {
+    const auto place = [&](std::string cells) {
+      std::string found = "    {" + literal(r.a) + ", " + literal(r.b) + ", ";
+      if (r.c) found += literal(*r.c) + ", ";
+      return found + cells;
+    };
+    if (r.is_infinite) {
+      result += place("std::numeric_limits<double>::infinity(), \"inf\"},\n");
+      continue;
+    }
     refuse_unless_double(q.name, r.value.is_exact() && contains_zero(r.value),
                          midpoint(r.value).convert_to<double>(),
                          to_decimal_enclosure(r.value, 10).value);
-    result += "    {" + literal(r.a) + ", " + literal(r.b) + ", ";
-    if (r.c) result += literal(*r.c) + ", ";
-    result += fmt::format("{}, \"{}\"}},\n",
-                          literal(to_decimal_enclosure(r.value, digits_of_literals).value),
-                          to_decimal_enclosure(r.value, digits).value);
+    result += place(fmt::format("{}, \"{}\"}},\n",
+                                literal(to_decimal_enclosure(r.value, digits_of_literals).value),
+                                to_decimal_enclosure(r.value, digits).value));
   }
   return result + "}};\n\n}  // namespace polhode_tables\n";
 }
@@ -238,13 +248,14 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
         throw usage_error(fmt::format("--c {}: {}", in_quotes(*options.c), error.what()));
       }
       q.check(rigid, c);
-      result.push_back({rigid.a(), rigid.b(), c, {}});
+      result.push_back({rigid.a(), rigid.b(), c, {}, c == 0 && q.infinite_at_0});
     }
   }
   return result;
 }
 
 certain_number value_of(const row& r, const quantity& q, long digits) {
+  if (r.is_infinite) return {};
   return q.compute(body(r.a, r.b), r.c ? *r.c : rational(0), digits);
 }
 
@@ -254,7 +265,9 @@ void compute(std::vector<row>& rows, const quantity& q, long digits, const std::
   const progress line;
   line.show("estimating");
   detail::worker_threads threads(options.threads);
-  const row& middle = rows[rows.size() / 2];
+  const auto some = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2),
+                                 rows.end(), [](const row& r) { return !r.is_infinite; });
+  const row& middle = some == rows.end() ? rows.front() : *some;
   line.expect(options.time_limit.check(what, digits,
                                        {[&](long fewer) { (void)value_of(middle, q, fewer); }},
                                        static_cast<double>(rows.size()) / threads.count()));
@@ -266,10 +279,11 @@ void compute(std::vector<row>& rows, const quantity& q, long digits, const std::
     const std::size_t count = std::min(at_a_time, rows.size() - first);
     threads.for_each(static_cast<long>(count), [&](long i) {
       const auto k = static_cast<std::size_t>(i);
-      values[k] = value_of(rows[first + k], q, digits);
+      if (!rows[first + k].is_infinite) values[k] = value_of(rows[first + k], q, digits);
     });
     for (std::size_t k = 0; k < count; ++k) {
       row& r = rows[first + k];
+      if (r.is_infinite) continue;
       const std::string where = fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.a),
                                             to_text(r.b), r.c ? ", c = " + to_text(*r.c) : "");
       r.value = certain(values[k], where, digits);

@@ -15,8 +15,7 @@ namespace polhode::detail {
 
 [[nodiscard]] inline bool has_digits(const ball& x, long digits) {
   if (!x.is_bounded()) return false;
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  return d.exact || d.digits >= digits;
+  return to_decimal_enclosure(x, digits).has(digits);
 }
 
 /// enclose_to_digits with a verdict.

@@ -42,6 +42,7 @@ effect_result curve(const effect_context& x, const std::string& column, const st
   effect_result result;
   effect_table table;
   table.columns = {"c", column};
+  table.units = {"", "rad"};
   table.digits = x.digits();
   for (const rational& c : curve_motions(x.rigid(), x.what.c_range, x.what.points)) {
     const std::optional<certain_number> found = at(c);
@@ -111,8 +112,7 @@ effect_result montgomery_phase_effect(const effect_context& x) {
   const ball dynamic = rational(1 + x.c()) * x.number("period", "natural_period");
   add(result, "dynamic", dynamic, "rad");
   const ball geometric = phase.enclosure - dynamic;
-  const decimal_enclosure d = to_decimal_enclosure(geometric, x.digits());
-  if (d.exact || d.digits >= x.digits()) {
+  if (to_decimal_enclosure(geometric, x.digits()).has(x.digits())) {
     add(result, "geometric", geometric, "rad");
   } else {  // it cancels near c = -b
     add(result, "geometric", geometric_phase_to_digits(x.rigid(), x.c(), x.digits()), "rad");

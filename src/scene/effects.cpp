@@ -81,16 +81,6 @@ void visit(const std::string& name, std::vector<std::string>& order, std::set<st
   order.push_back(name);
 }
 
-/// Whether the ball is as narrow as so many digits. A number just at a power of ten may be so without any certain digit: 0.999... or
-/// 1.000...
-bool is_narrow(const ball& x, long digits) {
-  const rational least =
-      contains_zero(x) ? rational(0) : std::min(abs(lower_rational(x)), abs(upper_rational(x)));
-  integer power;
-  mpz_ui_pow_ui(power.backend().data(), 10, static_cast<unsigned long>(digits));
-  return (upper_rational(x) - lower_rational(x)) * power <= least;
-}
-
 /// A number that is wider than the digits asked for is not certified.
 void check_digits(effect_result& result, long digits) {
   for (const effect_number& n : result.numbers) {
@@ -100,7 +90,7 @@ void check_digits(effect_result& result, long digits) {
       continue;
     }
     const decimal_enclosure d = to_decimal_enclosure(n.enclosure, digits);
-    if (d.exact || d.digits >= digits || is_narrow(n.enclosure, digits)) continue;
+    if (d.has(digits)) continue;
     detail::not_certified(result, n.name + " has " + std::to_string(d.digits) + " certain digits");
   }
 }

@@ -166,8 +166,7 @@ effect_result flips(const effect_context& x) {
     };
     if (!exact) ++result.work.integrals;
     ball found = time(shared.precision());
-    const decimal_enclosure d = to_decimal_enclosure(found, x.digits());
-    if (!d.exact && d.digits < x.digits()) {  // it is near 0, and cancels
+    if (!to_decimal_enclosure(found, x.digits()).has(x.digits())) {  // it is near 0, and cancels
       found = enclose_to_digits(time, x.digits(), most_guard(x.digits()) + 2 * size_in_bits(x.c()));
     }
     add(result, name, found, unit);

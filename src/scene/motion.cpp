@@ -169,9 +169,11 @@ ball in_ball(double x) { return ball::exactly(x); }
 
 /// A row for each time, in parallel: `row` may be called by many threads.
 template <class Row>
-effect_table table_of(const effect_context& x, std::vector<std::string> columns, const Row& row) {
+effect_table table_of(const effect_context& x, std::vector<std::string> columns,
+                      std::vector<std::string> units, const Row& row) {
   effect_table table;
   table.columns = std::move(columns);
+  table.units = std::move(units);
   table.digits = x.digits();
   table.certified = !x.what.in_double;
   table.first = times_of(*x.what.time);
@@ -179,6 +181,20 @@ effect_table table_of(const effect_context& x, std::vector<std::string> columns,
   tbb::parallel_for(std::size_t{0}, table.rows.size(),
                     [&](std::size_t i) { table.rows[i] = row(table.first[i]); });
   return table;
+}
+
+/// q and -q are one attitude: each row's quaternion gets the sign that is nearer to the row before. Where two attitudes are
+/// half a turn apart, so that neither is, it stays.
+void continue_signs(effect_table& table) {
+  constexpr std::size_t parts = 4;
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    const std::vector<ball>& before = table.rows[i - 1];
+    std::vector<ball>& here = table.rows[i];
+    ball product = before[0] * here[0];
+    for (std::size_t k = 1; k < parts; ++k) product += before[k] * here[k];
+    if (!certainly_less(product, ball(0, 64))) continue;
+    for (std::size_t k = 0; k < parts; ++k) here[k] = -here[k];
+  }
 }
 
 /// J/|J| and omega in the given frame, omega in rad per unit of the scene's time.
@@ -193,8 +209,10 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   triple<T> inverse;
   for (std::size_t i = 0; i < 3; ++i)
     inverse[i] = number_of<T>(rational(1 / (*x.what.body.moments)[i]), p);
+  const std::string& time = x.what.time_unit.name;
+  const std::string rate = x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad/" + time;
   return table_of(x, {"t", "j_1", "j_2", "j_3", "omega_1", "omega_2", "omega_3"},
-                  [&](const rational& t) {
+                  {time, "", "", "", rate, rate, rate}, [&](const rational& t) {
                     const rotor_time at = path.at(t);
                     const rotor_sample<T> sample = turning.sample(at.t);
                     triple<T> j;
@@ -225,20 +243,24 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
   // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
   const matrix3<T> before = product(start, frame);
   const matrix3<T> after = transposed(frame);
-  return table_of(x, {"t", "q_w", "q_x", "q_y", "q_z", "phi"}, [&](const rational& t) {
-    const rotor_time at = path.at(t);
-    rotor_attitude<T> attitude = turning.attitude(at.t);
-    const T phi = path.attitude(attitude.angles().phi, at);
-    for (auto& row : attitude.matrix) {
-      for (T& entry : row) entry = path.attitude(entry, at);
-    }
-    attitude.matrix = product(product(before, attitude.matrix), after);
-    std::vector<ball> row;
-    row.reserve(5);
-    for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
-    row.push_back(in_ball(phi));
-    return row;
-  });
+  effect_table table =
+      table_of(x, {"t", "q_w", "q_x", "q_y", "q_z", "phi"},
+               {x.what.time_unit.name, "", "", "", "", "rad"}, [&](const rational& t) {
+                 const rotor_time at = path.at(t);
+                 rotor_attitude<T> attitude = turning.attitude(at.t);
+                 const T phi = path.attitude(attitude.angles().phi, at);
+                 for (auto& row : attitude.matrix) {
+                   for (T& entry : row) entry = path.attitude(entry, at);
+                 }
+                 attitude.matrix = product(product(before, attitude.matrix), after);
+                 std::vector<ball> row;
+                 row.reserve(5);
+                 for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
+                 row.push_back(in_ball(phi));
+                 return row;
+               });
+  continue_signs(table);
+  return table;
 }
 
 constexpr const char* by_double = "in double, as the scene asks: some 15 digits, not certified";

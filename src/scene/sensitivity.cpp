@@ -82,8 +82,7 @@ derivatives derivatives_at(const body& rigid, const rational& c, precision p) {
 
 bool has_digits(const ball& x, long digits) {
   if (!x.is_bounded()) return false;
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  return d.exact || d.digits >= digits;
+  return to_decimal_enclosure(x, digits).has(digits);
 }
 
 /// d log T/d log I for the moments I_x, I_y, I_z at fixed angular momentum vector; T is T I_y/J in time, and

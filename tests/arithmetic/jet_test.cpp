@@ -222,6 +222,8 @@ TEST(Jet, OrdersThatDiffer) {
   EXPECT_EQ((x + series::variable(number("7/3"), 3)).order(), 3);
   // An order that is none, or not the type's.
   EXPECT_THROW(static_cast<void>(series(-2)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(series::constant(number("1"))), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(series::variable(number("1"))), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(jet5::variable(number("1"), 6)), std::invalid_argument);
   EXPECT_THROW(static_cast<void>(jet5::variable(number("1"), 4)), std::invalid_argument);
 }

@@ -16,6 +16,8 @@ namespace polhode {
 
 class analytic_ball {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   analytic_ball() = default;
   explicit analytic_ball(complex_ball z) : z_(std::move(z)) {}
 

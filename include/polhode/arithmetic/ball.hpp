@@ -66,6 +66,8 @@ struct room {
 
 class ball {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   /// Exactly 0, at 64 bits.
   ball() noexcept : first_(64) {}
   explicit ball(detail::room r) : first_(r.bits) {}

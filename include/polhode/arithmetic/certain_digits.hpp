@@ -12,7 +12,9 @@ namespace polhode {
 using enclosing_function = std::function<ball(precision)>;
 
 /// f(p) for growing p = bits_for_digits(digits) + guard bits, guard = 32, 64, 128, ... up to most_guard: the first
-/// enclosure that has `digits` certain significant digits (or is exact), or the undefined ball where none has.
+/// enclosure of which all members share `digits` significant digits, or that is exact, or, from 128 guard bits on, whose radius is
+/// at most one unit of the last of so many (1.999... or 2.000...: a number that may be a short decimal); or the undefined ball
+/// where none is.
 [[nodiscard]] ball enclose_to_digits(const enclosing_function& f, long digits,
                                      precision most_guard);
 

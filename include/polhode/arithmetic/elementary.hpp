@@ -42,6 +42,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/inexact_operand.hpp"
 
 namespace polhode {
 

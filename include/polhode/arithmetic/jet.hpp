@@ -88,8 +88,9 @@ class jet {
                                      std::array<T, static_cast<std::size_t>(Order) + 1>>;
 
   /// The function with the constant value c, or the identity at x, to the given order (which must be
-  /// Order where that is fixed).
+  /// Order where that is fixed, and be given where it is open: throws std::invalid_argument otherwise).
   [[nodiscard]] static jet constant(const T& c, int order = Order) {
+    if (order < 0) detail::refuse_order(order, Order);
     jet r(order);
     r[0] = c;
     for (int k = 1; k <= order; ++k) r[k] = detail::zero_like(c);

@@ -113,6 +113,8 @@ enum class obstacle {
 
 class region {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   /// {0}.
   region() = default;
   /// A rectangle, a real interval or a real number.

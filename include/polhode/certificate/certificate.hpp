@@ -50,8 +50,9 @@ struct certificate {
   void conclude(reason otherwise = reason::precision_limit);
 };
 
-/// {"value": decimals that both ends share, "digits": their number, "lower": ..., "upper": ...}, ends
-/// rounded outward. An unbounded or undefined ball gives nulls in place of decimals.
+/// {"value", "radius", "lower", "upper", "digits"} as decimal_enclosure has them, "rounded": true where the value is not cut off,
+/// and "exact": true where it is.
+/// An unbounded or undefined ball gives nulls in place of decimals.
 [[nodiscard]] json to_json(const ball& x, long digits);
 
 /// The exact ends: {"lower": {"mantissa": "...", "exponent": e}, "upper": ...}, mantissa * 2^exponent with

@@ -33,6 +33,8 @@ class equidistant_angles {
 /// A ball, or m times one of the numbers above.
 class angle {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   angle() = default;
   explicit angle(ball x) : value_(std::move(x)) {}
   template <exact_number N>

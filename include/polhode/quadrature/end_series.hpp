@@ -40,6 +40,8 @@ namespace detail {
 /// combination of 1 and pi: what decides whether a coefficient is 0.
 class exact_ball {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   static constexpr precision bits = 128;
 
   exact_ball() : exact_ball(rational(0)) {}
@@ -127,6 +129,8 @@ class exact_ball {
 
 class end_series {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   /// What may help a series that is blocked, to search with.
   enum class remedy {
     unknown,  // perhaps one of those below

@@ -112,6 +112,8 @@ using recorded_nodes = std::vector<recorded_node>;
 
 class recorded {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   /// No number: to be assigned to.
   recorded() = default;
   /// The argument of a new recording.

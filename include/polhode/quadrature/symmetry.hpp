@@ -22,12 +22,15 @@
 #include <optional>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/inexact_operand.hpp"
 #include "polhode/arithmetic/pi_combination.hpp"
 
 namespace polhode {
 
 class symmetry {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   /// Nothing is known.
   symmetry() = default;
   /// The argument x under x -> 2a - x.

@@ -17,6 +17,8 @@ namespace polhode {
 
 class tail_series {
  public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
   /// Blocked.
   tail_series() = default;
   /// s/t for 0 < t <= r. An r above 1 counts as 1: of y = 1/t it is used that 0 <= log y <= y.

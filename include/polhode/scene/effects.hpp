@@ -51,6 +51,7 @@ struct effect_number {
 /// A curve or a series in time: its columns, one number each row, and what it is drawn against.
 struct effect_table {
   std::vector<std::string> columns;
+  std::vector<std::string> units;  // of the columns; empty where a number has none
   std::vector<std::vector<ball>> rows;
   std::vector<rational> first;  // the exact first column, columns[0]
   long digits = 0;
