@@ -17,6 +17,7 @@
 #include "errors.hpp"
 #include "formula.hpp"
 #include "formula_integrand.hpp"
+#include "json_document.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
@@ -244,7 +245,7 @@ exit_status report(const expression& f, const integrate_command_options& options
   if (json_wanted) {
     json result = as_json(f, options, i, digits);
     if (opinion) result["second_opinion"] = opinion->as_json();
-    print(result.dump(2) + '\n');
+    print(json_document_text("integral", result));
   } else {
     print(as_text(i, digits) + (opinion ? opinion->as_text() : ""));
   }
@@ -334,7 +335,7 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   line.show("integrating");
   const box_integral i = detail::integrate_function_over_box(
       parametric_integrand_of(f), a, b, box, {.digits = digits + 1, .most_boxes = options.boxes()});
-  print(json_wanted ? as_json(f, options, i, digits).dump(2) + '\n' : as_text(i, digits));
+  print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits)) : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
