@@ -4,15 +4,18 @@
 
 namespace polhode {
 
+bool shows_digits(const ball& x, long digits) {
+  if (!x.is_bounded()) return false;
+  if (to_decimal_enclosure(x, digits).has_cut(digits)) return true;
+  constexpr long spare = 30;
+  return to_decimal_enclosure(x, digits + spare).has(digits + spare);
+}
+
 ball enclose_to_digits(const enclosing_function& f, long digits, precision most_guard) {
-  // Two ends that fall on either side of a short decimal with so many bits to spare do so with more, too.
-  constexpr precision enough = 128;
   const precision needed = bits_for_digits(digits);
   for (precision guard = 32; guard <= most_guard; guard *= 2) {
     ball x = f(needed + guard);
-    if (!x.is_bounded()) continue;
-    const decimal_enclosure d = to_decimal_enclosure(x, digits);
-    if (d.has_cut(digits) || (d.has(digits) && guard >= enough)) return x;
+    if (shows_digits(x, digits)) return x;
   }
   return ball::undefined(needed);
 }

@@ -690,8 +690,12 @@ complex_ball intersection(const complex_ball& z, const complex_ball& w) {
 
 std::string to_decimal(const complex_ball& z, long most_digits) {
   if (z.is_undefined()) return "undefined";
-  const std::string re = to_decimal(z.re, most_digits);
-  const std::string im = to_decimal(z.im, most_digits);
+  const auto part = [&](const ball& x) {
+    std::string text = to_decimal(x, most_digits);
+    return text.find("±") == std::string::npos ? text : '(' + text + ')';
+  };
+  const std::string re = part(z.re);
+  const std::string im = part(z.im);
   if (im.front() == '-') return re + " - " + im.substr(1) + "*I";
   return re + " + " + im + "*I";
 }

@@ -361,7 +361,10 @@ std::string to_decimal(const ball& x, long most_digits) {
     };
     return '[' + end(ends.lower(), MPFR_RNDD) + ", " + end(ends.upper(), MPFR_RNDU) + ']';
   }
-  return to_text(to_decimal_enclosure(x, most_digits));
+  const decimal_enclosure d = to_decimal_enclosure(x, most_digits);
+  constexpr long few = 3;
+  if (d.cut || d.exact || d.digits >= std::min(few, most_digits)) return to_text(d);
+  return '[' + d.lower + ", " + d.upper + ']';
 }
 
 std::ostream& operator<<(std::ostream& out, const ball& x) {

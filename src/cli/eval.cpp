@@ -14,6 +14,7 @@
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/certificate/certificate.hpp"
@@ -107,12 +108,7 @@ answer enclose(const expression& f, long digits, const progress& line) {
     result.bits = std::min(needed + guard, most);
     line.show(fmt::format("computing with {} bits", result.bits));
     result.enclosure = f.value(result.bits);
-    if (result.enclosure.is_bounded()) {
-      const decimal_enclosure d = to_decimal_enclosure(result.enclosure, digits);
-      // Two ends that fall on either side of a short decimal with so many bits to spare do so with more, too.
-      constexpr precision enough = 128;
-      if (d.has_cut(digits) || (d.has(digits) && guard >= enough)) return result;
-    }
+    if (shows_digits(result.enclosure, digits)) return result;
     guard *= 4;
   } while (result.bits < most);
   result.why = result.enclosure.is_undefined() ? reason::not_defined : reason::precision_limit;
@@ -159,7 +155,11 @@ std::string remark_on(const expression& f, const answer& a, long digits) {
 }
 
 std::string as_text(const expression& f, const answer& a, long digits) {
-  std::string result = to_decimal(a.enclosure, digits) + '\n';
+  // Also of what is about 0: a value with its error.
+  std::string result =
+      (a.enclosure.is_bounded() ? to_text(to_decimal_enclosure(a.enclosure, digits))
+                                : to_decimal(a.enclosure, digits)) +
+      '\n';
   if (a.why == reason::none) return result;
   return result + fmt::format("not certified: {} ({})\n", to_text(a.why), remark_on(f, a, digits));
 }
@@ -219,7 +219,8 @@ exit_status run(const eval_options& options) {
   const auto print_with = [&](const std::string& text, json described,
                               const std::optional<second_opinion>& opinion) {
     if (opinion) described["second_opinion"] = opinion->as_json();
-    print(json_wanted ? json_document_text("value", described) : text + (opinion ? opinion->as_text() : ""));
+    print(json_wanted ? json_document_text("value", described)
+                      : text + (opinion ? opinion->as_text() : ""));
     return opinion ? opinion->status() : exit_status::all_certified;
   };
   if (const auto& q = f.exact_value()) {

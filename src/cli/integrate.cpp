@@ -138,12 +138,13 @@ std::string account_text(const integral_account& a) {
 }
 
 std::string number_text(const ball& x, long digits) {
-  return x.is_bounded() ? to_decimal(x, digits) + '\n' : "undefined\n";
+  return x.is_bounded() ? to_text(to_decimal_enclosure(x, digits)) + '\n' : "undefined\n";
 }
 std::string number_text(const complex_ball& z, long digits) {
   if (!z.is_bounded()) return "undefined\n";
-  return fmt::format("real part      {}\nimaginary part {}\n", to_decimal(z.re, digits),
-                     to_decimal(z.im, digits));
+  return fmt::format("real part      {}\nimaginary part {}\n",
+                     to_text(to_decimal_enclosure(z.re, digits)),
+                     to_text(to_decimal_enclosure(z.im, digits)));
 }
 
 template <class Integral>
@@ -335,7 +336,8 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   line.show("integrating");
   const box_integral i = detail::integrate_function_over_box(
       parametric_integrand_of(f), a, b, box, {.digits = digits + 1, .most_boxes = options.boxes()});
-  print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits)) : as_text(i, digits));
+  print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits))
+                    : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
 

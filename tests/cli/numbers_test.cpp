@@ -254,7 +254,7 @@ TEST(Numbers, QuaternionsAreContinuousInSign) {
       before = std::move(q);
     }
   }
-  EXPECT_EQ(series, 1);
+  EXPECT_EQ(series, 2);  // a sweep of two points
 }
 
 }  // namespace

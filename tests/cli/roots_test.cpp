@@ -138,7 +138,7 @@ TEST(Roots, CsvHasALineForEveryRoot) {
   EXPECT_EQ(result.status, 0);
   const auto lines = lines_of(result.out);
   ASSERT_EQ(lines.size(), 4U);
-  EXPECT_EQ(lines[0], "verdict,multiplicity,value,lower,upper,digits,exact,remark");
+  EXPECT_EQ(lines[0], "verdict,multiplicity,value,radius,lower,upper,digits,exact,remark");
   EXPECT_EQ(lines[1].rfind("multiple,2,-1.4142135623730950488,", 0), 0U) << lines[1];
   EXPECT_EQ(lines[2].rfind("unique,1,0.33333333333333333333,", 0), 0U) << lines[2];
   EXPECT_NE(lines[2].find(",20,1/3,"), std::string::npos);

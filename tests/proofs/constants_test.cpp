@@ -96,10 +96,17 @@ TEST(Constants, ShrinkWithThePrecision) {
 }
 
 TEST(Constants, AreGivenWithTheDigitsAskedForOrNotAtAll) {
-  // A "constant" of which no precision shows a digit: an enclosure that holds 1 inside, and one that is undefined.
+  // A "constant" of which no precision shows a digit to cut off, an enclosure that holds 1 inside: it is about 1. One that is
+  // too wide for that, and one that is undefined.
   const constant nines{
       "nines", "", [](precision p) { return ball(1, p).enlarged(magnitude::power_of_two(-p)); }, 1};
-  EXPECT_TRUE(enclose_to_digits(nines, 5).is_undefined());
+  const decimal_enclosure about_one = to_decimal_enclosure(enclose_to_digits(nines, 5), 5);
+  EXPECT_EQ(about_one.value, "1");
+  EXPECT_TRUE(about_one.has(5));
+  EXPECT_FALSE(about_one.has_cut(5));
+  const constant wide{
+      "wide", "", [](precision p) { return ball(1, p).enlarged(magnitude::power_of_two(-60)); }, 1};
+  EXPECT_TRUE(enclose_to_digits(wide, 5).is_undefined());
   const constant nothing{"nothing", "", [](precision p) { return ball::undefined(p); }, 1};
   EXPECT_TRUE(enclose_to_digits(nothing, 5).is_undefined());
   const constant everything{"everything", "", [](precision p) { return ball::entire(p); }, 1};

@@ -276,8 +276,10 @@ TEST(RandomPaths, HaveTheirLogarithms) {
       if (i.verdict == status::certified) ++certified;
     }
   }
-  EXPECT_GT(certified, 5 * refused);
-  EXPECT_GT(refused, 0);
+  if (support::effort() >= 1) {  // of few, chance decides
+    EXPECT_GT(certified, 5 * refused);
+    EXPECT_GT(refused, 0);
+  }
 }
 
 /// The line's inner points meet the cut (-inf, 0].
@@ -338,8 +340,10 @@ TEST(RandomPaths, HaveRootsAndLogarithmsOrMeetTheirCuts) {
       if (i.verdict == status::certified) ++certified;
     }
   }
-  EXPECT_GT(certified, refused / 4);
-  EXPECT_GT(refused, 0);
+  if (support::effort() >= 1) {  // of few, chance decides
+    EXPECT_GT(certified, refused / 4);
+    EXPECT_GT(refused, 0);
+  }
 }
 
 TEST(RandomPaths, GoAroundPolesAndEssentialSingularities) {

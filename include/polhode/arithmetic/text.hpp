@@ -43,7 +43,8 @@ struct decimal_enclosure {
 /// "0.5 ± 1e-53" where they do not.
 [[nodiscard]] std::string to_text(const decimal_enclosure& d);
 
-/// to_text of the enclosure; of an unbounded ball "[lower, upper]", with "inf"; "undefined".
+/// For reading what may be a number or a range: to_text of a narrow ball; "[lower, upper]" of one that is wider than three digits
+/// tell, or that holds 0, and of an unbounded one, with "inf"; "undefined".
 [[nodiscard]] std::string to_decimal(const ball& x, long most_digits);
 
 /// The ball itself as text, without loss: its precision, its form, and hexadecimal integers with a power
