@@ -9,6 +9,8 @@
 
 #include "commands.hpp"
 #include "errors.hpp"
+#include "options.hpp"
+#include "polhode/certificate/certificate.hpp"
 #include "polhode/checker/files.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -22,6 +24,7 @@ constexpr long megabyte = 1L << 20U;
 struct check_options {
   checker::files_request request;
   std::string budget = std::to_string(checker::limits().work / million);
+  format_option format{{"text", "json"}};
   std::string memory = std::to_string(checker::limits().memory / megabyte);
 };
 
@@ -37,8 +40,40 @@ long whole(const char* option, const std::string& text) {
   return result;
 }
 
+/// One object: its form's name and version, and the files in their order.
+json as_json(const checker::files_report& all, bool verbose) {
+  json result{{"format", "polhode check"}, {"version", 1}};
+  json files = json::array();
+  for (const checker::file_report& file : all.files) {
+    json entry{{"file", file.path}};
+    const checker::report& r = file.result;
+    if (!file.was_read) {
+      entry["verdict"] = "not read";
+      entry["reason"] = file.not_read;
+    } else {
+      entry["verdict"] = to_text(r.result);
+      if (!r.claim.empty()) entry["claim"] = r.claim;
+      if (r.is_verified()) {
+        entry["subject"] = r.subject;
+        entry["statement"] = r.statement;
+        entry["left_out"] = r.left_out;
+        entry["rests_on"] = r.checks;
+      } else {
+        entry["place"] = r.place;
+        entry["reason"] = r.message;
+      }
+      if (verbose) entry["cost"] = {{"operations", r.work}, {"bytes", r.memory}};
+    }
+    files.push_back(std::move(entry));
+  }
+  result["files"] = std::move(files);
+  result["verified"] = all.whole;
+  return result;
+}
+
 exit_status run(const check_options& options) {
   checker::files_request request = options.request;
+  (void)options.format.value();
   request.most = {whole("--budget", options.budget) * million,
                   whole("--memory", options.memory) * megabyte};
   std::optional<progress> line(std::in_place);
@@ -47,8 +82,17 @@ exit_status run(const check_options& options) {
         line->show(fmt::format("checking {} ({}/{})", path, number, of));
       });
   line.reset();
-  print(result.text);
-  if (!result.unusable.empty()) throw usage_error(result.unusable);
+  // Names of files may be of any bytes; JSON is UTF-8.
+  constexpr auto invalid = json::error_handler_t::replace;
+  print(options.format.value() == "json"
+            ? as_json(result, request.verbose).dump(2, ' ', false, invalid) + '\n'
+            : result.text);
+  if (!result.unusable.empty()) {
+    for (auto fault = result.unusable.begin(); fault + 1 != result.unusable.end(); ++fault) {
+      print_error("polhode: " + *fault + '\n');
+    }
+    throw usage_error(result.unusable.back());
+  }
   return result.whole ? exit_status::all_certified : exit_status::not_certified;
 }
 
@@ -67,6 +111,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_option("--memory", options->memory,
                  fmt::format("What it may hold in memory, in MB [{}]", options->memory))
       ->type_name("N");
+  options->format.declare(app);
   return [options] { return run(*options); };
 }
 

@@ -65,9 +65,11 @@ std::vector<definition> in_order_of_need(std::vector<definition> given) {
     };
     const auto next = std::find_if(given.begin(), given.end(), is_ready);
     if (next == given.end()) {
-      throw usage_error(fmt::format(
-          "--let {}: the values of {} and what it needs depend on each other",
-          in_quotes(given.front().first + '=' + given.front().second), given.front().first));
+      std::string names;
+      for (const definition& one : given) names += (names.empty() ? "" : ", ") + one.first;
+      throw usage_error(given.size() == 1
+                            ? fmt::format("--let: the value of {} needs {} itself", names, names)
+                            : fmt::format("--let: the values of {} need each other", names));
     }
     result.push_back(std::move(*next));
     given.erase(next);

@@ -40,6 +40,14 @@ std::optional<std::string> near_name(std::string_view given,
   for (const std::string& name : known) {
     if (lower(name) == in_lower_case) return name;
   }
+  for (const std::string& name : known) {
+    std::string exchanged(given);
+    for (std::size_t i = 1; i < exchanged.size(); ++i) {
+      std::swap(exchanged[i - 1], exchanged[i]);
+      if (exchanged == name) return name;
+      std::swap(exchanged[i - 1], exchanged[i]);
+    }
+  }
   if (known.empty()) return std::nullopt;
   std::string nearest = nearest_name(given, known);
   const std::size_t length = std::min(given.size(), nearest.size());

@@ -409,6 +409,8 @@ TEST(GrammarErrors, NearestNamesAreNear) {
   const std::vector<std::string> known{"ln", "sin", "digits", "time-limit"};
   EXPECT_EQ(near_name("Inf", known), std::nullopt);
   EXPECT_EQ(near_name("SIN", known), "sin");
+  EXPECT_EQ(near_name("isn", known), "sin");
+  EXPECT_EQ(near_name("nsi", known), std::nullopt);
   EXPECT_EQ(near_name("sinn", known), "sin");
   EXPECT_EQ(near_name("sinnn", known), std::nullopt);
   EXPECT_EQ(near_name("digts", known), "digits");
