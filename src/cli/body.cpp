@@ -14,6 +14,7 @@
 #include "body_option.hpp"
 #include "commands.hpp"
 #include "exact_decimals.hpp"
+#include "json_document.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/certain_digits.hpp"
@@ -182,7 +183,7 @@ std::string json_of(const answer& a, long digits) {
     for (const int given : a.order) result["order"].push_back(given + 1);
   }
   for (const number& n : a.numbers) result[n.name] = as_json(n, digits);
-  return result.dump(2) + '\n';
+  return json_document_text("body", result);
 }
 
 exit_status run(const body_options& options) {

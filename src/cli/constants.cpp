@@ -10,6 +10,7 @@
 
 #include "certificate_option.hpp"
 #include "commands.hpp"
+#include "json_document.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
@@ -87,7 +88,7 @@ std::string as_json(const std::vector<enclosed_constant>& constants, long digits
     if (c.opinion) number["second_opinion"] = c.opinion->as_json();
     result[c.what->name] = std::move(number);
   }
-  return result.dump(2) + '\n';
+  return json_document_text("constants", result);
 }
 
 /// Enough for every type of floating point number up to the 113 bits (34 digits) of binary128.

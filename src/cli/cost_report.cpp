@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "json_document.hpp"
 #include "layout.hpp"
 
 namespace polhode::cli {
@@ -425,7 +426,7 @@ std::string as_json(const cost_report& report) {
     }
     result["hard"].push_back(std::move(one));
   }
-  return result.dump(2) + '\n';
+  return json_document_text("cost", result);
 }
 
 std::vector<cost_picture> pictures_of(const cost_report& report) {

@@ -13,6 +13,7 @@
 #include "count_option.hpp"
 #include "exact_decimals.hpp"
 #include "gnuplot.hpp"
+#include "json_document.hpp"
 #include "memory_limit.hpp"
 #include "motion_option.hpp"
 #include "options.hpp"
@@ -101,7 +102,7 @@ std::string as_json(const body& rigid, const std::vector<point>& points, long di
     if (p.turning) one["epsilon_of_s"] = to_json(*p.turning, digits);
     result["points"].push_back(std::move(one));
   }
-  return result.dump(2) + '\n';
+  return json_document_text("curve", result);
 }
 
 std::string short_decimal(const rational& q) {

@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "exact_decimals.hpp"
 #include "formula.hpp"
+#include "json_document.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
@@ -218,7 +219,7 @@ exit_status run(const eval_options& options) {
   const auto print_with = [&](const std::string& text, json described,
                               const std::optional<second_opinion>& opinion) {
     if (opinion) described["second_opinion"] = opinion->as_json();
-    print(json_wanted ? described.dump(2) + '\n' : text + (opinion ? opinion->as_text() : ""));
+    print(json_wanted ? json_document_text("value", described) : text + (opinion ? opinion->as_text() : ""));
     return opinion ? opinion->status() : exit_status::all_certified;
   };
   if (const auto& q = f.exact_value()) {

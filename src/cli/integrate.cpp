@@ -17,6 +17,7 @@
 #include "errors.hpp"
 #include "formula.hpp"
 #include "formula_integrand.hpp"
+#include "json_document.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
@@ -232,7 +233,7 @@ exit_status report(const expression& f, const integrate_command_options& options
   if (json_wanted) {
     json result = as_json(f, options, i, digits);
     if (opinion) result["second_opinion"] = opinion->as_json();
-    print(result.dump(2) + '\n');
+    print(json_document_text("integral", result));
   } else {
     print(as_text(i, digits) + (opinion ? opinion->as_text() : ""));
   }
@@ -323,7 +324,8 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   const box_integral i = detail::integrate_function_over_box(
       parametric_integrand_of(f), a, b, box,
       {.digits = digits + 1, .most_boxes = options.boxes.value()});
-  print(json_wanted ? as_json(f, options, i, digits).dump(2) + '\n' : as_text(i, digits));
+  print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits))
+                    : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
@@ -425,17 +427,18 @@ exit_status run(integrate_command_options& options) {
   const bool has_intervals = !options.let.intervals().texts.empty();
   const bool insists = read_rule(options.rule) != quadrature_rule::automatic;
   if (insists && (!options.from || has_intervals)) {
-    throw usage_error("--rule is for limits A and B, and numbers for the parameters");
+    throw usage_error("--rule is for limits (--from and --to), and numbers for the parameters");
   }
   if (options.certificate.is_given() && (!options.from || has_intervals)) {
-    throw usage_error("--certificate is for limits A and B, and numbers for the parameters");
+    throw usage_error(
+        "--certificate is for limits (--from and --to), and numbers for the parameters");
   }
   if (options.verify.given && has_intervals) {
     throw usage_error("--verify is for numbers as parameters, not for intervals");
   }
   if (has_intervals && options.from) return integrate_over_box(options);
   if (has_intervals) {
-    throw usage_error("an interval for a parameter needs limits A and B");
+    throw usage_error("an interval for a parameter needs limits (--from and --to)");
   }
   return options.from ? integrate_real(options) : integrate_along_path(options);
 }

@@ -9,6 +9,7 @@
 #include "body_option.hpp"
 #include "commands.hpp"
 #include "exact_decimals.hpp"
+#include "json_document.hpp"
 #include "memory_limit.hpp"
 #include "motion_option.hpp"
 #include "options.hpp"
@@ -117,7 +118,7 @@ std::string json_of(const answer& a, long digits) {
     result["period"] = to_json(*a.period, digits);
   }
   if (a.excess) result["excess"] = to_json(*a.excess, digits);
-  return result.dump(2) + '\n';
+  return json_document_text("phase", result);
 }
 
 exit_status run(const phase_options& options) {

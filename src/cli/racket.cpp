@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "count_option.hpp"
 #include "exact_decimals.hpp"
+#include "json_document.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
 #include "motion_option.hpp"
@@ -198,7 +199,7 @@ std::string json_of(const answer& a, long digits) {
     result["epsilon"] = known ? to_json(a.at_c.epsilon, digits) : json(nullptr);
     result["slope"] = known ? to_json(a.at_c.slope, digits) : json(nullptr);
   }
-  return result.dump(2) + '\n';
+  return json_document_text("racket", result);
 }
 
 exit_status run(const racket_options& options) {

@@ -15,6 +15,7 @@
 #include "formula.hpp"
 #include "formula_function.hpp"
 #include "formula_integrand.hpp"
+#include "json_document.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -384,7 +385,7 @@ exit_status run(roots_options& options) {
   if (format == "json") {
     json result = as_json(f, options, a, digits);
     if (opinion) result["second_opinion"] = opinion->as_json();
-    print(result.dump(2) + '\n');
+    print(json_document_text("roots", result));
   } else {
     print((format == "csv" ? as_csv(a, digits) : as_text(a, digits)) +
           (opinion ? opinion->as_text() : ""));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "exact_decimals.hpp"
+#include "json_document.hpp"
 #include "layout.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -157,7 +158,7 @@ std::string named_number(const std::string& name, const std::string& digits,
 
 json scene_json(const scene& what, const scene_report& report, const std::string& file,
                 const sweep_point& point, const std::string& digest, table_rows rows) {
-  json result{{"file", file}};
+  json result = json_document("scene", {{"file", file}});
   if (!what.title.empty()) result["title"] = what.title;
   if (!what.source.empty()) result["source"] = what.source;
   result["verdict"] = to_text(report.verdict);

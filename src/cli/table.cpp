@@ -16,6 +16,7 @@
 #include "commands.hpp"
 #include "count_option.hpp"
 #include "exact_decimals.hpp"
+#include "json_document.hpp"
 #include "memory_limit.hpp"
 #include "motion_option.hpp"
 #include "options.hpp"
@@ -119,7 +120,7 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
                   {"description", q.description},
                   {"verdict", to_text(status::certified)},
                   {"rows", json::array()}};
-  std::string result = head.dump(2);
+  std::string result = json_document("table", head).dump(2);
   constexpr std::string_view end = "]\n}";  // of the array and the object
   result.resize(result.size() - end.size());
   const json infinity{

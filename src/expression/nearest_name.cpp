@@ -51,7 +51,7 @@ std::optional<std::string> near_name(std::string_view given,
   if (known.empty()) return std::nullopt;
   std::string nearest = nearest_name(given, known);
   const std::size_t length = std::min(given.size(), nearest.size());
-  const std::size_t allowed = length < 3 ? 0 : length < 6 ? 1 : length < 10 ? 2 : 3;
+  const std::size_t allowed = length < 3 ? 0 : length < 4 ? 1 : length < 8 ? 2 : 3;
   if (edit_distance(given, nearest) > allowed) return std::nullopt;
   return nearest;
 }

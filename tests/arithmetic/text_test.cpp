@@ -1,4 +1,4 @@
-// Decimals: every printed digit is a digit of every member.
+// Decimals: every printed digit is a digit of every member, or the error beside it is true.
 
 #include <cmath>
 #include <iomanip>
@@ -59,51 +59,98 @@ bool is_prefix(const printed& shown, const rational& q) {
   return size <= abs(q) && abs(q) < size + shown.last_place;
 }
 
+/// The first digits of two numbers of one sign and order of magnitude are the same, so many as to end at this place.
+bool share_digits(const rational& x, const rational& y, const rational& last_place) {
+  const auto cut = [&](const rational& q) {
+    const rational steps = abs(q) / last_place;
+    return integer(numerator(steps) / denominator(steps));
+  };
+  return (x < 0) == (y < 0) && cut(x) == cut(y);
+}
+
+/// The place 10^k of the n-th significant digit of q.
+rational place_of_digit(const rational& q, long n) {
+  rational place = 1;
+  while (abs(q) < place) place /= 10;
+  while (abs(q) >= 10 * place) place *= 10;
+  for (; n > 1; --n) place /= 10;
+  return place;
+}
+
 void check(const ball& x, long most_digits, random_source& random) {
   SCOPED_TRACE(described(x) + " in " + std::to_string(most_digits) + " digits");
   const decimal_enclosure d = to_decimal_enclosure(x, most_digits);
-  SCOPED_TRACE(d.lower + " | " + d.value + " | " + d.upper);
+  SCOPED_TRACE(d.lower + " | " + d.value + " ± " + d.radius + " | " + d.upper);
   const exact_set set = exact(x);
-  EXPECT_LE(parse_rational(d.lower), *set.lower);
-  EXPECT_GE(parse_rational(d.upper), *set.upper);
+  const rational lower = parse_rational(d.lower);
+  const rational upper = parse_rational(d.upper);
+  const rational radius = parse_rational(d.radius);
+  ASSERT_FALSE(d.value.empty());
+  const printed shown = read(d.value);
+  EXPECT_LE(lower, *set.lower);
+  EXPECT_GE(upper, *set.upper);
   EXPECT_LE(read(d.lower).digits, std::max(d.digits, most_digits) + 3 + 22);
 
-  EXPECT_EQ(d.exact, !d.value.empty() && set.width() == 0 &&
-                         parse_rational(d.value) == *set.lower &&
-                         read(d.value).digits <= std::max(most_digits, 25L));
-  if (d.value.empty()) {
-    EXPECT_EQ(d.digits, 0);
-  } else {
-    const printed shown = read(d.value);
+  // The error holds, and is no greater than two digits of it make necessary.
+  EXPECT_LE(rational(shown.value - radius), lower);
+  EXPECT_GE(rational(shown.value + radius), upper);
+  const rational farthest = std::max(rational(upper - shown.value), rational(shown.value - lower));
+  EXPECT_LE(radius, rational(farthest * 1101 / 1000));
+  EXPECT_EQ(radius == 0, farthest == 0);
+
+  EXPECT_EQ(d.exact, set.width() == 0 && shown.value == *set.lower &&
+                         shown.digits <= std::max(most_digits, 25L));
+  const rational half_width = (upper - lower) / 2;
+  if (d.exact) {
+    EXPECT_EQ(shown.value, *set.lower);
     EXPECT_EQ(shown.digits, d.digits);
-    if (d.exact) {
-      EXPECT_EQ(shown.value, *set.lower);
-    } else {
-      EXPECT_LE(d.digits, most_digits);
-      EXPECT_GE(d.digits, 1);
-      for (const rational& member :
-           {*set.lower, *set.upper, random.member(set), random.member(set)}) {
-        EXPECT_TRUE(is_prefix(shown, member));
+    EXPECT_EQ(radius, 0);
+    EXPECT_TRUE(d.has(most_digits) && d.has_cut(most_digits));
+  } else if (d.cut) {
+    EXPECT_EQ(shown.digits, d.digits);
+    EXPECT_EQ(d.digits, d.shared);
+    for (const rational& member : {*set.lower, *set.upper, random.member(set), random.member(set)})
+      EXPECT_TRUE(is_prefix(shown, member));
+    // The digits asked for, but for those that a number of this precision does not have.
+    EXPECT_TRUE(d.digits == most_digits || d.digits >= x.precision());
+  } else {
+    EXPECT_GT(set.width(), 0);
+    // Rounded to nearest at the last digit asked for, or further down than a twentieth of the half width.
+    const rational middle = (lower + upper) / 2;
+    const rational off = abs(rational(shown.value - middle));
+    const rational slack =
+        support::ulp(set.greatest_size(), x.precision() + 60) + half_width / 1000;
+    const rational last = middle == 0 ? rational(0) : place_of_digit(middle, most_digits);
+    EXPECT_LE(off, rational(std::max(rational(last / 2), rational(half_width / 15)) + slack));
+    if (shown.value != 0) {
+      EXPECT_EQ(d.digits > 0, radius <= place_of_digit(shown.value, 1));
+      if (d.digits > 0) {
+        EXPECT_LE(radius, place_of_digit(shown.value, d.digits));
       }
-      // No digit is kept back: with one more the ends differ, or the number asked for is reached.
       if (d.digits < most_digits) {
-        printed further = shown;
-        further.last_place /= 10;
-        const auto digit = [&](const rational& q) {
-          const rational steps = (abs(q) - abs(shown.value)) / further.last_place;
-          return integer(numerator(steps) / denominator(steps));
-        };
-        const rational slack = support::ulp(set.greatest_size(), x.precision() + 30);
-        EXPECT_NE(digit(*set.lower - slack), digit(*set.upper + slack));
+        EXPECT_GT(radius, place_of_digit(shown.value, d.digits + 1));
       }
+    } else {
+      EXPECT_EQ(d.digits, 0);
     }
+    EXPECT_LT(d.shared, most_digits);
+  }
+  if (d.shared > 0 && set.width() > 0) {
+    EXPECT_TRUE(share_digits(*set.lower, *set.upper, place_of_digit(*set.lower, d.shared)));
+  }
+  if (!d.exact && !d.cut && *set.lower != 0) {
+    // No digit is kept back: with one more the ends differ.
+    const rational next = place_of_digit(*set.lower, d.shared + 1);
+    const rational slack = support::ulp(set.greatest_size(), x.precision() + 30);
+    EXPECT_FALSE(share_digits(*set.lower - slack, *set.upper + slack, next));
   }
 
   const std::string brief = to_decimal(x, most_digits);
+  EXPECT_EQ(brief, to_text(d));
   if (d.exact) {
     EXPECT_EQ(brief, d.value);
-  } else if (d.value.empty()) {
-    EXPECT_EQ(brief, '[' + d.lower + ", " + d.upper + ']');
+  } else if (!d.cut) {
+    EXPECT_EQ(brief, d.value + " ± " + d.radius);
   } else {
     std::string without_dots = brief;
     const auto dots = brief.find("...");
@@ -147,19 +194,31 @@ TEST(Text, Straddles) {
     check(x, digits, random);
     return to_decimal_enclosure(x, digits);
   };
-  EXPECT_EQ(text("0.0999999", "0.1000001", 10).value, "");
-  EXPECT_EQ(text("0.9999", "1.0001", 10).digits, 0);
-  EXPECT_EQ(text("-0.5", "0.25", 10).value, "");
-  EXPECT_EQ(text("0", "0.25", 10).value, "");
-  EXPECT_EQ(text("-0.25", "0", 10).value, "");
-  EXPECT_EQ(text("1.2344", "1.2346", 10).value, "1.234");
-  EXPECT_EQ(text("-1.2346", "-1.2344", 10).value, "-1.234");
-  EXPECT_EQ(text("123", "129", 10).value, "1.2e2");
-  EXPECT_EQ(text("12999", "13001", 10).value, "1e4");
-  EXPECT_EQ(text("1.5e300", "1.6e300", 10).value, "1e300");
-  EXPECT_EQ(text("-1.61e-300", "-1.605e-300", 10).value, "-1.6e-300");
-  EXPECT_EQ(text("3.14159", "3.1416", 10).value, "3.141");
+  const auto brief = [&](const char* low, const char* high, long digits) {
+    return to_text(text(low, high, digits));
+  };
+  EXPECT_EQ(brief("0.0999999", "0.1000001", 10), "0.1 ± 1.1e-7");
+  EXPECT_EQ(text("0.9999", "1.0001", 10).digits, 4);
+  EXPECT_EQ(text("0.9999", "1.0001", 10).shared, 0);
+  EXPECT_EQ(brief("-0.5", "0.25", 10), "-0.12 ± 0.38");
+  EXPECT_EQ(brief("0", "0.25", 10), "0.12 ± 0.13");
+  EXPECT_EQ(brief("-0.25", "0", 10), "-0.12 ± 0.13");
+  EXPECT_EQ(brief("-0.25", "0.25", 10), "0 ± 0.25");
+  EXPECT_EQ(text("1.2344", "1.2346", 10).value, "1.2345");
+  EXPECT_EQ(text("1.2344", "1.2346", 10).shared, 4);
+  EXPECT_EQ(text("-1.2346", "-1.2344", 10).value, "-1.2345");
+  EXPECT_EQ(text("123", "129", 10).value, "126");
+  EXPECT_EQ(text("12999", "13001", 10).value, "13000");
+  EXPECT_EQ(text("11.999999", "12.000001", 30).value, "12");
+  EXPECT_EQ(text("1.5e300", "1.6e300", 10).value, "1.55e300");
+  EXPECT_EQ(text("-1.61e-300", "-1.605e-300", 10).value, "-1.6075e-300");
+  EXPECT_EQ(text("3.14159", "3.1416", 10).value, "3.141595");
   EXPECT_EQ(text("3.14159", "3.1416", 2).value, "3.1");
+  EXPECT_TRUE(text("3.14159", "3.1416", 2).cut);
+  // Sizes that differ by more than any alignment, and the ends of carries.
+  EXPECT_EQ(text("-1e-200", "1e200", 5).value, "5e199");
+  EXPECT_EQ(text("0.9999999999999999999999999", "1.000000000000000000000000001", 30).value,
+            "0.999999999999999999999999951");
 }
 
 TEST(Text, KnownNumbers) {
@@ -174,7 +233,7 @@ TEST(Text, KnownNumbers) {
   EXPECT_EQ(to_decimal(ball(1000, 64), 6), "1000");
   EXPECT_EQ(to_decimal(ball(rational(1, 8), 64), 6), "0.125");
   EXPECT_EQ(to_decimal(ball(rational(1, 8), 64), 2), "0.12...");
-  EXPECT_EQ(to_decimal(ball(rational(1, 10), 64), 6).substr(0, 1), "[") << "both sides of 0.1";
+  EXPECT_EQ(to_decimal(ball(rational(1, 10), 64), 6).substr(0, 7), "0.1 ± ") << "both sides of 0.1";
   EXPECT_EQ(to_decimal(ball::undefined(64), 6), "undefined");
   EXPECT_EQ(to_decimal(ball::entire(64), 6), "[-inf, inf]");
   EXPECT_EQ(to_decimal(ball::from_end_points(real(64, 1), real::infinity(1), 64), 6).substr(0, 2),
