@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "errors.hpp"
+#include "json_document.hpp"
 #include "options.hpp"
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/checker/files.hpp"
@@ -40,12 +41,21 @@ long whole(const char* option, const std::string& text) {
   return result;
 }
 
-/// One object: its form's name and version, and the files in their order.
+/// The name of a file, which may be of any bytes, in the UTF-8 that JSON needs: with escapes where it is not.
+std::string as_unicode(const std::string& path) {
+  try {
+    (void)json(path).dump();
+    return path;
+  } catch (const json::type_error&) {
+    return checker::printable(path);
+  }
+}
+
+/// The files in their order, and whether all are verified and leave nothing out.
 json as_json(const checker::files_report& all, bool verbose) {
-  json result{{"format", "polhode check"}, {"version", 1}};
   json files = json::array();
   for (const checker::file_report& file : all.files) {
-    json entry{{"file", file.path}};
+    json entry{{"file", as_unicode(file.path)}};
     const checker::report& r = file.result;
     if (!file.was_read) {
       entry["verdict"] = "not read";
@@ -66,9 +76,7 @@ json as_json(const checker::files_report& all, bool verbose) {
     }
     files.push_back(std::move(entry));
   }
-  result["files"] = std::move(files);
-  result["verified"] = all.whole;
-  return result;
+  return {{"files", std::move(files)}, {"verified", all.whole}};
 }
 
 exit_status run(const check_options& options) {
@@ -82,10 +90,8 @@ exit_status run(const check_options& options) {
         line->show(fmt::format("checking {} ({}/{})", path, number, of));
       });
   line.reset();
-  // Names of files may be of any bytes; JSON is UTF-8.
-  constexpr auto invalid = json::error_handler_t::replace;
   print(options.format.value() == "json"
-            ? as_json(result, request.verbose).dump(2, ' ', false, invalid) + '\n'
+            ? json_document_text("check", as_json(result, request.verbose))
             : result.text);
   if (!result.unusable.empty()) {
     for (auto fault = result.unusable.begin(); fault + 1 != result.unusable.end(); ++fault) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -207,6 +209,7 @@ struct nothing {
 template <class Integral, class Again, class Then = nothing>
 exit_status report(const expression& f, const integrate_command_options& options,
                    const Integral& integral_to, const Again& verify,
+                   const std::function<std::string()>& counts = {},
                    const Then& before_printing = {}) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
@@ -217,9 +220,11 @@ exit_status report(const expression& f, const integrate_command_options& options
   const auto i = [&] {
     const progress line;
     line.show("integrating");
+    line.count(counts);
     line.expect(options.time_limit.check(
         fmt::format("{} digits of the integral", digits), digits,
         {[&](long fewer) { (void)integrate_for(integral_to, fewer, how); }}));
+    const time_watch watch(options.time_limit.limit());
     return integrate_for(integral_to, digits, how);
   }();
   const bool certified = i.verdict == status::certified;
@@ -227,6 +232,7 @@ exit_status report(const expression& f, const integrate_command_options& options
   if (options.verify.given && certified) {
     const progress line;
     line.show("looking for a second opinion");
+    const time_watch watch(options.time_limit.limit());
     opinion = verify(i);
   }
   before_printing(i);
@@ -319,11 +325,14 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   const expression f = read_formula(options.formula, variables, numbers);
   const limit a = read_limit(*options.from, numbers);
   const limit b = read_limit(*options.to, numbers);
-  const progress line;
-  line.show("integrating");
-  const box_integral i = detail::integrate_function_over_box(
-      parametric_integrand_of(f), a, b, box,
-      {.digits = digits + 1, .most_boxes = options.boxes.value()});
+  const box_integral i = [&] {
+    const progress line;
+    line.show("integrating over boxes of parameters");
+    const time_watch watch(options.time_limit.limit());
+    return detail::integrate_function_over_box(
+        parametric_integrand_of(f), a, b, box,
+        {.digits = digits + 1, .most_boxes = options.boxes.value()});
+  }();
   print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits))
                     : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
@@ -357,11 +366,41 @@ void add_checkers_opinion(second_opinion& result, const expression& f,
   result.add(checked_again("the integral", route_text(i.account), *certificate));
 }
 
+/// How often an integrand was called, by any thread.
+struct counted_calls {
+  std::atomic<long> over_regions = 0;
+  std::atomic<long> at_nodes = 0;
+};
+
+detail::integrand counted(detail::integrand f, const std::shared_ptr<counted_calls>& calls) {
+  f.over = [over = std::move(f.over), calls](const region& x) {
+    calls->over_regions.fetch_add(1, std::memory_order_relaxed);
+    return over(x);
+  };
+  f.evaluator = [make = std::move(f.evaluator),
+                 calls](precision p) -> std::function<ball(const ball&)> {
+    return [at = make(p), calls](const ball& x) {
+      calls->at_nodes.fetch_add(1, std::memory_order_relaxed);
+      return at(x);
+    };
+  };
+  return f;
+}
+
+/// "1200 evaluations, 340 over regions".
+std::string counts_text(const counted_calls& calls) {
+  const long nodes = calls.at_nodes.load();
+  const long regions = calls.over_regions.load();
+  return nodes + regions == 0 ? "" : fmt::format("{} evaluations, {} over regions", nodes, regions);
+}
+
 exit_status integrate_real(integrate_command_options& options) {
   const expression f = read_formula(options.formula, {options.variable}, options.let);
   const limit a = read_limit(*options.from, options.let);
   const limit b = read_limit(*options.to, options.let);
-  const auto integrate_to = [g = integrand_of(f), a, b](const integrate_options& goal) {
+  const auto calls = std::make_shared<counted_calls>();
+  const auto integrate_to = [g = counted(integrand_of(f), calls), a,
+                             b](const integrate_options& goal) {
     return detail::integrate_function(g, a, b, goal);
   };
   const auto verify = [&](const integral& i) {
@@ -370,7 +409,8 @@ exit_status integrate_real(integrate_command_options& options) {
     add_checkers_opinion(result, f, options, i);
     return result;
   };
-  if (!options.certificate.is_given()) return report(f, options, integrate_to, verify);
+  const auto counts = [calls] { return counts_text(*calls); };
+  if (!options.certificate.is_given()) return report(f, options, integrate_to, verify, counts);
   const formula_over_range what = checkable_range(f, options);
   options.certificate.prepare();
   const auto integrate_closer = [&](integrate_options goal) {
@@ -378,11 +418,12 @@ exit_status integrate_real(integrate_command_options& options) {
     return integrate_to(goal);
   };
   bool certified = false;
-  const exit_status result = report(f, options, integrate_closer, verify, [&](const integral& i) {
-    certified = i.verdict == status::certified;
-    if (!certified) return;
-    options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
-  });
+  const exit_status result =
+      report(f, options, integrate_closer, verify, counts, [&](const integral& i) {
+        certified = i.verdict == status::certified;
+        if (!certified) return;
+        options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
+      });
   options.certificate.expect_certified(certified);
   return result;
 }

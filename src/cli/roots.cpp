@@ -1,6 +1,7 @@
 // polhode roots: all roots of a formula in an interval, each proved.
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "certificate_option.hpp"
 #include "commands.hpp"
 #include "count_option.hpp"
+#include "duration.hpp"
 #include "formula.hpp"
 #include "formula_function.hpp"
 #include "formula_integrand.hpp"
@@ -116,6 +118,7 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, long di
 
 struct answer {
   root_set roots;
+  std::optional<double> ended_after;  // seconds of the search, where the time limit ended it
   std::vector<listed_root> list;
 
   [[nodiscard]] bool is_certified() const {
@@ -130,13 +133,26 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   line.show("looking for roots");
   isolate_options options;
   options.threads = threads;
+  // The search ends in time, with what it found; what it found is then refined in as much time again for each root.
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(time_limit.limit());
+  bool ended_early = false;
   options.progress = [&](const isolation_progress& p) {
+    if (std::chrono::steady_clock::now() >= end) {
+      ended_early = true;
+      return false;
+    }
     line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done, p.boxes_waiting,
                           p.roots));
     return true;
   };
   answer result;
-  result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
+  {
+    // For evaluations so long that the search does not come to look at the clock.
+    const time_watch watch(2 * time_limit.limit());
+    result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
+  }
+  if (ended_early) result.ended_after = time_limit.limit();
   const std::vector<root_region>& regions = result.roots.regions;
   if (!regions.empty()) {
     line.expect(time_limit.check(
@@ -145,6 +161,7 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
         digits, {[&](long fewer) { (void)listed({regions.front()}, fewer, threads); }},
         static_cast<double>(regions.size())));
   }
+  const time_watch watch(time_limit.limit(static_cast<double>(regions.size())));
   const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
   for (auto first = regions.begin(); first != regions.end();) {
     const auto last = first + std::min(at_a_time, regions.end() - first);
@@ -216,8 +233,12 @@ std::string summary(const answer& a) {
   }
   const auto proved = static_cast<std::size_t>(std::count_if(
       a.list.begin(), a.list.end(), [](const listed_root& r) { return r.is_certified(); }));
-  return fmt::format("not certified: {} proved, {} left open ({})\n", counted(proved, "root"),
-                     counted(a.list.size() - proved, "region"), work);
+  const std::string limit =
+      a.ended_after ? fmt::format("; the time limit of {} was reached, --time-limit raises it",
+                                  duration_text(*a.ended_after))
+                    : "";
+  return fmt::format("not certified: {} proved, {} left open ({}){}\n", counted(proved, "root"),
+                     counted(a.list.size() - proved, "region"), work, limit);
 }
 
 std::string as_text(const answer& a, long digits) {

@@ -273,6 +273,7 @@ void compute(std::vector<row>& rows, const quantity& q, long digits, const std::
   line.expect(options.time_limit.check(what, digits,
                                        {[&](long fewer) { (void)value_of(middle, q, fewer); }},
                                        static_cast<double>(rows.size()) / threads.count()));
+  const time_watch watch(options.time_limit.limit(static_cast<double>(rows.size())));
   constexpr std::size_t rows_of_thread = 16;
   const std::size_t at_a_time = rows_of_thread * static_cast<std::size_t>(threads.count());
   std::vector<certain_number> values(std::min(at_a_time, rows.size()));

@@ -180,7 +180,7 @@ TEST(CheckAsJson, SaysWhatBecameOfEachFile) {
   EXPECT_EQ(result.status, 2);
   const json all = json::parse(result.out);
   EXPECT_EQ(all["format"], "polhode check");
-  EXPECT_EQ(all["version"], 1);
+  EXPECT_EQ(all["version"], 2);
   EXPECT_EQ(all["verified"], false);
   ASSERT_EQ(all["files"].size(), 4U);
   const json& first = all["files"][0];
