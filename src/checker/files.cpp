@@ -181,20 +181,24 @@ files_report check_files(
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string path = printable(files[i].path);
     begins(path, i + 1, files.size());
-    std::string why_unusable;
+    file_report file;
+    file.path = files[i].path;
     try {
-      const report r = check(contents_of(files[i]), request.most);
-      if (r.result == outcome::verified) ++verified;
-      if (r.result == outcome::verified_in_part) ++in_part;
-      if (r.result == outcome::malformed) why_unusable = problem_of(r);
-      all.text.append(path).append(": ").append(text_of(r, request.verbose));
+      file.result = check(contents_of(files[i]), request.most);
+      file.was_read = true;
     } catch (const not_read& problem) {
-      why_unusable = problem.what();
-      all.text.append(path).append(": not read: ").append(why_unusable).append("\n");
+      file.not_read = problem.what();
     }
-    if (all.unusable.empty() && !why_unusable.empty()) {
-      all.unusable = quoted(files[i].path) + ": " + why_unusable;
+    if (!file.was_read) {
+      all.unusable.push_back(path + ": not read: " + file.not_read);
+    } else if (file.is_unusable()) {
+      all.unusable.push_back(path + ": malformed: " + problem_of(file.result));
+    } else {
+      all.text.append(path).append(": ").append(text_of(file.result, request.verbose));
     }
+    if (file.was_read && file.result.result == outcome::verified) ++verified;
+    if (file.was_read && file.result.result == outcome::verified_in_part) ++in_part;
+    all.files.push_back(std::move(file));
   }
   all.text += std::to_string(files.size()) +
               (files.size() == 1 ? " certificate: " : " certificates: ") +

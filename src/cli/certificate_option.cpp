@@ -30,6 +30,10 @@ void certificate_option::prepare() {
                     fs::is_directory(there) ? "a directory" : "a pipe, a socket or a device"));
   }
   const std::string parent = given.parent_path().string();
+  if (!parent.empty() && !fs::exists(fs::status(parent, ignored))) {
+    throw usage_error(fmt::format("--certificate {}: there is no directory {}; create it first",
+                                  in_quotes(*path), in_quotes(parent)));
+  }
   directory_ = std::make_shared<output_directory>(parent.empty() ? "." : parent,
                                                   std::vector<std::string>{name_}, "--certificate");
 }

@@ -280,6 +280,7 @@ exit_status run(const certify_options& options) {
       works.emplace_back([&, c](long fewer) { (void)prove(*c, {fewer, wanted.motion}); });
     }
     line.expect(options.time_limit.check(memory.what, wanted.digits, works));
+    const time_watch watch(options.time_limit.limit(static_cast<double>(claims.size())));
     return prove_all(claims, wanted, line);
   }();
   if (directory) write_files(*directory, certificates);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +14,8 @@
 #include <boost/version.hpp>
 
 #include "commands.hpp"
+#include "formula.hpp"
+#include "polhode/expression/expression.hpp"
 #include "polhode/expression/nearest_name.hpp"
 #include "streams.hpp"
 
@@ -48,6 +52,10 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+bool has_option(const CLI::App& app, const std::string& name) {
+  return name.starts_with("--") && app.get_option_no_throw(name) != nullptr;
+}
+
 std::string help_command(const CLI::App& app) {
   return app.get_parent() == nullptr ? "polhode --help" : "polhode " + app.get_name() + " --help";
 }
@@ -57,7 +65,7 @@ void refuse_unknown_arguments(const CLI::App& app) {
   std::vector<std::string> unknown = app.remaining();
   std::erase(unknown, "--");  // the mark before arguments that begin with a minus sign
   if (unknown.empty()) return;
-  const std::string& given = unknown.front();
+  const std::string given = without_margins(unknown.front());
   std::string kind = "option";
   std::vector<std::string> known = option_names(app);
   if (given.empty() || given.front() != '-') {
@@ -67,11 +75,14 @@ void refuse_unknown_arguments(const CLI::App& app) {
   }
   const std::string name = given.substr(0, given.find('='));
   if (known.empty()) {
-    throw usage_error(
-        fmt::format("{} was not expected; see `{}`", in_quotes(given), help_command(app)));
+    const bool defines = name != given && is_identifier(name) && has_option(app, "--let");
+    throw usage_error(fmt::format(
+        "{} was not expected; {}see `{}`", in_quotes(given),
+        defines ? fmt::format("a name is defined by --let {}; ", given) : "", help_command(app)));
   }
-  throw usage_error(fmt::format("there is no {} {}; the nearest is {} (`{}` shows all)", kind,
-                                in_quotes(name), nearest_name(name, known), help_command(app)));
+  const std::optional<std::string> near = near_name(name, known);
+  throw usage_error(fmt::format("there is no {} {}{} (`{}` shows all)", kind, in_quotes(name),
+                                near ? "; the nearest is " + *near : "", help_command(app)));
 }
 
 /// The parser would read "[x,y]" as two arguments and "[]" as none.
@@ -85,29 +96,90 @@ void refuse_brackets(int argc, const char* const* argv) {
   }
 }
 
-/// The arguments, in which a formula may begin with a minus sign: the parser would take it for options.
-/// A space before it makes it an argument; the readers of formulas skip it.
-std::vector<std::string> with_formulas_marked(int argc, const char* const* argv) {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
+/// Reads the options of a subcommand as the parser will, before it does: throws usage_error for a value that is missing, or
+/// given to an option without one, and for an option that is given twice. Marks formulas that begin with a minus sign,
+/// which the parser would take for options: a space before it makes it an argument, and the readers of formulas skip it.
+void prepare_arguments(const CLI::App& app, std::vector<std::string>& arguments) {
+  const std::string& subcommand = app.get_name();
   const bool takes_formulas =
-      !arguments.empty() && (arguments.front() == "eval" || arguments.front() == "integrate" ||
-                             arguments.front() == "roots");
-  for (std::size_t i = 1; takes_formulas && i < arguments.size(); ++i) {
-    const std::string& before = arguments[i - 1];
-    if (before == "--") break;
-    const std::string& given = arguments[i];
-    const bool one_dash = given.size() >= 2 && given.front() == '-' && given[1] != '-';
-    const bool is_value = before.starts_with("--");
-    if (one_dash && !is_value && given != "-h") arguments[i] = ' ' + given;
+      subcommand == "eval" || subcommand == "integrate" || subcommand == "roots";
+  std::set<const CLI::Option*> given;
+  const auto refuse = [&](const std::string& why) {
+    throw usage_error(fmt::format("{}; see `{}`", why, help_command(app)));
+  };
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "--") return;
+    const bool one_dash = argument.size() >= 2 && argument.front() == '-' && argument[1] != '-';
+    if (one_dash && takes_formulas && argument != "-h") {
+      arguments[i] = ' ' + argument;
+      continue;
+    }
+    if (!argument.starts_with("--")) continue;
+    const std::size_t mark = argument.find('=');
+    const std::string name = argument.substr(0, mark);
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (option == nullptr) continue;  // said by refuse_unknown_arguments
+    const bool takes_value = option->get_items_expected_max() > 0;
+    const bool only_once = option->get_expected_max() == 1 &&
+                           option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw;
+    if (!given.insert(option).second && takes_value && only_once) {
+      refuse(name + " is given twice");
+    }
+    const bool has_value = mark != std::string::npos;
+    if (!takes_value && has_value) refuse(name + " takes no value");
+    if (!takes_value) continue;
+    const bool ends = i + 1 == arguments.size();
+    const bool is_missing =
+        has_value ? mark + 1 == argument.size()
+                  : ends || arguments[i + 1] == "--" || has_option(app, arguments[i + 1]);
+    if (is_missing) {
+      refuse(fmt::format("{} has no value: write {} {}", name, name, option->get_type_name()));
+    }
+    if (!has_value) ++i;
   }
-  return arguments;
 }
 
-/// What the parser says of an error, without its line breaks, and where to read more.
+/// The first argument that the subcommand needs and did not get; empty where there is none.
+std::string missing_argument(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_required() || option->count() > 0) continue;
+    std::string what = option->get_description();
+    what = what.substr(0, what.find('\n'));
+    return fmt::format("{} is missing ({})", option->get_name(), what);
+  }
+  return {};
+}
+
+/// What is wrong, and where to read more.
 std::string parser_message(const CLI::ParseError& error, const CLI::App& app) {
   const auto chosen = app.get_subcommands();
-  return fmt::format("{}; see `{}`", error.what(),
-                     help_command(chosen.empty() ? app : *chosen.front()));
+  const CLI::App& reader = chosen.empty() ? app : *chosen.front();
+  const std::string missing = missing_argument(reader);
+  return fmt::format("{}; see `{}`", missing.empty() ? error.what() : missing,
+                     help_command(reader));
+}
+
+/// `polhode help` and `polhode help SUBCOMMAND`.
+exit_status print_help(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.size() == 1) {
+    print(app.help());
+    return exit_status::all_certified;
+  }
+  if (arguments.size() > 2) {
+    throw usage_error(fmt::format("{} was not expected: write `polhode help SUBCOMMAND`",
+                                  in_quotes(arguments[2])));
+  }
+  std::vector<std::string> known;
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    known.push_back(sub->get_name());
+    if (sub->get_name() != arguments[1]) continue;
+    print(sub->help("polhode"));
+    return exit_status::all_certified;
+  }
+  const std::optional<std::string> near = near_name(arguments[1], known);
+  throw usage_error(fmt::format("there is no subcommand {}{} (`polhode --help` shows all)",
+                                in_quotes(arguments[1]), near ? "; the nearest is " + *near : ""));
 }
 
 }  // namespace
@@ -122,18 +194,26 @@ exit_status run_command_line(int argc, const char* const* argv) {
                           "  polhode certify                      prove every claim\n"
                           "  polhode constants beta --digits 1000\n"
                           "  polhode eval \"exp(1) - 2\"\n"
-                          "  polhode certify --help\n\n{}",
+                          "  polhode help certify\n\n{}",
                           exit_statuses));
   app.require_subcommand(0, 1);
-  app.set_version_flag("--version", version_text(), "Print the versions and exit");
+  app.set_version_flag("-V,--version", version_text(), "Print the versions and exit");
   std::map<const CLI::App*, std::function<exit_status()>> actions;
   for (const command& c : all_commands()) {
     CLI::App* sub = app.add_subcommand(c.name, c.summary);
     set_up(*sub, fmt::format("Examples:\n{}\n{}", c.examples, exit_statuses));
     actions[sub] = c.declare(*sub);
   }
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (!arguments.empty() && arguments.front() == "help") return print_help(app, arguments);
+  for (const auto& [sub, action] : actions) {
+    if (arguments.empty() || arguments.front() != sub->get_name()) continue;
+    const bool asks_for_help =
+        std::any_of(arguments.begin(), std::find(arguments.begin(), arguments.end(), "--"),
+                    [](const std::string& a) { return a == "--help" || a == "-h"; });
+    if (!asks_for_help) prepare_arguments(*sub, arguments);
+  }
   try {
-    std::vector<std::string> arguments = with_formulas_marked(argc, argv);
     std::reverse(arguments.begin(), arguments.end());  // as the parser wants them
     app.parse(std::move(arguments));
   } catch (const CLI::CallForHelp&) {

@@ -273,6 +273,7 @@ exit_status run(constants_options& options) {
       works.emplace_back([c](long fewer) { (void)proofs::enclose_to_digits(*c, fewer); });
     }
     line.expect(options.time_limit.check(memory.what, digits, works));
+    const time_watch watch(options.time_limit.limit(static_cast<double>(constants.size())));
     enclosed = enclose_all(constants, std::max(digits, format->least_digits), line);
     for (enclosed_constant& c : enclosed) {
       if (!options.verify.given) break;

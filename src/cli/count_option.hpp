@@ -13,6 +13,8 @@
 
 namespace polhode::cli {
 
+inline constexpr long most_threads = 1024;
+
 class count_option {
  public:
   count_option(std::string name, long by_default, long least, long most)

@@ -162,6 +162,7 @@ exit_status run(const curve_options& options) {
     line.expect(options.time_limit.check(
         what, digits, {[&](long fewer) { (void)point_at(rigid, middle, fewer); }},
         static_cast<double>(points)));
+    const time_watch watch(options.time_limit.limit(static_cast<double>(points)));
     return points_of(rigid, motions, digits, line);
   }();
   print(format == "csv"

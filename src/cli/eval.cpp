@@ -240,11 +240,18 @@ exit_status run(const eval_options& options) {
     line.show("estimating");
     line.expect(options.time_limit.check(memory.what, digits,
                                          {[&](long fewer) { (void)enclose(f, fewer, line); }}));
+    line.show("evaluating");
+    const time_watch watch(options.time_limit.limit());
     return enclose(f, digits, line);
   }();
   const bool certified = a.why == reason::none;
   std::optional<second_opinion> opinion;
-  if (options.verify.given && certified) opinion = value_again(f, a.enclosure, a.bits, digits);
+  if (options.verify.given && certified) {
+    const progress line;
+    line.show("looking for a second opinion");
+    const time_watch watch(options.time_limit.limit());
+    opinion = value_again(f, a.enclosure, a.bits, digits);
+  }
   const exit_status status = print_with(
       as_text(f, a, digits), as_json(f, to_json(a.enclosure, digits), a, digits), opinion);
   return certified ? status : exit_status::not_certified;

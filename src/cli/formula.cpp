@@ -1,6 +1,7 @@
 #include "formula.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -14,37 +15,112 @@ namespace polhode::cli {
 void let_option::declare(CLI::App& app) {
   app.add_option("--let", texts,
                  "Give a name a value, as in k=sqrt(2)/3; may be repeated, and\n"
-                 "use the names before it")
+                 "use other names defined so")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
 }
 
-std::vector<std::pair<std::string, std::string>> let_option::value() const {
-  std::vector<std::pair<std::string, std::string>> result;
-  for (const std::string& text : texts) {
-    const auto mark = text.find('=');
-    if (mark == std::string::npos || mark == 0) {
-      throw usage_error(
-          fmt::format("--let {}: it must be NAME=VALUE, such as k=1/3", in_quotes(text)));
-    }
-    result.emplace_back(text.substr(0, mark), text.substr(mark + 1));
-  }
-  return result;
+std::string without_margins(const std::string& text) {
+  constexpr const char* blanks = " \t\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 namespace {
 
-bool is_interval(const std::pair<std::string, std::string>& definition) {
-  const std::size_t start = definition.second.find_first_not_of(' ');
-  return start != std::string::npos && definition.second[start] == '[';
+using definition = std::pair<std::string, std::string>;
+
+/// Throws input_error where the text can be no name of a variable.
+void expect_name(const std::string& name) {
+  (void)expression("0", {{name}, {}, elliptic_functions()});
 }
+
+/// The names in a formula, those of functions and constants too.
+std::set<std::string> names_in(const std::string& text) {
+  std::set<std::string> names;
+  const auto is_letter = [](char c) { return is_identifier({&c, 1}); };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (auto at = text.begin(); at != text.end();) {
+    if (!is_letter(*at)) {
+      ++at;
+      continue;
+    }
+    const auto end =
+        std::find_if(at, text.end(), [&](char c) { return !is_letter(c) && !is_digit(c); });
+    names.emplace(at, end);
+    at = end;
+  }
+  return names;
+}
+
+/// Each definition behind those that it needs, else in the order given.
+std::vector<definition> in_order_of_need(std::vector<definition> given) {
+  std::vector<definition> result;
+  while (!given.empty()) {
+    const auto is_ready = [&](const definition& one) {
+      const std::set<std::string> needed = names_in(one.second);
+      return std::none_of(given.begin(), given.end(),
+                          [&](const definition& other) { return needed.contains(other.first); });
+    };
+    const auto next = std::find_if(given.begin(), given.end(), is_ready);
+    if (next == given.end()) {
+      std::string names;
+      for (const definition& one : given) names += (names.empty() ? "" : ", ") + one.first;
+      throw usage_error(given.size() == 1
+                            ? fmt::format("--let: the value of {} needs {} itself", names, names)
+                            : fmt::format("--let: the values of {} need each other", names));
+    }
+    result.push_back(std::move(*next));
+    given.erase(next);
+  }
+  return result;
+}
+
+}  // namespace
+
+void check_variable(const std::string& name) {
+  try {
+    expect_name(name);
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("--variable: {}", error.what()));
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> let_option::value() const {
+  std::vector<definition> result;
+  for (const std::string& text : texts) {
+    const auto mark = text.find('=');
+    if (mark == std::string::npos || without_margins(text.substr(0, mark)).empty()) {
+      throw usage_error(
+          fmt::format("--let {}: it must be NAME=VALUE, such as k=1/3", in_quotes(text)));
+    }
+    result.emplace_back(without_margins(text.substr(0, mark)),
+                        without_margins(text.substr(mark + 1)));
+    try {
+      expect_name(result.back().first);
+    } catch (const input_error& error) {
+      throw usage_error(fmt::format("--let {}: {}", in_quotes(text), error.what()));
+    }
+    const bool again = std::any_of(result.begin(), result.end() - 1, [&](const definition& d) {
+      return d.first == result.back().first;
+    });
+    if (again) {
+      throw usage_error(fmt::format("--let {}: the name {} is given twice", in_quotes(text),
+                                    in_quotes(result.back().first)));
+    }
+  }
+  return in_order_of_need(std::move(result));
+}
+
+namespace {
+
+bool is_interval(const definition& one) { return one.second.starts_with('['); }
 
 let_option those(const let_option& all, bool intervals) {
   let_option result;
-  for (const auto& definition : all.value()) {
-    if (is_interval(definition) == intervals) {
-      result.texts.push_back(definition.first + '=' + definition.second);
-    }
+  for (const definition& one : all.value()) {
+    if (is_interval(one) == intervals) result.texts.push_back(one.first + '=' + one.second);
   }
   return result;
 }
@@ -93,6 +169,10 @@ std::string table_of_functions() {
   result += "constants\n";
   for (const expression_constant& c : expression_constants()) {
     result += fmt::format("  {:<14}{}\n", c.name, c.description);
+  }
+  result += "other names\n";
+  for (const expression_alias& a : expression_aliases()) {
+    result += fmt::format("  {:<14}the same as {}\n", a.name, a.meaning);
   }
   return result;
 }

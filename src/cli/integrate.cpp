@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "certificate_option.hpp"
 #include "commands.hpp"
+#include "count_option.hpp"
 #include "errors.hpp"
 #include "formula.hpp"
 #include "formula_integrand.hpp"
@@ -26,6 +28,7 @@
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/certificate/formula_certificates.hpp"
 #include "progress.hpp"
+#include "range_option.hpp"
 #include "second_integral.hpp"
 #include "second_opinion.hpp"
 #include "streams.hpp"
@@ -34,45 +37,32 @@
 namespace polhode::cli {
 namespace {
 
+constexpr long greatest_boxes = 100'000;
+
 struct integrate_command_options {
   std::string formula;
-  std::optional<std::string> from;
+  range_option range;
+  std::optional<std::string> from;  // the ends of the range, where it has ends
   std::optional<std::string> to;
   std::optional<std::string> along;
   std::optional<std::string> circle;
-  std::string most_boxes = "1";
+  count_option boxes{"--boxes", 1, 1, greatest_boxes};
   std::string variable = "x";
   let_option let;
   digits_option digits;
-  int threads = 1;
+  count_option threads{"--threads", 1, 0, most_threads};
   std::string rule = "automatic";
   format_option format{{"text", "json"}};
   memory_limit_option memory_limit;
   certificate_option certificate;
   verify_option verify;
   time_limit_option time_limit;
-
-  /// From 1 to greatest_boxes; throws usage_error for anything else.
-  [[nodiscard]] long boxes() const;
 };
 
-constexpr long greatest_boxes = 100'000;
-
-long integrate_command_options::boxes() const {
-  long result = 0;
-  const char* end = most_boxes.data() + most_boxes.size();
-  const auto [rest, error] = std::from_chars(most_boxes.data(), end, result);
-  if (error != std::errc() || rest != end || result < 1 || result > greatest_boxes) {
-    throw usage_error(fmt::format("--boxes {}: it must be a whole number from 1 to {}",
-                                  in_quotes(most_boxes), greatest_boxes));
-  }
-  return result;
-}
-
-/// A limit as it is given: inf, -inf, or a formula without variables.
+/// A limit as range_option::ends gives it: inf, -inf, or a formula without variables.
 limit read_limit(const std::string& text, const let_option& let) {
-  if (text == "inf" || text == "+inf") return limit::infinity();
-  if (text == "-inf") return -limit::infinity();
+  const int sign = infinite_sign_of(text);
+  if (sign != 0) return sign > 0 ? limit::infinity() : -limit::infinity();
   return limit_of(read_formula(text, {}, let));
 }
 
@@ -220,19 +210,22 @@ struct nothing {
 template <class Integral, class Again, class Then = nothing>
 exit_status report(const expression& f, const integrate_command_options& options,
                    const Integral& integral_to, const Again& verify,
+                   const std::function<std::string()>& counts = {},
                    const Then& before_printing = {}) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
   check_memory(options, digits);
   integrate_options how;
-  how.threads = options.threads;
+  how.threads = static_cast<int>(options.threads.value());
   how.rule = read_rule(options.rule);
   const auto i = [&] {
     const progress line;
     line.show("integrating");
+    line.count(counts);
     line.expect(options.time_limit.check(
         fmt::format("{} digits of the integral", digits), digits,
         {[&](long fewer) { (void)integrate_for(integral_to, fewer, how); }}));
+    const time_watch watch(options.time_limit.limit());
     return integrate_for(integral_to, digits, how);
   }();
   const bool certified = i.verdict == status::certified;
@@ -240,6 +233,7 @@ exit_status report(const expression& f, const integrate_command_options& options
   if (options.verify.given && certified) {
     const progress line;
     line.show("looking for a second opinion");
+    const time_watch watch(options.time_limit.limit());
     opinion = verify(i);
   }
   before_printing(i);
@@ -254,20 +248,20 @@ exit_status report(const expression& f, const integrate_command_options& options
   return certified ? exit_status::all_certified : exit_status::not_certified;
 }
 
-/// Exactly one of the ways to say from where to where.
-void check_range(const integrate_command_options& options) {
-  const bool has_limits = options.from || options.to;
+/// Exactly one of the ways to say from where to where; reads the ends.
+void read_range(integrate_command_options& options) {
   const int ways =
-      int{has_limits} + int{options.along.has_value()} + int{options.circle.has_value()};
-  if (ways == 1 && (!has_limits || (options.from && options.to))) return;
-  if (ways == 1) {
-    throw usage_error(options.from ? "there is --from and no --to; give both limits"
-                                   : "there is --to and no --from; give both limits");
+      options.range.ways() + int{options.along.has_value()} + int{options.circle.has_value()};
+  if (ways != 1) {
+    throw usage_error(fmt::format(
+        "{}: give the limits, EXPR A B, or --from A --to B, or --in A..B; or a path in the complex "
+        "plane, --along \"0, 1, 1+i\" or --circle \"CENTRE, RADIUS\"",
+        ways == 0 ? "there is no range" : "there is more than one range"));
   }
-  throw usage_error(fmt::format(
-      "{}: give --from A --to B, or a path in the complex plane, --along \"0, 1, 1+i\" or "
-      "--circle \"CENTRE, RADIUS\"",
-      ways == 0 ? "there is no range" : "there is more than one range"));
+  if (options.range.ways() == 0) return;
+  const auto [from, to] = options.range.ends(options.let.numbers());
+  options.from = from;
+  options.to = to;
 }
 
 /// "[LOWER, UPPER]" with rational ends.
@@ -332,10 +326,14 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   const expression f = read_formula(options.formula, variables, numbers);
   const limit a = read_limit(*options.from, numbers);
   const limit b = read_limit(*options.to, numbers);
-  const progress line;
-  line.show("integrating");
-  const box_integral i = detail::integrate_function_over_box(
-      parametric_integrand_of(f), a, b, box, {.digits = digits + 1, .most_boxes = options.boxes()});
+  const box_integral i = [&] {
+    const progress line;
+    line.show("integrating over boxes of parameters");
+    const time_watch watch(options.time_limit.limit());
+    return detail::integrate_function_over_box(
+        parametric_integrand_of(f), a, b, box,
+        {.digits = digits + 1, .most_boxes = options.boxes.value()});
+  }();
   print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits))
                     : as_text(i, digits));
   return i.verdict == status::certified ? exit_status::all_certified : exit_status::not_certified;
@@ -369,20 +367,51 @@ void add_checkers_opinion(second_opinion& result, const expression& f,
   result.add(checked_again("the integral", route_text(i.account), *certificate));
 }
 
+/// How often an integrand was called, by any thread.
+struct counted_calls {
+  std::atomic<long> over_regions = 0;
+  std::atomic<long> at_nodes = 0;
+};
+
+detail::integrand counted(detail::integrand f, const std::shared_ptr<counted_calls>& calls) {
+  f.over = [over = std::move(f.over), calls](const region& x) {
+    calls->over_regions.fetch_add(1, std::memory_order_relaxed);
+    return over(x);
+  };
+  f.evaluator = [make = std::move(f.evaluator),
+                 calls](precision p) -> std::function<ball(const ball&)> {
+    return [at = make(p), calls](const ball& x) {
+      calls->at_nodes.fetch_add(1, std::memory_order_relaxed);
+      return at(x);
+    };
+  };
+  return f;
+}
+
+/// "1200 evaluations, 340 over regions".
+std::string counts_text(const counted_calls& calls) {
+  const long nodes = calls.at_nodes.load();
+  const long regions = calls.over_regions.load();
+  return nodes + regions == 0 ? "" : fmt::format("{} evaluations, {} over regions", nodes, regions);
+}
+
 exit_status integrate_real(integrate_command_options& options) {
   const expression f = read_formula(options.formula, {options.variable}, options.let);
   const limit a = read_limit(*options.from, options.let);
   const limit b = read_limit(*options.to, options.let);
-  const auto integrate_to = [g = integrand_of(f), a, b](const integrate_options& goal) {
+  const auto calls = std::make_shared<counted_calls>();
+  const auto integrate_to = [g = counted(integrand_of(f), calls), a,
+                             b](const integrate_options& goal) {
     return detail::integrate_function(g, a, b, goal);
   };
   const auto verify = [&](const integral& i) {
-    second_opinion result =
-        integral_again(integrand_of(f), a, b, i, options.digits.value(), options.threads);
+    second_opinion result = integral_again(integrand_of(f), a, b, i, options.digits.value(),
+                                           static_cast<int>(options.threads.value()));
     add_checkers_opinion(result, f, options, i);
     return result;
   };
-  if (!options.certificate.is_given()) return report(f, options, integrate_to, verify);
+  const auto counts = [calls] { return counts_text(*calls); };
+  if (!options.certificate.is_given()) return report(f, options, integrate_to, verify, counts);
   const formula_over_range what = checkable_range(f, options);
   options.certificate.prepare();
   const auto integrate_closer = [&](integrate_options goal) {
@@ -390,11 +419,12 @@ exit_status integrate_real(integrate_command_options& options) {
     return integrate_to(goal);
   };
   bool certified = false;
-  const exit_status result = report(f, options, integrate_closer, verify, [&](const integral& i) {
-    certified = i.verdict == status::certified;
-    if (!certified) return;
-    options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
-  });
+  const exit_status result =
+      report(f, options, integrate_closer, verify, counts, [&](const integral& i) {
+        certified = i.verdict == status::certified;
+        if (!certified) return;
+        options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
+      });
   options.certificate.expect_certified(certified);
   return result;
 }
@@ -425,28 +455,32 @@ exit_status integrate_along_path(const integrate_command_options& options) {
       f, options,
       [&](const integrate_options& goal) { return detail::integrate_path(g, along, goal); },
       [&](const contour_integral& i) {
-        return integral_again(g, along, i, options.digits.value(), options.threads);
+        return integral_again(g, along, i, options.digits.value(),
+                              static_cast<int>(options.threads.value()));
       });
 }
 
 exit_status run(integrate_command_options& options) {
-  check_range(options);
+  check_variable(options.variable);
+  read_range(options);
+  (void)options.boxes.value();
+  (void)options.threads.value();
   (void)options.time_limit.limit();
   const bool has_intervals = !options.let.intervals().texts.empty();
   const bool insists = read_rule(options.rule) != quadrature_rule::automatic;
   if (insists && (!options.from || has_intervals)) {
-    throw usage_error("--rule is for limits --from and --to, and numbers for the parameters");
+    throw usage_error("--rule is for limits (--from and --to), and numbers for the parameters");
   }
   if (options.certificate.is_given() && (!options.from || has_intervals)) {
     throw usage_error(
-        "--certificate is for limits --from and --to, and numbers for the parameters");
+        "--certificate is for limits (--from and --to), and numbers for the parameters");
   }
   if (options.verify.given && has_intervals) {
     throw usage_error("--verify is for numbers as parameters, not for intervals");
   }
   if (has_intervals && options.from) return integrate_over_box(options);
   if (has_intervals) {
-    throw usage_error("an interval for a parameter needs --from and --to");
+    throw usage_error("an interval for a parameter needs limits (--from and --to)");
   }
   return options.from ? integrate_real(options) : integrate_along_path(options);
 }
@@ -456,10 +490,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_option("EXPR", options->formula, "The integrand, a formula in x")
       ->type_name("")
       ->required();
-  app.add_option("--from", options->from, "The lower limit: a formula without variables, or -inf")
-      ->type_name("A");
-  app.add_option("--to", options->to, "The upper limit: a formula without variables, or inf")
-      ->type_name("B");
+  options->range.declare(app);
   app.add_option("--along", options->along,
                  "In place of limits, a path of straight lines in the complex plane:\n"
                  "points, which are formulas with the imaginary unit i, as the\n"
@@ -474,14 +505,10 @@ std::function<exit_status()> declare(CLI::App& app) {
                  "Insist on a rule: gauss-legendre, clenshaw-curtis, trapezoid,\n"
                  "double-exponential, taylor-series [automatic]")
       ->type_name("NAME");
-  app.add_option("--threads", options->threads,
-                 "Evaluate on so many threads; 0 for all processors. The digits are the same")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
-  app.add_option("--boxes", options->most_boxes,
-                 "Into how many parts the intervals of --let NAME=[LOWER, UPPER] may\n"
-                 "be cut [1]")
-      ->type_name("N");
+  options->threads.declare(
+      app, "Evaluate on so many threads; 0 for all processors. The digits\nare the same");
+  options->boxes.declare(
+      app, "Into how many parts the intervals of --let NAME=[LOWER, UPPER] may\nbe cut");
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);
@@ -497,8 +524,9 @@ std::function<exit_status()> declare(CLI::App& app) {
 command integrate_command() {
   return {
       "integrate", "Integrate a formula, with a proof",
-      "  polhode integrate \"exp(-x^2)\" --from -inf --to inf --digits 100\n"
-      "  polhode integrate \"log(x)/sqrt(x)\" --from 0 --to 1\n"
+      "  polhode integrate \"exp(-x^2)\" -inf inf --digits 100\n"
+      "  polhode integrate \"log(x)/sqrt(x)\" 0 1\n"
+      "  polhode integrate \"2 sin(x)^2\" --in 0..pi\n"
       "  polhode integrate \"1/(x^2 + k^2)\" --from 0 --to pi/2 --let k=1e-10\n"
       "  polhode integrate \"1/sqrt(1-m*sin(x)^2)\" --from 0 --to pi/2 --let \"m=[0.1, 0.2]\"\n"
       "  polhode integrate \"exp(z)/z^3\" --variable z --circle \"0, 1\"\n"

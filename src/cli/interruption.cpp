@@ -138,6 +138,12 @@ void handle_interruptions() {
   }
 }
 
+void end_program(const std::string& line, exit_status status) noexcept {
+  clean_up();
+  print_error(line);
+  _exit(static_cast<int>(status));
+}
+
 int create_temporary_file(const std::string& path) {
   constexpr mode_t readable_and_writable = 0666;  // less the umask
   return create_and_remember(path, [&path] {

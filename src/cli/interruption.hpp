@@ -7,6 +7,8 @@
 #include <string>
 #include <thread>
 
+#include "errors.hpp"
+
 namespace polhode::cli {
 
 /// From here on SIGINT, SIGTERM, SIGHUP and SIGQUIT (those that were not ignored) remove the
@@ -14,6 +16,10 @@ namespace polhode::cli {
 /// remove them and end it with one line on standard error and status 2 (they would end it with
 /// SIGABRT); and a file that may not grow any more is an error of writing, not SIGXFSZ.
 void handle_interruptions();
+
+/// Removes the temporary files, prints the line on standard error and ends the program with the status at once, whatever
+/// other threads are doing.
+[[noreturn]] void end_program(const std::string& line, exit_status status) noexcept;
 
 /// Creates a new file that an interruption removes, and returns its descriptor, or -1 with errno
 /// set (EEXIST where there is such a file already).

@@ -49,8 +49,9 @@ std::vector<std::string> known_names(const std::vector<std::string>& given,
   std::vector<std::string> result;
   for (const std::string& name : given) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw usage_error(fmt::format("there is no {} {}; the nearest is {} (`{}` shows all)", kind,
-                                    in_quotes(name), nearest_name(name, known), list_command));
+      const std::optional<std::string> near = near_name(name, known);
+      throw usage_error(fmt::format("there is no {} {}{} (`{}` shows all)", kind, in_quotes(name),
+                                    near ? "; the nearest is " + *near : "", list_command));
     }
     if (std::find(result.begin(), result.end(), name) == result.end()) result.push_back(name);
   }

@@ -18,12 +18,6 @@ path_point read_point(const std::string& text, const let_option& let) {
   return path_point([f](precision p) { return f.evaluator<complex_ball>(p)(complex_ball::i(p)); });
 }
 
-std::string without_margins(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 }  // namespace
 
 path read_polygon(const std::string& text, const let_option& let) {

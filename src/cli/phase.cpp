@@ -135,6 +135,7 @@ exit_status run(const phase_options& options) {
     line.show("computing the phase");
     line.expect(options.time_limit.check(
         what, digits, {[&](long fewer) { (void)answer_of(options, rigid, c, fewer); }}));
+    const time_watch watch(options.time_limit.limit());
     return answer_of(options, rigid, c, digits);
   }();
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));

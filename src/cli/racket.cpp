@@ -223,6 +223,7 @@ exit_status run(const racket_options& options) {
     const progress line;
     line.expect(options.time_limit.check(
         what, digits, {[&](long fewer) { (void)answer_of(options, rigid, c, fewer, line); }}));
+    const time_watch watch(options.time_limit.limit());
     return answer_of(options, rigid, c, digits, line);
   }();
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));

@@ -1,6 +1,7 @@
 // polhode roots: all roots of a formula in an interval, each proved.
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@
 
 #include "certificate_option.hpp"
 #include "commands.hpp"
+#include "count_option.hpp"
+#include "duration.hpp"
 #include "formula.hpp"
 #include "formula_function.hpp"
 #include "formula_integrand.hpp"
@@ -22,6 +25,7 @@
 #include "polhode/certificate/formula_certificates.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "progress.hpp"
+#include "range_option.hpp"
 #include "second_opinion.hpp"
 #include "second_roots.hpp"
 #include "streams.hpp"
@@ -32,11 +36,12 @@ namespace {
 
 struct roots_options {
   std::string formula;
-  std::string range;
+  range_option range;
+  std::string interval;  // as LO..HI
   std::string variable = "x";
   let_option let;
   digits_option digits;
-  int threads = 1;
+  count_option threads{"--threads", 1, 0, most_threads};
   format_option format{{"text", "csv", "json"}};
   memory_limit_option memory_limit;
   certificate_option certificate;
@@ -50,35 +55,29 @@ struct given_end {
   std::optional<expression> formula;
 };
 
-/// An end as it is given: inf, -inf, or a formula without variables.
+/// An end as range_option::ends gives it: inf, -inf, or a formula without variables.
 given_end read_end(const std::string& text, const let_option& let) {
-  const std::size_t first = text.find_first_not_of(' ');
-  const std::size_t last = text.find_last_not_of(' ');
-  const std::string given = first == std::string::npos ? "" : text.substr(first, last - first + 1);
-  if (given == "inf" || given == "+inf") return {range_end::infinity(), std::nullopt};
-  if (given == "-inf") return {range_end::minus_infinity(), std::nullopt};
-  const expression f = read_formula(given, {}, let);
+  const int sign = infinite_sign_of(text);
+  if (sign > 0) return {range_end::infinity(), std::nullopt};
+  if (sign < 0) return {range_end::minus_infinity(), std::nullopt};
+  const expression f = read_formula(text, {}, let);
   if (const auto form = limit_of(f).form()) return {range_end(*form), f};
   return {range_end([f](precision p) { return f.value(p); }), f};
 }
 
 using given_range = std::pair<given_end, given_end>;
 
-/// LO..HI. A number may end or begin with a point (1...5), so every ".." is tried.
-given_range read_range(const std::string& text, const let_option& let) {
-  std::optional<usage_error> first_error;
-  for (std::size_t at = text.find(".."); at != std::string::npos; at = text.find("..", at + 1)) {
-    try {
-      return {read_end(text.substr(0, at), let), read_end(text.substr(at + 2), let)};
-    } catch (const usage_error& error) {
-      if (!first_error) first_error = error;
-    }
+/// Throws usage_error where there is not exactly one, or it cannot be read.
+given_range read_range(roots_options& options) {
+  const range_option& range = options.range;
+  if (range.ways() != 1) {
+    throw usage_error(fmt::format(
+        "{}: give the ends, EXPR A B, or --in A..B, or --from A --to B",
+        range.ways() == 0 ? "there is no interval to look in" : "there is more than one interval"));
   }
-  if (first_error) {
-    throw usage_error(fmt::format("--in {}: {}", in_quotes(text), first_error->what()));
-  }
-  throw usage_error(
-      fmt::format("--in {}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", in_quotes(text)));
+  const auto [lower, upper] = range.ends(options.let);
+  options.interval = lower + ".." + upper;
+  return {read_end(lower, options.let), read_end(upper, options.let)};
 }
 
 /// A region, with its root to the digits asked for where it is proved.
@@ -119,6 +118,7 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, long di
 
 struct answer {
   root_set roots;
+  std::optional<double> ended_after;  // seconds of the search, where the time limit ended it
   std::vector<listed_root> list;
 
   [[nodiscard]] bool is_certified() const {
@@ -133,13 +133,26 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   line.show("looking for roots");
   isolate_options options;
   options.threads = threads;
+  // The search ends in time, with what it found; what it found is then refined in as much time again for each root.
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(time_limit.limit());
+  bool ended_early = false;
   options.progress = [&](const isolation_progress& p) {
+    if (std::chrono::steady_clock::now() >= end) {
+      ended_early = true;
+      return false;
+    }
     line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done, p.boxes_waiting,
                           p.roots));
     return true;
   };
   answer result;
-  result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
+  {
+    // For evaluations so long that the search does not come to look at the clock.
+    const time_watch watch(2 * time_limit.limit());
+    result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
+  }
+  if (ended_early) result.ended_after = time_limit.limit();
   const std::vector<root_region>& regions = result.roots.regions;
   if (!regions.empty()) {
     line.expect(time_limit.check(
@@ -148,6 +161,7 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
         digits, {[&](long fewer) { (void)listed({regions.front()}, fewer, threads); }},
         static_cast<double>(regions.size())));
   }
+  const time_watch watch(time_limit.limit(static_cast<double>(regions.size())));
   const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
   for (auto first = regions.begin(); first != regions.end();) {
     const auto last = first + std::min(at_a_time, regions.end() - first);
@@ -219,8 +233,12 @@ std::string summary(const answer& a) {
   }
   const auto proved = static_cast<std::size_t>(std::count_if(
       a.list.begin(), a.list.end(), [](const listed_root& r) { return r.is_certified(); }));
-  return fmt::format("not certified: {} proved, {} left open ({})\n", counted(proved, "root"),
-                     counted(a.list.size() - proved, "region"), work);
+  const std::string limit =
+      a.ended_after ? fmt::format("; the time limit of {} was reached, --time-limit raises it",
+                                  duration_text(*a.ended_after))
+                    : "";
+  return fmt::format("not certified: {} proved, {} left open ({}){}\n", counted(proved, "root"),
+                     counted(a.list.size() - proved, "region"), work, limit);
 }
 
 std::string as_text(const answer& a, long digits) {
@@ -264,7 +282,7 @@ std::string as_csv(const answer& a, long digits) {
 json as_json(const expression& f, const roots_options& options, const answer& a, long digits) {
   json result{{"function", f.to_text()},
               {"variable", options.variable},
-              {"in", options.range},
+              {"in", options.interval},
               {"verdict", to_text(a.is_certified() ? status::certified : status::not_certified)},
               {"identically_zero", a.roots.identically_zero},
               {"complete", a.roots.complete}};
@@ -367,8 +385,10 @@ exit_status run(roots_options& options) {
   const long digits = options.digits.value();
   const std::string format = options.format.value();
   options.verify.expect_format(format);
+  const int threads = static_cast<int>(options.threads.value());
+  check_variable(options.variable);
+  const given_range range = read_range(options);
   const expression f = read_formula(options.formula, {options.variable}, options.let);
-  const auto range = read_range(options.range, options.let);
   constexpr double bytes_per_digit = 0.4153;
   const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
@@ -377,10 +397,10 @@ exit_status run(roots_options& options) {
   std::optional<formula_over_range> what;
   if (options.certificate.is_given()) what = checkable_range(f, range);
   options.certificate.prepare();
-  const answer a = find_roots(f, range, digits, options.threads, options.time_limit);
+  const answer a = find_roots(f, range, digits, threads, options.time_limit);
   std::optional<second_opinion> opinion;
   if (options.verify.given && a.is_certified()) {
-    opinion = verify(f, range, a, digits, options.threads);
+    opinion = verify(f, range, a, digits, threads);
   }
   if (what && a.is_certified()) options.certificate.write(certificate_of(*what, a, digits));
   if (format == "json") {
@@ -399,16 +419,11 @@ exit_status run(roots_options& options) {
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<roots_options>();
   app.add_option("EXPR", options->formula, "A formula in x")->type_name("")->required();
-  app.add_option("--in", options->range,
-                 "The interval, ends included: formulas without variables,\nor -inf and inf")
-      ->type_name("LO..HI")
-      ->required();
+  options->range.declare(app);
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
-  app.add_option("--threads", options->threads,
-                 "Search on so many threads; 0 for all processors. The digits are the same")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
+  options->threads.declare(
+      app, "Search on so many threads; 0 for all processors. The digits are\nthe same");
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);
@@ -425,7 +440,7 @@ command roots_command() {
   return {
       "roots", "Find all roots of a formula in an interval, with a proof",
       "  polhode roots \"cos(x) - x\" --in 0..1 --digits 100\n"
-      "  polhode roots \"(x-1)*(x^2-2)^3\" --in -inf..inf\n"
+      "  polhode roots \"(x-1)*(x^2-2)^3\" -inf inf\n"
       "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n"
       "  polhode roots \"cos(x) - x\" --in 0..1 --certificate root.json && polhode check "
       "root.json\n"

@@ -14,6 +14,7 @@
 #include "arithmetic/worker_threads.hpp"
 #include "body_option.hpp"
 #include "commands.hpp"
+#include "count_option.hpp"
 #include "exact_decimals.hpp"
 #include "json_document.hpp"
 #include "memory_limit.hpp"
@@ -80,7 +81,7 @@ struct table_options {
   std::vector<std::string> quantity;
   bodies_option bodies;
   std::optional<std::string> c;
-  int threads = 0;
+  count_option threads{"--threads", 0, 0, most_threads};
   digits_option digits;
   format_option format{{"csv", "json", "cpp"}};
   memory_limit_option memory_limit;
@@ -265,13 +266,14 @@ void compute(std::vector<row>& rows, const quantity& q, long digits, const std::
              const table_options& options) {
   const progress line;
   line.show("estimating");
-  detail::worker_threads threads(options.threads);
+  detail::worker_threads threads(static_cast<int>(options.threads.value()));
   const auto some = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2),
                                  rows.end(), [](const row& r) { return !r.is_infinite; });
   const row& middle = some == rows.end() ? rows.front() : *some;
   line.expect(options.time_limit.check(what, digits,
                                        {[&](long fewer) { (void)value_of(middle, q, fewer); }},
                                        static_cast<double>(rows.size()) / threads.count()));
+  const time_watch watch(options.time_limit.limit(static_cast<double>(rows.size())));
   constexpr std::size_t rows_of_thread = 16;
   const std::size_t at_a_time = rows_of_thread * static_cast<std::size_t>(threads.count());
   std::vector<certain_number> values(std::min(at_a_time, rows.size()));
@@ -306,10 +308,11 @@ exit_status run(const table_options& options) {
   const auto count = static_cast<double>(rows.size());
   const std::string what = fmt::format("{} numbers of {} digits", rows.size(), digits);
   options.memory_limit.check(
-      {what,
-       (bytes_per_digit * detail::worker_threads(options.threads).count() + bytes_kept * count) *
-               static_cast<double>(computed) +
-           bytes_beside * count});
+      {what, (bytes_per_digit *
+                  detail::worker_threads(static_cast<int>(options.threads.value())).count() +
+              bytes_kept * count) *
+                     static_cast<double>(computed) +
+                 bytes_beside * count});
   compute(rows, q, computed, what, options);
   print(format == "csv" ? as_csv(q, rows, digits)
                         : (format == "json" ? as_json(q, rows, digits) : as_cpp(q, rows, digits)));
@@ -326,11 +329,8 @@ std::function<exit_status()> declare(CLI::App& app) {
                  "The motions, for phase and epsilon: N equal steps from LO to HI,\n"
                  "both included; or one")
       ->type_name("LO..HI/N");
-  app.add_option("--threads", options->threads,
-                 "Compute on so many threads; 0 for all processors [0]. The digits are\n"
-                 "the same")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1024));
+  options->threads.declare(
+      app, "Compute on so many threads; 0 for all processors. The digits are\nthe same");
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);

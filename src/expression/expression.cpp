@@ -36,6 +36,9 @@ void check_name(const std::string& name, const name_table& variables, const name
     throw input_error(quoted(name) +
                       " cannot be a name: it must be a letter or _, then letters, digits and _");
   }
+  if (is_infinity(name)) {
+    throw input_error(quoted(name) + " is infinity, a limit; it cannot have another meaning");
+  }
   const char* taken = nullptr;
   if (detail::find_function(name) != nullptr || detail::has_further(further, name)) {
     taken = "function";

@@ -207,6 +207,14 @@ node_id greater_of(graph& g, const operands& x) {
   return x[0] == x[1] ? x[0] : g.make(operation::max, x[0], x[1]);
 }
 
+/// floor(c) + ceil(c) with c = max(-1/2, min(1/2, x)): for x > 0, c is in (0, 1/2] and the sum is 0 + 1; for x = 0 it is
+/// 0 + 0; for x < 0, c is in [-1/2, 0) and the sum is -1 + 0.
+node_id sign_of(graph& g, const operands& x) {
+  const node_id below = smaller_of(g, {x[0], g.number(rational(1, 2))});
+  const node_id c = greater_of(g, {below, g.number(rational(-1, 2))});
+  return add(g, function_of(g, operation::floor, c), function_of(g, operation::ceil, c));
+}
+
 node_id hypot_of(graph& g, const operands& x) {
   const node_id sum = add(g, power(g, x[0], g.number(2)), power(g, x[1], g.number(2)));
   if (const rational* q = g.value(sum)) {
@@ -252,6 +260,14 @@ const std::vector<function_row>& function_rows() {
       {{"sin", "x", "sine", all}, 1, everywhere<operation::sin>},
       {{"cos", "x", "cosine", all}, 1, everywhere<operation::cos>},
       {{"tan", "x", "tangent", "no odd multiple of pi/2"}, 1, everywhere<operation::tan>},
+      {{"sec", "x", "1/cos(x)", "no odd multiple of pi/2"}, 1, [](graph& g, const operands& x) {
+         return divide(g, g.number(1), function_of(g, operation::cos, x[0])); }},
+      {{"csc", "x", "1/sin(x)", "no multiple of pi"}, 1, [](graph& g, const operands& x) {
+         check_domain(g, "csc", x[0], not_zero);
+         return divide(g, g.number(1), function_of(g, operation::sin, x[0])); }},
+      {{"cot", "x", "cos(x)/sin(x)", "no multiple of pi"}, 1, [](graph& g, const operands& x) {
+         check_domain(g, "cot", x[0], not_zero);
+         return divide(g, function_of(g, operation::cos, x[0]), function_of(g, operation::sin, x[0])); }},
       {{"sinpi", "x", "sin(pi x)", all}, 1, everywhere<operation::sinpi>},
       {{"cospi", "x", "cos(pi x)", all}, 1, everywhere<operation::cospi>},
       {{"asin", "x", "arc sine, in [-pi/2, pi/2]", "-1 <= x <= 1"}, 1, POLHODE_ON(asin, in_closed_unit)},
@@ -266,10 +282,14 @@ const std::vector<function_row>& function_rows() {
       {{"csch", "x", "1/sinh(x)", "x != 0"}, 1, [](graph& g, const operands& x) {
          check_domain(g, "csch", x[0], not_zero);
          return divide(g, g.number(1), function_of(g, operation::sinh, x[0])); }},
+      {{"coth", "x", "1/tanh(x)", "x != 0"}, 1, [](graph& g, const operands& x) {
+         check_domain(g, "coth", x[0], not_zero);
+         return divide(g, g.number(1), function_of(g, operation::tanh, x[0])); }},
       {{"asinh", "x", "inverse of sinh", all}, 1, everywhere<operation::asinh>},
       {{"acosh", "x", "inverse of cosh, >= 0", "x >= 1"}, 1, POLHODE_ON(acosh, from_one)},
       {{"atanh", "x", "inverse of tanh", "-1 < x < 1"}, 1, POLHODE_ON(atanh, in_open_unit)},
       {{"abs", "x", "|x|", all}, 1, everywhere<operation::abs>},
+      {{"sign", "x", "-1, 0 or 1 as x < 0, x = 0 or x > 0", all}, 1, sign_of},
       {{"min", "x, y", "the smaller of both", "all x and y"}, 2, smaller_of},
       {{"max", "x, y", "the greater of both", "all x and y"}, 2, greater_of},
       {{"floor", "x", "greatest integer <= x", all}, 1, everywhere<operation::floor>},
@@ -333,8 +353,22 @@ const further_function* find_further(const further_functions* further, std::stri
   return found == further->end() ? nullptr : &*found;
 }
 
-const function_row* find_function(std::string_view name) { return find_row(function_rows(), name); }
-const constant_row* find_constant(std::string_view name) { return find_row(constant_rows(), name); }
+namespace {
+/// The name that another one stands for, or that name itself.
+std::string_view meaning_of(std::string_view name) {
+  for (const expression_alias& a : expression_aliases()) {
+    if (a.name == name) return a.meaning;
+  }
+  return name;
+}
+}  // namespace
+
+const function_row* find_function(std::string_view name) {
+  return find_row(function_rows(), meaning_of(name));
+}
+const constant_row* find_constant(std::string_view name) {
+  return find_row(constant_rows(), meaning_of(name));
+}
 
 }  // namespace detail
 
@@ -345,6 +379,23 @@ const std::vector<expression_function>& expression_functions() {
 const std::vector<expression_constant>& expression_constants() {
   static const auto constants = detail::published<expression_constant>(detail::constant_rows());
   return constants;
+}
+
+const std::vector<expression_alias>& expression_aliases() {
+  static const std::vector<expression_alias> aliases{
+      {"arcsin", "asin"},   {"arccos", "acos"},   {"arctan", "atan"},  {"arctan2", "atan2"},
+      {"arsinh", "asinh"},  {"arcosh", "acosh"},  {"artanh", "atanh"}, {"arcsinh", "asinh"},
+      {"arccosh", "acosh"}, {"arctanh", "atanh"}, {"sgn", "sign"},     {"Pi", "pi"},
+      {"PI", "pi"}};
+  return aliases;
+}
+
+bool is_infinity(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return lower == "inf" || lower == "infinity" || lower == "oo";
 }
 
 }  // namespace polhode

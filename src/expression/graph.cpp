@@ -256,6 +256,26 @@ node_id factorial(graph& g, node_id x) {
   return g.number(rational(product));
 }
 
+node_id double_factorial(graph& g, node_id x) {
+  const rational* q = g.value(x);
+  if (q == nullptr || !is_integer(*q) || *q < 0) {
+    throw undefined_operation("the double factorial, n!!, is of whole numbers from 0");
+  }
+  constexpr long most = 10'000;  // of 59,335 bits
+  const std::optional<long> n = as_long(*q);
+  if (n && *n <= most) {
+    integer product;
+    mpz_2fac_ui(product.backend().data(), static_cast<unsigned long>(*n));
+    return g.number(rational(product));
+  }
+  // (2k)!! = 2^k k!, and (2k-1)!! = (2k)!/(2k)!!.
+  const integer whole = numerator(*q);
+  const bool is_even = mpz_even_p(whole.backend().data()) != 0;
+  const rational k(is_even ? integer(whole / 2) : integer((whole + 1) / 2));
+  const node_id evens = multiply(g, power(g, g.number(2), g.number(k)), factorial(g, g.number(k)));
+  return is_even ? evens : divide(g, factorial(g, g.number(rational(2 * k))), evens);
+}
+
 std::vector<char> reachable(const graph& g) {
   std::vector<char> marks(g.size(), 0);
   marks[g.root] = 1;

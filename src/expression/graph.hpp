@@ -108,6 +108,8 @@ class graph {
 [[nodiscard]] node_id power(graph& g, node_id x, node_id y);
 /// Of a number that is an integer >= 0.
 [[nodiscard]] node_id factorial(graph& g, node_id x);
+/// x!! = x (x-2) (x-4) ..., the product down to 1 or 2.
+node_id double_factorial(graph& g, node_id x);
 
 /// The real n-th root where it is a rational number.
 [[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);

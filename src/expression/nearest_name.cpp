@@ -27,4 +27,33 @@ std::string nearest_name(std::string_view given, const std::vector<std::string>&
                            });
 }
 
+std::optional<std::string> near_name(std::string_view given,
+                                     const std::vector<std::string>& known) {
+  const auto lower = [](std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return result;
+  };
+  const std::string in_lower_case = lower(given);
+  for (const std::string& name : known) {
+    if (lower(name) == in_lower_case) return name;
+  }
+  for (const std::string& name : known) {
+    std::string exchanged(given);
+    for (std::size_t i = 1; i < exchanged.size(); ++i) {
+      std::swap(exchanged[i - 1], exchanged[i]);
+      if (exchanged == name) return name;
+      std::swap(exchanged[i - 1], exchanged[i]);
+    }
+  }
+  if (known.empty()) return std::nullopt;
+  std::string nearest = nearest_name(given, known);
+  const std::size_t length = std::min(given.size(), nearest.size());
+  const std::size_t allowed = length < 3 ? 0 : length < 4 ? 1 : length < 8 ? 2 : 3;
+  if (edit_distance(given, nearest) > allowed) return std::nullopt;
+  return nearest;
+}
+
 }  // namespace polhode

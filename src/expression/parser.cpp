@@ -2,11 +2,14 @@
 // (nothing is tried twice, so no action is ever taken back):
 //
 //   sum      = product { (+|-) product }
-//   product  = signed { (*|/) signed }
+//   product  = signed { (*|/) signed | juxtaposed }
 //   signed   = { +|- } power
 //   power    = postfix { (^|**) { +|- } postfix }     from the right
-//   postfix  = operand { ! }
+//   postfix  = operand { ! | !! }
 //   operand  = number | name | name ( sum { , sum } ) | ( sum )
+//
+// A juxtaposed factor is a power that begins with a name or a parenthesis and stands right behind a number: 2x is 2*x.
+// Behind a divisor or an exponent it is refused, where people read it in two ways: 1/2x, 2^3x.
 //
 // Only parentheses recurse, and their depth is limited before the grammar sees the text.
 
@@ -38,6 +41,10 @@ std::string quoted(std::string_view text) {
   return '"' + std::string(text.substr(0, most)) + "...\"";
 }
 
+bool is_hexadecimal(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+}
+
 constexpr const char* operand_wanted = "a number, a name or a parenthesis";
 
 // ---------------------------------------------------------------------------------------------
@@ -55,6 +62,9 @@ class reader {
 
   void number(const range& where) {
     const std::string_view text = view(where);
+    end_of_number_ = where.end();
+    start_of_number_ = where.begin();
+    refuse_other_notations(where);
     const auto mark = text.find_first_of("eE");
     const std::string_view mantissa = text.substr(0, mark);
     try {
@@ -88,8 +98,11 @@ class reader {
     if (has_further(further(), given)) {
       throw expression_error(where, further_usage(given, " is a function: write "));
     }
-    throw expression_error(where, "there is no " + quoted(given) + "; the nearest name is " +
-                                      nearest_name(given, all_names()));
+    if (is_infinity(given)) {
+      throw expression_error(where, quoted(given) + " is no number: infinity is for limits alone");
+    }
+    throw expression_error(where, "there is no " + quoted(given) +
+                                      suggestion("; the nearest name is ", given, all_names()));
   }
   void begin_call() {
     called_.back().first_argument = values_.size();
@@ -101,8 +114,8 @@ class reader {
                                         " is no function; a product is written with *, as in " +
                                         std::string(given) + "*(...)");
     }
-    throw expression_error(where, "there is no function " + quoted(given) + "; the nearest is " +
-                                      nearest_name(given, function_names()));
+    throw expression_error(where, "there is no function " + quoted(given) +
+                                      suggestion("; the nearest is ", given, function_names()));
   }
   void end_call() {
     const call last = called_.back();
@@ -129,14 +142,38 @@ class reader {
     if (minus) values_.back() = negate(graph_, values_.back());
   }
 
-  void binary(const range& where) { operators_.push_back(where.begin()); }
+  void binary(const range& where) { operators_.push_back({where.begin(), *where.begin()}); }
+  /// Whether what stands at `where` is a second factor that a number just before it has without an operator. Throws
+  /// expression_error where such a product could be read in two ways.
+  [[nodiscard]] bool is_juxtaposed(iterator where) const {
+    if (where == text_.end() || (!is_letter(*where) && *where != '(')) return false;
+    if (!end_of_number_ || !std::all_of(*end_of_number_, where, is_space)) return false;
+    iterator before = start_of_number_;
+    while (before != text_.begin() &&
+           (is_space(before[-1]) || before[-1] == '+' || before[-1] == '-')) {
+      --before;
+    }
+    if (before == text_.begin()) return true;
+    const bool divides = before[-1] == '/';
+    const bool is_exponent =
+        before[-1] == '^' ||
+        (before[-1] == '*' && before - 1 != text_.begin() && before[-2] == '*');
+    if (!divides && !is_exponent) return true;
+    const std::string number(start_of_number_, *end_of_number_);
+    const std::string next = is_letter(*where) ? std::string(name_at(where)) : "(...)";
+    const std::string sign = divides ? "/" : "^";
+    throw expression_error(column(where), "a product behind " + sign + number +
+                                              " needs its *: write " + sign + number + "*" + next +
+                                              " or " + sign + "(" + number + "*" + next + ")");
+  }
+  void juxtaposed(const range& where) { operators_.push_back({where.begin(), '*'}); }
   void apply_binary() {
-    const iterator where = operators_.back();
+    const auto [where, sign] = operators_.back();
     operators_.pop_back();
     const node_id right = pop();
     const node_id left = pop();
     push(made(where, [&] {
-      switch (*where) {
+      switch (sign) {
         case '+':
           return add(graph_, left, right);
         case '-':
@@ -150,8 +187,16 @@ class reader {
   }
 
   void factorial(const range& where) {
+    if (where.size() > 2) {
+      throw expression_error(column(where.begin()),
+                             "n! and n!! are read, the factorial and the double factorial; write "
+                             "((n!)!)! for a factorial of factorials");
+    }
     const node_id operand = pop();
-    push(made(where.begin(), [&] { return polhode::detail::factorial(graph_, operand); }));
+    push(made(where.begin(), [&] {
+      return where.size() == 1 ? polhode::detail::factorial(graph_, operand)
+                               : polhode::detail::double_factorial(graph_, operand);
+    }));
   }
 
   void begin_power() { towers_.emplace_back(); }
@@ -176,9 +221,11 @@ class reader {
       throw expression_error(column(where), "the formula ends here; expected " + wanted);
     }
     const bool operand = is_letter(*where) || is_digit(*where) || *where == '(' || *where == '.';
-    if (operand && wanted != operand_wanted) {
+    if (operand && wanted != operand_wanted) throw_operator_wanted(where);
+    if (*where == ',' && where != text_.begin() && is_digit(where[-1]) &&
+        where + 1 != text_.end() && is_digit(where[1])) {
       throw expression_error(column(where),
-                             "expected an operator here; a product is written with *, as in 2*x");
+                             "a decimal point is a point, and digits are written without commas");
     }
     throw expression_error(column(where), quoted(std::string_view(&*where, 1)) +
                                               " was not expected; expected " + wanted);
@@ -193,7 +240,66 @@ class reader {
     iterator where;
     bool minus;
   };
+  struct written_operator {
+    iterator where;
+    char sign;
+  };
   static constexpr long longest_exact_exponent = 10'000;
+
+  /// The name that begins there.
+  std::string_view name_at(iterator where) const {
+    const iterator end =
+        std::find_if(where, text_.end(), [](char c) { return !is_letter(c) && !is_digit(c); });
+    return text_.substr(static_cast<std::size_t>(where - text_.begin()),
+                        static_cast<std::size_t>(end - where));
+  }
+
+  /// A number is decimal, in one piece, and its exponent has digits.
+  void refuse_other_notations(const range& where) const {
+    if (where.end() == text_.end() || !is_letter(*where.end())) return;
+    const std::string_view after = name_at(where.end());
+    const std::string given = std::string(view(where)) + std::string(after);
+    const auto refuse = [&](const std::string& why) {
+      throw expression_error(column(where.begin()),
+                             quoted(std::string_view(given)) + " is no number: " + why);
+    };
+    if (after == "e" || after == "E") {
+      refuse("an exponent of ten has digits, as in " + std::string(view(where)) +
+             "e5; times the number e is " + std::string(view(where)) + "*e");
+    }
+    if (after.front() == '_') refuse("its digits are written without _");
+    if (view(where) != "0" || after.size() < 2 || names_.find(after) != names_.end()) return;
+    const std::string_view digits_after = after.substr(1);
+    const bool hexadecimal = (after.front() == 'x' || after.front() == 'X') &&
+                             std::all_of(digits_after.begin(), digits_after.end(), is_hexadecimal);
+    const bool binary = (after.front() == 'b' || after.front() == 'B') &&
+                        digits_after.find_first_not_of("01") == std::string_view::npos;
+    if (hexadecimal || binary) refuse("numbers are written in decimal");
+  }
+
+  /// Two operands without an operator between them: the product that may be meant is shown.
+  [[noreturn]] void throw_operator_wanted(iterator where) const {
+    constexpr std::size_t most_before = 20;
+    iterator end = where;
+    while (end != text_.begin() && is_space(end[-1])) --end;
+    const auto length = static_cast<std::size_t>(end - text_.begin());
+    std::string before(text_.substr(length > most_before ? length - most_before : 0,
+                                    std::min(length, most_before)));
+    if (length > most_before) before = "..." + before;
+    std::string after = *where == '(' ? "(...)" : std::string(name_at(where));
+    if (after.empty()) after = *where;
+    if (after.size() > most_before) after = after.substr(0, most_before) + "...";
+    throw expression_error(
+        column(where),
+        "expected an operator here; a product is written with *: " + before + "*" + after);
+  }
+
+  /// What stands before the nearest name, and that name; empty where no name is near.
+  static std::string suggestion(const char* before, std::string_view given,
+                                const std::vector<std::string>& known) {
+    const std::optional<std::string> near = near_name(given, known);
+    return near ? before + *near : "";
+  }
 
   static std::string_view view(const range& r) {
     return r.empty() ? std::string_view() : std::string_view(&*r.begin(), r.size());
@@ -307,6 +413,9 @@ class reader {
   [[nodiscard]] std::vector<std::string> function_names() const {
     std::vector<std::string> names;
     for (const function_row& f : function_rows()) names.push_back(f.what.name);
+    for (const expression_alias& a : expression_aliases()) {
+      if (find_constant(a.name) == nullptr) names.push_back(a.name);
+    }
     if (further() != nullptr) {
       for (const further_function& f : *further()) names.push_back(f.what.name);
     }
@@ -326,7 +435,9 @@ class reader {
   std::vector<node_id> values_;
   std::vector<call> called_;
   std::vector<bool> signs_;
-  std::vector<iterator> operators_;
+  std::vector<written_operator> operators_;
+  std::optional<iterator> end_of_number_;  // of the number read last
+  iterator start_of_number_{};
   std::vector<std::vector<floor_of_tower>> towers_;
 };
 
@@ -358,15 +469,22 @@ const auto operand =
     x3::raw[number][at<&reader::number>] |
     (x3::raw[name][at<&reader::name>] >> (call | x3::eps[then<&reader::plain_name>])) |
     ('(' > sum > ')');
-const auto postfix_def = operand >> *x3::raw[x3::lit('!')][at<&reader::factorial>];
+const auto postfix_def = operand >> *x3::raw[x3::lexeme[+x3::char_('!')]][at<&reader::factorial>];
 const auto power = x3::eps[then<&reader::begin_power>] > postfix >
                    *(x3::raw[x3::lit('^') | "**"][at<&reader::raise>] >
                      signs[at<&reader::sign_of_exponent>] >
                      postfix) > x3::eps[then<&reader::end_power>];
 const auto signed_power_def = signs[at<&reader::sign>] > power > x3::eps[then<&reader::apply_sign>];
 const auto times = x3::raw[x3::lexeme['*' >> !x3::lit('*')] | '/'];
-const auto product = signed_power >> *(times[at<&reader::binary>] > signed_power >
-                                       x3::eps[then<&reader::apply_binary>]);
+/// Nothing, before a factor that is juxtaposed.
+const auto before_juxtaposed = x3::eps[([](auto& context) {
+  const auto& where = x3::_where(context);
+  reader& r = x3::get<reader_tag>(context).get();
+  x3::_pass(context) = r.is_juxtaposed(where.begin());
+  if (x3::_pass(context)) r.juxtaposed({where.begin(), where.begin()});
+})];
+const auto product = signed_power >> *((times[at<&reader::binary>] | before_juxtaposed) >
+                                       signed_power > x3::eps[then<&reader::apply_binary>]);
 const auto sum_def = product >> *(x3::raw[x3::char_("+-")][at<&reader::binary>] > product >
                                   x3::eps[then<&reader::apply_binary>]);
 

@@ -227,12 +227,21 @@ void refuse_value(const document_value& at, const std::string& key, const std::s
   refuse_line(at.line, key + ": " + what);
 }
 
+namespace {
+/// The known word that is near, else all of them.
+std::string nearest_or_all(const std::string& word, const std::vector<std::string>& known) {
+  if (const auto near = near_name(word, known)) return "the nearest is \"" + *near + '"';
+  std::string all;
+  for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+  return "it must be one of " + all;
+}
+}  // namespace
+
 void refuse_unless_known(const document_value& at, const std::string& key, const std::string& word,
                          const std::vector<std::string>& known, const std::string& what) {
   if (std::find(known.begin(), known.end(), word) != known.end()) return;
   refuse_value(at, key,
-               what + " " + detail::quoted(word) + " is not known; the nearest is \"" +
-                   nearest_name(word, known) + '"');
+               what + " " + detail::quoted(word) + " is not known; " + nearest_or_all(word, known));
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -419,8 +428,7 @@ void section::finish() const {
     const std::vector<std::string> known(asked_.begin(), asked_.end());
     const std::string where = path_.empty() ? "a scene" : path_;
     refuse_value(value, detail::quoted(key),
-                 "this key is not known in " + where + "; the nearest is \"" +
-                     nearest_name(key, known) + '"');
+                 "this key is not known in " + where + "; " + nearest_or_all(key, known));
   }
 }
 

@@ -212,8 +212,8 @@ void read_sweep(section sweep, scene& result, const replacements& replaced) {
   const std::set<std::string> seen(known.begin(), known.end());  // before the sweep's own numbers
   for (const auto& [key, value] : sweep.value().members) {
     if (!seen.contains(key)) {
-      std::string right =
-          known.empty() ? "" : "; the nearest is \"" + nearest_name(key, known) + '"';
+      const std::optional<std::string> near = near_name(key, known);
+      const std::string right = near ? "; the nearest is \"" + *near + '"' : "";
       refuse_value(value, detail::quoted(key), "there is no such number in this scene" + right);
     }
     result.sweep.push_back({key, read_sweep_values(sweep, key)});

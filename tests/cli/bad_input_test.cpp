@@ -60,7 +60,7 @@ TEST(BadInput, OptionsAndSubcommands) {
   expect_refused({"certify", "--formt=json"}, {"--formt", "--format"});
   expect_refused({"constants", "-x"}, {"-x", "polhode constants --help"});
   expect_refused({"constants", "--ab", "1,2"}, {"--ab"});
-  expect_refused({"--verbose"}, {"--verbose", "--version"});
+  expect_refused({"--verson"}, {"--verson", "--version"});
   expect_refused({"constant"}, {"constant", "constants", "polhode --help"});
   expect_refused({""}, {"subcommand"});
   expect_refused({"nothing", "certify"}, {"nothing"});

@@ -42,6 +42,13 @@ TEST(Documentation, HasTheTableOfFunctionsAndConstants) {
       << "docs/expressions.md should have\n"
       << functions << "\n## Constants\n\n"
       << constants;
+  std::string aliases = "| name | what it means |\n|---|---|\n";
+  for (const expression_alias& a : expression_aliases()) {
+    aliases += "| `" + a.name + "` | `" + a.meaning + "` |\n";
+  }
+  EXPECT_NE(text.find("\n## Other names\n\n" + aliases), std::string::npos)
+      << "docs/expressions.md should have\n"
+      << aliases;
 }
 
 TEST(Documentation, EveryFunctionCanBeCalledAsItsTableSays) {

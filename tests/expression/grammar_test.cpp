@@ -8,6 +8,7 @@
 
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/functions.hpp"
+#include "polhode/expression/nearest_name.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -51,8 +52,14 @@ TEST(Grammar, PrecedenceAndAssociativity) {
       {"-3!", "-6"},
       {"3!^2", "36"},
       {"2^3!", "64"},
-      {"3!!", "720"},
+      {"(3!)!", "720"},
+      {"3! !", "720"},
       {"0!", "1"},
+      {"0!!", "1"},
+      {"5!!", "15"},
+      {"8!!", "384"},
+      {"-5!!", "-15"},
+      {"2^4!!", "256"},
       {"(1 + 2)!", "6"},
       {"1 - 1/3", "2/3"},
       {"1/3*3", "1"},
@@ -68,6 +75,85 @@ TEST(Grammar, PrecedenceAndAssociativity) {
       {"(1 + 1e-50) - 1 - 1e-50", "0"},
   };
   for (const auto& [text, value] : meanings) EXPECT_EQ(exact(text), value) << text;
+}
+
+/// A number before a name or a parenthesis is a factor.
+TEST(Grammar, JuxtaposedFactors) {
+  const expression_names names{{}, {{"x", "5"}, {"e3", "7"}, {"x1", "11"}}};
+  const std::pair<const char*, const char*> meanings[] = {
+      {"2x", "10"},           {"2 x", "10"},        {"2(x + 1)", "12"},
+      {"2x^2", "50"},         {"-2x^2", "-50"},     {"2x/3", "10/3"},
+      {"x - 2x", "-5"},       {"x*2x", "50"},       {"3 sqrt(4)x1", nullptr},
+      {"3 sqrt(4)*x1", "66"}, {"(2x)(3)", nullptr}, {"2exp(0)", "2"},
+      {"2e3", "2000"},        {"2e3x", "10000"},    {"2 e3", "14"},
+      {"2*e3", "14"},         {"2 e3x", nullptr},   {".5x", "5/2"},
+      {"2.(3)", "6"},         {"2x!", "240"},       {"0x", "0"},
+      {"2**3 - 2x", "-2"},
+  };
+  for (const auto& [text, value] : meanings) {
+    if (value == nullptr) {
+      EXPECT_THROW(exact(text, names), expression_error) << text;
+    } else {
+      EXPECT_EQ(exact(text, names), value) << text;
+    }
+  }
+  EXPECT_EQ(expression("2pi + 2 sin(3x)", with_x).to_text(),
+            expression("2*pi + 2*sin(3*x)", with_x).to_text());
+}
+
+/// Beyond the factorials that are kept exact, n!! is made of them.
+TEST(Grammar, DoubleFactorials) {
+  rational odd = 1;
+  rational even = 1;
+  for (long n = 1; n <= 300; ++n) {
+    rational& product = n % 2 == 0 ? even : odd;
+    product *= n;
+    EXPECT_EQ(exact(std::to_string(n) + "!!"), to_text(product)) << n;
+  }
+  for (const char* zero :
+       {"log(10001!!) - log(10001) - log(9999!!)", "log(10002!!) - log(10002) - log(10000!!)",
+        "log(20001!!) + log(20000!!) - log_gamma(20002)"}) {
+    const ball value = expression(zero).value(300);
+    EXPECT_TRUE(contains(value, 0)) << zero;
+    EXPECT_TRUE(certainly_less(abs(value), ball(1, 64) / 1000000)) << zero;
+  }
+}
+
+TEST(Grammar, OtherNamesMeanTheSame) {
+  for (const expression_alias& a : expression_aliases()) {
+    const bool is_constant = a.meaning == "pi";
+    const std::string arguments = is_constant ? "" : a.meaning == "atan2" ? "(x, 2)" : "(x)";
+    EXPECT_EQ(expression(a.name + arguments, with_x).to_text(),
+              expression(a.meaning + arguments, with_x).to_text());
+    EXPECT_THROW(expression("1", {{a.name}, {}}), input_error) << a.name;
+  }
+}
+
+/// Their canonical text has the older names alone, which the checker of certificates reads.
+TEST(Grammar, ReciprocalsOfFunctions) {
+  EXPECT_EQ(expression("sec(x)", with_x).to_text(), "1/cos(x)");
+  EXPECT_EQ(expression("csc(x)", with_x).to_text(), "1/sin(x)");
+  EXPECT_EQ(expression("cot(x)", with_x).to_text(), "cos(x)/sin(x)");
+  EXPECT_EQ(expression("coth(x)", with_x).to_text(), "1/tanh(x)");
+  EXPECT_EQ(expression("arctan(x)", with_x).to_text(), "atan(x)");
+}
+
+TEST(Grammar, SignIsExact) {
+  for (const char* text : {"1e-3000", "1/3", "1/2", "3/4", "1", "7", "1e3000"}) {
+    EXPECT_EQ(exact("sign(" + std::string(text) + ")"), "1") << text;
+    EXPECT_EQ(exact("sign(-" + std::string(text) + ")"), "-1") << text;
+  }
+  EXPECT_EQ(exact("sign(0)"), "0");
+  const expression f("sign(x)", with_x);
+  for (const long n : {-1000, -1, 0, 1, 1000}) {
+    for (const long d : {1, 3, 1000, 1000000}) {
+      const ball y = f(ball(n, 64) / d);
+      EXPECT_TRUE(contains(y, n < 0 ? -1 : n > 0 ? 1 : 0)) << n << '/' << d;
+      EXPECT_TRUE(y.is_exact()) << n << '/' << d;
+    }
+  }
+  const ball around_zero = f(hull(ball(-1, 64), ball(2, 64)));
+  EXPECT_TRUE(contains(around_zero, -1) && contains(around_zero, 0) && contains(around_zero, 1));
 }
 
 TEST(Grammar, ExactValuesOfFunctions) {
@@ -203,10 +289,15 @@ TEST(GrammarErrors, SayTheColumnAndWhatWouldBeRight) {
   expect_error("   ", 4, {"ends here"});
   expect_error("1 +", 4, {"ends here"});
   expect_error("1 + * 2", 5, {"\"*\"", "a number, a name"});
-  expect_error("2x", 2, {"2*x"});
-  expect_error("2 x", 3, {"2*x"});
-  expect_error("(1 + 2)(3)", 8, {"2*x"});
-  expect_error("(2 x)", 4, {"2*x"});
+  expect_error("x x", 3, {"operator", "x*x"});
+  expect_error("x 2", 3, {"operator", "x*2"});
+  expect_error("(1 + 2)(3)", 8, {"(1 + 2)*(...)"});
+  expect_error("(2 pi x)", 7, {"(2 pi*x"});
+  expect_error("1/2x", 4, {"write /2*x or /(2*x)"});
+  expect_error("1/-2 x", 6, {"write /2*x or /(2*x)"});
+  expect_error("6/2(1 + 2)", 4, {"write /2*(...) or /(2*(...))"});
+  expect_error("2^3x", 4, {"write ^3*x or ^(3*x)"});
+  expect_error("x**-3x", 6, {"write ^3*x or ^(3*x)"});
   expect_error("x(3)", 1, {"x*(...)"});
   expect_error("pi(3)", 1, {"pi*(...)"});
   expect_error("(1 + 2", 7, {"ends here", "\")\""});
@@ -217,13 +308,23 @@ TEST(GrammarErrors, SayTheColumnAndWhatWouldBeRight) {
   expect_error("sin", 1, {"write sin(x)"});
   expect_error("1 + sine(x)", 5, {"\"sine\"", "nearest is sin"});
   expect_error("1 + alpho", 5, {"\"alpho\"", "nearest name is alpha"}, {{"alpha"}, {}});
+  expect_error("Sin(x)", 1, {"nearest is sin"});
   expect_error("x, 2", 2, {"\",\""});
   expect_error("1 $ 2", 3, {"\"$\""});
   expect_error("1 + \xcf\x80", 5, {"a character"});
   expect_error(std::string("1 +\0 2", 6), 4, {"a character"});
-  expect_error("1e", 2, {"operator"});
+  expect_error("1e", 1, {"\"1e\"", "exponent of ten has digits", "1*e"});
+  expect_error("x + 2.5E", 5, {"\"2.5E\"", "exponent of ten has digits"});
+  expect_error("1e+", 1, {"exponent of ten has digits"});
   expect_error("1.2.3", 4, {"operator"});
-  expect_error("0x10", 2, {"2*x"});
+  expect_error("0x1F", 1, {"\"0x1F\"", "decimal"});
+  expect_error("0b101", 1, {"\"0b101\"", "decimal"});
+  expect_error("1_000", 1, {"\"1_000\"", "without _"});
+  expect_error("1,5", 2, {"decimal point"});
+  expect_error("1!!!", 2, {"double factorial"});
+  expect_error("(1/2)!!", 6, {"whole numbers"});
+  expect_error("1 + oo", 5, {"\"oo\"", "limits"});
+  expect_error("Infinity", 1, {"limits"});
   expect_error("x***2", 4, {"\"*\""});
   expect_error("2* *3", 4, {"\"*\""});
   expect_error("x = 2", 3, {"\"=\""});
@@ -264,7 +365,10 @@ TEST(GrammarErrors, HostileTexts) {
   const std::string deepest = std::string(200, '(') + "1" + std::string(200, ')');
   EXPECT_EQ(exact(deepest), "1");
   EXPECT_EQ(exact(std::string(99'999, '-') + "1"), "-1");
-  EXPECT_EQ(exact("1" + std::string(99'999, '!')), "1");
+  expect_error("1" + std::string(99'999, '!'), 2, {"double factorial"});
+  std::string factorials = "1";
+  while (factorials.size() < 99'990) factorials += "! ";
+  EXPECT_EQ(exact(factorials), "1");
   expect_error(std::string(100'000, '9') + "9", longest_expression + 1, {});
   EXPECT_EQ(exact(std::string(100'000, '9')).size(), 100'000U);
   expect_error(std::string(1'000, 'a'), 1, {"aaa..."});
@@ -290,6 +394,29 @@ TEST(GrammarErrors, ShortTextsOfGreatNumbersCostLittle) {
     EXPECT_FALSE(f.exact_value()) << text;
     EXPECT_EQ(f.value(64).precision(), 64) << text;
   }
+}
+
+/// A name far from every other has no suggestion.
+TEST(GrammarErrors, NearestNamesAreNear) {
+  for (const char* text : {"k", "zq", "quux(x)", "y + x"}) {
+    try {
+      const expression f(text, with_x);
+      FAIL() << "was read as " << f.to_text();
+    } catch (const expression_error& error) {
+      EXPECT_EQ(std::string(error.what()).find("nearest"), std::string::npos) << error.what();
+    }
+  }
+  const std::vector<std::string> known{"ln", "sin", "digits", "time-limit"};
+  EXPECT_EQ(near_name("Inf", known), std::nullopt);
+  EXPECT_EQ(near_name("SIN", known), "sin");
+  EXPECT_EQ(near_name("isn", known), "sin");
+  EXPECT_EQ(near_name("nsi", known), std::nullopt);
+  EXPECT_EQ(near_name("sinn", known), "sin");
+  EXPECT_EQ(near_name("sinnn", known), std::nullopt);
+  EXPECT_EQ(near_name("digts", known), "digits");
+  EXPECT_EQ(near_name("time-limt", known), "time-limit");
+  EXPECT_EQ(near_name("", known), std::nullopt);
+  EXPECT_EQ(near_name("sin", {}), std::nullopt);
 }
 
 // ---------------------------------------------------------------------------------------------

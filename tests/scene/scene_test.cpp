@@ -126,7 +126,7 @@ TEST(SceneBody, Solids) {
   expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\nmass = 1\ndensity = 1") + wanting,
                  {"a mass and a density"});
   expect_refused(solid("shape = \"sphere\"\nradius = 1\nmass = 1") + wanting,
-                 {"line 2", "sphere", "nearest"});
+                 {"line 2", "sphere", "one of", "box"});
   expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\nmass = 1\nradius = 1") + wanting,
                  {"line 5", "\"radius\""});
   expect_refused(
@@ -296,7 +296,7 @@ TEST(SceneState, Refusals) {
   refused("omega = [0, 0, 0]", {"line 4", "does not turn"});
   refused("omega = [1, 0, 0]\nmomentum = [1, 0, 0]", {"line 3", "given twice"});
   refused("unit = \"rad/s\"", {"no state"});
-  refused("omega = [1, 0, 0]\nunit = \"deg/fortnight\"", {"line 5", "fortnight", "nearest"});
+  refused("omega = [1, 0, 0]\nunit = \"deg/fortnight\"", {"line 5", "fortnight", "one of"});
   refused("momentum = [1, 0, 0]\nunit = \"kg m^2/s\"", {"contradictory"});
   refused("momentum = [1, 0, 0]", {"contradictory"}, "moments = [3, 2, 1]\nunit = \"kg m^2\"");
   refused("c = 2", {"line 4", "a = 1"});

@@ -17,14 +17,29 @@ struct files_request {
   limits most;           // of each certificate
 };
 
-struct files_report {
-  std::string text;    // the lines to print: file by file, then how many are verified
-  bool whole = false;  // all are verified, and leave nothing out
-  std::string
-      unusable;  // the first that is malformed or was not read, and why; empty where there is none
+/// What became of one file.
+struct file_report {
+  std::string path;
+  bool was_read = false;
+  report result;         // where it was read
+  std::string not_read;  // else why
+
+  /// It was not read, or is no certificate.
+  [[nodiscard]] bool is_unusable() const {
+    return !was_read || result.result == outcome::malformed;
+  }
 };
 
-/// Checks all files; what cannot be read has a line of its own and costs the others nothing. Calls `begins` before each with its path, fit
+struct files_report {
+  std::string
+      text;  // the lines to print: of each file that is a certificate, then how many are verified
+  bool whole = false;  // all are verified, and leave nothing out
+  /// Of each file that is malformed or was not read a line that says why: for standard error, as they are not in the text.
+  std::vector<std::string> unusable;
+  std::vector<file_report> files;  // in the order in which they were checked
+};
+
+/// Checks all files; what cannot be read costs the others nothing. Calls `begins` before each with its path, fit
 /// to be shown, its number from 1 on, and the number of all.
 [[nodiscard]] files_report check_files(
     const files_request& request,

@@ -30,6 +30,12 @@ struct expression_constant {
   std::string description;
 };
 
+/// Another name of a function or constant. Texts of formulas (expression::to_text) have the name it stands for.
+struct expression_alias {
+  std::string name;
+  std::string meaning;
+};
+
 /// The arguments of a call: those that are known to be q + r pi, and nothing for the others.
 using known_arguments = std::span<const std::optional<pi_combination>>;
 
@@ -57,5 +63,9 @@ using further_functions = std::vector<further_function>;
 
 [[nodiscard]] const std::vector<expression_function>& expression_functions();
 [[nodiscard]] const std::vector<expression_constant>& expression_constants();
+[[nodiscard]] const std::vector<expression_alias>& expression_aliases();
+
+/// Whether the text is a name of infinity: inf, infinity or oo, in any case of letters. No formula has it; limits do.
+[[nodiscard]] bool is_infinity(std::string_view text);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,5 +14,11 @@ namespace polhode {
 /// The known name nearest to the given one; the first of several. Hypothesis: there is one.
 [[nodiscard]] std::string nearest_name(std::string_view given,
                                        const std::vector<std::string>& known);
+
+/// The known name nearest to the given one, if it is near: equal but for the case of letters or for two neighbours that
+/// are exchanged; or one letter off where the shorter of both has three, two off where it has four, three off where it has
+/// eight. None where none is.
+[[nodiscard]] std::optional<std::string> near_name(std::string_view given,
+                                                   const std::vector<std::string>& known);
 
 }  // namespace polhode

@@ -83,7 +83,8 @@ int run(int argc, char** argv) {
       check_files(request, [](const std::string&, std::size_t, std::size_t) {});
   std::cout << result.text;
   if (!std::cout.flush()) return refuse("standard output cannot be written");
-  if (!result.unusable.empty()) return refuse(result.unusable);
+  for (const std::string& fault : result.unusable) (void)refuse(fault);
+  if (!result.unusable.empty()) return bad_input;
   return result.whole ? 0 : 1;
 }
 
