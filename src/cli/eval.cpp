@@ -233,6 +233,12 @@ exit_status run(const eval_options& options) {
     return print_with(*decimal + " exactly\n", as_json(f, power_json(*decimal), {}, digits),
                       options.verify.given ? std::optional(second_opinion()) : std::nullopt);
   }
+  if (const auto q = f.rational_value()) {
+    std::optional<second_opinion> opinion;
+    if (options.verify.given) opinion = rational_value_again(f, *q, digits);
+    return print_with(exact_text(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
+                      opinion);
+  }
   const answer a = [&] {
     const progress line;
     line.show("estimating");
