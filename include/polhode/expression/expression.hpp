@@ -38,6 +38,7 @@
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/expression/functions.hpp"
 #include "polhode/expression/program.hpp"
@@ -196,6 +197,10 @@ class expression {
   /// ("cos(pi/3)", "log(8)/log(2)", "sqrt(3 + 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is
   /// left open, never denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
+  /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
+  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, a quarter of a
+  /// million products of coefficients).
+  [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
   /// The base and the exponent where the value is a power of a rational number that is too long to be
   /// worked out (1e1000000).
   [[nodiscard]] std::optional<std::pair<rational, long>> exact_power() const;
