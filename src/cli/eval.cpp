@@ -41,17 +41,6 @@ struct eval_options {
 // ---------------------------------------------------------------------------------------------
 // Values that are rational numbers
 
-std::string exact_text(const rational& q, long digits) {
-  const std::string decimals = with_dots(leading_digits_of(q, digits)) + '\n';
-  if (!is_short(q, digits)) {
-    return decimals + (denominator(q) == 1 ? "an integer, exactly known\n"
-                                           : "a rational number, exactly known\n");
-  }
-  std::string result = to_text(q) + " exactly\n";
-  if (denominator(q) != 1) result += decimals;
-  return result;
-}
-
 /// The decimal 10^n where the formula is a power of ten too long to be worked out: its digits are
 /// all 9 below and all 0 above, so that no enclosure but the number itself would show them.
 std::optional<std::string> power_of_ten(const expression& f) {
@@ -228,12 +217,18 @@ exit_status run(const eval_options& options) {
     if (options.verify.given) {
       opinion = exact_value_again(*options.formula, options.let, *q, digits);
     }
-    return print_with(exact_text(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
+    return print_with(exact_answer(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
                       opinion);
   }
   if (const auto decimal = power_of_ten(f)) {
     return print_with(*decimal + " exactly\n", as_json(f, power_json(*decimal), {}, digits),
                       options.verify.given ? std::optional(second_opinion()) : std::nullopt);
+  }
+  if (const auto q = f.rational_value()) {
+    std::optional<second_opinion> opinion;
+    if (options.verify.given) opinion = rational_value_again(f, *q, digits);
+    return print_with(exact_answer(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
+                      opinion);
   }
   const answer a = [&] {
     const progress line;

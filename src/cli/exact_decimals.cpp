@@ -89,6 +89,17 @@ std::string exact_text(const rational& q, long digits) {
   return to_text(q);
 }
 
+std::string exact_answer(const rational& q, long digits) {
+  const std::string decimals = with_dots(leading_digits_of(q, digits)) + '\n';
+  if (!is_short(q, digits)) {
+    return decimals + (denominator(q) == 1 ? "an integer, exactly known\n"
+                                           : "a rational number, exactly known\n");
+  }
+  std::string result = to_text(q) + " exactly\n";
+  if (denominator(q) != 1) result += decimals;
+  return result;
+}
+
 std::string csv_cells(const rational& q) {
   constexpr long most = 40;
   return leading_digits_of(q, most).value + ',' + to_text(q);

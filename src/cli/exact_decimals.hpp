@@ -28,6 +28,10 @@ struct leading_digits {
 /// All its decimals where these are at most so many, else the quotient.
 [[nodiscard]] std::string exact_text(const rational& q, long digits);
 
+/// A command's answer, in lines: "1/3 exactly" and its decimals; only the decimals, said to be of a number that is exactly
+/// known, where the quotient is long.
+[[nodiscard]] std::string exact_answer(const rational& q, long digits);
+
 /// Two cells for a table that other programs read: a decimal, cut off where it does not end, and the quotient.
 [[nodiscard]] std::string csv_cells(const rational& q);
 /// Their headers: "c,c_exact".

@@ -17,6 +17,7 @@
 #include "commands.hpp"
 #include "count_option.hpp"
 #include "errors.hpp"
+#include "exact_decimals.hpp"
 #include "formula.hpp"
 #include "formula_integrand.hpp"
 #include "json_document.hpp"
@@ -27,6 +28,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/certificate/formula_certificates.hpp"
+#include "polhode/quadrature/polynomial_integral.hpp"
 #include "progress.hpp"
 #include "range_option.hpp"
 #include "second_integral.hpp"
@@ -169,20 +171,24 @@ json describe(const expression& f, const integrate_command_options& options, con
   return result;
 }
 
+json as_json(const integral_account& a) {
+  json rules = json::array();
+  for (const quadrature_rule rule : a.rules) rules.push_back(to_text(rule));
+  return {{"evaluations", a.evaluations},
+          {"region_evaluations", a.region_evaluations},
+          {"panels", a.panels},
+          {"rules", rules},
+          {"terms", a.terms},
+          {"most_nodes", a.most_nodes},
+          {"precision", a.precision}};
+}
+
 template <class Integral>
 json as_json(const expression& f, const integrate_command_options& options, const Integral& i,
              long digits) {
   json result = describe(f, options, i);
   result["number"] = number_json(i.enclosure, digits);
-  json rules = json::array();
-  for (const quadrature_rule rule : i.account.rules) rules.push_back(to_text(rule));
-  result["account"] = {{"evaluations", i.account.evaluations},
-                       {"region_evaluations", i.account.region_evaluations},
-                       {"panels", i.account.panels},
-                       {"rules", rules},
-                       {"terms", i.account.terms},
-                       {"most_nodes", i.account.most_nodes},
-                       {"precision", i.account.precision}};
+  result["account"] = as_json(i.account);
   return result;
 }
 
@@ -395,10 +401,42 @@ std::string counts_text(const counted_calls& calls) {
   return nodes + regions == 0 ? "" : fmt::format("{} evaluations, {} over regions", nodes, regions);
 }
 
+/// The integral of a polynomial over rational limits, unless a rule, a certificate or a second opinion is asked for.
+std::optional<rational> known_integral(const expression& f, const limit& a, const limit& b,
+                                       const integrate_command_options& options) {
+  if (options.certificate.is_given() || options.verify.given ||
+      read_rule(options.rule) != quadrature_rule::automatic || !a.is_exact() || !b.is_exact() ||
+      a.infinite_sign() != 0 || b.infinite_sign() != 0) {
+    return std::nullopt;
+  }
+  const auto p = f.polynomial();
+  if (!p) return std::nullopt;
+  return exact_integral(*p, a.exact_value(), b.exact_value());
+}
+
+exit_status report_exact(const expression& f, const integrate_command_options& options,
+                         const rational& value) {
+  const long digits = options.digits.value();
+  check_memory(options, digits);
+  if (options.format.value() != "json") {
+    print(exact_answer(value, digits) +
+          "certified: the antiderivative of a polynomial, in rational numbers\n");
+    return exit_status::all_certified;
+  }
+  integral known;
+  known.verdict = status::certified;
+  json result = describe(f, options, known);
+  result["number"] = exact_json(value, digits);
+  result["account"] = as_json(known.account);
+  print(json_document_text("integral", result));
+  return exit_status::all_certified;
+}
+
 exit_status integrate_real(integrate_command_options& options) {
   const expression f = read_formula(options.formula, {options.variable}, options.let);
   const limit a = read_limit(*options.from, options.let);
   const limit b = read_limit(*options.to, options.let);
+  if (const auto value = known_integral(f, a, b, options)) return report_exact(f, options, *value);
   const auto calls = std::make_shared<counted_calls>();
   const auto integrate_to = [g = counted(integrand_of(f), calls), a,
                              b](const integrate_options& goal) {
@@ -541,7 +579,10 @@ command integrate_command() {
       "the\n"
       "functions. Along a path it must be analytic between the corners; a branch cut in the way "
       "is\n"
-      "refused. Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
+      "refused. Of a polynomial with rational coefficients, between rational limits, the answer is "
+      "the\n"
+      "rational number, unless --rule, --certificate or --verify asks for more.\n"
+      "Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
       declare};
 }
 

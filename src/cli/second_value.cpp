@@ -64,8 +64,10 @@ route_report in_complex_arithmetic(const expression& f, const finding<ball>& fir
 
 }  // namespace
 
-second_opinion value_again(const expression& f, const ball& first, precision bits, long digits) {
-  const finding<ball> known{fmt::format("real arithmetic with {} bits", bits), first};
+namespace {
+
+second_opinion in_other_arithmetic(const expression& f, const finding<ball>& known, precision bits,
+                                   long digits) {
   const precision more = other_bits(f, bits);
   second_opinion result;
   result.add(in_complex_arithmetic(f, known, more, digits));
@@ -75,6 +77,18 @@ second_opinion value_again(const expression& f, const ball& first, precision bit
   result.add(judged(known, {fmt::format("real arithmetic with {} bits", more), value}, digits,
                     time.seconds()));
   return result;
+}
+
+}  // namespace
+
+second_opinion value_again(const expression& f, const ball& first, precision bits, long digits) {
+  return in_other_arithmetic(f, {fmt::format("real arithmetic with {} bits", bits), first}, bits,
+                             digits);
+}
+
+second_opinion rational_value_again(const expression& f, const rational& exact, long digits) {
+  const precision bits = bits_for_digits(digits) + 64;
+  return in_other_arithmetic(f, {"exact rules", ball(exact, bits)}, bits, digits);
 }
 
 // ---------------------------------------------------------------------------------------------

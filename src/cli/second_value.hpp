@@ -16,6 +16,10 @@ namespace polhode::cli {
 [[nodiscard]] second_opinion value_again(const expression& f, const ball& first, precision bits,
                                          long digits);
 
+/// The value of f that exact rules showed to be the rational number `exact`, again as value_again does.
+[[nodiscard]] second_opinion rational_value_again(const expression& f, const rational& exact,
+                                                  long digits);
+
 /// The value of a formula that was found to be the rational number `exact`, again in ball arithmetic: its numbers are given as
 /// values of variables, so that nothing is decided exactly when it is read. Throws contradiction_error as value_again does.
 [[nodiscard]] second_opinion exact_value_again(const std::string& formula, const let_option& let,

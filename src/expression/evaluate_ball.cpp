@@ -1,3 +1,4 @@
+#include "exact_value.hpp"
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode {
@@ -34,6 +35,16 @@ std::vector<ball> constants_of(const program& f, precision p) {
   return evaluate_constants<ball>(
       f, [p](const rational& q) { return ball(q, p); },
       [p](const instruction& i) { return without_operands(i, p); });
+}
+
+std::vector<ball> values_of_constants(const program& f, precision p) {
+  std::vector<ball> result;
+  result.reserve(f.constants.code.size());
+  static_cast<void>(evaluate_constants<ball>(
+      f, [p](const rational& q) { return ball(q, p); },
+      [p](const instruction& i) { return without_operands(i, p); },
+      [&result](const instruction&, const ball& x) { result.push_back(x); }));
+  return result;
 }
 
 std::optional<instruction> first_undefined(const program& f, precision p) {

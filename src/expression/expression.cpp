@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "exact_value.hpp"
 #include "graph.hpp"
 #include "polhode/expression/evaluation.hpp"
 
@@ -107,6 +108,10 @@ std::vector<std::string> expression::used_variables() const {
     if (i < used.size() && used[i] != 0) result.push_back(variables_[i]);
   }
   return result;
+}
+
+std::optional<rational> expression::rational_value() const {
+  return detail::rational_value(*graph_, *program_);
 }
 
 std::optional<std::pair<rational, long>> expression::exact_power() const {

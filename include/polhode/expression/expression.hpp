@@ -38,6 +38,7 @@
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/expression/functions.hpp"
 #include "polhode/expression/program.hpp"
@@ -191,6 +192,15 @@ class expression {
   [[nodiscard]] std::vector<std::string> used_variables() const;
   /// The value where the formula was found to be a rational number.
   [[nodiscard]] const std::optional<rational>& exact_value() const { return exact_; }
+  /// The value of a formula without variables where it is shown to be a rational number: by exact_value(), or by exact
+  /// rules for roots of rational numbers, rational multiples of pi, exponentials, logarithms and their inverses
+  /// ("cos(pi/3)", "log(8)/log(2)", "sqrt(3 + 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is
+  /// left open, never denied. The work is bounded, but for one evaluation with 512 bits.
+  [[nodiscard]] std::optional<rational> rational_value() const;
+  /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
+  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, a quarter of a
+  /// million products of coefficients).
+  [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
   /// The base and the exponent where the value is a power of a rational number that is too long to be
   /// worked out (1e1000000).
   [[nodiscard]] std::optional<std::pair<rational, long>> exact_power() const;

@@ -1,0 +1,130 @@
+#pragma once
+
+// Real numbers known by formal rules: finite sums of c g_1^q_1 ... g_n^q_n with rational c and q_i and generators g_i:
+// natural numbers, pi, exponentials, logarithms, arc tangents, cosines of rational multiples of pi, sums of the same
+// kind of which a root or the reciprocal was taken, and numbers of which nothing is known but an enclosure.
+//
+// THE PRINCIPLE. Each rule here is an identity between real numbers: two sums that are formally equal are equal
+// numbers, and a sum in which everything cancels is 0. Nothing is concluded the other way: that two sums look different
+// does not say that they differ (whether log 2 log 3 and pi are linearly independent over the rational numbers, say, is
+// not known). What needs a number to differ from 0, or to be positive, asks the enclosures, and gives up where
+// they do not decide. So no theorem of transcendence is needed, and what is missing among the rules costs answers, never
+// their truth.
+//
+// All of it is bounded: in terms, bits, and steps in all. Beyond, not_decided is thrown, for the caller to catch.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/exact.hpp"
+
+namespace polhode::detail {
+
+/// No rule applies, an enclosure does not decide, or a bound was reached.
+class not_decided {};
+
+/// Generators are numbered in the order in which they are met.
+using generator_id = std::uint32_t;
+
+/// In the order of the generators, without exponents 0.
+using monomial = std::vector<std::pair<generator_id, rational>>;
+
+/// Coefficients that are not 0, by monomial; 0 has none.
+using exact_number = std::map<monomial, rational>;
+
+[[nodiscard]] exact_number exactly(const rational& q);
+
+/// The generators of one computation, and what is done with numbers made of them. Every member function throws
+/// not_decided where it does not know the result.
+class exact_field {
+ public:
+  [[nodiscard]] exact_number sum(const exact_number& x, const exact_number& y);
+  [[nodiscard]] exact_number difference(const exact_number& x, const exact_number& y);
+  [[nodiscard]] exact_number product(const exact_number& x, const exact_number& y);
+  [[nodiscard]] exact_number scaled(const exact_number& x, const rational& q);
+  /// x / y; y is shown not to be 0.
+  [[nodiscard]] exact_number quotient(const exact_number& x, const exact_number& y);
+  [[nodiscard]] exact_number reciprocal(const exact_number& x);
+  [[nodiscard]] exact_number integer_power(const exact_number& x, long n);
+  /// x^q of x > 0, which is shown, or x = 0 < q.
+  [[nodiscard]] exact_number power(const exact_number& x, const rational& q);
+  [[nodiscard]] exact_number sqrt(const exact_number& x) { return power(x, rational(1, 2)); }
+  /// The real n-th root: of x < 0 too where n is odd.
+  [[nodiscard]] exact_number root(const exact_number& x, long n);
+  [[nodiscard]] exact_number abs(const exact_number& x);
+  [[nodiscard]] exact_number floor(const exact_number& x);
+
+  [[nodiscard]] exact_number pi();
+  [[nodiscard]] exact_number exp(const exact_number& x);
+  [[nodiscard]] exact_number log(const exact_number& x);
+  [[nodiscard]] exact_number cospi(const rational& q);
+  [[nodiscard]] exact_number sinpi(const rational& q) { return cospi(rational(1, 2) - q); }
+  /// {cos x, sin x} of sums of rational multiples of pi and whole multiples of arc tangents.
+  [[nodiscard]] std::pair<exact_number, exact_number> cos_and_sin(const exact_number& x);
+  [[nodiscard]] exact_number acos(const exact_number& x);
+  [[nodiscard]] exact_number asin(const exact_number& x);
+  [[nodiscard]] exact_number atan(const exact_number& x);
+  /// A number of which the enclosure is all that is known. The same key is the same number.
+  [[nodiscard]] exact_number opaque(std::uint32_t key, const ball& enclosure);
+
+  /// The rational number that x is shown to be; none where it is not shown to be rational.
+  [[nodiscard]] std::optional<rational> as_rational(const exact_number& x);
+  /// -1, 0 or 1.
+  [[nodiscard]] int sign(const exact_number& x);
+  [[nodiscard]] ball enclosure(const exact_number& x);
+
+  /// With which signs are decided.
+  static constexpr precision bits = 512;
+
+ private:
+  enum class kind : std::uint8_t {
+    base,    // a natural number > 1, or a positive sum: exponents < 1
+    pi,      // the circle's
+    exp,     // of a monomial
+    log,     // of a positive number
+    arctan,  // of a number in (0, 1)
+    cosine,  // of q pi, 0 < q < 1/2
+    opaque,  // known by its enclosure
+  };
+  struct generator {
+    kind what;
+    exact_number of;  // the argument; for kind::opaque the key
+    ball enclosure;
+    friend bool operator==(const generator& x, const generator& y) {
+      return x.what == y.what && x.of == y.of;
+    }
+  };
+
+  void spend(std::size_t steps);
+  void check_size(const exact_number& x) const;
+  void add_to(exact_number& x, const monomial& m, const rational& c);
+  [[nodiscard]] std::optional<generator_id> find(kind what, const exact_number& of) const;
+  [[nodiscard]] generator_id make(kind what, const exact_number& of, const ball& enclosure);
+  [[nodiscard]] exact_number generated(generator_id g, const rational& exponent = 1);
+  [[nodiscard]] bool is_positive(generator_id g) const;
+  [[nodiscard]] bool is_not_zero(generator_id g) const;
+  [[nodiscard]] bool is_positive(const monomial& m) const;
+  [[nodiscard]] exact_number expanded(const monomial& m);
+  [[nodiscard]] exact_number base_power(const exact_number& v, const rational& q);
+  [[nodiscard]] exact_number number_power(const rational& c, const rational& q);
+  [[nodiscard]] exact_number log_of_number(const rational& c);
+  [[nodiscard]] exact_number log_of_sum(const exact_number& v);
+  /// x = a + b g^(1/2), or none where g^(1/2) is not in it so.
+  [[nodiscard]] std::optional<std::pair<exact_number, exact_number>> split(const exact_number& x,
+                                                                           generator_id g);
+  [[nodiscard]] std::vector<generator_id> square_roots_in(const exact_number& x) const;
+  [[nodiscard]] exact_number rationalised_reciprocal(exact_number x);
+  [[nodiscard]] std::optional<exact_number> denested_root(const exact_number& x, int depth);
+  [[nodiscard]] std::optional<exact_number> plain_root(const exact_number& x, int depth);
+  [[nodiscard]] exact_number arctan_of_rational(const rational& t);
+
+  std::vector<generator> generators_;
+  std::size_t spent_ = 0;
+};
+
+}  // namespace polhode::detail

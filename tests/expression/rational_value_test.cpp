@@ -1,0 +1,263 @@
+// Values that exact rules show to be rational: known ones, what is left open, random formulas against enclosures, and
+// formulas of great size.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "polhode/expression/expression.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace {
+
+void expect_value(const std::string& formula, const std::string& value) {
+  const auto q = expression(formula).rational_value();
+  ASSERT_TRUE(q) << formula;
+  EXPECT_EQ(to_text(*q), value) << formula;
+}
+
+TEST(RationalValue, KnownIdentities) {
+  const std::pair<const char*, const char*> known[] = {
+      {"7/3", "7/3"},
+      {"cos(pi)", "-1"},
+      {"sin(pi)", "0"},
+      {"sin(pi/6)", "1/2"},
+      {"tan(pi/4)", "1"},
+      {"sin(-17*pi/6)", "-1/2"},
+      {"cos(pi/5) - 1/4 - sqrt(5)/4", "0"},
+      {"cos(2*pi/5)*cos(pi/5)", "1/4"},
+      {"cos(pi/12)*cos(5*pi/12)", "1/4"},
+      {"sin(pi/10)*sin(3*pi/10)", "1/4"},
+      {"sin(pi/8)*cos(pi/8) - sqrt(2)/4", "0"},
+      {"tan(pi/8) + 1 - sqrt(2)", "0"},
+      {"4*cospi(1/4)*sqrt(2)", "4"},
+      {"acos(1/2)/pi", "1/3"},
+      {"asin(-sqrt(3)/2)/pi", "-1/3"},
+      {"atan(1)*4/pi", "1"},
+      {"acos(cos(9*pi/5))/pi", "1/5"},
+      {"sin(asin(1/3))", "1/3"},
+      {"cos(2*atan(1/3))", "4/5"},
+      {"tan(atan(7) - atan(2))", "1/3"},
+      {"16*atan(1/5) - 4*atan(1/239) - pi", "0"},
+      {"atan2(-1, -1)/pi", "-3/4"},
+      {"atan2(1, sin(pi))/pi", "1/2"},
+      {"sqrt(2)^2", "2"},
+      {"sqrt(2)*sqrt(8)", "4"},
+      {"4^(1/2)", "2"},
+      {"2^(1/3)*4^(1/3)", "2"},
+      {"cbrt(-2)^3", "-2"},
+      {"hypot(sqrt(2), sqrt(7))", "3"},
+      {"sqrt(3+2*sqrt(2)) - 1 - sqrt(2)", "0"},
+      {"sqrt((1-sqrt(2))^2) - sqrt(2)", "-1"},
+      {"sqrt(5-2*sqrt(6)) + sqrt(2) - sqrt(3)", "0"},
+      {"sqrt(6+2*sqrt(2)+2*sqrt(3)+2*sqrt(6)) - sqrt(2) - sqrt(3)", "1"},
+      {"sqrt(2+sqrt(2))^2 - sqrt(2)", "2"},
+      {"(1+sqrt(5))/2 - 2/(1+sqrt(5))", "1"},
+      {"1/(sqrt(2)+sqrt(3)+sqrt(5)) - (2*sqrt(3)+3*sqrt(2)-sqrt(30))/12", "0"},
+      {"log(8)/log(2)", "3"},
+      {"log(9)/log(27)", "2/3"},
+      {"log(2) + log(3) - log(6)", "0"},
+      {"log(6)/(log(2)+log(3))", "1"},
+      {"log(2+sqrt(3)) + log(2-sqrt(3))", "0"},
+      {"exp(log(3))", "3"},
+      {"exp(log(2)/2)^2", "2"},
+      {"exp(2)*exp(-2)", "1"},
+      {"log(exp(sqrt(2))) - sqrt(2)", "0"},
+      {"2^(log(3)/log(2))", "3"},
+      {"cosh(log(2))", "5/4"},
+      {"tanh(log(3))", "4/5"},
+      {"cosh(1)^2 - sinh(1)^2", "1"},
+      {"sinh(asinh(3))", "3"},
+      {"asinh(3/4) - log(2)", "0"},
+      {"acosh(5/4)/log(2)", "1"},
+      {"atanh(1/3)/log(2)", "1/2"},
+      {"expm1(log(4))", "3"},
+      {"log1p(7)/log(2)", "3"},
+      {"gamma(1/2)^2 - pi", "0"},
+      {"gamma(7/2)/sqrt(pi)", "15/8"},
+      {"gamma(-3/2)/sqrt(pi)", "4/3"},
+      {"zeta(2)*6/pi^2", "1"},
+      {"zeta(12)/pi^12", "691/638512875"},
+      {"pi/(1+pi) + 1/(1+pi)", "1"},
+      {"(2*pi+2*pi^2)/(pi^2+pi)", "2"},
+      {"sqrt((1-pi)^2) - pi", "-1"},
+      {"abs(sqrt(2)-2) + sqrt(2)", "2"},
+      {"max(sqrt(2), sqrt(3))^2", "3"},
+      {"min(sqrt(2), sqrt(3))^2", "2"},
+      {"floor(pi)", "3"},
+      {"ceil(-pi)", "-3"},
+      {"euler_gamma - euler_gamma", "0"},
+      {"(erf(1)+1)*(erf(1)-1) - erf(1)^2", "-1"},
+      {"agm(sqrt(2), 2/sqrt(2))^2", "2"},
+  };
+  for (const auto& [formula, value] : known) expect_value(formula, value);
+}
+
+TEST(RationalValue, WhatIsNotShownIsLeftOpen) {
+  for (const char* formula :
+       {"pi", "sqrt(2)", "log(2)", "e", "euler_gamma", "sin(1)", "pi + 1e-400", "cos(pi/7)",
+        "log(2)*log(3)", "sqrt(2) + sqrt(3)", "sqrt(2+sqrt(2))", "exp(pi)",
+        // not equal to the integer by less than an enclosure of a double shows
+        "exp(pi*sqrt(163))", "sqrt(1e200+1) - 1e100",
+        // the first one at which precision, not a rule, decides
+        "floor(1e200*pi)"}) {
+    EXPECT_FALSE(expression(formula).rational_value()) << formula;
+  }
+}
+
+TEST(RationalValue, NoValueWhereTheFormulaHasNone) {
+  for (const char* formula :
+       {"tan(pi/2)", "1/sin(pi)", "0*log(-pi)", "log(-pi) - log(-pi)", "0/sin(pi)", "sqrt(1-pi)^2",
+        "(1-pi)^(1/2) - (1-pi)^(1/2)", "acosh(sqrt(2)-1) - acosh(sqrt(2)-1)", "asin(pi) - asin(pi)",
+        "atanh(sqrt(2)) - atanh(sqrt(2))", "sin(pi)^(-1)*0", "sin(pi)/sin(pi)", "exp(log(-pi))",
+        "atan2(sin(pi), sin(pi))", "gamma(-2*sin(pi/6))/gamma(-2*sin(pi/6))", "sin(pi)^(-sqrt(2))",
+        "log(sqrt(2)-sqrt(8))*0", "log1p(-pi)/log1p(-pi)", "agm(-pi, -pi)/pi"}) {
+    EXPECT_FALSE(expression(formula).rational_value()) << formula;
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Random formulas in which much is exact
+
+std::string number(support::random_source& random) {
+  static constexpr std::array numbers{
+      "0",           "1",       "2",         "3",         "1/2",         "1/3",
+      "5/4",         "4",       "6",         "12",        "pi",          "(pi/2)",
+      "(pi/3)",      "(pi/4)",  "(pi/5)",    "(pi/8)",    "(2*pi/7)",    "(5*pi/12)",
+      "sqrt(2)",     "sqrt(3)", "log(2)",    "log(3)",    "(1+sqrt(2))", "e",
+      "(sqrt(5)-1)", "(1-pi)",  "atan(1/2)", "atan(1/3)", "zeta(2)",     "gamma(1/2)"};
+  return random.choose(numbers);
+}
+
+std::string random_formula(support::random_source& random, int depth) {
+  static constexpr std::array functions{"sqrt", "sqrt",  "cbrt", "exp",   "expm1", "log",   "log1p",
+                                        "sin",  "cos",   "tan",  "sinpi", "cospi", "asin",  "acos",
+                                        "atan", "sinh",  "cosh", "tanh",  "asinh", "acosh", "atanh",
+                                        "abs",  "floor", "ceil", "gamma", "-"};
+  static constexpr std::array pairs{"min", "max", "hypot", "atan2", "agm"};
+  static constexpr std::array operators{"+", "-", "*", "/", "^"};
+  if (depth == 0) return number(random);
+  const std::string x = random_formula(random, depth - 1);
+  switch (random.between(0, 6)) {
+    case 0:
+    case 1:
+      return std::string(random.choose(functions)) + "(" + x + ")";
+    case 2:
+      return std::string(random.choose(pairs)) + "(" + x + ", " +
+             random_formula(random, depth - 1) + ")";
+    case 3:
+      return "(" + x + ")^(" + std::to_string(random.between(-3, 4)) +
+             (random.one_in(2) ? "/2)" : ")");
+    case 4: {  // a function and one that undoes it
+      static constexpr std::array undone{
+          std::pair("exp", "log"),    std::pair("log", "exp"),    std::pair("sin", "asin"),
+          std::pair("cos", "acos"),   std::pair("tan", "atan"),   std::pair("asin", "sin"),
+          std::pair("acos", "cos"),   std::pair("atan", "tan"),   std::pair("cosh", "acosh"),
+          std::pair("sinh", "asinh"), std::pair("tanh", "atanh"), std::pair("acosh", "cosh")};
+      const auto& [f, g] = random.choose(undone);
+      return std::string(f) + "(" + g + "(" + x + "))";
+    }
+    default:
+      return "(" + x + ")" + random.choose(operators) + "(" + random_formula(random, depth - 1) +
+             ")";
+  }
+}
+
+TEST(RationalValue, LiesInTheEnclosure) {
+  support::random_source random(20261123);
+  constexpr precision bits = 300;
+  long decided = 0;
+  long compared = 0;
+  long beyond_the_reader = 0;  // not by folding numbers alone
+  for (support::repeat trial(20'000); trial.again();) {
+    const std::string text = random_formula(random, static_cast<int>(random.between(1, 4)));
+    SCOPED_TRACE(text);
+    std::optional<expression> f;
+    try {
+      f.emplace(text);
+    } catch (const expression_error&) {
+      continue;  // certainly not defined
+    }
+    const auto q = f->rational_value();
+    if (!q) continue;
+    ++decided;
+    if (!f->exact_value()) ++beyond_the_reader;
+    const ball around = f->value(bits);
+    // An enclosure may be undefined where an operand lies on the boundary of a domain: acos(sin(pi/2)).
+    if (!around.is_bounded()) continue;
+    ++compared;
+    EXPECT_TRUE(contains(around, *q)) << to_text(*q) << " and " << around;
+  }
+  EXPECT_GT(decided, 500);
+  EXPECT_GT(compared, decided / 2);
+  EXPECT_GT(beyond_the_reader, 300);
+}
+
+/// x - y for two forms of the same number: random elements of Q(sqrt 2, sqrt 3, sqrt 5), squared and rooted, divided and
+/// multiplied, must come back.
+TEST(RationalValue, UndoesWhatWasDoneInSquareRoots) {
+  support::random_source random(17);
+  for (support::repeat trial(300); trial.again();) {
+    const auto integer_text = [&] { return std::to_string(random.between(-9, 9)); };
+    const std::string x = "(" + integer_text() + " + " + integer_text() + "*sqrt(2) + " +
+                          integer_text() + "*sqrt(3))";
+    const std::string y = "(" + std::to_string(random.between(1, 9)) + " + " +
+                          std::to_string(random.between(1, 9)) + "*sqrt(5) + sqrt(2))";
+    expect_value(x + "*" + y + "/" + y + " - " + x, "0");
+    expect_value("sqrt(" + x + "^2) - abs(" + x + ")", "0");
+    const std::string expanded = "(1*" + x + "*" + x + " + 0*sqrt(7))";
+    expect_value("sqrt(" + expanded + ") - abs(" + x + ")", "0");
+  }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Great sizes: the answer may be anything true, but it comes at once (the limit of the test is what would show else).
+
+TEST(RationalValue, GivesUpOnGreatFormulas) {
+  const auto many = [](int n, auto&& part) {
+    std::string text;
+    for (int k = 2; k < n; ++k) text += (k == 2 ? "" : "+") + part(std::to_string(k));
+    return text;
+  };
+  const auto nested = [](int n, const std::string& before, const std::string& after) {
+    std::string text = "2";
+    for (int k = 0; k < n; ++k) text = before + text + after;
+    return text;
+  };
+  const std::string roots = many(60, [](const std::string& k) { return "sqrt(" + k + ")"; });
+  for (const std::string& text :
+       {roots,
+        "(" + roots + ")^20",
+        "1/(" + roots + ")",
+        "sqrt(" + roots + ")",
+        "log(" + roots + ")",
+        many(300, [](const std::string& k) { return "atan(1/" + k + ")"; }),
+        many(200, [](const std::string& k) { return "cos(pi/" + k + ")"; }),
+        many(3000, [](const std::string& k) { return "log(" + k + ")"; }),
+        nested(100, "(", "^(1/2)+sqrt(3))^2"),
+        nested(100, "sqrt(sqrt(3)+", ")"),
+        nested(60, "exp(", "^2)"),
+        nested(60, "sin(", ")+sqrt(2)"),
+        std::string("2^(1/2)^(1/2)^(1/3)^(1/5)^(1/7)"),
+        std::string("sqrt(2)^(10^12)"),
+        std::string("sqrt(2)^(-10^12)"),
+        std::string("log(10^9999+7)/log(10^9998+3)"),
+        std::string("sqrt(10^9999+7)*sqrt(10^9998+3)"),
+        std::string("exp(log(2)*10^12)"),
+        std::string("cos(10^4000*pi/7)"),
+        std::string("atan(10^4000/7)*4"),
+        std::string("(1+sqrt(2))^(10^9)"),
+        std::string("floor(exp(exp(10)))")}) {
+    SCOPED_TRACE(text.substr(0, 60));
+    const auto q = expression(text).rational_value();
+    if (!q) continue;
+    EXPECT_TRUE(contains(expression(text).value(1000), *q));
+  }
+  expect_value("(" + roots + ") - (" + roots + ")", "0");
+}
+
+}  // namespace
+}  // namespace polhode
