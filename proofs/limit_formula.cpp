@@ -15,8 +15,9 @@ namespace polhode::proofs {
 namespace {
 
 polynomial_step upper_step() {
-  return positive("(a+b*x) - a*(1-b*x)^2", "b*x + a*b*x*(1+q+b*y)", "q = 1-b, y = 1-x",
-                  "v^2 = a(1-bX)^2/(a+bX) <= 1");
+  return not_negative("(a+b*x) - a*(1-b*x)^2", "b*x + a*b*x*(1+q+b*y)",
+                      "a > 0, b > 0, x >= 0, q = 1-b > 0, y = 1-x >= 0",
+                      "v^2 = a(1-bX)^2/(a+bX) <= 1");
 }
 
 certificate prove_limit(const request&) {
@@ -32,9 +33,10 @@ certificate prove_limit(const request&) {
       "where pi comes "
       "before the turning point, at which the limit form is K(1+beta). Computed: the polynomial "
       "steps.";
-  add_steps(c, {upper_step(), positive("(1-b*x) - (1-b)", "b*y", "y = 1-x", "1 - bX >= 1 - b"),
-                positive("(a+b) - (a+b*x)", "b*y", "y = 1-x",
-                         "a + bX <= a + b, so that v^2 >= a(1-b)^2/(a+b)"),
+  add_steps(c, {upper_step(),
+                not_negative("(1-b*x) - (1-b)", "b*y", "b > 0, y = 1-x >= 0", "1 - bX >= 1 - b"),
+                not_negative("(a+b) - (a+b*x)", "b*y", "b > 0, y = 1-x >= 0",
+                             "a + bX <= a + b, so that v^2 >= a(1-b)^2/(a+b)"),
                 identity("d + (1-s)", "(1+d) - s",
                          "beta + cos^2 = (1+beta)(1 - sin^2/(1+beta)): the limit form is "
                          "F(psi | 1/(1+beta))/sqrt(1+beta)")});
@@ -52,7 +54,12 @@ claim limit_formula_claim() {
           "beta >= 0, or -1 < beta < 0 and pi sqrt(chi) < K(1+beta).",
           "two-sided bound of the integrand, by exact signs",
           claim_subject::none,
-          prove_limit};
+          prove_limit,
+          proof_tier::by_argument,
+          {{step_kind::argued,
+            "The integral divided by its limit form lies between two bounds that tend to 1. The "
+            "limit form is continuous and increases strictly in psi, so that the psi at which it "
+            "is pi has a limit."}}};
 }
 
 }  // namespace polhode::proofs

@@ -50,7 +50,7 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
   c.witness["c0_over_a"] = as_json(*bracket);
   c.facts.push_back(
       {"at the given a, b: c0/b is above beta (c0/a between " + in_decimals(*bracket) + ")",
-       above && passes_rotating_phase(rigid, 2, *bracket)});
+       above && passes_rotating_phase(rigid, 2, *bracket), step_kind::enclosed});
 }
 
 certificate prove_minimum(const request& wanted) {
@@ -65,10 +65,11 @@ certificate prove_minimum(const request& wanted) {
       "bodies a = 1/b - 2 "
       "approach them for b -> 0 by the limit formula. Computed: the polynomial step and both "
       "numbers.";
-  add_steps(
-      c, {positive("(1-b*x)^2 - b*(a+b*x)", "p + b*y*(1+q+b*y)", "p = 1-a*b-2*b, q = 1-b, y = 1-x",
-                   "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
-          identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")});
+  add_steps(c,
+            {positive("(1-b*x)^2 - b*(a+b*x)", "p + b*y*(1+q+b*y)",
+                      "b > 0, p = 1-a*b-2*b >= 0, q = 1-b > 0, y = 1-x > 0",
+                      "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
+             identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")});
   c.numbers.push_back({"epsilon0_min",
                        enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits),
                        wanted.digits});
@@ -88,7 +89,12 @@ claim limit_minimum_claim() {
           "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained.",
           "one polynomial inequality over all physical bodies; the limit formula",
           claim_subject::body,
-          prove_minimum};
+          prove_minimum,
+          proof_tier::by_argument,
+          {{step_kind::argued,
+            "The integrand exceeds the limit's at every psi > 0, so that the integral does, and "
+            "epsilon0 and c0/b exceed their limits."},
+           {step_kind::argued, "Planar bodies approach both limits, by the claim limit_formula."}}};
 }
 
 }  // namespace polhode::proofs

@@ -57,6 +57,8 @@ const std::vector<claim>& all_claims() {
         result.claim = c.name;
         result.statement = c.statement;
         result.reference = c.reference;
+        result.tier = c.tier;
+        result.argument = c.argument;
         return result;
       };
     }
