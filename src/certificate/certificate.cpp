@@ -31,7 +31,7 @@ json dyadic(const rational& q) {
 
 bool has_digits(const enclosed_number& n) {
   if (!n.enclosure.is_bounded()) return false;
-  return to_decimal_enclosure(n.enclosure, n.digits).has_cut(n.digits);
+  return to_decimal_enclosure(n.enclosure, n.digits).has(n.digits);
 }
 
 /// Text in lines of at most `width` columns, broken at spaces, each indented.

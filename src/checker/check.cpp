@@ -89,6 +89,8 @@ report check(std::string_view certificate, const limits& most) {
   if (!result.is_verified()) {
     result.subject.clear();
     result.statement.clear();
+    result.grounds.clear();
+    result.argued = false;
   }
   result.work = work.spent();
   result.memory = work.most_held();

@@ -102,6 +102,18 @@ void expect_inside(const place& where, const range& r, long bits,
   where.not_checkable("the checker did not find the true value closely enough");
 }
 
+void expect_near(const place& number, const range& exact, const rational& width) {
+  const rational lower = number["lower"].decimal_value();
+  const rational upper = number["upper"].decimal_value();
+  const budget::at here = number.working();
+  number.work().rationals(
+      6, bit_length(exact.lower) + bit_length(exact.upper) + bit_length(lower) + bit_length(upper));
+  if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
+  if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
+  if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
+  if (upper > exact.upper + width) number["upper"].refute("it is far above the exact upper end");
+}
+
 void expect_radius(const place& where) {
   const rational value = where["value"].decimal_value();
   const rational radius = where["radius"].decimal_value();
@@ -340,7 +352,14 @@ examination::ends examination::next_number(const std::string& name) {
     where.malformed("it is not in its place: it must be number " + std::to_string(numbers_ + 1));
   }
   ++numbers_;
-  where.expect_keys({"value", "radius", "lower", "upper", "digits", "digits_asked", "dyadic"});
+  const bool rounded = where.has("rounded");
+  if (rounded) {
+    where.expect_keys(
+        {"value", "radius", "lower", "upper", "digits", "rounded", "digits_asked", "dyadic"});
+    where["rounded"].expect_true();
+  } else {
+    where.expect_keys({"value", "radius", "lower", "upper", "digits", "digits_asked", "dyadic"});
+  }
   const long digits = where["digits"].whole(1, 1L << 40U);
   if (digits > most_digits) {
     where["digits"].not_checkable("it has more than " + std::to_string(most_digits) + " digits");
@@ -349,11 +368,16 @@ examination::ends examination::next_number(const std::string& name) {
   if (digits_ != 0) where["digits"].expect_whole(digits_);
   digits_ = digits;
   const range exact = dyadic_range(where["dyadic"]);
-  expect_shared(where["value"], exact, digits);
-  expect_outward(where["lower"], exact.lower, digits + 3, rounding::down);
-  expect_outward(where["upper"], exact.upper, digits + 3, rounding::up);
-  expect_radius(where);
   const rational width(exact.upper - exact.lower);
+  if (rounded) {
+    expect_rounded_digits(where, digits);
+    expect_near(where, exact, width);
+  } else {
+    expect_shared(where["value"], exact, digits);
+    expect_outward(where["lower"], exact.lower, digits + 3, rounding::down);
+    expect_outward(where["upper"], exact.upper, digits + 3, rounding::up);
+  }
+  expect_radius(where);
   const long bits = bit_length(integer(denominator(width))) + 16;
   const long leading_zeros = std::max(0L, bit_length(integer(denominator(exact.lower))) -
                                               bit_length(integer(numerator(exact.lower))));

@@ -50,14 +50,7 @@ number_ends read_number(const place& number) {
     number["value"].expect_text(low);
   }
   // The decimals are outward, and by no more than the ends are apart.
-  const rational lower = number["lower"].decimal_value();
-  const rational upper = number["upper"].decimal_value();
-  work.rationals(
-      6, bit_length(exact.lower) + bit_length(exact.upper) + bit_length(lower) + bit_length(upper));
-  if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
-  if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
-  if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
-  if (upper > exact.upper + width) number["upper"].refute("it is far above the exact upper end");
+  expect_near(number, exact, width);
   expect_radius(number);
   if (rounded) expect_rounded_digits(number, digits);
   return {exact, bits, digits};

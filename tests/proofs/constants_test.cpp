@@ -96,10 +96,13 @@ TEST(Constants, ShrinkWithThePrecision) {
 }
 
 TEST(Constants, AreGivenWithTheDigitsAskedForOrNotAtAll) {
-  // A "constant" of which no precision shows a digit: an enclosure that holds 1 inside, and one that is undefined.
+  // One that holds 1 inside at every precision: no digit is sure, and it is given with its error.
   const constant nines{
       "nines", "", [](precision p) { return ball(1, p).enlarged(magnitude::power_of_two(-p)); }, 1};
-  EXPECT_TRUE(enclose_to_digits(nines, 5).is_undefined());
+  const ball about_one = enclose_to_digits(nines, 5);
+  EXPECT_TRUE(to_decimal_enclosure(about_one, 5).has(5));
+  EXPECT_FALSE(to_decimal_enclosure(about_one, 5).cut);
+  // "Constants" of which no precision shows anything.
   const constant nothing{"nothing", "", [](precision p) { return ball::undefined(p); }, 1};
   EXPECT_TRUE(enclose_to_digits(nothing, 5).is_undefined());
   const constant everything{"everything", "", [](precision p) { return ball::entire(p); }, 1};
