@@ -284,6 +284,7 @@ const std::vector<hypothesis>& hypotheses() {
       {"x", true, "x = I_x > 0, or x = cos^2 psi > 0: all but the ends of the range of psi"},
       {"1-x", true, "x = cos^2 psi < 1: all but psi = 0"},
       {"u", true, "0 < u"},
+      {"1-u", false, "u <= 1"},
       {"k", false, "k = cos^2(t/2)"},
       {"a-c", true, "motion that is no equilibrium: c < a"}};
   return all;

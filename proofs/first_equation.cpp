@@ -71,7 +71,12 @@ claim first_equation_claim() {
       {{step_kind::argued,
         "The integral increases in its upper end, as its integrand is positive, and decreases in "
         "c, as its integrand does: where c is greater the upper end at which it is pi is "
-        "greater."}}};
+        "greater."},
+       {step_kind::argued,
+        "Eq. (24): h_c = -(1-bX)/(2 sqrt(a+bX) (c+bX)^(3/2)) for the integrand h, by the "
+        "derivative of h^2; differentiation under the integral, which has no singularity before "
+        "the turning point, and the implicit function theorem give d epsilon/dc = -(integral of "
+        "|h_c|)/h(pi/2 - epsilon) < 0."}}};
 }
 
 }  // namespace polhode::proofs

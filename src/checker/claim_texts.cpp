@@ -114,7 +114,12 @@ const std::vector<claim_text>& all_texts() {
        {{"argued in words",
          "The integral increases in its upper end, as its integrand is positive, and decreases in "
          "c, as its integrand does: where c is greater the upper end at which it is pi is "
-         "greater."}}},
+         "greater."},
+        {"argued in words",
+         "Eq. (24): h_c = -(1-bX)/(2 sqrt(a+bX) (c+bX)^(3/2)) for the integrand h, by the "
+         "derivative of h^2; differentiation under the integral, which has no singularity before "
+         "the turning point, and the implicit function theorem give d epsilon/dc = -(integral of "
+         "|h_c|)/h(pi/2 - epsilon) < 0."}}},
       {"separatrix_twist",
        "proposition 3, part 1, eq. (25)",
        "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
@@ -379,19 +384,47 @@ const std::vector<claim_text>& all_texts() {
          "point of the range."},
         {"argued in words",
          "So at epsilon0(a) the integral for a' > a is below 2 pi, and its root is smaller."}}},
+      {"large_a",
+       "section 7: after lemma 5, remark 2",
+       "As a -> infinity for one b, epsilon0 -> 0, c0 -> 0 and the first point where C meets S "
+       "tends to c = epsilon = 0; for no body is epsilon0 = 0: a perfect twist on the separatrix "
+       "there is in this limit only.",
+       "0 < epsilon0 < 2 arctan(e^(-pi sqrt(ab))), c0 < 1/(4a) where there is a c0, u1 < 1/(4ab) "
+       "and -c1 < 1/(4a) where C meets S first",
+       "For all a > 0, 0 < b < 1: 1 - bX < 1 and a + bX > a for X > 0, so that F(0,u) < 2 "
+       "artanh(sqrt(1-u))/sqrt(ab), F(c,0) < pi/sqrt(ac) and G(u) < pi/sqrt(abu); each is 2 pi at "
+       "epsilon0, c0 and u1. epsilon0 > 0 by the claim separatrix_twist. Computed: the polynomial "
+       "steps.",
+       {{step_kind::positive, "1 - (1-b*x)", "", "", "b*x", "b > 0, x > 0", "1 - bX < 1"},
+        {step_kind::positive, "(a+b*x) - a", "", "", "b*x", "b > 0, x > 0", "a + bX > a"},
+        {step_kind::positive, "(c+b*x) - c", "", "", "b*x", "b > 0, x > 0",
+         "c + bX > c, for c > 0"},
+        {step_kind::not_negative, "(u+(1-u)*k) - u", "", "", "k*v", "k >= 0, v = 1-u >= 0",
+         "x = u + (1-u) k >= u in the integral G(u): g(x) < 1/sqrt(a u)"}},
+       with_words,
+       {{"argued in words",
+         "An integral is below that of a greater integrand: that of 1/(sqrt(ab) x sqrt(1-x)) from "
+         "u to 1 is 2 artanh(sqrt(1-u))/sqrt(ab), and artanh(cos epsilon) = log cot(epsilon/2)."},
+        {"argued in words",
+         "F(c,0) is twice the integral over 0 < psi < pi/2, and G is b^(-1/2) times that of g over "
+         "0 < t < pi: bounds of their integrands give those of the integrals."},
+        {"argued in words",
+         "F(0,u) is 2 pi at one u in (0, 1), never at u = 0 (claim separatrix_twist): epsilon0 > "
+         "0."}}},
       {"limit_formula",
        "eqs. (33)-(38)",
-       "As a -> infinity, b -> 0 with ab -> chi and c/b = beta, epsilon tends to pi/2 - am(pi "
-       "sqrt(chi(1+beta)) | 1/(1+beta)), on the part of C of the first implicit equation: beta >= "
-       "0, or -1 < beta < 0 and pi sqrt(chi) < K(1+beta).",
-       "epsilon -> pi/2 - am(pi sqrt(chi(1+beta)) | 1/(1+beta)) as a -> infinity, b -> 0, ab -> "
-       "chi, c = b beta, where beta >= 0, or -1 < beta < 0 and pi sqrt(chi) < K(1+beta)",
-       "For all a > 0, 0 < b < 1: sqrt(ab) times the integrand is v (beta + cos^2 psi)^(-1/2) with "
-       "(1-b) sqrt(a/(a+b)) <= v <= 1, so the integral divided by its limit form lies between "
-       "these bounds, which tend to 1. The limit form is F(psi | 1/(1+beta))/sqrt(1+beta), "
-       "continuous and increasing in psi. The first implicit equation holds for beta >= 0, and for "
-       "-1 < beta < 0 where pi comes before the turning point, at which the limit form is "
-       "K(1+beta). Computed: the polynomial steps.",
+       "As a -> infinity, b -> 0 with ab -> chi > 0 and c/b = beta > -1, epsilon tends to pi/2 - "
+       "am(pi sqrt(chi(1+beta)) | 1/(1+beta)), where for beta < 0 the amplitude is the psi with "
+       "sin psi = sqrt(1+beta) sn(pi sqrt(chi) | 1+beta), |psi| < pi/2, before the first turning "
+       "point and beyond it.",
+       "sin psi_c(pi) = sqrt(1+beta) sn(xi | 1+beta) for -1 < beta < 0, psi_c(pi) = "
+       "am(sqrt(1+beta) xi | 1/(1+beta)) for beta >= 0, with pi sqrt(ab) <= xi <= pi sqrt(ab) "
+       "sqrt((a+b)/a)/(1-b), c = b beta; epsilon = pi/2 - psi_c(pi)",
+       "For all a > 0, 0 < b < 1, beta > -1: sqrt(ab) times the integrand is v (beta + cos^2 "
+       "psi)^(-1/2) with (1-b) sqrt(a/(a+b)) <= v <= 1, so that xi, which grows by (beta + cos^2 "
+       "psi)^(-1/2) |dpsi| along the motion, lies at phi = pi between the bounds; they have the "
+       "limit pi sqrt(chi). In xi the motion is that of the limit: an elliptic function of xi. "
+       "Computed: the polynomial steps.",
        {{step_kind::not_negative, "(a+b*x) - a*(1-b*x)^2", "", "", "b*x + a*b*x*(1+q+b*y)",
          "a > 0, b > 0, x >= 0, q = 1-b > 0, y = 1-x >= 0", "v^2 = a(1-bX)^2/(a+bX) <= 1"},
         {step_kind::not_negative, "(1-b*x) - (1-b)", "", "", "b*y", "b > 0, y = 1-x >= 0",
@@ -400,16 +433,35 @@ const std::vector<claim_text>& all_texts() {
          "a + bX <= a + b, so that v^2 >= a(1-b)^2/(a+b)"},
         {step_kind::identity, "d + (1-s)", "", "", "(1+d) - s", "",
          "beta + cos^2 = (1+beta)(1 - sin^2/(1+beta)): the limit form is F(psi | "
-         "1/(1+beta))/sqrt(1+beta)"}},
+         "1/(1+beta))/sqrt(1+beta)"},
+        {step_kind::identity, "d + (1-(1+d)*s^2)", "", "", "(1+d)*(1-s^2)", "",
+         "with sin psi = sqrt(1+beta) s: beta + cos^2 = (1+beta)(1-s^2), so that (ds/dxi)^2 = "
+         "(1-s^2)(1-(1+beta)s^2), the equation of sn(xi | 1+beta)"}},
        by_argument,
        {{"argued in words",
-         "The integral divided by its limit form lies between two bounds that tend to 1. The limit "
-         "form is continuous and increases strictly in psi, so that the psi at which it is pi has "
-         "a limit."}}},
+         "Along the motion sqrt(ab) dphi = v dxi at every psi between the turning points, which "
+         "are passed in finite time, so that the bounds of v are those of xi(pi) against pi "
+         "sqrt(ab)."},
+        {"argued in words",
+         "For beta < 0: sin psi = sqrt(1+beta) sn(xi | 1+beta) up to the first turning point, xi = "
+         "K(1+beta), by the equation of sn; beyond it, as psi_c(phi + G) = -psi_c(phi) and psi_c "
+         "is odd, xi grows by 2K in every G, and sn is odd with sn(xi + 2K) = -sn xi. For beta >= "
+         "0 psi increases, and xi = F(psi | 1/(1+beta))/sqrt(1+beta) defines am."},
+        {"argued in words",
+         "sn and am are continuous in xi, so that psi_c(pi) tends to its value at pi sqrt(chi)."},
+        {"argued in words",
+         "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
+         "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+        {"cited", "sn(x + 2K | m) = -sn(x | m) (DLMF 22.4(iii))."},
+        {"cited",
+         "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) "
+         "and depend continuously on their data."}}},
       {"limit_minimum",
        "section 7, eqs. (39), (40)",
        "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min; over all "
-       "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained.",
+       "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained. For beta "
+       "< 0, chi <= 1 the limit's epsilon is above epsilon0_min, and tends to it as chi -> 1, beta "
+       "-> 0.",
        "ab + 2b <= 1  =>  epsilon0 > epsilon0_min = 2 arctan(e^-pi) and, where J < 2, c0/b > beta; "
        "both are greatest lower bounds",
        "For all physical bodies: (1-bX)^2 > b(a+bX) for 0 <= X < 1, so that the integrand of the "
@@ -426,7 +478,11 @@ const std::vector<claim_text>& all_texts() {
        {{"argued in words",
          "The integrand exceeds the limit's at every psi > 0, so that the integral does, and "
          "epsilon0 and c0/b exceed their limits."},
-        {"argued in words", "Planar bodies approach both limits, by the claim limit_formula."}}},
+        {"argued in words", "Planar bodies approach both limits, by the claim limit_formula."},
+        {"argued in words",
+         "Before the first turning point the limit's integral is greater for beta < 0 than for "
+         "beta = 0 at every psi, and its value pi sqrt(chi) is at most pi: psi is below that of "
+         "beta = 0, chi = 1."}}},
       {"epsilon0_min",
        "eq. (39)",
        "epsilon0_min = pi/2 - am(pi | 1) = pi - 2 arctan(e^pi). What it says of bodies, that it is "

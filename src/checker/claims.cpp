@@ -528,6 +528,16 @@ void check_limit_minimum(examination& e) {
   const body rigid = body_of(e);
   e.number("epsilon0_min", epsilon0_min);
   const range beta = e.root_number("beta", false, mean_equation);
+  e.fact(
+      "agm(1, sin epsilon0_min) < 1/2 with sin epsilon0_min = 1/cosh(pi), so that K(cos^2 "
+      "epsilon0_min) > pi: for beta < 0, chi <= 1 the limit's motion has either -beta > sin^2 "
+      "epsilon0_min, and epsilon >= epsilon* > epsilon0_min, or is still before its first turning "
+      "point",
+      [&](precision bits) {
+        const interval one = exactly(1, bits);
+        const interval cosine = (exp(pi(bits)) + exp(-pi(bits))) / 2;
+        return below(agm_with_sum(one, one / cosine).mean, exactly(rational(1, 2), bits));
+      });
   if (rigid.kind() < 0) {
     e.add_to_method(" (The given body is not physical: the bounds are not for it.)");
     return;
@@ -826,6 +836,7 @@ void check_claim(std::string_view name, examination& e) {
       {"count", check_count},
       {"c0_decreases", check_c0_decreases},
       {"epsilon0_decreases", check_epsilon0_decreases},
+      {"large_a", check_steps_only},
       {"limit_formula", check_steps_only},
       {"limit_minimum", check_limit_minimum},
       {"epsilon0_min", check_epsilon0_min},
