@@ -126,7 +126,7 @@ void add_quadrature_route(certificate& c, const ball& root, long digits) {
        "(x + cos^2 t)^(-1/2) exceeds pi at the first " +
            std::to_string(digits) +
            " digits of beta and is below pi one unit of the last place higher",
-       below.value == sign::positive && above.value == sign::negative});
+       below.value == sign::positive && above.value == sign::negative, step_kind::enclosed});
   const auto side = [](const rational& x, const sign_by_quadrature& s) {
     json one{{"x", to_text(x)}};
     add_periodic_plan(one, s.integral.plan);
@@ -154,7 +154,8 @@ certificate prove_beta(const request& wanted) {
   c.facts.push_back(
       {"interval Newton maps its box into itself with a derivative that is not 0: "
        "exactly one root in the box",
-       root.verdict == root_verdict::unique && !contains_zero(root.derivative)});
+       root.verdict == root_verdict::unique && !contains_zero(root.derivative),
+       step_kind::enclosed});
   if (root.verdict == root_verdict::unique) {
     if (auto steps = agm_bracket_witness(lower_rational(root.root), upper_rational(root.root))) {
       c.witness = *std::move(steps);
@@ -185,12 +186,16 @@ root_enclosure enclose_beta(precision p) {
 claim beta_claim() {
   return {"beta",
           "eq. (40)",
-          "The perfect twist of the best physical body in the limit a -> inf, b -> 0 lies at c/b = "
-          "beta, "
-          "the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). The paper prints 0.028973.",
+          "beta is the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). What it says of "
+          "bodies, that it is the greatest lower bound of c0/b over all physical ones, is the "
+          "claim limit_minimum. The paper prints 0.028973.",
           "interval Newton on the AGM; signs by certified quadrature as an independent route",
           claim_subject::none,
-          prove_beta};
+          prove_beta,
+          proof_tier::by_machine,
+          {{step_kind::cited,
+            "K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i)); the mean is continuous, "
+            "increases in both its arguments and is homogeneous."}}};
 }
 
 }  // namespace polhode::proofs

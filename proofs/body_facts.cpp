@@ -44,8 +44,8 @@ ball enclosed(const enclosing_function& f, long digits, const body& rigid) {
 void add_constant(certificate& c, const std::string& name, const std::optional<rational>& exact,
                   bool exact_holds, const enclosing_function& f, long digits, const body& rigid) {
   if (exact) {
-    c.facts.push_back(
-        {"at the given a, b: " + name + " = " + to_text(*exact) + " exactly", exact_holds});
+    c.facts.push_back({"at the given a, b: " + name + " = " + to_text(*exact) + " exactly",
+                       exact_holds, step_kind::exact});
   } else {
     add_number(c, name, f, digits, rigid);
   }
@@ -158,7 +158,7 @@ void add_comparisons(certificate& c, const std::string& statement, const std::st
            });
   });
   if (decided) {
-    c.facts.push_back({statement, !refuted});
+    c.facts.push_back({statement, !refuted, step_kind::enclosed});
   } else {
     note_missing_witness(c, what);
   }

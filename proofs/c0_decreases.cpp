@@ -18,10 +18,11 @@ certificate prove_c0(const request& wanted) {
       "as J decreases in a. Computed: the polynomial steps.";
   add_steps(c, decrease_in_a_steps());
   add_steps(
-      c, {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
-                "the derivative in c of the square of the integrand, negative"),
-          slope('a', "(a+1)^2", "a*(a+b)", "-(a+1)*(a*(2-b)+b)", "the derivative in a of (J+1)^2"),
-          positive("a*(2-b)+b", "a + a*q + b", "q = 1-b", "so J decreases in a")});
+      c,
+      {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
+             "the derivative in c of the square of the integrand, negative"),
+       slope('a', "(a+1)^2", "a*(a+b)", "-(a+1)*(a*(2-b)+b)", "the derivative in a of (J+1)^2"),
+       positive("a*(2-b)+b", "a + a*q + b", "a > 0, b > 0, q = 1-b > 0", "so J decreases in a")});
   const body rigid = requested_body(c, wanted);
   const body other = with_double_a(rigid);
   const auto first = bracket_rotating_phase_root(rigid, 2);
@@ -32,7 +33,8 @@ certificate prove_c0(const request& wanted) {
          "between " +
              in_decimals(*first),
          passes_rotating_phase(rigid, 2, *first) && passes_rotating_phase(other, 2, *second) &&
-             other.a() * second->upper < rigid.a() * first->lower});
+             other.a() * second->upper < rigid.a() * first->lower,
+         step_kind::enclosed});
     c.witness["c0_over_a"] = as_json(*first);
     c.witness["c0_over_a_for_2a"] = as_json(*second);
   } else if (exceeds_second_geometric_constant(2, rigid)) {
@@ -52,7 +54,13 @@ claim c0_decreases_claim() {
           "The perfect twist c0(a, b) decreases as a increases.",
           "exact derivatives of the integrand and their signs",
           claim_subject::body,
-          prove_c0};
+          prove_c0,
+          proof_tier::with_words,
+          {{step_kind::argued,
+            "An integral over a fixed range decreases in a quantity where its integrand does at "
+            "every point of the range."},
+           {step_kind::argued,
+            "So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller."}}};
 }
 
 }  // namespace polhode::proofs

@@ -26,6 +26,8 @@ struct claim {
   std::string method;     // one line
   claim_subject subject = claim_subject::none;
   std::function<certificate(const request&)> prove;
+  proof_tier tier = proof_tier::by_machine;
+  std::vector<stated_step> argument = {};  // what is argued in words, and cited
 };
 
 /// All claims, in the order of the paper.

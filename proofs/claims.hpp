@@ -18,6 +18,7 @@ namespace polhode::proofs {
 [[nodiscard]] claim count_claim();
 [[nodiscard]] claim c0_decreases_claim();
 [[nodiscard]] claim epsilon0_decreases_claim();
+[[nodiscard]] claim large_a_claim();
 [[nodiscard]] claim limit_formula_claim();
 [[nodiscard]] claim limit_minimum_claim();
 [[nodiscard]] claim epsilon0_min_claim();

@@ -29,7 +29,8 @@ certificate prove_count(const request& wanted) {
   const auto q = [](const integer& k) { return rational(integer(2), integer(2 * k - 1)); };
   c.facts.push_back({"at the given a, b, in rationals: I < 2/(2k-1) for " + counted(count),
                      (count == 0 || exceeds_geometric_constant(q(count), rigid)) &&
-                         !exceeds_geometric_constant(q(count + 1), rigid)});
+                         !exceeds_geometric_constant(q(count + 1), rigid),
+                     step_kind::exact});
   if (count > 0) {
     add_brackets(
         c, rigid, count, [&](int k) { return q(k); }, "intersections");
@@ -50,7 +51,20 @@ claim count_claim() {
           "where the paper says at least.",
           "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
           claim_subject::body,
-          prove_count};
+          prove_count,
+          proof_tier::with_words,
+          {{step_kind::argued,
+            "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, "
+            "1) every value above pi I, once, and no other."},
+           {step_kind::argued,
+            "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
+            "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+           {step_kind::argued,
+            "psi_c(pi) is a turning point exactly where pi = (k - 1/2) G for a whole k >= 1."},
+           {step_kind::cited, "The intermediate value theorem."},
+           {step_kind::cited,
+            "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) "
+            "and depend continuously on their data."}}};
 }
 
 }  // namespace polhode::proofs

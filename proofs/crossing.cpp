@@ -26,7 +26,8 @@ certificate prove_crossing(const request& wanted) {
            to_text(rigid.kind()),
        (count == 0 || exceeds_geometric_constant(rational(integer(1), count), rigid)) &&
            !exceeds_geometric_constant(rational(integer(1), integer(count + 1)), rigid) &&
-           (count > 0) == (rigid.kind() == body_kind::non_physical)});
+           (count > 0) == (rigid.kind() == body_kind::non_physical),
+       step_kind::exact});
   if (count > 0) {
     add_brackets(
         c, rigid, count, [](int k) { return rational(1, k); }, "crossings");
@@ -47,7 +48,19 @@ claim crossing_claim() {
       "not physical: exactly ceil(1/I) - 1 times.",
       "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
       claim_subject::body,
-      prove_crossing};
+      prove_crossing,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) "
+        "every value above pi I, once, and no other."},
+       {step_kind::argued,
+        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
+        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+       {step_kind::argued, "psi_c(pi) = 0 exactly where pi = k G for a whole k >= 1."},
+       {step_kind::cited, "The intermediate value theorem."},
+       {step_kind::cited,
+        "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
+        "depend continuously on their data."}}};
 }
 
 }  // namespace polhode::proofs

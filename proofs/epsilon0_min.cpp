@@ -24,7 +24,7 @@ certificate prove_epsilon0_min(const request& wanted) {
   c.facts.push_back(
       {"log(tan(x/2)) + pi has exactly one root in [0.086, 0.087] (interval Newton), and its "
        "enclosure overlaps the one by the formula",
-       other.verdict == root_verdict::unique && overlaps(other.root, x)});
+       other.verdict == root_verdict::unique && overlaps(other.root, x), step_kind::enclosed});
   c.witness["second_route"] = to_json(other.root, wanted.digits);
   c.conclude();
   return c;
@@ -43,12 +43,14 @@ claim epsilon0_min_claim() {
   return {
       "epsilon0_min",
       "eq. (39)",
-      "The greatest lower bound of the twist defect on the separatrix over all physical bodies, "
-      "approached as a -> inf, b -> 0 with ab -> 1, not attained (claim limit_minimum). The "
-      "paper prints 0.086374.",
+      "epsilon0_min = pi/2 - am(pi | 1) = pi - 2 arctan(e^pi). What it says of bodies, that it is "
+      "the greatest lower bound of the twist defect on the separatrix over all physical ones, is "
+      "the claim limit_minimum. The paper prints 0.086374.",
       "ball arithmetic; interval Newton on log tan as a second route",
       claim_subject::none,
-      prove_epsilon0_min};
+      prove_epsilon0_min,
+      proof_tier::by_machine,
+      {{step_kind::cited, "am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i))."}}};
 }
 
 }  // namespace polhode::proofs

@@ -99,28 +99,96 @@ class reader {
   std::size_t at_ = 0;
 };
 
-/// "q = 1-b, y = 1-x" put into p, one after another.
-exact_polynomial with_letters(exact_polynomial p, std::string_view letters) {
-  while (!letters.empty()) {
+/// "q = 1-b > 0" or "a > 0": a letter, what it stands for, and the sign of that.
+struct letter_range {
+  char letter = 'a';
+  bool defined = false;
+  exact_polynomial quantity;
+  bool strict = false;
+};
+
+[[noreturn]] void refuse_range(std::string_view text) {
+  throw std::invalid_argument("not the range of a letter: \"" + std::string(text) +
+                              "\"; it must be such as \"b > 0\" or \"y = 1-x >= 0\"");
+}
+
+letter_range range_in(std::string_view text) {
+  const auto sign = text.find('>');
+  const auto name = text.find_first_not_of(' ');
+  if (sign == std::string_view::npos || name >= sign) refuse_range(text);
+  letter_range result;
+  std::string_view zero = text.substr(sign + 1);
+  result.strict = !zero.starts_with('=');
+  if (!result.strict) zero.remove_prefix(1);
+  if (exact_polynomial::parse(zero) != exact_polynomial()) refuse_range(text);
+  result.letter = text[name];
+  const std::string_view before = text.substr(name + 1, sign - name - 1);
+  const auto equals = before.find_first_not_of(' ');
+  result.quantity = exact_polynomial::variable(result.letter);
+  if (equals == std::string_view::npos) return result;
+  if (before[equals] != '=') refuse_range(text);
+  result.defined = true;
+  result.quantity = exact_polynomial::parse(before.substr(equals + 1));
+  return result;
+}
+
+std::vector<letter_range> ranges_in(std::string_view letters) {
+  std::vector<letter_range> result;
+  while (true) {
     const auto comma = letters.find(',');
-    const std::string_view one = letters.substr(0, comma);
-    letters = comma == std::string_view::npos ? std::string_view() : letters.substr(comma + 1);
-    const auto name = one.find_first_not_of(' ');
-    const auto equals = one.find('=');
-    if (name == std::string_view::npos || equals == std::string_view::npos) {
-      throw std::invalid_argument("not a definition of a letter: \"" + std::string(one) + '"');
-    }
-    p = p.with(one[name], exact_polynomial::parse(one.substr(equals + 1)));
+    result.push_back(range_in(letters.substr(0, comma)));
+    if (comma == std::string_view::npos) return result;
+    letters.remove_prefix(comma + 1);
   }
-  return p;
+}
+
+bool is_hypothesis(const letter_range& range) {
+  return std::any_of(hypotheses().begin(), hypotheses().end(), [&](const hypothesis& h) {
+    return (h.strict || !range.strict) && exact_polynomial::parse(h.quantity) == range.quantity;
+  });
+}
+
+/// Whether the ranges are hypotheses, each of another letter, and what a letter stands for is said in letters that stand for
+/// themselves.
+bool are_usable(const std::vector<letter_range>& ranges) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!is_hypothesis(ranges[i])) return false;
+    for (std::size_t j = 0; j < ranges.size(); ++j) {
+      if (i != j && ranges[i].letter == ranges[j].letter) return false;
+      if (ranges[i].defined && ranges[j].defined &&
+          ranges[i].quantity.derivative(ranges[j].letter) != exact_polynomial()) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether p >= 0, and > 0 where `strict`, by the signs of its coefficients and of its letters.
+bool sign_is_seen(const exact_polynomial& p, const std::vector<letter_range>& ranges, bool strict) {
+  bool some_positive = false;
+  for (const auto& [exponents, coefficient] : p.terms()) {
+    if (coefficient < 0) return false;
+    bool is_positive = true;
+    for (std::size_t i = 0; i < exponents.size(); ++i) {
+      if (exponents[i] == 0) continue;
+      const auto range = std::find_if(ranges.begin(), ranges.end(), [i](const letter_range& r) {
+        return index_of(r.letter) == i;
+      });
+      if (range == ranges.end()) return false;
+      is_positive = is_positive && range->strict;
+    }
+    some_positive = some_positive || is_positive;
+  }
+  return some_positive || !strict;
 }
 
 std::string in_words(polynomial_step::kind what) {
   switch (what) {
     case polynomial_step::kind::identity:
       return "identity";
-    case polynomial_step::kind::positive:
-      return "positive coefficients";
+    case polynomial_step::kind::sign:
+      return "sign by coefficients";
     case polynomial_step::kind::slope:
       break;
   }
@@ -201,55 +269,76 @@ exact_polynomial exact_polynomial::with(char name, const exact_polynomial& repla
   return result;
 }
 
-bool exact_polynomial::has_positive_coefficients() const {
-  return !terms_.empty() && std::all_of(terms_.begin(), terms_.end(),
-                                        [](const auto& term) { return term.second > 0; });
-}
-
 // ---------------------------------------------------------------------------------------------
 // Steps of proofs
 
+const std::vector<hypothesis>& hypotheses() {
+  static const std::vector<hypothesis> all{
+      {"a", true, "a body: a > 0"},
+      {"b", true, "a body: b > 0"},
+      {"1-b", true, "a body: b < 1"},
+      {"1-a*b-2*b", false, "a physical body: ab + 2b <= 1"},
+      {"z", true, "moments of inertia: I_z > 0"},
+      {"y-z", true, "moments of inertia: I_z < I_y"},
+      {"x-y", true, "moments of inertia: I_y < I_x"},
+      {"x", true, "x = I_x > 0, or x = cos^2 psi > 0: all but the ends of the range of psi"},
+      {"1-x", true, "x = cos^2 psi < 1: all but psi = 0"},
+      {"u", true, "0 < u"},
+      {"1-u", false, "u <= 1"},
+      {"k", false, "k = cos^2(t/2)"},
+      {"a-c", true, "motion that is no equilibrium: c < a"}};
+  return all;
+}
+
 polynomial_step identity(std::string left, std::string right, std::string meaning) {
-  return {polynomial_step::kind::identity,
-          std::move(left),
-          "",
-          std::move(right),
-          "",
-          'x',
-          std::move(meaning)};
+  polynomial_step result;
+  result.what = polynomial_step::kind::identity;
+  result.left = std::move(left);
+  result.right = std::move(right);
+  result.meaning = std::move(meaning);
+  return result;
+}
+
+polynomial_step not_negative(std::string left, std::string right, std::string letters,
+                             std::string meaning) {
+  polynomial_step result = identity(std::move(left), std::move(right), std::move(meaning));
+  result.what = polynomial_step::kind::sign;
+  result.letters = std::move(letters);
+  return result;
 }
 
 polynomial_step positive(std::string left, std::string right, std::string letters,
                          std::string meaning) {
-  return {polynomial_step::kind::positive,
-          std::move(left),
-          "",
-          std::move(right),
-          std::move(letters),
-          'x',
-          std::move(meaning)};
+  polynomial_step result =
+      not_negative(std::move(left), std::move(right), std::move(letters), std::move(meaning));
+  result.strict = true;
+  return result;
 }
 
 polynomial_step slope(char variable, std::string numerator, std::string denominator,
                       std::string result, std::string meaning) {
-  return {polynomial_step::kind::slope,
-          std::move(numerator),
-          std::move(denominator),
-          std::move(result),
-          "",
-          variable,
-          std::move(meaning)};
+  polynomial_step step = identity(std::move(numerator), std::move(result), std::move(meaning));
+  step.what = polynomial_step::kind::slope;
+  step.over = std::move(denominator);
+  step.variable = variable;
+  return step;
 }
 
 bool polynomial_step::holds() const {
   const exact_polynomial p = exact_polynomial::parse(left);
   const exact_polynomial r = exact_polynomial::parse(right);
+  if (what == kind::identity) return r == p;
   if (what == kind::slope) {
     const exact_polynomial q = exact_polynomial::parse(over);
     return p.derivative(variable) * q - p * q.derivative(variable) == r;
   }
-  if (what == kind::positive && !r.has_positive_coefficients()) return false;
-  return with_letters(r, letters) == p;
+  const std::vector<letter_range> ranges = ranges_in(letters);
+  if (!are_usable(ranges) || !sign_is_seen(r, ranges, strict)) return false;
+  exact_polynomial meant = r;
+  for (const letter_range& range : ranges) {
+    if (range.defined) meant = meant.with(range.letter, range.quantity);
+  }
+  return meant == p;
 }
 
 std::string polynomial_step::statement() const {
@@ -258,9 +347,11 @@ std::string polynomial_step::statement() const {
            over + ")^2, expanded over Q: " + meaning;
   }
   std::string result = left + " = " + right;
-  if (!letters.empty()) result += " with " + letters;
+  if (what == kind::sign) {
+    result += std::string(strict ? " > 0" : " >= 0") + " for " + letters;
+  }
   result += ", expanded over Q";
-  if (what == kind::positive) result += ", and no coefficient of the right side is negative";
+  if (what == kind::sign) result += ", no coefficient of the right side being negative";
   return result + ": " + meaning;
 }
 
@@ -269,14 +360,17 @@ bool add_steps(certificate& c, const std::vector<polynomial_step>& steps) {
   for (const polynomial_step& step : steps) {
     const bool holds = step.holds();
     all_hold = all_hold && holds;
-    c.facts.push_back({step.statement(), holds});
+    c.facts.push_back({step.statement(), holds, step_kind::exact});
     json one{{"kind", in_words(step.what)}, {"left", step.left}};
     if (step.what == polynomial_step::kind::slope) {
       one["over"] = step.over;
       one["variable"] = std::string(1, step.variable);
     }
     one["right"] = step.right;
-    if (!step.letters.empty()) one["letters"] = step.letters;
+    if (step.what == polynomial_step::kind::sign) {
+      one["letters"] = step.letters;
+      one["conclusion"] = step.strict ? "> 0" : ">= 0";
+    }
     c.witness["polynomials"].push_back(std::move(one));
   }
   return all_hold;

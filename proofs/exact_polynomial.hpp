@@ -40,8 +40,8 @@ class exact_polynomial {
   /// The polynomial with another put in the place of a variable.
   [[nodiscard]] exact_polynomial with(char name, const exact_polynomial& replacement) const;
 
-  /// No coefficient is negative and at least one is positive: then the value is positive wherever all letters are.
-  [[nodiscard]] bool has_positive_coefficients() const;
+  /// The terms: exponents of a ... z, and the coefficient, which is not 0.
+  [[nodiscard]] const std::map<exponents, rational>& terms() const { return terms_; }
 
  private:
   void add(const exponents& e, const rational& coefficient);
@@ -52,27 +52,47 @@ class exact_polynomial {
 struct polynomial_step {
   enum class kind {
     identity,  // "p = q"
-    positive,  // "p = q" and q has positive coefficients; its letters stand for positive quantities
+    sign,  // "p = q > 0" or "p = q >= 0": no coefficient of q is negative, nor is any of its letters
     slope  // "d/dx (p) / (q) = r": p_x q - p q_x = r, the numerator of the derivative of p/q over q^2
   };
   kind what;
-  std::string left;     // p
-  std::string over;     // q of a slope
-  std::string right;    // q, or r
-  std::string letters;  // "q = 1-b, y = 1-x": put into `right` before it is compared, or ""
+  std::string left;   // p
+  std::string over;   // q of a slope
+  std::string right;  // q, or r
+  /// Of a sign: "b > 0, q = 1-b > 0, y = 1-x >= 0", the range of every letter of `right`; what a letter stands for is put into
+  /// `right` before it is compared.
+  std::string letters;
+  bool strict = false;  // of a sign: > 0 is concluded, not >= 0
   char variable = 'x';  // of a slope
   std::string meaning;  // what it says in the proof
 
-  /// Decided by expansion. Throws std::invalid_argument where a text is not a polynomial.
+  /// Decided by expansion. A sign holds where
+  ///   the ranges are hypotheses of the claims (see hypotheses), and every letter of `right` has one;
+  ///   no coefficient of `right` is negative, so that its value is not; and for > 0 besides
+  ///   one term is positive: its letters are all > 0.
+  /// Throws std::invalid_argument where a text is not a polynomial, or `letters` are no ranges.
   [[nodiscard]] bool holds() const;
   /// "(1-b)^2 - b*(a+b) = 1 - 2*b - a*b, expanded over Q"
   [[nodiscard]] std::string statement() const;
 };
 
 [[nodiscard]] polynomial_step identity(std::string left, std::string right, std::string meaning);
-/// left = right with the letters' meanings put in, and right has positive coefficients.
+/// left = right > 0 for letters with these ranges.
 [[nodiscard]] polynomial_step positive(std::string left, std::string right, std::string letters,
                                        std::string meaning);
+/// left = right >= 0 for letters with these ranges.
+[[nodiscard]] polynomial_step not_negative(std::string left, std::string right, std::string letters,
+                                           std::string meaning);
+
+/// What the claims say of the quantities that letters stand for: a polynomial that is > 0, or >= 0. A step may use these and no
+/// other. All of them hold at a = b = u = 1/4, c = 1/8, k = 1/2, x = 3/4, y = 1/2, z = 1/4: no step speaks of nothing.
+struct hypothesis {
+  const char* quantity;
+  bool strict;  // > 0; else >= 0
+  const char* of;
+};
+[[nodiscard]] const std::vector<hypothesis>& hypotheses();
+
 [[nodiscard]] polynomial_step slope(char variable, std::string numerator, std::string denominator,
                                     std::string result, std::string meaning);
 

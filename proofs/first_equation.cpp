@@ -48,7 +48,7 @@ certificate prove_decrease(const request& wanted) {
       "c and for c' > c, the upper end for c' is the greater one. Computed: the polynomial steps.";
   add_steps(c, {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
                       "the derivative in c of the square of the integrand, negative"),
-                positive("1-b*x", "q + b*y", "q = 1-b, y = 1-x",
+                positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0, y = 1-x >= 0",
                          "1 - bX > 0 for 0 <= X <= 1: the integrand is positive")});
   const body rigid = requested_body(c, wanted);
   add_decrease_in_both(c, rigid);
@@ -66,7 +66,17 @@ claim first_equation_claim() {
       "injective there.",
       "exact derivative of the integrand and its sign",
       claim_subject::body,
-      prove_decrease};
+      prove_decrease,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "The integral increases in its upper end, as its integrand is positive, and decreases in "
+        "c, as its integrand does: where c is greater the upper end at which it is pi is "
+        "greater."},
+       {step_kind::argued,
+        "Eq. (24): h_c = -(1-bX)/(2 sqrt(a+bX) (c+bX)^(3/2)) for the integrand h, by the "
+        "derivative of h^2; differentiation under the integral, which has no singularity before "
+        "the turning point, and the implicit function theorem give d epsilon/dc = -(integral of "
+        "|h_c|)/h(pi/2 - epsilon) < 0."}}};
 }
 
 }  // namespace polhode::proofs

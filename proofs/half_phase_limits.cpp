@@ -22,7 +22,7 @@ certificate prove_limits(const request& wanted) {
   c.facts.push_back(
       {"at the given a, b both bounds hold at u = 1/4, 1/2, 3/4 for the value by the "
        "AGM",
-       half_phase_obeys_its_bounds(rigid)});
+       half_phase_obeys_its_bounds(rigid), step_kind::enclosed});
   c.conclude();
   return c;
 }
@@ -35,7 +35,11 @@ claim half_phase_limits_claim() {
           "F(-bu,u) tends to pi I as u tends to 1, and to infinity as u tends to 0.",
           "explicit bounds on both sides, by exact signs",
           claim_subject::body,
-          prove_limits};
+          prove_limits,
+          proof_tier::with_words,
+          {{step_kind::argued,
+            "As u tends to 1 both bounds tend to pi I; as u tends to 0 the lower one grows without "
+            "bound."}}};
 }
 
 }  // namespace polhode::proofs

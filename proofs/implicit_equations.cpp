@@ -56,7 +56,17 @@ claim implicit_equations_claim() {
       "by the parity of n and the side of pi/2 on which epsilon is.",
       "symmetries of the motion; sums of the sweeps",
       claim_subject::none,
-      prove_equations};
+      prove_equations,
+      proof_tier::by_argument,
+      {{step_kind::argued,
+        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
+        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+       {step_kind::argued,
+        "With pi = nG + r, |r| <= G/2: psi_c(pi) = (-1)^n psi_c(r), |r| = F(c,u')/2, and the four "
+        "cases are those of the signs of (-1)^n and r."},
+       {step_kind::cited,
+        "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
+        "depend continuously on their data."}}};
 }
 
 }  // namespace polhode::proofs

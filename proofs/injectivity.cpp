@@ -107,7 +107,7 @@ void add_chain(certificate& c, const body& rigid) {
   if (!points) {
     c.facts.push_back(
         {"at the given a, b: epsilon(c) increases as c goes down from a and stays below pi/2",
-         false});
+         false, step_kind::enclosed});
     return;
   }
   if (points->size() < 3) {
@@ -120,7 +120,7 @@ void add_chain(certificate& c, const body& rigid) {
            std::to_string(points->size()) +
            " points towards -b, and is below pi/2, its limit there; as it is monotone by the "
            "proof, the boxes between neighbouring points cover the curve between them",
-       true});
+       true, step_kind::enclosed});
   json& chain = c.witness["chain"];
   for (const curve_point& point : *points) {
     const decimal_enclosure epsilon = to_decimal_enclosure(point.epsilon, 9);
@@ -212,7 +212,8 @@ void add_witnesses(certificate& c, const body& rigid) {
            side_of(rigid, c_of(found->first.upper), found->level) == sign::positive &&
            side_of(rigid, c_of(found->second.lower), found->level) == sign::positive &&
            (certainly_less(most_at_end, found->level) ||
-            side_of(rigid, c_of(end), found->level) == sign::negative)});
+            side_of(rigid, c_of(end), found->level) == sign::negative),
+       step_kind::enclosed});
   c.witness["two_c"] = json{{"epsilon", to_text(lower_rational(found->level))},
                             {"u_first", as_json(found->first)},
                             {"u_second", as_json(found->second)}};
@@ -240,7 +241,7 @@ certificate prove_injectivity(const request& wanted) {
   c.facts.push_back({"at the given a, b, in rationals: I " + std::string(physical ? ">=" : "<") +
                          " 1, " + to_text(rigid.kind()) + ": epsilon(c) is " +
                          (physical ? "injective" : "not injective"),
-                     physical == (rigid.kind() != body_kind::non_physical)});
+                     physical == (rigid.kind() != body_kind::non_physical), step_kind::exact});
   if (physical) {
     add_chain(c, rigid);
   } else {
@@ -261,7 +262,24 @@ claim injectivity_claim() {
       "monotone parts by exact signs; a chain of enclosures, or two c with one epsilon, for a "
       "body",
       claim_subject::body,
-      prove_injectivity};
+      prove_injectivity,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) "
+        "every value above pi I, once, and no other."},
+       {step_kind::argued,
+        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
+        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+       {step_kind::argued,
+        "Where I >= 1, pi is at most G, and as c decreases G decreases and the time T to every psi "
+        "increases: psi_c(pi) decreases, before the turning point and after it."},
+       {step_kind::argued,
+        "Where I < 1, epsilon is pi/2 at some c and tends to pi/2 as c tends to -b: a continuous "
+        "injective function would have different limits."},
+       {step_kind::cited, "The intermediate value theorem."},
+       {step_kind::cited,
+        "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
+        "depend continuously on their data."}}};
 }
 
 }  // namespace polhode::proofs

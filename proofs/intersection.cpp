@@ -26,7 +26,8 @@ certificate prove_intersection(const request& wanted) {
   c.facts.push_back(
       {std::string("at the given a, b, in rationals: I ") + (meets ? "<" : ">=") +
            " 2, and 4ab + 3b^2 + 2b - 1 is " + (meets ? "positive" : "not positive"),
-       meets == (4 * rigid.a() * rigid.b() + 3 * rigid.b() * rigid.b() + 2 * rigid.b() > 1)});
+       meets == (4 * rigid.a() * rigid.b() + 3 * rigid.b() * rigid.b() + 2 * rigid.b() > 1),
+       step_kind::exact});
   if (meets) {
     add_brackets(
         c, rigid, 1, [](int) { return rational(2); }, "intersection");
@@ -47,7 +48,15 @@ claim intersection_claim() {
       "(0, 1) if I < 2 and in none otherwise; at I = 2 the point is the limit u = 1.",
       "one-to-one map onto (pi I, infinity), by exact signs; I < 2 in rationals",
       claim_subject::body,
-      prove_intersection};
+      prove_intersection,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) "
+        "every value above pi I, once, and no other."},
+       {step_kind::argued,
+        "On the part of C of the first implicit equation C meets S where pi is the time from psi = "
+        "0 to the turning point, G = 2 pi."},
+       {step_kind::cited, "The intermediate value theorem."}}};
 }
 
 }  // namespace polhode::proofs

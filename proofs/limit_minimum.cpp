@@ -5,12 +5,17 @@
 // the limit's integral for chi = 1. So at every c = b beta the twist falls short of the limit's, and
 //   - epsilon0 > epsilon0_min, the limit's defect at beta = 0, chi = 1: t(0, psi) is the inverse Gudermannian function;
 //   - c0/b > beta_min, the paper's beta, where 2 t(beta, pi/2) = 2 pi: F(b beta_min, 0) > 2 pi, and F(c,0) decreases in c (for bodies with a c0: J < 2).
+// beta < 0, chi <= 1, in the limit: sin^2 epsilon* = -beta at the turning points, |psi| <= pi/2 - epsilon*. By the fact below K(1 - s) > pi for
+// s = sin^2 epsilon0_min = 1/cosh(pi)^2. If -beta > s: epsilon >= epsilon* > epsilon0_min. Else K(1+beta) >= K(1-s) > pi >= pi sqrt(chi): the turning
+// point is not reached, and t(beta, psi) > t(0, psi), t = pi sqrt(chi) <= pi: epsilon > epsilon0_min.
 // Both bounds are approached, by planar bodies a = 1/b - 2 with b -> 0, and not attained: they are the greatest lower bounds. The paper
 // argues by the decrease in a only.
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/elliptic/complete.hpp"
 #include "proofs/beta.hpp"
 #include "proofs/claims.hpp"
+#include "proofs/half_phase.hpp"
 #include "proofs/rotating_phase.hpp"
 #include "proofs/separatrix.hpp"
 
@@ -50,7 +55,7 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
   c.witness["c0_over_a"] = as_json(*bracket);
   c.facts.push_back(
       {"at the given a, b: c0/b is above beta (c0/a between " + in_decimals(*bracket) + ")",
-       above && passes_rotating_phase(rigid, 2, *bracket)});
+       above && passes_rotating_phase(rigid, 2, *bracket), step_kind::enclosed});
 }
 
 certificate prove_minimum(const request& wanted) {
@@ -65,15 +70,26 @@ certificate prove_minimum(const request& wanted) {
       "bodies a = 1/b - 2 "
       "approach them for b -> 0 by the limit formula. Computed: the polynomial step and both "
       "numbers.";
-  add_steps(
-      c, {positive("(1-b*x)^2 - b*(a+b*x)", "p + b*y*(1+q+b*y)", "p = 1-a*b-2*b, q = 1-b, y = 1-x",
-                   "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
-          identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")});
+  add_steps(c,
+            {positive("(1-b*x)^2 - b*(a+b*x)", "p + b*y*(1+q+b*y)",
+                      "b > 0, p = 1-a*b-2*b >= 0, q = 1-b > 0, y = 1-x > 0",
+                      "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
+             identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")});
   c.numbers.push_back({"epsilon0_min",
                        enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits),
                        wanted.digits});
   const ball beta = enclose_to_digits(*find_constant("beta"), wanted.digits);
   c.numbers.push_back({"beta", beta, wanted.digits});
+  // For beta < 0 the turning point is epsilon*, sin^2 epsilon* = -beta, at xi = K(1+beta) = K(cos^2 epsilon*).
+  c.facts.push_back(
+      {"agm(1, sin epsilon0_min) < 1/2 with sin epsilon0_min = 1/cosh(pi), so that K(cos^2 "
+       "epsilon0_min) > pi: for beta < 0, chi <= 1 the limit's motion has either -beta > sin^2 "
+       "epsilon0_min, and epsilon >= epsilon* > epsilon0_min, or is still before its first turning "
+       "point",
+       is_decided([](precision p) {
+         return certainly_less(agm(ball(1, p), 1 / cosh(pi(p))), ball(rational(1, 2), p));
+       }),
+       step_kind::enclosed});
   add_physical_body(c, requested_body(c, wanted), enclose_beta(256).root);
   c.conclude();
   return c;
@@ -85,10 +101,21 @@ claim limit_minimum_claim() {
   return {"limit_minimum",
           "section 7, eqs. (39), (40)",
           "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min; over all "
-          "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained.",
+          "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained. For "
+          "beta < 0, chi <= 1 the limit's epsilon is above epsilon0_min, and tends to it as chi -> "
+          "1, beta -> 0.",
           "one polynomial inequality over all physical bodies; the limit formula",
           claim_subject::body,
-          prove_minimum};
+          prove_minimum,
+          proof_tier::by_argument,
+          {{step_kind::argued,
+            "The integrand exceeds the limit's at every psi > 0, so that the integral does, and "
+            "epsilon0 and c0/b exceed their limits."},
+           {step_kind::argued, "Planar bodies approach both limits, by the claim limit_formula."},
+           {step_kind::argued,
+            "Before the first turning point the limit's integral is greater for beta < 0 than for "
+            "beta = 0 at every psi, and its value pi sqrt(chi) is at most pi: psi is below that of "
+            "beta = 0, chi = 1."}}};
 }
 
 }  // namespace polhode::proofs

@@ -15,12 +15,12 @@ void add_body(certificate& c, const request& wanted) {
   c.facts.push_back(
       {"at the given a, b the phase by the AGM at u = 1/4, 1/2, 3/4 decreases, is above "
        "2 pi I and 4 I arsinh(pi/(2 sqrt(u))), and below 2 pi I g(u)/g(1)",
-       half_phase_obeys_its_bounds(rigid)});
+       half_phase_obeys_its_bounds(rigid), step_kind::enclosed});
   const bool below_one = exceeds_geometric_constant(1, rigid);
   c.facts.push_back({std::string("at the given a, b, in rationals: the body is ") +
                          to_text(rigid.kind()) + ", and the greatest lower bound is " +
                          (below_one ? "below 2 pi" : "2 pi or more"),
-                     below_one == (rigid.kind() == body_kind::non_physical)});
+                     below_one == (rigid.kind() == body_kind::non_physical), step_kind::exact});
 }
 
 certificate prove_oscillating(const request& wanted) {
@@ -51,7 +51,14 @@ claim montgomery_oscillating_claim() {
           "is 2 pi I; this is at least 2 pi if and only if the body is physical.",
           "exact derivative and signs; two-sided bounds for the limit",
           claim_subject::body,
-          prove_oscillating};
+          prove_oscillating,
+          proof_tier::with_words,
+          {{step_kind::argued,
+            "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, "
+            "1) every value above pi I, once, and no other."},
+           {step_kind::argued,
+            "As u tends to 1 both bounds tend to pi I, so that this is the greatest lower bound, "
+            "and it is not attained."}}};
 }
 
 }  // namespace polhode::proofs

@@ -25,7 +25,7 @@ certificate prove_rotating(const request& wanted) {
   c.facts.push_back(
       {"at the given a, b the phase by the AGM at c = a/4, a/2, 3a/4 decreases, is "
        "above 2 pi J and 4 I arsinh((pi/2) sqrt(b/c)), and below 2 pi J sqrt(a/c)",
-       rotating_phase_obeys_its_bounds(rigid)});
+       rotating_phase_obeys_its_bounds(rigid), step_kind::enclosed});
   c.conclude();
   return c;
 }
@@ -39,7 +39,14 @@ claim montgomery_rotating_claim() {
           "2 pi J.",
           "exact derivative and signs; two-sided bounds and an antiderivative for the limit",
           claim_subject::body,
-          prove_rotating};
+          prove_rotating,
+          proof_tier::with_words,
+          {{step_kind::argued,
+            "An integral over a fixed range decreases in a quantity where its integrand does at "
+            "every point of the range."},
+           {step_kind::argued,
+            "As c tends to a both bounds tend to P, which is pi J by the antiderivative: this is "
+            "the greatest lower bound, and it is not attained."}}};
 }
 
 }  // namespace polhode::proofs

@@ -21,7 +21,7 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
   const bool exists = exceeds_second_geometric_constant(q, rigid);
   c.facts.push_back({"at the given a, b, in rationals: J " + std::string(exists ? "< " : ">= ") +
                          to_text(q) + ", so there is " + (exists ? "a " : "no ") + what,
-                     exists == (polynomial > 0)});
+                     exists == (polynomial > 0), step_kind::exact});
   if (!exists) {
     c.facts.push_back(
         {"at the given a, b, by the AGM: F(c,0) > " + to_text(q) + " pi at c = a/2 and 3a/4",
@@ -29,7 +29,8 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
            const ball value = 2 * q * pi(p);
            return certainly_less(value, montgomery_phase(rigid, rational(a / 2), p)) &&
                   certainly_less(value, montgomery_phase(rigid, rational(3 * a / 4), p));
-         })});
+         }),
+         step_kind::enclosed});
     return;
   }
   const auto bracket = bracket_rotating_phase_root(rigid, q);
@@ -40,7 +41,7 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
   }
   c.facts.push_back({"at the given a, b, by the AGM: F(c,0) passes " + in_pi(q) +
                          " between c/a = " + in_decimals(*bracket),
-                     passes_rotating_phase(rigid, q, *bracket)});
+                     passes_rotating_phase(rigid, q, *bracket), step_kind::enclosed});
   c.witness[key] = as_json(*bracket);
 }
 
@@ -78,7 +79,14 @@ claim perfect_twist_claim() {
       "in (0, a).",
       "one-to-one map onto (pi J, infinity), by exact signs; J < 2 in rationals",
       claim_subject::body,
-      prove_perfect_twist};
+      prove_perfect_twist,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "An integral over a fixed range decreases in a quantity where its integrand does at every "
+        "point of the range."},
+       {step_kind::argued,
+        "By its two bounds F(c,0) takes on (0, a) every value above pi J, and no other."},
+       {step_kind::cited, "The intermediate value theorem."}}};
 }
 
 }  // namespace polhode::proofs

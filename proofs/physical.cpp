@@ -30,7 +30,8 @@ void add_body(certificate& c, const request& wanted) {
                          ", of the same sign: " + to_text(rigid.kind()),
                      sign_of_rational(excess) == sign_of_rational(square - 1) &&
                          (rigid.kind() == body_kind::planar) == (excess == 0) &&
-                         (rigid.kind() == body_kind::physical) == (excess > 0)});
+                         (rigid.kind() == body_kind::physical) == (excess > 0),
+                     step_kind::exact});
 }
 
 certificate prove_physical(const request& wanted) {
@@ -47,8 +48,8 @@ certificate prove_physical(const request& wanted) {
                       "yz/((x-y)(x-z))"),
              identity("y*z - (x-y)*(x-z)", "x*(y+z-x)", "I^2 - 1 has the sign of I_y + I_z - I_x"),
              identity("(1-b)^2 - b*(a+b)", "1 - 2*b - a*b", "and that of 1 - 2b - ab"),
-             positive("x+z-y", "z + p", "p = x-y", "I_x + I_z > I_y always"),
-             positive("x+y-z", "x + p", "p = y-z", "I_x + I_y > I_z always")});
+             positive("x+z-y", "z + p", "z > 0, p = x-y > 0", "I_x + I_z > I_y always"),
+             positive("x+y-z", "x + p", "x > 0, p = y-z > 0", "I_x + I_y > I_z always")});
   add_body(c, wanted);
   c.conclude();
   return c;
@@ -64,7 +65,11 @@ claim physical_claim() {
       "only if its geometric constant is I >= 1; it is planar if and only if I = 1.",
       "identities of polynomials over all moments; signs of rationals for a body",
       claim_subject::body,
-      prove_physical};
+      prove_physical,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "With I_z < I_y < I_x all denominators are positive, and I > 0: I >= 1 exactly where I^2 - "
+        "1 >= 0, where I_y + I_z - I_x >= 0."}}};
 }
 
 }  // namespace polhode::proofs

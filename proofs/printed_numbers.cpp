@@ -28,7 +28,8 @@ claim printed_numbers_claim() {
           "formulas, to the last digit printed, but for those in errata.",
           "enclosures against the printed decimals",
           claim_subject::none,
-          prove_printed_numbers};
+          prove_printed_numbers,
+          proof_tier::by_machine};
 }
 
 }  // namespace polhode::proofs

@@ -110,7 +110,7 @@ void add_printed_numbers(certificate& c, const std::vector<printed_number>& numb
         {n.where + " prints " + as_read(n.printed, n.places) + " for " + n.what + ", which is " +
              to_decimal(value, shown_digits) +
              (expected == rounding::right ? ": right to the last digit printed" : ": wrong"),
-         check_rounding(n.printed, n.places, value) == expected});
+         check_rounding(n.printed, n.places, value) == expected, step_kind::enclosed});
   }
 }
 

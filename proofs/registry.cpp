@@ -37,6 +37,7 @@ const std::vector<claim>& all_claims() {
                             count_claim(),
                             c0_decreases_claim(),
                             epsilon0_decreases_claim(),
+                            large_a_claim(),
                             limit_formula_claim(),
                             limit_minimum_claim(),
                             epsilon0_min_claim(),
@@ -57,6 +58,8 @@ const std::vector<claim>& all_claims() {
         result.claim = c.name;
         result.statement = c.statement;
         result.reference = c.reference;
+        result.tier = c.tier;
+        result.argument = c.argument;
         return result;
       };
     }

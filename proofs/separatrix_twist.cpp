@@ -33,10 +33,10 @@ certificate prove_separatrix(const request& wanted) {
       "interval "
       "Newton on y/sqrt(ab) - arctan(sqrt(b/a) tanh y) = pi, tan epsilon0 = sqrt(a/(a+b))/sinh y.";
   add_steps(c,
-            {positive("1-b*x", "q + b*y", "q = 1-b, y = 1-x",
+            {positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0, y = 1-x >= 0",
                       "1 - bx > 0: the integrand is positive, F(0,u) decreases in u"),
-             positive("(a+b)-(a+b*x)", "b*y", "y = 1-x",
-                      "a + bx <= a + b: the integrand is at least I/x, F(0,u) >= I log(1/u)"),
+             not_negative("(a+b)-(a+b*x)", "b*y", "b > 0, y = 1-x >= 0",
+                          "a + bx <= a + b: the integrand is at least I/x, F(0,u) >= I log(1/u)"),
              slope('x', "1-x", "a+b*x", "-(a+b)", "the derivative of w^2 = (1-x)/(a+bx)"),
              identity("(a+b*x) - a*(1-x)", "(a+b)*x", "1 - a w^2 = (a+b)x/(a+bx)"),
              identity("(a+b*x) + b*(1-x)", "a+b",
@@ -74,13 +74,19 @@ ball separatrix_defect(const body& rigid, precision p) {
 }
 
 claim separatrix_twist_claim() {
-  return {"separatrix_twist",
-          "proposition 3, part 1, eq. (25)",
-          "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
-          "solution u = sin^2 epsilon0 in (0, 1), for every body.",
-          "exact signs and limits; interval Newton for the number",
-          claim_subject::body,
-          prove_separatrix};
+  return {
+      "separatrix_twist",
+      "proposition 3, part 1, eq. (25)",
+      "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
+      "solution u = sin^2 epsilon0 in (0, 1), for every body.",
+      "exact signs and limits; interval Newton for the number",
+      claim_subject::body,
+      prove_separatrix,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "F(0,u) decreases in u, as its integrand is positive and its range shrinks; it has no "
+        "bound as u tends to 0 and tends to 0 as u tends to 1, by its bound and its closed form."},
+       {step_kind::cited, "The intermediate value theorem."}}};
 }
 
 }  // namespace polhode::proofs

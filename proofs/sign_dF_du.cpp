@@ -30,7 +30,7 @@ void add_value(certificate& c, const request& wanted) {
   const ball value = slope_to_digits(motion, wanted.digits);
   c.numbers.push_back({"dF_du", value, wanted.digits});
   c.facts.push_back({"at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)",
-                     certainly_negative(value)});
+                     certainly_negative(value), step_kind::enclosed});
 
   // The quadrature's goal is absolute; the size of the value turns it into digits.
   const long digits = std::min(wanted.digits, most_quadrature_digits);
@@ -61,31 +61,33 @@ void add_value(certificate& c, const request& wanted) {
   c.facts.push_back({"the paper's eq. (44) by certified quadrature, to " + std::to_string(digits) +
                          " digits, overlaps the value by AGM and is negative",
                      q.verdict == status::certified && overlaps(q.enclosure, value) &&
-                         certainly_negative(q.enclosure)});
+                         certainly_negative(q.enclosure),
+                     step_kind::enclosed});
 }
 
 void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
   const identity_check identity = check_derivative_identity();
-  c.facts.push_back({identity.statement, identity.holds});
+  c.facts.push_back({identity.statement, identity.holds, step_kind::exact});
   c.witness["identity"] = json{{"points", identity.points}, {"degrees", identity.degrees}};
   c.facts.push_back(
       {"for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
        "(44) is "
        "positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
-       identity.holds && numerator_is_positive()});
+       identity.holds && numerator_is_positive(), step_kind::exact});
 
   const sweep_result sweep = sweep_slope();
   c.facts.push_back(
       {"interval sweep: -u sqrt(b(a+b)) dF/du > 3/4 on all of [0,1]^3 in the variables a/(a+b), "
        "b(1+a)/(a+b), u (" +
            std::to_string(sweep.boxes) + " boxes)",
-       sweep.holds});
+       sweep.holds, step_kind::enclosed});
   const precision p = 64;
   const ball integral = slope_enclosure(point_of(motion, p));
   const ball factor =
       -ball(motion.u, p) * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p));
   c.facts.push_back({"the sweep's integral at the given a, b, u holds the value above",
-                     integral.is_bounded() && overlaps(integral, factor * c.numbers[0].enclosure)});
+                     integral.is_bounded() && overlaps(integral, factor * c.numbers[0].enclosure),
+                     step_kind::enclosed});
   json boxes = json::array();
   for (const sweep_box& box : sweep.covering) {
     json sides = json::array();
@@ -131,7 +133,12 @@ claim sign_dF_du_claim() {
       "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
       "two enclosures of the value; exact identity and signs; interval sweep over all parameters",
       claim_subject::motion,
-      prove_sign};
+      prove_sign,
+      proof_tier::with_words,
+      {{step_kind::argued,
+        "Differentiation under the integral: the integrand and its derivative in u are continuous "
+        "on [0, pi/2] x [u_0, 1] for every u_0 > 0. An integral of what is negative is "
+        "negative."}}};
 }
 
 }  // namespace polhode::proofs

@@ -29,7 +29,7 @@ void add_brackets(certificate& c, const body& rigid, const integer& count,
     }
     c.facts.push_back({"at the given a, b, by the AGM: G(u) passes " + multiple_of_pi(q(k)) +
                            " between u = " + in_decimals(*bracket),
-                       passes_half_phase(rigid, q(k), *bracket)});
+                       passes_half_phase(rigid, q(k), *bracket), step_kind::enclosed});
     witness.push_back(as_json(*bracket));
   }
 }
@@ -39,7 +39,8 @@ void add_absence(certificate& c, const body& rigid, const rational& q) {
                          "; by the AGM G(1/2) > " + multiple_of_pi(q),
                      !exceeds_geometric_constant(q, rigid) && is_decided([&](precision p) {
                        return certainly_less(pi(p) * q, half_phase(rigid, rational(1, 2), p));
-                     })});
+                     }),
+                     step_kind::enclosed});
 }
 
 }  // namespace polhode::proofs

@@ -31,19 +31,7 @@ json dyadic(const rational& q) {
 
 bool has_digits(const enclosed_number& n) {
   if (!n.enclosure.is_bounded()) return false;
-  return to_decimal_enclosure(n.enclosure, n.digits).has_cut(n.digits);
-}
-
-/// What a certificate says of a number, which is what lies between two ends: the digits that both share, cut off.
-json shared_digits(const ball& x, long digits) {
-  if (!x.is_bounded()) {
-    return json{{"value", nullptr}, {"digits", 0}, {"lower", nullptr}, {"upper", nullptr}};
-  }
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  json value = nullptr;
-  if (d.exact || d.shared > 0)
-    value = d.has_cut(digits) ? d.value : to_decimal_enclosure(x, d.shared).value;
-  return json{{"value", value}, {"digits", d.shared}, {"lower", d.lower}, {"upper", d.upper}};
+  return to_decimal_enclosure(n.enclosure, n.digits).has(n.digits);
 }
 
 /// Text in lines of at most `width` columns, broken at spaces, each indented.
@@ -66,6 +54,15 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
   }
   if (line.size() > indent) result += line + '\n';
   return result;
+}
+
+/// "  [enclosed] " and the statement, in lines under each other.
+std::string marked(const std::string& mark, const std::string& statement) {
+  constexpr std::size_t margin = 13;
+  std::string lines = wrapped(statement, margin);
+  std::string first = "  [" + mark + ']';
+  first.resize(margin, ' ');
+  return lines.replace(0, margin, first);
 }
 
 /// A long decimal in rows of 90 characters.
@@ -102,6 +99,51 @@ void certificate::conclude(reason otherwise) {
   }
 }
 
+std::vector<step_kind> certificate::rests_on() const {
+  std::vector<step_kind> result;
+  for (const step_kind kind :
+       {step_kind::exact, step_kind::enclosed, step_kind::argued, step_kind::cited}) {
+    const auto is_it = [kind](const auto& step) { return step.kind == kind; };
+    if ((kind == step_kind::enclosed && !numbers.empty()) ||
+        std::any_of(facts.begin(), facts.end(), is_it) ||
+        std::any_of(argument.begin(), argument.end(), is_it)) {
+      result.push_back(kind);
+    }
+  }
+  return result;
+}
+
+std::string certificate::verdict_text() const {
+  const bool only_argued = verdict == status::certified && tier == proof_tier::by_argument;
+  return only_argued ? "argued" : to_text(verdict);
+}
+
+std::string to_text(step_kind k) {
+  switch (k) {
+    case step_kind::exact:
+      return "decided exactly";
+    case step_kind::enclosed:
+      return "enclosed";
+    case step_kind::argued:
+      return "argued in words";
+    case step_kind::cited:
+      break;
+  }
+  return "cited";
+}
+
+std::string to_text(proof_tier t) {
+  switch (t) {
+    case proof_tier::by_machine:
+      return "by machine";
+    case proof_tier::with_words:
+      return "by machine, joined in words";
+    case proof_tier::by_argument:
+      break;
+  }
+  return "by argument";
+}
+
 json to_json(const ball& x, long digits) {
   if (!x.is_bounded()) {
     return json{{"value", nullptr},
@@ -129,25 +171,33 @@ json to_dyadic_json(const ball& x) {
 json to_json(const certificate& c) {
   json result;
   result["format"] = "polhode certificate";
-  result["version"] = 2;
+  result["version"] = 3;
   result["claim"] = c.claim;
   result["statement"] = c.statement;
   result["formula"] = c.formula;
   result["reference"] = c.reference;
-  result["verdict"] = to_text(c.verdict);
+  result["verdict"] = c.verdict_text();
   if (c.verdict != status::certified) result["reason"] = to_text(c.why);
+  result["tier"] = to_text(c.tier);
+  result["rests_on"] = json::array();
+  for (const step_kind kind : c.rests_on()) result["rests_on"].push_back(to_text(kind));
   result["inputs"] = json::object();
   for (const auto& [name, value] : c.inputs) result["inputs"][name] = to_text(value);
   result["numbers"] = json::object();
   for (const auto& n : c.numbers) {
-    json number = shared_digits(n.enclosure, n.digits);
+    json number = to_json(n.enclosure, n.digits);
     number["digits_asked"] = n.digits;
     number["dyadic"] = to_dyadic_json(n.enclosure);
     result["numbers"][n.name] = std::move(number);
   }
   result["facts"] = json::array();
   for (const auto& f : c.facts) {
-    result["facts"].push_back(json{{"statement", f.statement}, {"holds", f.holds}});
+    result["facts"].push_back(
+        json{{"statement", f.statement}, {"holds", f.holds}, {"kind", to_text(f.kind)}});
+  }
+  result["argument"] = json::array();
+  for (const auto& s : c.argument) {
+    result["argument"].push_back(json{{"kind", to_text(s.kind)}, {"statement", s.statement}});
   }
   result["method"] = c.method;
   result["witness"] = c.witness;
@@ -162,8 +212,14 @@ json to_json(const certificate& c) {
 }
 
 std::string to_text(const certificate& c) {
-  std::string result = c.claim + ": " + to_text(c.verdict);
-  if (c.verdict != status::certified) result += " (" + to_text(c.why) + ")";
+  std::string result = c.claim + ": " + c.verdict_text();
+  if (c.verdict != status::certified) {
+    result += " (" + to_text(c.why) + ")";
+  } else if (c.tier == proof_tier::by_argument) {
+    result += " (the steps that a machine decides hold; they alone do not give the statement)";
+  } else {
+    result += c.tier == proof_tier::by_machine ? " by machine" : " by machine, joined in words";
+  }
   result += '\n' + wrapped(c.statement, 2) + wrapped(c.formula, 4) + wrapped(c.reference, 4);
   for (const auto& [name, value] : c.inputs) {
     result += fmt::format("    {} = {}\n", name, to_text(value));
@@ -172,11 +228,20 @@ std::string to_text(const certificate& c) {
     result += "  " + n.name + " =\n" + rows(to_decimal(n.enclosure, n.digits), 4);
   }
   for (const auto& f : c.facts) {
-    std::string lines = wrapped(f.statement, 10);
-    lines.replace(0, 10, f.holds ? "  [holds] " : "  [FAILS] ");
-    result += lines;
+    result += marked(!f.holds                     ? "FAILS"
+                     : f.kind == step_kind::exact ? "exact"
+                                                  : "enclosed",
+                     f.statement);
   }
-  return result + "  method:\n" + wrapped(c.method, 4);
+  for (const auto& s : c.argument) {
+    result += marked(s.kind == step_kind::argued ? "in words" : "cited", s.statement);
+  }
+  result += "  method:\n" + wrapped(c.method, 4);
+  std::string kinds;
+  for (const step_kind kind : c.rests_on()) {
+    kinds += (kinds.empty() ? "" : ", ") + to_text(kind);
+  }
+  return result + "  rests on: " + kinds + '\n';
 }
 
 }  // namespace polhode

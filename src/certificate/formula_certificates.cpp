@@ -332,6 +332,9 @@ json integral_certificate(const formula_over_range& what, const ball& enclosure,
   c.method =
       "Fejer's first rule on pieces of the range, its error bounded by the integrand's supremum on "
       "an ellipse around each piece; computed in ball arithmetic.";
+  c.argument.push_back({step_kind::cited,
+                        "The error of Fejer's rule for a function that is analytic and bounded on "
+                        "an ellipse (Trefethen)."});
   c.numbers.push_back({"integral", widened(enclosure, k, digits), digits});
   json pieces = json::array();
   for (const piece& p : piece_search(what, static_cast<double>(k), digits).run()) {
@@ -365,6 +368,7 @@ json roots_certificate(const formula_over_range& what, std::span<const ball> enc
   c.method =
       "On each box the derivative is nowhere 0, and the formula changes its sign between the ends "
       "of the number in it; it is not 0 outside the boxes. Computed in ball arithmetic.";
+  c.argument.push_back({step_kind::cited, "The intermediate value theorem."});
   const precision p = bits_for_digits(digits) + 64;
   const ball from = what.from.value(p);
   const ball to = what.to.value(p);

@@ -9,7 +9,7 @@
 namespace polhode::checker {
 namespace {
 
-constexpr long version = 2;
+constexpr long version = 3;
 
 void check_document(const json& certificate, report& result, budget& work) {
   const place root(certificate, "", work);
@@ -33,9 +33,10 @@ void check_document(const json& certificate, report& result, budget& work) {
   if (verdict == "not certified") {
     root["verdict"].not_checkable("it is a certificate of a claim that was not certified");
   }
-  root["verdict"].expect_text("certified");
+  root["verdict"].expect_text(!of_formula && text->tier == by_argument ? "argued" : "certified");
   root.expect_keys({"format", "version", "claim", "statement", "formula", "reference", "verdict",
-                    "inputs", "numbers", "facts", "method", "witness", "software", "digest"});
+                    "tier", "rests_on", "inputs", "numbers", "facts", "argument", "method",
+                    "witness", "software", "digest"});
   for (const char* key : {"inputs", "numbers", "witness", "software"}) {
     if (!root[key].value().is_object()) root[key].malformed("it must be an object");
   }
@@ -88,6 +89,8 @@ report check(std::string_view certificate, const limits& most) {
   if (!result.is_verified()) {
     result.subject.clear();
     result.statement.clear();
+    result.grounds.clear();
+    result.argued = false;
   }
   result.work = work.spent();
   result.memory = work.most_held();

@@ -8,10 +8,10 @@
 
 namespace polhode::checker {
 
-enum class step_kind { identity, positive, slope };
+enum class step_kind { identity, positive, not_negative, slope };
 
-/// One step of a proof that is a question about polynomials: left = right; left = right with positive coefficients; or d/dvariable of
-/// left/over = right/over^2. The letters' meanings are put into `right`.
+/// One step of a proof that is a question about polynomials: left = right; left = right > 0 or >= 0, by the signs of coefficients and
+/// letters; or d/dvariable of left/over = right/over^2. What the letters stand for is put into `right`.
 struct step_text {
   step_kind kind;
   std::string_view left;
@@ -22,6 +22,17 @@ struct step_text {
   std::string_view meaning;
 };
 
+/// One step that no program decides.
+struct stated_text {
+  std::string_view kind;  // "argued in words" or "cited"
+  std::string_view statement;
+};
+
+/// The tiers of proofs.
+inline constexpr std::string_view by_machine = "by machine";
+inline constexpr std::string_view with_words = "by machine, joined in words";
+inline constexpr std::string_view by_argument = "by argument";
+
 struct claim_text {
   std::string_view name;
   std::string_view reference;
@@ -29,6 +40,8 @@ struct claim_text {
   std::string_view formula;
   std::string_view method;
   std::vector<step_text> steps;
+  std::string_view tier;  // how much of the proof a machine decides
+  std::vector<stated_text> argument;
 };
 
 /// nullptr for a claim that this version does not know.

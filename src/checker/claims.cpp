@@ -246,7 +246,7 @@ void check_first_equation(examination& e) {
       "at u "
       "= 1/2, and from u = 1/4 to 1/2 to 3/4 at c = a/2",
       // They are defined: c + b u >= 0 for c = -b/8, u = 1/2.
-      -e.b() / 8 + e.b() / 2 > 0 && e.a() / 2 > 0);
+      -e.b() / 8 + e.b() / 2 > 0 && e.a() / 2 > 0, enclosed);
 }
 
 void check_separatrix_twist(examination& e) {
@@ -451,7 +451,7 @@ void check_two_c(examination& e) {
              " (one exact number) is passed between c = " + text(first.lower) + " and " +
              text(first.upper) + ", and again between " + text(second.lower) + " and " +
              text(second.upper) + ": two c with the same epsilon",
-         true);
+         true, enclosed);
 }
 
 void check_injectivity(examination& e) {
@@ -510,7 +510,8 @@ void check_epsilon0_decreases(examination& e) {
   }
   if (e.is_missing("the order of epsilon0 for a and 2a")) return;
   const place where = e.fact(
-      "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the given a");
+      "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the given a",
+      enclosed);
   if (!first || !second) where.not_checkable("the certificate has no enclosures of both");
   if (second->lower >= first->upper) where.refute("it is not so of the two enclosures");
   if (second->upper >= first->lower) where.not_checkable("the two enclosures overlap");
@@ -527,6 +528,16 @@ void check_limit_minimum(examination& e) {
   const body rigid = body_of(e);
   e.number("epsilon0_min", epsilon0_min);
   const range beta = e.root_number("beta", false, mean_equation);
+  e.fact(
+      "agm(1, sin epsilon0_min) < 1/2 with sin epsilon0_min = 1/cosh(pi), so that K(cos^2 "
+      "epsilon0_min) > pi: for beta < 0, chi <= 1 the limit's motion has either -beta > sin^2 "
+      "epsilon0_min, and epsilon >= epsilon* > epsilon0_min, or is still before its first turning "
+      "point",
+      [&](precision bits) {
+        const interval one = exactly(1, bits);
+        const interval cosine = (exp(pi(bits)) + exp(-pi(bits))) / 2;
+        return below(agm_with_sum(one, one / cosine).mean, exactly(rational(1, 2), bits));
+      });
   if (rigid.kind() < 0) {
     e.add_to_method(" (The given body is not physical: the bounds are not for it.)");
     return;
@@ -584,7 +595,7 @@ void check_delta_psi_max(examination& e) {
   e.fact(
       "pi - 2 epsilon0_min with epsilon0_min from log and tan overlaps the formula in exp and "
       "arctan",
-      true);
+      true, enclosed);
   examination::decimals(e.witness("second_route"), delta_psi_max);
 }
 
@@ -772,6 +783,41 @@ void check_errata(examination& e) {
       "a "
       "limit, as for a = 77/40, b = 1/10, where there is no intersection",
       at_two.squared_I() == 4 && at_two.intersections() == 0);
+  const range u{number_in("0.053943792"), number_in("0.053943793")};
+  e.fact(
+      "lemma 1 says that there is one epsilon for each c: at a = 12.65, b = 0.0629 G(u) passes 2 "
+      "pi between u = 0.053943792 and 0.053943793, at c between -0.0033930646 and -0.0033930645, "
+      "where C meets S; there psi(phi + 2 pi) = -psi(phi) on the whole orbit, so that each epsilon "
+      "from epsilon* to pi - epsilon* belongs to this one c, such as 0.4, 0.9 and 1.4, as sin^2 "
+      "0.4 > u",
+      [&](precision bits) {
+        const sine_and_cosine at = sin_cos(exactly(rational(2, 5), bits));
+        return all_of(
+            {passes_half_phase(usual, 2, u, bits), below(exactly(u.upper, bits), square(at.sine))});
+      });
+  e.fact(
+      "appendix B says that the period T_phi(c) is a decreasing function: by lemma 6 T_phi = 2 "
+      "F(-bu,u) decreases in u = -c/b and so increases in c, for a = 12.65, b = 0.0629 from c = "
+      "-b/2 to -b/8",
+      [&](precision bits) {
+        return below(half_phase(usual.a, usual.b, rational(1, 2), bits),
+                     half_phase(usual.a, usual.b, rational(1, 8), bits));
+      });
+  const body first{2, rational(1, 4)};
+  const body second{4, rational(1, 100)};
+  e.fact(
+      "section 7 says that by lemma 5, which is for one b, epsilon0 is smallest as a -> infinity: "
+      "for one b bodies are physical up to a = 1/b - 2 only, and between physical bodies of "
+      "different b a greater a may have a greater epsilon0: for a = 2, b = 1/4 it is below 1/2, "
+      "for a = 4, b = 1/100 above (what follows is so: the claim limit_minimum)",
+      [&](precision bits) -> tri {
+        if (first.kind() < 0 || second.kind() < 0) return false;
+        // F(0, sin^2 epsilon) - 2 pi decreases in epsilon and is 0 at epsilon0.
+        const interval zero = exactly(0, bits);
+        return all_of({below(separatrix_equation(first)(rational(1, 2), bits), zero),
+                       below(zero, separatrix_equation(second)(rational(1, 2), bits))});
+      });
+  e.steps();
 }
 
 }  // namespace
@@ -790,6 +836,7 @@ void check_claim(std::string_view name, examination& e) {
       {"count", check_count},
       {"c0_decreases", check_c0_decreases},
       {"epsilon0_decreases", check_epsilon0_decreases},
+      {"large_a", check_steps_only},
       {"limit_formula", check_steps_only},
       {"limit_minimum", check_limit_minimum},
       {"epsilon0_min", check_epsilon0_min},

@@ -383,7 +383,9 @@ void check_beta(examination& e) {
       "by certified quadrature, which uses no AGM: the integral over (0, pi/2) of (x + cos^2 "
       "t)^(-1/2) "
       "exceeds pi at the first " +
-      std::to_string(digits) + " digits of beta and is below pi one unit of the last place higher");
+          std::to_string(digits) +
+          " digits of beta and is below pi one unit of the last place higher",
+      enclosed);
   const std::string first = decimal(beta.lower, digits, rounding::to_zero, e.work());
   rational below;
   static_cast<void>(read_decimal(first, below));
@@ -415,7 +417,8 @@ void check_sign_dF_du(examination& e) {
   const rational& u = e.u();
   const range value =
       e.number("dF_du", [&](precision bits) { return half_phase_slope(a, b, u, bits); });
-  e.fact("at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)", value.upper < 0);
+  e.fact("at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)", value.upper < 0,
+         enclosed);
 
   const place quadrature = e.witness("quadrature");
   if (quadrature.has("note")) {
@@ -440,7 +443,7 @@ void check_sign_dF_du(examination& e) {
     e.fact("the paper's eq. (44) by certified quadrature, to " +
                std::to_string(std::min(e.digits(), most_quadrature_digits)) +
                " digits, overlaps the value by AGM and is negative",
-           overlaps(integral, value.lower, value.upper) && given.upper < 0);
+           overlaps(integral, value.lower, value.upper) && given.upper < 0, enclosed);
   }
 
   const place identity = e.witness("identity");
@@ -460,14 +463,15 @@ void check_sign_dF_du(examination& e) {
       "for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
       "(44) is "
       "positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
-      holds && polynomial::read("a+(a+2)*b*x").has_positive_coefficients());
+      holds &&
+          letter_ranges("a > 0, b > 0, x > 0").show_sign(polynomial::read("a+(a+2)*b*x"), true));
 
   const std::size_t boxes = check_sweep(e.witness("sweep"));
   e.fact(
       "interval sweep: -u sqrt(b(a+b)) dF/du > 3/4 on all of [0,1]^3 in the variables a/(a+b), "
       "b(1+a)/(a+b), u (" +
           std::to_string(boxes) + " boxes)",
-      true);
+      true, enclosed);
   const interval integral = enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u,
                                          precision(sweep_bits + e.input_bits(), e.work()));
   e.fact("the sweep's integral at the given a, b, u holds the value above",

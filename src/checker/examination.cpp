@@ -102,6 +102,47 @@ void expect_inside(const place& where, const range& r, long bits,
   where.not_checkable("the checker did not find the true value closely enough");
 }
 
+void expect_near(const place& number, const range& exact, const rational& width) {
+  const rational lower = number["lower"].decimal_value();
+  const rational upper = number["upper"].decimal_value();
+  const budget::at here = number.working();
+  number.work().rationals(
+      6, bit_length(exact.lower) + bit_length(exact.upper) + bit_length(lower) + bit_length(upper));
+  if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
+  if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
+  if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
+  if (upper > exact.upper + width) number["upper"].refute("it is far above the exact upper end");
+}
+
+void expect_radius(const place& where) {
+  const rational value = where["value"].decimal_value();
+  const rational radius = where["radius"].decimal_value();
+  const rational lower = where["lower"].decimal_value();
+  const rational upper = where["upper"].decimal_value();
+  const budget::at here = where.working();
+  where.work().rationals(
+      6, bit_length(value) + bit_length(radius) + bit_length(lower) + bit_length(upper));
+  const rational below(value - lower);
+  const rational above(upper - value);
+  const rational least = below > above ? below : above;
+  if (radius < least) {
+    where["radius"].refute("value - radius is above lower, or value + radius below upper");
+  }
+  if (radius > 2 * least) where["radius"].refute("it is more than twice what it must be");
+}
+
+void expect_rounded_digits(const place& where, long digits) {
+  const rational value = where["value"].decimal_value();
+  const rational radius = where["radius"].decimal_value();
+  const budget::at here = where.working();
+  where.work().rationals(4, bit_length(value) + bit_length(radius) + 4 * digits);
+  // The unit of the n-th digit is above |value|/10^n.
+  const rational size = value < 0 ? rational(-value) : value;
+  if (digits > 0 && radius >= size * power_of_ten(1 - digits)) {
+    where["digits"].refute("the radius is more than one unit of the last of so many digits");
+  }
+}
+
 std::string in_between(const std::string& it, const range& r, long digits, budget& work) {
   constexpr long most_shown = 40;
   const long shown = std::min(digits, most_shown) + 3;
@@ -116,6 +157,48 @@ void expect_software(const place& software) {
     constexpr std::size_t longest = 100;
     if (software[name].text().size() > longest) software[name].malformed("it is too long");
   }
+}
+
+void expect_grounds(const place& certificate, std::string_view tier,
+                    const std::vector<stated_text>& argument) {
+  certificate["tier"].expect_text(tier);
+  const place stated = certificate["argument"];
+  for (std::size_t i = 0; i < argument.size(); ++i) {
+    const place one = stated.at(i);
+    one.expect_keys({"kind", "statement"});
+    one["kind"].expect_text(argument[i].kind);
+    one["statement"].expect_text(argument[i].statement);
+  }
+  if (stated.size() > argument.size()) {
+    stated.at(argument.size()).malformed("this claim has no such argument");
+  }
+  // The kinds of its steps, in this order.
+  std::vector<std::string_view> kinds;
+  const place facts = certificate["facts"];
+  for (const std::string_view kind :
+       {std::string_view(decided_exactly), std::string_view(enclosed),
+        std::string_view("argued in words"), std::string_view("cited")}) {
+    bool has_it = kind == enclosed && !certificate["numbers"].value().empty();
+    for (std::size_t i = 0; i < facts.size(); ++i) {
+      has_it = has_it || facts.at(i)["kind"].text() == kind;
+    }
+    for (const stated_text& s : argument) has_it = has_it || s.kind == kind;
+    if (has_it) kinds.push_back(kind);
+  }
+  const place given = certificate["rests_on"];
+  for (std::size_t i = 0; i < kinds.size(); ++i) given.at(i).expect_text(kinds[i]);
+  if (given.size() > kinds.size()) {
+    given.at(kinds.size()).refute("it rests on nothing of that kind");
+  }
+}
+
+std::string grounds_of(const place& certificate) {
+  const place kinds = certificate["rests_on"];
+  std::string result;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    result += (result.empty() ? "" : ", ") + kinds.at(i).text();
+  }
+  return result;
 }
 
 void examination::expect_words() {
@@ -165,24 +248,25 @@ long examination::input_bits() const {
 // ---------------------------------------------------------------------------------------------
 // Facts
 
-place examination::fact(const std::string& statement) {
+place examination::fact(const std::string& statement, const char* kind) {
   const place one = root_["facts"].at(facts_++);
-  one.expect_keys({"statement", "holds"});
+  one.expect_keys({"statement", "holds", "kind"});
   one["statement"].expect_text(statement);
   one["holds"].expect_true();
+  one["kind"].expect_text(kind);
   report_.checks.push_back(statement);
   if (statement.starts_with("at the given")) report_.statement.push_back(statement);
   return one["statement"];
 }
 
-void examination::fact(const std::string& statement, bool shown) {
-  const place where = fact(statement);
+void examination::fact(const std::string& statement, bool shown, const char* kind) {
+  const place where = fact(statement, kind);
   if (!shown) where.refute("it is not so");
 }
 
 void examination::fact(const std::string& statement,
                        const std::function<std::optional<bool>(precision bits)>& shown) {
-  const place where = fact(statement);
+  const place where = fact(statement, enclosed);
   const budget::at here = where.working();
   for (const long bits : precisions) {
     try {
@@ -231,22 +315,25 @@ void examination::steps() {
                   std::string(step.over) + ") = (" + std::string(step.right) + ")/(" +
                   std::string(step.over) + ")^2";
     } else {
-      const bool positive = step.kind == step_kind::positive;
-      one["kind"].expect_text(positive ? "positive coefficients" : "identity");
+      const bool is_identity = step.kind == step_kind::identity;
+      one["kind"].expect_text(is_identity ? "identity" : "sign by coefficients");
       statement = std::string(step.left) + " = " + std::string(step.right);
-      if (step.letters.empty()) {
+      if (is_identity) {
         one.expect_keys({"kind", "left", "right"});
+        holds = right == left;
       } else {
-        one.expect_keys({"kind", "left", "right", "letters"});
+        const bool strict = step.kind == step_kind::positive;
+        one.expect_keys({"kind", "left", "right", "letters", "conclusion"});
         one["letters"].expect_text(step.letters);
-        statement += " with " + std::string(step.letters);
+        one["conclusion"].expect_text(strict ? "> 0" : ">= 0");
+        statement += (strict ? " > 0 for " : " >= 0 for ") + std::string(step.letters);
+        const letter_ranges letters(step.letters);
+        holds = letters.put_into(right) == left && letters.show_sign(right, strict);
       }
-      holds = with_letters(right, step.letters) == left &&
-              (!positive || right.has_positive_coefficients());
     }
     statement += ", expanded over Q";
-    if (step.kind == step_kind::positive) {
-      statement += ", and no coefficient of the right side is negative";
+    if (step.kind == step_kind::positive || step.kind == step_kind::not_negative) {
+      statement += ", no coefficient of the right side being negative";
     }
     fact(statement + ": " + std::string(step.meaning), holds);
   }
@@ -265,7 +352,14 @@ examination::ends examination::next_number(const std::string& name) {
     where.malformed("it is not in its place: it must be number " + std::to_string(numbers_ + 1));
   }
   ++numbers_;
-  where.expect_keys({"value", "digits", "lower", "upper", "digits_asked", "dyadic"});
+  const bool rounded = where.has("rounded");
+  if (rounded) {
+    where.expect_keys(
+        {"value", "radius", "lower", "upper", "digits", "rounded", "digits_asked", "dyadic"});
+    where["rounded"].expect_true();
+  } else {
+    where.expect_keys({"value", "radius", "lower", "upper", "digits", "digits_asked", "dyadic"});
+  }
   const long digits = where["digits"].whole(1, 1L << 40U);
   if (digits > most_digits) {
     where["digits"].not_checkable("it has more than " + std::to_string(most_digits) + " digits");
@@ -274,10 +368,16 @@ examination::ends examination::next_number(const std::string& name) {
   if (digits_ != 0) where["digits"].expect_whole(digits_);
   digits_ = digits;
   const range exact = dyadic_range(where["dyadic"]);
-  expect_shared(where["value"], exact, digits);
-  expect_outward(where["lower"], exact.lower, digits + 3, rounding::down);
-  expect_outward(where["upper"], exact.upper, digits + 3, rounding::up);
   const rational width(exact.upper - exact.lower);
+  if (rounded) {
+    expect_rounded_digits(where, digits);
+    expect_near(where, exact, width);
+  } else {
+    expect_shared(where["value"], exact, digits);
+    expect_outward(where["lower"], exact.lower, digits + 3, rounding::down);
+    expect_outward(where["upper"], exact.upper, digits + 3, rounding::up);
+  }
+  expect_radius(where);
   const long bits = bit_length(integer(denominator(width))) + 16;
   const long leading_zeros = std::max(0L, bit_length(integer(denominator(exact.lower))) -
                                               bit_length(integer(numerator(exact.lower))));
@@ -350,14 +450,23 @@ range examination::dyadic_range(const place& where) {
 }
 
 range examination::decimals(const place& where, const std::function<interval(precision bits)>& f) {
-  where.expect_keys({"value", "digits", "lower", "upper"});
-  const long digits = where["digits"].whole(1, 1L << 40U);
+  const bool rounded = where.has("rounded");
+  if (rounded) {
+    where.expect_keys({"value", "radius", "lower", "upper", "digits", "rounded"});
+    where["rounded"].expect_true();
+  } else {
+    where.expect_keys({"value", "radius", "lower", "upper", "digits"});
+  }
+  const long digits = where["digits"].whole(rounded ? 0 : 1, 1L << 40U);
   if (digits > most_digits) where["digits"].not_checkable("it has too many digits");
   range r{where["lower"].decimal_value(), where["upper"].decimal_value()};
   if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
-  expect_shared(where["value"], r, digits);
-  expect_outward(where["lower"], r.lower, digits + 3, rounding::down);
-  expect_outward(where["upper"], r.upper, digits + 3, rounding::up);
+  expect_radius(where);
+  if (rounded) {
+    expect_rounded_digits(where, digits);
+  } else {
+    expect_shared(where["value"], r, digits);
+  }
   expect_inside(where, r, bits_for_digits(digits) + 64, f);
   return r;
 }
@@ -367,6 +476,9 @@ range examination::decimals(const place& where, const std::function<interval(pre
 
 void examination::finish() {
   root_["method"].expect_text(std::string(text_.method) + notes_);
+  expect_grounds(root_, text_.tier, text_.argument);
+  report_.grounds = grounds_of(root_);
+  report_.argued = text_.tier == by_argument;
   const place facts = root_["facts"];
   if (facts.size() > facts_) facts.at(facts_).malformed("this claim has no such fact");
   const place numbers = root_["numbers"];

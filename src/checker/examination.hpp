@@ -27,6 +27,13 @@ struct range {
 [[nodiscard]] long bits_for_digits(long digits);
 /// That `where` is a decimal of at most `digits` significant digits within two units of the last of them from the end, outward.
 void expect_outward(const place& where, const rational& end, long digits, rounding way);
+/// That the decimals `lower` and `upper` are outward of the exact ends, by no more than these are apart.
+void expect_near(const place& number, const range& exact, const rational& width);
+/// That value - radius <= lower and upper <= value + radius, exactly, of the decimals at `where`, and that the radius is not twice what
+/// it must be.
+void expect_radius(const place& where);
+/// Of a value that is rounded: that its radius is at most one unit of the last of its `digits`.
+void expect_rounded_digits(const place& where, long digits);
 /// That f(bits) lies in the range for some bits from `bits` on.
 void expect_inside(const place& where, const range& r, long bits,
                    const std::function<interval(precision bits)>& f);
@@ -35,6 +42,17 @@ void expect_inside(const place& where, const range& r, long bits,
                                      budget& work);
 /// The versions: that they are texts.
 void expect_software(const place& software);
+
+/// How a fact was decided: the kinds of a certificate's facts.
+inline constexpr const char* decided_exactly = "decided exactly";
+inline constexpr const char* enclosed = "enclosed";
+
+/// That a certificate says of its proof that it is of this tier and rests on this: the kinds of its steps, and what is argued and
+/// cited.
+void expect_grounds(const place& certificate, std::string_view tier,
+                    const std::vector<stated_text>& argument);
+/// "decided exactly, enclosed, cited": what a certificate whose grounds were expected rests on.
+[[nodiscard]] std::string grounds_of(const place& certificate);
 
 class examination {
  public:
@@ -59,12 +77,13 @@ class examination {
 
   // Facts -------------------------------------------------------------------------------------
   /// The next fact: its words must be these, and it must hold.
-  place fact(const std::string& statement);
+  place fact(const std::string& statement, const char* kind);
   /// The next fact, and that `shown` shows it: tried with more and more bits while it throws undecided or returns nothing; false
   /// refutes the fact.
   void fact(const std::string& statement,
             const std::function<std::optional<bool>(precision bits)>& shown);
-  void fact(const std::string& statement, bool shown);
+  /// The same of what is decided exactly here; `kind` is how the prover decided it.
+  void fact(const std::string& statement, bool shown, const char* kind = decided_exactly);
   /// Whether the method says that `what` was not found for the given body: then there is no such fact.
   bool is_missing(const std::string& what);
   void add_to_method(const std::string& sentence) { notes_ += sentence; }
@@ -87,7 +106,7 @@ class examination {
   static range bracket(const place& where);
   /// {"lower": {"mantissa", "exponent"}, "upper": ...}.
   static range dyadic_range(const place& where);
-  /// {"value", "digits", "lower", "upper"}: decimals that hold f(bits) for some bits.
+  /// {"value", "radius", "lower", "upper", "digits"}, and perhaps "rounded": decimals that hold f(bits) for some bits.
   static range decimals(const place& where, const std::function<interval(precision bits)>& f);
 
   /// The method, that nothing is left of facts, numbers and witness, and the digest.

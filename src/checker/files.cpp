@@ -145,9 +145,10 @@ std::string problem_of(const report& r) {
 std::string text_of(const report& r, bool verbose) {
   std::string result;
   if (r.is_verified()) {
-    result = r.left_out.empty() ? "verified: " : "verified, without " + joined(r.left_out) + ": ";
-    result +=
-        r.subject + ", " + std::to_string(r.checks.size()) + " facts and numbers shown again\n";
+    result = r.argued ? "steps verified, the rest argued" : "verified";
+    if (!r.left_out.empty()) result += ", without " + joined(r.left_out);
+    result += ": " + r.subject + ", " + std::to_string(r.checks.size()) +
+              " facts and numbers shown again; it rests on: " + r.grounds + '\n';
     for (const std::string& sentence : r.statement) result += "  " + sentence + '\n';
   } else {
     result = to_text(r.result) + ": " + problem_of(r) + '\n';
@@ -178,6 +179,7 @@ files_report check_files(
   files_report all;
   std::size_t verified = 0;
   std::size_t in_part = 0;
+  std::size_t argued = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string path = printable(files[i].path);
     begins(path, i + 1, files.size());
@@ -197,12 +199,14 @@ files_report check_files(
       all.text.append(path).append(": ").append(text_of(file.result, request.verbose));
     }
     if (file.was_read && file.result.result == outcome::verified) ++verified;
+    if (file.was_read && file.result.result == outcome::verified && file.result.argued) ++argued;
     if (file.was_read && file.result.result == outcome::verified_in_part) ++in_part;
     all.files.push_back(std::move(file));
   }
   all.text += std::to_string(files.size()) +
               (files.size() == 1 ? " certificate: " : " certificates: ") +
               std::to_string(verified) + " verified" +
+              (argued > 0 ? " (" + std::to_string(argued) + " of them argued)" : "") +
               (in_part > 0 ? ", " + std::to_string(in_part) + " without a part" : "") + '\n';
   all.whole = verified == files.size();
   return all;

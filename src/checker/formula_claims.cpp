@@ -17,7 +17,14 @@ formula_inputs formula_inputs::read(const place& inputs, const char* name) {
 number_ends read_number(const place& number) {
   constexpr long most_digits = 20'000;
   constexpr long most_bits = 80'000;
-  number.expect_keys({"value", "digits", "lower", "upper", "digits_asked", "dyadic"});
+  const bool rounded = number.has("rounded");
+  if (rounded) {
+    number.expect_keys(
+        {"value", "radius", "lower", "upper", "digits", "rounded", "digits_asked", "dyadic"});
+    number["rounded"].expect_true();
+  } else {
+    number.expect_keys({"value", "radius", "lower", "upper", "digits", "digits_asked", "dyadic"});
+  }
   const long asked = number["digits_asked"].whole(1, 1L << 40U);
   if (asked > most_digits) {
     number["digits_asked"].not_checkable("it is more than " + std::to_string(most_digits));
@@ -33,29 +40,19 @@ number_ends read_number(const place& number) {
       bit_length(exact.upper) > 2 * most_bits) {
     number["dyadic"].not_checkable("its ends have too many digits");
   }
-  // The digits that both ends share, and no fewer.
-  const long digits = number["digits"].whole(0, asked);
-  const auto shares = [&](long n) {
-    return decimal(exact.lower, n, rounding::to_zero, work) ==
-           decimal(exact.upper, n, rounding::to_zero, work);
-  };
-  if ((digits > 0 && !shares(digits)) || (digits < asked && shares(digits + 1))) {
-    number["digits"].refute("it is not the number of digits that both ends share");
-  }
-  if (digits > 0) {
-    number["value"].expect_text(decimal(exact.lower, digits, rounding::to_zero, work));
-  } else if (!number["value"].value().is_null()) {
-    number["value"].refute("the ends share no digit: it must be null");
+  // The digits that both ends share, cut off; or a value with an error.
+  const long digits = number["digits"].whole(rounded ? 0 : 1, asked);
+  if (!rounded) {
+    const std::string low = decimal(exact.lower, digits, rounding::to_zero, work);
+    if (low != decimal(exact.upper, digits, rounding::to_zero, work)) {
+      number["digits"].refute("both ends do not share so many digits");
+    }
+    number["value"].expect_text(low);
   }
   // The decimals are outward, and by no more than the ends are apart.
-  const rational lower = number["lower"].decimal_value();
-  const rational upper = number["upper"].decimal_value();
-  work.rationals(
-      6, bit_length(exact.lower) + bit_length(exact.upper) + bit_length(lower) + bit_length(upper));
-  if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
-  if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
-  if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
-  if (upper > exact.upper + width) number["upper"].refute("it is far above the exact upper end");
+  expect_near(number, exact, width);
+  expect_radius(number);
+  if (rounded) expect_rounded_digits(number, digits);
   return {exact, bits, digits};
 }
 

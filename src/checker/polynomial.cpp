@@ -155,18 +155,79 @@ polynomial polynomial::with(char letter, const polynomial& other) const {
   return result;
 }
 
-bool polynomial::has_positive_coefficients() const {
-  return !terms_.empty() &&
-         std::all_of(terms_.begin(), terms_.end(), [](const auto& t) { return t.second > 0; });
+letter_ranges::letter_ranges(std::string_view text) {
+  while (true) {
+    const auto end = std::min(text.find(", "), text.size());
+    const std::string_view one = text.substr(0, end);
+    // "q = 1-b > 0": the letter, what it stands for, the relation.
+    const auto relation = one.find(" >");
+    if (relation == std::string_view::npos || one.front() < 'a' || one.front() > 'z') {
+      throw std::invalid_argument("no ranges of letters");
+    }
+    const std::string_view sign = one.substr(relation);
+    if (sign != " > 0" && sign != " >= 0") throw std::invalid_argument("no ranges of letters");
+    const bool defined = one.substr(1).starts_with(" = ");
+    const std::string_view quantity =
+        defined ? one.substr(4, relation - 4) : one.substr(0, relation);
+    ranges_.push_back({one.front(), defined, polynomial::read(quantity), sign == " > 0"});
+    if (end == text.size()) return;
+    text.remove_prefix(end + 2);
+  }
 }
 
-polynomial with_letters(polynomial p, std::string_view letters) {
-  while (!letters.empty()) {
-    const auto end = std::min(letters.find(", "), letters.size());
-    p = p.with(letters.front(), polynomial::read(letters.substr(4, end - 4)));
-    letters.remove_prefix(std::min(end + 2, letters.size()));
+polynomial letter_ranges::put_into(polynomial p) const {
+  for (const range& r : ranges_) {
+    if (r.defined) p = p.with(r.letter, r.quantity);
   }
   return p;
+}
+
+/// The claims speak of bodies, a > 0 and 0 < b < 1, physical ones with ab + 2b <= 1; of moments 0 < z < y < x; and, apart from these,
+/// of x = cos^2, 0 < x < 1 but for the ends of ranges of integration, where it may be 0 or 1; of 0 < u <= 1, of k = cos^2 and of c < a.
+/// At a = b = u = 1/4, c = 1/8, k = 1/2, x = 3/4, y = 1/2, z = 1/4 all of it is so.
+bool letter_ranges::is_hypothesis(const range& r) {
+  for (const char* positive : {"a", "b", "u", "x", "z", "1-b", "1-x", "x-y", "y-z", "a-c"}) {
+    if (polynomial::read(positive) == r.quantity) return true;
+  }
+  for (const char* not_negative : {"k", "1-u", "1-a*b-2*b"}) {
+    if (polynomial::read(not_negative) == r.quantity) return !r.strict;
+  }
+  return false;
+}
+
+bool letter_ranges::are_hypotheses() const {
+  const polynomial zero;
+  for (std::size_t i = 0; i < ranges_.size(); ++i) {
+    if (!is_hypothesis(ranges_[i])) return false;
+    for (std::size_t j = 0; j < ranges_.size(); ++j) {
+      if (i != j && ranges_[i].letter == ranges_[j].letter) return false;
+      // What letters stand for is said in letters that stand for themselves.
+      if (ranges_[i].defined && ranges_[j].defined &&
+          !(ranges_[i].quantity.derivative(ranges_[j].letter) == zero)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool letter_ranges::show_sign(const polynomial& p, bool strict) const {
+  if (!are_hypotheses()) return false;
+  bool some_positive = false;
+  for (const auto& [e, n] : p.terms()) {
+    if (n < 0) return false;
+    bool term_is_positive = true;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      if (e[i] == 0) continue;
+      const auto it = std::find_if(ranges_.begin(), ranges_.end(), [&](const range& r) {
+        return r.letter == static_cast<char>('a' + i);
+      });
+      if (it == ranges_.end()) return false;
+      if (!it->strict) term_is_positive = false;
+    }
+    if (term_is_positive) some_positive = true;
+  }
+  return some_positive || !strict;
 }
 
 }  // namespace polhode::checker

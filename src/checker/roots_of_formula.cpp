@@ -144,6 +144,8 @@ void check_roots(const place& certificate, report& result) {
                                      inputs["from"].text() + " <= " + given.variable +
                                      " <= " + inputs["to"].text());
   if (certificate["facts"].size() != 0) certificate["facts"].at(0).malformed("there must be none");
+  expect_grounds(certificate, by_machine, {{"cited", "The intermediate value theorem."}});
+  result.grounds = grounds_of(certificate);
   result.subject = count == 1 ? "1 root" : std::to_string(count) + " roots";
   result.statement = {inputs["formula"].text() + " is 0 for exactly " + std::to_string(count) +
                       " " + given.variable + " in the range " + inputs["from"].text() +

@@ -178,20 +178,22 @@ void write_files(output_directory& directory, const std::vector<timed_certificat
 // ---------------------------------------------------------------------------------------------
 // What is printed
 
-/// "4 claims: 3 certified, 1 refuted"
+/// "4 claims: 2 certified, 1 argued, 1 refuted"
 std::string summary(const std::vector<timed_certificate>& certificates) {
   std::size_t certified = 0;
   std::size_t refuted = 0;
+  std::size_t argued = 0;
   for (const auto& [c, seconds] : certificates) {
     if (c.verdict == status::certified) {
-      ++certified;
+      ++(c.tier == proof_tier::by_argument ? argued : certified);
     } else if (c.why == reason::refuted) {
       ++refuted;
     }
   }
-  const std::size_t rest = certificates.size() - certified - refuted;
+  const std::size_t rest = certificates.size() - certified - argued - refuted;
   std::string result = fmt::format("{} claim{}: {} certified", certificates.size(),
                                    certificates.size() == 1 ? "" : "s", certified);
+  if (argued > 0) result += fmt::format(", {} argued", argued);
   if (rest > 0) result += fmt::format(", {} not certified", rest);
   if (refuted > 0) result += fmt::format(", {} refuted", refuted);
   return result + '\n';
@@ -209,6 +211,12 @@ std::string certificates_as_json(const std::vector<timed_certificate>& certifica
   return as_json_text(result);
 }
 
+/// " by machine", of what is certified.
+std::string verdict_tail(const certificate& c) {
+  if (c.verdict_text() != to_text(status::certified)) return "";
+  return c.tier == proof_tier::by_machine ? " by machine" : " by machine, joined in words";
+}
+
 /// The table of proofs/README.md.
 std::string certificates_as_table(const std::vector<const claim*>& claims,
                                   const std::vector<timed_certificate>& certificates) {
@@ -216,7 +224,7 @@ std::string certificates_as_table(const std::vector<const claim*>& claims,
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const auto& [c, seconds] = certificates[i];
     result += fmt::format("{} {:.1f} ms | {} |\n", proofs::table_row(*claims[i]), 1000 * seconds,
-                          to_text(c.verdict));
+                          c.verdict_text() + verdict_tail(c));
   }
   return result;
 }
@@ -244,6 +252,7 @@ std::string list_as_json(const std::vector<const claim*>& claims) {
                           {"reference", c->reference},
                           {"statement", c->statement},
                           {"method", c->method},
+                          {"tier", to_text(c->tier)},
                           {"uses_body", c->subject >= proofs::claim_subject::body},
                           {"uses_motion", c->subject == proofs::claim_subject::motion}});
   }

@@ -525,7 +525,8 @@ figure_content injectivity(long digits) {
   return result;
 }
 
-figure_content varying_a(long digits) {
+/// The curves C near the separatrix, for four a and this b.
+figure_content near_separatrix(const char* b, long digits) {
   const rational low = number("-0.01");
   const rational high = number("0.01");
   figure_content result{std::string(axis_of_c) + axis_of_epsilon +
@@ -542,7 +543,7 @@ figure_content varying_a(long digits) {
                                                         {"13.89", dashed(blue)},
                                                         {"15.38", solid(black)},
                                                         {"18.27", thick}}) {
-    const body rigid = with_ab(a, "0.0629");
+    const body rigid = with_ab(a, b);
     result.curves.push_back(
         {"a = " + a, {{style, with_constant(a, rigid)}}, {twists(rigid, motions, digits)}});
     defects.parts.front().push_back(
@@ -550,7 +551,7 @@ figure_content varying_a(long digits) {
     perfect.parts.front().push_back(
         {certain(perfect_twist_to_digits(rigid, digits), "c0", digits), rational(0)});
   }
-  result.curves.push_back(turning_curve(number("0.0629"), false, "S: c = −b sin^2ε", digits));
+  result.curves.push_back(turning_curve(number(b), false, "S: c = −b sin^2ε", digits));
   result.curves.push_back(std::move(defects));
   result.curves.push_back(std::move(perfect));
   result.curves.push_back(
@@ -559,6 +560,9 @@ figure_content varying_a(long digits) {
                                    {rational(0), rational(7, 10)}));
   return result;
 }
+
+figure_content varying_a(long digits) { return near_separatrix("0.0629", digits); }
+figure_content varying_a_as_printed(long digits) { return near_separatrix("0.06", digits); }
 
 // ---------------------------------------------------------------------------------------------
 // Figure 8
@@ -623,6 +627,9 @@ const std::vector<figure>& all_figures() {
       {"varying_a", "figure 7", "the defect ε(c) near the separatrix, b = 0.0629",
        "the caption prints b = 0.06, but values of I that are near those for b = 0.0629", "c",
        "epsilon", varying_a},
+      {"varying_a_as_printed", "figure 7", "the defect ε(c) near the separatrix, b = 0.06",
+       "with the b of the caption, whose values of I are others", "c", "epsilon",
+       varying_a_as_printed},
       {"limit", "figure 8", "the defect ε(β) in the limit a → ∞, b → 0, with χ = ab", "", "beta",
        "epsilon", limit}};
   return figures;

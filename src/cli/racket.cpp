@@ -20,6 +20,7 @@
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
+#include "polhode/rigid_body/twist_curve.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
@@ -30,6 +31,7 @@ namespace {
 struct racket_options {
   body_option which;
   std::optional<std::string> c;
+  std::optional<std::string> limit;
   count_option meetings{"--meetings", 20, 0, 1'000'000};
   digits_option digits;
   format_option format{{"text", "json"}};
@@ -202,7 +204,72 @@ std::string json_of(const answer& a, long digits) {
   return json_document_text("racket", result);
 }
 
+// ---------------------------------------------------------------------------------------------
+// The limit a -> infinity, b -> 0
+
+struct limit_point {
+  rational chi;
+  rational beta;
+};
+
+limit_point read_limit(const racket_options& options) {
+  const std::string& text = *options.limit;
+  const body_option& which = options.which;
+  if (which.ab || which.moments || which.rotational || which.file || options.c) {
+    throw usage_error(fmt::format(
+        "--limit {}: it is of no body; leave out --ab, --moments, --rotational, --body and --c",
+        in_quotes(text)));
+  }
+  const auto comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
+    throw usage_error(fmt::format("--limit {}: it must be two numbers CHI,BETA such as 0.8,-0.1",
+                                  in_quotes(text)));
+  }
+  const limit_point at{read_number("--limit", text.substr(0, comma)),
+                       read_number("--limit", text.substr(comma + 1))};
+  if (at.chi <= 0) {
+    throw usage_error(fmt::format("--limit {}: CHI = ab must be positive", in_quotes(text)));
+  }
+  if (at.beta <= -1) {
+    throw usage_error(fmt::format("--limit {}: BETA = c/b must be above -1", in_quotes(text)));
+  }
+  return at;
+}
+
+/// The claim limit_formula, at one chi and beta.
+exit_status run_limit(const racket_options& options) {
+  const long digits = options.digits.value();
+  const limit_point at = read_limit(options);
+  constexpr double bytes_per_digit = 60;
+  const std::string what = fmt::format("{} digits of epsilon in the limit", digits);
+  options.memory_limit.check({what, bytes_per_digit * static_cast<double>(digits)});
+  const certain_number epsilon = [&] {
+    const progress line;
+    line.expect(options.time_limit.check(
+        what, digits, {[&](long fewer) { (void)limit_defect_to_digits(at.chi, at.beta, fewer); }}));
+    line.show("computing epsilon");
+    return limit_defect_to_digits(at.chi, at.beta, digits);
+  }();
+  const bool certified = epsilon.verdict == status::certified;
+  if (options.format.value() == "json") {
+    print(json{{"chi", exact_json(at.chi, digits)},
+               {"beta", exact_json(at.beta, digits)},
+               {"verdict", to_text(epsilon.verdict)},
+               {"epsilon", certified ? to_json(epsilon.enclosure, digits) : json(nullptr)}}
+              .dump(2) +
+          '\n');
+  } else if (certified) {
+    print(fmt::format("limit a -> infinity, b -> 0 with ab -> {}, c/b = {}\nepsilon = {}\n",
+                      to_text(at.chi), to_text(at.beta), to_decimal(epsilon.enclosure, digits)));
+  } else {
+    print(fmt::format("not certified to {} digits: epsilon in the limit\n  ({})\n", digits,
+                      to_text(epsilon.why)));
+  }
+  return certified ? exit_status::all_certified : exit_status::not_certified;
+}
+
 exit_status run(const racket_options& options) {
+  if (options.limit) return run_limit(options);
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
   const auto listed = static_cast<double>(options.meetings.value());
@@ -236,6 +303,10 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_option("--c", options->c,
                  "A motion, between -b and a: print epsilon(c) and d epsilon/dc, too")
       ->type_name("C");
+  app.add_option("--limit", options->limit,
+                 "No body, but the limit a -> infinity, b -> 0 with ab -> CHI > 0 and\n"
+                 "c/b = BETA > -1: print epsilon there (claim limit_formula)")
+      ->type_name("CHI,BETA");
   options->meetings.declare(app,
                             "List at most so many of the points where C meets S or crosses pi/2");
   options->digits.declare(app);
@@ -252,7 +323,8 @@ command racket_command() {
       "racket", "Find the twists of the tennis racket effect: epsilon0, c0, epsilon(c)",
       "  polhode racket --ab 12.65,0.0629\n"
       "  polhode racket --ab 39.95,0.0629 --c -0.03 --digits 100\n"
-      "  polhode racket --moments 3,2,1 --format json\n\n"
+      "  polhode racket --moments 3,2,1 --format json\n"
+      "  polhode racket --limit 1,-0.2\n\n"
       "In one turn about the angular momentum the body's angle psi goes from -pi/2 + epsilon to\n"
       "pi/2 - epsilon. epsilon0 is the defect epsilon on the separatrix, c = 0; c0 the motion of "
       "the\n"

@@ -62,15 +62,17 @@ TEST(Certificate, IsNotCertifiedWithoutItsDigits) {
     return c.verdict;
   };
   const ball x = sqrt(ball(2, 256));
-  const long digits = to_decimal_enclosure(x, 100).digits;
-  EXPECT_EQ(verdict_with(x, digits), status::certified);
-  EXPECT_EQ(verdict_with(x, digits + 1), status::not_certified);
+  const decimal_enclosure about = to_decimal_enclosure(x, 100);
+  EXPECT_EQ(verdict_with(x, about.shared), status::certified);
+  EXPECT_EQ(verdict_with(x, about.digits + 1), status::not_certified);
   EXPECT_EQ(verdict_with(ball::undefined(64), 1), status::not_certified);
   EXPECT_EQ(verdict_with(ball::entire(64), 1), status::not_certified);
   EXPECT_EQ(verdict_with(hull(ball(-1, 64), ball(1, 64)), 1), status::not_certified);
-  // 0.999... and 1.000... share no digit.
-  EXPECT_EQ(verdict_with(ball(1, 64).enlarged(magnitude::power_of_two(-60)), 1),
-            status::not_certified);
+  // 0.999... and 1.000... share no digit: 1 with its error has some 18.
+  const ball about_one = ball(1, 64).enlarged(magnitude::power_of_two(-60));
+  EXPECT_EQ(verdict_with(about_one, 1), status::certified);
+  EXPECT_EQ(verdict_with(about_one, 17), status::certified);
+  EXPECT_EQ(verdict_with(about_one, 20), status::not_certified);
   // Exact numbers have all their digits.
   EXPECT_EQ(verdict_with(ball(rational(1, 4), 64), 100), status::certified);
   EXPECT_EQ(verdict_with(ball(0, 64), 100), status::certified);
@@ -96,7 +98,7 @@ TEST(CertificateJson, ParsesAndNamesItsVersions) {
   c.conclude();
   const json parsed = json::parse(to_json(c).dump(2));
   EXPECT_EQ(parsed.at("format"), "polhode certificate");
-  EXPECT_EQ(parsed.at("version"), 2);
+  EXPECT_EQ(parsed.at("version"), 3);
   EXPECT_EQ(parsed.at("claim"), "example");
   EXPECT_EQ(parsed.at("digest").get<std::string>().size(), 7U + 64U);
   EXPECT_EQ(parsed.at("verdict"), "certified");
@@ -134,9 +136,11 @@ TEST(CertificateJson, GivesNullForWhatIsNoNumber) {
     EXPECT_EQ(number.at("digits"), 0);
     EXPECT_TRUE(to_dyadic_json(x).is_null());
   }
-  // No digit in common: no value, but ends.
+  // No digit in common: a value with its error all the same.
   const json across = to_json(hull(ball(-1, 64), ball(2, 64)), 20);
-  EXPECT_TRUE(across.at("value").is_null());
+  EXPECT_EQ(across.at("value"), "0.5");
+  EXPECT_EQ(across.at("radius"), "1.5");
+  EXPECT_EQ(across.at("rounded"), true);
   EXPECT_EQ(across.at("lower"), "-1");
   EXPECT_EQ(across.at("upper"), "2");
   const json zero = to_json(ball(0, 64), 20);
@@ -152,8 +156,10 @@ TEST(CertificateJson, ACertificatesNumberHasTheKeysOfTheForm) {
   for (const auto& [name, number] : written.at("numbers").items()) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : number.items()) keys.push_back(key);
-    EXPECT_EQ(keys, (std::vector<std::string>{"value", "digits", "lower", "upper", "digits_asked",
-                                              "dyadic"}))
+    // What is exact, and what is rounded, says so: tests/arithmetic.
+    std::erase(keys, "exact");
+    EXPECT_EQ(keys, (std::vector<std::string>{"value", "radius", "lower", "upper", "digits",
+                                              "digits_asked", "dyadic"}))
         << name;
   }
 }
@@ -192,18 +198,56 @@ TEST(CertificateJson, DyadicsAndDecimalsEncloseTheBall) {
     const rational decimal_high = parse_rational(number.at("upper").get<std::string>());
     EXPECT_LE(decimal_low, low) << support::described(x);
     EXPECT_GE(decimal_high, high) << support::described(x);
-    if (number.at("value").is_null()) continue;
-    // The value is every member's expansion, cut off: |value| <= |x| < |value| + one unit.
+    // No member is further from the value than the radius, nor are the decimal ends.
     const rational value = parse_rational(number.at("value").get<std::string>());
     if (number.contains("exact")) {
       EXPECT_EQ(value, low);
       EXPECT_EQ(value, high);
     } else {
       EXPECT_LE(number.at("digits").get<long>(), digits) << support::described(x);
+      const rational radius = parse_rational(number.at("radius").get<std::string>());
+      EXPECT_LE(value - radius, decimal_low) << support::described(x);
+      EXPECT_GE(value + radius, decimal_high) << support::described(x);
+      // Where it is not rounded it is every member's expansion, cut off.
       const bool negative = value < 0;
-      EXPECT_LE(abs(value), negative ? rational(-*set.upper) : *set.lower) << support::described(x);
+      if (!number.contains("rounded")) {
+        EXPECT_LE(abs(value), negative ? rational(-*set.upper) : *set.lower)
+            << support::described(x);
+      }
     }
   }
+}
+
+TEST(CertificateJson, SaysHowMuchAMachineDecides) {
+  certificate c = sound_certificate();
+  c.facts = {{"two is two", true, step_kind::exact}};
+  c.numbers.clear();
+  c.conclude();
+  using kinds = std::vector<std::string>;
+  EXPECT_EQ(to_json(c).at("rests_on").get<kinds>(), kinds{"decided exactly"});
+  EXPECT_EQ(to_json(c).at("tier"), "by machine");
+  EXPECT_EQ(to_json(c).at("verdict"), "certified");
+  c.numbers.push_back({"x", sqrt(ball(2, 200)), 10});
+  c.argument = {{step_kind::cited, "a theorem"}, {step_kind::argued, "a thought"}};
+  c.tier = proof_tier::by_argument;
+  const json written = to_json(c);
+  EXPECT_EQ(written.at("rests_on").get<kinds>(),
+            (kinds{"decided exactly", "enclosed", "argued in words", "cited"}));
+  EXPECT_EQ(written.at("tier"), "by argument");
+  EXPECT_EQ(written.at("verdict"), "argued");
+  EXPECT_EQ(written.at("facts").at(0).at("kind"), "decided exactly");
+  EXPECT_EQ(written.at("argument").at(1).at("kind"), "argued in words");
+  EXPECT_EQ(written.at("argument").at(1).at("statement"), "a thought");
+  EXPECT_EQ(to_text(c).find("certified"), std::string::npos) << to_text(c);
+  EXPECT_NE(to_text(c).find("[in words] a thought"), std::string::npos) << to_text(c);
+  EXPECT_NE(to_text(c).find("[cited]    a theorem"), std::string::npos) << to_text(c);
+  c.tier = proof_tier::with_words;
+  EXPECT_EQ(to_json(c).at("verdict"), "certified");
+  EXPECT_NE(to_text(c).find("certified by machine, joined in words"), std::string::npos);
+  c.facts[0].holds = false;
+  c.tier = proof_tier::by_argument;
+  c.conclude();
+  EXPECT_EQ(to_json(c).at("verdict"), "not certified");
 }
 
 TEST(CertificateText, FitsAHundredColumns) {
@@ -238,7 +282,7 @@ TEST(CertificateText, FitsAHundredColumns) {
   EXPECT_NE(joined.find(to_decimal_enclosure(sqrt(ball(3, 4000)), 1000).value), std::string::npos);
   EXPECT_EQ(text.substr(0, text.find('\n')), "example: not certified (precision limit)");
   EXPECT_NE(text.find("[FAILS]"), std::string::npos);
-  EXPECT_NE(text.find("[holds]"), std::string::npos);
+  EXPECT_NE(text.find("[exact]"), std::string::npos);
   EXPECT_NE(text.find("undefined"), std::string::npos);
   EXPECT_NE(text.find("a = 253/20"), std::string::npos);
 }
@@ -250,7 +294,7 @@ TEST(CertificateText, KeepsALongWordWhole) {
   c.conclude();
   const std::string text = to_text(c);
   EXPECT_NE(text.find("\n  " + word + "\n"), std::string::npos);
-  EXPECT_EQ(text.substr(0, text.find('\n')), "example: certified");
+  EXPECT_EQ(text.substr(0, text.find('\n')), "example: certified by machine");
 }
 
 }  // namespace

@@ -198,12 +198,33 @@ TEST(Polynomial, IsExpanded) {
   EXPECT_NE(read("(a+b)^2"), read("a*a + 3*a*b + b^2"));
   EXPECT_EQ(read("-(a-b)*x"), read("b*x - a*x"));
   EXPECT_EQ(read("x^3*y").derivative('x'), read("3*x^2*y"));
-  EXPECT_EQ(with_letters(read("q + b*y"), "q = 1-b, y = 1-x"), read("1-b*x"));
-  EXPECT_TRUE(read("a + 2*b").has_positive_coefficients());
-  EXPECT_FALSE(read("a - b").has_positive_coefficients());
-  EXPECT_FALSE(read("a - a").has_positive_coefficients());
+  EXPECT_EQ(letter_ranges("b > 0, q = 1-b > 0, y = 1-x >= 0").put_into(read("q + b*y")),
+            read("1-b*x"));
   for (const char* wrong : {"", "a+", "(a", "a)", "a b", "A", "a^100", "a^-1", "1.5", "a/2"}) {
     EXPECT_THROW(static_cast<void>(read(wrong)), std::invalid_argument) << wrong;
+  }
+}
+
+TEST(Polynomial, HasASignWhereItsLettersHave) {
+  const auto shows = [](const char* letters, const char* p, bool strict = true) {
+    return letter_ranges(letters).show_sign(polynomial::read(p), strict);
+  };
+  EXPECT_TRUE(shows("a > 0, b > 0", "a + 2*b"));
+  EXPECT_FALSE(shows("a > 0, b > 0", "a - b"));
+  EXPECT_FALSE(shows("a > 0", "a - a"));
+  EXPECT_TRUE(shows("a > 0", "a - a", false));
+  EXPECT_FALSE(shows("a > 0", "a + b")) << "b has no range";
+  EXPECT_TRUE(shows("b > 0, y = 1-x >= 0", "b*y", false));
+  EXPECT_FALSE(shows("b > 0, y = 1-x >= 0", "b*y")) << "it may be 0";
+  EXPECT_TRUE(shows("b > 0, y = 1-x > 0", "b*y"));
+  // What is no hypothesis of the claims.
+  for (const char* letters : {"q = b-1 > 0", "q = b-1 >= 0", "q > 0", "q = 1-a > 0",
+                              "q = 1-a*b-2*b > 0", "k > 0, q = 1-b > 0", "a > 0, a > 0"}) {
+    EXPECT_FALSE(shows(letters, "q")) << letters;
+  }
+  EXPECT_FALSE(shows("q = 1-b > 0, b = 1-x > 0", "q")) << "b stands for something else";
+  for (const char* wrong : {"", "a", "a < 0", "a > 1", "q 1-b > 0", "a > 0,b > 0", "A > 0"}) {
+    EXPECT_THROW(letter_ranges{wrong}, std::invalid_argument) << wrong;
   }
 }
 

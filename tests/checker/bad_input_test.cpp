@@ -44,8 +44,8 @@ TEST(BadInput, TruncatedAnywhereIsRefused) {
 
 TEST(BadInput, AnotherFormIsRefused) {
   json c = certificate_of("physical");
-  c["version"] = 1;
-  expect_malformed(c.dump(), "/version", "version 2");
+  c["version"] = 2;
+  expect_malformed(c.dump(), "/version", "version 3");
   c = certificate_of("physical");
   c["format"] = "a letter";
   expect_malformed(c.dump(), "/format", "polhode certificate");

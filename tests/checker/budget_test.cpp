@@ -51,10 +51,12 @@ json integral_between_far_ends(const std::string& f, const std::string& from, co
   c["inputs"] = {{"integrand", f}, {"variable", "x"}, {"from", from}, {"to", to}};
   c["formula"] = "integral from " + from + " to " + to + " of (" + f + ") dx";
   c["witness"]["pieces"] = pieces;
-  c["numbers"]["integral"] = {{"value", nullptr},
-                              {"digits", 0},
+  c["numbers"]["integral"] = {{"value", "524288"},
+                              {"radius", "524288"},
                               {"lower", "0"},
                               {"upper", "1048576"},
+                              {"digits", 0},
+                              {"rounded", true},
                               {"digits_asked", 1},
                               {"dyadic",
                                {{"lower", {{"mantissa", "1"}, {"exponent", -bits}}},

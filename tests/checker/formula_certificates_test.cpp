@@ -285,8 +285,11 @@ TEST(FormulaCertificates, NumbersMustAgreeWithTheirEnds) {
   };
   expect_refused(with("value", "3.1415926535897932385"), at + "value", "rounded, not cut off");
   expect_refused(with("value", nullptr), at + "value", "null");
-  expect_refused(with("digits", 19), at + "digits", "fewer");
+  expect_refused(with("digits", 19), at + "value", "fewer");
   expect_refused(with("digits", 21), at + "digits", "more than asked for");
+  expect_refused(with("radius", "0"), at + "radius", "no error");
+  expect_refused(with("radius", "1"), at + "radius", "an error far too large");
+  expect_refused(with("rounded", false), at + "rounded", "it is left out then");
   expect_refused(with("lower", "3.2"), at + "lower", "inward");
   expect_refused(with("lower", "3.1"), at + "lower", "far away");
   expect_refused(with("upper", "3.1"), at + "upper", "inward");

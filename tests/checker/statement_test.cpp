@@ -82,8 +82,11 @@ std::string note(const std::string& what) {
 }
 
 TEST(Emptied, ACertificateIsVerifiedOnlyInPart) {
+  // What is left rests on no enclosure.
+  const auto without_enclosures = [](json& c) { c["rests_on"].erase(1); };
   json c = certificate_of("separatrix_twist");
   c["numbers"] = json::object();
+  without_enclosures(c);
   c["method"] = c["method"].get<std::string>() + note("an enclosure of epsilon0");
   report r = checked(c);
   EXPECT_EQ(r.result, outcome::verified_in_part) << r.place << r.message;
@@ -100,7 +103,41 @@ TEST(Emptied, ACertificateIsVerifiedOnlyInPart) {
   c = certificate_of("first_equation");
   c["facts"].erase(c["facts"].size() - 1);
   c["method"] = c["method"].get<std::string>() + note("the order of some values of F(c,u)");
+  without_enclosures(c);
   EXPECT_EQ(checked(c).result, outcome::verified_in_part);
+}
+
+TEST(Grounds, AreSaidAndCannotBeChanged) {
+  const report beta = checked(certificate_of("beta"));
+  EXPECT_EQ(beta.grounds, "enclosed, cited");
+  EXPECT_FALSE(beta.argued);
+  const report limit = checked(certificate_of("limit_formula"));
+  EXPECT_EQ(limit.result, outcome::verified) << limit.place << limit.message;
+  EXPECT_TRUE(limit.argued);
+  EXPECT_NE(limit.grounds.find("argued in words"), std::string::npos);
+  const auto refused_at = [](const char* claim, const char* pointer, const json& value) {
+    json c = certificate_of(claim);
+    c[json::json_pointer(pointer)] = value;
+    const report r = checked(c);
+    EXPECT_FALSE(r.is_verified()) << pointer;
+    EXPECT_EQ(r.grounds, "");
+    return r.place;
+  };
+  // What is argued cannot pass for what is decided.
+  EXPECT_EQ(refused_at("limit_formula", "/verdict", "certified"), "/verdict");
+  EXPECT_EQ(refused_at("limit_formula", "/tier", "by machine"), "/tier");
+  EXPECT_EQ(refused_at("limit_formula", "/argument", json::array()), "/argument/0");
+  EXPECT_EQ(refused_at("limit_formula", "/rests_on", json::array({"decided exactly"})),
+            "/rests_on/1");
+  EXPECT_EQ(refused_at("beta", "/verdict", "argued"), "/verdict");
+  EXPECT_EQ(refused_at("beta", "/rests_on", json::array({"decided exactly", "enclosed", "cited"})),
+            "/rests_on/0");
+  EXPECT_EQ(refused_at("beta", "/facts/0/kind", "decided exactly"), "/facts/0/kind");
+  // A sign is what its letters' ranges give.
+  EXPECT_EQ(refused_at("physical", "/witness/polynomials/3/conclusion", ">= 0"),
+            "/witness/polynomials/3/conclusion");
+  EXPECT_EQ(refused_at("physical", "/witness/polynomials/3/letters", "z > 0, p = x-y >= 0"),
+            "/witness/polynomials/3/letters");
 }
 
 TEST(Variables, ThatLookLikeSomethingElseAreRefused) {

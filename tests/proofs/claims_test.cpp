@@ -28,7 +28,7 @@ certificate prove(const std::string& name, long digits) {
 }
 
 TEST(Claims, AreListed) {
-  ASSERT_EQ(all_claims().size(), 22U);
+  ASSERT_EQ(all_claims().size(), 23U);
   for (const char* name :
        {"physical", "montgomery_oscillating", "montgomery_rotating", "first_equation",
         "separatrix_twist", "perfect_twist", "intersection", "crossing", "injectivity", "count",
@@ -66,9 +66,35 @@ TEST(Claims, AreCertifiedAtEveryLength) {
         EXPECT_EQ(n.digits, digits);
         EXPECT_GE(to_decimal_enclosure(n.enclosure, digits).digits, digits) << c.name << n.name;
       }
-      EXPECT_EQ(json::parse(to_json(result).dump()).at("verdict"), "certified");
+      EXPECT_EQ(json::parse(to_json(result).dump()).at("verdict"),
+                c.tier == proof_tier::by_argument ? "argued" : "certified");
     }
   }
+}
+
+/// A claim is decided by machine exactly where nothing in it is argued in words; and those that are argued are known.
+TEST(Claims, SayWhatTheyRestOn) {
+  std::vector<std::string> by_machine;
+  std::vector<std::string> by_argument;
+  for (const claim& c : all_claims()) {
+    const certificate result = prove(c.name, 10);
+    const std::vector<step_kind> kinds = result.rests_on();
+    const bool is_argued = std::count(kinds.begin(), kinds.end(), step_kind::argued) > 0;
+    EXPECT_EQ(is_argued, c.tier != proof_tier::by_machine) << c.name;
+    for (const stated_step& s : result.argument) {
+      EXPECT_TRUE(s.kind == step_kind::argued || s.kind == step_kind::cited) << s.statement;
+      EXPECT_FALSE(s.statement.empty());
+    }
+    for (const checked_fact& f : result.facts) {
+      EXPECT_TRUE(f.kind == step_kind::exact || f.kind == step_kind::enclosed) << f.statement;
+    }
+    if (c.tier == proof_tier::by_machine) by_machine.push_back(c.name);
+    if (c.tier == proof_tier::by_argument) by_argument.push_back(c.name);
+  }
+  EXPECT_EQ(by_machine,
+            (std::vector<std::string>{"epsilon0_min", "delta_psi_max", "beta", "printed_numbers"}));
+  EXPECT_EQ(by_argument,
+            (std::vector<std::string>{"limit_formula", "limit_minimum", "implicit_equations"}));
 }
 
 TEST(Claims, AreNotCertifiedWithoutAnyOneOfTheirParts) {
@@ -111,7 +137,11 @@ TEST(Claims, AreTheTableOfTheReadme) {
     const std::size_t after_time = rest.find_first_not_of(" 0123456789.");
     ASSERT_NE(after_time, std::string::npos) << rest;
     EXPECT_GT(after_time, 3U) << rest;
-    EXPECT_EQ(rest.substr(after_time), "ms | certified |");
+    const proof_tier tier = all_claims()[i].tier;
+    EXPECT_EQ(rest.substr(after_time), tier == proof_tier::by_argument ? "ms | argued |"
+                                       : tier == proof_tier::with_words
+                                           ? "ms | certified by machine, joined in words |"
+                                           : "ms | certified by machine |");
   }
 }
 

@@ -44,28 +44,55 @@ TEST(ExactPolynomial, DifferentiatesAndSubstitutes) {
   EXPECT_THROW((void)parse("x").derivative('X'), std::invalid_argument);
 }
 
-TEST(ExactPolynomial, KnowsPositiveCoefficients) {
-  EXPECT_TRUE(parse("a + a*q + b").has_positive_coefficients());
-  EXPECT_TRUE(parse("7").has_positive_coefficients());
-  EXPECT_TRUE(parse("(a-b) + b").has_positive_coefficients());
-  EXPECT_FALSE(parse("0").has_positive_coefficients());
-  EXPECT_FALSE(parse("a-a").has_positive_coefficients());
-  EXPECT_FALSE(parse("a^2 - 2*a*b + b^2").has_positive_coefficients());
-}
-
 TEST(PolynomialStep, HoldsOrNot) {
   EXPECT_TRUE(identity("(1-b)^2 - b*(a+b)", "1 - 2*b - a*b", "").holds());
   EXPECT_FALSE(identity("(1-b)^2 - b*(a+b)", "1 - 2*b + a*b", "").holds());
-  EXPECT_TRUE(positive("1-b*x", "q + b*y", "q = 1-b, y = 1-x", "").holds());
-  EXPECT_FALSE(positive("1-b*x", "q - b*y", "q = 1-b, y = x-1", "").holds())
-      << "equal, but of no sign";
-  EXPECT_FALSE(positive("1-b*x", "q + b*y", "q = 1-b", "").holds()) << "y without a meaning";
-  EXPECT_FALSE(positive("a-a", "0", "", "").holds());
+  const char* ranges = "b > 0, q = 1-b > 0, y = 1-x >= 0";
+  EXPECT_TRUE(positive("1-b*x", "q + b*y", ranges, "").holds());
+  EXPECT_FALSE(positive("1-b*x", "q - b*y", ranges, "").holds()) << "a negative coefficient";
+  EXPECT_FALSE(positive("1+b*x", "q + b*y", ranges, "").holds()) << "another polynomial";
+  EXPECT_FALSE(positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0", "").holds()) << "y has no range";
   EXPECT_TRUE(slope('x', "1-x", "a+b*x", "-(a+b)", "").holds());
   EXPECT_FALSE(slope('x', "1-x", "a+b*x", "a+b", "").holds());
   EXPECT_FALSE(slope('a', "1-x", "a+b*x", "-(a+b)", "").holds());
-  EXPECT_THROW((void)positive("a", "q", "q 1-b", "").holds(), std::invalid_argument);
-  EXPECT_THROW((void)positive("a", "q", ",", "").holds(), std::invalid_argument);
+}
+
+TEST(PolynomialStep, ConcludesASignFromRangesThatTheClaimsHaveOnly) {
+  // The same polynomials, no negative coefficient, and no sign: 0 < b < 1.
+  EXPECT_FALSE(positive("b-1", "q", "q = b-1 > 0", "").holds());
+  EXPECT_FALSE(not_negative("b-1", "q", "q = b-1 >= 0", "").holds());
+  EXPECT_TRUE(positive("1-b", "q", "q = 1-b > 0", "").holds());
+  EXPECT_THROW((void)positive("b-1", "q", "q = b-1", "").holds(), std::invalid_argument);
+  // What may be 0 gives >= 0 and not > 0, unless another term is positive.
+  EXPECT_TRUE(not_negative("b*(1-x)", "b*y", "b > 0, y = 1-x >= 0", "").holds());
+  EXPECT_FALSE(positive("b*(1-x)", "b*y", "b > 0, y = 1-x >= 0", "").holds());
+  EXPECT_TRUE(positive("b*(1-x)", "b*y", "b > 0, y = 1-x > 0", "").holds());
+  EXPECT_TRUE(positive("b+b*(1-x)", "b+b*y", "b > 0, y = 1-x >= 0", "").holds());
+  EXPECT_TRUE(not_negative("a-a", "0", "a > 0", "").holds());
+  EXPECT_FALSE(positive("a-a", "0", "a > 0", "").holds());
+  EXPECT_FALSE(positive("k", "k", "k > 0", "").holds()) << "k = cos^2 may be 0";
+  EXPECT_FALSE(positive("1-a*b-2*b", "p", "p = 1-a*b-2*b > 0", "").holds()) << "planar: 0";
+  EXPECT_TRUE(not_negative("1-a*b-2*b", "p", "p = 1-a*b-2*b >= 0", "").holds());
+  // A letter has one range, and what it stands for is said in letters that stand for themselves.
+  EXPECT_FALSE(positive("a", "a", "a > 0, a > 0", "").holds());
+  EXPECT_FALSE(positive("x", "q", "q = 1-b > 0, b = 1-x > 0", "").holds());
+  for (const char* letters : {"q 1-b > 0", ",", "", "q = 1-b", "b > 1", "b < 1", "b > 0,"}) {
+    EXPECT_THROW((void)positive("b", "b", letters, "").holds(), std::invalid_argument) << letters;
+  }
+}
+
+/// All hypotheses at once hold at one point, so that none of them excludes another.
+TEST(PolynomialStep, HypothesesHoldTogether) {
+  const std::vector<std::pair<char, rational>> point{{'a', {1, 4}}, {'b', {1, 4}}, {'c', {1, 8}},
+                                                     {'k', {1, 2}}, {'u', {1, 4}}, {'x', {3, 4}},
+                                                     {'y', {1, 2}}, {'z', {1, 4}}};
+  for (const hypothesis& h : hypotheses()) {
+    exact_polynomial value = parse(h.quantity);
+    for (const auto& [letter, q] : point) value = value.with(letter, exact_polynomial(q));
+    ASSERT_EQ(value.terms().size(), 1U) << h.of;
+    EXPECT_EQ(value.terms().begin()->first, exact_polynomial::exponents()) << h.of;
+    EXPECT_GT(value.terms().begin()->second, 0) << h.of;
+  }
 }
 
 TEST(PolynomialStep, OneThatFailsLeavesTheClaimUncertified) {
@@ -83,8 +110,10 @@ polynomial_step step_from(const json& one) {
   const std::string what = one.at("kind");
   const auto text = [&](const char* key) { return one.value(key, std::string()); };
   if (what == "identity") return identity(text("left"), text("right"), "");
-  if (what == "positive coefficients")
-    return positive(text("left"), text("right"), text("letters"), "");
+  if (what == "sign by coefficients") {
+    const bool strict = one.at("conclusion") == "> 0";
+    return (strict ? positive : not_negative)(text("left"), text("right"), text("letters"), "");
+  }
   return slope(text("variable").at(0), text("left"), text("over"), text("right"), "");
 }
 

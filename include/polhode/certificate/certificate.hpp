@@ -25,10 +25,32 @@ struct enclosed_number {
   long digits = 0;  // how many significant digits were asked for
 };
 
+/// What a step of a proof rests on. The first two a machine decides: in rationals or by polynomials, or by enclosures. The other two
+/// no machine decides: an argument in words, and a theorem of others.
+enum class step_kind { exact, enclosed, argued, cited };
+/// "decided exactly", "enclosed", "argued in words", "cited".
+[[nodiscard]] std::string to_text(step_kind k);
+
+/// How much of a proof a machine decides.
+enum class proof_tier {
+  by_machine,   // its steps, with what is cited, give the statement
+  with_words,   // it decides every sign, bound and count; an argument in words leads from them to the statement
+  by_argument,  // the statement follows from an argument in words; a machine decides some of its steps
+};
+/// "by machine", "by machine, joined in words", "by argument".
+[[nodiscard]] std::string to_text(proof_tier t);
+
 /// One condition that the proof rests on and that was decided, in words.
 struct checked_fact {
   std::string statement;
   bool holds = false;
+  step_kind kind = step_kind::exact;  // exact or enclosed
+};
+
+/// One step that no machine decides.
+struct stated_step {
+  step_kind kind = step_kind::argued;  // argued or cited
+  std::string statement;
 };
 
 struct certificate {
@@ -40,6 +62,8 @@ struct certificate {
   std::vector<enclosed_number> numbers;
   std::vector<checked_fact> facts;
   std::string method;  // the argument, in words
+  proof_tier tier = proof_tier::by_machine;
+  std::vector<stated_step> argument;  // what is argued in words and cited
   json witness = json::object();
   status verdict = status::not_certified;
   reason why = reason::none;
@@ -48,6 +72,11 @@ struct certificate {
   /// that is exact has them all), and there is at least one of either; otherwise not, with
   /// `otherwise` as the reason.
   void conclude(reason otherwise = reason::precision_limit);
+
+  /// The kinds of its steps, each once, in the order of step_kind. Numbers are enclosed.
+  [[nodiscard]] std::vector<step_kind> rests_on() const;
+  /// "certified", "argued" where the tier is by_argument, or "not certified".
+  [[nodiscard]] std::string verdict_text() const;
 };
 
 /// {"value", "radius", "lower", "upper", "digits"} as decimal_enclosure has them, "rounded": true where the value is not cut off,

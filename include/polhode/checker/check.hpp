@@ -12,7 +12,7 @@
 namespace polhode::checker {
 
 enum class outcome {
-  verified,          // everything that the claim says was shown again
+  verified,          // every step of it that a program decides was shown again
   verified_in_part,  // so was what the certificate says; but it leaves out a part of what its claim says (report::left_out)
   not_checkable,     // this checker cannot repeat some of it; nothing was found wrong
   refuted,           // something in it is not so, or is not what a certificate of this claim says
@@ -37,6 +37,10 @@ struct report {
   std::string subject;
   /// Of a verified one: what was shown, a sentence a line, with all inputs and all numbers, in the checker's own words.
   std::vector<std::string> statement;
+  /// Of a verified one: the kinds of its steps, "decided exactly, enclosed, argued in words, cited".
+  std::string grounds;
+  /// Of a verified one: its statement follows from an argument in words, of which a program decides some steps only.
+  bool argued = false;
   std::vector<std::string> checks;  // what was shown again on the way, in words
   /// What the certificate leaves out of the claim's numbers and facts, as not found by the prover.
   std::vector<std::string> left_out;
