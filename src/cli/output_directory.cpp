@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "directory_lock.hpp"
 #include "errors.hpp"
 #include "interruption.hpp"
 #include "streams.hpp"
@@ -50,6 +51,10 @@ output_directory::output_directory(std::string path, const std::vector<std::stri
   }
   try {
     create_missing_directories();
+    // One file beside others, as --certificate writes it, needs no lock: it appears whole.
+    const bool is_own_directory = option_ == "--out";
+    if (is_own_directory) lock_directory(path_);
+    sweep_temporary_files(path_, is_own_directory ? std::vector<std::string>{} : names);
     for (const std::string& name : names) {
       if (is_directory(in_directory(name))) cannot_write(in_directory(name), EISDIR);
       std::string temporary;
@@ -94,7 +99,7 @@ int output_directory::create_beside(const std::string& name, std::string& tempor
   // Names may be taken: left behind by killed processes of this number.
   constexpr int most_attempts = 100;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
-    temporary = in_directory(fmt::format(".{}.{}.{}.tmp", name, getpid(), attempt));
+    temporary = in_directory(temporary_name(name, getpid(), attempt));
     const int descriptor = create_temporary_file(temporary);
     if (descriptor >= 0) return descriptor;
     if (errno != EEXIST) break;

@@ -264,7 +264,9 @@ exit_status run(const scene_options& options) {
   const std::vector<job> jobs = jobs_of(options, files);
   if (options.plot) require_gnuplot("leave out --plot");
   // Before anything is computed: whether the table of results can be written.
-  if (options.out) output_directory(*options.out, {"results.csv"});
+  // Until the end, so that another run with this directory waits, and then keeps what this one has computed.
+  std::optional<output_directory> reserved;
+  if (options.out) reserved.emplace(*options.out, std::vector<std::string>{"results.csv"});
   std::optional<progress> line(std::in_place);
   std::vector<json> reports;
   reports.reserve(jobs.size());

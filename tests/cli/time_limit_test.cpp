@@ -11,8 +11,8 @@ namespace polhode::test {
 namespace {
 
 TEST(TimeLimit, IsRead) {
-  for (const char* bad : {"x", "0", "-1", "inf", ""}) {
-    expect_refused({"constants", "--time-limit", bad}, {"--time-limit", "positive number of days"});
+  for (const char* bad : {"x", "0", "-1", "inf", "", "90", "0s", "-1h", "s", "1w", "10 minutes"}) {
+    expect_refused({"constants", "--time-limit", bad}, {"--time-limit", "90s, 10m, 2h or 1d"});
     expect_refused({"eval", "1/3", "--time-limit", bad}, {"--time-limit"});
     expect_refused({"roots", "x", "--in", "1..2", "--time-limit", bad}, {"--time-limit"});
     expect_refused({"integrate", "x", "--from", "0", "--to", "1", "--time-limit", bad},
@@ -22,7 +22,7 @@ TEST(TimeLimit, IsRead) {
 
 TEST(TimeLimit, RefusesWhatIsEstimatedToTakeLonger) {
   // 86 ns
-  const std::vector<std::string> limit{"--digits", "5000", "--time-limit", "1e-12"};
+  const std::vector<std::string> limit{"--digits", "5000", "--time-limit", "1e-12d"};
   const std::vector<std::vector<std::string>> commands{
       {"constants", "beta"},
       {"certify", "epsilon0_min"},
@@ -40,7 +40,7 @@ TEST(TimeLimit, RefusesWhatIsEstimatedToTakeLonger) {
 }
 
 TEST(TimeLimit, LetsFewDigitsAndShortWorkPass) {
-  EXPECT_EQ(run({"constants", "beta", "--digits", "2999", "--time-limit", "1e-12"}).status, 0);
+  EXPECT_EQ(run({"constants", "beta", "--digits", "2999", "--time-limit", "1d"}).status, 0);
   EXPECT_EQ(run({"phase", "--ab", "12.65,0.0629", "--c", "0.01", "--digits", "5000"}).status, 0);
 }
 
@@ -48,9 +48,52 @@ TEST(TimeLimit, LeavesNoFileBehind) {
   const scratch_directory scratch;
   const std::string directory = scratch.path("certificates");
   expect_refused(
-      {"certify", "beta", "--digits", "5000", "--time-limit", "1e-12", "--out", directory},
+      {"certify", "beta", "--digits", "5000", "--time-limit", "1e-12d", "--out", directory},
       {"--time-limit"});
   EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+/// What has not ended in time ends with one line, and nothing on standard output. None of these ends by itself in minutes.
+TEST(TimeLimit, EndsWhatTakesLonger) {
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"integrate", "x^(-99999999/100000000)", "0", "1"},
+           {"integrate", "sqrt(x^2-2*x+1)", "0", "2", "--format", "json"},
+           {"integrate", "sin(1e30*x)", "0", "1"}}) {
+    std::vector<std::string> limited = command;
+    limited.insert(limited.end(), {"--time-limit", "1s"});
+    const outcome result = run(limited);
+    EXPECT_EQ(result.status, 1) << command[1];
+    EXPECT_EQ(result.out, "") << command[1];
+    EXPECT_EQ(result.err,
+              "polhode: not certified: the time limit of 1 s was reached while integrating "
+              "(--time-limit raises it, as in --time-limit 2h)\n");
+  }
+}
+
+TEST(TimeLimit, LeavesNoTemporaryFileBehind) {
+  const scratch_directory scratch;
+  const outcome result = run({"integrate", "sqrt(x^2-2*x+1)", "0", "2", "--certificate",
+                              scratch.path("c.json"), "--time-limit", "0.5s"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(names_in(scratch.path("")).empty());
+}
+
+/// The search for roots stops, and says what it has found.
+TEST(TimeLimit, EndsASearchWithWhatItFound) {
+  const outcome result = run({"roots", "sin(exp(x))", "0", "40", "--time-limit", "1s"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.out.find("not certified: "), std::string::npos) << result.err;
+}
+
+TEST(Progress, IsWrittenIntoLogs) {
+  const outcome result = run_script(
+      "POLHODE_PROGRESS_SECONDS=0.2 polhode integrate 'sqrt(x^2-2*x+1)' 0 2 --time-limit 1s");
+  EXPECT_EQ(result.status, 1);
+  const std::vector<std::string> lines = lines_of(result.err);
+  ASSERT_GE(lines.size(), 2U) << result.err;
+  EXPECT_EQ(lines.front().rfind("polhode: integrating", 0), 0U) << lines.front();
+  EXPECT_NE(lines.front().find(" so far"), std::string::npos) << lines.front();
+  EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
 }
 
 // On a terminal, which script makes.
