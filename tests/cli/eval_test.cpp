@@ -132,8 +132,7 @@ TEST(Eval, ExactRulesDecideWhatPrecisionDoesNot) {
       {"3/2 + sin(pi)", "3/2 exactly\n1.5\n"},
   };
   for (const auto& [formula, text] : known) EXPECT_EQ(certified(formula), text) << formula;
-  const outcome third =
-      eval("acos(1/2)/pi", {"--format", "json", "--digits", "30", "--verify"});
+  const outcome third = eval("acos(1/2)/pi", {"--format", "json", "--digits", "30", "--verify"});
   EXPECT_EQ(third.status, 0) << third.err;
   const json number = json::parse(third.out).at("number");
   expect_enclosure(number, 30);

@@ -209,9 +209,8 @@ TEST(Integrate, PolynomialsBetweenRationalLimitsAreExact) {
   EXPECT_EQ(answer.at("number").at("rational"), "1/3");
   EXPECT_EQ(answer.at("account").at("panels"), 0);
   // A rule that is insisted on, a second opinion, and limits that are not rational keep their ways.
-  for (const outcome& other :
-       {integrate("x", "0", "1", {"--rule", "gauss-legendre"}),
-        integrate("x", "0", "1", {"--verify"}), integrate("x", "0", "pi")}) {
+  for (const outcome& other : {integrate("x", "0", "1", {"--rule", "gauss-legendre"}),
+                               integrate("x", "0", "1", {"--verify"}), integrate("x", "0", "pi")}) {
     EXPECT_EQ(other.status, 0) << other.err;
     EXPECT_EQ(other.out.find("exactly"), std::string::npos) << other.out;
   }
