@@ -281,11 +281,10 @@ command eval_command() {
           names_of_functions() +
           "\nThe precision is raised until the digits are certain: they are the first N of the "
           "true\n"
-          "value, cut off, never rounded. A value that is a rational number is given exactly where "
-          "it\n"
-          "is found to be one. Where precision does not help (sin(pi) may be exactly 0), the "
-          "enclosure\n"
-          "reached is printed as not certified, with exit status 1, as is a formula that is not "
+          "value, cut off, never rounded. A value that exact rules show to be rational (sin(pi),\n"
+          "sqrt(2)^2, log(8)/log(2)) is given exactly. Where neither they nor precision decide, "
+          "the\n"
+          "enclosure reached is printed as not certified, with exit status 1, as is a formula not "
           "proved\n"
           "to be defined (log(-pi)); one that is certainly not (log(-1), 1/0) is bad input, status "
           "2.\n",

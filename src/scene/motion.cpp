@@ -197,6 +197,51 @@ void continue_signs(effect_table& table) {
   }
 }
 
+/// sqrt(q) of q >= 0 where it is rational.
+std::optional<rational> rational_root(const rational& q) {
+  const rational root(integer(sqrt(numerator(q))), integer(sqrt(denominator(q))));
+  if (root * root != q) return std::nullopt;
+  return root;
+}
+
+/// Whether the rotation is steady: omega = I^-1 J is parallel to J, exactly, so that J x omega = 0.
+bool is_steady(const triple<rational>& momentum, const triple<rational>& omega) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = (i + 1) % 3;
+    if (momentum[i] * omega[k] != momentum[k] * omega[i]) return false;
+  }
+  return true;
+}
+
+/// The columns of momentum_table at time 0, and at all times where the motion is steady: from the rational momentum at the
+/// start, so that integers and dyadic numbers among them are exact.
+class momentum_at_0 {
+ public:
+  momentum_at_0(const scene& what, const motion& path, precision p) {
+    const matrix3<rational> frame = frame_of(what.body);
+    const triple<rational> momentum = momentum_of(what);
+    triple<rational> omega;
+    for (std::size_t i = 0; i < 3; ++i) omega[i] = momentum[i] / (*what.body.moments)[i];
+    steady_ = is_steady(momentum, omega);
+    const rational square = path.state().squared_momentum();
+    const auto size = rational_root(square);
+    for (const rational& one : product(frame, momentum)) {
+      row_.push_back(size ? ball(rational(one / *size), p) : ball(one, p) / sqrt(ball(square, p)));
+    }
+    const pi_scale& unit = path.unit();
+    for (const rational& one : product(frame, omega)) {
+      const bool is_rational = unit.power == 0 || one == 0;
+      row_.push_back(is_rational ? ball(rational(one * unit.factor), p) : unit.at(p) * one);
+    }
+  }
+  [[nodiscard]] bool holds_at(const rational& t) const { return steady_ || t == 0; }
+  [[nodiscard]] const std::vector<ball>& row() const { return row_; }
+
+ private:
+  bool steady_ = false;
+  std::vector<ball> row_;
+};
+
 /// J/|J| and omega in the given frame, omega in rad per unit of the scene's time.
 template <class T>
 effect_table momentum_table(const effect_context& x, precision p, work_count& work) {
@@ -209,10 +254,12 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   triple<T> inverse;
   for (std::size_t i = 0; i < 3; ++i)
     inverse[i] = number_of<T>(rational(1 / (*x.what.body.moments)[i]), p);
+  const momentum_at_0 known(x.what, path, p);
   const std::string& time = x.what.time_unit.name;
   const std::string rate = x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad/" + time;
   return table_of(x, {"t", "j_1", "j_2", "j_3", "omega_1", "omega_2", "omega_3"},
                   {time, "", "", "", rate, rate, rate}, [&](const rational& t) {
+                    if (std::same_as<T, ball> && known.holds_at(t)) return known.row();
                     const rotor_time at = path.at(t);
                     const rotor_sample<T> sample = turning.sample(at.t);
                     triple<T> j;
@@ -232,6 +279,29 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
                   });
 }
 
+/// The attitude at time 0 as a quaternion, of the two the one whose component of greatest size is positive, where it is
+/// known to be rational: of axes along those of space, or of a given quaternion with a rational norm.
+std::optional<std::array<rational, 4>> quaternion_at_0(const scene_state& state) {
+  if (state.matrix || state.euler) return std::nullopt;
+  if (!state.quaternion) return std::array<rational, 4>{1, 0, 0, 0};
+  std::array<rational, 4> q;
+  rational square = 0;
+  std::size_t greatest = 0;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    q[k] = (*state.quaternion)[k];
+    square += q[k] * q[k];
+    if (abs(q[k]) > abs(q[greatest])) greatest = k;
+  }
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    if (k != greatest && abs(q[k]) == abs(q[greatest])) return std::nullopt;
+  }
+  const auto norm = rational_root(square);
+  if (!norm || *norm == 0) return std::nullopt;
+  const rational divisor = q[greatest] < 0 ? rational(-*norm) : *norm;
+  for (rational& one : q) one /= divisor;
+  return q;
+}
+
 /// The quaternion that takes the given frame to space, and the unwrapped angle phi about J.
 template <class T>
 effect_table attitude_table(const effect_context& x, precision p, work_count& work) {
@@ -243,6 +313,7 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
   // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
   const matrix3<T> before = product(start, frame);
   const matrix3<T> after = transposed(frame);
+  const auto known = quaternion_at_0(*x.what.state);
   effect_table table =
       table_of(x, {"t", "q_w", "q_x", "q_y", "q_z", "phi"},
                {x.what.time_unit.name, "", "", "", "", "rad"}, [&](const rational& t) {
@@ -255,8 +326,13 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
                  attitude.matrix = product(product(before, attitude.matrix), after);
                  std::vector<ball> row;
                  row.reserve(5);
-                 for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
-                 row.push_back(in_ball(phi));
+                 const bool is_start = std::same_as<T, ball> && t == 0;
+                 if (is_start && known) {
+                   for (const rational& one : *known) row.emplace_back(one, p);
+                 } else {
+                   for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
+                 }
+                 row.push_back(is_start ? ball(0, p) : in_ball(phi));
                  return row;
                });
   continue_signs(table);

@@ -113,11 +113,37 @@ TEST(Eval, ExactValuesAreSaidToBe) {
   EXPECT_EQ(certified("123456789", {"--digits", "2"}), "123456789 exactly\n");
 }
 
+TEST(Eval, ExactRulesDecideWhatPrecisionDoesNot) {
+  const std::pair<const char*, const char*> known[] = {
+      {"cos(pi)", "-1 exactly\n"},
+      {"sin(pi)", "0 exactly\n"},
+      {"sin(pi/6)", "1/2 exactly\n0.5\n"},
+      {"tan(pi/4)", "1 exactly\n"},
+      {"cos(pi/5)-1/4-sqrt(5)/4", "0 exactly\n"},
+      {"acos(1/2)/pi", "1/3 exactly\n0.33333333333333333333333333333333333333333333333333...\n"},
+      {"atan(1)*4/pi", "1 exactly\n"},
+      {"sqrt(2)^2", "2 exactly\n"},
+      {"sqrt(3+2*sqrt(2))-1-sqrt(2)", "0 exactly\n"},
+      {"log(8)/log(2)", "3 exactly\n"},
+      {"log(2)+log(3)-log(6)", "0 exactly\n"},
+      {"exp(log(3))", "3 exactly\n"},
+      {"cosh(log(2))", "5/4 exactly\n1.25\n"},
+      {"gamma(1/2)^2 - pi", "0 exactly\n"},
+      {"3/2 + sin(pi)", "3/2 exactly\n1.5\n"},
+  };
+  for (const auto& [formula, text] : known) EXPECT_EQ(certified(formula), text) << formula;
+  const outcome third = eval("acos(1/2)/pi", {"--format", "json", "--digits", "30", "--verify"});
+  EXPECT_EQ(third.status, 0) << third.err;
+  const json number = json::parse(third.out).at("number");
+  expect_enclosure(number, 30);
+  EXPECT_EQ(number.at("exact"), true);
+  EXPECT_EQ(number.at("rational"), "1/3");
+}
+
 TEST(Eval, WhatPrecisionDoesNotDecideIsNotCertified) {
-  expect_not_certified("sin(pi)", {"not certified: precision limit", "may be exactly 0"});
-  expect_not_certified("gamma(1/2)^2 - pi", {"not certified: precision limit", "may be exactly 0"});
-  expect_not_certified("sqrt(2)^2", {"[1.99999999", "may be exactly 2"});
-  expect_not_certified("3/2 + sin(pi)", {"may be exactly 1.5"});
+  const std::string zero = "gamma(1/3)*gamma(2/3)*sqrt(3)/pi - 2";
+  expect_not_certified(zero, {"not certified: precision limit", "may be exactly 0"});
+  expect_not_certified("3/2 + " + zero, {"may be exactly 1.5"});
   expect_not_certified("tan(pi/2)", {"undefined\n", "not certified: not defined"});
   expect_not_certified("log(-pi)", {"undefined\n", "not certified: not defined"});
   expect_not_certified("1/sin(pi)", {"undefined\n"});
@@ -147,7 +173,7 @@ TEST(Eval, JsonHasTheEnclosureAndTheVerdict) {
   EXPECT_EQ(tenth.at("number").at("upper"), "0.1");
   EXPECT_EQ(in_json("1e1000000", 0).at("number").at("value"), "1e1000000");
 
-  const json zero = in_json("sin(pi)", 1);
+  const json zero = in_json("gamma(1/3)*gamma(2/3)*sqrt(3)/pi - 2", 1);
   EXPECT_EQ(zero.at("verdict"), "not certified");
   EXPECT_EQ(zero.at("reason"), "precision limit");
   EXPECT_TRUE(zero.at("number").at("value").is_null());

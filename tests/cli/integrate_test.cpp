@@ -193,6 +193,30 @@ TEST(Integrate, JsonHasTheEnclosureTheVerdictAndTheAccount) {
   EXPECT_EQ(reasons.at("reason"), "not integrable");
 }
 
+TEST(Integrate, PolynomialsBetweenRationalLimitsAreExact) {
+  const std::string how = "certified: the antiderivative of a polynomial, in rational numbers\n";
+  EXPECT_EQ(integrate("x", "0", "1").out, "1/2 exactly\n0.5\n" + how);
+  EXPECT_EQ(integrate("x^2", "2", "-1").out, "-3 exactly\n" + how);
+  EXPECT_EQ(integrate("x^3", "-1", "1").out, "0 exactly\n" + how);
+  EXPECT_EQ(integrate("(x - 1/3)^2*6/7 + 2", "0", "1/3", {"--digits", "5"}).out,
+            "383/567 exactly\n0.67548...\n" + how);
+  EXPECT_EQ(integrate("7", "0", "1/2").out, "7/2 exactly\n3.5\n" + how);
+  const outcome result = integrate("x^2", "0", "1", {"--format", "json", "--digits", "20"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const json answer = json::parse(result.out);
+  EXPECT_EQ(answer.at("verdict"), "certified");
+  expect_enclosure(answer.at("number"), 20);
+  EXPECT_EQ(answer.at("number").at("exact"), true);
+  EXPECT_EQ(answer.at("number").at("rational"), "1/3");
+  EXPECT_EQ(answer.at("account").at("panels"), 0);
+  // A rule that is insisted on, a second opinion, and limits that are not rational keep their ways.
+  for (const outcome& other : {integrate("x", "0", "1", {"--rule", "gauss-legendre"}),
+                               integrate("x", "0", "1", {"--verify"}), integrate("x", "0", "pi")}) {
+    EXPECT_EQ(other.status, 0) << other.err;
+    EXPECT_EQ(other.out.find("exactly"), std::string::npos) << other.out;
+  }
+}
+
 // Along paths in the complex plane.
 
 outcome along(const std::string& formula, const std::vector<std::string>& more) {

@@ -411,6 +411,44 @@ TEST(Series, BeginWithTheStateAndKeepTheMomentum) {
   EXPECT_FALSE(overlaps(momentum.rows[0][0], momentum.rows[1][0]));
 }
 
+TEST(Series, BeginExactly) {
+  const scene_report moving = report_of(
+      "[body]\nmoments = [4, 2, 1]\n[state]\nomega = [3, 12, 0.5]\nquaternion = [0, 2, 1, 2]\n"
+      "[time]\nto = 1\nsamples = 3\n",
+      {"momentum", "attitude"});
+  const auto& omega = moving.find("momentum")->table->rows;
+  EXPECT_TRUE(omega[0][3].is_exact());
+  EXPECT_TRUE(contains(omega[0][3], rational(3)));
+  EXPECT_TRUE(omega[0][4].is_exact());
+  EXPECT_TRUE(contains(omega[0][4], rational(12)));
+  EXPECT_TRUE(contains(omega[0][5], rational(1, 2)));
+  EXPECT_FALSE(contains(omega[1][3], rational(3)));  // it moves
+  const auto& plain = report_of(racket, {"attitude"}).find("attitude")->table->rows;
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_TRUE(plain[0][k].is_exact()) << k;
+    EXPECT_TRUE(contains(plain[0][k], rational(k == 0 ? 1 : 0))) << k;
+  }
+  EXPECT_FALSE(contains(plain[1][4], rational(0)));
+}
+
+TEST(Series, SteadyMotionsAreExactAtAllTimes) {
+  for (const char* unit : {"rad/s", "deg/s"}) {
+    const scene_report report = report_of(
+        std::string("[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0, 12, 0]\nunit = \"") + unit +
+            "\"\n[time]\nto = 10\nsamples = 4\n",
+        {"momentum"});
+    for (const std::vector<ball>& row : report.find("momentum")->table->rows) {
+      for (const std::size_t k : {0, 1, 2, 3, 5}) {
+        EXPECT_TRUE(row[k].is_exact()) << unit << ' ' << k;
+        EXPECT_TRUE(contains(row[k], rational(k == 1 ? 1 : 0))) << unit << ' ' << k;
+      }
+      EXPECT_EQ(row[4].is_exact(), std::string(unit) == "rad/s");
+      const ball size(12, 256);
+      EXPECT_TRUE(overlaps(row[4], std::string(unit) == "rad/s" ? size : pi(256) * size / 180));
+    }
+  }
+}
+
 /// Angles in degrees bring pi into the time: of a body that turns by 1e300 radians between two samples it takes a thousand bits.
 TEST(Series, OfAFastBodyHaveTheirDigits) {
   for (const char* speed : {"1e20", "1e60", "1e300"}) {
