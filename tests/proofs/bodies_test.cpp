@@ -8,7 +8,10 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/jacobi.hpp"
+#include "polhode/elliptic/parameter.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/twist_curve.hpp"
 #include "proofs/body_facts.hpp"
 #include "proofs/claim.hpp"
 #include "proofs/half_phase.hpp"
@@ -354,6 +357,39 @@ TEST(PrintedNumbers, AreRoundedRightOrWrong) {
   }
   EXPECT_TRUE(contains(hull(parse_ball("0.93999568", 64), parse_ball("0.93999569", 64)),
                        wrong_numbers().back().value(100)));
+}
+
+/// The claim limit_formula's formula, for bodies: beyond turning points too.
+TEST(LimitFormula, EnclosesTheTwistOfEveryBody) {
+  struct given {
+    const char* a;
+    const char* b;
+    const char* beta;
+    int branch;  // n: pi = nG + r
+  };
+  constexpr precision p = 200;
+  for (const given& g :
+       {given{"4000000", "0.000001", "-0.9", 2}, given{"900000", "0.00001", "-0.99", 3},
+        given{"1000000", "0.000001", "-0.2", 1}, given{"1000000", "0.000001", "-0.005", 0},
+        given{"99000", "0.0001", "-0.5", 3}, given{"1000000", "0.000001", "-0.96", 1}}) {
+    const rational a = parse_rational(g.a);
+    const rational b = parse_rational(g.b);
+    const rational beta = parse_rational(g.beta);
+    const twist at = twist_to_digits(body(a, b), rational(b * beta), 30, with_slope::no);
+    ASSERT_EQ(at.verdict, status::certified);
+    EXPECT_EQ(at.branch, g.branch) << g.a << ' ' << g.beta;
+    const ball least = pi(p) * sqrt(ball(rational(a * b), p));
+    const ball most = least * sqrt(ball(rational((a + b) / a), p)) / ball(rational(1 - b), p);
+    const ball xi = hull(least, most);
+    const auto limit =
+        jacobi_elliptic(xi, elliptic_parameter<ball>::with_complement(ball(rational(-beta), p)));
+    const ball enclosed = sqrt(ball(rational(1 + beta), p)) * limit.sn;
+    const ball sine = cos(at.epsilon);  // epsilon = pi/2 - psi
+    EXPECT_TRUE(overlaps(sine, enclosed)) << g.a << ' ' << g.beta;
+    // It is the sign and the size of this sn, and no other.
+    EXPECT_TRUE(certainly_less(abs(sine - enclosed), ball(rational(1, 100), p)));
+    EXPECT_FALSE(overlaps(-sine, enclosed));
+  }
 }
 
 }  // namespace
