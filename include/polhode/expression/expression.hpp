@@ -198,8 +198,8 @@ class expression {
   /// left open, never denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
-  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, a quarter of a
-  /// million products of coefficients).
+  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, 65,536
+  /// products of coefficients).
   [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
   /// The base and the exponent where the value is a power of a rational number that is too long to be
   /// worked out (1e1000000).
