@@ -34,7 +34,7 @@ TEST(Certify, EveryClaimIsCertified) {
     std::string said = ": certified by machine\n";
     if (c.tier == proof_tier::with_words) said = ": certified by machine, joined in words\n";
     if (c.tier == proof_tier::by_argument) {
-      said = ": argued (the steps that a machine decides hold; ";
+      said = ": argued (its machine steps hold; ";
       ++argued;
     }
     EXPECT_NE(result.out.find(c.name + said), std::string::npos) << c.name;
