@@ -216,7 +216,7 @@ std::string to_text(const certificate& c) {
   if (c.verdict != status::certified) {
     result += " (" + to_text(c.why) + ")";
   } else if (c.tier == proof_tier::by_argument) {
-    result += " (the steps that a machine decides hold; they alone do not give the statement)";
+    result += " (its machine steps hold; they alone do not give the statement)";
   } else {
     result += c.tier == proof_tier::by_machine ? " by machine" : " by machine, joined in words";
   }

@@ -173,6 +173,28 @@ TEST(TableCommand, RefusesWhatNoDoubleHolds) {
   (void)certified({"table", "epsilon", "--ab", "2,1/4", "--c", "0", "--format", "cpp"});
 }
 
+TEST(RacketCommand, GivesTheLimitForChiAndBeta) {
+  // epsilon0_min, and figure 8's end beyond the first turning point.
+  EXPECT_NE(certified({"racket", "--limit", "1,0", "--digits", "12"})
+                .find("epsilon = 0.0863740970495...\n"),
+            std::string::npos);
+  EXPECT_NE(certified({"racket", "--limit", "1,-1/5", "--digits", "12"})
+                .find("c/b = -1/5\nepsilon = 0.625732879978...\n"),
+            std::string::npos);
+  const json limit =
+      json::parse(certified({"racket", "--limit", "4,-0.9", "--digits", "10", "--format", "json"}));
+  EXPECT_EQ(limit.at("chi").at("value"), "4");
+  EXPECT_EQ(limit.at("epsilon").at("value"), "1.623230424");
+  EXPECT_EQ(limit.at("verdict"), "certified");
+  expect_refused({"racket", "--limit", "1"}, {"--limit \"1\"", "CHI,BETA"});
+  expect_refused({"racket", "--limit", "1,2,3"}, {"two numbers"});
+  expect_refused({"racket", "--limit", "0,1"}, {"CHI", "positive"});
+  expect_refused({"racket", "--limit", "1,-1"}, {"BETA", "above -1"});
+  expect_refused({"racket", "--limit", "1,x"}, {"--limit"});
+  expect_refused({"racket", "--limit", "1,0", "--ab", "2,1/4"}, {"no body"});
+  expect_refused({"racket", "--limit", "1,0", "--c", "0"}, {"no body"});
+}
+
 TEST(TableCommand, RefusesBadInput) {
   expect_refused({"table"}, {"no quantity", "epsilon0"});
   expect_refused({"table", "fase", "--ab", "2,1/4"}, {"nearest is phase"});
