@@ -109,7 +109,7 @@ struct letter_range {
 
 [[noreturn]] void refuse_range(std::string_view text) {
   throw std::invalid_argument("not the range of a letter: \"" + std::string(text) +
-                              "\"; it must be such as \"b > 0\" or \"y = 1-x >= 0\"");
+                              R"("; it must be such as "b > 0" or "y = 1-x >= 0")");
 }
 
 letter_range range_in(std::string_view text) {

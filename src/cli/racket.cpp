@@ -225,8 +225,8 @@ limit_point read_limit(const racket_options& options) {
     throw usage_error(fmt::format("--limit {}: it must be two numbers CHI,BETA such as 0.8,-0.1",
                                   in_quotes(text)));
   }
-  const limit_point at{read_number("--limit", text.substr(0, comma)),
-                       read_number("--limit", text.substr(comma + 1))};
+  limit_point at{read_number("--limit", text.substr(0, comma)),
+                 read_number("--limit", text.substr(comma + 1))};
   if (at.chi <= 0) {
     throw usage_error(fmt::format("--limit {}: CHI = ab must be positive", in_quotes(text)));
   }
