@@ -252,12 +252,11 @@ exit_status run_limit(const racket_options& options) {
   }();
   const bool certified = epsilon.verdict == status::certified;
   if (options.format.value() == "json") {
-    print(json{{"chi", exact_json(at.chi, digits)},
-               {"beta", exact_json(at.beta, digits)},
-               {"verdict", to_text(epsilon.verdict)},
-               {"epsilon", certified ? to_json(epsilon.enclosure, digits) : json(nullptr)}}
-              .dump(2) +
-          '\n');
+    print(json_document_text(
+        "racket", {{"chi", exact_json(at.chi, digits)},
+                   {"beta", exact_json(at.beta, digits)},
+                   {"verdict", to_text(epsilon.verdict)},
+                   {"epsilon", certified ? to_json(epsilon.enclosure, digits) : json(nullptr)}}));
   } else if (certified) {
     print(fmt::format("limit a -> infinity, b -> 0 with ab -> {}, c/b = {}\nepsilon = {}\n",
                       to_text(at.chi), to_text(at.beta), to_decimal(epsilon.enclosure, digits)));

@@ -40,6 +40,19 @@ if(NOT output STREQUAL "${VERSION}\n")
   message(FATAL_ERROR "the installed checker's --version printed:\n${output}")
 endif()
 
+run("${work}/build/consumer_everything")
+if(NOT output STREQUAL "${VERSION} 0.373412066406213...\n")
+  message(FATAL_ERROR "the consumer of all headers printed:\n${output}")
+endif()
+
+execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" --target consumer_inexact
+  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+string(REGEX MATCHALL " error: " errors "${output}")
+list(LENGTH errors count)
+if(status EQUAL 0 OR NOT count EQUAL 1 OR NOT output MATCHES "a double, float or mpfr_float in a formula is not an exact number")
+  message(FATAL_ERROR "0.5 * x in an integrand is to be refused by one sentence, and is by ${count}:\n${output}")
+endif()
+
 run("${prefix}/bin/polhode" --version)
 if(NOT output MATCHES "${VERSION}")
   message(FATAL_ERROR "the installed program's --version printed:\n${output}")

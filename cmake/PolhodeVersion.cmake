@@ -1,0 +1,10 @@
+# Sets polhode_version to what include/polhode/version.hpp says.
+file(READ "${CMAKE_CURRENT_LIST_DIR}/../include/polhode/version.hpp" polhode_version_header)
+set(polhode_version "")
+foreach(part IN ITEMS MAJOR MINOR PATCH)
+  if(NOT polhode_version_header MATCHES "#define POLHODE_VERSION_${part} ([0-9]+)")
+    message(FATAL_ERROR "include/polhode/version.hpp does not say POLHODE_VERSION_${part}")
+  endif()
+  list(APPEND polhode_version "${CMAKE_MATCH_1}")
+endforeach()
+list(JOIN polhode_version "." polhode_version)
