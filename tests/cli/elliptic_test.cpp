@@ -58,7 +58,7 @@ TEST(Elliptic, KnowsValuesThatAreExact) {
   exactly("carlsonRJ(4, 4, 4, 4)", "1/8");
   exactly("carlsonRG(0, 9, 0)", "3/2");
   exactly("carlsonRC(0, -2)", "0");
-  EXPECT_EQ(value("bulirschCel(1, 4, 1, -2)"), "0\n");
+  EXPECT_EQ(value("bulirschCel(1, 4, 1, -2)"), "0 exactly\n");
   // Nearly those arguments: other values.
   EXPECT_EQ(value("jacobiTheta1(pi, 1/2) + jacobiTheta2(0, 1/2)"), value("jacobiTheta2(0, 1/2)"));
   EXPECT_EQ(value("jacobiTheta2(pi, 1/2)"), "-" + value("jacobiTheta2(0, 1/2)"));
@@ -76,7 +76,7 @@ TEST(Elliptic, AgreesAtTheParameterOneWithItsNeighbours) {
        {"AM", "SN", "CN", "DN", "NS", "NC", "ND", "SC", "SD", "CS", "CD", "DS", "DC"}) {
     const std::string name = std::string("jacobi") + letters;
     const std::string gap = name + "(7/10, 1) - " + name + "(7/10, 1 - 1e-40)";
-    EXPECT_EQ(value("floor(abs(" + gap + ")*1e39)"), "0\n") << name;
+    EXPECT_EQ(value("floor(abs(" + gap + ")*1e39)"), "0 exactly\n") << name;
   }
   EXPECT_EQ(value("jacobiAM(-2, 1)"), value("-asin(tanh(2))"));
   EXPECT_EQ(value("carlsonRC(3, -1)"), value("atanh(sqrt(3/4))/2"));

@@ -195,14 +195,26 @@ TEST(RacketCommand, GivesTheLimitForChiAndBeta) {
   expect_refused({"racket", "--limit", "1,0", "--c", "0"}, {"no body"});
 }
 
+TEST(TableCommand, IsInfiniteOnTheSeparatrix) {
+  const std::string table = certified({"table", "phase", "--ab", "2,1/4", "--c", "-0.1..0.1/2"});
+  EXPECT_NE(table.find("\n2,2,0.25,1/4,0,0,inf,0,inf,inf,0\n"), std::string::npos) << table;
+  const std::string header =
+      certified({"table", "phase", "--ab", "2,1/4", "--c", "-0.1..0.1/2", "--format", "cpp"});
+  EXPECT_NE(header.find("{2.0, 0.25, 0.0, std::numeric_limits<double>::infinity(), \"inf\"}"),
+            std::string::npos)
+      << header;
+  const json rows =
+      json::parse(certified({"table", "phase", "--ab", "2,1/4", "--c", "0", "--format", "json"}))
+          .at("rows");
+  EXPECT_EQ(rows.at(0).at("phase").at("value"), "inf");
+}
+
 TEST(TableCommand, RefusesBadInput) {
   expect_refused({"table"}, {"no quantity", "epsilon0"});
   expect_refused({"table", "fase", "--ab", "2,1/4"}, {"nearest is phase"});
   expect_refused({"table", "phase", "epsilon", "--ab", "2,1/4"}, {"several quantities"});
   expect_refused({"table", "phase", "--c", "1"}, {"no body"});
   expect_refused({"table", "phase", "--ab", "2,1/4"}, {"--c LO..HI/N"});
-  expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "-0.1..0.1/2"},
-                 {"separatrix", "infinite"});
   expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "1..2/2"}, {"equilibrium about z"});
   expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "1..4/2"}, {"c = 5/2"});
   expect_refused({"table", "phase", "--ab", "2,1/4", "--c", "0..1"}, {"number of steps"});
