@@ -331,17 +331,18 @@ std::function<exit_status()> declare(CLI::App& app) {
 }  // namespace
 
 command certify_command() {
-  return {"certify", "Prove claims of the paper and write their certificates",
-          "  polhode certify\n"
-          "  polhode certify --list\n"
-          "  polhode certify beta --digits 1000 --out certificates\n"
-          "  polhode certify injectivity --ab 18.27,0.0629\n"
-          "  polhode certify errata\n"
-          "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
-          "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
-          "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
-          "statement without an argument of its own is argued, not certified (exit status 0).\n",
-          declare};
+  return {
+      "certify", "Prove claims of the paper and write their certificates",
+      "  polhode certify\n"
+      "  polhode certify --list\n"
+      "  polhode certify beta --digits 1000 --out certificates\n"
+      "  polhode certify injectivity --ab 18.27,0.0629\n"
+      "  polhode certify errata\n"
+      "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
+      "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
+      "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
+      "statement without an argument of its own is argued, not certified (exit status 0).\n",
+      declare};
 }
 
 }  // namespace polhode::cli

@@ -33,8 +33,8 @@ enum class step_kind { exact, enclosed, argued, cited };
 
 /// How much of a proof a machine decides.
 enum class proof_tier {
-  by_machine,   // its steps, with what is cited, give the statement
-  with_words,   // it decides every sign, bound and count; an argument in words leads from them to the statement
+  by_machine,  // its steps, with what is cited, give the statement
+  with_words,  // it decides every sign, bound and count; an argument in words leads from them to the statement
   by_argument,  // the statement follows from an argument in words; a machine decides some of its steps
 };
 /// "by machine", "by machine, joined in words", "by argument".
