@@ -172,7 +172,7 @@ class reader {
     operators_.pop_back();
     const node_id right = pop();
     const node_id left = pop();
-    push(made(where, [&] {
+    push(made(where, [&, sign = sign] {
       switch (sign) {
         case '+':
           return add(graph_, left, right);
