@@ -425,7 +425,7 @@ exact_number exact_field::quotient(const exact_number& x, const exact_number& y)
     // x = t y for t a quotient of two of their terms: where y is not 0, x / y is t.
     for (const auto& [m, c] : y) {
       try {
-        const exact_number t = product({*x.begin()}, reciprocal({{m, c}}));
+        exact_number t = product({*x.begin()}, reciprocal({{m, c}}));
         if (product(t, y) == x && sign(y) != 0) return t;
       } catch (const not_decided&) {
         break;
@@ -593,7 +593,7 @@ exact_number exact_field::floor(const exact_number& x) {
 /// The sum itself where one number is left; else, where it has the reciprocals of sums v_i, N = q D is looked for with D
 /// the product of their powers and N = x D.
 std::optional<rational> exact_field::as_rational(const exact_number& x) {
-  if (const auto q = plain_number(x)) return q;
+  if (auto q = plain_number(x)) return q;
   std::map<generator_id, rational> reciprocals;  // the least exponents
   for (const auto& [m, c] : x) {
     for (const auto& [g, exponent] : m) {
@@ -778,7 +778,7 @@ std::optional<rational> near_fraction(const ball& angle) {
   const ball turns = angle / polhode::pi(angle.precision());
   if (!turns.is_bounded()) return std::nullopt;
   constexpr int most_quotients = 64;
-  const auto q = simplest_between(lower_rational(turns), upper_rational(turns), most_quotients);
+  auto q = simplest_between(lower_rational(turns), upper_rational(turns), most_quotients);
   if (!q || denominator(*q) > greatest_denominator) return std::nullopt;
   return q;
 }

@@ -70,7 +70,7 @@ class exact_field {
   [[nodiscard]] exact_number asin(const exact_number& x);
   [[nodiscard]] exact_number atan(const exact_number& x);
   /// A number of which the enclosure is all that is known. The same key is the same number.
-  [[nodiscard]] exact_number opaque(std::uint32_t key, const ball& enclosure);
+  [[nodiscard]] exact_number opaque(std::uint32_t key, const ball& around);
 
   /// The rational number that x is shown to be; none where it is not shown to be rational.
   [[nodiscard]] std::optional<rational> as_rational(const exact_number& x);

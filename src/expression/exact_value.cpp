@@ -107,7 +107,7 @@ class evaluation {
     const int t = field_.sign(y);
     if (s == 0 && t == 0) throw not_decided();
     if (s == 0) return field_.scaled(field_.pi(), rational(t, 2));
-    const exact_number angle = field_.atan(field_.quotient(y, x));
+    exact_number angle = field_.atan(field_.quotient(y, x));
     if (s > 0) return angle;
     return field_.sum(angle, field_.scaled(field_.pi(), t < 0 ? -1 : 1));
   }
