@@ -182,7 +182,7 @@ std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits)
       q.name, q.of_motion ? "  double c;\n" : "", q.name);
   result += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows.size());
   for (const row& r : rows) {
-    const auto place = [&](std::string cells) {
+    const auto place = [&](const std::string& cells) {
       std::string found = "    {" + literal(r.a) + ", " + literal(r.b) + ", ";
       if (r.c) found += literal(*r.c) + ", ";
       return found + cells;
