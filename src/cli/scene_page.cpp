@@ -178,16 +178,20 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const ef
   return groups;
 }
 
+/// A column's name with the letter that it spells: "ω_1".
+std::string in_letters(const std::string& column) {
+  const auto end = std::min(column.find('_'), column.size());
+  for (const auto& [word, letter] :
+       {std::pair("omega", "ω"), std::pair("phi", "φ"), std::pair("epsilon", "ε")}) {
+    if (column.substr(0, end) == word) return letter + column.substr(end);
+  }
+  return column;
+}
+
 /// The letter of a quantity, with its unit: "ω [rad/day]".
 std::string axis_label(const effect_table& table, std::size_t column, const std::string& name) {
-  const auto greek = [](const std::string& word) -> std::string {
-    if (word == "omega") return "ω";
-    if (word == "phi") return "φ";
-    if (word == "epsilon") return "ε";
-    return word;
-  };
   const bool has_unit = column < table.units.size() && !table.units[column].empty();
-  return greek(name) + (has_unit ? " [" + table.units[column] + ']' : "");
+  return in_letters(name) + (has_unit ? " [" + table.units[column] + ']' : "");
 }
 
 /// A table's numbers as they are drawn.
@@ -237,7 +241,7 @@ std::string scene_plot(const std::string& title, const effect_table& table,
     std::string plots;
     for (const std::size_t k : columns) {
       plots += fmt::format("{}$data using 1:{} with lines lw 2 title '{}' noenhanced",
-                           plots.empty() ? "plot " : ", ", k + 1, table.columns[k]);
+                           plots.empty() ? "plot " : ", ", k + 1, in_letters(table.columns[k]));
     }
     program += plots + '\n';
   }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -220,6 +221,22 @@ TEST(Text, Straddles) {
   EXPECT_EQ(text("-1e-200", "1e200", 5).value, "5e199");
   EXPECT_EQ(text("0.9999999999999999999999999", "1.000000000000000000000000001", 30).value,
             "0.999999999999999999999999951");
+}
+
+TEST(Text, ShowsDigitsOnlyWhereMorePrecisionWouldShowNoOther) {
+  const auto about_one = [](long bits) {
+    return ball(1, 400).enlarged(magnitude::power_of_two(-bits));
+  };
+  EXPECT_TRUE(shows_digits(sqrt(ball(2, 64)), 15));
+  EXPECT_FALSE(shows_digits(sqrt(ball(2, 64)), 25));
+  // Five digits of it are right with 20 bits, but 1.0000 or 0.9999 may follow.
+  EXPECT_FALSE(shows_digits(about_one(25), 5));
+  EXPECT_FALSE(shows_digits(about_one(100), 5));
+  EXPECT_TRUE(shows_digits(about_one(130), 5));
+  EXPECT_TRUE(shows_digits(ball(0, 64), 50));
+  EXPECT_FALSE(shows_digits(ball(0, 64).enlarged(magnitude::power_of_two(-1000)), 1));
+  EXPECT_FALSE(shows_digits(ball::entire(64), 1));
+  EXPECT_FALSE(shows_digits(ball::undefined(64), 1));
 }
 
 TEST(Text, KnownNumbers) {

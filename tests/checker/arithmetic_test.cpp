@@ -222,6 +222,7 @@ TEST(Polynomial, HasASignWhereItsLettersHave) {
                               "q = 1-a*b-2*b > 0", "k > 0, q = 1-b > 0", "a > 0, a > 0"}) {
     EXPECT_FALSE(shows(letters, "q")) << letters;
   }
+  EXPECT_FALSE(shows("a > 0, a > 0", "a")) << "two ranges";
   EXPECT_FALSE(shows("q = 1-b > 0, b = 1-x > 0", "q")) << "b stands for something else";
   for (const char* wrong : {"", "a", "a < 0", "a > 1", "q 1-b > 0", "a > 0,b > 0", "A > 0"}) {
     EXPECT_THROW(letter_ranges{wrong}, std::invalid_argument) << wrong;

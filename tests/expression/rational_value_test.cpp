@@ -92,6 +92,10 @@ TEST(RationalValue, KnownIdentities) {
       {"euler_gamma - euler_gamma", "0"},
       {"(erf(1)+1)*(erf(1)-1) - erf(1)^2", "-1"},
       {"agm(sqrt(2), 2/sqrt(2))^2", "2"},
+      // Of numbers known by their enclosures alone, negative ones.
+      {"abs(sin(4))/sin(4)", "-1"},
+      {"sqrt(sin(4)^2)/sin(4)", "-1"},
+      {"abs(log(pi-3))/log(pi-3)", "-1"},
   };
   for (const auto& [formula, value] : known) expect_value(formula, value);
 }
@@ -103,7 +107,10 @@ TEST(RationalValue, WhatIsNotShownIsLeftOpen) {
         // not equal to the integer by less than an enclosure of a double shows
         "exp(pi*sqrt(163))", "sqrt(1e200+1) - 1e100",
         // the first one at which precision, not a rule, decides
-        "floor(1e200*pi)"}) {
+        "floor(1e200*pi)",
+        // nearer to a known angle than the enclosures tell
+        "asin(1/2 + 1e-200)*6/pi", "acos(1/2 + 1e-200)*3/pi", "atan(1 + 1e-200)*4/pi",
+        "atan(sqrt(3) + 1e-200)*3/pi"}) {
     EXPECT_FALSE(expression(formula).rational_value()) << formula;
   }
 }
@@ -114,7 +121,10 @@ TEST(RationalValue, NoValueWhereTheFormulaHasNone) {
         "(1-pi)^(1/2) - (1-pi)^(1/2)", "acosh(sqrt(2)-1) - acosh(sqrt(2)-1)", "asin(pi) - asin(pi)",
         "atanh(sqrt(2)) - atanh(sqrt(2))", "sin(pi)^(-1)*0", "sin(pi)/sin(pi)", "exp(log(-pi))",
         "atan2(sin(pi), sin(pi))", "gamma(-2*sin(pi/6))/gamma(-2*sin(pi/6))", "sin(pi)^(-sqrt(2))",
-        "log(sqrt(2)-sqrt(8))*0", "log1p(-pi)/log1p(-pi)", "agm(-pi, -pi)/pi"}) {
+        "log(sqrt(2)-sqrt(8))*0", "log1p(-pi)/log1p(-pi)", "agm(-pi, -pi)/pi",
+        // a number that is 0, of which nothing but an enclosure is known
+        "erf(sin(1)^2 + cos(1)^2 - 1)/erf(sin(1)^2 + cos(1)^2 - 1)",
+        "erf(sin(1)^2 + cos(1)^2 - 1)^(-1)*erf(sin(1)^2 + cos(1)^2 - 1)"}) {
     EXPECT_FALSE(expression(formula).rational_value()) << formula;
   }
 }
@@ -124,11 +134,11 @@ TEST(RationalValue, NoValueWhereTheFormulaHasNone) {
 
 std::string number(support::random_source& random) {
   static constexpr std::array numbers{
-      "0",           "1",       "2",         "3",         "1/2",         "1/3",
-      "5/4",         "4",       "6",         "12",        "pi",          "(pi/2)",
-      "(pi/3)",      "(pi/4)",  "(pi/5)",    "(pi/8)",    "(2*pi/7)",    "(5*pi/12)",
-      "sqrt(2)",     "sqrt(3)", "log(2)",    "log(3)",    "(1+sqrt(2))", "e",
-      "(sqrt(5)-1)", "(1-pi)",  "atan(1/2)", "atan(1/3)", "zeta(2)",     "gamma(1/2)"};
+      "0",           "1",           "2",         "3",         "1/2",     "1/3",       "5/4",
+      "4",           "6",           "12",        "pi",        "(pi/2)",  "(pi/3)",    "(pi/4)",
+      "(pi/5)",      "(pi/8)",      "(2*pi/7)",  "(5*pi/12)", "sqrt(2)", "sqrt(3)",   "log(2)",
+      "log(3)",      "(1+sqrt(2))", "e",         "sin(4)",    "cos(2)",  "log(pi-3)", "erf(1)",
+      "(sqrt(5)-1)", "(1-pi)",      "atan(1/2)", "atan(1/3)", "zeta(2)", "gamma(1/2)"};
   return random.choose(numbers);
 }
 

@@ -73,6 +73,11 @@ TEST(PolynomialStep, ConcludesASignFromRangesThatTheClaimsHaveOnly) {
   EXPECT_FALSE(positive("k", "k", "k > 0", "").holds()) << "k = cos^2 may be 0";
   EXPECT_FALSE(positive("1-a*b-2*b", "p", "p = 1-a*b-2*b > 0", "").holds()) << "planar: 0";
   EXPECT_TRUE(not_negative("1-a*b-2*b", "p", "p = 1-a*b-2*b >= 0", "").holds());
+  // A negative coefficient, and a letter without a range.
+  EXPECT_FALSE(positive("2*a-b", "2*a-b", "a > 0, b > 0", "").holds());
+  EXPECT_FALSE(not_negative("a-b", "a-b", "a > 0, b > 0", "").holds());
+  EXPECT_FALSE(positive("a+b", "a+b", "a > 0", "").holds());
+  EXPECT_FALSE(not_negative("b", "b", "a > 0", "").holds());
   // A letter has one range, and what it stands for is said in letters that stand for themselves.
   EXPECT_FALSE(positive("a", "a", "a > 0, a > 0", "").holds());
   EXPECT_FALSE(positive("x", "q", "q = 1-b > 0, b = 1-x > 0", "").holds());
