@@ -31,12 +31,25 @@ TEST(TimeLimit, RefusesWhatIsEstimatedToTakeLonger) {
       {"curve", "--ab", "12.65,0.0629", "--points", "3"},
       {"table", "phase", "--ab", "12.65,0.0629", "--c", "0.01..0.02/3"},
       {"eval", "exp(sqrt(2))"},
-      {"integrate", "exp(x)", "--from", "0", "--to", "1"},
-      {"roots", "cos(x) - x", "--in", "0..1"}};
+      {"integrate", "exp(x)", "--from", "0", "--to", "1"}};
   for (std::vector<std::string> command : commands) {
     command.insert(command.end(), limit.begin(), limit.end());
     expect_refused(command, {"5000 digits", "estimated to take", "--time-limit raises it"});
   }
+}
+
+/// What the search for roots takes is not estimated: it may end before the digits of what it finds are, or after.
+TEST(TimeLimit, EndsRootsInTheSearchOrRefusesTheirDigits) {
+  const outcome result =
+      run({"roots", "cos(x) - x", "--in", "0..1", "--digits", "5000", "--time-limit", "1e-12d"});
+  const bool is_refused = result.status == 2 && result.err.find(
+                                                    "5000 digits of 1 root are "
+                                                    "estimated to take") != std::string::npos;
+  const bool has_ended =
+      result.status == 1 &&
+      (result.err.find("was reached while looking for roots") != std::string::npos ||
+       result.out.find("not certified: ") != std::string::npos);
+  EXPECT_TRUE(is_refused || has_ended) << result.status << ": " << result.err << result.out;
 }
 
 TEST(TimeLimit, LetsFewDigitsAndShortWorkPass) {

@@ -35,7 +35,8 @@ drawn_body draw_body(maker& m) {
 term draw_motion(maker& m, const drawn_body& d, bool oscillating) {
   const term fraction =
       m.one_in(4) ? m.decimal(m.scattered(1e-15, 0.1)) : m.quotient(m.within(0.05, 0.95));
-  const term part = m.one_in(2) ? fraction : 1 - fraction;
+  term part = m.one_in(2) ? fraction : 1 - fraction;
+  if (!(exact(part) > 0) || !(exact(part) < 1)) part = "1/2";  // a quotient near 0.95 may be 1
   return oscillating ? -(d.b * part) : d.a * part;
 }
 
