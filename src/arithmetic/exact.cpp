@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ball_access.hpp"
-#include "quoted.hpp"
+#include "base/quoted.hpp"
 
 namespace polhode {
 

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "ball_access.hpp"
+#include "base/quoted.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quoted.hpp"
 
 namespace polhode {
 

@@ -8,7 +8,7 @@
 #include <mpfr.h>
 #include <boost/version.hpp>
 
-#include "polhode/arithmetic/sha256.hpp"
+#include "base/sha256.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/digest.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "polhode/arithmetic/sha256.hpp"
+#include "base/sha256.hpp"
 
 namespace polhode::checker {
 

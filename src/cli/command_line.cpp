@@ -13,10 +13,10 @@
 #include <mpfr.h>
 #include <boost/version.hpp>
 
+#include "base/nearest_name.hpp"
 #include "commands.hpp"
 #include "formula.hpp"
 #include "polhode/expression/expression.hpp"
-#include "polhode/expression/nearest_name.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/nearest_name.hpp"
 #include "errors.hpp"
-#include "polhode/expression/nearest_name.hpp"
 
 namespace polhode::cli {
 

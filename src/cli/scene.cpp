@@ -11,12 +11,12 @@
 
 #include <fmt/format.h>
 
+#include "base/sha256.hpp"
 #include "commands.hpp"
 #include "gnuplot.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "output_directory.hpp"
-#include "polhode/arithmetic/sha256.hpp"
 #include "polhode/scene/body_file.hpp"
 #include "progress.hpp"
 #include "scene_page.hpp"

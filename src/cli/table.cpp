@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "arithmetic/worker_threads.hpp"
+#include "base/worker_threads.hpp"
 #include "body_option.hpp"
 #include "commands.hpp"
 #include "count_option.hpp"

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <stdexcept>
 
 #include <gmp.h>
 
+#include "base/clock.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/mpfr_cell.hpp"
@@ -24,17 +24,12 @@
 namespace polhode::cost {
 namespace {
 
-double seconds_of(const std::function<void()>& f) {
-  const auto start = std::chrono::steady_clock::now();
-  f();
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return taken.count();
-}
+using detail::processor_seconds;
 
-double processor_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+double seconds_of(const std::function<void()>& f) {
+  const auto start = detail::clock::now();
+  f();
+  return detail::seconds_since(start);
 }
 
 double median(std::vector<double> x) {

@@ -19,8 +19,8 @@
 
 #include <boost/spirit/home/x3.hpp>
 
+#include "base/nearest_name.hpp"
 #include "graph.hpp"
-#include "polhode/expression/nearest_name.hpp"
 
 namespace polhode::detail {
 namespace {

@@ -15,9 +15,9 @@
 
 #include <gmp.h>
 
+#include "base/sha256.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/arithmetic/sha256.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
 
 namespace polhode {

@@ -5,7 +5,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "arithmetic/worker_threads.hpp"
+#include "base/worker_threads.hpp"
 
 namespace polhode::detail {
 

@@ -9,7 +9,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "arithmetic/worker_threads.hpp"
+#include "base/worker_threads.hpp"
 #include "count_zeros.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"

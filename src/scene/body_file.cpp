@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "arithmetic/quoted.hpp"
+#include "base/quoted.hpp"
 
 namespace polhode {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "arithmetic/quoted.hpp"
+#include "base/quoted.hpp"
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/scene/body_file.hpp"

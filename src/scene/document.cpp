@@ -10,8 +10,8 @@
 #define TOML_ASSERT(condition) static_cast<void>(0)  // NOLINT(cppcoreguidelines-macro-usage)
 #include <toml++/toml.h>
 
-#include "arithmetic/quoted.hpp"
-#include "polhode/expression/nearest_name.hpp"
+#include "base/nearest_name.hpp"
+#include "base/quoted.hpp"
 
 namespace polhode {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <pugixml.hpp>
 
-#include "arithmetic/quoted.hpp"
+#include "base/quoted.hpp"
 #include "scene/inertia.hpp"
 
 namespace polhode::detail {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "arithmetic/quoted.hpp"
+#include "base/nearest_name.hpp"
+#include "base/quoted.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/expression/nearest_name.hpp"
 #include "polhode/scene/effects.hpp"
 #include "scene/inertia.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/functions.hpp"
-#include "polhode/expression/nearest_name.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -406,17 +405,6 @@ TEST(GrammarErrors, NearestNamesAreNear) {
       EXPECT_EQ(std::string(error.what()).find("nearest"), std::string::npos) << error.what();
     }
   }
-  const std::vector<std::string> known{"ln", "sin", "digits", "time-limit"};
-  EXPECT_EQ(near_name("Inf", known), std::nullopt);
-  EXPECT_EQ(near_name("SIN", known), "sin");
-  EXPECT_EQ(near_name("isn", known), "sin");
-  EXPECT_EQ(near_name("nsi", known), std::nullopt);
-  EXPECT_EQ(near_name("sinn", known), "sin");
-  EXPECT_EQ(near_name("sinnn", known), std::nullopt);
-  EXPECT_EQ(near_name("digts", known), "digits");
-  EXPECT_EQ(near_name("time-limt", known), "time-limit");
-  EXPECT_EQ(near_name("", known), std::nullopt);
-  EXPECT_EQ(near_name("sin", {}), std::nullopt);
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -23,9 +23,9 @@
 #include <thread>
 #include <vector>
 
+#include "base/sha256.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/arithmetic/sha256.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
 #include "support/exact_set.hpp"

@@ -1,4 +1,4 @@
-#include "polhode/arithmetic/sha256.hpp"
+#include "sha256.hpp"
 
 #include <algorithm>
 #include <bit>
