@@ -1,0 +1,78 @@
+#pragma once
+
+// The integral of P h over one panel, and what it is off by.
+
+#include <optional>
+#include <vector>
+
+#include "local_polynomial.hpp"
+#include "polhode/arithmetic/double_interval.hpp"
+#include "taylor_panel.hpp"
+#include "taylor_terms.hpp"
+
+namespace polhode::detail {
+
+/// The integral over a panel, or over the part of it that is in the range, and which part that was.
+struct panel_value {
+  ball value;
+  piece_done done;
+};
+
+/// The integral of P h over one panel.
+class panel_integral {
+ public:
+  panel_integral(const smooth_range& range, const taylor_panel& panel)
+      : range_(range), panel_(panel) {}
+
+  /// To about 2^log2_goal. Returns nullopt where the theorem's hypotheses are not proved, or where it takes more bits or
+  /// terms than allowed.
+  std::optional<panel_value> to(double log2_goal, precision most_bits, long most_terms);
+  /// The same in units of 2^-f, with a result of p bits.
+  std::optional<panel_value> in_units(long f, precision p, long most_terms);
+
+  [[nodiscard]] long terms() const { return terms_; }
+  [[nodiscard]] long bits() const { return bits_; }
+
+ private:
+  struct local_factor {
+    local_polynomial p;
+    rational exponent;
+  };
+
+  bool prepare();
+  /// p(c + r z), where p has rational coefficients; the content is positive.
+  [[nodiscard]] local_polynomial local(const rational_polynomial& p) const;
+  /// Bounds of log g, and of log(Q/q_0) from below.
+  bool prepare_bounds();
+  /// Q and S, with integer coefficients without a common factor.
+  void prepare_recurrence();
+  /// Adds p' to the quotient of S's part by Q.
+  void add_derivative(const local_polynomial& p, integers& part);
+  /// |r| times the factors at z = 0, that of P among them, with p bits.
+  [[nodiscard]] ball constant(precision p) const;
+  /// The integral of |z|^p over the panel.
+  [[nodiscard]] ball length_factor() const;
+  /// z of the range's end.
+  [[nodiscard]] ball coordinate(const range_end& end, precision p) const;
+  std::optional<ball> sum(long f, precision p, long most_terms);
+
+  const smooth_range& range_;
+  const taylor_panel& panel_;
+  bool is_prepared_ = false;
+  std::vector<local_factor> factors_;
+  local_polynomial numerator_;
+  local_polynomial exponent_;
+  local_polynomial phase_;
+  rational power_ = 0;  // p
+  ball maximum_;        // of |P|, an upper bound
+  double_interval log_least_;
+  double_interval log_greatest_;
+  double_interval log_least_q_;
+  integers q_;
+  integers s_;
+  integers t_;  // the imaginary part of S
+  long terms_ = 0;
+  long bits_ = 0;
+};
+
+}  // namespace polhode::detail

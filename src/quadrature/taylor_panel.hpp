@@ -1,0 +1,76 @@
+#pragma once
+
+// Ranges of a hyperexponential function, and the panels that they are cut into.
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "polhode/arithmetic/polynomial.hpp"
+#include "tiling.hpp"
+
+namespace polhode::detail {
+
+/// A rational function's power, one factor of h.
+struct smooth_factor {
+  rational_polynomial base;
+  rational exponent;  // 0: it must only be positive
+};
+
+/// P h over part of the line, with P and h as above: from lower to upper, both finite.
+struct smooth_range {
+  std::vector<smooth_factor> factors;
+  rational_polynomial numerator;  // P
+  rational_polynomial exponent;   // s
+  rational_polynomial phase;      // t
+  bool is_sine = false;           // the imaginary part is meant
+  range_end lower;
+  range_end upper;
+  bool begins_at_0 = false;
+  std::optional<rational> greatest;
+  bool is_inverted = false;  // the line is that of 1/y
+
+  /// Where it lies in the range of y that it was cut from, of which it keeps the ends that are not exact.
+  [[nodiscard]] piece_done piece() const {
+    const place from = lower.exact ? place(*lower.exact) : place::lower_end();
+    const place to = upper.exact ? place(*upper.exact) : place::upper_end();
+    if (!is_inverted) return {from, to};
+    const auto inverse = [](const range_end& end, const place& otherwise) {
+      return end.exact && *end.exact != 0 ? place(rational(1 / *end.exact)) : otherwise;
+    };
+    return {inverse(upper, place::lower_end()), inverse(lower, place::upper_end())};
+  }
+};
+
+/// A panel: y = centre + radius z, -1 <= z <= 1 or, at an end, 0 <= z <= 1.
+struct taylor_panel {
+  rational centre;
+  rational radius;  // negative where y falls as z grows
+  bool at_end = false;
+  bool from_lower = false;  // it is cut off at the range's lower, or upper, end, which is not exact
+  bool to_upper = false;
+
+  /// The values of y on the whole of it.
+  [[nodiscard]] closed_interval interval() const {
+    const rational other = at_end ? centre : rational(centre - radius);
+    const rational end = centre + radius;
+    return {std::min(other, end), std::max(other, end)};
+  }
+  /// What is to be integrated over.
+  [[nodiscard]] piece_done piece() const {
+    const closed_interval all = interval();
+    return {from_lower ? place::lower_end() : place(all.lower),
+            to_upper ? place::upper_end() : place(*all.upper)};
+  }
+  [[nodiscard]] bool is_cut() const { return from_lower || to_upper; }
+};
+
+/// Those of the panels, which follow one another, that meet the range, with the ones that its ends cut marked. Returns
+/// nullopt where it is not clear which those are.
+[[nodiscard]] std::optional<std::vector<taylor_panel>> cut_to(
+    const smooth_range& range, const std::vector<taylor_panel>& panels);
+
+/// The two halves of a panel, in the order of y.
+[[nodiscard]] std::vector<taylor_panel> halves_of(const taylor_panel& p);
+
+}  // namespace polhode::detail
