@@ -116,7 +116,7 @@ std::string as_svg(const body& rigid, const std::vector<point>& points) {
   std::string program =
       "set terminal svg size 900,600 font 'Helvetica,15' background 'white'\n"
       "set xlabel 'c'\nset ylabel 'epsilon'\n"
-      "set key top right\nset grid lc rgb '#dddddd'\n"
+      "set key outside top right\nset grid lc rgb '#dddddd'\n"
       "set xzeroaxis lt 1 lc rgb '#888888'\nset yzeroaxis lt 1 lc rgb '#888888'\n"
       "set ytics ('-pi' -pi, '-pi/2' -pi/2, '0' 0, 'pi/4' pi/4, 'pi/2' pi/2, '3pi/4' 3*pi/4, 'pi' "
       "pi)\n";

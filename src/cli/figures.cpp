@@ -146,7 +146,7 @@ command figures_command() {
           "  polhode figures injectivity varying_a --out pictures\n"
           "  polhode figures 3\n"
           "  polhode figures limit --data-only --digits 30\n\n"
-          "gnuplot draws them. Beneath each picture stands how wide the widest enclosure of its "
+          "gnuplot draws them. Each title says how wide the widest enclosure of its "
           "points is; the\n"
           "CSV file has them all: the certain digits of each coordinate, and its ends rounded "
           "outward.\n",
