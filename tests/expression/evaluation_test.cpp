@@ -136,7 +136,7 @@ TEST(Evaluation, HasTheFunctionsOfBalls) {
       {"acot(x)", read("pi/2 - atan(x)")},
       {"asec(x + 1)", [](const ball& x) { return acos(1 / (x + 1)); }},
       {"acsc(x + 1)", [](const ball& x) { return asin(1 / (x + 1)); }},
-      {"asech(x/3)", [](const ball& x) { return acosh(3 / x); }},
+      {"asech(x)", [](const ball& x) { return acosh(1 / x); }},
       {"acsch(x)", [](const ball& x) { return asinh(1 / x); }},
       {"acoth(x + 1)", [](const ball& x) { return atanh(1 / (x + 1)); }},
       {"log2(x)", [](const ball& x) { return log(x) / log(ball(2, 150)); }},
