@@ -253,8 +253,9 @@ exit_status run(const scene_options& options) {
   }
   if (options.files.empty())
     throw usage_error("there is no scene; give a file, such as scenes/toutatis.toml");
-  if (options.plot && *options.plot != "svg" && *options.plot != "png") {
-    throw usage_error(fmt::format("--plot {}: it must be svg or png", in_quotes(*options.plot)));
+  if (options.plot && *options.plot != "svg" && *options.plot != "png" && *options.plot != "pdf") {
+    throw usage_error(
+        fmt::format("--plot {}: it must be svg, png or pdf", in_quotes(*options.plot)));
   }
   if ((options.plot || options.page) && !options.out) {
     throw usage_error("--plot and --page write files: give --out DIR, too");
@@ -262,7 +263,11 @@ exit_status run(const scene_options& options) {
   if (options.page) require_pages();
   text_files files;  // that scenes name
   const std::vector<job> jobs = jobs_of(options, files);
-  if (options.plot) require_gnuplot("leave out --plot");
+  if (options.plot == "pdf") {
+    require_pdf("give --plot svg");
+  } else if (options.plot) {
+    require_gnuplot("leave out --plot");
+  }
   // Before anything is computed: whether the table of results can be written.
   // Until the end, so that another run with this directory waits, and then keeps what this one has computed.
   std::optional<output_directory> reserved;
@@ -311,7 +316,8 @@ std::function<exit_status()> declare(CLI::App& app) {
                  "Write each scene's files there, and all results in one table, results.csv")
       ->type_name("DIR");
   app.add_flag("--list", options->list, "List the effects, one line each");
-  app.add_option("--plot", options->plot, "Have gnuplot draw every curve and series: svg or png")
+  app.add_option("--plot", options->plot,
+                 "Have gnuplot draw every curve and series: svg, png or pdf")
       ->type_name("FORMAT");
   app.add_flag("--page", options->page, "Write an HTML page a scene, in which the body turns");
   options->format.declare(app);
