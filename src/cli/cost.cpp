@@ -20,6 +20,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -38,6 +39,7 @@ struct cost_options {
   count_option estimate{"--estimate", 0, 0, most_digits_of_estimate};
   std::optional<std::string> directory;
   format_option format{{"text", "csv", "json"}};
+  time_limit_option time_limit;
 };
 
 double seconds_of(const cost_options& options) {
@@ -200,6 +202,7 @@ exit_status run(const cost_options& options) {
   const double allowed = seconds_of(options);
   const std::string& format = options.format.value();
   const long estimated = options.estimate.value();
+  (void)options.time_limit.limit();
   if ((options.list || estimated > 0) &&
       (options.directory || options.data_only || format != "text")) {
     throw usage_error(
@@ -210,6 +213,7 @@ exit_status run(const cost_options& options) {
     return exit_status::all_certified;
   }
   if (estimated > 0) {
+    const time_watch watch(options.time_limit.limit(static_cast<double>(quantities.size())));
     print(estimates(quantities, estimated));
     return exit_status::all_certified;
   }
@@ -237,6 +241,8 @@ exit_status run(const cost_options& options) {
   report.digits = digits;
   {
     const progress line;
+    const time_watch watch(
+        options.time_limit.limit(static_cast<double>(quantities.size() + families.size())));
     for (const cost::quantity* q : quantities) {
       report.quantities.push_back(measured(*q, digits, allowed, cold, line));
     }
@@ -289,6 +295,7 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("DIR");
   app.add_flag("--data-only", options->data_only, "Without the pictures, which need gnuplot");
   options->format.declare(app);
+  options->time_limit.declare(app, "quantity and hard case");
   return [options] { return run(*options); };
 }
 

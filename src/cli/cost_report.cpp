@@ -168,10 +168,18 @@ std::string csv_of(const std::string& what, const std::string& method, bool cert
   const auto cell = [](const std::optional<double>& x) {
     return x ? fmt::format("{:.6g}", *x) : "";
   };
-  return fmt::format("{},\"{}\",{},{},{},{:.6g},{},{},{},{},{},{:.0f}\n", what, method,
+  std::string remark;  // on what is empty
+  const auto is_missing = [&](bool missing, const char* why) {
+    if (missing) remark += (remark.empty() ? "" : "; ") + std::string(why);
+  };
+  is_missing(k.empty(), "no hard case, no k");
+  is_missing(!m.cold_seconds, "no first call measured");
+  is_missing(!m.log10_error, "the method gave no number");
+  is_missing(!m.log10_claimed, "it claims no error of its own");
+  return fmt::format("{},\"{}\",{},{},{},{:.6g},{},{},{},{},{},{:.0f},\"{}\"\n", what, method,
                      certified ? "yes" : "no", k, m.digits, m.seconds, cell(m.cold_seconds),
                      cell(m.log10_error), cell(m.log10_claimed), m.has_digits() ? "yes" : "no",
-                     m.evaluations, m.bytes);
+                     m.evaluations, m.bytes, remark);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -376,7 +384,7 @@ std::string as_csv(const cost_report& report) {
   std::string result =
       "quantity,method,certified,k,digits,seconds,cold_seconds,log10_error,log10_claimed,has_"
       "digits,"
-      "evaluations,bytes\n";
+      "evaluations,bytes,remark\n";
   for (const measured_quantity& q : report.quantities) {
     for (const measured_method& m : q.methods) {
       for (const measurement& x : m.points) {

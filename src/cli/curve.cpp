@@ -81,12 +81,19 @@ std::vector<point> points_of(const body& rigid, const std::vector<rational>& mot
 // The formats
 
 std::string as_csv(const std::vector<point>& points, long digits) {
-  std::string result = csv_header("c") + ",epsilon,radius,lower,upper,digits,epsilon_of_s\n";
+  std::string result =
+      csv_header("c") +
+      ",epsilon,radius,lower,upper,digits,epsilon_of_s,epsilon_of_s_radius,remark\n";
   for (const point& p : points) {
     const decimal_enclosure d = to_decimal_enclosure(p.epsilon, digits);
-    result +=
-        fmt::format("{},{},{},{},{},{},{}\n", csv_cells(p.c), d.value, d.radius, d.lower, d.upper,
-                    d.digits, p.turning ? to_decimal_enclosure(*p.turning, digits).value : "");
+    result += fmt::format("{},{},{},{},{},{},", csv_cells(p.c), d.value, d.radius, d.lower, d.upper,
+                          d.digits);
+    if (p.turning) {
+      const decimal_enclosure s = to_decimal_enclosure(*p.turning, digits);
+      result += fmt::format("{},{},\n", s.value, s.radius);
+    } else {
+      result += ",,no point of S at c > 0\n";
+    }
   }
   return result;
 }
@@ -116,7 +123,7 @@ std::string as_svg(const body& rigid, const std::vector<point>& points) {
   std::string program =
       "set terminal svg size 900,600 font 'Helvetica,15' background 'white'\n"
       "set xlabel 'c'\nset ylabel 'epsilon'\n"
-      "set key top right\nset grid lc rgb '#dddddd'\n"
+      "set key outside top right\nset grid lc rgb '#dddddd'\n"
       "set xzeroaxis lt 1 lc rgb '#888888'\nset yzeroaxis lt 1 lc rgb '#888888'\n"
       "set ytics ('-pi' -pi, '-pi/2' -pi/2, '0' 0, 'pi/4' pi/4, 'pi/2' pi/2, '3pi/4' 3*pi/4, 'pi' "
       "pi)\n";

@@ -69,8 +69,8 @@ std::string data_of(const figure_curve& curve) {
 
 std::string terminal(picture_format format) {
   return format == picture_format::svg
-             ? "set terminal svg size 900,640 font 'Helvetica,15' background 'white'\n"
-             : "set terminal pngcairo size 1350,960 font 'Sans,16' linewidth 1.5 pointscale 2 "
+             ? "set terminal svg size 900,700 font 'Helvetica,15' background 'white'\n"
+             : "set terminal pngcairo size 1350,1050 font 'Sans,16' linewidth 1.5 pointscale 2 "
                "background "
                "'white'\n";
 }
@@ -105,16 +105,27 @@ std::string greatest_width(const figure_content& content, long digits) {
 
 std::string draw(const figure& f, const figure_content& content, const std::string& width,
                  picture_format format) {
-  std::string program = terminal(format) +
-                        "set encoding utf8\n"
-                        "set grid lc rgb '#dddddd'\n"
-                        "set bmargin 6.5\n";
-  program += fmt::format("set title \"F{}: {}{}\"\n", f.place.substr(1), f.shows,
-                         f.note.empty() ? "" : "\\n" + f.note);
+  std::string csv_name;  // an underscore would lower the next letter
+  for (const char c : f.name) csv_name += c == '_' ? std::string("\\\\_") : std::string(1, c);
+  std::string program = terminal(format) + "set encoding utf8\nset grid lc rgb '#dddddd'\n";
   program += fmt::format(
-      "set label \"Every coordinate certified to within {}: {}.csv has the enclosures.\" at screen "
-      "0.5, screen 0.025 center noenhanced\n",
-      width, f.name);
+      "set title \"F{}: {}{}\\n{{/*0.85 Every coordinate certified to within {}: {}.csv has the "
+      "enclosures.}}\"\n",
+      f.place.substr(1), f.shows, f.note.empty() ? "" : "\\n" + f.note, width, csv_name);
+  // The legend is beneath the frame, where no curve runs, in two columns. gnuplot takes letters for wider than they are.
+  std::size_t entries = 0;
+  std::size_t longest = 0;
+  for (const figure_curve& curve : content.curves) {
+    for (const auto& [style, title] : curve.drawings) {
+      entries += title.empty() ? 0 : 1;
+      const auto begins_letter = [](char c) { return (c & 0xc0) != 0x80; };  // of UTF-8
+      const auto letters = std::count_if(title.begin(), title.end(), begins_letter);
+      longest = std::max(longest, static_cast<std::size_t>(letters));
+    }
+  }
+  program += fmt::format(
+      "set key bmargin center vertical maxrows {} height 1 reverse Left samplen 3 width -{}\n",
+      std::max<std::size_t>(2, (entries + 1) / 2), longest / 5);
   program += content.settings;
   std::string plots;
   for (std::size_t i = 0; i < content.curves.size(); ++i) {

@@ -33,7 +33,7 @@ struct figure_curve {
 };
 
 struct figure_content {
-  std::string settings;  // gnuplot's: ranges, tics, labels of the axes, the place of the legend
+  std::string settings;  // gnuplot's: ranges, tics, labels of the axes
   std::vector<figure_curve> curves;
 };
 
@@ -60,7 +60,7 @@ struct figure {
 
 enum class picture_format { svg, png };
 
-/// Its picture, with a line beneath that says how wide the enclosures are. Throws output_error as run_gnuplot does.
+/// Its picture, with a line in its title that says how wide the enclosures are. Throws output_error as run_gnuplot does.
 [[nodiscard]] std::string draw(const figure& f, const figure_content& content,
                                const std::string& width, picture_format format);
 

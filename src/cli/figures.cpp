@@ -17,6 +17,7 @@
 #include "output_directory.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -28,6 +29,7 @@ struct figures_options {
   std::string directory = "figures";
   digits_option digits{"15"};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 /// The paper's numbers, such as 3, stand for all figures of that number.
@@ -86,6 +88,7 @@ exit_status run(const figures_options& options) {
   options.memory_limit.check({fmt::format("{} figures with {} digits", figures.size(), digits),
                               points * bytes_per_digit * static_cast<double>(figures.size()) *
                                   static_cast<double>(digits)});
+  (void)options.time_limit.limit();
   if (!options.data_only) require_gnuplot("give --data-only");
 
   std::vector<std::string> names;
@@ -99,6 +102,17 @@ exit_status run(const figures_options& options) {
   std::string report;
   {
     const progress line;
+    line.show("estimating");
+    std::vector<time_limit_option::work> works;
+    works.reserve(figures.size());
+    for (const figure* f : figures) {
+      works.emplace_back([f](long fewer) { (void)f->compute(fewer); });
+    }
+    line.expect(
+        options.time_limit.check(fmt::format("{} digits of every point of {} figure{}", digits,
+                                             figures.size(), figures.size() == 1 ? "" : "s"),
+                                 digits, works));
+    const time_watch watch(options.time_limit.limit(static_cast<double>(figures.size())));
     std::size_t done = 0;
     for (const figure* f : figures) {
       line.show(fmt::format("computing {}, {} ({}/{})", f->name, f->place, ++done, figures.size()));
@@ -134,6 +148,7 @@ std::function<exit_status()> declare(CLI::App& app) {
                "option nothing is written where gnuplot is missing");
   options->digits.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app, "figure");
   return [options] { return run(*options); };
 }
 
@@ -146,7 +161,7 @@ command figures_command() {
           "  polhode figures injectivity varying_a --out pictures\n"
           "  polhode figures 3\n"
           "  polhode figures limit --data-only --digits 30\n\n"
-          "gnuplot draws them. Beneath each picture stands how wide the widest enclosure of its "
+          "gnuplot draws them. Each title says how wide the widest enclosure of its "
           "points is; the\n"
           "CSV file has them all: the certain digits of each coordinate, and its ends rounded "
           "outward.\n",

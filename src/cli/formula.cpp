@@ -187,6 +187,8 @@ std::string names_of_functions() {
   }
   names += "and the constants";
   for (const expression_constant& c : expression_constants()) names += ' ' + c.name;
+  names += "; other names of some of them are";
+  for (const expression_alias& a : expression_aliases()) names += ' ' + a.name;
   std::string result;
   for (const std::string& line : wrapped(names, terminal_columns - 2)) {
     result += "  " + line + '\n';

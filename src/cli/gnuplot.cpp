@@ -78,4 +78,16 @@ void require_gnuplot(const std::string& way_without) {
                     way_without);
 }
 
+void require_pdf(const std::string& way_without) {
+  require_gnuplot(way_without);
+  try {
+    (void)run_gnuplot("set terminal pdfcairo\nset print '-'\nprint 1\n", way_without);
+  } catch (const output_error&) {
+    throw output_error(
+        "this gnuplot draws no PDF, for it was built without its terminal pdfcairo: "
+        "install one with it, such as Debian's gnuplot-nox, or " +
+        way_without);
+  }
+}
+
 }  // namespace polhode::cli

@@ -12,4 +12,7 @@ namespace polhode::cli {
 /// Throws output_error where gnuplot does not start or cannot write both kinds of picture.
 void require_gnuplot(const std::string& way_without);
 
+/// As require_gnuplot, and throws output_error where it was built without pdfcairo, which draws PDF.
+void require_pdf(const std::string& way_without);
+
 }  // namespace polhode::cli

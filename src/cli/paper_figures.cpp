@@ -214,7 +214,7 @@ figure_content physical_region(long /*digits*/) {
   }
   return {
       "set xlabel \"a = I_y/I_z − 1\"\nset ylabel \"b = 1 − I_y/I_x\"\n"
-      "set xrange [0:45]\nset yrange [0:0.55]\nset key top right\n",
+      "set xrange [0:45]\nset yrange [0:0.55]\n",
       {boundary, bodies}};
 }
 
@@ -341,9 +341,8 @@ figure_content reduced_phase_space(long digits) {
   const body rigid = schematic_body();
   figure_content result{
       "set xlabel \"ψ (radians)\"\nset ylabel \"dψ/dφ\"\n"
-      "set xrange [-pi/2:pi/2]\nset yrange [-1.2:1.9]\n"
-      "set xtics ('−π/2' -pi/2, '−π/4' -pi/4, '0' 0, 'π/4' pi/4, 'π/2' pi/2)\n"
-      "set key top right\n",
+      "set xrange [-pi/2:pi/2]\nset yrange [-1.2:1.2]\n"
+      "set xtics ('−π/2' -pi/2, '−π/4' -pi/4, '0' 0, 'π/4' pi/4, 'π/2' pi/2)\n",
       orbits(rigid, rate_of_psi, digits)};
   const std::vector<figure_point> quarter =
       rotating_quarter(rigid, rigid.a(), rate_of_psi, rigid.a(), digits);
@@ -361,10 +360,9 @@ figure_content phase_space(long digits) {
   const body rigid = schematic_body();
   figure_content result{
       "set xlabel \"ψ (radians)\"\nset ylabel \"θ (radians)\"\n"
-      "set xrange [-pi/2:3*pi/2]\nset yrange [0:1.3*pi]\n"
+      "set xrange [-pi/2:3*pi/2]\nset yrange [0:pi]\n"
       "set xtics ('−π/2' -pi/2, '0' 0, 'π/2' pi/2, 'π' pi, '3π/2' 3*pi/2)\n"
-      "set ytics ('0' 0, 'π/4' pi/4, 'π/2' pi/2, '3π/4' 3*pi/4, 'π' pi)\n"
-      "set key top right\n",
+      "set ytics ('0' 0, 'π/4' pi/4, 'π/2' pi/2, '3π/4' 3*pi/4, 'π' pi)\n",
       orbits(rigid, height_of_theta, digits)};
   // theta = pi/2 - height; and everything once more for psi + pi.
   const auto theta = [&](const coordinate& y) -> coordinate {
@@ -412,8 +410,7 @@ figure_content montgomery_oscillating(long digits) {
       {dense_near_zero(-b, 200), approaching(-b, 1, 5, -b, 0), approaching(0, -1, 6, -b, 0)});
   figure_content result{std::string(axis_of_c) +
                             "set ylabel \"Δφ (radians)\"\nset xrange [-0.0629:0]\n"
-                            "set yrange [4:14]\nset ytics (4, '2π' 2*pi, 8, 10, 12, 14)\n"
-                            "set key top left\n",
+                            "set yrange [4:14]\nset ytics (4, '2π' 2*pi, 8, 10, 12, 14)\n",
                         {}};
   figure_curve limits{"limit", {{circles(grey), "limits 2πI for c → −b"}}, {{}}};
   for (const auto& [a, colour] : std::vector<coloured>{{"12.65", red}, {"18.27", black}}) {
@@ -430,10 +427,9 @@ figure_content montgomery_oscillating(long digits) {
 }
 
 figure_content montgomery_rotating(long digits) {
-  figure_content result{std::string(axis_of_c) +
-                            "set ylabel \"Δφ (radians)\"\nset xrange [0:19]\nset yrange [0:4]\n"
-                            "set key top right\n",
-                        {}};
+  figure_content result{
+      std::string(axis_of_c) + "set ylabel \"Δφ (radians)\"\nset xrange [0:19]\nset yrange [0:4]\n",
+      {}};
   figure_curve limits{"limit", {{circles(grey), "limits 2πJ for c → a"}}, {{}}};
   for (const auto& [a, colour] : std::vector<coloured>{{"12.65", blue}, {"18.27", black}}) {
     const body rigid = with_ab(a, "0.0629");
@@ -471,7 +467,6 @@ figure_content first_equation(long digits) {
       std::string(axis_of_c) + axis_of_epsilon +
           "set xrange [-0.28:0.53]\nset yrange [-0.6:pi/2]\n"
           "set ytics ('−π/8' -pi/8, '0' 0, 'π/8' pi/8, 'π/4' pi/4, '3π/8' 3*pi/8, 'π/2' pi/2)\n"
-          "set key at 0.49,1.52 right top\n"
           "set xzeroaxis lt 1 lc rgb 'black'\nset yzeroaxis lt 1 lc rgb 'black'\n",
       {curve, turning_curve(b, false, "S: c = −b sin^2ε", digits)}};
   const coordinate top = multiple_of_pi(rational(1, 2), digits);
@@ -495,8 +490,7 @@ figure_content injectivity(long digits) {
   const rational end = number("0.0171");
   figure_content result{std::string(axis_of_c) + axis_of_epsilon +
                             "set xrange [-0.0629:0.0171]\nset yrange [-0.6:pi]\n"
-                            "set ytics ('0' 0, 'π/4' pi/4, 'π/2' pi/2, '3π/4' 3*pi/4, 'π' pi)\n"
-                            "set key bottom left\n",
+                            "set ytics ('0' 0, 'π/4' pi/4, 'π/2' pi/2, '3π/4' 3*pi/4, 'π' pi)\n",
                         {}};
   const std::vector<rational> motions = merged({equally_spaced(number("-0.0627"), end, 399),
                                                 approaching(-b, 1, 6, -b, end),
@@ -529,9 +523,9 @@ figure_content injectivity(long digits) {
 figure_content near_separatrix(const char* b, long digits) {
   const rational low = number("-0.01");
   const rational high = number("0.01");
-  figure_content result{std::string(axis_of_c) + axis_of_epsilon +
-                            "set xrange [-0.01:0.01]\nset yrange [-0.3:0.7]\nset key top right\n",
-                        {}};
+  figure_content result{
+      std::string(axis_of_c) + axis_of_epsilon + "set xrange [-0.01:0.01]\nset yrange [-0.3:0.7]\n",
+      {}};
   const std::vector<rational> motions =
       merged({equally_spaced(low, high, 200), approaching(0, 1, 6, low, high),
               approaching(0, -1, 6, low, high)});
@@ -571,7 +565,7 @@ figure_content limit(long digits) {
   const rational low = number("-0.2");
   const rational high = number("0.2");
   figure_content result{"set xlabel \"β = c/b\"\n" + std::string(axis_of_epsilon) +
-                            "set xrange [-0.2:0.2]\nset yrange [-0.6:1]\nset key top right\n",
+                            "set xrange [-0.2:0.2]\nset yrange [-0.6:1]\n",
                         {}};
   const std::vector<rational> betas =
       merged({equally_spaced(low, high, 200), approaching(0, 1, 6, low, high),

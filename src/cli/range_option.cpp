@@ -17,8 +17,9 @@ std::string read_end(const std::string& text, const let_option& let) {
   return given;
 }
 
-/// LO..HI. A number may end or begin with a point (1...5), so every ".." is tried.
-std::pair<std::string, std::string> ends_between_points(const std::string& text,
+/// LO..HI. A number may end or begin with a point (1...5), so every ".." is tried. Errors begin with how it was given.
+std::pair<std::string, std::string> ends_between_points(const std::string& option,
+                                                        const std::string& text,
                                                         const let_option& let) {
   std::optional<usage_error> first_error;
   for (std::size_t at = text.find(".."); at != std::string::npos; at = text.find("..", at + 1)) {
@@ -29,10 +30,10 @@ std::pair<std::string, std::string> ends_between_points(const std::string& text,
     }
   }
   if (first_error) {
-    throw usage_error(fmt::format("--in {}: {}", in_quotes(text), first_error->what()));
+    throw usage_error(fmt::format("{}{}: {}", option, in_quotes(text), first_error->what()));
   }
-  throw usage_error(
-      fmt::format("--in {}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", in_quotes(text)));
+  throw usage_error(fmt::format("{}{}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", option,
+                                in_quotes(text)));
 }
 
 std::pair<std::string, std::string> both(const std::optional<std::string>& lower,
@@ -58,7 +59,9 @@ int infinite_sign_of(const std::string& text) {
 }
 
 void range_option::declare(CLI::App& app) {
-  app.add_option("A", first, "The lower limit: a formula without variables, or -inf")
+  app.add_option("A", first,
+                 "The lower limit: a formula without variables, or -inf;\n"
+                 "or both limits, as LO..HI")
       ->type_name("");
   app.add_option("B", second, "The upper limit: a formula without variables, or inf")
       ->type_name("");
@@ -72,7 +75,10 @@ int range_option::ways() const {
 }
 
 std::pair<std::string, std::string> range_option::ends(const let_option& let) const {
-  if (in) return ends_between_points(*in, let);
+  if (in) return ends_between_points("--in ", *in, let);
+  if (first && !second && first->find("..") != std::string::npos) {
+    return ends_between_points("", *first, let);
+  }
   if (from || to) return both(from, to, "--from", "--to", let);
   return both(first, second, "a limit A", "B", let);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// From where to where: EXPR A B, --from A --to B or --in LO..HI.
+// From where to where: EXPR A B, EXPR LO..HI, --from A --to B or --in LO..HI.
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@ namespace polhode::cli {
 [[nodiscard]] int infinite_sign_of(const std::string& text);
 
 struct range_option {
-  std::optional<std::string> first;  // A and B, behind the formula
+  std::optional<std::string> first;  // A and B, behind the formula; or LO..HI alone
   std::optional<std::string> second;
   std::optional<std::string> from;
   std::optional<std::string> to;

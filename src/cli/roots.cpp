@@ -72,7 +72,7 @@ given_range read_range(roots_options& options) {
   const range_option& range = options.range;
   if (range.ways() != 1) {
     throw usage_error(fmt::format(
-        "{}: give the ends, EXPR A B, or --in A..B, or --from A --to B",
+        "{}: give the ends, EXPR A B, or EXPR A..B, or --in A..B, or --from A --to B",
         range.ways() == 0 ? "there is no interval to look in" : "there is more than one interval"));
   }
   const auto [lower, upper] = range.ends(options.let);
@@ -439,7 +439,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 command roots_command() {
   return {
       "roots", "Find all roots of a formula in an interval, with a proof",
-      "  polhode roots \"cos(x) - x\" --in 0..1 --digits 100\n"
+      "  polhode roots \"cos(x) - x\" 0..1 --digits 100\n"
       "  polhode roots \"(x-1)*(x^2-2)^3\" -inf inf\n"
       "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n"
       "  polhode roots \"cos(x) - x\" --in 0..1 --certificate root.json && polhode check "

@@ -22,6 +22,7 @@
 #include "scene_page.hpp"
 #include "scene_report.hpp"
 #include "streams.hpp"
+#include "time_limit.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -36,6 +37,7 @@ struct scene_options {
   std::optional<std::string> plot;
   format_option format{{"text", "json", "csv"}};
   memory_limit_option memory_limit;
+  time_limit_option time_limit;
 };
 
 /// One point of one scene: all that is computed at once, and kept in one file.
@@ -198,6 +200,16 @@ std::optional<json> kept_report(const scene_options& options, const job& one) {
   return std::nullopt;
 }
 
+/// Throws usage_error where a scene of this file is estimated to take longer than the limit.
+void check_time(const scene_options& options, const std::string& file, const scene& what) {
+  (void)options.time_limit.check(fmt::format("{} digits of {}", what.digits, in_quotes(file)),
+                                 what.digits, {[&](long fewer) {
+                                   scene smaller = what;
+                                   smaller.digits = fewer;
+                                   (void)compute(smaller);
+                                 }});
+}
+
 bool is_certified(const json& report) { return report["verdict"] == to_text(status::certified); }
 
 /// Writes what one job has come to; its files appear together or not at all.
@@ -253,16 +265,22 @@ exit_status run(const scene_options& options) {
   }
   if (options.files.empty())
     throw usage_error("there is no scene; give a file, such as scenes/toutatis.toml");
-  if (options.plot && *options.plot != "svg" && *options.plot != "png") {
-    throw usage_error(fmt::format("--plot {}: it must be svg or png", in_quotes(*options.plot)));
+  if (options.plot && *options.plot != "svg" && *options.plot != "png" && *options.plot != "pdf") {
+    throw usage_error(
+        fmt::format("--plot {}: it must be svg, png or pdf", in_quotes(*options.plot)));
   }
   if ((options.plot || options.page) && !options.out) {
     throw usage_error("--plot and --page write files: give --out DIR, too");
   }
+  (void)options.time_limit.limit();
   if (options.page) require_pages();
   text_files files;  // that scenes name
   const std::vector<job> jobs = jobs_of(options, files);
-  if (options.plot) require_gnuplot("leave out --plot");
+  if (options.plot == "pdf") {
+    require_pdf("give --plot svg");
+  } else if (options.plot) {
+    require_gnuplot("leave out --plot");
+  }
   // Before anything is computed: whether the table of results can be written.
   // Until the end, so that another run with this directory waits, and then keeps what this one has computed.
   std::optional<output_directory> reserved;
@@ -271,8 +289,11 @@ exit_status run(const scene_options& options) {
   std::vector<json> reports;
   reports.reserve(jobs.size());
   std::size_t kept = 0;
+  const time_watch watch(options.time_limit.limit(static_cast<double>(jobs.size())));
+  std::string
+      estimated;  // the file whose first scene is the last that was: the points of a sweep take alike
   for (const job& one : jobs) {
-    line->show(fmt::format("{} ({}/{})", one.stem, reports.size() + 1, jobs.size()));
+    line->show_part("computing " + one.stem, reports.size(), jobs.size());
     if (options.out) {
       if (auto report = kept_report(options, one)) {
         ++kept;
@@ -281,6 +302,8 @@ exit_status run(const scene_options& options) {
       }
     }
     const scene what = scene_of(one, files);
+    if (one.file != estimated) check_time(options, one.file, what);
+    estimated = one.file;
     const scene_report results = compute(what);
     reports.push_back(scene_json(what, results, one.file, one.point, one.digest, rows_of(options)));
     if (options.out) write_job(options, one, what, reports.back(), results);
@@ -311,11 +334,13 @@ std::function<exit_status()> declare(CLI::App& app) {
                  "Write each scene's files there, and all results in one table, results.csv")
       ->type_name("DIR");
   app.add_flag("--list", options->list, "List the effects, one line each");
-  app.add_option("--plot", options->plot, "Have gnuplot draw every curve and series: svg or png")
+  app.add_option("--plot", options->plot,
+                 "Have gnuplot draw every curve and series: svg, png or pdf")
       ->type_name("FORMAT");
   app.add_flag("--page", options->page, "Write an HTML page a scene, in which the body turns");
   options->format.declare(app);
   options->memory_limit.declare(app);
+  options->time_limit.declare(app, "scene and point");
   return [options] { return run(*options); };
 }
 

@@ -1,6 +1,7 @@
 #include "scene_page.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -113,6 +114,30 @@ void add_series(json& data, const scene& what, const effect_table* attitude,
   }
 }
 
+/// The symbol of a column's quantity, with gnuplot's sign for what is set lower: "ω_1", "J_1/|J|".
+std::string symbol_of(const std::string& column) {
+  const auto end = std::min(column.find('_'), column.size());
+  const std::string name = column.substr(0, end);
+  const std::string index = column.substr(end);
+  if (name == "j") return 'J' + index + "/|J|";
+  for (const auto& [word, symbol] : {std::pair("omega", "ω"), std::pair("phi", "φ"),
+                                     std::pair("epsilon", "ε"), std::pair("phase", "Δφ")}) {
+    if (name == word) return symbol + index;
+  }
+  return column;
+}
+
+/// The symbol of a quantity, with the unit of a column: "ω [rad/day]".
+std::string axis_label(const effect_table& table, std::size_t column, const std::string& name) {
+  const bool has_unit = column < table.units.size() && !table.units[column].empty();
+  return symbol_of(name) + (has_unit ? " [" + table.units[column] + ']' : "");
+}
+
+/// Of the Montgomery phase over c, which is infinite at c = 0: no line is drawn from one side to the other.
+bool is_apart(const effect_table& table, std::size_t row) {
+  return row > 0 && table.columns[1] == "phase" && table.first[row - 1] < 0 && table.first[row] > 0;
+}
+
 /// As it may stand in a script of a page: no "</script>" and no comment can begin in it.
 std::string embedded(const json& data) {
   std::string result;
@@ -142,7 +167,10 @@ std::string scene_page(const scene& what, const scene_report& results, const jso
     json points = json::array();
     for (std::size_t i = 0; i < curve->rows.size(); ++i)
       points.push_back({static_cast<double>(curve->first[i]), drawn(curve->rows[i][0])});
-    data["curves"][name] = {{"columns", curve->columns}, {"rows", std::move(points)}};
+    data["curves"][name] = {
+        {"columns",
+         {axis_label(*curve, 0, curve->columns[0]), axis_label(*curve, 1, curve->columns[1])}},
+        {"rows", std::move(points)}};
   }
   const effect_table* attitude = table_of(results, "attitude");
   const effect_table* momentum = table_of(results, "momentum");
@@ -178,22 +206,6 @@ std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const ef
   return groups;
 }
 
-/// A column's name with the letter that it spells: "ω_1".
-std::string in_letters(const std::string& column) {
-  const auto end = std::min(column.find('_'), column.size());
-  for (const auto& [word, letter] :
-       {std::pair("omega", "ω"), std::pair("phi", "φ"), std::pair("epsilon", "ε")}) {
-    if (column.substr(0, end) == word) return letter + column.substr(end);
-  }
-  return column;
-}
-
-/// The letter of a quantity, with its unit: "ω [rad/day]".
-std::string axis_label(const effect_table& table, std::size_t column, const std::string& name) {
-  const bool has_unit = column < table.units.size() && !table.units[column].empty();
-  return in_letters(name) + (has_unit ? " [" + table.units[column] + ']' : "");
-}
-
 /// A table's numbers as they are drawn.
 std::vector<std::vector<double>> drawn_rows(const effect_table& table) {
   std::vector<std::vector<double>> rows;
@@ -214,16 +226,23 @@ std::string scene_plot(const std::string& title, const effect_table& table,
   constexpr std::size_t panel_height = 320;
   const auto groups = groups_of(table);
   const std::size_t height = std::max<std::size_t>(2, groups.size()) * panel_height;
-  std::string program =
-      format == "png"
-          ? fmt::format("set terminal pngcairo size 1000,{} font 'Sans,12'\n", height)
-          : fmt::format("set terminal svg size 1000,{} font 'Helvetica,15' background 'white'\n",
-                        height);
+  std::string program = "set encoding utf8\n";
+  if (format == "png") {
+    program += fmt::format("set terminal pngcairo size 1000,{} font 'Sans,12'\n", height);
+  } else if (format == "pdf") {
+    constexpr double points_per_inch = 100;
+    program += fmt::format("set terminal pdfcairo size 10in,{:.2f}in font 'Sans,14'\n",
+                           static_cast<double>(height) / points_per_inch);
+  } else {
+    program += fmt::format("set terminal svg size 1000,{} font 'Helvetica,15' background 'white'\n",
+                           height);
+  }
   program +=
       "set grid lc rgb '#dddddd'\nset key outside top right\nset lmargin 10\nset rmargin 16\n";
   program += "$data << EOD\n";
   const std::vector<std::vector<double>> rows = drawn_rows(table);
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (is_apart(table, i)) program += '\n';
     program += leading_digits_of(table.first[i], digits).value;
     for (const double x : rows[i]) program += fmt::format(" {:.12g}", x);
     program += '\n';
@@ -232,16 +251,19 @@ std::string scene_plot(const std::string& title, const effect_table& table,
                          for_gnuplot(title));
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto& [name, columns] = groups[g];
-    program +=
-        fmt::format("set ylabel '{}' noenhanced\n", axis_label(table, columns.front(), name));
+    program += fmt::format("set ylabel '{}'\n", axis_label(table, columns.front(), name));
     if (g + 1 == groups.size()) {
-      program +=
-          fmt::format("set xlabel '{}' noenhanced\n", axis_label(table, 0, table.columns[0]));
+      program += fmt::format("set xlabel '{}'\n", axis_label(table, 0, table.columns[0]));
     }
     std::string plots;
-    for (const std::size_t k : columns) {
-      plots += fmt::format("{}$data using 1:{} with lines lw 2 title '{}' noenhanced",
-                           plots.empty() ? "plot " : ", ", k + 1, in_letters(table.columns[k]));
+    // A mark now and then, of one shape for each curve: colours alone do not tell them apart in print, or for everyone.
+    constexpr std::array marks{7, 5, 9, 13};  // disc, square, triangle, diamond
+    constexpr std::size_t marks_of_curve = 20;
+    const std::size_t interval = std::max<std::size_t>(1, rows.size() / marks_of_curve);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      plots += fmt::format("{}$data using 1:{} with linespoints lw 2 pt {} ps 0.8 pi {} title '{}'",
+                           plots.empty() ? "plot " : ", ", columns[i] + 1, marks[i % marks.size()],
+                           interval, symbol_of(table.columns[columns[i]]));
     }
     program += plots + '\n';
   }

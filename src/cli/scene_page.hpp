@@ -14,7 +14,7 @@ void require_pages();
 [[nodiscard]] std::string scene_page(const scene& what, const scene_report& results,
                                      const json& report);
 
-/// A picture of an effect's table by gnuplot, vectors in panels of their own, "svg" or "png". Throws output_error where there is no gnuplot.
+/// A picture of an effect's table by gnuplot, vectors in panels of their own: "svg", "png" or "pdf". Throws output_error where there is no gnuplot.
 [[nodiscard]] std::string scene_plot(const std::string& title, const effect_table& table,
                                      const std::string& format);
 

@@ -345,7 +345,7 @@ command table_command() {
       "table", "Tabulate a quantity of free rotations, every number certified",
       "  polhode table phase --ab 12.65,0.0629 --c -0.06..-0.01/5\n"
       "  polhode table epsilon --ab 12.65,0.0629 --ab 18.27,0.0629 --c -0.06..0.06/24 --digits 20\n"
-      "  polhode table c0 --moments 3,2,1 --moments 5,4,3 --format json\n\n"
+      "  polhode table c0 --moments 3,2,1 --moments 5,4,2 --format json\n\n"
       "phase is the Montgomery phase, epsilon the defect of the tennis racket effect at c, "
       "epsilon0 that on\n"
       "the separatrix, c0 the motion of the perfect twist. The numbers of --c are formed exactly. "

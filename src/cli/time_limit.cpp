@@ -54,10 +54,11 @@ time_watch::~time_watch() {
   thread_.join();
 }
 
-void time_limit_option::declare(CLI::App& app) {
+void time_limit_option::declare(CLI::App& app, const std::string& each) {
   app.add_option("--time-limit", text,
                  "Refuse what is estimated to take longer, and end what does:\n"
-                 "90s, 10m, 2h, 1d [10m for each number]")
+                 "90s, 10m, 2h, 1d [10m for each " +
+                     each + "]")
       ->type_name("TIME");
 }
 

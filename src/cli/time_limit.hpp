@@ -39,8 +39,8 @@ struct time_limit_option {
 
   std::optional<std::string> text;
 
-  void declare(CLI::App& app);
-  /// In seconds, for so many numbers: what is given, else ten minutes for each. Throws usage_error where the option cannot be read.
+  void declare(CLI::App& app, const std::string& each = "number");
+  /// In seconds, for so many numbers (or of `each`): what is given, else ten minutes for each. Throws usage_error where the option cannot be read.
   [[nodiscard]] double limit(double numbers = 1) const;
   /// Seconds that all the works are estimated to take, `times` over; nothing where the digits are too few to be worth an estimate,
   /// or where one of them throws for fewer. Throws usage_error as limit() does, and where the estimate is above it, of

@@ -21,6 +21,9 @@ bool above_minus_one(const rational& q) { return q > -1; }
 bool from_one(const rational& q) { return q >= 1; }
 bool in_closed_unit(const rational& q) { return q >= -1 && q <= 1; }
 bool in_open_unit(const rational& q) { return q > -1 && q < 1; }
+bool outside_open_unit(const rational& q) { return q >= 1 || q <= -1; }
+bool outside_closed_unit(const rational& q) { return q > 1 || q < -1; }
+bool in_unit_but_zero(const rational& q) { return q > 0 && q <= 1; }
 bool no_pole_of_gamma(const rational& q) { return q > 0 || denominator(q) != 1; }
 
 /// Throws undefined_operation where x is a number outside the domain of the function.
@@ -130,6 +133,21 @@ node_id everywhere(graph& g, const operands& x) {
     check_domain(g, #f, x[0], defined);        \
     return function_of(g, operation::f, x[0]); \
   }
+
+/// The function of 1/x, where x is in the domain of the function of that name: the inverse of a reciprocal, as asec(x) = acos(1/x).
+template <operation what>
+node_id of_reciprocal(graph& g, const char* name, node_id x, bool (*defined)(const rational&)) {
+  check_domain(g, name, x, defined);
+  return function_of(g, what, divide(g, g.number(1), x));
+}
+
+/// acot(x) = pi/2 - atan(x), in (0, pi) and analytic everywhere. For a number x > 0 that is atan(1/x), without cancellation.
+node_id inverse_cotangent(graph& g, const operands& x) {
+  const rational* q = g.value(x[0]);
+  if (q != nullptr && *q > 0) return function_of(g, operation::atan, g.number(1 / *q));
+  return subtract(g, divide(g, g.make(operation::pi), g.number(2)),
+                  function_of(g, operation::atan, x[0]));
+}
 
 node_id root_of(graph& g, const operands& x) {
   const rational* order = g.value(x[1]);
@@ -274,6 +292,11 @@ const std::vector<function_row>& function_rows() {
       {{"acos", "x", "arc cosine, in [0, pi]", "-1 <= x <= 1"}, 1, POLHODE_ON(acos, in_closed_unit)},
       {{"atan", "x", "arc tangent, in (-pi/2, pi/2)", all}, 1, everywhere<operation::atan>},
       {{"atan2", "y, x", "angle of the point (x, y), in (-pi, pi]", "not x = y = 0"}, 2, atan2_of},
+      {{"acot", "x", "inverse of cot, in (0, pi): pi/2 - atan(x)", all}, 1, inverse_cotangent},
+      {{"asec", "x", "inverse of sec, in [0, pi]: acos(1/x)", "x <= -1 or x >= 1"}, 1, [](graph& g, const operands& x) {
+         return of_reciprocal<operation::acos>(g, "asec", x[0], outside_open_unit); }},
+      {{"acsc", "x", "inverse of csc, in [-pi/2, pi/2]: asin(1/x)", "x <= -1 or x >= 1"}, 1, [](graph& g, const operands& x) {
+         return of_reciprocal<operation::asin>(g, "acsc", x[0], outside_open_unit); }},
       {{"sinh", "x", "hyperbolic sine", all}, 1, everywhere<operation::sinh>},
       {{"cosh", "x", "hyperbolic cosine", all}, 1, everywhere<operation::cosh>},
       {{"tanh", "x", "hyperbolic tangent", all}, 1, everywhere<operation::tanh>},
@@ -288,6 +311,12 @@ const std::vector<function_row>& function_rows() {
       {{"asinh", "x", "inverse of sinh", all}, 1, everywhere<operation::asinh>},
       {{"acosh", "x", "inverse of cosh, >= 0", "x >= 1"}, 1, POLHODE_ON(acosh, from_one)},
       {{"atanh", "x", "inverse of tanh", "-1 < x < 1"}, 1, POLHODE_ON(atanh, in_open_unit)},
+      {{"asech", "x", "inverse of sech, >= 0: acosh(1/x)", "0 < x <= 1"}, 1, [](graph& g, const operands& x) {
+         return of_reciprocal<operation::acosh>(g, "asech", x[0], in_unit_but_zero); }},
+      {{"acsch", "x", "inverse of csch: asinh(1/x)", "x != 0"}, 1, [](graph& g, const operands& x) {
+         return of_reciprocal<operation::asinh>(g, "acsch", x[0], not_zero); }},
+      {{"acoth", "x", "inverse of coth: atanh(1/x)", "x < -1 or x > 1"}, 1, [](graph& g, const operands& x) {
+         return of_reciprocal<operation::atanh>(g, "acoth", x[0], outside_closed_unit); }},
       {{"abs", "x", "|x|", all}, 1, everywhere<operation::abs>},
       {{"sign", "x", "-1, 0 or 1 as x < 0, x = 0 or x > 0", all}, 1, sign_of},
       {{"min", "x, y", "the smaller of both", "all x and y"}, 2, smaller_of},
@@ -383,10 +412,12 @@ const std::vector<expression_constant>& expression_constants() {
 
 const std::vector<expression_alias>& expression_aliases() {
   static const std::vector<expression_alias> aliases{
-      {"arcsin", "asin"},   {"arccos", "acos"},   {"arctan", "atan"},  {"arctan2", "atan2"},
-      {"arsinh", "asinh"},  {"arcosh", "acosh"},  {"artanh", "atanh"}, {"arcsinh", "asinh"},
-      {"arccosh", "acosh"}, {"arctanh", "atanh"}, {"sgn", "sign"},     {"Pi", "pi"},
-      {"PI", "pi"}};
+      {"arcsin", "asin"},   {"arccos", "acos"},   {"arctan", "atan"},   {"arctan2", "atan2"},
+      {"arccot", "acot"},   {"arcsec", "asec"},   {"arccsc", "acsc"},   {"arsinh", "asinh"},
+      {"arcosh", "acosh"},  {"artanh", "atanh"},  {"arcsinh", "asinh"}, {"arccosh", "acosh"},
+      {"arctanh", "atanh"}, {"arsech", "asech"},  {"arcsch", "acsch"},  {"arcoth", "acoth"},
+      {"arcsech", "asech"}, {"arccsch", "acsch"}, {"arccoth", "acoth"}, {"sgn", "sign"},
+      {"Pi", "pi"},         {"PI", "pi"}};
   return aliases;
 }
 

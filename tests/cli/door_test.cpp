@@ -26,7 +26,9 @@ TEST(Limits, AreTakenInEachForm) {
                                                {"--from", "-1", "--to", "2"},
                                                {"--to=2", "--from=-1"},
                                                {"--in", "-1..2"},
-                                               {"--in=-1 .. 2"}}) {
+                                               {"--in=-1 .. 2"},
+                                               {"-1..2"},
+                                               {"-1.0 .. 2."}}) {
     words integral{"integrate", "x^2 + x", "--digits", "20"};
     words roots{"roots", "x^2 - x", "--digits", "20"};
     integral.insert(integral.end(), range.begin(), range.end());
@@ -69,6 +71,9 @@ TEST(Limits, ThatAreMissingOrTooManyAreRefused) {
     expect_refused({command, "x", "0", "1", "--from", "0"}, {"more than one"});
     expect_refused({command, "x", "0", "1", "2"}, {"\"2\" was not expected"});
     expect_refused({command, "x", "--in", "0-1"}, {"LO..HI"});
+    expect_refused({command, "x", "0..1", "2"}, {"0..1"});
+    expect_refused({command, "x", "0..1", "--to", "2"}, {"more than one"});
+    expect_refused({command, "x", "0..y"}, {"\"0..y\"", "\"y\""});
     expect_refused({command, "x", "--in", "0..y"}, {"--in", "\"y\""});
     expect_refused({command}, {"EXPR is missing"});
   }
@@ -83,6 +88,22 @@ TEST(Names, OfFunctionsAndConstantsInOtherSpellings) {
   EXPECT_EQ(first_line({"eval", "7!!"}), "105 exactly");
   EXPECT_NE(certified({"eval", "--functions"}).find("arctan        the same as atan\n"),
             std::string::npos);
+}
+
+/// acot(x) is pi/2 - atan(x), not atan(1/x), which jumps at 0; the others are the usual inverses of reciprocals.
+TEST(Names, OfInversesOfReciprocals) {
+  EXPECT_EQ(first_line({"eval", "acot(-1)/pi"}), "3/4 exactly");
+  EXPECT_EQ(first_line({"eval", "arccot(0)/pi"}), "1/2 exactly");
+  EXPECT_EQ(first_line({"eval", "(acot(2) + acot(3))/pi"}), "1/4 exactly");
+  EXPECT_EQ(first_line({"eval", "acot(10)", "--digits", "20"}), "0.099668652491162027378...");
+  EXPECT_EQ(first_line({"eval", "acot(-10) + atan(1/10) - pi"}), "0 exactly");
+  EXPECT_EQ(first_line({"eval", "arcsec(-2)/pi"}), "2/3 exactly");
+  EXPECT_EQ(first_line({"eval", "arccsc(-2)/pi"}), "-1/6 exactly");
+  EXPECT_EQ(first_line({"eval", "arccoth(3)/log(2)"}), "1/2 exactly");
+  // acot is analytic at 0: pi/2 is its mean over -1..1.
+  EXPECT_EQ(first_line({"integrate", "acot(x) - pi/2", "-1", "1"}).substr(0, 2), "0 ");
+  EXPECT_EQ(first_line({"roots", "acot(x) - 3*pi/4", "-2..0"}), "-1 ± 1e-52  unique");
+  EXPECT_NE(certified({"eval", "--help"}).find(" arccot "), std::string::npos);
 }
 
 /// The checker, whose reader knows the older names alone, reads what is written of the others.

@@ -1,9 +1,13 @@
 // Every number that a command prints is one: a decimal, with an error that holds.
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -118,12 +122,18 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-/// Every cell of every column but those of words and of exact quotients is a decimal, inf, or empty.
+/// Words, and exact quotients; the other columns are numbers.
+bool is_of_words(const std::string& column) {
+  static const std::set<std::string> words{"scene",   "effect",    "quantity",  "unit",   "word",
+                                           "verdict", "name",      "exact",     "remark", "curve",
+                                           "method",  "certified", "has_digits"};
+  return column.ends_with("_exact") || words.count(column) != 0;
+}
+
+/// Every cell of every column but those of words is a decimal, inf, or empty, where the line says why.
 void check_csv(const std::string& text, const std::string& where) {
   SCOPED_TRACE(where);
-  static const std::set<std::string> words{"scene",   "effect", "quantity", "unit",  "word",
-                                           "verdict", "name",   "exact",    "remark"};
-  static const std::regex decimal("-?[0-9]+(\\.[0-9]+)?(e-?[0-9]+)?|inf|-inf|");
+  static const std::regex decimal("-?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?|inf|-inf");
   const std::vector<std::string> lines = lines_of(text);
   ASSERT_GE(lines.size(), 2U);
   const std::vector<std::string> header = cells_of(lines.front());
@@ -132,12 +142,23 @@ void check_csv(const std::string& text, const std::string& where) {
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string> cells = cells_of(lines[i]);
     ASSERT_EQ(cells.size(), header.size()) << lines[i];
+    bool has_words = false;
     for (std::size_t k = 0; k < cells.size(); ++k) {
-      const bool is_exact =
-          header[k].size() > 6 && header[k].substr(header[k].size() - 6) == "_exact";
-      if (is_exact || words.count(header[k]) != 0) continue;
-      ASSERT_TRUE(std::regex_match(cells[k], decimal))
-          << header[k] << " is " << cells[k] << " in line " << i + 1;
+      const bool explains = header[k] == "remark" || header[k] == "word";
+      has_words = has_words || (explains && cells[k].size() > (cells[k].front() == '"' ? 2 : 0));
+    }
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (is_of_words(header[k])) continue;
+      // A parameter of another scene's sweep.
+      const bool is_parameter = k + 1 < header.size() && header[k + 1] == header[k] + "_exact" &&
+                                header[k].find('.') != std::string::npos;
+      if (cells[k].empty()) {
+        ASSERT_TRUE(has_words || is_parameter)
+            << header[k] << " is empty in line " << i + 1 << " without a reason: " << lines[i];
+      } else {
+        ASSERT_TRUE(std::regex_match(cells[k], decimal))
+            << header[k] << " is " << cells[k] << " in line " << i + 1;
+      }
     }
   }
 }
@@ -182,12 +203,143 @@ TEST(Numbers, EveryCellOfACsvIsADecimal) {
       {"curve", "--moments", "1/3,2/7,1/9", "--points", "7"},
       {"table", "phase", "--ab", "12.65,0.0629", "--c", "-0.02..0.02/4"},
       {"table", "epsilon0", "--ab", "9/7,1/3"},
+      {"curve", "--moments", "3,2,1", "--c", "0.1..0.2", "--points", "3"},
+      {"roots", "(x-1/3)*sin(x)/x", "-4..4", "--format", "csv"},
+      {"cost", "beta", "--max-digits", "16", "--format", "csv"},
+      {"scene", std::string(POLHODE_SCENES_DIR) + "/t_handle.toml", "--format", "csv"},
   };
   for (const std::vector<std::string>& command : commands) {
     const outcome ran = run(command);
-    ASSERT_EQ(ran.status, 0) << command.front() << ": " << ran.err;
+    ASSERT_LE(ran.status, 1) << command.front() << ": " << ran.err;
     check_csv(ran.out, command.front());
   }
+}
+
+// ---------------------------------------------------------------------------------------------
+// Other programs
+
+/// A CSV of each command that writes one, with default options but for what keeps it short; by their names in the directory.
+std::vector<std::string> write_all_csvs(const scratch_directory& directory) {
+  const outcome made = run_script(
+      "polhode constants --format csv > constants.csv;"
+      "polhode roots '(x^2-2)*(x-1/3)' -2..2 --format csv > roots.csv;"
+      "polhode curve --ab 12.65,0.0629 --points 12 > curve.csv;"
+      "polhode table phase --ab 12.65,0.0629 --c -0.02..0.02/4 > table.csv;"
+      "polhode cost beta --max-digits 16 --format csv > cost.csv;"
+      "polhode figures --data-only > /dev/null && mv figures/*.csv .;"
+      "polhode scene \"" POLHODE_SCENES_DIR "\"/*.toml --out scenes > /dev/null; mv scenes/*.csv .",
+      directory.path(""));
+  EXPECT_EQ(made.err, "");
+  std::vector<std::string> names;
+  for (const std::string& name : names_in(directory.path(""))) {
+    if (name.ends_with(".csv")) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_GE(names.size(), 25U);
+  return names;
+}
+
+struct numeric_column {
+  std::size_t place = 0;  // from 1
+  std::string name;
+  std::vector<double> finite;
+  std::size_t infinite = 0;
+};
+
+std::vector<numeric_column> numeric_columns(const std::string& text) {
+  const std::vector<std::string> lines = lines_of(text);
+  const std::vector<std::string> header = cells_of(lines.front());
+  std::vector<numeric_column> result;
+  for (std::size_t k = 0; k < header.size(); ++k) {
+    if (is_of_words(header[k])) continue;
+    numeric_column one{k + 1, header[k], {}, 0};
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      const std::string cell = cells_of(lines[i])[k];
+      if (cell.find("inf") != std::string::npos) {
+        ++one.infinite;
+      } else if (!cell.empty()) {
+        one.finite.push_back(std::strtod(cell.c_str(), nullptr));
+      }
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+/// gnuplot finds as many numbers in each column, with the same ends.
+TEST(Numbers, GnuplotReadsEveryCsv) {
+  if (run_script("command -v gnuplot >&2").status != 0) GTEST_SKIP() << "no gnuplot";
+  const scratch_directory directory;
+  for (const std::string& name : write_all_csvs(directory)) {
+    SCOPED_TRACE(name);
+    const auto columns = numeric_columns(contents(directory.path(name)));
+    std::string program = "set datafile separator ','\nset print '-'\n";
+    for (const numeric_column& one : columns) {
+      if (one.finite.empty()) continue;
+      program += "stats '" + name + "' using " + std::to_string(one.place) +
+                 " skip 1 nooutput\nprint sprintf('%d %.15g %.15g', STATS_records, STATS_min, "
+                 "STATS_max)\n";
+    }
+    std::ofstream(directory.path("program")) << program;
+    const outcome shown = run_script("gnuplot program", directory.path(""));
+    ASSERT_EQ(shown.status, 0) << shown.err;
+    const std::vector<std::string> lines = lines_of(shown.out);
+    std::size_t line = 0;
+    for (const numeric_column& one : columns) {
+      if (one.finite.empty()) continue;
+      SCOPED_TRACE(one.name);
+      ASSERT_LT(line, lines.size());
+      std::istringstream words(lines[line++]);
+      std::size_t records = 0;
+      std::string least;
+      std::string greatest;
+      words >> records >> least >> greatest;
+      EXPECT_EQ(records, one.finite.size() + one.infinite);
+      const auto [low, high] = std::minmax_element(one.finite.begin(), one.finite.end());
+      EXPECT_NEAR(std::strtod(least.c_str(), nullptr), *low, 1e-13 * std::abs(*low));
+      if (one.infinite > 0) {
+        EXPECT_EQ(greatest, "inf");
+      } else {
+        EXPECT_NEAR(std::strtod(greatest.c_str(), nullptr), *high, 1e-13 * std::abs(*high));
+      }
+    }
+  }
+}
+
+/// Python's csv reads them, and pandas, where it is, gives each column of numbers the type of numbers.
+TEST(Numbers, PythonReadsEveryCsv) {
+  if (run_script("command -v python3 >&2").status != 0) GTEST_SKIP() << "no python3";
+  const scratch_directory directory;
+  std::string program = R"(
+import csv
+try:
+    import pandas
+except ImportError:
+    pandas = None
+def check(name, columns):
+    with open(name, newline='') as file:
+        rows = list(csv.reader(file, strict=True))
+    for place, count in columns:
+        numbers = [float(row[place - 1]) for row in rows[1:] if row[place - 1] != '']
+        assert len(numbers) == count, (name, place, len(numbers), count)
+    if pandas:
+        table = pandas.read_csv(name)
+        for place, count in columns:
+            column = table.iloc[:, place - 1]
+            assert count == 0 or pandas.api.types.is_numeric_dtype(column), (name, column)
+            assert column.count() == count, (name, column)
+)";
+  for (const std::string& name : write_all_csvs(directory)) {
+    program += "check('" + name + "', [";
+    for (const numeric_column& one : numeric_columns(contents(directory.path(name)))) {
+      program += "(" + std::to_string(one.place) + ", " +
+                 std::to_string(one.finite.size() + one.infinite) + "), ";
+    }
+    program += "])\n";
+  }
+  std::ofstream(directory.path("read.py")) << program;
+  const outcome read = run_script("python3 read.py", directory.path(""));
+  EXPECT_EQ(read.status, 0) << read.err;
 }
 
 TEST(Numbers, TheTablesOfTheShippedScenes) {

@@ -271,11 +271,14 @@ TEST(SceneCommand, PageRunsInABrowser) {
   write(directory.path("hostile.toml"),
         "title = \"</script><script>document.documentElement.dataset.hostile = 1</script>\"\n" +
             racket);
-  ASSERT_EQ(run({"scene", scenes + "/skateboard.toml", directory.path("hostile.toml"), "--out",
-                 directory.path("out"), "--page"})
+  write(directory.path("wide.toml"),
+        "[body]\nmoments = [3, 2, \"1.5 ± 0.1\"]\n[state]\nomega = [1, 2, 3]\nunit = \"rad/s\"\n"
+        "[time]\nto = 1\n[effects]\nwant = [\"inertial_defect\", \"audit\", \"attitude\"]\n");
+  ASSERT_EQ(run({"scene", scenes + "/skateboard.toml", directory.path("hostile.toml"),
+                 directory.path("wide.toml"), "--out", directory.path("out"), "--page"})
                 .status,
             0);
-  for (const std::string name : {"skateboard", "hostile"}) {
+  for (const std::string name : {"skateboard", "hostile", "wide"}) {
     const auto shown_by_browser = [&] {
       return run_script(
           "HOME=$PWD timeout 120 chromium --headless=new --no-sandbox --use-angle=swiftshader "
@@ -299,6 +302,19 @@ TEST(SceneCommand, PageRunsInABrowser) {
           << name << ": " << word << " in " << attributes << shown.err;
     }
     EXPECT_EQ(attributes.find("hostile"), std::string::npos) << attributes;
+    if (name == "wide") {  // what shares no digits, as the nearest decimal with its error
+      for (const char* effect : {"inertial defect</h2>", "audit</h2>"}) {
+        const std::string section = between(shown.out, effect, "</section>");
+        EXPECT_NE(section.find(" ± "), std::string::npos) << section;
+      }
+      EXPECT_EQ(shown.out.find("class=\"value\">["), std::string::npos);
+    }
+    if (name != "skateboard") continue;
+    // The axes of the curves: symbols with units, and round numbers.
+    for (const char* label : {">Δφ [rad]</text>", ">ε [rad]</text>", ">-0.02</text>", ">10</text>"})
+      EXPECT_NE(shown.out.find(label), std::string::npos) << label;
+    for (const char* other : {"0.5477", ">phase</text>"})
+      EXPECT_EQ(shown.out.find(other), std::string::npos) << other;
   }
 }
 
@@ -308,14 +324,40 @@ TEST(SceneCommand, PlotsWhereGnuplotIs) {
   const outcome result =
       run({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--plot", "svg"});
   if (result.status == 0) {
-    EXPECT_NE(contents(directory.path("out/r.momentum.svg")).find("</svg>"), std::string::npos);
+    const std::string picture = contents(directory.path("out/r.momentum.svg"));
+    for (const char* part : {"</svg>", "ω", "[rad/s]", "J/|J|", "gpPt6", "gpPt4", "gpPt8"})
+      EXPECT_NE(picture.find(part), std::string::npos) << part;
+    EXPECT_EQ(picture.find("omega"), std::string::npos);
   } else {
     EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(directory.path("out")));
   }
   expect_refused({"scene", directory.path("r.toml"), "--plot", "svg"}, {"--out"});
   expect_refused({"scene", directory.path("r.toml"), "--out", directory.path("o"), "--plot", "gif"},
-                 {"svg or png"});
+                 {"svg, png or pdf"});
+}
+
+TEST(SceneCommand, PlotsPdfWhereGnuplotCan) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), racket);
+  const outcome result =
+      run({"scene", directory.path("r.toml"), "--out", directory.path("out"), "--plot", "pdf"});
+  if (result.status == 0) {
+    EXPECT_EQ(contents(directory.path("out/r.momentum.pdf")).rfind("%PDF-", 0), 0U);
+  } else {
+    EXPECT_NE(result.err.find("gnuplot"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(directory.path("out")));
+  }
+  // A gnuplot without the terminal: what would be right is said.
+  write(directory.path("gnuplot"),
+        "#!/bin/sh\nif grep -q pdfcairo; then exit 1; else echo 1; fi\n");
+  std::filesystem::permissions(directory.path("gnuplot"), std::filesystem::perms::owner_all);
+  const outcome refused = run_script(
+      "PATH=\"$PWD:$PATH\"; polhode scene r.toml --out none --plot pdf", directory.path(""));
+  EXPECT_EQ(refused.status, 2);
+  for (const char* word : {"pdfcairo", "install", "--plot svg"})
+    EXPECT_NE(refused.err.find(word), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(directory.path("none")));
 }
 
 TEST(SceneCommand, ListsTheEffects) {

@@ -1,6 +1,9 @@
 // --time-limit and the time that is left. No test depends on how long anything takes: limits are far above or far below.
 
+#include <filesystem>
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +20,10 @@ TEST(TimeLimit, IsRead) {
     expect_refused({"roots", "x", "--in", "1..2", "--time-limit", bad}, {"--time-limit"});
     expect_refused({"integrate", "x", "--from", "0", "--to", "1", "--time-limit", bad},
                    {"--time-limit"});
+    expect_refused({"scene", POLHODE_SCENES_DIR "/book.toml", "--time-limit", bad},
+                   {"--time-limit"});
+    expect_refused({"figures", "limit", "--time-limit", bad}, {"--time-limit"});
+    expect_refused({"cost", "beta", "--time-limit", bad}, {"--time-limit"});
   }
 }
 
@@ -35,6 +42,44 @@ TEST(TimeLimit, RefusesWhatIsEstimatedToTakeLonger) {
   for (std::vector<std::string> command : commands) {
     command.insert(command.end(), limit.begin(), limit.end());
     expect_refused(command, {"5000 digits", "estimated to take", "--time-limit raises it"});
+  }
+}
+
+TEST(TimeLimit, RefusesScenesAndFigures) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  expect_refused({"figures", "limit", "--data-only", "--digits", "5000", "--time-limit", "1e-12d",
+                  "--out", directory},
+                 {"5000 digits", "1 figure", "estimated to take", "--time-limit raises it"});
+  const std::string file = scratch.path("s.toml");
+  std::ofstream(file) << "digits = 5000\n[body]\nmoments = [3, 2, 1]\n[state]\nc = 0.1\n"
+                         "[effects]\nwant = [\"period\"]\n";
+  const outcome result = run({"scene", file, "--time-limit", "1e-12d"});
+  // The limit may be reached before the estimate is made.
+  EXPECT_TRUE(result.status == 1 || result.status == 2) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("--time-limit raises it"), std::string::npos) << result.err;
+  EXPECT_FALSE(std::filesystem::exists(directory));
+}
+
+/// Measuring all quantities, and a scene of so many digits, take longer than this in any case.
+TEST(TimeLimit, EndsScenesAndMeasurements) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  const std::string file = scratch.path("s.toml");
+  std::ofstream(file) << "digits = 2900\n[body]\nmoments = [3, 2, 1]\n[state]\n"
+                         "omega = [0.1, 9, 0.2]\nunit = \"rad/s\"\n[time]\nto = 5\n"
+                         "samples = 100000\n[effects]\nwant = [\"momentum\"]\n";
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"cost"}, {"scene", file, "--memory-limit", "100"}}) {
+    std::vector<std::string> limited = command;
+    limited.insert(limited.end(), {"--out", directory, "--time-limit", "0.01s"});
+    const outcome result = run(limited);
+    EXPECT_EQ(result.status, 1) << result.err;
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("the time limit of 0.01 s was reached"), std::string::npos)
+        << result.err;
+    EXPECT_TRUE(!std::filesystem::exists(directory) || names_in(directory).empty());
   }
 }
 

@@ -343,9 +343,10 @@ TEST(GrammarErrors, CertainlyUndefinedOperations) {
   expect_error("root(2, x)", 1, {"whole number"});
   expect_error("root(2, 0)", 1, {"whole number"});
   for (const char* text :
-       {"log(0)", "ln(-1)", "log2(0)", "log10(-3)", "log1p(-1)", "asin(2)", "acos(-2)",
-        "acosh(1/2)", "atanh(1)", "gamma(0)", "gamma(-3)", "lgamma(-1)", "csch(0)", "agm(-1, 2)",
-        "agm(2, -1)", "atan2(0, 0)", "zeta(1)", "zeta(1/2)"}) {
+       {"log(0)",   "ln(-1)",     "log2(0)",    "log10(-3)",   "log1p(-1)", "asin(2)",
+        "acos(-2)", "acosh(1/2)", "atanh(1)",   "gamma(0)",    "gamma(-3)", "lgamma(-1)",
+        "csch(0)",  "agm(-1, 2)", "asec(1/2)",  "acsc(0)",     "asech(0)",  "asech(2)",
+        "acsch(0)", "acoth(1)",   "agm(2, -1)", "atan2(0, 0)", "zeta(1)",   "zeta(1/2)"}) {
     expect_error(text, 1, {});
   }
   expect_error("(1/2)!", 6, {"gamma(x + 1)"});

@@ -23,9 +23,12 @@ const interval_of = number =>
 
 // The text of a number, and whether its interval says more.
 const text_of = number => {
-  if (number.range) return [`from ${number.lower} to ${number.upper}`, false];
+  // Of bodies within uncertainties: the ends are what is asked for.
+  if (number.range) return [`${number.value} ± ${number.radius} (from ${number.lower} to ${number.upper})`, false];
   const enough = Math.min(3, number.digits_asked ?? 3);
-  if (!number.value || (!number.exact && (number.digits ?? enough) < enough)) return [interval_of(number) || '—', false];
+  if (!number.value) return [interval_of(number) || '—', false];
+  // The nearest decimal with its error, where the ends share too few digits.
+  if (number.rounded || (!number.exact && (number.digits ?? enough) < enough)) return [`${number.value} ± ${number.radius}`, true];
   if (!number.exact) return [with_dots(number.value), true];
   if (number.lower === undefined || number.lower === number.value) return [number.value, false];
   const is_short = number.rational && number.rational.length <= 40;
@@ -62,7 +65,16 @@ const svg = (name, attributes, text) => {
   return result;
 };
 
-const short = x => String(Number(x.toPrecision(4)));
+// About so many round numbers (1, 2 or 5 times a power of ten apart) within the range, with their texts.
+export const round_ticks = (from, to, count) => {
+  const power = 10 ** Math.floor(Math.log10((to - from) / count));
+  const step = power * ([1, 2, 5].find(k => k * power * count >= (to - from) * .999) ?? 10);
+  const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const text = v => Math.abs(v) < 1e6 && places <= 6 ? v.toFixed(places) : String(Number(v.toPrecision(6)));
+  const result = [];
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to + step * 1e-9; ++k) result.push([k * step, text(k * step)]);
+  return result;
+};
 
 // A curve over its first column.
 const chart = (name, {columns, rows}) => {
@@ -72,23 +84,23 @@ const chart = (name, {columns, rows}) => {
   const range = k => {
     const least = rows.reduce((found, one) => Math.min(found, one[k]), Infinity);
     const greatest = rows.reduce((found, one) => Math.max(found, one[k]), -Infinity);
-    return least < greatest ? [least, greatest] : [least - 1, greatest + 1];
+    const margin = Math.abs(least) / 2 || 1;
+    return least < greatest ? [least, greatest] : [least - margin, greatest + margin];
   };
   const [x0, x1] = range(0);
   const [y0, y1] = range(1);
   const x = v => left + (width - left - right) * (v - x0) / (x1 - x0);
   const y = v => height - bottom - (height - top - bottom) * (v - y0) / (y1 - y0);
   const picture = svg('svg', {class: 'chart', viewBox: `0 0 ${width} ${height}`, role: 'img', 'aria-label': `${in_words(name)}: ${columns[1]} over ${columns[0]}`});
-  const tick = (from, to, count) => Array.from({length: count + 1}, (_, k) => from + (to - from) * k / count);
-  for (const v of tick(y0, y1, 3)) {
+  for (const [v, label] of round_ticks(y0, y1, 5)) {
     picture.append(svg('line', {x1: left, x2: width - right, y1: y(v), y2: y(v)}));
-    picture.append(svg('text', {x: left - 6, y: y(v) + 4, 'text-anchor': 'end'}, short(v)));
+    picture.append(svg('text', {x: left - 6, y: y(v) + 4, 'text-anchor': 'end'}, label));
   }
-  tick(x0, x1, 4).forEach((v, k) => {
-    const anchor = k === 0 ? 'start' : k === 4 ? 'end' : 'middle';
-    picture.append(svg('text', {x: x(v), y: height - bottom + 16, 'text-anchor': anchor}, short(v)));
-  });
-  picture.append(svg('text', {x: left - 6, y: top - 14, 'text-anchor': 'end', 'font-style': 'italic'}, columns[1]));
+  for (const [v, label] of round_ticks(x0, x1, 6)) {
+    picture.append(svg('line', {x1: x(v), x2: x(v), y1: height - bottom, y2: height - bottom + 4}));
+    picture.append(svg('text', {x: x(v), y: height - bottom + 16, 'text-anchor': 'middle'}, label));
+  }
+  picture.append(svg('text', {x: 4, y: top - 14, 'font-style': 'italic'}, columns[1]));
   picture.append(svg('text', {x: width - right, y: height - 3, 'text-anchor': 'end', 'font-style': 'italic'}, columns[0]));
   // Where a regime ends, at c = 0, a phase is infinite: no line is drawn across.
   const infinite_at_0 = name === 'montgomery_curve';
