@@ -23,12 +23,14 @@ void give_constants_back_at_end() {
 }
 
 struct worker_threads::arena {
+  explicit arena(int count) : threads(count) {}
+
   tbb::task_arena threads;
 };
 
 worker_threads::worker_threads(int threads)
-    : arena_(std::make_unique<arena>(
-          tbb::task_arena(threads == 0 ? processors() : std::min(threads, processors())))) {}
+    : arena_(
+          std::make_unique<arena>(threads == 0 ? processors() : std::min(threads, processors()))) {}
 
 worker_threads::~worker_threads() = default;
 

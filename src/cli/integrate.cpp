@@ -68,29 +68,23 @@ limit read_limit(const std::string& text, const let_option& let) {
   return limit_of(read_formula(text, {}, let));
 }
 
-struct named_rule {
-  std::string_view name;
-  quadrature_rule rule;
-};
-constexpr std::array known_rules{
-    named_rule{"automatic", quadrature_rule::automatic},
-    named_rule{"gauss-legendre", quadrature_rule::gauss_legendre},
-    named_rule{"clenshaw-curtis", quadrature_rule::clenshaw_curtis},
-    named_rule{"trapezoid", quadrature_rule::trapezoid},
-    named_rule{"double-exponential", quadrature_rule::double_exponential},
-    named_rule{"taylor-series", quadrature_rule::taylor_series}};
-
 std::string names_of_rules() {
-  std::string names;
-  for (const named_rule& r : known_rules)
-    names += (names.empty() ? "" : ", ") + std::string(r.name);
+  std::string names = quadrature_rule::automatic.word();
+  for (const quadrature_rule& r : quadrature_rule::all()) names += ", " + r.word();
   return names;
 }
 
-quadrature_rule read_rule(const std::string& text) {
-  for (const named_rule& r : known_rules) {
-    if (r.name == text) return r.rule;
+/// Of `--help`: a line a rule.
+std::string rules_in_words() {
+  std::string text = "Insist on a rule, and refuse where it does not apply [automatic]:";
+  for (const quadrature_rule& r : quadrature_rule::all()) {
+    text += fmt::format("\n{}: {}", r.word(), r.strategy()->purpose());
   }
+  return text;
+}
+
+quadrature_rule read_rule(const std::string& text) {
+  if (const auto rule = quadrature_rule::named(text)) return *rule;
   throw usage_error(
       fmt::format("--rule {}: it must be one of {}", in_quotes(text), names_of_rules()));
 }
@@ -119,7 +113,7 @@ auto integrate_for(const Integral& integral_to, long digits, integrate_options h
 
 std::string account_text(const integral_account& a) {
   std::string rules;
-  for (const quadrature_rule rule : a.rules) {
+  for (const quadrature_rule& rule : a.rules) {
     rules += (rules.empty() ? " (" : ", ") + to_text(rule);
   }
   if (!rules.empty()) rules += ')';
@@ -173,7 +167,7 @@ json describe(const expression& f, const integrate_command_options& options, con
 
 json as_json(const integral_account& a) {
   json rules = json::array();
-  for (const quadrature_rule rule : a.rules) rules.push_back(to_text(rule));
+  for (const quadrature_rule& rule : a.rules) rules.push_back(to_text(rule));
   return {{"evaluations", a.evaluations},
           {"region_evaluations", a.region_evaluations},
           {"panels", a.panels},
@@ -405,7 +399,7 @@ std::string counts_text(const counted_calls& calls) {
 std::optional<rational> known_integral(const expression& f, const limit& a, const limit& b,
                                        const integrate_command_options& options) {
   if (options.certificate.is_given() || options.verify.given ||
-      read_rule(options.rule) != quadrature_rule::automatic || !a.is_exact() || !b.is_exact() ||
+      !read_rule(options.rule).is_automatic() || !a.is_exact() || !b.is_exact() ||
       a.infinite_sign() != 0 || b.infinite_sign() != 0) {
     return std::nullopt;
   }
@@ -505,7 +499,7 @@ exit_status run(integrate_command_options& options) {
   (void)options.threads.value();
   (void)options.time_limit.limit();
   const bool has_intervals = !options.let.intervals().texts.empty();
-  const bool insists = read_rule(options.rule) != quadrature_rule::automatic;
+  const bool insists = !read_rule(options.rule).is_automatic();
   if (insists && (!options.from || has_intervals)) {
     throw usage_error("--rule is for limits (--from and --to), and numbers for the parameters");
   }
@@ -539,10 +533,7 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("\"CENTRE, RADIUS\"");
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
-  app.add_option("--rule", options->rule,
-                 "Insist on a rule: gauss-legendre, clenshaw-curtis, trapezoid,\n"
-                 "double-exponential, taylor-series [automatic]")
-      ->type_name("NAME");
+  app.add_option("--rule", options->rule, rules_in_words())->type_name("NAME");
   options->threads.declare(
       app, "Evaluate on so many threads; 0 for all processors. The digits\nare the same");
   options->boxes.declare(

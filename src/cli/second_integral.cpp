@@ -163,18 +163,16 @@ sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<li
   return finer;
 }
 
-bool is_among(quadrature_rule rule, const std::vector<quadrature_rule>& rules) {
+bool is_among(const quadrature_rule& rule, const std::vector<quadrature_rule>& rules) {
   return std::find(rules.begin(), rules.end(), rule) != rules.end();
 }
 
 /// Those that are not in `used`, then those that are.
 std::vector<quadrature_rule> rules_by_independence(const std::vector<quadrature_rule>& used) {
-  std::vector<quadrature_rule> rules{quadrature_rule::taylor_series,
-                                     quadrature_rule::gauss_legendre,
-                                     quadrature_rule::double_exponential,
-                                     quadrature_rule::clenshaw_curtis, quadrature_rule::trapezoid};
+  const auto all = quadrature_rule::all();
+  std::vector<quadrature_rule> rules(all.begin(), all.end());
   std::stable_partition(rules.begin(), rules.end(),
-                        [&](quadrature_rule r) { return !is_among(r, used); });
+                        [&](const quadrature_rule& r) { return !is_among(r, used); });
   return rules;
 }
 
@@ -198,7 +196,7 @@ second_opinion integral_again(const detail::integrand& f, const limit& a, const 
   if (cut) points.insert(points.begin() + 1, limit(*cut));
   second_opinion result;
   bool another_failed = false;
-  for (const quadrature_rule rule : rules_by_independence(first.account.rules)) {
+  for (const quadrature_rule& rule : rules_by_independence(first.account.rules)) {
     const stopwatch time;
     integrate_options how;
     how.digits = digits + more_digits;

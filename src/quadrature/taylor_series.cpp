@@ -137,12 +137,7 @@ std::optional<integral> integrate_by_taylor_series(const integrand& f, const lim
     const std::optional<ball> value = sum.to(bits);
     if (!value) return std::nullopt;
     const magnitude radius = value->radius();
-    const bool is_reached =
-        multiply_up(radius, pow(ball(10, 64), options.digits).magnitude_upper()) <=
-            value->magnitude_lower() ||
-        (options.absolute_exponent &&
-         radius <= magnitude::power_of_two(*options.absolute_exponent));
-    if (is_reached) {
+    if (options.goal().is_met_by(*value)) {
       integral result;
       result.enclosure = *value;
       result.verdict = status::certified;

@@ -97,7 +97,7 @@ TEST(InsistedRule, SaysWhyItDoesNotApply) {
             "");
   EXPECT_EQ(starts(why(integrate([](const auto& x) { return 1 / sqrt(x); }, 0, 1,
                                  by(quadrature_rule::clenshaw_curtis))),
-                   "not applicable: Clenshaw and Curtis's rule needs values at the ends"),
+                   "not applicable: the rule Clenshaw-Curtis needs values at the ends"),
             "");
   EXPECT_EQ(starts(why(integrate(e, 0, limit::pi(), by(exponential))),
                    "not applicable: the double exponential rule needs rational limits"),

@@ -10,7 +10,8 @@
 #include "polhode/quadrature/clenshaw_curtis.hpp"
 #include "polhode/quadrature/double_exponential.hpp"
 #include "polhode/quadrature/gauss_chebyshev.hpp"
-#include "polhode/quadrature/gauss_legendre_sum.hpp"
+#include "polhode/quadrature/gauss_legendre.hpp"
+#include "polhode/quadrature/rule_sum.hpp"
 #include "polhode/quadrature/trapezoid.hpp"
 #include "quadrature/integrands.hpp"
 #include "support/reference.hpp"
@@ -91,16 +92,14 @@ TEST(GaussLegendreSum, IsExactForPolynomialsBelowTwiceTheNodes) {
     rational right = centre + half;
     rational left = centre - half;
     for (long k = 0; k < 2 * n; ++k) {
-      const ball sum =
-          gauss_legendre_sum<ball>(power<ball>(k), *rule, ball(centre, p), ball(half, p));
+      const ball sum = rule_sum<ball>(power<ball>(k), *rule, ball(centre, p), ball(half, p));
       EXPECT_TRUE(meet(sum, ball(rational((right - left) / (k + 1)), p))) << n << " " << k;
       EXPECT_TRUE(as_narrow_as(sum, 225)) << n << " " << k;
       right *= centre + half;
       left *= centre - half;
     }
     // Of degree 2n it misses half^(2n+1) 2^(2n+1) n!^4 / ((2n+1) (2n)!^2).
-    const ball sum =
-        gauss_legendre_sum<ball>(power<ball>(2 * n), *rule, ball(centre, p), ball(half, p));
+    const ball sum = rule_sum<ball>(power<ball>(2 * n), *rule, ball(centre, p), ball(half, p));
     rational error = 2 * half / (2 * n + 1);
     for (long k = 1; k <= n; ++k) {
       const rational factor = 2 * half * k * k / ((2 * k - 1) * (2 * k));
@@ -117,7 +116,7 @@ TEST(GaussLegendreSum, CallsTheFunctionOnceANode) {
       ++calls;
       return x;
     };
-    const ball sum = gauss_legendre_sum<ball>(f, *gauss_legendre(n, p), ball(2, p), ball(1, p));
+    const ball sum = rule_sum<ball>(f, *gauss_legendre(n, p), ball(2, p), ball(1, p));
     EXPECT_TRUE(contains(sum, 4));
     EXPECT_EQ(calls, n);
   }
@@ -126,12 +125,12 @@ TEST(GaussLegendreSum, CallsTheFunctionOnceANode) {
 TEST(GaussLegendreSum, GivesTheMiddleOfTheBallInMpfrFloat) {
   for (const long n : {1L, 2L, 9L, 60L}) {
     const auto rule = gauss_legendre(n, p);
-    const mpfr_float value = gauss_legendre_sum<mpfr_float>(
+    const mpfr_float value = rule_sum<mpfr_float>(
         reciprocal{2, rule->bits}, *rule, scalar_from<mpfr_float>(rational(1, 3), rule->bits),
         scalar_from<mpfr_float>(rational(1, 2), rule->bits));
     const ball enclosure =
-        gauss_legendre_sum<ball>(reciprocal{2, rule->bits}, *rule, ball(rational(1, 3), rule->bits),
-                                 ball(rational(1, 2), rule->bits));
+        rule_sum<ball>(reciprocal{2, rule->bits}, *rule, ball(rational(1, 3), rule->bits),
+                       ball(rational(1, 2), rule->bits));
     EXPECT_TRUE(contains(enclosure, ball(value))) << n;
   }
 }

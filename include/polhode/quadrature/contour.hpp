@@ -97,15 +97,7 @@ class path {
 };
 
 /// An integral along a path with its proof, or how far it got.
-struct contour_integral {
-  /// Holds the integral, whatever the verdict; undefined where nothing is proved.
-  complex_ball enclosure = complex_ball::undefined(64);
-  status verdict = status::not_certified;
-  reason why = reason::none;
-  /// What stood in the way and where, in words; empty where it is certified.
-  std::string obstacle;
-  integral_account account;
-};
+struct contour_integral : certified_integral<complex_ball> {};
 
 namespace detail {
 
@@ -138,6 +130,11 @@ template <class F>
     };
   };
   return result;
+}
+
+/// The same of the real part.
+[[nodiscard]] inline integral real_part(const contour_integral& i) {
+  return {{i.enclosure.re, i.verdict, i.why, i.obstacle, i.account}};
 }
 
 [[nodiscard]] contour_integral integrate_path(const complex_integrand& f, const path& along,

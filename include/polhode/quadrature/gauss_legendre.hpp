@@ -16,20 +16,15 @@
 #include <vector>
 
 #include "polhode/arithmetic/ball.hpp"
+#include "polhode/quadrature/symmetric_nodes.hpp"
 
 namespace polhode {
 
-/// The n-point rule on [-1, 1]: the nodes >= 0, increasing, and the weights that belong to them. The others
-/// are their negatives, with the same weights. Where n is odd, nodes[0] is 0, exactly, and counts once.
+/// The n-point rule on [-1, 1].
 ///
 /// Every ball has `bits` bits; the radius of a node is at most 2^-bits, that of a weight at most 2^(1-bits) times
 /// its midpoint. The sets of the nodes are disjoint.
-struct gauss_legendre_rule {
-  long n = 0;
-  precision bits = 0;
-  std::vector<ball> nodes;
-  std::vector<ball> weights;
-};
+using gauss_legendre_rule = symmetric_nodes;
 
 /// Beyond it the polynomial's coefficients take hundreds of megabytes, and a rule minutes to hours.
 inline constexpr long greatest_gauss_legendre_degree = 32'768;

@@ -27,26 +27,18 @@
 #include <vector>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/goal.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
 #include "polhode/quadrature/limit.hpp"
 #include "polhode/quadrature/recorded.hpp"
+#include "polhode/quadrature/rule.hpp"
 #include "polhode/quadrature/symmetry.hpp"
 #include "polhode/quadrature/tail_series.hpp"
 
 namespace polhode {
-
-enum class quadrature_rule {
-  automatic,           // Gauss-Legendre or, where it takes fewer nodes, the trapezoidal rule
-  gauss_legendre,      // on panels
-  clenshaw_curtis,     // on panels
-  trapezoid,           // of functions that are periodic, or even about both limits
-  double_exponential,  // over a finite range with rational limits
-  taylor_series,  // of sums of functions whose logarithmic derivative is rational, or is so in e^(k x) or sin^2 (k x)
-};
-[[nodiscard]] std::string to_text(quadrature_rule rule);
 
 struct integrate_options {
   /// The goal: a radius of at most 10^-digits of the value. Where the value is 0, or smaller than
@@ -54,6 +46,7 @@ struct integrate_options {
   long digits = 15;
   /// An absolute goal beside it, as a power of two: a radius of at most 2^absolute_exponent will do.
   std::optional<long> absolute_exponent = std::nullopt;
+  [[nodiscard]] polhode::goal goal() const { return {digits, absolute_exponent}; }
   /// Of f, at nodes and over regions; and terms of Taylor series.
   long most_evaluations = 20'000'000;
   /// How often a panel may be halved; by default as often as the goal may need.
@@ -84,16 +77,18 @@ struct integral_account {
   double seconds_for_sums = 0;
 };
 
-/// An integral with its proof, or how far it got.
-struct integral {
+/// An integral with its proof, or how far it got. T: ball, or complex_ball.
+template <class T>
+struct certified_integral {
   /// Holds the integral, whatever the verdict; undefined where nothing is proved.
-  ball enclosure = ball::undefined(64);
+  T enclosure = T::undefined(64);
   status verdict = status::not_certified;
   reason why = reason::none;
   /// What stood in the way and where, in words; empty where it is certified.
   std::string obstacle;
   integral_account account;
 };
+struct integral : certified_integral<ball> {};
 
 namespace detail {
 

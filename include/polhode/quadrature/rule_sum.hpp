@@ -5,7 +5,9 @@
 #include <concepts>
 #include <type_traits>
 
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/scalar.hpp"
+#include "polhode/quadrature/symmetric_nodes.hpp"
 
 namespace polhode {
 
@@ -22,6 +24,10 @@ namespace detail {
 inline void accumulate(ball& sum, const ball& weight, const ball& value) {
   fma(sum, weight, value, sum);
 }
+inline void accumulate(complex_ball& sum, const ball& weight, const complex_ball& value) {
+  fma(sum.re, weight, value.re, sum.re);
+  fma(sum.im, weight, value.im, sum.im);
+}
 inline void accumulate(mpfr_float& sum, const mpfr_float& weight, const mpfr_float& value) {
   mpfr_fma(sum.backend().data(), weight.backend().data(), value.backend().data(),
            sum.backend().data(), MPFR_RNDN);
@@ -37,5 +43,45 @@ template <scalar T>
   }
 }
 
+/// [-1, 1] on the line: x -> centre + half_length x.
+template <scalar T>
+struct interval_map {
+  const T& centre;
+  const T& half_length;
+  void offset(T& result, const T& node) const { result = half_length * node; }
+};
+
+/// sum += the sum of w_k (f(centre + h x_k) + f(centre - h x_k)) over k = first ... last-1, where x_0 = 0 counts once. `at` has the
+/// centre, a T, and offset(h x, x). T: ball, or mpfr_float for the uncertified sum; Value: what f answers with.
+template <class F, class Map, class Value>
+void add_nodes(const F& f, const symmetric_nodes& rule, const Map& at, long first, long last,
+               Value& sum) {
+  using T = std::remove_cvref_t<decltype(at.centre)>;
+  T offset = at.centre;
+  for (long k = first; k < last; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    at.offset(offset, scalar_of<T>(rule.nodes[i]));
+    Value value = f(T(at.centre + offset));
+    const bool is_middle = k == 0 && rule.n % 2 != 0;
+    if (!is_middle) value += f(T(at.centre - offset));
+    accumulate(sum, scalar_of<T>(rule.weights[i]), value);
+  }
+}
+
 }  // namespace detail
+
+/// half_length times the sum of w_k f(centre + half_length x_k): about the integral of f from centre - half_length
+/// to centre + half_length. With T = ball an enclosure of that sum, whatever member of its set each node and weight is, and so
+/// of the true rule's; what the rule leaves out is not in it. With T = mpfr_float the uncertified value, from the midpoints of
+/// nodes and weights. It calls f rule.n times. `integrate` sums by the same terms (add_nodes).
+template <scalar T, class F>
+requires function_on<F, T>
+[[nodiscard]] T rule_sum(const F& f, const symmetric_nodes& rule, const T& centre,
+                         const T& half_length) {
+  T sum = scalar_from<T>(0, rule.bits);
+  detail::add_nodes(f, rule, detail::interval_map<T>{centre, half_length}, 0,
+                    static_cast<long>(rule.nodes.size()), sum);
+  return T(half_length * sum);
+}
+
 }  // namespace polhode

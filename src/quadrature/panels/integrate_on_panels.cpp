@@ -1,0 +1,59 @@
+#include "integrate_on_panels.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "integrator.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "quadrature/poles.hpp"
+
+namespace polhode::detail {
+
+integral integrate_on_panels(const integrand& f, const limit& a, const limit& b,
+                             const integrate_options& options) {
+  integral result;
+  long bits = bits_for_digits(options.digits);
+  std::vector<rational> cuts;   // where the range is cut, in order
+  std::vector<rational> known;  // these, the limits, and points where cutting does not help
+  for (const limit& end : {a, b}) {
+    if (end.is_exact()) known.push_back(end.exact_value());
+  }
+  // In the set, or, for a pole at the set's end, in a larger one; but in the range.
+  const auto is_in_range = [&](const ball& x) {
+    return is_inside(lower_rational(x), a, b) && is_inside(upper_rational(x), a, b);
+  };
+  const auto pole_in_range = [&](const ball& x) -> std::optional<ball> {
+    if (!x.is_bounded()) return std::nullopt;
+    const ball more = x.enlarged(scale(x.radius(), 3));
+    if (is_in_range(more)) return pole_in(f, more);
+    return is_in_range(x) ? pole_in(f, x) : std::nullopt;
+  };
+  constexpr std::size_t most_points = 2000;
+  for (int attempts = 0; attempts < 3;) {
+    const preparation prepared = prepare(f, a, b, cuts, bits);
+    if (prepared.why != reason::none) {
+      result.why = prepared.why;
+      result.obstacle = prepared.obstacle;
+      return result;
+    }
+    integrator work(prepared, options, known, pole_in_range);
+    const contour_integral found = work.run();
+    result = real_part(found);
+    if (!work.points_of_interest().empty() && known.size() < most_points) {
+      for (const rational& q : work.points_of_interest()) {
+        if (std::find(known.begin(), known.end(), q) != known.end()) continue;
+        known.push_back(q);
+        if (is_inside(q, a, b) && can_cut_at(f, q)) cuts.push_back(q);
+      }
+      std::sort(cuts.begin(), cuts.end());
+      continue;
+    }
+    const bool tail_too_large = prepared.has_tail && result.why == reason::precision_limit;
+    if (result.verdict == status::certified || !tail_too_large) break;
+    bits *= 2;
+    ++attempts;
+  }
+  return result;
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,168 @@
+#include "integrator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "base/clock.hpp"
+#include "quadrature/approximate.hpp"
+
+namespace polhode::detail {
+
+/// A lower bound of the integral of |f|: from the ranges of F over pieces of the panels.
+magnitude integrator::least_size() const {
+  constexpr long log2_pieces = 4;
+  magnitude size;
+  for (const panel& p : panels_) {
+    const segment& s = segments_[p.segment];
+    const precision wide = 96 + p.level;
+    const auto f = evaluator_of(s, wide);
+    const ball piece = hull(ball(-1, wide), ball(1, wide));
+    magnitude sum;
+    for (long k = 1 - (1L << log2_pieces); k < 1L << log2_pieces; k += 2) {
+      const ball t = p.centre + scale(piece + k, -p.level - 1 - log2_pieces);
+      sum = add_down(sum, f(t).magnitude_lower());
+    }
+    const magnitude mean = multiply_down(sum, scale_of(s, wide).magnitude_lower());
+    size = add_down(size, scale(mean, -p.level - log2_pieces));
+  }
+  return size;
+}
+
+/// log2 of the largest contribution that a panel of the plan makes.
+double integrator::log2_of_planned_size() const {
+  double size = -1e18;
+  for (const panel& p : panels_) {
+    size = std::max(size, p.log2_typical + log2_scales_[p.segment] - static_cast<double>(p.level));
+  }
+  return size;
+}
+
+/// An estimate of log2 of the integral of |f|, by samples; and by a coarse plan, where the bounds of |f|
+/// say that the samples may have missed the most of it.
+integrator::outcome integrator::estimate_size() {
+  double samples = -1e18;
+  double bound = -1e18;
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    const auto f = evaluator_of(segments_[i], 64);
+    for (long k = 1; k < 16; k += 2) {
+      const complex_ball value = f(ball(rational(k, 16), 64));
+      if (value.is_bounded()) {
+        samples =
+            std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
+      }
+    }
+    for (long k = 5; k < 14 && !segments_[i].along; ++k) {
+      // A piece of the real line may have the most of its size near t = 0.
+      ball t(1, 64);
+      scale(t, t, -k);
+      const complex_ball value = f(t);
+      if (value.is_bounded()) {
+        samples = std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] -
+                                        static_cast<double>(k));
+      }
+    }
+    ++result_.account.region_evaluations;
+    const region all = segments_[i].over(region(double_interval(0.0, 1.0)));
+    bound = std::max(bound, approximate_log2(all.magnitude_upper()) + log2_scales_[i]);
+  }
+  log2_size_ = samples > -1e17 ? samples : 0;
+  if (bound <= samples + 16 || bound > 1e17) return outcome::done;
+  // The bound is never too small: lower it until a plan finds something of about its size.
+  log2_size_ = bound;
+  for (double step = 64; log2_size_ > samples; step *= 2) {
+    const double goal = log2_size_ - 8;
+    const outcome o = plan(goal);
+    if (o != outcome::done) return o;
+    const double size = log2_of_planned_size();
+    if (size >= goal - 8) {
+      log2_size_ = size;
+      break;
+    }
+    log2_size_ = std::max(samples, log2_size_ - step);
+  }
+  return outcome::done;
+}
+
+contour_integral integrator::run() {
+  const double log2_digits = options_.goal().log2_relative();
+  for (const segment& s : segments_) {
+    // With as many bits as tell a short range's ends apart.
+    precision p = 64;
+    while (p < 40'000 && scale_of(s, p).magnitude_lower().is_zero()) p *= 2;
+    log2_scales_.push_back(approximate_log2(scale_of(s, p).magnitude_upper()));
+  }
+  // Along a path nothing is gained by coming nearer to a cut or a pole that is met.
+  const double least_depth = !segments_.empty() && segments_.front().along ? 160 : 420;
+  deepest_ = options_.most_depth.value_or(static_cast<long>(least_depth + 1.1 * log2_digits));
+  auto start = clock::now();
+  outcome o = estimate_size();
+  double log2_goal = log2_size_ - log2_digits;
+  if (options_.absolute_exponent) {
+    log2_goal = std::max(log2_goal, static_cast<double>(*options_.absolute_exponent));
+  }
+  double lowest_goal = log2_goal - log2_digits;  // where a value counts as 0
+  bool lowest_is_proved = false;
+  for (int attempts = 0; attempts < 6; ++attempts) {
+    if (o == outcome::done) o = plan(log2_goal);
+    result_.account.seconds_for_bounds += seconds_since(start);
+    start = clock::now();
+    if (o == outcome::done) o = sum(log2_goal - 1);
+    result_.account.seconds_for_sums += seconds_since(start);
+    start = clock::now();
+    if (o == outcome::too_many_evaluations) {
+      result_.why = reason::evaluation_limit;
+      result_.obstacle = "more evaluations needed than allowed";
+      return result_;
+    }
+    if (o == outcome::not_applicable) {
+      result_.why = reason::not_applicable;
+      return result_;
+    }
+    if (o == outcome::divergent) {
+      result_.why = reason::not_integrable;
+      return result_;
+    }
+    if (o == outcome::obstructed || o == outcome::cut_needed) {
+      result_.why = reason::not_analytic;
+      return result_;
+    }
+    result_.obstacle.clear();
+    if (options_.goal().is_met_by(result_.enclosure)) {
+      result_.verdict = status::certified;
+      return result_;
+    }
+    if (o == outcome::precision_exhausted && memory_exhausted_) {
+      result_.why = reason::evaluation_limit;
+      result_.obstacle = "more memory needed than allowed";
+      return result_;
+    }
+    if (o == outcome::precision_exhausted) {
+      result_.why = reason::precision_limit;
+      return result_;
+    }
+    // The value is smaller than its integrand led to expect.
+    const double value = approximate_log2(result_.enclosure.magnitude_upper());
+    if (log2_goal <= lowest_goal + 2) {
+      // 10^-digits of the integral of |f| stands for the value.
+      const magnitude size = least_size();
+      if (goal{2 * options_.digits}.is_met(radius_of(result_.enclosure), size)) {
+        result_.verdict = status::certified;
+        return result_;
+      }
+      if (lowest_is_proved || size.is_zero()) break;
+      lowest_is_proved = true;
+      lowest_goal = approximate_log2(size) - 2 * log2_digits - 3;
+    }
+    log2_goal = std::max(std::min(value - log2_digits, log2_goal) - 3, lowest_goal);
+  }
+  result_.why = reason::precision_limit;
+  return result_;
+}
+
+contour_integral integrate_segments(const preparation& prepared, const integrate_options& options) {
+  return integrator(prepared, options, {}).run();
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,13 @@
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/rule.hpp"
+#include "quadrature/panels/integrate_on_panels.hpp"
+
+namespace polhode {
+
+std::optional<integral> panel_rule::attempt(const detail::integrand& f, const limit& a,
+                                            const limit& b,
+                                            const integrate_options& options) const {
+  return detail::integrate_on_panels(f, a, b, options);
+}
+
+}  // namespace polhode
