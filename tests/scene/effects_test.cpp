@@ -490,6 +490,7 @@ TEST(Series, BeginExactlyAtGivenMatricesAndAngles) {
             (exact_row{irrational, irrational, rational(1, 4), rational(3, 4), none}));
   EXPECT_EQ(angles("120, 0, 0"), (exact_row{half, none, none, irrational, none}));
   EXPECT_EQ(angles("0, 1, 0", "rad"), (exact_row{irrational, irrational, none, none, none}));
+  EXPECT_EQ(angles("120, 0, 0", "rad"), (exact_row{irrational, none, none, irrational, none}));
   EXPECT_EQ(angles("1, 0, -1", "rad"), (exact_row{rational(1), none, none, none, none}));
 }
 
