@@ -634,7 +634,7 @@ coefficients cyclotomic(std::size_t n) {
 /// Of a sum of products of cosines: with z = e^(i pi/N), cos(pi k/N) = (z^k + z^-k)/2, so that the sum is a polynomial in z, of which
 /// z^(2N) = 1 and the cyclotomic polynomial's value 0 leave the remainder.
 std::optional<rational> exact_field::rational_by_roots_of_unity(const exact_number& x) {
-  constexpr long greatest_denominator = 120;
+  constexpr long greatest_order = 120;
   constexpr long most_factors = 30;
   integer common = 1;
   for (const auto& [m, c] : x) {
@@ -647,7 +647,7 @@ std::optional<rational> exact_field::rational_by_roots_of_unity(const exact_numb
       factors += as_long(numerator(exponent));
       const integer below = denominator(*plain_number(generators_[g].of));
       common = lcm(common, below);
-      if (factors > most_factors || common > greatest_denominator) return std::nullopt;
+      if (factors > most_factors || common > greatest_order) return std::nullopt;
     }
   }
   const auto n = static_cast<std::size_t>(2 * as_long(common));
