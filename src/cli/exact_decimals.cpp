@@ -122,6 +122,7 @@ json exact_json(const rational& q, long digits) {
   if (d.all) {
     number["value"] = number["lower"] = number["upper"] = d.value;
     number["radius"] = "0";
+    number.erase("rounded");  // as the enclosure's decimals were
     number["digits"] = d.digits;
   }
   number["exact"] = true;

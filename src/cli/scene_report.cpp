@@ -44,7 +44,12 @@ json table_json(const effect_table& table, table_rows rows) {
     json row{{table.columns[0], number_json({"", {}, table.first[i], ""}, table.digits)}};
     for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
       const ball& x = table.rows[i][k];
-      row[table.columns[k + 1]] = table.certified ? to_json(x, table.digits) : json(as_double(x));
+      const auto exact = table.exact.find({i, k});
+      if (exact != table.exact.end()) {
+        row[table.columns[k + 1]] = number_json({"", {}, exact->second, ""}, table.digits);
+      } else {
+        row[table.columns[k + 1]] = table.certified ? to_json(x, table.digits) : json(as_double(x));
+      }
     }
     result["rows"].push_back(std::move(row));
   }
@@ -278,6 +283,17 @@ std::string with_unit(const effect_table& table, std::size_t column, const std::
              : name;
 }
 
+/// All decimals of a cell that is known exactly, where they end soon; else its enclosure.
+decimal_enclosure decimals_of_cell(const effect_table& table, std::size_t row, std::size_t column) {
+  const auto exact = table.exact.find({row, column});
+  if (exact != table.exact.end()) {
+    const leading_digits d =
+        leading_digits_of(exact->second, std::max(table.digits, digits_of_arguments));
+    if (d.all) return exact_decimals(d);
+  }
+  return to_decimal_enclosure(table.rows[row][column], table.digits);
+}
+
 std::string table_csv(const effect_table& table) {
   // The unit stands with the number; the exact quotient is the same in the same unit.
   std::string result = with_unit(table, 0, "") + ',' + table.columns[0] + "_exact";
@@ -288,7 +304,8 @@ std::string table_csv(const effect_table& table) {
   result += '\n';
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     result += csv_cells(table.first[i]);
-    for (const ball& x : table.rows[i]) {
+    for (std::size_t k = 0; k < table.rows[i].size(); ++k) {
+      const ball& x = table.rows[i][k];
       if (!table.certified) {
         result += fmt::format(",{}", as_double(x));
         continue;
@@ -297,7 +314,7 @@ std::string table_csv(const effect_table& table) {
         result += ",,,";
         continue;
       }
-      const decimal_enclosure d = to_decimal_enclosure(x, table.digits);
+      const decimal_enclosure d = decimals_of_cell(table, i, k);
       result += fmt::format(",{},{},{}", d.value, d.lower, d.upper);
     }
     result += '\n';

@@ -121,6 +121,7 @@ class exact_field {
   [[nodiscard]] exact_number rationalised_reciprocal(exact_number x);
   [[nodiscard]] std::optional<exact_number> denested_root(const exact_number& x, int depth);
   [[nodiscard]] std::optional<exact_number> plain_root(const exact_number& x, int depth);
+  [[nodiscard]] std::optional<rational> rational_by_roots_of_unity(const exact_number& x);
   [[nodiscard]] exact_number arctan_of_rational(const rational& t);
 
   std::vector<generator> generators_;

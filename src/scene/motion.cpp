@@ -225,21 +225,46 @@ class momentum_at_0 {
     steady_ = is_steady(momentum, omega);
     const rational square = path.state().squared_momentum();
     const auto size = rational_root(square);
+    const auto add_rational = [&](const rational& one) {
+      row_.emplace_back(one, p);
+      exact_.emplace_back(one);
+    };
+    const auto add_ball = [&](const ball& one) {
+      row_.push_back(one);
+      exact_.emplace_back();
+    };
     for (const rational& one : product(frame, momentum)) {
-      row_.push_back(size ? ball(rational(one / *size), p) : ball(one, p) / sqrt(ball(square, p)));
+      if (size || one == 0) {
+        add_rational(size ? rational(one / *size) : one);
+      } else {
+        add_ball(ball(one, p) / sqrt(ball(square, p)));
+      }
     }
     const pi_scale& unit = path.unit();
     for (const rational& one : product(frame, omega)) {
-      const bool is_rational = unit.power == 0 || one == 0;
-      row_.push_back(is_rational ? ball(rational(one * unit.factor), p) : unit.at(p) * one);
+      if (unit.power == 0 || one == 0) {
+        add_rational(one * unit.factor);
+      } else {
+        add_ball(unit.at(p) * one);
+      }
     }
   }
   [[nodiscard]] bool holds_at(const rational& t) const { return steady_ || t == 0; }
   [[nodiscard]] const std::vector<ball>& row() const { return row_; }
+  /// Notes the cells of the rows where it holds that are rational.
+  void note_exact(effect_table& table) const {
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      if (!holds_at(table.first[i])) continue;
+      for (std::size_t k = 0; k < exact_.size(); ++k) {
+        if (exact_[k]) table.exact[{i, k}] = *exact_[k];
+      }
+    }
+  }
 
  private:
   bool steady_ = false;
   std::vector<ball> row_;
+  std::vector<std::optional<rational>> exact_;  // those of them that are rational
 };
 
 /// J/|J| and omega in the given frame, omega in rad per unit of the scene's time.
@@ -257,49 +282,155 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   const momentum_at_0 known(x.what, path, p);
   const std::string& time = x.what.time_unit.name;
   const std::string rate = x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad/" + time;
-  return table_of(x, {"t", "j_1", "j_2", "j_3", "omega_1", "omega_2", "omega_3"},
-                  {time, "", "", "", rate, rate, rate}, [&](const rational& t) {
-                    if (std::same_as<T, ball> && known.holds_at(t)) return known.row();
-                    const rotor_time at = path.at(t);
-                    const rotor_sample<T> sample = turning.sample(at.t);
-                    triple<T> j;
-                    triple<T> omega;
-                    for (std::size_t i = 0; i < 3; ++i) {
-                      const T here = path.momentum(sample.momentum[i], at);
-                      j[i] = here / size;
-                      omega[i] = here * inverse[i] * unit;
-                    }
-                    const triple<T> j_given = product(frame, j);
-                    const triple<T> omega_given = product(frame, omega);
-                    std::vector<ball> row;
-                    row.reserve(6);
-                    for (const T& one : j_given) row.push_back(in_ball(one));
-                    for (const T& one : omega_given) row.push_back(in_ball(one));
-                    return row;
-                  });
+  effect_table table = table_of(x, {"t", "j_1", "j_2", "j_3", "omega_1", "omega_2", "omega_3"},
+                                {time, "", "", "", rate, rate, rate}, [&](const rational& t) {
+                                  if (std::same_as<T, ball> && known.holds_at(t))
+                                    return known.row();
+                                  const rotor_time at = path.at(t);
+                                  const rotor_sample<T> sample = turning.sample(at.t);
+                                  triple<T> j;
+                                  triple<T> omega;
+                                  for (std::size_t i = 0; i < 3; ++i) {
+                                    const T here = path.momentum(sample.momentum[i], at);
+                                    j[i] = here / size;
+                                    omega[i] = here * inverse[i] * unit;
+                                  }
+                                  const triple<T> j_given = product(frame, j);
+                                  const triple<T> omega_given = product(frame, omega);
+                                  std::vector<ball> row;
+                                  row.reserve(6);
+                                  for (const T& one : j_given) row.push_back(in_ball(one));
+                                  for (const T& one : omega_given) row.push_back(in_ball(one));
+                                  return row;
+                                });
+  if (table.certified) known.note_exact(table);
+  return table;
 }
 
-/// The attitude at time 0 as a quaternion, of the two the one whose component of greatest size is positive, where it is
-/// known to be rational: of axes along those of space, or of a given quaternion with a rational norm.
-std::optional<std::array<rational, 4>> quaternion_at_0(const scene_state& state) {
-  if (state.matrix || state.euler) return std::nullopt;
-  if (!state.quaternion) return std::array<rational, 4>{1, 0, 0, 0};
-  std::array<rational, 4> q;
-  rational square = 0;
-  std::size_t greatest = 0;
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    q[k] = (*state.quaternion)[k];
-    square += q[k] * q[k];
-    if (abs(q[k]) > abs(q[greatest])) greatest = k;
+/// A quaternion's components w, x, y, z, those that are known to be rational; of both signs of the whole, any.
+using exact_quaternion = std::array<std::optional<rational>, 4>;
+
+/// Of a rotation with rational entries: 4 q_i^2 and 4 q_i q_k are sums of these. Where the greatest component is rational, all
+/// are; where it is not, a component is 0 or not rational.
+exact_quaternion quaternion_of(const matrix3<rational>& m) {
+  const std::array<rational, 4> squares{
+      1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
+      1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2]};
+  const auto g =
+      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const std::array<rational, 3> with_w{m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
+  matrix3<rational> others;  // 4 q_i q_k of x, y, z
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) others[i][k] = m[i][k] + m[k][i];
   }
-  for (std::size_t k = 0; k < q.size(); ++k) {
-    if (k != greatest && abs(q[k]) == abs(q[greatest])) return std::nullopt;
+  const auto greatest = rational_root(squares[g] / 4);
+  exact_quaternion result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k == g) {
+      result[k] = greatest;
+      continue;
+    }
+    const rational product =
+        g == 0 ? with_w[k - 1] : (k == 0 ? with_w[g - 1] : others[g - 1][k - 1]);
+    if (product == 0) {
+      result[k] = rational(0);
+    } else if (greatest) {
+      result[k] = product / (4 * *greatest);
+    }
   }
-  const auto norm = rational_root(square);
-  if (!norm || *norm == 0) return std::nullopt;
-  const rational divisor = q[greatest] < 0 ? rational(-*norm) : *norm;
-  for (rational& one : q) one /= divisor;
-  return q;
+  return result;
+}
+
+matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz) {
+  const auto& [w, x, y, z] = wxyz;
+  const rational square(w * w + x * x + y * y + z * z);
+  const std::array<std::array<rational, 3>, 3> twice{
+      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
+  matrix3<rational> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[i][k] = twice[i][k] / square;
+  }
+  return result;
+}
+
+/// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and at 0 radians.
+std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
+  if (angle < 0) angle = -angle;
+  if (angle == 0) return rational(1);
+  if (unit != angle_unit::degrees) return std::nullopt;
+  angle -= 360 * rational(integer(numerator(angle) / (360 * denominator(angle))));
+  if (angle > 180) angle = 360 - angle;
+  for (const auto& [at, value] :
+       {std::pair(rational(0), rational(1)), std::pair(rational(60), rational(1, 2)),
+        std::pair(rational(90), rational(0)), std::pair(rational(120), rational(-1, 2)),
+        std::pair(rational(180), rational(-1))}) {
+    if (angle == at) return value;
+  }
+  return std::nullopt;
+}
+
+/// Of R_z(phi) R_x(theta) R_z(psi): cos(theta/2) and sin(theta/2) times cosines and sines of (phi + psi)/2 and (phi - psi)/2.
+exact_quaternion quaternion_of(const rational_vector& phi_theta_psi, angle_unit unit) {
+  const auto& [phi, theta, psi] = phi_theta_psi;
+  const bool has_degrees = unit == angle_unit::degrees;
+  const auto cosine = [&](const rational& angle) { return rational_cosine(angle, unit); };
+  const auto sine = [&](const rational& angle) -> std::optional<rational> {
+    if (angle == 0) return rational(0);
+    return has_degrees ? cosine(angle - 90) : std::nullopt;
+  };
+  const auto product = [](const std::optional<rational>& x,
+                          const std::optional<rational>& y) -> std::optional<rational> {
+    if ((x && *x == 0) || (y && *y == 0)) return rational(0);
+    return x && y ? std::optional(rational(*x * *y)) : std::nullopt;
+  };
+  const rational half = theta / 2;
+  const rational sum = (phi + psi) / 2;
+  const rational difference = (phi - psi) / 2;
+  exact_quaternion result{product(cosine(half), cosine(sum)),
+                          product(sine(half), cosine(difference)),
+                          product(sine(half), sine(difference)), product(cosine(half), sine(sum))};
+  if (!has_degrees) return result;
+  // 2 cos x cos y = cos(x + y) + cos(x - y), where these are rational and the factors are not.
+  const auto of_sum = [&](std::optional<rational>& to, const rational& x, const rational& y) {
+    const auto one = cosine(x + y);
+    const auto other = cosine(x - y);
+    if (!to && one && other) to = (*one + *other) / 2;
+  };
+  of_sum(result[0], half, sum);
+  of_sum(result[1], half - 90, difference);
+  of_sum(result[2], half - 90, difference - 90);
+  of_sum(result[3], half, sum - 90);
+  return result;
+}
+
+exact_quaternion quaternion_at_0(const scene_state& state) {
+  if (state.euler) return quaternion_of(*state.euler, state.euler_unit);
+  if (state.matrix) return quaternion_of(*state.matrix);
+  if (state.quaternion) return quaternion_of(rotation_of(*state.quaternion));
+  return {rational(1), rational(0), rational(0), rational(0)};
+}
+
+/// Notes the rational components of the quaternion in row i, of the sign that the row has. Throws std::logic_error where they are
+/// not in their enclosures.
+void note_exact(effect_table& table, std::size_t i, exact_quaternion known) {
+  std::vector<ball>& row = table.rows[i];
+  int sign = 0;  // of the row's quaternion beside the known one
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (!known[k] || *known[k] == 0 || contains_zero(row[k])) continue;
+    sign = certainly_positive(row[k]) == (*known[k] > 0) ? 1 : -1;
+  }
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    if (!known[k] || (*known[k] != 0 && sign == 0)) continue;
+    const rational one(*known[k] * (sign == 0 ? 1 : sign));
+    if (!contains(row[k], one)) {
+      throw std::logic_error(
+          "scene: internal error: an attitude at time 0 is not in its enclosure");
+    }
+    row[k] = ball(one, row[k].precision());
+    table.exact[{i, k}] = one;
+  }
 }
 
 /// The quaternion that takes the given frame to space, and the unwrapped angle phi about J.
@@ -313,7 +444,6 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
   // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
   const matrix3<T> before = product(start, frame);
   const matrix3<T> after = transposed(frame);
-  const auto known = quaternion_at_0(*x.what.state);
   effect_table table =
       table_of(x, {"t", "q_w", "q_x", "q_y", "q_z", "phi"},
                {x.what.time_unit.name, "", "", "", "", "rad"}, [&](const rational& t) {
@@ -327,15 +457,17 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
                  std::vector<ball> row;
                  row.reserve(5);
                  const bool is_start = std::same_as<T, ball> && t == 0;
-                 if (is_start && known) {
-                   for (const rational& one : *known) row.emplace_back(one, p);
-                 } else {
-                   for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
-                 }
+                 for (const T& one : attitude.quaternion()) row.push_back(in_ball(one));
                  row.push_back(is_start ? ball(0, p) : in_ball(phi));
                  return row;
                });
   continue_signs(table);
+  if (!table.certified) return table;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (table.first[i] != 0) continue;
+    note_exact(table, i, quaternion_at_0(*x.what.state));
+    table.exact[{i, 4}] = 0;  // phi
+  }
   return table;
 }
 

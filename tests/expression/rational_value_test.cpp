@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -32,6 +33,11 @@ TEST(RationalValue, KnownIdentities) {
       {"cos(pi/12)*cos(5*pi/12)", "1/4"},
       {"sin(pi/10)*sin(3*pi/10)", "1/4"},
       {"sin(pi/8)*cos(pi/8) - sqrt(2)/4", "0"},
+      {"cos(pi/7) - cos(2*pi/7) + cos(3*pi/7)", "1/2"},
+      {"cos(pi/9)*cos(2*pi/9)*cos(4*pi/9)", "1/8"},
+      {"8*cos(pi/9)^3 - 6*cos(pi/9)", "1"},
+      {"(sin(pi/7)*sin(2*pi/7)*sin(3*pi/7))^2", "7/64"},
+      {"cos(4*pi/7)^2 + sin(4*pi/7)^2", "1"},
       {"tan(pi/8) + 1 - sqrt(2)", "0"},
       {"4*cospi(1/4)*sqrt(2)", "4"},
       {"acos(1/2)/pi", "1/3"},
@@ -209,6 +215,35 @@ TEST(RationalValue, LiesInTheEnclosure) {
 
 /// x - y for two forms of the same number: random elements of Q(sqrt 2, sqrt 3, sqrt 5), squared and rooted, divided and
 /// multiplied, must come back.
+/// The sum of the primitive n-th roots of unity is Moebius' mu(n); a cosine by itself is rational for denominators to 3 alone
+/// (I. Niven, Irrational Numbers, 1956, cor. 3.12).
+TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
+  for (long n = 4; n <= 60; ++n) {
+    long mu = 1;
+    long rest = n;
+    for (long prime = 2; prime <= rest; ++prime) {
+      if (rest % prime != 0) continue;
+      rest /= prime;
+      mu = rest % prime == 0 ? 0 : -mu;
+    }
+    std::string sum = "0";
+    for (long k = 1; k <= n; ++k) {
+      if (std::gcd(k, n) == 1)
+        sum += "+cospi(" + std::to_string(2 * k) + "/" + std::to_string(n) + ")";
+    }
+    // Where n is a power of 2 times 1, 3 or 5 the cosines are nested square roots, of which not everything is known.
+    long odd = n;
+    while (odd % 2 == 0) odd /= 2;
+    const auto found = expression(sum).rational_value();
+    if (found || odd > 5) {
+      EXPECT_EQ(found, rational(mu)) << n;
+    }
+    const std::string one = "cospi(1/" + std::to_string(n) + ")";
+    EXPECT_FALSE(expression(one).rational_value()) << n;
+    EXPECT_FALSE(expression(sum + "+" + one + "^3").rational_value()) << n;
+  }
+}
+
 TEST(RationalValue, UndoesWhatWasDoneInSquareRoots) {
   support::random_source random(17);
   for (support::repeat trial(300); trial.again();) {

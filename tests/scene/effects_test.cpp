@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
@@ -15,6 +16,7 @@
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "polhode/rigid_body/rotor.hpp"
 #include "scene/motion.hpp"
+#include "support/random.hpp"
 
 namespace polhode {
 namespace {
@@ -430,6 +432,112 @@ TEST(Series, BeginExactly) {
     EXPECT_TRUE(contains(plain[0][k], rational(k == 0 ? 1 : 0))) << k;
   }
   EXPECT_FALSE(contains(plain[1][4], rational(0)));
+}
+
+/// The exact cells of the first row of an effect's table; nothing for the others.
+std::vector<std::optional<rational>> exact_start(const std::string& state, const char* effect) {
+  const scene_report report = report_of(
+      "[body]\nmoments = [3, 2, 1]\n[state]\n" + state + "\n[time]\nto = 1\nsamples = 3\n",
+      {effect});
+  const effect_table& table = *report.find(effect)->table;
+  std::vector<std::optional<rational>> result(table.rows[0].size());
+  for (const auto& [cell, value] : table.exact) {
+    const auto& [row, column] = cell;
+    EXPECT_TRUE(contains(table.rows[row][column], value)) << row << ' ' << column;
+    if (row == 0) result[column] = value;
+    EXPECT_EQ(row, 0U);
+  }
+  return result;
+}
+
+using exact_row = std::vector<std::optional<rational>>;
+const std::optional<rational> irrational;
+
+TEST(Series, BeginExactlyAtRationalNumbersThatAreNotDyadic) {
+  EXPECT_EQ(exact_start("omega = [\"1/3\", \"2/7\", 0.1]\nunit = \"rad/s\"", "momentum"),
+            (exact_row{irrational, irrational, irrational, rational(1, 3), rational(2, 7),
+                       rational(1, 10)}));
+  // J = (1, 2, 2): its size is 3. In degrees the angular velocity has a factor pi.
+  EXPECT_EQ(exact_start("omega = [\"1/3\", 1, 2]\nunit = \"deg/s\"", "momentum"),
+            (exact_row{rational(1, 3), rational(2, 3), rational(2, 3), irrational, irrational,
+                       irrational}));
+  EXPECT_EQ(exact_start("omega = [\"1/3\", 0, 2]\nunit = \"deg/s\"", "momentum"),
+            (exact_row{irrational, rational(0), irrational, irrational, rational(0), irrational}));
+}
+
+TEST(Series, BeginExactlyAtGivenMatricesAndAngles) {
+  const rational half(1, 2);
+  const rational none(0);
+  const auto start = [](const std::string& attitude) {
+    return exact_start("omega = [0.1, 9, 0.2]\nunit = \"rad/s\"\n" + attitude, "attitude");
+  };
+  // A half turn about (1, 2, 2).
+  EXPECT_EQ(start("matrix = [[\"-7/9\", \"4/9\", \"4/9\"], [\"4/9\", \"-1/9\", \"8/9\"],"
+                  " [\"4/9\", \"8/9\", \"-1/9\"]]"),
+            (exact_row{none, rational(1, 3), rational(2, 3), rational(2, 3), none}));
+  // cos(a/2)^2 = 4/5.
+  EXPECT_EQ(start("matrix = [[\"3/5\", \"-4/5\", 0], [\"4/5\", \"3/5\", 0], [0, 0, 1]]"),
+            (exact_row{irrational, none, none, irrational, none}));
+  EXPECT_EQ(start("quaternion = [1, 1, 1, 1]"), (exact_row{half, half, half, half, none}));
+  EXPECT_EQ(start("quaternion = [1, 2, 0, 0]"),
+            (exact_row{irrational, irrational, none, none, none}));
+  const auto angles = [&](const std::string& three, const char* unit = "deg") {
+    return start("euler = [" + three + "]\neuler_unit = \"" + unit + '"');
+  };
+  EXPECT_EQ(angles("90, 90, 0"), (exact_row{half, half, half, half, none}));
+  EXPECT_EQ(angles("90, 0, 0"), (exact_row{irrational, none, none, irrational, none}));
+  EXPECT_EQ(angles("90, 60, 30"),
+            (exact_row{irrational, irrational, rational(1, 4), rational(3, 4), none}));
+  EXPECT_EQ(angles("120, 0, 0"), (exact_row{half, none, none, irrational, none}));
+  EXPECT_EQ(angles("0, 1, 0", "rad"), (exact_row{irrational, irrational, none, none, none}));
+  EXPECT_EQ(angles("120, 0, 0", "rad"), (exact_row{irrational, none, none, irrational, none}));
+  EXPECT_EQ(angles("1, 0, -1", "rad"), (exact_row{rational(1), none, none, none, none}));
+}
+
+/// q or -q, whichever has its first component that is known, and not 0, above 0.
+exact_row of_first_sign(exact_row q) {
+  int sign = 0;
+  for (std::optional<rational>& one : q) {
+    if (!one) continue;
+    if (sign == 0) sign = one->sign();
+    if (sign < 0) *one = -*one;
+  }
+  return q;
+}
+
+/// The same rotation as a quaternion and as a matrix begins with the same numbers, to the sign of all.
+TEST(Series, BeginAlikeHoweverTheAttitudeIsGiven) {
+  support::random_source random(41);
+  for (support::repeat trial(30); trial.again();) {
+    std::array<long, 4> q{};
+    for (long& one : q) one = random.between(-4, 4);
+    const auto [w, x, y, z] = q;
+    const long square = w * w + x * x + y * y + z * z;
+    if (square == 0) continue;
+    const auto entry = [&](long n) { return '"' + to_text(rational(n, square)) + '"'; };
+    const auto row = [&](long a, long b, long c) {
+      return '[' + entry(a) + ", " + entry(b) + ", " + entry(c) + ']';
+    };
+    const std::string turn = "omega = [0.1, 9, 0.2]\nunit = \"rad/s\"\n";
+    const exact_row given =
+        exact_start(turn + fmt::format("quaternion = [{}, {}, {}, {}]", w, x, y, z), "attitude");
+    const exact_row by_matrix = exact_start(
+        turn + "matrix = [" +
+            row(w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)) + ", " +
+            row(2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)) + ", " +
+            row(2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z) + ']',
+        "attitude");
+    EXPECT_EQ(of_first_sign(given), of_first_sign(by_matrix))
+        << w << ' ' << x << ' ' << y << ' ' << z;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (given[k]) {
+        EXPECT_EQ(*given[k] * *given[k], rational(q[k] * q[k], square));
+      }
+      if (q[k] == 0) {
+        EXPECT_EQ(given[k], rational(0));
+      }
+    }
+  }
 }
 
 TEST(Series, SteadyMotionsAreExactAtAllTimes) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "polhode/arithmetic/verdict.hpp"
@@ -54,6 +55,8 @@ struct effect_table {
   std::vector<std::string> units;  // of the columns; empty where a number has none
   std::vector<std::vector<ball>> rows;
   std::vector<rational> first;  // the exact first column, columns[0]
+  std::map<std::pair<std::size_t, std::size_t>, rational>
+      exact;  // cells of rows[i][k] that are known to be rational, by (i, k)
   long digits = 0;
   bool certified = true;  // where not, numbers in double, each as if it were exact
 };

@@ -28,7 +28,7 @@ const text_of = number => {
   const enough = Math.min(3, number.digits_asked ?? 3);
   if (!number.value) return [interval_of(number) || '—', false];
   // The nearest decimal with its error, where the ends share too few digits.
-  if (number.rounded || (!number.exact && (number.digits ?? enough) < enough)) return [`${number.value} ± ${number.radius}`, true];
+  if (!number.exact && (number.rounded || (number.digits ?? enough) < enough)) return [`${number.value} ± ${number.radius}`, true];
   if (!number.exact) return [with_dots(number.value), true];
   if (number.lower === undefined || number.lower === number.value) return [number.value, false];
   const is_short = number.rational && number.rational.length <= 40;
