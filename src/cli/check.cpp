@@ -11,7 +11,6 @@
 #include "errors.hpp"
 #include "json_document.hpp"
 #include "options.hpp"
-#include "polhode/certificate/certificate.hpp"
 #include "polhode/checker/files.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -41,43 +40,7 @@ long whole(const char* option, const std::string& text) {
   return result;
 }
 
-/// The name of a file, which may be of any bytes, in the UTF-8 that JSON needs: with escapes where it is not.
-std::string as_unicode(const std::string& path) {
-  try {
-    (void)json(path).dump();
-    return path;
-  } catch (const json::type_error&) {
-    return checker::printable(path);
-  }
-}
-
-/// The files in their order, and whether all are verified and leave nothing out.
-json as_json(const checker::files_report& all, bool verbose) {
-  json files = json::array();
-  for (const checker::file_report& file : all.files) {
-    json entry{{"file", as_unicode(file.path)}};
-    const checker::report& r = file.result;
-    if (!file.was_read) {
-      entry["verdict"] = "not read";
-      entry["reason"] = file.not_read;
-    } else {
-      entry["verdict"] = to_text(r.result);
-      if (!r.claim.empty()) entry["claim"] = r.claim;
-      if (r.is_verified()) {
-        entry["subject"] = r.subject;
-        entry["statement"] = r.statement;
-        entry["left_out"] = r.left_out;
-        entry["rests_on"] = r.checks;
-      } else {
-        entry["place"] = r.place;
-        entry["reason"] = r.message;
-      }
-      if (verbose) entry["cost"] = {{"operations", r.work}, {"bytes", r.memory}};
-    }
-    files.push_back(std::move(entry));
-  }
-  return {{"files", std::move(files)}, {"verified", all.whole}};
-}
+static_assert(checker::json_version == json_version);
 
 exit_status run(const check_options& options) {
   checker::files_request request = options.request;
@@ -90,9 +53,8 @@ exit_status run(const check_options& options) {
         line->show(fmt::format("checking {} ({}/{})", path, number, of));
       });
   line.reset();
-  print(options.format.value() == "json"
-            ? json_document_text("check", as_json(result, request.verbose))
-            : result.text);
+  print(options.format.value() == "json" ? checker::json_text(result, request.verbose)
+                                         : result.text);
   if (!result.unusable.empty()) {
     for (auto fault = result.unusable.begin(); fault + 1 != result.unusable.end(); ++fault) {
       print_error("polhode: " + *fault + '\n');

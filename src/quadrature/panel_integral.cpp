@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "approximate.hpp"
@@ -15,11 +16,17 @@ namespace {
 const double_interval log_of_2 = log(double_interval(2));
 const magnitude three = magnitude::from_integer_up(3);
 
-/// 2^e, e >= the bound of the interval.
+/// At least 2^e for each e of the interval.
 magnitude power_of_two_above(const double_interval& e) {
   constexpr double greatest = 0x1p+50;
   if (!(e.upper() < greatest)) return magnitude::infinity();
-  return magnitude::power_of_two(static_cast<long>(std::ceil(std::max(e.upper(), -greatest))));
+  const double exponent = std::max(e.upper(), -greatest);
+  const double whole = std::floor(exponent);
+  const double_interval rest = double_interval(exponent) - double_interval(whole);
+  constexpr int bits = 52;
+  const double factor = std::ldexp(exp(rest * log_of_2).upper(), bits);
+  return magnitude::from_bits_up(static_cast<std::uint64_t>(std::ceil(factor)),
+                                 static_cast<long>(whole) - bits);
 }
 
 }  // namespace
@@ -225,37 +232,40 @@ std::optional<ball> panel_integral::sum(long f, precision p, long most_terms) {
   const bool is_cut = low || high;
 
   const taylor_recurrence recurrence{q_, s_, t_, numerator_.coefficients, power_};
-  const std::optional<long> terms =
+  const std::optional<computed_terms> terms =
       add_terms(recurrence, {f, most_terms, !panel_.at_end && !is_cut, is_cut}, part);
   if (!terms) return std::nullopt;
-  terms_ = *terms;
+  terms_ = terms->count;
 
-  // The errors, in z: of A for g, and of the sums' terms, at most two units each; those of powers of z, which are off
-  // by at most n units, and of z.
+  // That of A for g, integrated: with N, or sqrt(2) N < 3/2 N, of the theorem.
   const magnitude unit = magnitude::power_of_two(-f);
-  const magnitude count = magnitude::from_integer_up(static_cast<std::uint64_t>(terms_));
+  const auto times = [](long count) {
+    return magnitude::from_integer_up(static_cast<std::uint64_t>(count));
+  };
   const magnitude relative =
       power_of_two_above((log_greatest_ - log_least_ - log_least_q_) / log_of_2);
-  const magnitude square_of_count = multiply_up(count, count);
-  // N, or sqrt(2) N < 3/2 N
-  const magnitude steps = parts == 1 ? count : scale(multiply_up(count, three), -1);
+  const magnitude divisions = times(terms->divisions);
+  const magnitude steps = parts == 1 ? divisions : scale(multiply_up(divisions, three), -1);
   const magnitude of_a = multiply_up(steps, multiply_up(unit, relative));
   const magnitude of_series =
       multiply_up(multiply_up(of_a, maximum_.magnitude_upper()), length_factor().magnitude_upper());
-  const magnitude of_terms = scale(multiply_up(count, unit), 1);
   const auto from_units = [&](const integer& units, const magnitude& error) {
     ball value(units, p);
     scale(value, value, -f);
     return value.enlarged(error);
   };
   const auto value_of = [&](const series_part& own) {
+    // Each b_n is off by less than a unit, and 0 where e_n is.
+    const magnitude of_terms = multiply_up(times(own.terms), unit);
     const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
+      // b_n z^n is off by less than a unit for b_n and another one for the product; z^n by at most n - 1 units, as 1 and
+      // z are not rounded and each product by z adds less than one; and z by its own error, with |G'(z)| <= sum of |e_n|.
       const magnitude of_powers =
-          multiply_up(multiply_up(square_of_count, unit),
-                      magnitude::power_of_two(std::max(0L, static_cast<long>(own.longest) - f)));
+          multiply_up(scale(ball(own.of_powers, 64).magnitude_upper(), -f), unit);
       const magnitude size = scale(ball(own.sum_of_sizes, 64).magnitude_upper(), -f);
+      const magnitude of_products = scale(of_terms, 1);
       const ball value = from_units(
-          cut->sum(), add_up(of_terms, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
+          cut->sum(), add_up(of_products, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
       const ball power = z.with_precision(p);
       return value * (power_ == 0 ? power : power_of_positive(power, rational(power_ + 1)));
     };
@@ -268,14 +278,14 @@ std::optional<ball> panel_integral::sum(long f, precision p, long most_terms) {
     }
     return value;
   };
-  const ball real = value_of(part[0]).enlarged(of_series);
-  if (parts == 1) return real * constant(p);
-  // The part of (real + i imaginary) e^(i t(c)) that is meant.
-  const ball imaginary = value_of(part[1]).enlarged(of_series);
+  const ball real = value_of(part[0]);
+  if (parts == 1) return real.enlarged(of_series) * constant(p);
+  // The part of (real + i imaginary) e^(i t(c)) that is meant. What A is off by is a complex number, and turned with it.
+  const ball imaginary = value_of(part[1]);
   const ball angle(rational(phase_.coefficients.front() * phase_.content), p);
   const ball result = range_.is_sine ? real * sin(angle) + imaginary * cos(angle)
                                      : real * cos(angle) - imaginary * sin(angle);
-  return result * constant(p);
+  return result.enlarged(of_series) * constant(p);
 }
 
 }  // namespace polhode::detail

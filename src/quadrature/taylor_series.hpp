@@ -12,13 +12,13 @@
 // are 0 that all later ones are: A(z) is the polynomial of these numbers. That is all that has to be known of them.
 //
 // Theorem. Let Q be positive on an interval I with 0 in it and |z| <= 1 for each z in it, and let 0 < m <= Q/q_0,
-// 0 < l <= |g| <= u there. If N of the a_n were computed by (1), then for z in I
+// 0 < l <= |g| <= u there. If N of the a_n were computed by (1) as quotients of numbers that are not 0, then for z in I
 //
 //   |A(z) - g(z)| <= u / (m l) * N * 2^-F, and sqrt(2) times as much where S is complex.
 //
 // Proof. Let D = Q A' - S A. Its n-th coefficient is q_0 (n + 1) a_(n+1) less the right-hand side of (1), formed from the
-// rounded numbers; it is what the division left over, less than q_0 (n + 1) units in each part, for n < N, and 0 for all
-// later n. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and A(0)/g(0) = 1, |A/g - 1| is at most |D|/(Q |g|) integrated from 0
+// rounded numbers; it is what the division left over, less than q_0 (n + 1) units in each part for N of the n, and 0 for all
+// others. As (A/g)' = (Q A' - S A)/(Q g) = D/(Q g) and A(0)/g(0) = 1, |A/g - 1| is at most |D|/(Q |g|) integrated from 0
 // to z, and so at most 1/(m l q_0) times the integral of |D|. Of q_0 (n + 1) t^n that is q_0 |z|^(n+1) <= q_0: in all, at
 // most N q_0 units, or sqrt(2) times that. QED. As |e^(i t)| = 1, |g| is what it is without that factor.
 //

@@ -17,8 +17,8 @@ fixed_point_number in_fixed_point(const ball& z, long f) {
   return result;
 }
 
-std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& wanted,
-                              std::vector<series_part>& part) {
+std::optional<computed_terms> add_terms(const taylor_recurrence& of, const wanted_terms& wanted,
+                                        std::vector<series_part>& part) {
   const auto& [q, s, t, of_p, power] = of;
   const long f = wanted.f;
   long most_terms = wanted.most_terms;
@@ -53,6 +53,7 @@ std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& w
   // A series that converges takes no such terms, or less than so many.
   const auto most_limbs = static_cast<std::size_t>(2 * f / GMP_NUMB_BITS + 32);
   most_terms = std::min(most_terms, 8 * f + 500);
+  computed_terms result;
   long n = 0;
   for (;; ++n) {
     const auto before = [&](const series_part& own, std::size_t back) -> mpz_srcptr {
@@ -68,8 +69,8 @@ std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& w
         for (std::size_t k = 0; k < std::min(of_p.size(), known); ++k) {
           mpz_addmul(sum, before(own, k), of_p[k].backend().data());
         }
-        if (below != 1) mpz_mul_ui(sum, sum, below);
-        mpz_tdiv_q_ui(b.backend().data(), sum, by);
+        mpz_mul_ui(b.backend().data(), sum, below);
+        mpz_tdiv_q_ui(b.backend().data(), b.backend().data(), by);
         own.add(b, e, n, wanted.is_cut);
       }
     }
@@ -78,6 +79,7 @@ std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& w
     // a_(n+1)
     mpz_mul_ui(divisor.backend().data(), q[0].backend().data(), static_cast<unsigned long>(n) + 1);
     bool is_zero = true;
+    bool is_divided = false;
     for (std::size_t i = 0; i < parts; ++i) {
       mpz_set_ui(sum, 0);
       for (std::size_t k = 0; k < std::min(depth, known); ++k) {
@@ -87,11 +89,13 @@ std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& w
         // i t_k times the other part
         (i == 0 ? mpz_submul : mpz_addmul)(sum, before(part[1 - i], k), t[k].backend().data());
       }
+      is_divided = is_divided || mpz_sgn(sum) != 0;
       mpz_tdiv_q(next[i].backend().data(), sum, divisor.backend().data());
       if (mpz_size(next[i].backend().data()) > most_limbs) return std::nullopt;
       is_zero = is_zero && mpz_sgn(next[i].backend().data()) == 0;
     }
     zeros = is_zero ? zeros + 1 : 0;
+    if (is_divided) ++result.divisions;
     for (std::size_t k = 0; k < depth; ++k) {
       mpz_sub(c[k].backend().data(), c[k].backend().data(), step[k].backend().data());
     }
@@ -100,7 +104,8 @@ std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& w
       mpz_swap(part[i].a[newest].backend().data(), next[i].backend().data());
     }
   }
-  return n + 1;
+  result.count = n + 1;
+  return result;
 }
 
 }  // namespace polhode::detail

@@ -48,16 +48,18 @@ class antiderivative {
 
 /// The real or the imaginary part of a series, and of its integral.
 struct series_part {
-  std::vector<integer> a;   // the last of the a_n, in a ring
-  integer at_plus;          // the sum of the b_n, which is G(1)
-  integer at_minus;         // G(-1)
-  integer sum_of_sizes;     // of the |e_n|
-  std::size_t longest = 0;  // of the b_n, in bits
+  std::vector<integer> a;  // the last of the a_n, in a ring
+  integer at_plus;         // the sum of the b_n, which is G(1)
+  integer at_minus;        // G(-1)
+  long terms = 0;          // the e_n that are not 0
+  integer sum_of_sizes;    // of the |e_n|
+  integer of_powers;       // the sum of the (n - 1) |b_n|, n >= 2
   std::optional<antiderivative> at_low;
   std::optional<antiderivative> at_high;
 
-  /// b_n, and for sums that are cut off e_n, at least.
+  /// b_n and e_n, which is not kept.
   void add(const integer& b, integer& e, long n, bool is_cut) {
+    if (mpz_sgn(e.backend().data()) != 0) ++terms;
     at_plus += b;
     if (!is_cut) return;
     if (n % 2 == 0) {
@@ -67,9 +69,12 @@ struct series_part {
     }
     if (at_low) at_low->add(b);
     if (at_high) at_high->add(b);
-    longest = std::max(longest, mpz_sizeinbase(b.backend().data(), 2));
     mpz_abs(e.backend().data(), e.backend().data());
     sum_of_sizes += e;
+    if (n < 2) return;
+    const bool is_negative = mpz_sgn(b.backend().data()) < 0;
+    (is_negative ? mpz_submul_ui : mpz_addmul_ui)(of_powers.backend().data(), b.backend().data(),
+                                                  static_cast<unsigned long>(n - 1));
   }
 };
 
@@ -90,9 +95,15 @@ struct wanted_terms {
   bool is_cut = false;
 };
 
-/// Adds the terms to the real part and, where there are two, the imaginary one. Returns how many were computed; nullopt where
-/// that takes more terms than allowed, or where the series does not converge.
-[[nodiscard]] std::optional<long> add_terms(const taylor_recurrence& of, const wanted_terms& wanted,
-                                            std::vector<series_part>& part);
+struct computed_terms {
+  long count = 0;
+  long divisions = 0;  // by (1), of numbers that are not 0: N of the theorem
+};
+
+/// Adds the terms to the real part and, where there are two, the imaginary one. Returns nullopt where that takes more terms
+/// than allowed, or where the series does not converge.
+[[nodiscard]] std::optional<computed_terms> add_terms(const taylor_recurrence& of,
+                                                      const wanted_terms& wanted,
+                                                      std::vector<series_part>& part);
 
 }  // namespace polhode::detail

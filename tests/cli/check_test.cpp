@@ -215,10 +215,13 @@ TEST(Check, IsAProgramOfItsOwn) {
   expect_same({"--verbose", directory + "/beta.json"});
   expect_same({directory, "--budget", "1"});
   expect_same({directory, "--memory", "1"});
+  expect_same({directory, "--format", "json"});
+  expect_same({"--verbose", "--format", "json", directory + "/beta.json"});
   write(directory + "/c.json", "{}");
   expect_same({directory, scratch.path("nothing")});
+  expect_same({directory, scratch.path("nothing"), "--format", "json"});
   for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
-           {}, {"--fast", "x"}, {"x", "--budget"}, {"x", "--budget", "-1"}}) {
+           {}, {"--fast", "x"}, {"x", "--budget"}, {"x", "--budget", "-1"}, {"x", "--format"}, {"x", "--format", "xml"}}) {
     std::vector<std::string> command{POLHODE_CHECK_PATH};
     command.insert(command.end(), wrong.begin(), wrong.end());
     const outcome own = run_command(command);

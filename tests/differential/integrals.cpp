@@ -173,7 +173,12 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
       return by_rule(quadrature_rule::taylor_series);
     case way::other_digits: {
       piece p = own;
-      p.digits = m.one_in(2) ? m.between(2, 12) : m.between(20, 60);
+      const bool fewer = m.one_in(2);
+      if (c.is_cheap) {
+        p.digits = fewer ? m.between(2, 5) : m.between(6, 12);
+      } else {
+        p.digits = fewer ? m.between(2, 12) : m.between(20, 60);
+      }
       return route{{p}};
     }
     case way::cut: {
@@ -285,7 +290,9 @@ result computed(const integral_case& c, way w, std::uint64_t seed, const route& 
   total.certified = true;
   const precision p = bits_for_digits(c.digits) + 128;
   ball sum(0, p);
-  for (const piece& one : r.pieces) {
+  constexpr long few_evaluations = 300;
+  for (piece one : r.pieces) {
+    if (c.is_cheap) one.most_evaluations = few_evaluations;
     const integral i = differential::computed(one);
     ++total.integrals;
     total.certified = total.certified && i.verdict == status::certified;
@@ -431,6 +438,7 @@ void examine_by(const integral_case& given, const std::vector<way>& ways, std::u
   ++c.cases;
   // What is known of the case does not matter to routes that know nothing of it, and stands in the way of shrinking.
   integral_case bare{given.integrand, given.from, given.to, given.digits};
+  bare.is_cheap = given.is_cheap;
   const auto needs_knowledge = [](way w) {
     return w == way::antiderivative || w == way::value || w == way::parts;
   };
@@ -479,12 +487,11 @@ std::string command_of(const piece& p) {
 }
 
 integral computed(const piece& p) {
-  constexpr long most_evaluations = 4'000;
   try {
     return detail::integrate_function(cli::integrand_of(read(p.integrand, {"x"})),
                                       read_limit(p.from), read_limit(p.to),
                                       {.digits = p.digits + 1,
-                                       .most_evaluations = most_evaluations,
+                                       .most_evaluations = p.most_evaluations,
                                        .most_precision = 1L << 13,
                                        .rule = p.rule});
   } catch (const input_error& error) {
@@ -493,6 +500,15 @@ integral computed(const piece& p) {
     refused.obstacle = error.what();
     return refused;
   }
+}
+
+std::function<integral_case(maker&)> mostly_cheap(std::function<integral_case(maker&)> make) {
+  return [make = std::move(make)](maker& m) {
+    integral_case c = make(m);
+    c.is_cheap = !m.one_in(10);
+    if (c.is_cheap) c.digits = m.between(2, 8);
+    return c;
+  };
 }
 
 void examine(const integral_case& given, std::uint64_t seed, counts& c) {

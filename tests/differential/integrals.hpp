@@ -22,6 +22,7 @@ struct piece {
   long digits = 15;
   quadrature_rule rule = quadrature_rule::automatic;
   term factor = 1;
+  long most_evaluations = 4'000;
 };
 
 /// The command that computes a piece, without its factor.
@@ -44,6 +45,8 @@ struct integral_case {
   std::vector<piece> parts = {};
   /// There is no such integral: nothing may be certified.
   bool diverges = false;
+  /// Each route gets few evaluations, and the other number of digits is small, too.
+  bool is_cheap = false;
 };
 
 struct integral_family {
@@ -51,6 +54,10 @@ struct integral_family {
   long at_effort_one;
   std::function<integral_case(maker&)> make;
 };
+
+/// The same cases, but nine of ten with few digits and evaluations: integrals that take long become many that do not.
+[[nodiscard]] std::function<integral_case(maker&)> mostly_cheap(
+    std::function<integral_case(maker&)> make);
 
 [[nodiscard]] std::vector<integral_family> steep_families();
 [[nodiscard]] std::vector<integral_family> end_families();

@@ -45,6 +45,13 @@ struct files_report {
     const files_request& request,
     const std::function<void(const std::string& path, std::size_t number, std::size_t of)>& begins);
 
+/// Of the JSON below: raised when a key gets another meaning or goes.
+inline constexpr int json_version = 2;
+
+/// What `polhode check` and `polhode-check` print with --format json: {"format": "polhode check", "version": 2, "files": [...], "verified":
+/// ...}, the files in their order; with what each cost where it is verbose.
+[[nodiscard]] std::string json_text(const files_report& all, bool verbose);
+
 /// A path as it may stand in a line of a terminal: as it is where it has letters, digits and ._/+-,=@~% alone, else in quotes, with
 /// everything escaped that is not printable ASCII.
 [[nodiscard]] std::string printable(const std::string& path);

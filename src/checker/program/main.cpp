@@ -17,12 +17,13 @@ constexpr long megabyte = 1L << 20U;
 
 std::string usage() {
   const polhode::checker::limits most;
-  return R"(Usage: polhode-check [--verbose] [--budget N] [--memory N] PATH...
+  return R"(Usage: polhode-check [--verbose] [--format F] [--budget N] [--memory N] PATH...
 
 Checks certificates that Polhode wrote, with nothing of the programs that wrote them.
 
   PATH         A certificate, or a directory of which every .json file is one
   --verbose    Print every fact and number that was shown again, and what it cost
+  --format F   text or json: the document of `polhode check --format json` [text]
   --budget N   What one certificate may cost, in millions of operations [)" +
          std::to_string(most.work / million) + R"(]
   --memory N   What it may hold in memory, in MB [)" +
@@ -53,6 +54,7 @@ long whole(std::string_view text) {
 int run(int argc, char** argv) {
   polhode::checker::files_request request;
   bool only_paths = false;
+  bool as_json = false;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (only_paths || !word.starts_with('-')) {
@@ -61,6 +63,10 @@ int run(int argc, char** argv) {
       only_paths = true;
     } else if (word == "--verbose") {
       request.verbose = true;
+    } else if (word == "--format") {
+      const std::string_view format = i + 1 < argc ? argv[++i] : "";
+      if (format != "text" && format != "json") return refuse("--format must have text or json");
+      as_json = format == "json";
     } else if (word == "--help") {
       std::cout << usage();
       return std::cout.flush() ? 0 : bad_input;
@@ -81,7 +87,7 @@ int run(int argc, char** argv) {
   if (request.paths.empty()) return refuse("PATH is missing; see polhode-check --help");
   const polhode::checker::files_report result =
       check_files(request, [](const std::string&, std::size_t, std::size_t) {});
-  std::cout << result.text;
+  std::cout << (as_json ? json_text(result, request.verbose) : result.text);
   if (!std::cout.flush()) return refuse("standard output cannot be written");
   for (const std::string& fault : result.unusable) (void)refuse(fault);
   if (!result.unusable.empty()) return bad_input;
