@@ -175,7 +175,7 @@ certificate prove_beta(const request& wanted) {
 
 root_enclosure enclose_beta(precision p) {
   root_enclosure root;
-  // The first box is right where long double has 64 bits; the others serve where it has fewer.
+  // The first box is right where long double has 64 bits; the others are for machines where it has fewer.
   for (const int bits : {54, 44, 20}) {
     root = refine_root(mean_equation, mean_equation_slope, start_box(bits), p);
     if (root.verdict == root_verdict::unique) break;

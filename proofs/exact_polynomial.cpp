@@ -148,7 +148,7 @@ bool is_hypothesis(const letter_range& range) {
   });
 }
 
-/// Whether the ranges are hypotheses, each of another letter, and what a letter stands for is said in letters that stand for
+/// Whether the ranges are hypotheses, each of another letter, and each letter is defined by letters that stand for
 /// themselves.
 bool are_usable(const std::vector<letter_range>& ranges) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -48,7 +48,7 @@ class exact_polynomial {
   std::map<exponents, rational> terms_;  // without zeros
 };
 
-/// One step of a proof that is an exact question about polynomials, and what it is needed for.
+/// One step of a proof: an exact question about polynomials, and what the proof needs it for.
 struct polynomial_step {
   enum class kind {
     identity,  // "p = q"

@@ -11,7 +11,7 @@
 
 namespace polhode::proofs {
 
-/// A decimal as printed, what it is said to be, and the number itself.
+/// A decimal as printed, what the paper says it is, and the number itself.
 struct printed_number {
   std::string where;    // "figure 6"
   std::string what;     // "I for a = 39.95, b = 0.0629"
@@ -25,7 +25,7 @@ struct printed_number {
 /// Those that are not.
 [[nodiscard]] const std::vector<printed_number>& wrong_numbers();
 
-/// Whether the number printed is the true one rounded to so many decimals: |printed - value| is at most half a unit
+/// Whether the number printed is the true one rounded to its decimals: |printed - value| is at most half a unit
 /// of the last place.
 enum class rounding { right, wrong, undecided };
 [[nodiscard]] rounding check_rounding(const std::string& printed, int places, const ball& value);
@@ -33,7 +33,7 @@ enum class rounding { right, wrong, undecided };
 /// The number printed, and beside it how it is read where it has fewer places than it claims: "1 (read as 1.000, ...)".
 [[nodiscard]] std::string as_read(const std::string& printed, int places);
 
-/// Adds each of them as a number with so many digits, and the fact that it is right, or wrong, as expected.
+/// Adds each of them as a number with `digits` digits, and the fact that it is right, or wrong, as expected.
 void add_printed_numbers(certificate& c, const std::vector<printed_number>& numbers,
                          rounding expected, long digits);
 

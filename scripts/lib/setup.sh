@@ -22,6 +22,8 @@ if ! { command -v node && command -v npm; } >/dev/null; then page_packages=(node
 
 # Compiled objects are shared between checkouts of this project, wherever they lie.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1
+# Precompiled headers are kept as well: without these ccache would keep nothing that uses one.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 say() { printf '%s\n' "$*" >&2; }
 

@@ -10,7 +10,7 @@
 namespace polhode::detail {
 
 /// Each sets r to a number near f(x) and returns true; `error` is then a bound of |r - f(x)|, which
-/// is at most (1/2 + 2^-10) units in r's last place. Each returns false, with nothing said of r, for the
+/// is at most (1/2 + 2^-10) units in r's last place. Each returns false, and leaves r unspecified, for the
 /// arguments and precisions that it leaves to MPFR. Hypothesis: r is not x.
 using near_function = bool (*)(mpfr_ptr r, mpfr_srcptr x, magnitude& error);
 bool near_exp(mpfr_ptr r, mpfr_srcptr x, magnitude& error);

@@ -237,7 +237,7 @@ struct region::scaled {
     static const double_interval log_2 = log(double_interval(2));
     return scaled_interval{polhode::exp(x - k * log_2), k};
   }
-  /// A k that serves.
+  /// A k for which exp(x - k log 2) stays in the hardware's range.
   static long exponent_of_exp(double x) {
     return std::abs(x) < 0x1p39 ? std::lround(x / 0.6931471805599453) : 0;
   }
@@ -304,7 +304,7 @@ struct region::scaled {
   }
 };
 
-/// The form of what has none.
+/// The form of a function without one.
 struct region::not_scaled {
   std::optional<scaled> operator()(const scaled&, const scaled&) const { return std::nullopt; }
 };
@@ -450,7 +450,7 @@ struct region::functions {
     const double_interval b = y.over(e);
     return {hull(abs(a - b), a + b), e};
   }
-  /// By the scaled form, where the hardware's range may be left; nothing where that does not serve.
+  /// By the scaled form, where the result may leave the hardware's range; nothing where that does not help.
   template <class Scaled>
   static std::optional<region> in_scale(const region& z, const Scaled& scaled_form) {
     if (!z.is_moderate()) return std::nullopt;
@@ -565,7 +565,7 @@ region region::rotating(double_interval size, double_interval angle) {
   return std::move(r).with_modulus({size, 0});
 }
 region exp(const region& z) {
-  // Far from overflow and underflow the hardware serves.
+  // Far from overflow and underflow the hardware's operations do.
   if (z.is_moderate() && z.hardware_.re.magnitude() < region::moderate_exponent) {
     return region::rotating(exp(z.hardware_.re), z.hardware_.im);
   }

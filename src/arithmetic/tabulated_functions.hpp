@@ -26,10 +26,10 @@ std::uint64_t tabulated_expm1(mp_limb_t* m, const mp_limb_t* t, long w);
 /// s = sin t, a fraction, and c = cos t, a number, for a fraction t < pi/4.
 std::uint64_t tabulated_sin_cos(mp_limb_t* s, mp_limb_t* c, const mp_limb_t* t, long w);
 
-/// l = log(1 + f), a number in two's complement, for a fraction f. Nothing where the tables do not serve.
+/// l = log(1 + f), a number in two's complement, for a fraction f. Returns nothing where the tables do not reach.
 std::optional<std::uint64_t> tabulated_log1p(mp_limb_t* l, const mp_limb_t* f, long w);
 
-/// t = atan(a/b), a fraction, for numbers 0 <= a <= b and 1/2 <= b <= 1. Nothing where the tables do not serve.
+/// t = atan(a/b), a fraction, for numbers 0 <= a <= b and 1/2 <= b <= 1. Returns nothing where the tables do not reach.
 std::optional<std::uint64_t> tabulated_atan(mp_limb_t* t, const mp_limb_t* a, const mp_limb_t* b,
                                             long w);
 

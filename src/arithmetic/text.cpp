@@ -271,7 +271,7 @@ decimal rounded_middle(const end_points& e, long most_digits, precision p) {
   return result;
 }
 
-/// The digits to look at where that many are wanted: no more than there can be. An exact number of p bits
+/// How many digits to look at for that many wanted: no more than there can be. An exact number of p bits
 /// and exponent e has at most p + |e| digits, fewer than its bits before and after the point; the ends
 /// of other balls are computed to p + 32 bits and share no more digits than that.
 long useful_digits(const ball& x, long most_digits) {

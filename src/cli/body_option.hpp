@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli_app.hpp"
 #include "polhode/rigid_body/body.hpp"
 
 namespace polhode {

@@ -6,8 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "cli_app.hpp"
 #include "output_directory.hpp"
 #include "polhode/certificate/certificate.hpp"
 

@@ -3,8 +3,7 @@
 #include <functional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
+#include "cli_app.hpp"
 #include "errors.hpp"
 
 namespace polhode::cli {

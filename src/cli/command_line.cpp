@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <gmp.h>
 #include <mpfr.h>
 #include <boost/version.hpp>

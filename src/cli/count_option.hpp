@@ -2,14 +2,9 @@
 
 // An option that is a whole number within limits.
 
-#include <charconv>
 #include <string>
-#include <utility>
 
-#include <fmt/format.h>
-#include <CLI/CLI.hpp>
-
-#include "errors.hpp"
+#include "cli_app.hpp"
 
 namespace polhode::cli {
 
@@ -17,24 +12,12 @@ inline constexpr long most_threads = 1024;
 
 class count_option {
  public:
-  count_option(std::string name, long by_default, long least, long most)
-      : name_(std::move(name)), text_(std::to_string(by_default)), least_(least), most_(most) {}
+  count_option(std::string name, long by_default, long least, long most);
 
-  void declare(CLI::App& app, const std::string& description) {
-    app.add_option(name_, text_, fmt::format("{} [{}]", description, text_))->type_name("N");
-  }
+  void declare(CLI::App& app, const std::string& description);
 
   /// Throws usage_error for anything but a whole number within the limits.
-  [[nodiscard]] long value() const {
-    long result = 0;
-    const char* end = text_.data() + text_.size();
-    const auto [rest, error] = std::from_chars(text_.data(), end, result);
-    if (error != std::errc() || rest != end || result < least_ || result > most_) {
-      throw usage_error(fmt::format("{} {}: it must be a whole number from {} to {}", name_,
-                                    in_quotes(text_), least_, most_));
-    }
-    return result;
-  }
+  [[nodiscard]] long value() const;
 
  private:
   std::string name_;

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli_app.hpp"
 #include "polhode/expression/expression.hpp"
 
 namespace polhode::cli {

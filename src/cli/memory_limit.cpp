@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "errors.hpp"
 #include "polhode/arithmetic/exact.hpp"

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "polhode/rigid_body/montgomery_phase.hpp"
 
 namespace polhode::cli {

@@ -1,6 +1,7 @@
 #include "range_option.hpp"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "errors.hpp"
 #include "polhode/expression/functions.hpp"

@@ -6,8 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
+#include "cli_app.hpp"
 #include "formula.hpp"
 
 namespace polhode::cli {

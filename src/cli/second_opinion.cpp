@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "duration.hpp"
 #include "polhode/arithmetic/elementary.hpp"

@@ -12,8 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
+#include "cli_app.hpp"
 #include "errors.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/verdict.hpp"

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "cost/measure.hpp"
 #include "duration.hpp"

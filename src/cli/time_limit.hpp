@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include "cli_app.hpp"
 
 namespace polhode::cli {
 

@@ -179,7 +179,7 @@ template <elliptic_scalar T, class F, class... Rest>
   }
 }
 
-/// The integral was not reached with so many steps: arguments that lie apart by thousands of orders.
+/// A limit that is reached only where the arguments lie apart by thousands of orders of magnitude.
 inline constexpr int most_duplications = 100'000;
 
 /// Terms of the series for q bits: more make fewer steps.

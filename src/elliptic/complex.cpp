@@ -52,7 +52,7 @@ struct plane;
 
 template <>
 struct plane<region> {
-  /// About so many bits are aimed at.
+  /// The number of bits to aim at, about.
   static precision bits(const region&) { return 30; }
   static bool is_known(const region& z) { return z.is_analytic(); }
   static region number(long n, const region& like) { return detail::constant_region(n, like); }
@@ -158,7 +158,7 @@ Z symmetric_series(const std::vector<Z>& d, long factor, long terms, const Z& li
   return sum;
 }
 
-/// So many terms for q bits, and log2 of what they are of.
+/// The number of terms for q bits, and log2 of how small the argument must be for it.
 struct plan {
   explicit plan(precision q)
       : terms(4 + static_cast<long>(std::sqrt(1.5 * static_cast<double>(q)))),

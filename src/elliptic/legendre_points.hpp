@@ -111,7 +111,7 @@ template <elliptic_scalar T>
     if (std::abs(phi) > below_half_pi && std::abs(phi) < greatest) {
       turns = nearest_whole(phi / pi_of<T>(q));
       psi = (phi - turns * pi_high) - turns * pi_low;
-    } else if (std::abs(phi) >= greatest) {  // a long double has no pi of so many bits
+    } else if (std::abs(phi) >= greatest) {  // a long double has too few bits of pi
       const precision bits = q + static_cast<precision>(before_point) + 8;
       const ball exact = ball::exactly(static_cast<double>(phi), bits);
       const ball k = nearest_whole(exact / pi(bits));

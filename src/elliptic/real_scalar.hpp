@@ -1,10 +1,10 @@
 #pragma once
 
-// What the templates of this room need of a real scalar T, for the three there are:
+// The operations on a real scalar T that the templates of this room use. T is one of three:
 //   ball          every result is an enclosure; truncation errors are added to the radius
 //   mpfr_float    the same steps without radii: the uncertified value
 //   long double   the same, in which values for `double` are computed (11 bits more than its 53 on x86)
-// A working precision q is handed down as an argument; a long double has its own.
+// The working precision q is an argument; a long double ignores it.
 
 #include <array>
 #include <cmath>
@@ -223,7 +223,7 @@ void keep_in_range(std::int64_t exponent, T& x, Rest&... rest) {
   ((rest = scaled(rest, -static_cast<long>(exponent))), ...);
 }
 
-/// The set grown by a truncation error; a number stays what it is.
+/// The set, grown by a truncation error; a number without radius stays as it is.
 template <elliptic_scalar T>
 [[nodiscard]] T with_error(const T& x, const magnitude& error) {
   if constexpr (std::same_as<T, ball>) {

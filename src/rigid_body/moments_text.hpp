@@ -1,6 +1,6 @@
 #pragma once
 
-// What is said of three numbers that should be moments of inertia.
+// Messages about three numbers that should be moments of inertia.
 
 #include <array>
 #include <string>

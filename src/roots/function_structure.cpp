@@ -21,7 +21,7 @@ using factor = function_structure::factor;
 
 namespace {
 
-// Beyond these a polynomial is not kept: what is exact would cost more than it tells.
+// Beyond these a polynomial is dropped: exact arithmetic would cost more than it helps.
 constexpr long most_degree = 128;
 constexpr std::size_t most_height = 1U << 15;
 

@@ -344,7 +344,7 @@ class examination {
     return std::find(turns.begin(), turns.end(), halvings) != turns.end();
   }
 
-  /// True where the box is done with: it has no root, one is found, or a narrower box is left to do.
+  /// True where the box is settled: it has no root, its root was found, or a narrower box takes its place.
   bool by_newton(const work_box& b, const ball& x, const ball& middle, const ball& value,
                  const ball& slope) {
     const ball image = middle - value / slope;
@@ -635,7 +635,7 @@ class examination {
   // -------------------------------------------------------------------------------------------
   // The end
 
-  /// What can be said of a cluster.
+  /// What is proved of a cluster.
   void conclude(const work_box& b) {
     root_region r;
     r.box = r.enclosure = b.x.to_ball(b.bits);
@@ -873,7 +873,7 @@ class searcher {
     return true;
   }
 
-  /// All roots of the problem in `done` are known: nothing is left to do there. What is taken out is given to add_piece.
+  /// Settles `done`, in which all roots of the problem are known. Gives what it takes out to add_piece.
   template <class AddPiece>
   void take_out(std::size_t problem, const exact_box& done, const AddPiece& add_piece) {
     for (auto* boxes : {&s_.pending, &s_.stuck}) {
@@ -911,7 +911,7 @@ class searcher {
     }
   }
 
-  /// What can be said of the boxes that were left unresolved.
+  /// What is proved of the boxes that stay unresolved.
   void conclude() {
     const std::vector<work_box> boxes = std::move(s_.stuck);
     s_.stuck.clear();

@@ -2,10 +2,10 @@
 
 // The proof that a search for roots has examined the whole of its interval.
 //
-// An examination of a part of the interval says what it has proved, and of which pieces of that part. What it says of the
-// pieces is not believed: whoever puts the results together proves with `interval_tiling`, in exact arithmetic, that the pieces
+// An examination of a part of the interval returns what it has proved, and of which pieces of that part. Nobody trusts it
+// about the pieces: whoever puts the results together proves with `interval_tiling`, in exact arithmetic, that the pieces
 // make up the part, and with `holds` that each proof was made over a set that has the piece in it. settled_pieces keeps
-// what is done with, and proves at the end that it makes up the whole interval with what is still open.
+// the settled pieces, and proves at the end that they and the open ones make up the whole interval.
 //
 // A piece left out, done twice, with a wrong end or beyond its part is a fault of the library, never a property of the
 // function: all of them throw std::logic_error, and there is no result. The same for boxes in several variables, below.
@@ -59,7 +59,7 @@ class interval_tiling {
   std::vector<const exact_interval*> pieces_;
 };
 
-/// The pieces of an interval that are done with.
+/// The settled pieces of an interval.
 class settled_pieces {
  public:
   explicit settled_pieces(exact_interval whole) : whole_(std::move(whole)) {}

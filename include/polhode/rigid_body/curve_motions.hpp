@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// The middles of so many equal parts of a range of c, without one of [-b, min(a, b)]: neither end, where there may be nothing to
+/// The middles of `points` equal parts of a range of c, without one of [-b, min(a, b)]: neither end, where there may be nothing to
 /// compute, is among them.
 [[nodiscard]] inline std::vector<rational> curve_motions(
     const body& rigid, const std::optional<std::array<rational, 2>>& range, long points) {

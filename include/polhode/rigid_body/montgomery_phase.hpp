@@ -57,15 +57,15 @@ namespace polhode {
 [[nodiscard]] ball dynamic_phase(const body& rigid, const rational& c, precision p);
 [[nodiscard]] ball geometric_phase(const body& rigid, const rational& c, precision p);
 
-/// A number asked for to so many digits.
+/// A number to a given number of digits.
 struct certain_number {
   status verdict = status::not_certified;
   reason why = reason::precision_limit;
-  ball enclosure;  // with so many certain digits; undefined where not certified
+  ball enclosure;  // with all the digits asked for certain; undefined where not certified
   work_count work{};
 };
 
-/// The Montgomery phase to so many certain significant digits: the precision is raised until they are.
+/// The Montgomery phase to `digits` certain significant digits: the precision is raised until they are certain.
 [[nodiscard]] certain_number montgomery_phase_to_digits(const body& rigid, const rational& c,
                                                         long digits);
 

@@ -42,7 +42,7 @@ using matrix3 = std::array<std::array<T, 3>, 3>;
 
 enum class angle_unit { radians, degrees };
 
-/// How a rotation goes on.
+/// What kind of motion a rotation is.
 enum class rotor_regime {
   steady,  // J parallel to omega: an equilibrium about a principal axis, and every motion of a spherical top
   oscillating,  // c < 0: J goes around the axis of the greatest moment
@@ -130,7 +130,7 @@ struct rotor_angles {
   T phi, theta, psi;
 };
 
-/// An attitude, with what its other forms are made of.
+/// An attitude, with the numbers from which its other forms are computed.
 template <class T>
 struct rotor_attitude {
   /// R by rows.

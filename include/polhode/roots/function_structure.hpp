@@ -1,7 +1,6 @@
 #pragma once
 
-// What can be read off a function besides its values: put a function_structure into a generic function, and the
-// answer knows
+// What a function is besides its values. Call a generic function with a function_structure, and the result has
 //   the polynomial with rational coefficients that the function is, if it is one;
 //   the function as a quotient of products of factors with their powers, over a box: sin(x)^2 (x - 1) has
 //     the factors sin(x), twice, and x - 1, and tan(x) is sin(x)/cos(x), so that poles are roots of the

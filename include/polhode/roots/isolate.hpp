@@ -151,7 +151,7 @@ struct isolate_options {
   std::function<bool(const isolation_progress&)> progress = {};
 };
 
-/// A search that can be stopped and gone on with: its state is a value.
+/// A search that can be stopped and resumed: its state is a value.
 ///
 ///   root_search s(f, 0, 1);
 ///   s.run({.most_boxes = 1000});
@@ -193,7 +193,7 @@ struct refined_root {
 /// factor of f. Of another region, the enclosure as it is.
 /// Throws std::invalid_argument for digits < 1.
 [[nodiscard]] refined_root refine(const root_region& region, long digits);
-/// The same for each region, on so many threads (isolate_options).
+/// The same for each region, on several threads (isolate_options::threads).
 [[nodiscard]] std::vector<refined_root> refine(const std::vector<root_region>& regions, long digits,
                                                int threads);
 

@@ -50,7 +50,7 @@ class real_function {
   [[nodiscard]] static real_function with_derivative(F f, Derivative derivative);
   /// Of a polynomial.
   [[nodiscard]] static real_function of(const rational_polynomial& p);
-  /// Of what makes the evaluators; for other kinds of functions. Taylor coefficients beyond most_order are not
+  /// Of a factory of evaluators, for other kinds of functions. Taylor coefficients beyond most_order are not
   /// asked for.
   explicit real_function(std::function<function_evaluator(precision)> at, int most_order)
       : at_(std::move(at)), most_order_(most_order) {}
@@ -85,7 +85,7 @@ class real_function {
 
 namespace detail {
 
-/// What f calls with arguments of type X and p bits: f itself, or what it makes for the purpose.
+/// What is called with arguments of type X and p bits: f itself, or the evaluator that f makes.
 template <class X, class F>
 [[nodiscard]] auto called_with(const F& f, precision p) {
   if constexpr (requires { f.template evaluator<X>(p); }) {

@@ -100,7 +100,7 @@ struct system_options {
   std::function<bool(const isolation_progress&)> progress = {};
 };
 
-/// A search that can be stopped and gone on with, as root_search.
+/// A search that can be stopped and resumed, as root_search.
 class system_search {
  public:
   /// The box's ends, one pair for each variable. Throws input_error where a pair is the wrong way round, where
@@ -121,7 +121,7 @@ class system_search {
   std::vector<std::pair<rational, rational>> range_;
   std::vector<waiting> pending_;
   std::vector<waiting> stuck_;
-  rational settled_ = 0;  // the share of the box that is done with
+  rational settled_ = 0;  // the share of the box that is settled
   std::vector<system_region> found_;
   isolation_account account_;
 };
@@ -139,7 +139,7 @@ struct refined_system_root {
   int evaluations_of_jacobian = 0;
 };
 
-/// The root of a unique region to so many digits by Krawczyk's method, with f(m) at the precision of
+/// The root of a unique region to `digits` digits by Krawczyk's method, with f(m) at the precision of
 /// each step and the Jacobian and its inverse at half of it; the precision doubles from step to step.
 [[nodiscard]] refined_system_root refine(const real_system& f, const system_region& region,
                                          long digits);
