@@ -26,34 +26,11 @@ std::string quoted(const term& t) {
   return text.front() == '-' && text != "-inf" ? "\" " + text + '"' : '"' + text + '"';
 }
 
-std::string name_of(quadrature_rule rule) {
-  switch (rule) {
-    case quadrature_rule::automatic:
-      return "automatic";
-    case quadrature_rule::gauss_legendre:
-      return "gauss-legendre";
-    case quadrature_rule::clenshaw_curtis:
-      return "clenshaw-curtis";
-    case quadrature_rule::trapezoid:
-      return "trapezoid";
-    case quadrature_rule::double_exponential:
-      return "double-exponential";
-    case quadrature_rule::taylor_series:
-      return "taylor-series";
-  }
-  return "";
-}
-
 // ---------------------------------------------------------------------------------------------
 // Routes
 
-enum class way {
-  automatic,
-  gauss_legendre,
-  clenshaw_curtis,
-  trapezoid,
-  double_exponential,
-  taylor_series,
+enum class kind {
+  rule,  // the integral as it is
   other_digits,
   cut,             // at a point between the limits
   reversal,        // the limits exchanged
@@ -66,54 +43,54 @@ enum class way {
   value,
   parts
 };
-constexpr std::array every_way{way::automatic,
-                               way::gauss_legendre,
-                               way::clenshaw_curtis,
-                               way::trapezoid,
-                               way::taylor_series,
-                               way::double_exponential,
-                               way::other_digits,
-                               way::cut,
-                               way::reversal,
-                               way::mirror,
-                               way::affine,
-                               way::inversion,
-                               way::exponential,
-                               way::square,
-                               way::antiderivative,
-                               way::value,
-                               way::parts};
+
+struct way {
+  kind by = kind::rule;
+  quadrature_rule rule = quadrature_rule::automatic;
+
+  friend bool operator==(const way&, const way&) = default;
+  [[nodiscard]] bool is_knowledge() const {
+    return by == kind::antiderivative || by == kind::value || by == kind::parts;
+  }
+};
+
+/// The rule that `integrate` chooses, every rule there is, and the other kinds.
+std::vector<way> every_way() {
+  std::vector<way> ways{way{}};
+  for (const quadrature_rule& rule : quadrature_rule::all()) ways.push_back({kind::rule, rule});
+  for (const kind by :
+       {kind::other_digits, kind::cut, kind::reversal, kind::mirror, kind::affine, kind::inversion,
+        kind::exponential, kind::square, kind::antiderivative, kind::value, kind::parts}) {
+    ways.push_back({by});
+  }
+  return ways;
+}
 
 std::string name_of(way w) {
-  switch (w) {
-    case way::automatic:
-    case way::gauss_legendre:
-    case way::clenshaw_curtis:
-    case way::trapezoid:
-    case way::double_exponential:
-    case way::taylor_series:
+  switch (w.by) {
+    case kind::rule:
       return "one rule";
-    case way::other_digits:
+    case kind::other_digits:
       return "to another number of digits";
-    case way::cut:
+    case kind::cut:
       return "cut in two";
-    case way::reversal:
+    case kind::reversal:
       return "with the limits exchanged";
-    case way::mirror:
+    case kind::mirror:
       return "with -x for x";
-    case way::affine:
+    case kind::affine:
       return "with alpha*x + beta for x";
-    case way::inversion:
+    case kind::inversion:
       return "with 1/x for x";
-    case way::exponential:
+    case kind::exponential:
       return "with exp(x) for x";
-    case way::square:
+    case kind::square:
       return "with x^2 for x";
-    case way::antiderivative:
+    case kind::antiderivative:
       return "by an antiderivative";
-    case way::value:
+    case kind::value:
       return "in closed form";
-    case way::parts:
+    case kind::parts:
       return "as a sum";
   }
   return "";
@@ -148,30 +125,18 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
   maker m(seed);
   const term x = "x";
   const piece own{c.integrand, c.from, c.to, c.digits};
-  const auto by_rule = [&](quadrature_rule rule) {
-    piece p = own;
-    p.rule = rule;
-    return route{{p}};
-  };
   /// With g(x) for x, g' = slope, g increasing.
   const auto substitution = [&](const term& g, const term& slope, const term& from,
                                 const term& to) {
     return route{{{substituted(c.integrand, "x", g) * slope, from, to, c.digits}}};
   };
-  switch (w) {
-    case way::automatic:
-      return by_rule(quadrature_rule::automatic);
-    case way::gauss_legendre:
-      return by_rule(quadrature_rule::gauss_legendre);
-    case way::clenshaw_curtis:
-      return by_rule(quadrature_rule::clenshaw_curtis);
-    case way::trapezoid:
-      return by_rule(quadrature_rule::trapezoid);
-    case way::double_exponential:
-      return by_rule(quadrature_rule::double_exponential);
-    case way::taylor_series:
-      return by_rule(quadrature_rule::taylor_series);
-    case way::other_digits: {
+  switch (w.by) {
+    case kind::rule: {
+      piece p = own;
+      p.rule = w.rule;
+      return route{{p}};
+    }
+    case kind::other_digits: {
       piece p = own;
       const bool fewer = m.one_in(2);
       if (c.is_cheap) {
@@ -181,7 +146,7 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
       }
       return route{{p}};
     }
-    case way::cut: {
+    case kind::cut: {
       term at = 0;
       if (is_infinite(c.from) || is_infinite(c.to)) {
         const term finite = is_infinite(c.to) ? c.from : c.to;
@@ -203,21 +168,21 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
       second.from = at;
       return route{{first, second}};
     }
-    case way::reversal: {
+    case kind::reversal: {
       piece p = own;
       std::swap(p.from, p.to);
       p.factor = -1;
       return route{{p}};
     }
-    case way::mirror:
+    case kind::mirror:
       return route{{{substituted(c.integrand, "x", -x), -c.to, -c.from, c.digits}}};
-    case way::affine: {
+    case kind::affine: {
       const term alpha = m.one_in(2) ? m.positive_rational() : m.near(m.scattered(0.1, 20));
       const term beta = m.one_in(3) ? term(0) : m.near(m.within(-3, 3));
       const auto moved = [&](const term& y) { return is_infinite(y) ? y : (y - beta) / alpha; };
       return substitution(alpha * x + beta, alpha, moved(c.from), moved(c.to));
     }
-    case way::inversion: {
+    case kind::inversion: {
       const int a = sign(c.from);
       const int b = sign(c.to);
       if (a == 2 || b == 2 || a < 0 || b < 0 || (a == 0 && b == 0)) return std::nullopt;
@@ -227,7 +192,7 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
       };
       return substitution(1 / x, power(x, -2), inverse(c.to), inverse(c.from));
     }
-    case way::exponential: {
+    case kind::exponential: {
       const int a = sign(c.from);
       const int b = sign(c.to);
       if (a == 2 || b == 2 || a < 0 || b < 0) return std::nullopt;
@@ -237,7 +202,7 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
       };
       return substitution(call("exp", x), call("exp", x), logarithm(c.from), logarithm(c.to));
     }
-    case way::square: {
+    case kind::square: {
       const int a = sign(c.from);
       const int b = sign(c.to);
       if (a == 2 || b == 2 || a < 0 || b < 0) return std::nullopt;
@@ -246,13 +211,13 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
       };
       return substitution(power(x, 2), 2 * x, root(c.from), root(c.to));
     }
-    case way::antiderivative:
+    case kind::antiderivative:
       if (!c.antiderivative || is_infinite(c.from) || is_infinite(c.to)) return std::nullopt;
       return route{{}, at_limit(*c.antiderivative, c.to) - at_limit(*c.antiderivative, c.from)};
-    case way::value:
+    case kind::value:
       if (!c.value) return std::nullopt;
       return route{{}, *c.value};
-    case way::parts:
+    case kind::parts:
       if (c.parts.empty()) return std::nullopt;
       return route{c.parts};
   }
@@ -264,7 +229,7 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
 
 /// What a route gave.
 struct result {
-  way by = way::automatic;
+  way by;
   std::uint64_t seed = 0;
   route computed_by;
   bool certified = false;
@@ -439,9 +404,6 @@ void examine_by(const integral_case& given, const std::vector<way>& ways, std::u
   // What is known of the case does not matter to routes that know nothing of it, and stands in the way of shrinking.
   integral_case bare{given.integrand, given.from, given.to, given.digits};
   bare.is_cheap = given.is_cheap;
-  const auto needs_knowledge = [](way w) {
-    return w == way::antiderivative || w == way::value || w == way::parts;
-  };
   std::vector<result> results;
   for (const way w : ways) {
     const auto r = route_of(given, w, seed);
@@ -466,7 +428,7 @@ void examine_by(const integral_case& given, const std::vector<way>& ways, std::u
       const auto what = contradiction(other, last);
       if (!what) continue;
       ++c.wrong;
-      const bool is_bare = !needs_knowledge(other.by) && !needs_knowledge(last.by);
+      const bool is_bare = !other.by.is_knowledge() && !last.by.is_knowledge();
       const failure f = shrunk({is_bare ? bare : given, other, last, *what});
       ADD_FAILURE() << *what << '\n'
                     << described(other, given.digits) << described(last, given.digits)
@@ -482,7 +444,7 @@ void examine_by(const integral_case& given, const std::vector<way>& ways, std::u
 std::string command_of(const piece& p) {
   std::string text = fmt::format("polhode integrate {} --from {} --to {} --digits {}",
                                  quoted(p.integrand), quoted(p.from), quoted(p.to), p.digits);
-  if (p.rule != quadrature_rule::automatic) text += " --rule " + name_of(p.rule);
+  if (p.rule != quadrature_rule::automatic) text += " --rule " + p.rule.word();
   return text;
 }
 
@@ -513,18 +475,17 @@ std::function<integral_case(maker&)> mostly_cheap(std::function<integral_case(ma
 
 void examine(const integral_case& given, std::uint64_t seed, counts& c) {
   maker m(seed ^ 0x5bd1e995U);
-  std::vector<way> ways{way::automatic};
-  for (const way w : every_way) {
-    if (w == way::automatic) continue;
-    const bool is_knowledge = w == way::antiderivative || w == way::value || w == way::parts;
-    const bool is_panels = w == way::gauss_legendre;
-    if (is_knowledge || m.one_in(is_panels ? 2 : 4)) ways.push_back(w);
+  std::vector<way> ways{way{}};
+  for (const way& w : every_way()) {
+    if (w == way{}) continue;
+    const bool is_panels = w.rule == quadrature_rule::gauss_legendre;
+    if (w.is_knowledge() || m.one_in(is_panels ? 2 : 4)) ways.push_back(w);
   }
   examine_by(given, ways, seed, c);
 }
 
 void examine_thoroughly(const integral_case& given, std::uint64_t seed, counts& c) {
-  examine_by(given, {every_way.begin(), every_way.end()}, seed, c);
+  examine_by(given, every_way(), seed, c);
 }
 
 }  // namespace polhode::differential
