@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <gmp.h>
 #include <mpfr.h>
+#include <CLI/CLI.hpp>
 #include <boost/version.hpp>
 
 #include "base/nearest_name.hpp"

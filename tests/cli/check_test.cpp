@@ -220,8 +220,13 @@ TEST(Check, IsAProgramOfItsOwn) {
   write(directory + "/c.json", "{}");
   expect_same({directory, scratch.path("nothing")});
   expect_same({directory, scratch.path("nothing"), "--format", "json"});
-  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
-           {}, {"--fast", "x"}, {"x", "--budget"}, {"x", "--budget", "-1"}, {"x", "--format"}, {"x", "--format", "xml"}}) {
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{{},
+                                             {"--fast", "x"},
+                                             {"x", "--budget"},
+                                             {"x", "--budget", "-1"},
+                                             {"x", "--format"},
+                                             {"x", "--format", "xml"}}) {
     std::vector<std::string> command{POLHODE_CHECK_PATH};
     command.insert(command.end(), wrong.begin(), wrong.end());
     const outcome own = run_command(command);
