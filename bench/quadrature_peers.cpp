@@ -55,7 +55,7 @@ ball certified(const integral& i) {
 }
 
 template <class F>
-std::function<ball(long digits)> ours(F f, limit from, limit to) {
+std::function<ball(long digits)> ours(F f, end_point from, end_point to) {
   return [=](long digits) {
     integrate_options options;
     options.digits = digits;
@@ -433,7 +433,7 @@ std::function<ball(long digits)> incomplete_phase_of(const rational& c, const ra
 std::function<ball(long digits)> phase_on_curve_of(const rational& u) {
   return ours(
       with_constants(phase_on_curve_formula, std::array{a_of_body, b_of_body, u, rational(1 - u)}),
-      0, limit::pi(rational(1, 2)));
+      0, end_point::pi(rational(1, 2)));
 }
 
 ball phase_by_periodic_rule(long digits) {
@@ -468,9 +468,10 @@ std::vector<peer> peers() {
       {"sin(x+e^x)", ours([](const auto& x) { return sin(x + exp(x)); }, 0, 8),
        WITH_ARB(theirs(sine_of_exponential, 0, 8, 32))},
       {"e^(-x^2)",
-       ours([](const auto& x) { return exp(-square(x)); }, -limit::infinity(), limit::infinity()),
+       ours([](const auto& x) { return exp(-square(x)); }, -end_point::infinity(),
+            end_point::infinity()),
        WITH_ARB(gaussian_with_arb)},
-      {"sech x", ours([](const auto& x) { return sech_of(x); }, 0, limit::infinity()),
+      {"sech x", ours([](const auto& x) { return sech_of(x); }, 0, end_point::infinity()),
        WITH_ARB(secant_with_arb)},
       {"spikes",
        ours(
@@ -485,7 +486,7 @@ std::vector<peer> peers() {
       {"max(sin, cos)", ours([](const auto& x) { return max(sin(x), cos(x)); }, 0, 6),
        WITH_ARB(theirs(greater_of_sine_and_cosine, 0, 6, 32)), 100, 100, true, true},
       {"x^1000 e^(-x)",
-       ours([](const auto& x) { return pow(x, 1000) * exp(-x); }, 0, limit::infinity()),
+       ours([](const auto& x) { return pow(x, 1000) * exp(-x); }, 0, end_point::infinity()),
        WITH_ARB(power_with_arb)},
       {"sqrt(z), a path", root_along_a_path, WITH_ARB(root_along_a_path_with_arb)},
   };

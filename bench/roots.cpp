@@ -101,8 +101,8 @@ rational_polynomial wilkinson(long n) {
 }
 
 template <class F>
-void print_count(const std::string& name, const F& f, const range_end& lower,
-                 const range_end& upper) {
+void print_count(const std::string& name, const F& f, const end_point& lower,
+                 const end_point& upper) {
   const root_set s = isolate_roots(f, lower, upper);
   std::cout << name << ": " << s.regions.size() << " roots, "
             << (s.is_resolved() ? "all proved" : "not all proved") << ", " << s.account.boxes

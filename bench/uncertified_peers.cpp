@@ -99,9 +99,9 @@ struct integral_case {
 };
 
 std::vector<integral_case> integrals() {
+  using polhode::end_point;
   using polhode::integrate;
   using polhode::integrate_options;
-  using polhode::limit;
   return {
       {"4/(1+x^2)",
        [](const integrate_options& o) {
@@ -133,8 +133,8 @@ std::vector<integral_case> integrals() {
        })},
       {"e^(-x^2)",
        [](const integrate_options& o) {
-         return integrate([](const auto& x) { return exp(-square(x)); }, -limit::infinity(),
-                          limit::infinity(), o);
+         return integrate([](const auto& x) { return exp(-square(x)); }, -end_point::infinity(),
+                          end_point::infinity(), o);
        },
        WITH_PARI([](long prec) {
          const pari_function f = [](void*, GEN x) { return gexp(gneg(gsqr(x)), realprec(x)); };

@@ -79,8 +79,8 @@ operation of_phase(const std::string& name, const rational& c, long digits) {
 }
 
 template <class F>
-operation of_integral(const std::string& name, const F& f, const limit& from, const limit& to,
-                      long digits) {
+operation of_integral(const std::string& name, const F& f, const end_point& from,
+                      const end_point& to, long digits) {
   return {fmt::format("{} to {} digits", name, digits), [=] {
             return [=] {
               integrate_options options;

@@ -65,7 +65,7 @@ rational parse_decimal(std::string_view text, std::string_view whole) {
                     : rational(mantissa) / ten_to_the(static_cast<unsigned long>(-shift));
 }
 
-rational end_point(const ball& x, bool upwards) {
+rational dyadic_end(const ball& x, bool upwards) {
   if (!x.is_bounded()) throw std::domain_error("the end points of an unbounded ball");
   rational result;
   if (ball_access::form_of(x) == ball_access::form::end_points) {
@@ -108,7 +108,7 @@ ball parse_ball(std::string_view text, precision p) { return {parse_rational(tex
 
 std::string to_text(const rational& q) { return q.str(); }
 
-rational lower_rational(const ball& x) { return end_point(x, false); }
-rational upper_rational(const ball& x) { return end_point(x, true); }
+rational lower_rational(const ball& x) { return dyadic_end(x, false); }
+rational upper_rational(const ball& x) { return dyadic_end(x, true); }
 
 }  // namespace polhode

@@ -402,11 +402,11 @@ detail::integrand integrand_of(const expression& f) {
   return result;
 }
 
-limit limit_of(const expression& f) {
-  if (f.exact_value()) return limit(*f.exact_value());
+end_point end_point_of(const expression& f) {
+  if (f.exact_value()) return end_point(*f.exact_value());
   const symmetry value = f.evaluator<symmetry>(64)(symmetry());
-  if (value.value()) return limit(*value.value());
-  return limit([f](precision p) { return f.value(p); });
+  if (value.value()) return end_point(*value.value());
+  return end_point([f](precision p) { return f.value(p); });
 }
 
 detail::complex_integrand complex_integrand_of(const expression& f) {

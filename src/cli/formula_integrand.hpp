@@ -13,7 +13,7 @@ namespace polhode::cli {
 [[nodiscard]] detail::integrand integrand_of(const expression& f);
 
 /// A formula without variables as a limit; exactly, where it is found to be q + r pi with rational q and r.
-[[nodiscard]] limit limit_of(const expression& f);
+[[nodiscard]] end_point end_point_of(const expression& f);
 /// f must have two variables: the argument and the imaginary unit.
 [[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);
 

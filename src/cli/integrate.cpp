@@ -63,10 +63,10 @@ struct integrate_command_options {
 };
 
 /// A limit as range_option::ends gives it: inf, -inf, or a formula without variables.
-limit read_limit(const std::string& text, const let_option& let) {
+end_point read_limit(const std::string& text, const let_option& let) {
   const int sign = infinite_sign_of(text);
-  if (sign != 0) return sign > 0 ? limit::infinity() : -limit::infinity();
-  return limit_of(read_formula(text, {}, let));
+  if (sign != 0) return sign > 0 ? end_point::infinity() : -end_point::infinity();
+  return end_point_of(read_formula(text, {}, let));
 }
 
 std::string names_of_rules() {
@@ -325,8 +325,8 @@ exit_status integrate_over_box(const integrate_command_options& options) {
     box.push_back(read_interval(name, text, numbers));
   }
   const expression f = read_formula(options.formula, variables, numbers);
-  const limit a = read_limit(*options.from, numbers);
-  const limit b = read_limit(*options.to, numbers);
+  const end_point a = read_limit(*options.from, numbers);
+  const end_point b = read_limit(*options.to, numbers);
   const box_integral i = [&] {
     const progress line;
     line.show("integrating over boxes of parameters");
@@ -397,16 +397,15 @@ std::string counts_text(const counted_calls& calls) {
 }
 
 /// The integral of a polynomial over rational limits, unless a rule, a certificate or a second opinion is asked for.
-std::optional<rational> known_integral(const expression& f, const limit& a, const limit& b,
+std::optional<rational> known_integral(const expression& f, const end_point& a, const end_point& b,
                                        const integrate_command_options& options) {
   if (options.certificate.is_given() || options.verify.given ||
-      !read_rule(options.rule).is_automatic() || !a.is_exact() || !b.is_exact() ||
-      a.infinite_sign() != 0 || b.infinite_sign() != 0) {
+      !read_rule(options.rule).is_automatic() || !a.exact() || !b.exact()) {
     return std::nullopt;
   }
   const auto p = f.polynomial();
   if (!p) return std::nullopt;
-  return exact_integral(*p, a.exact_value(), b.exact_value());
+  return exact_integral(*p, *a.exact(), *b.exact());
 }
 
 exit_status report_exact(const expression& f, const integrate_command_options& options,
@@ -429,8 +428,8 @@ exit_status report_exact(const expression& f, const integrate_command_options& o
 
 exit_status integrate_real(integrate_command_options& options) {
   const expression f = read_formula(options.formula, {options.variable}, options.let);
-  const limit a = read_limit(*options.from, options.let);
-  const limit b = read_limit(*options.to, options.let);
+  const end_point a = read_limit(*options.from, options.let);
+  const end_point b = read_limit(*options.to, options.let);
   if (const auto value = known_integral(f, a, b, options)) return report_exact(f, options, *value);
   const auto calls = std::make_shared<counted_calls>();
   const auto integrate_to = [g = counted(integrand_of(f), calls), a,

@@ -46,8 +46,9 @@ path read_circle(const std::string& text, const let_option& let) {
   if (certainly_negative(radius.value(64))) {
     throw usage_error(fmt::format("--circle {}: the radius must not be negative", in_quotes(text)));
   }
-  const limit r = radius.exact_value() ? limit(*radius.exact_value())
-                                       : limit([radius](precision p) { return radius.value(p); });
+  const end_point r = radius.exact_value()
+                          ? end_point(*radius.exact_value())
+                          : end_point([radius](precision p) { return radius.value(p); });
   return path::circle(read_point(parts[0], let), r);
 }
 

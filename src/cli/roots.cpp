@@ -52,18 +52,18 @@ struct roots_options {
 
 /// An end of the range, and its formula where it is finite.
 struct given_end {
-  range_end end;
+  end_point end;
   std::optional<expression> formula;
 };
 
 /// An end as range_option::ends gives it: inf, -inf, or a formula without variables.
 given_end read_end(const std::string& text, const let_option& let) {
   const int sign = infinite_sign_of(text);
-  if (sign > 0) return {range_end::infinity(), std::nullopt};
-  if (sign < 0) return {range_end::minus_infinity(), std::nullopt};
+  if (sign > 0) return {end_point::infinity(), std::nullopt};
+  if (sign < 0) return {-end_point::infinity(), std::nullopt};
   const expression f = read_formula(text, {}, let);
-  if (const auto form = limit_of(f).form()) return {range_end(*form), f};
-  return {range_end([f](precision p) { return f.value(p); }), f};
+  if (const auto form = end_point_of(f).form()) return {end_point(*form), f};
+  return {end_point([f](precision p) { return f.value(p); }), f};
 }
 
 using given_range = std::pair<given_end, given_end>;

@@ -48,7 +48,7 @@ rational third_of_grid(const rational& x, const rational& unit) {
   return (rational(floor_of(x / unit)) + rational(1, 3)) * unit;
 }
 
-std::optional<rational> cut_of_finite(const limit& a, const limit& b) {
+std::optional<rational> cut_of_finite(const end_point& a, const end_point& b) {
   constexpr precision most_bits = 1L << 16;
   for (precision p = 128; p <= most_bits; p *= 4) {
     ball left = a.at(p);
@@ -70,11 +70,11 @@ std::optional<rational> cut_of_finite(const limit& a, const limit& b) {
 
 }  // namespace
 
-std::optional<rational> cut_between(const limit& a, const limit& b) {
+std::optional<rational> cut_between(const end_point& a, const end_point& b) {
   const int infinities = std::abs(a.infinite_sign()) + std::abs(b.infinite_sign());
   if (infinities == 0) return cut_of_finite(a, b);
   if (infinities == 2) return rational(1, 3);
-  const limit& infinite = a.infinite_sign() != 0 ? a : b;
+  const end_point& infinite = a.infinite_sign() != 0 ? a : b;
   const ball end = (a.infinite_sign() != 0 ? b : a).at(64);
   if (!is_moderate(end)) return std::nullopt;
   const rational nearest = infinite.infinite_sign() > 0 ? upper_rational(end) : lower_rational(end);
@@ -128,7 +128,7 @@ std::string work_text(const integral_account& a) {
 }
 
 /// One rule for all pieces between the points; integrated until one of them is not certified.
-sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<limit>& points,
+sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<end_point>& points,
                                const integrate_options& how) {
   sum_of_pieces sum;
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -148,7 +148,7 @@ sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<lim
 
 /// How the pieces are integrated to a sum of that radius, which may be 0 for any: first to so many digits each, and to more where they
 /// cancel.
-sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<limit>& points,
+sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<end_point>& points,
                                 integrate_options how, const magnitude& goal) {
   if (!goal.is_zero()) how.absolute_exponent = static_cast<long>(goal.log2_floor()) - 2;
   sum_of_pieces sum = integrate_pieces(f, points, how);
@@ -186,14 +186,14 @@ std::string obstacle_text(reason why, const std::string& obstacle) {
 
 }  // namespace
 
-second_opinion integral_again(const detail::integrand& f, const limit& a, const limit& b,
+second_opinion integral_again(const detail::integrand& f, const end_point& a, const end_point& b,
                               const integral& first, long digits, int threads) {
   const std::string what = "the integral";
   const finding<ball> known{route_text(first.account), first.enclosure};
   const magnitude goal = confirming_radius(first.enclosure, digits);
   const std::optional<rational> cut = cut_between(a, b);
-  std::vector<limit> points{a, b};
-  if (cut) points.insert(points.begin() + 1, limit(*cut));
+  std::vector<end_point> points{a, b};
+  if (cut) points.insert(points.begin() + 1, end_point(*cut));
   second_opinion result;
   bool another_failed = false;
   for (const quadrature_rule& rule : rules_by_independence(first.account.rules)) {
@@ -240,9 +240,9 @@ second_opinion integral_again(const detail::integrand& f, const limit& a, const 
 namespace {
 
 /// a + (b - a) k.
-limit between(const limit& a, const limit& b, const rational& k) {
-  if (a.form() && b.form()) return limit(*a.form() + (*b.form() - *a.form()) * k);
-  return limit([=](precision p) { return a.at(p) + (b.at(p) - a.at(p)) * k; });
+end_point between(const end_point& a, const end_point& b, const rational& k) {
+  if (a.form() && b.form()) return end_point(*a.form() + (*b.form() - *a.form()) * k);
+  return end_point([=](precision p) { return a.at(p) + (b.at(p) - a.at(p)) * k; });
 }
 
 path cut_piece(const line_piece& line, const rational& k) {
@@ -251,7 +251,7 @@ path cut_piece(const line_piece& line, const rational& k) {
   return path::polygon({line.from, middle, line.to});
 }
 path cut_piece(const arc_piece& arc, const rational& k) {
-  const limit middle = between(arc.from_angle, arc.to_angle, k);
+  const end_point middle = between(arc.from_angle, arc.to_angle, k);
   return path::arc(arc.centre, arc.radius, arc.from_angle, middle) +
          path::arc(arc.centre, arc.radius, middle, arc.to_angle);
 }

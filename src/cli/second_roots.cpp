@@ -115,33 +115,19 @@ class mirrored {
   expression f_;
 };
 
-range_end negated(const range_end& x) {
-  if (x.infinite_sign() != 0) {
-    return x.infinite_sign() > 0 ? range_end::minus_infinity() : range_end::infinity();
-  }
-  if (x.form()) return range_end(-*x.form());
-  return range_end([x](precision p) { return -x.at(p); });
-}
-
-limit as_limit(const range_end& x) {
-  if (x.infinite_sign() != 0) return x.infinite_sign() > 0 ? limit::infinity() : -limit::infinity();
-  if (x.form()) return limit(*x.form());
-  return limit([x](precision p) { return x.at(p); });
-}
-
 /// A point between the ends at which f certainly has a sign, and so no root.
-std::optional<rational> cut_of(const expression& f, const range_end& lower,
-                               const range_end& upper) {
+std::optional<rational> cut_of(const expression& f, const end_point& lower,
+                               const end_point& upper) {
   constexpr precision bits = 256;
   constexpr int most_attempts = 4;
   const auto g = f.evaluator<ball>(bits);
-  limit end = as_limit(upper);
+  end_point end = upper;
   for (int i = 0; i < most_attempts; ++i) {
-    const std::optional<rational> cut = cut_between(as_limit(lower), end);
+    const std::optional<rational> cut = cut_between(lower, end);
     if (!cut) return std::nullopt;
     const ball value = g(ball(*cut, bits));
     if (certainly_positive(value) || certainly_negative(value)) return cut;
-    end = limit(*cut);
+    end = end_point(*cut);
   }
   return std::nullopt;
 }
@@ -153,7 +139,7 @@ struct search_result {
 };
 
 /// The roots of g from lower to upper, refined, with their signs changed.
-void search(const real_function& g, const range_end& lower, const range_end& upper, long digits,
+void search(const real_function& g, const end_point& lower, const end_point& upper, long digits,
             int threads, search_result& result) {
   isolate_options options;
   options.threads = threads;
@@ -172,16 +158,16 @@ void search(const real_function& g, const range_end& lower, const range_end& upp
   }
 }
 
-search_result search_backwards(const expression& f, const range_end& lower, const range_end& upper,
+search_result search_backwards(const expression& f, const end_point& lower, const end_point& upper,
                                const std::optional<rational>& cut, long digits, int threads) {
   const real_function g{mirrored(f)};
   search_result result;
   if (cut) {
-    const range_end middle{rational(-*cut)};
-    search(g, negated(upper), middle, digits, threads, result);
-    search(g, middle, negated(lower), digits, threads, result);
+    const end_point middle{rational(-*cut)};
+    search(g, -upper, middle, digits, threads, result);
+    search(g, middle, -lower, digits, threads, result);
   } else {
-    search(g, negated(upper), negated(lower), digits, threads, result);
+    search(g, -upper, -lower, digits, threads, result);
   }
   std::reverse(result.list.roots.begin(), result.list.roots.end());
   return result;
@@ -199,7 +185,7 @@ json enclosures_of(const proved_roots& list, long digits) {
 
 }  // namespace
 
-second_opinion roots_again(const expression& f, const range_end& lower, const range_end& upper,
+second_opinion roots_again(const expression& f, const end_point& lower, const end_point& upper,
                            const proved_roots& first, const std::string& first_route, long digits,
                            int threads) {
   constexpr long more_digits = 5;

@@ -40,8 +40,8 @@ struct proved_roots {
 
 /// The roots of f from lower to upper again: those of f(-x) from -upper to -lower, in two searches that meet at a point where f has a sign.
 /// `first` is resolved, its enclosures as narrow as the digits that were asked for. Throws contradiction_error as compare does.
-[[nodiscard]] second_opinion roots_again(const expression& f, const range_end& lower,
-                                         const range_end& upper, const proved_roots& first,
+[[nodiscard]] second_opinion roots_again(const expression& f, const end_point& lower,
+                                         const end_point& upper, const proved_roots& first,
                                          const std::string& first_route, long digits, int threads);
 
 }  // namespace polhode::cli

@@ -62,7 +62,7 @@ method of_constant(const std::string& name, std::string method_name, std::string
 
 /// The front door with that rule; times 1/sqrt(divisor).
 template <class F>
-method by_rule(quadrature_rule rule, const F& f, const limit& from, const limit& to,
+method by_rule(quadrature_rule rule, const F& f, const end_point& from, const end_point& to,
                long most_digits, const std::optional<rational>& divisor = std::nullopt) {
   return {rule == quadrature_rule::automatic ? "integrate" : to_text(rule),
           "certified quadrature" + std::string(rule == quadrature_rule::automatic
@@ -126,8 +126,8 @@ const auto our_rj = [](const auto&... x) { return carlson_rj(x...); };
 
 quantity half_phase(const rational& u) {
   const auto kernel = half_phase_kernel(u);
-  const limit from(0);
-  const limit to = limit::pi();
+  const end_point from(0);
+  const end_point to = end_point::pi();
   quantity q;
   q.name = "half_phase";
   q.description = "G(u), half the Montgomery phase of an oscillating body, u = " + to_text(u);

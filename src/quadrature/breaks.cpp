@@ -178,7 +178,8 @@ class break_point {
     const rational q = simplest_rational(lower_rational(r), upper_rational(r));
     if (denominator(q) > greatest_denominator || q < x_.low || q > x_.high) return std::nullopt;
     for (const double reach : {0x1p-8, 0x1p-32}) {
-      const end_series x = end_series::argument(exact_ball(q), exact_ball(rational(1)), 1, reach);
+      const end_series x =
+          end_series::argument(known_number(q), known_number(rational(1)), 1, reach);
       const end_series t =
           evaluate(*f_, 192, x, chosen_, crossing_.decider)[crossing_.decider] - crossing_.n;
       // 0 at q, exactly: and there is one zero only in the interval.
@@ -381,7 +382,7 @@ magnitude bound_over(const formula& f, const integrand& g, const ball& x,
 
 /// The point between two pieces.
 struct cut {
-  limit at;
+  end_point at;
   std::optional<crossing> crosses;
 };
 
@@ -463,7 +464,8 @@ rational simplest_rational(const rational& low, const rational& high) {
   return whole + 1 / simplest_rational(1 / (high - whole), 1 / (low - whole));
 }
 
-pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit& b, long bits) {
+pieces_of_range analytic_pieces(const integrand& g, const end_point& a, const end_point& b,
+                                long bits) {
   pieces_of_range result;
   const auto as_it_is = [&] {
     result.pieces.push_back({a, b, g, g, g});
@@ -477,8 +479,8 @@ pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit&
   const ball end = b.at(fine);
   if (!certainly_less(start, end)) return as_it_is();
   interval whole{lower_rational(start), upper_rational(end)};
-  if (a.is_exact()) whole.low = a.exact_value();
-  if (b.is_exact()) whole.high = b.exact_value();
+  if (a.exact()) whole.low = *a.exact();
+  if (b.exact()) whole.high = *b.exact();
   if (g.over(region(ball(whole.middle(), 64))).why() == obstacle::unknown) return as_it_is();
 
   covering cover(*f, g, whole, fine);
@@ -489,7 +491,7 @@ pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit&
   std::vector<choices> branches;
   const auto continued = [&](const stretch& s) {
     if (!branches.empty() && branches.back() == s.before) return;
-    if (!branches.empty()) cuts.push_back({limit(s.x.low), std::nullopt});
+    if (!branches.empty()) cuts.push_back({end_point(s.x.low), std::nullopt});
     branches.push_back(s.before);
   };
   // False where f or what stands for it is not bounded there.
@@ -516,7 +518,7 @@ pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit&
       const choices beyond = is_last ? none : stretches[i + 1].before;
       if (!leave_out(gap.set(fine), before, beyond)) return as_it_is();
       if (is_last || branches.empty() || before == beyond) continue;
-      cuts.push_back({limit(gap.middle()), std::nullopt});
+      cuts.push_back({end_point(gap.middle()), std::nullopt});
       branches.push_back(beyond);
       continue;
     }
@@ -524,8 +526,8 @@ pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit&
     if (s.what == stretch::form::broken) {
       const auto point = std::make_shared<break_point>(f, *s.crosses, s.before, s.x);
       const std::optional<rational> q = point->as_rational();
-      cuts.push_back(
-          {q ? limit(*q) : limit([point](precision p) { return point->at(p); }), s.crosses});
+      cuts.push_back({q ? end_point(*q) : end_point([point](precision p) { return point->at(p); }),
+                      s.crosses});
       branches.push_back(s.beyond);
     }
   }

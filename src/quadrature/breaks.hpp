@@ -9,8 +9,8 @@ namespace polhode::detail {
 /// A part of the range on which each abs, min, max, floor and ceil of f is proved to be one of its branches, or is
 /// left as it is; and f with these branches, which is f's continuation from the piece.
 struct piece {
-  limit left;
-  limit right;
+  end_point left;
+  end_point right;
   integrand f;
   /// The same, which knows besides that at that end, a break, the function that changes there is exactly 0.
   integrand at_left;
@@ -33,8 +33,8 @@ struct pieces_of_range {
 /// that touches 0 without a change of sign, and a break that may be the end of the range are cut out as an
 /// interval of width about 2^-bits of the range, whose part of the integral is bounded by the ranges of f and of
 /// its neighbours over it. What cannot be resolved with a limited effort is a piece in which f is left as it is.
-[[nodiscard]] pieces_of_range analytic_pieces(const integrand& g, const limit& a, const limit& b,
-                                              long bits);
+[[nodiscard]] pieces_of_range analytic_pieces(const integrand& g, const end_point& a,
+                                              const end_point& b, long bits);
 
 /// The least n >= e, n <= e + 16, such that g is proved to have no break at sign * x for x >= 2^n; e where there is none.
 [[nodiscard]] unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int sign);

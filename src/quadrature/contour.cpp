@@ -13,7 +13,7 @@ namespace polhode {
 
 namespace {
 
-void require_finite(const limit& x, const char* what) {
+void require_finite(const end_point& x, const char* what) {
   if (x.infinite_sign() != 0) {
     throw std::invalid_argument(std::string(what) + " of a path is infinite; it must be finite");
   }
@@ -26,7 +26,7 @@ path_piece reversed(const arc_piece& arc) {
 
 }  // namespace
 
-path_point::path_point(limit re, limit im) : re_(std::move(re)), im_(std::move(im)) {
+path_point::path_point(end_point re, end_point im) : re_(std::move(re)), im_(std::move(im)) {
   require_finite(re_, "a point");
   require_finite(im_, "a point");
 }
@@ -45,7 +45,7 @@ path path::polygon(const std::vector<path_point>& points) {
   return result;
 }
 
-path path::arc(path_point centre, limit radius, limit from_angle, limit to_angle) {
+path path::arc(path_point centre, end_point radius, end_point from_angle, end_point to_angle) {
   require_finite(radius, "a radius");
   require_finite(from_angle, "an angle");
   require_finite(to_angle, "an angle");
@@ -55,8 +55,9 @@ path path::arc(path_point centre, limit radius, limit from_angle, limit to_angle
   return result;
 }
 
-path path::circle(path_point centre, limit radius) {
-  return arc(std::move(centre), std::move(radius), 0, limit([](precision p) { return 2 * pi(p); }));
+path path::circle(path_point centre, end_point radius) {
+  return arc(std::move(centre), std::move(radius), 0,
+             end_point([](precision p) { return 2 * pi(p); }));
 }
 
 path operator+(path first, const path& second) {
@@ -78,9 +79,9 @@ namespace detail {
 namespace {
 
 /// b - a; exactly 0 only where that is certain.
-ball difference(const limit& a, const limit& b, precision p) {
-  if (!a.is_exact() || !b.is_exact()) return b.at(p) - a.at(p);
-  return {rational(b.exact_value() - a.exact_value()), p};
+ball difference(const end_point& a, const end_point& b, precision p) {
+  if (!a.exact() || !b.exact()) return b.at(p) - a.at(p);
+  return {rational(*b.exact() - *a.exact()), p};
 }
 complex_ball difference(const path_point& a, const path_point& b, precision p) {
   return {difference(a.re(), b.re(), p), difference(a.im(), b.im(), p)};

@@ -15,7 +15,7 @@ Jet without_last(const Jet& x, int order) {
   return r;
 }
 
-const detail::exact_ball& mean_of(const detail::exact_ball& x) { return x; }
+const known_number& mean_of(const known_number& x) { return x; }
 region mean_of(const region& x) { return x.convex_hull(); }
 
 /// G's jet -> that of G/t, of one order less: at 0 its coefficients, moved down, and over the square means of them.
@@ -28,79 +28,6 @@ Jet divided_by_t(const Jet& x) {
 
 }  // namespace
 
-namespace detail {
-
-void exact_ball::forget_if_long() {
-  constexpr std::size_t most_bits = 4096;
-  const auto is_long = [](const rational& q) {
-    return mpz_sizeinbase(mpq_numref(q.backend().data()), 2) > most_bits ||
-           mpz_sizeinbase(mpq_denref(q.backend().data()), 2) > most_bits;
-  };
-  if (exact_ && is_long(*exact_)) exact_.reset();
-  if (form_ && (is_long(form_->q) || is_long(form_->r))) form_.reset();
-}
-
-namespace {
-/// sin(r pi) where it is 0, 1 or -1.
-std::optional<rational> sine_of_turns(const rational& r) {
-  const rational halves = 2 * r;  // quarter turns
-  if (denominator(halves) != 1) return std::nullopt;
-  const integer n = numerator(halves);
-  if (n % 2 == 0) return 0;
-  // n = 1 modulo 4, or 3, which is -1.
-  const integer rest = n % 4;
-  return rest == 1 || rest == -3 ? 1 : -1;
-}
-}  // namespace
-
-exact_ball sqrt(const exact_ball& x) {
-  if (x.exact() && *x.exact() >= 0) {
-    const integer p = numerator(*x.exact());
-    const integer q = denominator(*x.exact());
-    const integer root_p = boost::multiprecision::sqrt(p);
-    const integer root_q = boost::multiprecision::sqrt(q);
-    if (root_p * root_p == p && root_q * root_q == q) return exact_ball(rational(root_p, root_q));
-  }
-  return exact_ball(sqrt(x.enclosure()));
-}
-
-// f(x), exactly where x is the one rational number at which f's value is rational for a reason.
-#define POLHODE_EXACT_AT(f, at, value)                                       \
-  exact_ball f(const exact_ball& x) {                                        \
-    if (x.exact() && *x.exact() == (at)) return exact_ball(rational(value)); \
-    return exact_ball(f(x.enclosure()));                                     \
-  }
-POLHODE_EXACT_AT(exp, 0, 1)
-POLHODE_EXACT_AT(log, 1, 0)
-POLHODE_EXACT_AT(tan, 0, 0)
-POLHODE_EXACT_AT(asin, 0, 0)
-POLHODE_EXACT_AT(acos, 1, 0)
-POLHODE_EXACT_AT(atan, 0, 0)
-POLHODE_EXACT_AT(sinh, 0, 0)
-POLHODE_EXACT_AT(cosh, 0, 1)
-POLHODE_EXACT_AT(tanh, 0, 0)
-POLHODE_EXACT_AT(asinh, 0, 0)
-POLHODE_EXACT_AT(acosh, 1, 0)
-POLHODE_EXACT_AT(atanh, 0, 0)
-#undef POLHODE_EXACT_AT
-
-// At multiples of pi/2 exactly.
-exact_ball sin(const exact_ball& x) {
-  if (const auto form = x.form(); form && form->q == 0) {
-    if (const auto value = sine_of_turns(form->r)) return exact_ball(*value);
-  }
-  return exact_ball(sin(x.enclosure()));
-}
-exact_ball cos(const exact_ball& x) {
-  if (const auto form = x.form(); form && form->q == 0) {
-    if (const auto value = sine_of_turns(form->r + rational(1, 2))) return exact_ball(*value);
-  }
-  return exact_ball(cos(x.enclosure()));
-}
-
-}  // namespace detail
-
-using detail::exact_ball;
 using remedy = end_series::remedy;
 
 end_series end_series::blocked(std::string_view where, remedy r) {
@@ -116,7 +43,7 @@ end_series end_series::with_any_remedy() const {
   return r;
 }
 
-end_series end_series::constant(const exact_ball& at_0, const region& over) const {
+end_series end_series::constant(const known_number& at_0, const region& over) const {
   end_series r;
   r.blocked_ = false;
   r.r_ = r_;
@@ -125,13 +52,13 @@ end_series end_series::constant(const exact_ball& at_0, const region& over) cons
   return r;
 }
 
-end_series end_series::argument(const exact_ball& a, const exact_ball& s, long q, double r,
+end_series end_series::argument(const known_number& a, const known_number& s, long q, double r,
                                 int orders) {
   end_series t;
   t.blocked_ = false;
   t.r_ = r;
   const double_interval side(-r, r);
-  t.terms_.push_back({centre_jet::variable(exact_ball(), orders),
+  t.terms_.push_back({centre_jet::variable(known_number(), orders),
                       square_jet::variable(region(side, side), orders)});
   if (q < 0) {
     end_series x = t.constant(s, region(s.enclosure()));
@@ -160,7 +87,7 @@ end_series end_series::with_value_at_0(const rational& q) const {
   if (blocked_ || m_ != 0 || log_degree() != 0) return *this;
   if (!contains(terms_.front().at_0[0].enclosure(), q)) return blocked("a contradiction");
   end_series r = *this;
-  r.terms_.front().at_0[0] = exact_ball(q);
+  r.terms_.front().at_0[0] = known_number(q);
   return r;
 }
 
@@ -177,7 +104,7 @@ end_series end_series::moved(long powers) const {
   const double_interval side(-r_, r_);
   for (term& g : r.terms_) {
     const int n = g.at_0.order();
-    const centre_jet t = centre_jet::variable(exact_ball(), n);
+    const centre_jet t = centre_jet::variable(known_number(), n);
     const square_jet tt = square_jet::variable(region(side, side), n);
     for (long k = 0; k < powers; ++k) {
       g.at_0 *= t;
@@ -332,7 +259,7 @@ end_series operator/(const end_series& x, const end_series& y) {
   inverse.m_ = -d.m_;
   auto& g = inverse.terms_.front();
   const int n = g.at_0.order();
-  g.at_0 = end_series::centre_jet::constant(exact_ball(rational(1)), n) / g.at_0;
+  g.at_0 = end_series::centre_jet::constant(known_number(rational(1)), n) / g.at_0;
   g.over = end_series::square_jet::constant(region(double_interval(1)), n) / g.over;
   return (x * inverse.checked("/")).checked("/");
 }
@@ -378,7 +305,7 @@ end_series pow(const end_series& x, const rational& e) {
   if (e == rational(1, 2)) {
     g = {sqrt(g.at_0), sqrt(g.over)};
   } else {
-    g = {exp(log(g.at_0) * exact_ball(e)), exp(log(g.over) * e)};
+    g = {exp(log(g.at_0) * known_number(e)), exp(log(g.over) * e)};
   }
   return r.checked("pow");
 }
@@ -463,7 +390,7 @@ end_series asinh(const end_series& x) {
 std::optional<long> end_series::exact_value_at_0() const {
   const end_series p = plain("");
   if (p.blocked_) return std::nullopt;
-  const exact_ball& c = p.terms_.front().at_0[0];
+  const known_number& c = p.terms_.front().at_0[0];
   if (!c.exact()) return std::nullopt;
   const rational& q = *c.exact();
   if (denominator(q) != 1 || abs(numerator(q)) > 1'000'000'000) return std::nullopt;

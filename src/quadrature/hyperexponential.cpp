@@ -503,7 +503,7 @@ hyperexponential power_of_complement(const rational& e) {
 
 class parts_of {
  public:
-  parts_of(const formula& f, const limit& a, const limit& b) : f_(f), a_(a), b_(b) {
+  parts_of(const formula& f, const end_point& a, const end_point& b) : f_(f), a_(a), b_(b) {
     for (std::size_t i = 0; i < f.size() && !plain_; ++i) {
       const recorded_node& node = f.node(i);
       const bool is_transcendental = f.needs(i) && node.what == recorded_node::kind::function &&
@@ -582,9 +582,7 @@ class parts_of {
                       [](const polynomial_power& p) { return p.must_be_positive; });
       if (part.function.coefficient == 0 && !has_conditions) continue;
       const auto same = [&](const hyperexponential_integral& other) {
-        return other.lower.exact && other.lower.exact == part.lower.exact &&
-               other.upper.exact == part.upper.exact &&
-               (other.upper.exact || (other.upper.is_infinite && part.upper.is_infinite)) &&
+        return other.lower.is_same_as(part.lower) && other.upper.is_same_as(part.upper) &&
                other.function == part.function;
       };
       const auto found = std::find_if(all.begin(), all.end(), same);
@@ -596,21 +594,10 @@ class parts_of {
     }
   }
 
-  static range_end end_of(const limit& x) {
-    range_end end;
-    end.is_infinite = x.infinite_sign() != 0;
-    if (x.is_exact()) {
-      end.exact = x.exact_value();
-    } else if (!end.is_infinite) {
-      end.at = [x](precision p) { return x.at(p); };
-    }
-    return end;
-  }
-
   bool in_argument(std::size_t node, parts& result) const {
     const bool from_infinity = a_.infinite_sign() != 0;
     const bool to_infinity = b_.infinite_sign() != 0;
-    const auto piece = [&](const limit& from, const limit& to, int sign) {
+    const auto piece = [&](const end_point& from, const end_point& to, int sign) {
       const bool is_long = to.infinite_sign() != 0;
       const ball start = from.at(128);
       const std::optional<rational> inside = is_long ? beyond(start) : between(start, to.at(128));
@@ -619,8 +606,8 @@ class parts_of {
       const forms found(f_, node, by);
       if (!found[node]) return false;
       hyperexponential_integral range;
-      range.lower = end_of(from);
-      range.upper = end_of(to);
+      range.lower = from;
+      range.upper = to;
       append(result, *found[node], number(1), range);
       return true;
     };
@@ -649,25 +636,18 @@ class parts_of {
     }
     if (!base) return false;
     if (base->slope < 0) base = affine{-base->slope, -base->offset};
-    const auto end = [&](const limit& x) {
-      range_end y;
-      if (x.infinite_sign() != 0) {
-        y.is_infinite = x.infinite_sign() > 0;
-        if (!y.is_infinite) y.exact = 0;
-      } else if (x.is_exact() && base->slope * x.exact_value() + base->offset == 0) {
-        y.exact = 1;
-      } else {
-        y.at = [x, w = *base](precision p) { return exp(x.at(p) * w.slope + w.offset); };
-      }
-      return y;
+    const auto end = [&](const end_point& x) -> end_point {
+      if (x.is_infinite()) return x.infinite_sign() > 0 ? x : 0;
+      if (x.exact() && base->slope * *x.exact() + base->offset == 0) return 1;
+      return end_point([x, w = *base](precision p) { return exp(x.at(p) * w.slope + w.offset); });
     };
     hyperexponential_integral range;
     range.lower = end(a_);
     range.upper = end(b_);
     range.begins_at_0 = true;
-    const ball low = range.lower.value(128);
+    const ball low = range.lower.at(128);
     const std::optional<rational> found_inside =
-        range.upper.is_infinite ? beyond(low) : between(low, range.upper.value(128));
+        range.upper.is_infinite() ? beyond(low) : between(low, range.upper.at(128));
     if (!found_inside) return false;
     const rational& inside = *found_inside;
     const substitution by{inside, [&](std::size_t i) -> maybe_sum {
@@ -771,26 +751,23 @@ class parts_of {
     // w' as a number of pieces: one is that from k to k + 1.
     const rational pieces_of_turn = by_quarters ? 2 : 1;
     const rational start = by_quarters ? rational(0) : rational(shift, 2);
-    const auto in_pieces = [&](const limit& x) {
-      range_end end;
-      const bool is_rational = own->of_pi ? x.is_exact() : x.form() && x.form()->q == 0;
+    const auto in_pieces = [&](const end_point& x) {
+      const bool is_rational = own->of_pi ? x.exact().has_value() : x.form() && x.form()->q == 0;
       if (is_rational) {
-        const rational turns = own->of_x * (own->of_pi ? x.exact_value() : x.form()->r);
-        end.exact = turns * pieces_of_turn + start;
-      } else {
-        end.at = [=, w = *own](precision p) {
-          const ball turns = w.of_pi ? x.at(p) * w.of_x : x.at(p) * w.of_x / pi(p);
-          return turns * pieces_of_turn + start;
-        };
+        const rational turns = own->of_x * (own->of_pi ? *x.exact() : x.form()->r);
+        return end_point(rational(turns * pieces_of_turn + start));
       }
-      return end;
+      return end_point([=, w = *own](precision p) {
+        const ball turns = w.of_pi ? x.at(p) * w.of_x : x.at(p) * w.of_x / pi(p);
+        return turns * pieces_of_turn + start;
+      });
     };
-    const range_end lower = in_pieces(a_);
-    const range_end upper = in_pieces(b_);
+    const end_point lower = in_pieces(a_);
+    const end_point upper = in_pieces(b_);
     // The piece in which an end lies, and whether it is surely where the piece begins.
-    const auto place_of = [](const range_end& end) -> std::optional<std::pair<integer, bool>> {
-      if (end.exact) return std::pair(floor_of(*end.exact), is_integer(*end.exact));
-      const ball value = end.value(128);
+    const auto place_of = [](const end_point& end) -> std::optional<std::pair<integer, bool>> {
+      if (end.exact()) return std::pair(floor_of(*end.exact()), is_integer(*end.exact()));
+      const ball value = end.at(128);
       if (!value.is_bounded()) return std::nullopt;
       const integer low = floor_of(lower_rational(value));
       if (low != floor_of(upper_rational(value))) return std::nullopt;
@@ -808,31 +785,21 @@ class parts_of {
       const bool to_b = k == high && !last->second;
       tiling.add({from_a ? place::lower_end() : place(k), to_b ? place::upper_end() : place(k + 1)},
                  {rational(k), rational(k + 1)});
-      const auto end = [&](const limit& x) {
-        range_end y;
-        y.at = [x, k, shift, by_quarters, w = *own](precision p) {
+      const auto end = [&](const end_point& x) {
+        return end_point([x, k, shift, by_quarters, w = *own](precision p) {
           const ball turns = w.of_pi ? x.at(p) * w.of_x : x.at(p) * w.of_x / pi(p);
           const ball inner =
               by_quarters ? turns - rational(k, 2) : (turns - rational(2 * k - shift, 2)) / 2;
           return square(sin(pi(p) * inner));
-        };
-        return y;
+        });
       };
       hyperexponential_integral range;
       range.begins_at_0 = true;
       range.greatest = 1;
-      if (from_a) {
-        range.lower = end(a_);
-      } else {
-        range.lower.exact = 0;
-      }
-      if (to_b) {
-        range.upper = end(b_);
-      } else {
-        range.upper.exact = 1;
-      }
+      range.lower = from_a ? end(a_) : end_point(0);
+      range.upper = to_b ? end(b_) : end_point(1);
       const std::optional<rational> found_inside =
-          between(range.lower.value(128), range.upper.value(128));
+          between(range.lower.at(128), range.upper.at(128));
       if (!found_inside) return false;
       const rational& inside = *found_inside;
       const auto both = by_quarters ? quarter(k) : half(k, shift, inside);
@@ -930,8 +897,8 @@ class parts_of {
   }
 
   const formula& f_;
-  const limit& a_;
-  const limit& b_;
+  const end_point& a_;
+  const end_point& b_;
   /// What nodes are in x, where the formula has exponential or circular functions of them.
   std::unique_ptr<forms> plain_;
 };
@@ -969,8 +936,8 @@ ball power_of_positive(const ball& x, const rational& e) {
 }
 
 std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(const formula& f,
-                                                                             const limit& a,
-                                                                             const limit& b) {
+                                                                             const end_point& a,
+                                                                             const end_point& b) {
   if (f.has_breaks()) return std::nullopt;
   return parts_of(f, a, b).of(f.result());
 }

@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "polhode/quadrature/limit.hpp"
 #include "recorded_formula.hpp"
 #include "tiling.hpp"
 
@@ -68,8 +68,8 @@ struct hyperexponential {
 /// The integral of a hyperexponential function of y, from lower to upper.
 struct hyperexponential_integral {
   hyperexponential function;
-  range_end lower;  // less than upper
-  range_end upper;
+  end_point lower = 0;  // less than upper
+  end_point upper = 0;
   /// y >= 0 and, where it is given, y <= the second, are natural bounds of the variable, which the range may be
   /// prolonged to: an irrational end close to it is no place to begin a series at.
   bool begins_at_0 = false;
@@ -79,6 +79,6 @@ struct hyperexponential_integral {
 /// Integrals whose sum is that of f from a to b, where f is found to be such a sum; a < b as far as is known.
 /// The equality holds if each `must_be_positive` does between the ends of its range.
 [[nodiscard]] std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(
-    const formula& f, const limit& a, const limit& b);
+    const formula& f, const end_point& a, const end_point& b);
 
 }  // namespace polhode::detail

@@ -41,11 +41,11 @@ std::string obstacle_of(reason why) {
 
 }  // namespace
 
-integral integrate_by_double_exponential(const integrand& f, const limit& a, const limit& b,
+integral integrate_by_double_exponential(const integrand& f, const end_point& a, const end_point& b,
                                          const integrate_options& options) {
   using clock = std::chrono::steady_clock;
   integral result;
-  if (!a.is_exact() || !b.is_exact()) {
+  if (!a.exact() || !b.exact()) {
     result.why = reason::not_applicable;
     result.obstacle = "the double exponential rule needs rational limits";
     return result;
@@ -61,9 +61,8 @@ integral integrate_by_double_exponential(const integrand& f, const limit& a, con
   long bits = std::min(digit_bits, 40L);
   const auto start = clock::now();
   for (int attempts = 0; attempts < 4; ++attempts) {
-    const line_integral line =
-        integrate_double_exponential(generic_integrand{&f}, a.exact_value(), b.exact_value(), bits,
-                                     std::nullopt, std::nullopt, limits);
+    const line_integral line = integrate_double_exponential(
+        generic_integrand{&f}, *a.exact(), *b.exact(), bits, std::nullopt, std::nullopt, limits);
     integral_account& account = result.account;
     account.evaluations += line.evaluations;
     account.region_evaluations += line.plan.region_evaluations;

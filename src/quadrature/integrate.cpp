@@ -10,7 +10,7 @@
 
 namespace polhode::detail {
 
-affine_map::affine_map(limit a, limit b)
+affine_map::affine_map(end_point a, end_point b)
     : a_(std::move(a)), b_(std::move(b)), a_hardware_(a_.at(64)), length_hardware_(length(128)) {}
 
 region affine_map::operator()(const region& t) const {
@@ -24,7 +24,7 @@ ball affine_map::operator()(const ball& t) const {
   return a_.at(p) + length(p) * t;
 }
 
-integral integrate_function(const integrand& f, const limit& a, const limit& b,
+integral integrate_function(const integrand& f, const end_point& a, const end_point& b,
                             const integrate_options& options) {
   if (options.digits < 1) throw std::invalid_argument("integrate: digits must be at least 1");
   if (options.threads < 0) {
@@ -40,7 +40,7 @@ integral integrate_function(const integrand& f, const limit& a, const limit& b,
   if (same_infinity) {
     throw std::invalid_argument("integrate: both limits are the same infinity");
   }
-  for (const limit& end : {a, b}) {
+  for (const end_point& end : {a, b}) {
     if (end.infinite_sign() == 0 && !end.at(64).is_bounded()) {
       result.why = reason::not_defined;
       result.obstacle = "a limit is not a number";

@@ -41,7 +41,7 @@ struct bounds {
 
 class box_integrator {
  public:
-  box_integrator(const parametric_integrand& f, const limit& a, const limit& b,
+  box_integrator(const parametric_integrand& f, const end_point& a, const end_point& b,
                  const box_options& options)
       : f_(f), a_(a), b_(b), options_(options) {}
 
@@ -55,8 +55,8 @@ class box_integrator {
   integral over(const integrand& f);
 
   const parametric_integrand& f_;
-  const limit& a_;
-  const limit& b_;
+  const end_point& a_;
+  const end_point& b_;
   const box_options& options_;
   long integrals_ = 0;
 };
@@ -168,8 +168,8 @@ bounds box_integrator::enclose(const parameter_box& box) {
 
 }  // namespace
 
-box_integral integrate_function_over_box(const parametric_integrand& f, const limit& a,
-                                         const limit& b, const parameter_box& box,
+box_integral integrate_function_over_box(const parametric_integrand& f, const end_point& a,
+                                         const end_point& b, const parameter_box& box,
                                          const box_options& options) {
   if (options.digits < 1) throw std::invalid_argument("integrate_box: digits must be at least 1");
   if (options.most_boxes < 1) {

@@ -134,8 +134,8 @@ class program {
 /// for the enclosures of its constants.
 class splitter {
  public:
-  splitter(const formula& f, precision p, const limit& at, const limit& s, const rational& theta,
-           int sign)
+  splitter(const formula& f, precision p, const end_point& at, const end_point& s,
+           const rational& theta, int sign)
       : nodes_(f.at(p)), f_(f), bits_(p), y_(recorded::argument()) {
     const coefficient start = constant(at, p);
     const coefficient distance = constant(s, p);
@@ -166,8 +166,8 @@ class splitter {
   [[nodiscard]] const recorded& argument() const { return y_; }
 
  private:
-  [[nodiscard]] coefficient constant(const limit& x, precision p) const {
-    if (x.is_exact()) return {x.exact_value(), std::nullopt};
+  [[nodiscard]] coefficient constant(const end_point& x, precision p) const {
+    if (x.exact()) return {*x.exact(), std::nullopt};
     return {1, y_.constant_like(x.at(p))};
   }
   [[nodiscard]] recorded value(const coefficient& c) const {
@@ -446,7 +446,7 @@ struct oscillation {
 /// f taken apart, with its constants to as many bits as are asked for; safe to be used by several threads.
 class decomposition {
  public:
-  decomposition(const integrand& f, limit p, limit s, bool infinite, int sign)
+  decomposition(const integrand& f, end_point p, end_point s, bool infinite, int sign)
       : f_(f.record), p_(std::move(p)), s_(std::move(s)), sign_(sign), theta_(infinite ? 1 : -1) {
     constexpr int most_attempts = 2;
     for (int k = 0; k < most_attempts; ++k) {
@@ -525,8 +525,8 @@ class decomposition {
   }
 
   formula f_;
-  limit p_;
-  limit s_;
+  end_point p_;
+  end_point s_;
   int sign_;
   rational theta_;
   bool found_ = false;
@@ -559,7 +559,7 @@ magnitude bound_of(const end_series& series) {
 /// A bound of |u| + |v| for |z| >= 1/r, Re z > 0.
 magnitude bound_of(const oscillation& w, double r) {
   const end_series y =
-      end_series::argument(exact_ball(rational(0)), exact_ball(rational(1)), -1, r);
+      end_series::argument(known_number(rational(0)), known_number(rational(1)), -1, r);
   magnitude sum;
   for (const std::optional<end_series>& part : w.amplitude(y)) {
     if (part) sum = add_up(sum, bound_of(*part));
@@ -633,8 +633,9 @@ integrand steady_part(const shared_decomposition& f) {
 
 }  // namespace
 
-std::optional<oscillating_end> oscillations_at(const integrand& f, const limit& p, const limit& s,
-                                               bool infinite, int sign, double log2_goal) {
+std::optional<oscillating_end> oscillations_at(const integrand& f, const end_point& p,
+                                               const end_point& s, bool infinite, int sign,
+                                               double log2_goal) {
   if (!f.record) return std::nullopt;
   const auto parts = std::make_shared<const decomposition>(f, p, s, infinite, sign);
   if (!parts->is_found() || parts->count() == 0) return std::nullopt;

@@ -44,8 +44,8 @@ struct oscillating_end {
 
 /// f between x = p + s and p, or infinity (p = 0, x = s y): as above with theta < 0, or > 0. The integral counts with
 /// this sign. The rest is made smaller than about 2^log2_goal. Nothing where f is not found to be of this form.
-[[nodiscard]] std::optional<oscillating_end> oscillations_at(const integrand& f, const limit& p,
-                                                             const limit& s, bool infinite,
+[[nodiscard]] std::optional<oscillating_end> oscillations_at(const integrand& f, const end_point& p,
+                                                             const end_point& s, bool infinite,
                                                              int sign, double log2_goal);
 
 }  // namespace polhode::detail

@@ -28,8 +28,8 @@ bool panel_choice::prepare() {
 
 std::optional<std::vector<taylor_panel>> panel_choice::panels() {
   if (!prepare()) return std::nullopt;
-  const double low = approximately(range_.lower.value(64));
-  const double high = approximately(range_.upper.value(64));
+  const double low = approximately(range_.lower.at(64));
+  const double high = approximately(range_.upper.at(64));
   if (!std::isfinite(low) || !std::isfinite(high) || !(low < high)) return std::nullopt;
 
   // The ends, as rational numbers: where they are not, a little beyond them.
@@ -101,7 +101,7 @@ bool panel_choice::is_integrable_at(const rational& y) const {
 }
 
 panel_choice::end panel_choice::lower_end(double low, double length) const {
-  if (range_.lower.exact) return {*range_.lower.exact, is_singular_at(*range_.lower.exact)};
+  if (range_.lower.exact()) return {*range_.lower.exact(), is_singular_at(*range_.lower.exact())};
   if (range_.begins_at_0 && low < ratio_ / 2 * distance(0, rational(0)) && is_integrable_at(0) &&
       low < length_at(0, 1, exact_double(low + length))) {
     return {0, true};
@@ -111,7 +111,7 @@ panel_choice::end panel_choice::lower_end(double low, double length) const {
 }
 
 panel_choice::end panel_choice::upper_end(double high, double length) const {
-  if (range_.upper.exact) return {*range_.upper.exact, is_singular_at(*range_.upper.exact)};
+  if (range_.upper.exact()) return {*range_.upper.exact(), is_singular_at(*range_.upper.exact())};
   if (range_.greatest) {
     const rational& most = *range_.greatest;
     const double y = approximately(most);

@@ -203,8 +203,8 @@ ball panel_integral::length_factor() const {
   return panel_.at_end ? ball(rational(1 / (power_ + 1)), 64) : ball(2, 64);
 }
 
-ball panel_integral::coordinate(const range_end& end, precision p) const {
-  return (end.value(p) - panel_.centre) / ball(panel_.radius, p);
+ball panel_integral::coordinate(const end_point& end, precision p) const {
+  return (end.at(p) - panel_.centre) / ball(panel_.radius, p);
 }
 
 std::optional<ball> panel_integral::sum(long f, precision p, long most_terms) {

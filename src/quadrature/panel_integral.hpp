@@ -53,7 +53,7 @@ class panel_integral {
   /// The integral of |z|^p over the panel.
   [[nodiscard]] ball length_factor() const;
   /// z of the range's end.
-  [[nodiscard]] ball coordinate(const range_end& end, precision p) const;
+  [[nodiscard]] ball coordinate(const end_point& end, precision p) const;
   std::optional<ball> sum(long f, precision p, long most_terms);
 
   const smooth_range& range_;

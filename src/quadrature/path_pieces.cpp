@@ -7,7 +7,7 @@
 namespace polhode::detail {
 namespace {
 
-complex_ball on_circle(const arc_piece& arc, const limit& angle, precision p) {
+complex_ball on_circle(const arc_piece& arc, const end_point& angle, precision p) {
   const auto [sine, cosine] = sin_cos(angle.at(p));
   return arc.centre.at(p) + complex_ball(cosine, sine) * arc.radius.at(p);
 }

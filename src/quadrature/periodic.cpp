@@ -106,8 +106,8 @@ class strip_search {
 
 }  // namespace
 
-std::optional<fundamental_range> fundamental_range_of(const integrand& f, const limit& a,
-                                                      const limit& b) {
+std::optional<fundamental_range> fundamental_range_of(const integrand& f, const end_point& a,
+                                                      const end_point& b) {
   if (!f.under || !a.form() || !b.form() || *a.form() == *b.form()) return std::nullopt;
   const auto is_even_about = [&](const pi_combination& x) {
     return f.under(symmetry::reflection(x)).is_invariant();

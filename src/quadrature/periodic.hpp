@@ -19,7 +19,8 @@ struct fundamental_range {
 
 /// Nothing where no symmetry was found. The limits must be known as q + r pi.
 [[nodiscard]] std::optional<fundamental_range> fundamental_range_of(const integrand& f,
-                                                                    const limit& a, const limit& b);
+                                                                    const end_point& a,
+                                                                    const end_point& b);
 
 /// F is analytic where mean_trapezoid_error asks for it with H = half_width, and bounded there by the supremum.
 struct periodic_strip {

@@ -14,32 +14,32 @@ namespace polhode::detail {
 
 namespace {
 
-limit sum_of(const limit& a, const limit& b, const rational& factor) {
-  if (a.form() && b.form()) return limit(*a.form() + *b.form() * factor);
-  return limit([=](precision p) { return a.at(p) + b.at(p) * factor; });
+end_point sum_of(const end_point& a, const end_point& b, const rational& factor) {
+  if (a.form() && b.form()) return end_point(*a.form() + *b.form() * factor);
+  return end_point([=](precision p) { return a.at(p) + b.at(p) * factor; });
 }
-limit difference(const limit& a, const limit& b) { return sum_of(a, -b, 1); }
+end_point difference(const end_point& a, const end_point& b) { return sum_of(a, -b, 1); }
 
 /// A limit moved: from it, in the direction of another point.
 struct end_of_range {
-  limit at;        // p; for an infinite end, 0
-  limit distance;  // s: the argument is p + s t^q, 0 < t <= 1; at infinity s t^q with q < 0
+  end_point at;        // p; for an infinite end, 0
+  end_point distance;  // s: the argument is p + s t^q, 0 < t <= 1; at infinity s t^q with q < 0
   bool infinite = false;
-  limit end;    // t = 0: p, or an infinity
-  limit start;  // t = 1: p + s
+  end_point end;    // t = 0: p, or an infinity
+  end_point start;  // t = 1: p + s
 
-  [[nodiscard]] static end_of_range finite(const limit& end, const limit& start) {
+  [[nodiscard]] static end_of_range finite(const end_point& end, const end_point& start) {
     return {end, difference(start, end), false, end, start};
   }
   /// The infinity of this sign; the start, which is not 0, has the same sign.
-  [[nodiscard]] static end_of_range infinity(int sign, const limit& start) {
-    const limit end = sign > 0 ? limit::infinity() : -limit::infinity();
-    return {limit(0), start, true, end, start};
+  [[nodiscard]] static end_of_range infinity(int sign, const end_point& start) {
+    const end_point end = sign > 0 ? end_point::infinity() : -end_point::infinity();
+    return {end_point(0), start, true, end, start};
   }
   /// Whether the integral runs to the end: with direction 1 it runs from a finite end, and to an infinite one.
   [[nodiscard]] bool is_reached_last(int direction) const { return (direction > 0) == infinite; }
   /// Between two points, of which the first is nearer to the end.
-  [[nodiscard]] part_done part(const limit& near, const limit& far, int direction) const {
+  [[nodiscard]] part_done part(const end_point& near, const end_point& far, int direction) const {
     return is_reached_last(direction) ? part_done{far, near} : part_done{near, far};
   }
 };
@@ -78,8 +78,8 @@ end_plan plan_from_series(const end_series& series, long q, double r) {
   return plan;
 }
 
-exact_ball exactly(const limit& x) {
-  return x.form() ? exact_ball(*x.form()) : exact_ball(x.at(192));
+known_number exactly(const end_point& x) {
+  return x.form() ? known_number(*x.form()) : known_number(x.at(192));
 }
 
 /// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which its series is
@@ -87,8 +87,8 @@ exact_ball exactly(const limit& x) {
 end_series series_at_end(const integrand& f, const end_of_range& end, long q, double& r) {
   constexpr std::array<double, 6> sizes{0.5, 0.25, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32};
   using remedy = end_series::remedy;
-  const exact_ball p = exactly(end.at);
-  const exact_ball s = exactly(end.distance);
+  const known_number p = exactly(end.at);
+  const known_number s = exactly(end.distance);
   end_series first;
   double found_r = 0;
   std::optional<end_series> found;  // on a larger square, with a poor bound
@@ -316,7 +316,7 @@ segment exponential_segment(const integrand& f, const end_of_range& end, const e
   return result;
 }
 
-segment affine_segment(const integrand& f, const limit& a, const limit& b) {
+segment affine_segment(const integrand& f, const end_point& a, const end_point& b) {
   segment whole;
   // The functions below are copied often, and limits take long to copy.
   const auto x = std::make_shared<const affine_map>(a, b);
@@ -334,12 +334,12 @@ segment affine_segment(const integrand& f, const limit& a, const limit& b) {
 }
 
 /// From a to b, where f is regular at both; a symmetry of f is used.
-segment regular_segment(const integrand& f, const limit& a, const limit& b) {
+segment regular_segment(const integrand& f, const end_point& a, const end_point& b) {
   const std::optional<fundamental_range> range = fundamental_range_of(f, a, b);
-  if (!range || !is_regular(f, end_of_range::finite(limit(range->b), limit(range->a)))) {
+  if (!range || !is_regular(f, end_of_range::finite(end_point(range->b), end_point(range->a)))) {
     return affine_segment(f, a, b);
   }
-  segment result = affine_segment(f, limit(range->a), limit(range->b));
+  segment result = affine_segment(f, end_point(range->a), end_point(range->b));
   result.scale = [length = result.scale, copies = range->log2_copies](precision p) {
     return scale(length(p), copies);
   };
@@ -390,8 +390,8 @@ double cut_for(const std::function<magnitude(const ball& y)>& left, double r,
 }
 
 /// The range in affine segments, cut at the breaks of f.
-void add_analytic_pieces(preparation& result, const integrand& f, const limit& a, const limit& b,
-                         long bits) {
+void add_analytic_pieces(preparation& result, const integrand& f, const end_point& a,
+                         const end_point& b, long bits) {
   const pieces_of_range parts = analytic_pieces(f, a, b, bits);
   result.remainder += parts.remainder;
   result.has_tail = result.has_tail || parts.has_remainder;
@@ -432,7 +432,8 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
     result.remainder = result.remainder.enlarged(rest);
     result.has_tail = true;
     const rational exact_y = lower_rational(ball::exactly(y, 64));
-    const limit far = sum_of(end.at, end.distance, end.infinite ? exact_y : rational(1 / exact_y));
+    const end_point far =
+        sum_of(end.at, end.distance, end.infinite ? exact_y : rational(1 / exact_y));
     result.parts.push_back(end.part(end.end, far, direction));
     const part_done rest_of_it = end.part(far, end.start, direction);
     add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
@@ -441,7 +442,7 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
   return false;
 }
 
-void require_tiled(const std::vector<part_done>& parts, const limit& a, const limit& b) {
+void require_tiled(const std::vector<part_done>& parts, const end_point& a, const end_point& b) {
   if (!is_tiled(parts, a, b)) {
     throw std::logic_error("integrate: internal error: the pieces of a range do not tile it");
   }
@@ -465,9 +466,9 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   if (found->steady) {
     // In y, from Y0 to infinity.
     preparation steady;
-    const limit start(found->start);
+    const end_point start(found->start);
     add_part(steady, *found->steady, end_of_range::infinity(1, start), 1, bits);
-    if (steady.why == reason::none) require_tiled(steady.parts, start, limit::infinity());
+    if (steady.why == reason::none) require_tiled(steady.parts, start, end_point::infinity());
     result.segments.insert(result.segments.end(), steady.segments.begin(), steady.segments.end());
     result.remainder += steady.remainder;
     result.why = steady.why;
@@ -479,7 +480,7 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   for (const segment& line : found->segments) result.segments.push_back(line);
   result.remainder = result.remainder.enlarged(found->rest);
   result.has_tail = true;
-  const limit far = sum_of(end.at, end.distance, found->far);
+  const end_point far = sum_of(end.at, end.distance, found->far);
   result.parts.push_back(end.part(end.end, far, direction));
   const part_done rest_of_it = end.part(far, end.start, direction);
   add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
@@ -490,7 +491,7 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
 /// as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
               long bits) {
-  const auto add = [&](segment s, const limit& near, const limit& far) {
+  const auto add = [&](segment s, const end_point& near, const end_point& far) {
     if (direction < 0) {
       s.scale = [scale = s.scale](precision p) { return -scale(p); };
     }
@@ -512,8 +513,10 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       const double length = std::ceil((1.05 * static_cast<double>(bits) + 48) * 0.6931 / c);
       ball remainder(0, 64);
       segment near = exponential_segment(f, end, plan, r0, length, remainder);
-      const limit at_1 = limit([at = near.position](precision p) { return at(ball(1, p)); });
-      const limit at_0 = limit([at = near.position](precision p) { return at(ball(0, p)); });
+      const end_point at_1 =
+          end_point([at = near.position](precision p) { return at(ball(1, p)); });
+      const end_point at_0 =
+          end_point([at = near.position](precision p) { return at(ball(0, p)); });
       result.parts.push_back(end.part(end.end, at_1, direction));
       result.remainder += direction < 0 ? -remainder : remainder;
       result.has_tail = true;
@@ -540,9 +543,9 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
 
 }  // namespace
 
-bool is_tiled(const std::vector<part_done>& parts, const limit& a, const limit& b) {
+bool is_tiled(const std::vector<part_done>& parts, const end_point& a, const end_point& b) {
   std::vector<bool> is_used(parts.size(), false);
-  limit reached = a;
+  end_point reached = a;
   for (std::size_t count = 0; count < parts.size(); ++count) {
     std::size_t next = 0;
     while (next < parts.size() && (is_used[next] || !parts[next].from.is_same_as(reached))) ++next;
@@ -554,7 +557,7 @@ bool is_tiled(const std::vector<part_done>& parts, const limit& a, const limit& 
 }
 
 /// a < q < b, certainly: what is proved of f at q is said of the integral.
-bool is_inside(const rational& q, const limit& a, const limit& b) {
+bool is_inside(const rational& q, const end_point& a, const end_point& b) {
   const precision p = 192;
   const ball x(q, p);
   return (a.infinite_sign() < 0 || certainly_less(a.at(p), x)) &&
@@ -563,20 +566,21 @@ bool is_inside(const rational& q, const limit& a, const limit& b) {
 
 bool can_cut_at(const integrand& f, const rational& q) {
   for (const long side : {-1L, 1L}) {
-    if (look_at_end(f, end_of_range::finite(limit(q), limit(q + side))).how != manner::unknown)
+    if (look_at_end(f, end_of_range::finite(end_point(q), end_point(q + side))).how !=
+        manner::unknown)
       continue;
-    const tail_series near =
-        f.near_infinity(tail_series::argument(exact_ball(q), exact_ball(rational(side)), 0x1p-8));
+    const tail_series near = f.near_infinity(
+        tail_series::argument(known_number(q), known_number(rational(side)), 0x1p-8));
     if (near.is_blocked() || near.integral_before(ball(1L << 20, 64)).is_infinite()) return false;
   }
   return true;
 }
 
-preparation prepare(const integrand& f, const limit& a, const limit& b,
+preparation prepare(const integrand& f, const end_point& a, const end_point& b,
                     const std::vector<rational>& cuts, long bits) {
   preparation result;
   // f as it is known at the two ends.
-  const auto finite = [&](const limit& left, const integrand& at_left, const limit& right,
+  const auto finite = [&](const end_point& left, const integrand& at_left, const end_point& right,
                           const integrand& at_right) {
     const end_of_range at_left_end = end_of_range::finite(left, right);
     const end_of_range at_right_end = end_of_range::finite(right, left);
@@ -590,21 +594,21 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
     } else if (left_regular) {
       add_part(result, at_right, at_right_end, -1, bits);
     } else {
-      const limit middle = sum_of(left, difference(right, left), rational(1, 2));
+      const end_point middle = sum_of(left, difference(right, left), rational(1, 2));
       add_part(result, at_left, end_of_range::finite(left, middle), 1, bits);
       add_part(result, at_right, end_of_range::finite(right, middle), -1, bits);
     }
   };
-  const auto finite_with_cuts = [&](const limit& left, const limit& right) {
+  const auto finite_with_cuts = [&](const end_point& left, const end_point& right) {
     const pieces_of_range parts = analytic_pieces(f, left, right, bits);
     result.remainder += parts.remainder;
     result.has_tail = result.has_tail || parts.has_remainder;
     for (const piece& p : parts.pieces) {
-      limit start = p.left;
+      end_point start = p.left;
       const integrand* at_start = &p.at_left;
       for (const rational& q : cuts) {
         if (!is_inside(q, p.left, p.right)) continue;
-        const limit cut(q);
+        const end_point cut(q);
         finite(start, *at_start, cut, p.f);
         start = cut;
         at_start = &p.f;
@@ -612,7 +616,7 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
       finite(start, *at_start, p.right, p.at_right);
     }
   };
-  const auto to_infinity = [&](const limit& start, int sign) {
+  const auto to_infinity = [&](const end_point& start, int sign) {
     // The part from sign * infinity to sign * 2^e, beyond the start, every cut and, if that can be, every break: f is asked for nothing
     // on the other side of the start.
     magnitude reach = start.at(64).magnitude_upper();
@@ -624,13 +628,13 @@ preparation prepare(const integrand& f, const limit& a, const limit& b,
         sign);
     integer c;
     mpz_ui_pow_ui(c.backend().data(), 2, e);
-    limit point(rational(sign * c));
+    end_point point(rational(sign * c));
     add_part(result, f, end_of_range::infinity(sign, point), sign, bits);
     return point;
   };
   const bool both = a.infinite_sign() != 0 && b.infinite_sign() != 0;
-  const limit left = a.infinite_sign() != 0 ? to_infinity(both ? limit(0) : b, -1) : a;
-  const limit right = b.infinite_sign() != 0 ? to_infinity(both ? limit(0) : a, 1) : b;
+  const end_point left = a.infinite_sign() != 0 ? to_infinity(both ? end_point(0) : b, -1) : a;
+  const end_point right = b.infinite_sign() != 0 ? to_infinity(both ? end_point(0) : a, 1) : b;
   finite_with_cuts(left, right);
   if (result.why == reason::none) require_tiled(result.parts, a, b);
   return result;

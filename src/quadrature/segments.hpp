@@ -9,8 +9,8 @@ namespace polhode::detail {
 
 /// The part of a range from one point to another, in the direction of the integral.
 struct part_done {
-  limit from;
-  limit to;
+  end_point from;
+  end_point to;
 };
 
 /// The segments whose integrals make up an integral, and what they leave out.
@@ -27,17 +27,18 @@ struct preparation {
 };
 
 /// The parts run from a to b, each from where another one ends: their integrals add up to that from a to b. Points are
-/// the same where limit::is_same_as says so.
-[[nodiscard]] bool is_tiled(const std::vector<part_done>& parts, const limit& a, const limit& b);
+/// the same where end_point::is_same_as says so.
+[[nodiscard]] bool is_tiled(const std::vector<part_done>& parts, const end_point& a,
+                            const end_point& b);
 
 /// The range from a to b, cut at points between them, in increasing order. a < b as far as is known, or
 /// neither is infinite. The tails, where there are any, are made smaller than about 2^-bits of the rest.
 /// Throws std::logic_error where the parts do not tile the range, whatever they say.
-[[nodiscard]] preparation prepare(const integrand& f, const limit& a, const limit& b,
+[[nodiscard]] preparation prepare(const integrand& f, const end_point& a, const end_point& b,
                                   const std::vector<rational>& cuts, long bits);
 
 /// a < q < b, certainly: what is proved of f at q is said of the integral.
-[[nodiscard]] bool is_inside(const rational& q, const limit& a, const limit& b);
+[[nodiscard]] bool is_inside(const rational& q, const end_point& a, const end_point& b);
 
 /// On both sides of q, f is known by a series, or is known to grow too fast there.
 [[nodiscard]] bool can_cut_at(const integrand& f, const rational& q);

@@ -18,14 +18,14 @@ double_interval outward(const ball& x) { return double_interval::from_ball(x); }
 
 }  // namespace
 
-tail_series tail_series::argument(const detail::exact_ball& s, double r, int orders) {
+tail_series tail_series::argument(const known_number& s, double r, int orders) {
   const double most = std::min(r, 1.0);
-  const end_series x = end_series::argument(detail::exact_ball(), s, -1, most, orders);
+  const end_series x = end_series::argument(known_number(), s, -1, most, orders);
   return {std::nullopt, x, x.constant_like(1), double_interval(1), most};
 }
 
-tail_series tail_series::argument(const detail::exact_ball& a, const detail::exact_ball& s,
-                                  double r, int orders) {
+tail_series tail_series::argument(const known_number& a, const known_number& s, double r,
+                                  int orders) {
   const end_series x = end_series::argument(a, s, 1, r, orders);
   return {std::nullopt, x, x.constant_like(1), double_interval(1), r};
 }

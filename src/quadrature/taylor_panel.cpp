@@ -10,7 +10,7 @@ std::optional<std::vector<taylor_panel>> cut_to(const smooth_range& range,
   for (taylor_panel p : panels) {
     const closed_interval all = p.interval();
     // Panels before the lower end are left out, and those after the upper end.
-    if (!range.lower.exact && result.empty()) {
+    if (!range.lower.exact() && result.empty()) {
       const std::optional<int> at_upper = side_of(range.lower, *all.upper);
       if (!at_upper) return std::nullopt;
       if (*at_upper > 0) continue;
@@ -18,7 +18,7 @@ std::optional<std::vector<taylor_panel>> cut_to(const smooth_range& range,
       if (!at_lower) return std::nullopt;
       p.from_lower = *at_lower > 0;
     }
-    if (!range.upper.exact) {
+    if (!range.upper.exact()) {
       const std::optional<int> at_lower = side_of(range.upper, all.lower);
       if (!at_lower) return std::nullopt;
       if (*at_lower < 0) break;

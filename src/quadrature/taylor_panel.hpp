@@ -24,19 +24,19 @@ struct smooth_range {
   rational_polynomial exponent;   // s
   rational_polynomial phase;      // t
   bool is_sine = false;           // the imaginary part is meant
-  range_end lower;
-  range_end upper;
+  end_point lower = 0;
+  end_point upper = 0;
   bool begins_at_0 = false;
   std::optional<rational> greatest;
   bool is_inverted = false;  // the line is that of 1/y
 
   /// Where it lies in the range of y that it was cut from, of which it keeps the ends that are not exact.
   [[nodiscard]] piece_done piece() const {
-    const place from = lower.exact ? place(*lower.exact) : place::lower_end();
-    const place to = upper.exact ? place(*upper.exact) : place::upper_end();
+    const place from = lower.exact() ? place(*lower.exact()) : place::lower_end();
+    const place to = upper.exact() ? place(*upper.exact()) : place::upper_end();
     if (!is_inverted) return {from, to};
-    const auto inverse = [](const range_end& end, const place& otherwise) {
-      return end.exact && *end.exact != 0 ? place(rational(1 / *end.exact)) : otherwise;
+    const auto inverse = [](const end_point& end, const place& otherwise) {
+      return end.exact() && *end.exact() != 0 ? place(rational(1 / *end.exact())) : otherwise;
     };
     return {inverse(upper, place::lower_end()), inverse(lower, place::upper_end())};
   }

@@ -31,16 +31,10 @@ rational_polynomial shifted(const rational_polynomial& p, const rational& shift)
   for (std::size_t k = c.size(); k-- > 0;) result = result * y + rational_polynomial({c[k]});
   return result;
 }
-range_end inverse(const range_end& y) {
-  range_end w;
-  if (y.is_infinite) {
-    w.exact = 0;
-  } else if (y.exact) {
-    w.exact = rational(1) / *y.exact;
-  } else {
-    w.at = [at = y.at](precision p) { return 1 / at(p); };
-  }
-  return w;
+end_point inverse(const end_point& y) {
+  if (y.is_infinite()) return 0;
+  if (y.exact()) return rational(1 / *y.exact());
+  return end_point([y](precision p) { return 1 / y.at(p); });
 }
 
 /// The same integral over w = 1/y; s must be constant, t 0, and the range one of y > 0.
@@ -144,8 +138,8 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   panel_choice choice(range, bits);
   if (!choice.prepare()) return std::nullopt;
   const auto size = [&](double y) { return choice.log2_at(y); };
-  const double low = approximately(range.lower.value(64));
-  const double high = range.upper.is_infinite ? 1e300 : approximately(range.upper.value(64));
+  const double low = approximately(range.lower.at(64));
+  const double high = range.upper.is_infinite() ? 1e300 : approximately(range.upper.at(64));
   // The greatest values, in doubles: at the ends and where the logarithmic derivative is 0.
   rational_polynomial q({rational(1)});
   rational_polynomial slope = range.numerator.derivative();
@@ -156,7 +150,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   }
   slope = slope + range.exponent.derivative() * range.numerator * q;
   std::vector<double> peaks{low};
-  if (!range.upper.is_infinite) peaks.push_back(high);
+  if (!range.upper.is_infinite()) peaks.push_back(high);
   if (slope.degree() > 0) {
     for (const std::complex<double>& y : approximate_roots(slope)) {
       const bool is_real = std::abs(y.imag()) <= 1e-6 * std::abs(y.real());
@@ -164,7 +158,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     }
   }
   if (!(size(low) < 1e17)) {  // singular there
-    const double length = range.upper.is_infinite ? 1 : high - low;
+    const double length = range.upper.is_infinite() ? 1 : high - low;
     for (int k = 1; k <= 60; ++k) peaks.push_back(low + std::ldexp(length, -k));
   }
   std::sort(peaks.begin(), peaks.end());
@@ -195,14 +189,14 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   const auto leave_out_above = [&](const rational& t, const ball& bound) {
     result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
                             {place(t), place::upper_end()},
-                            {t, range.upper.exact}});
-    range.upper = exact_end(t);
+                            {t, range.upper.exact()}});
+    range.upper = t;
   };
   const auto leave_out_below = [&](const rational& t, const ball& bound) {
     result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
                             {place::lower_end(), place(t)},
-                            {*range.lower.exact, t}});
-    range.lower = exact_end(t);
+                            {*range.lower.exact(), t}});
+    range.lower = t;
   };
   const auto is_small = [&](const std::optional<ball>& bound) {
     return bound && approximate_log2(bound->magnitude_upper()) <= greatest - bits;
@@ -214,7 +208,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
   };
   // A short way is not worth a proof.
   constexpr double much = 40;
-  if (range.upper.is_infinite) {
+  if (range.upper.is_infinite()) {
     double outside = std::max(std::abs(*last), 1e-3);
     while (outside < 1e100 && counts(*last + outside)) outside *= 2;
     double step = crossing(*last, *last + outside) - *last;
@@ -226,19 +220,19 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
       leave_out_above(t, *bound);
       break;
     }
-  } else if (range.upper.exact && size(high) < least - much) {
+  } else if (range.upper.exact() && size(high) < least - much) {
     const double y = crossing(*last, high);
     const rational t = short_number(y, *last);
-    const std::optional<ball> bound = bound_by_slope(range, t, range.upper.exact);
-    if (t < *range.upper.exact && t > exact_double(*last) && is_small(bound)) {
+    const std::optional<ball> bound = bound_by_slope(range, t, range.upper.exact());
+    if (t < *range.upper.exact() && t > exact_double(*last) && is_small(bound)) {
       leave_out_above(t, *bound);
     }
   }
-  if (range.lower.exact && *first > low && size(low) < least - much) {
+  if (range.lower.exact() && *first > low && size(low) < least - much) {
     const double y = crossing(*first, low);
     const rational t = short_number(y, *first);
-    const std::optional<ball> bound = bound_by_slope(range, t, range.lower.exact);
-    if (t > *range.lower.exact && t < exact_double(*first) && is_small(bound)) {
+    const std::optional<ball> bound = bound_by_slope(range, t, range.lower.exact());
+    if (t > *range.lower.exact() && t < exact_double(*first) && is_small(bound)) {
       leave_out_below(t, *bound);
     }
   }
@@ -280,23 +274,23 @@ std::optional<finite_ranges> ranges_of(const hyperexponential_integral& part, do
   const bool is_steep = range.exponent.degree() >= 1 ||
                         std::any_of(range.factors.begin(), range.factors.end(),
                                     [](const smooth_factor& f) { return abs(f.exponent) >= 16; });
-  if (is_steep && (range.exponent.degree() >= 1 || !range.upper.is_infinite)) {
-    if (range.upper.is_infinite && !range.lower.exact) return std::nullopt;
+  if (is_steep && (range.exponent.degree() >= 1 || !range.upper.is_infinite())) {
+    if (range.upper.is_infinite() && !range.lower.exact()) return std::nullopt;
     return cut_off(std::move(range), bits);
   }
   if (range.phase.degree() >= 0) {
-    if (range.upper.is_infinite) return std::nullopt;
+    if (range.upper.is_infinite()) return std::nullopt;
     result.ranges.push_back(std::move(range));
     return result;
   }
   // Far out, over 1/y.
-  const double low = approximately(range.lower.value(64));
-  const double high = range.upper.is_infinite ? 1e300 : approximately(range.upper.value(64));
+  const double low = approximately(range.lower.at(64));
+  const double high = range.upper.is_infinite() ? 1e300 : approximately(range.upper.at(64));
   const double size = size_of_roots(range);
   // Without roots, and but for infinite ranges, one series serves as well.
   const double far = size > 0 ? std::exp2(std::ceil(std::log2(size)) + 1) : std::max(low, 1.0);
   if (!std::isfinite(low) || std::isnan(high) || !std::isfinite(far)) return std::nullopt;
-  const bool is_far = range.upper.is_infinite || (size > 0 && high > 16 * std::max(far, low));
+  const bool is_far = range.upper.is_infinite() || (size > 0 && high > 16 * std::max(far, low));
   if (!is_far) {
     result.ranges.push_back(std::move(range));
     return result;
@@ -304,12 +298,12 @@ std::optional<finite_ranges> ranges_of(const hyperexponential_integral& part, do
   if (low < far / 2) {
     const rational cut = exact_double(far);
     smooth_range near = range;
-    near.upper = exact_end(cut);
+    near.upper = cut;
     result.ranges.push_back(std::move(near));
-    range.lower = exact_end(cut);
+    range.lower = cut;
   }
   const bool may_be_inverted = range.exponent.degree() <= 0 && range.phase.is_zero() &&
-                               certainly_positive(range.lower.value(128));
+                               certainly_positive(range.lower.at(128));
   if (!may_be_inverted) return std::nullopt;
   result.ranges.push_back(inverted(range));
   return result;

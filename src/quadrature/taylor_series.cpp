@@ -122,8 +122,8 @@ class taylor_sum {
 
 }  // namespace
 
-std::optional<integral> integrate_by_taylor_series(const integrand& f, const limit& a,
-                                                   const limit& b,
+std::optional<integral> integrate_by_taylor_series(const integrand& f, const end_point& a,
+                                                   const end_point& b,
                                                    const integrate_options& options) {
   if (!f.record) return std::nullopt;
   const auto start = clock::now();

@@ -39,8 +39,9 @@ namespace polhode::detail {
 
 /// The integral by Taylor series, where f is found to be a sum of hyperexponential functions (hyperexponential.hpp) and
 /// the goal is reached: then it is certified. Otherwise returns nullopt. a < b as far as is known.
-[[nodiscard]] std::optional<integral> integrate_by_taylor_series(const integrand& f, const limit& a,
-                                                                 const limit& b,
+[[nodiscard]] std::optional<integral> integrate_by_taylor_series(const integrand& f,
+                                                                 const end_point& a,
+                                                                 const end_point& b,
                                                                  const integrate_options& options);
 
 }  // namespace polhode::detail

@@ -4,9 +4,9 @@
 
 namespace polhode::detail {
 
-std::optional<int> side_of(const range_end& end, const rational& q) {
-  if (end.is_infinite) return 1;
-  if (end.exact) return *end.exact < q ? -1 : *end.exact > q ? 1 : 0;
+std::optional<int> side_of(const end_point& end, const rational& q) {
+  if (end.is_infinite()) return end.infinite_sign();
+  if (end.exact()) return *end.exact() < q ? -1 : *end.exact() > q ? 1 : 0;
   constexpr precision most = 1L << 15;
   for (precision p = 64; p <= most; p *= 2) {
     const ball x = end.at(p);
@@ -18,8 +18,8 @@ std::optional<int> side_of(const range_end& end, const rational& q) {
 }
 
 place range_tiling::normal(const place& p) const {
-  if (p.what == place::kind::lower_end && lower_.exact) return *lower_.exact;
-  if (p.what == place::kind::upper_end && upper_.exact) return *upper_.exact;
+  if (p.what == place::kind::lower_end && lower_.exact()) return *lower_.exact();
+  if (p.what == place::kind::upper_end && upper_.exact()) return *upper_.exact();
   return p;
 }
 
@@ -27,8 +27,8 @@ bool range_tiling::is_in(const place& p, const closed_interval& within) const {
   if (p.what == place::kind::exact) {
     return within.lower <= p.at && (!within.upper || p.at <= *within.upper);
   }
-  const range_end& end = p.what == place::kind::lower_end ? lower_ : upper_;
-  if (end.is_infinite) return !within.upper;
+  const end_point& end = p.what == place::kind::lower_end ? lower_ : upper_;
+  if (end.is_infinite()) return end.infinite_sign() > 0 && !within.upper;
   const std::optional<int> above = side_of(end, within.lower);
   if (!above || *above < 0) return false;
   if (!within.upper) return true;

@@ -15,34 +15,17 @@
 // which its bounds hold, is proved from the end's enclosures.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "polhode/arithmetic/ball.hpp"
-#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/end_point.hpp"
 
 namespace polhode::detail {
 
-/// An end of a range: a rational number, a number that can be had to any precision, or +infinity.
-struct range_end {
-  std::optional<rational> exact;
-  std::function<ball(precision p)> at;  // where it is not exact
-  bool is_infinite = false;             // +infinity
-
-  [[nodiscard]] ball value(precision p) const { return exact ? ball(*exact, p) : at(p); }
-};
-
-[[nodiscard]] inline range_end exact_end(rational q) {
-  range_end end;
-  end.exact = std::move(q);
-  return end;
-}
-
 /// The sign of end - q: 1, 0 (only where the end is exact), -1. Returns nullopt where no enclosure of up to
 /// 2^15 bits tells.
-[[nodiscard]] std::optional<int> side_of(const range_end& end, const rational& q);
+[[nodiscard]] std::optional<int> side_of(const end_point& end, const rational& q);
 
 /// Where a piece begins or ends: at a rational number, or at an end of the range.
 struct place {
@@ -75,7 +58,7 @@ struct closed_interval {
 /// Pieces of a range, which are to tile it.
 class range_tiling {
  public:
-  range_tiling(range_end lower, range_end upper)
+  range_tiling(end_point lower, end_point upper)
       : lower_(std::move(lower)), upper_(std::move(upper)) {}
 
   /// Notes a piece. Where it is not proved that both its ends lie in the interval that the rule was given, the range counts
@@ -90,8 +73,8 @@ class range_tiling {
   [[nodiscard]] place normal(const place& p) const;
   [[nodiscard]] bool is_in(const place& p, const closed_interval& within) const;
 
-  range_end lower_;
-  range_end upper_;
+  end_point lower_;
+  end_point upper_;
   std::vector<piece_done> pieces_;
   bool is_refuted_ = false;
 };
@@ -100,7 +83,7 @@ class range_tiling {
 template <class Value>
 class tiled_sum {
  public:
-  tiled_sum(range_end lower, range_end upper, Value zero)
+  tiled_sum(end_point lower, end_point upper, Value zero)
       : tiling_(std::move(lower), std::move(upper)), sum_(std::move(zero)) {}
 
   void add(const piece_done& done, const closed_interval& within, const Value& value) {

@@ -15,7 +15,6 @@ std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
   return natural_domain::pow(x, y);
 }
 
-using detail::known_number;
 using product = function_structure::product;
 using factor = function_structure::factor;
 

@@ -148,8 +148,8 @@ std::size_t height(const rational& q) { return rational_polynomial({q}).height()
 
 struct root_search::state {
   std::shared_ptr<const real_function> f;
-  range_end lower = 0;
-  range_end upper = 0;
+  end_point lower = 0;
+  end_point upper = 0;
   std::vector<root_problem> problems;
   std::vector<detail::settled_pieces> settled;  // of each problem
   std::vector<work_box> pending;                // a stack, the leftmost box on top
@@ -947,7 +947,7 @@ class searcher {
 enum class side { inside, outside, undecided };
 
 /// On which side of the lower (or upper) end of the interval the root of the region lies.
-side side_of(const root_region& given, const range_end& end, bool is_lower, const real_function& f,
+side side_of(const root_region& given, const end_point& end, bool is_lower, const real_function& f,
              root_region& sharper) {
   if (end.infinite_sign() != 0) return side::inside;
   const bool is_proved =
@@ -981,7 +981,7 @@ side side_of(const root_region& given, const range_end& end, bool is_lower, cons
 }
 
 /// The rational numbers around an end, so that the interval is not cut short.
-std::optional<rational> outer_end(const range_end& end, bool is_lower) {
+std::optional<rational> outer_end(const end_point& end, bool is_lower) {
   if (end.infinite_sign() != 0) return std::nullopt;
   if (end.exact()) return end.exact();
   const ball x = end.at(128);
@@ -993,7 +993,7 @@ std::optional<rational> outer_end(const range_end& end, bool is_lower) {
 }
 
 /// Ends that are not exact, and are nearer to each other than the numbers of outer_end show.
-void expect_in_order(const range_end& lower, const range_end& upper) {
+void expect_in_order(const end_point& lower, const end_point& upper) {
   if (lower.infinite_sign() != 0 || upper.infinite_sign() != 0) return;
   if (lower.exact() && upper.exact()) return;
   constexpr precision most = 1024;
@@ -1042,7 +1042,7 @@ void expect_whole(const root_search::state& s) {
   constexpr precision p = 192;  // other than that which the ends were made with
   for (std::size_t i = 0; i < s.problems.size(); ++i) {
     const exact_box& whole = s.settled[i].whole();
-    const auto is_outside = [&](const std::optional<rational>& end, const range_end& asked,
+    const auto is_outside = [&](const std::optional<rational>& end, const end_point& asked,
                                 bool is_lower) {
       if (asked.infinite_sign() != 0) return !end;
       if (asked.exact()) return end == asked.exact();
@@ -1089,7 +1089,7 @@ void keep_out_other_roots(root_region& r, std::size_t problem,
 
 }  // namespace
 
-root_search::root_search(const real_function& f, const range_end& lower, const range_end& upper) {
+root_search::root_search(const real_function& f, const end_point& lower, const end_point& upper) {
   auto s = std::make_shared<state>();
   s->f = std::make_shared<real_function>(f);
   s->lower = lower;
@@ -1220,7 +1220,7 @@ root_set root_search::result() const {
   return result;
 }
 
-root_set isolate_roots(const real_function& f, const range_end& lower, const range_end& upper,
+root_set isolate_roots(const real_function& f, const end_point& lower, const end_point& upper,
                        const isolate_options& options) {
   root_search s(f, lower, upper);
   s.run(options);

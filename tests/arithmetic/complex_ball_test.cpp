@@ -48,11 +48,11 @@ std::string described(const point& z) {
 }
 
 /// The dyadic number q as a ball, exactly, with at least p bits.
-ball exact_ball(const rational& q, precision p) {
+ball known_number(const rational& q, precision p) {
   return ball(exact_real(q).get()).with_precision(std::max(p, mpfr_get_prec(exact_real(q).get())));
 }
-complex_ball exact_ball(const point& z, precision p) {
-  return {exact_ball(z.re, p), exact_ball(z.im, p)};
+complex_ball known_number(const point& z, precision p) {
+  return {known_number(z.re, p), known_number(z.im, p)};
 }
 
 ::testing::AssertionResult holds(const complex_ball& z, const point& w) {
@@ -219,8 +219,8 @@ class complex_source : public random_source {
 complex_ball value_on_cut(const std::string& name, const point& z, precision p) {
   const ball zero(0, p);
   const ball half_pi = scale(pi(p), -1);
-  const ball x = exact_ball(z.re, p);
-  const ball y = exact_ball(z.im, p);
+  const ball x = known_number(z.re, p);
+  const ball y = known_number(z.im, p);
   const bool left = z.re < 0;
   if (name == "sqrt") return {zero, sqrt(-x)};
   if (name == "log") return {log(-x), pi(p)};
@@ -568,7 +568,7 @@ TEST(ComplexValues, OnTheCutsTheSideIsAboveOrRight) {
       const point on = imaginary_axis ? point{0, rational(place)} : point{rational(place), 0};
       if (!is_on_cut(e.where, on)) continue;
       SCOPED_TRACE(std::string(e.name) + " at " + described(on));
-      const complex_ball z = exact_ball(on, p);
+      const complex_ball z = known_number(on, p);
       const complex_ball value = e.f(z);
       EXPECT_TRUE(agrees(value, value_on_cut(e.name, on, 500)));
       const auto shifted = [&](double low, double high) {

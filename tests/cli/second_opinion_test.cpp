@@ -161,24 +161,24 @@ TEST(SecondOpinion, AnotherRuleIsTakenThanTheFirst) {
 }
 
 TEST(SecondOpinion, TheCutIsBetweenTheEndsAndOnNoHalf) {
-  const limit root([](precision p) { return sqrt(ball(2, p)); });
-  const limit near([](precision p) { return sqrt(ball(2, p)) + parse_rational("1e-40"); });
-  const limit infinity = limit::infinity();
+  const end_point root([](precision p) { return sqrt(ball(2, p)); });
+  const end_point near([](precision p) { return sqrt(ball(2, p)) + parse_rational("1e-40"); });
+  const end_point infinity = end_point::infinity();
   struct range {
-    limit a, b;
+    end_point a, b;
   };
   for (const range& r : {range{0, 1}, range{1, 0}, range{root, near}, range{near, root},
                          range{-infinity, infinity}, range{-infinity, -7}, range{root, infinity},
-                         range{infinity, -1000}, range{limit::pi(-1), limit::pi(3)}}) {
+                         range{infinity, -1000}, range{end_point::pi(-1), end_point::pi(3)}}) {
     const auto cut = cli::cut_between(r.a, r.b);
     ASSERT_TRUE(cut.has_value());
     EXPECT_EQ(denominator(*cut) % 3, 0);
     const ball x(*cut, 1000);
-    const auto is_below = [](const ball& low, const limit& high) {
+    const auto is_below = [](const ball& low, const end_point& high) {
       return high.infinite_sign() > 0 ||
              (high.infinite_sign() == 0 && certainly_less(low, high.at(1000)));
     };
-    const auto is_above = [](const ball& high, const limit& low) {
+    const auto is_above = [](const ball& high, const end_point& low) {
       return low.infinite_sign() < 0 ||
              (low.infinite_sign() == 0 && certainly_less(low.at(1000), high));
     };
@@ -186,7 +186,7 @@ TEST(SecondOpinion, TheCutIsBetweenTheEndsAndOnNoHalf) {
   }
   EXPECT_FALSE(cli::cut_between(1, 1).has_value());
   EXPECT_FALSE(
-      cli::cut_between(ball(1, 64), limit(ball(1, 64).enlarged(magnitude::power_of_two(-9))))
+      cli::cut_between(ball(1, 64), end_point(ball(1, 64).enlarged(magnitude::power_of_two(-9))))
           .has_value());
 }
 

@@ -14,10 +14,10 @@
 namespace polhode::differential {
 namespace {
 
-limit read_limit(const term& t) {
-  if (t.is("inf")) return limit::infinity();
-  if (t.is("-inf")) return -limit::infinity();
-  return cli::limit_of(read(t));
+end_point read_limit(const term& t) {
+  if (t.is("inf")) return end_point::infinity();
+  if (t.is("-inf")) return -end_point::infinity();
+  return cli::end_point_of(read(t));
 }
 
 /// As the command line needs it: not to be taken for an option.

@@ -36,12 +36,12 @@ std::string command_of(const root_case& c) {
                      text, c.from.text(), c.to.text());
 }
 
-range_end end_of(const term& t) {
-  if (t.is("inf")) return range_end::infinity();
-  if (t.is("-inf")) return range_end::minus_infinity();
+end_point end_of(const term& t) {
+  if (t.is("inf")) return end_point::infinity();
+  if (t.is("-inf")) return -end_point::infinity();
   const expression f = read(t);
-  if (const auto form = cli::limit_of(f).form()) return range_end(*form);
-  return range_end([f](precision p) { return f.value(p); });
+  if (const auto form = cli::end_point_of(f).form()) return end_point(*form);
+  return end_point([f](precision p) { return f.value(p); });
 }
 
 root_set roots_of(const root_case& c) {

@@ -15,8 +15,8 @@ using support::known_integral;
 using support::power_of_ten;
 using support::right;
 
-const limit infinity = limit::infinity();
-const limit pi_limit([](precision p) { return pi(p); });
+const end_point infinity = end_point::infinity();
+const end_point pi_limit([](precision p) { return pi(p); });
 ball number(long n, precision p) { return {n, p}; }
 ball root_of(long n, precision p) { return sqrt(number(n, p)); }
 const std::string antiderivative = "derivation: antiderivatives between the breaks";
@@ -38,10 +38,10 @@ std::vector<known_integral> kinks() {
       known("|x^2-2| from 1e-30 beyond the break", antiderivative, kink, above, 2,
             [=](precision p) { return ball(rational(primitive(2) - primitive(above)), p); }),
       known("|x^2-2| from the break", antiderivative, kink,
-            limit([](precision p) { return root_of(2, p); }), 2,
+            end_point([](precision p) { return root_of(2, p); }), 2,
             [=](precision p) { return primitive(2) + 4 * root_of(2, p) / 3; }),
       known("|x^2-2| up to the break", antiderivative, kink, 1,
-            limit([](precision p) { return root_of(2, p); }),
+            end_point([](precision p) { return root_of(2, p); }),
             [=](precision p) { return primitive(1) + 4 * root_of(2, p) / 3; }),
       known(
           "|x^3-2|", antiderivative, [](const auto& x) { return abs(pow(x, 3) - 2); }, 0, 2,
@@ -264,7 +264,7 @@ TEST(Breaks, AnywhereInTheRange) {
 }
 
 template <class F>
-void refused(const F& f, const limit& a, const limit& b, reason why) {
+void refused(const F& f, const end_point& a, const end_point& b, reason why) {
   const integral i = integrate(f, a, b, {.digits = 5});
   EXPECT_EQ(i.verdict, status::not_certified);
   EXPECT_EQ(to_text(i.why), to_text(why)) << i.obstacle;

@@ -19,9 +19,9 @@ using support::real_power;
 using support::right;
 using support::sum_of_series;
 
-const limit infinity = limit::infinity();
+const end_point infinity = end_point::infinity();
 const auto pi_limit = [](const rational& factor) {
-  return limit([factor](precision p) { return pi(p) * factor; });
+  return end_point([factor](precision p) { return pi(p) * factor; });
 };
 const auto exactly = [](const rational& q) { return [q](precision p) { return ball(q, p); }; };
 ball number(long n, precision p) { return ball(n, p); }
@@ -155,15 +155,16 @@ std::vector<known_integral> extreme() {
           [](precision p) { return exp(number(-5000, p)) - exp(number(-5001, p)); }),
       known(
           "tiny range", antiderivative, [](const auto& x) { return exp(x); }, 0,
-          limit(power_of_ten(-300)),
+          end_point(power_of_ten(-300)),
           [](precision p) { return expm1(ball(power_of_ten(-300), p)); }),
       known(
           "tiny range far from 0", antiderivative, [](const auto& x) { return 1 / x; }, 1,
-          limit(rational(1 + power_of_ten(-40))),
+          end_point(rational(1 + power_of_ten(-40))),
           [](precision p) { return log1p(ball(power_of_ten(-40), p)); }),
       known(
           "huge range", antiderivative, [](const auto& x) { return 1 / (1 + x * x); }, 0,
-          limit(power_of_ten(100)), [](precision p) { return atan(ball(power_of_ten(100), p)); }),
+          end_point(power_of_ten(100)),
+          [](precision p) { return atan(ball(power_of_ten(100), p)); }),
       known(
           "exp(-x) to 1e6", antiderivative, [](const auto& x) { return exp(-x); }, 0, 1'000'000,
           [](precision p) { return 1 - exp(number(-1'000'000, p)); }),
@@ -220,7 +221,7 @@ std::vector<known_integral> singular() {
           [](precision p) { return pi(p); }),
       known(
           "x/sqrt(x^2-1/4)", antiderivative,
-          [](const auto& x) { return x / sqrt(x * x - rational(1, 4)); }, limit(half), 1,
+          [](const auto& x) { return x / sqrt(x * x - rational(1, 4)); }, end_point(half), 1,
           [](precision p) { return sqrt(number(3, p)) / 2; }),
       known(
           "sqrt(x(1-x))", "DLMF 5.12.1", [](const auto& x) { return sqrt(x * (1 - x)); }, 0, 1,
@@ -373,7 +374,7 @@ std::vector<known_integral> broken() {
           exactly(55)),
       known(
           "floor to 10/3", "derivation: 0 + 1 + 2 + 3/3", [](const auto& x) { return floor(x); }, 0,
-          limit(rational(10, 3)), exactly(4)),
+          end_point(rational(10, 3)), exactly(4)),
       known(
           "ceil(3x)", "derivation: (1 + 2 + 3)/3", [](const auto& x) { return ceil(3 * x); }, 0, 1,
           exactly(2)),
@@ -481,7 +482,7 @@ TEST(ClosedForms, CostAsManyEvaluationsAsTheyDid) {
 }
 
 TEST(Integrate, OverNothingIsZero) {
-  for (const limit& a : {limit(0), limit(rational(-7, 3)), limit(1000)}) {
+  for (const end_point& a : {end_point(0), end_point(rational(-7, 3)), end_point(1000)}) {
     const integral i = integrate([](const auto& x) { return 1 / x; }, a, a);
     EXPECT_EQ(i.verdict, status::certified);
     EXPECT_TRUE(i.enclosure.is_exact());
@@ -493,13 +494,13 @@ TEST(Integrate, TakesLimitsThatAreBalls) {
   const auto f = [](const auto& x) { return exp(x); };
   // A range of limits: the integral for each of them is inside, and the width is that of the limits.
   const ball a = hull(ball(rational(-1, 1'000'000), 64), ball(rational(1, 1'000'000), 64));
-  const integral wide = integrate(f, limit(a), 1, {.digits = 15});
+  const integral wide = integrate(f, end_point(a), 1, {.digits = 15});
   EXPECT_EQ(wide.verdict, status::not_certified);
   EXPECT_EQ(wide.why, reason::precision_limit);
   for (const rational& q : {rational(-1, 1'000'000), rational(0), rational(1, 1'000'000)}) {
     EXPECT_TRUE(support::holds(wide, exp(ball(1, 300)) - exp(ball(q, 300)))) << q;
   }
-  const integral enough = integrate(f, limit(a), 1, {.digits = 5});
+  const integral enough = integrate(f, end_point(a), 1, {.digits = 5});
   EXPECT_EQ(enough.verdict, status::certified);
   EXPECT_TRUE(support::holds(enough, exp(ball(1, 300)) - 1));
 }
@@ -507,8 +508,8 @@ TEST(Integrate, TakesLimitsThatAreBalls) {
 TEST(Integrate, RefusesLimitsThatAreNoNumbers) {
   const auto f = [](const auto& x) { return exp(-x); };
   for (const ball& bad : {ball::undefined(64), ball::entire(64)}) {
-    for (const integral& i : {integrate(f, limit(bad), 1), integrate(f, 0, limit(bad)),
-                              integrate(f, limit(bad), infinity)}) {
+    for (const integral& i : {integrate(f, end_point(bad), 1), integrate(f, 0, end_point(bad)),
+                              integrate(f, end_point(bad), infinity)}) {
       EXPECT_EQ(i.verdict, status::not_certified);
       EXPECT_FALSE(i.enclosure.is_bounded());
     }
@@ -518,7 +519,7 @@ TEST(Integrate, RefusesLimitsThatAreNoNumbers) {
 }
 
 template <class F>
-void refused(const char* name, F f, const limit& a, const limit& b, reason why,
+void refused(const char* name, F f, const end_point& a, const end_point& b, reason why,
              const std::string& says) {
   for (const long digits : {5L, 15L}) {
     const integral i = integrate(f, a, b, {.digits = digits});
@@ -575,32 +576,32 @@ TEST(Integrate, RefusesPolesInsideAndNamesThem) {
 // What is not in the range is not held against it.
 // At a multiple of pi, sin and cos are 0 exactly.
 TEST(Integrate, IsSingularAtMultiplesOfPi) {
-  const auto is = [](const auto& f, const limit& a, const limit& b, const auto& value) {
+  const auto is = [](const auto& f, const end_point& a, const end_point& b, const auto& value) {
     const integral i = integrate(f, a, b, {.digits = 40});
     EXPECT_EQ(i.verdict, status::certified) << i.obstacle;
     EXPECT_TRUE(overlaps(i.enclosure, value(200))) << i.enclosure;
   };
-  const limit half = limit::pi(rational(1, 2));
+  const end_point half = end_point::pi(rational(1, 2));
   const auto minus_pi_log_2 = [](precision p) { return -pi(p) * log(number(2, p)); };
-  is([](const auto& x) { return log(sin(x)); }, 0, limit::pi(), minus_pi_log_2);
+  is([](const auto& x) { return log(sin(x)); }, 0, end_point::pi(), minus_pi_log_2);
   is([](const auto& x) { return log(square(cos(x))); }, 0, half, minus_pi_log_2);
   // DLMF 5.12.2: the integral of sin^(2a-1) cos^(2b-1) over (0, pi/2) is B(a, b)/2.
   is([](const auto& x) { return sqrt(tan(x)); }, 0, half,
      [](precision p) { return pi(p) / sqrt(number(2, p)); });
-  is([](const auto& x) { return sqrt(sin(x)); }, 0, limit::pi(),
+  is([](const auto& x) { return sqrt(sin(x)); }, 0, end_point::pi(),
      [](precision p) {
        return gamma_at(rational(3, 4), p) * sqrt(pi(p)) / gamma_at(rational(5, 4), p);
      });
-  is([](const auto& x) { return 1 / sqrt(-cos(x)); }, half, limit::pi(),
+  is([](const auto& x) { return 1 / sqrt(-cos(x)); }, half, end_point::pi(),
      [](precision p) {
        return gamma_at(rational(1, 4), p) * sqrt(pi(p)) / gamma_at(rational(3, 4), p) / 2;
      });
   const integral pole = integrate([](const auto& x) { return tan(x); }, 0, half);
   EXPECT_EQ(pole.why, reason::not_integrable);
-  const integral beside = integrate([](const auto& x) { return 1 / sin(x); }, 1, limit::pi(3));
+  const integral beside = integrate([](const auto& x) { return 1 / sin(x); }, 1, end_point::pi(3));
   EXPECT_NE(beside.verdict, status::certified);
   // Not a multiple of pi, if not far from one.
-  const limit near([](precision p) { return pi(p) + scale(number(1, p), -200); });
+  const end_point near([](precision p) { return pi(p) + scale(number(1, p), -200); });
   EXPECT_NE(integrate([](const auto& x) { return 1 / sin(x); }, 3, near).verdict,
             status::certified);
 }
@@ -608,12 +609,13 @@ TEST(Integrate, IsSingularAtMultiplesOfPi) {
 TEST(Integrate, LooksOnlyBetweenTheLimits) {
   const rational pole = boost::multiprecision::pow(integer(2), 41);
   const auto f = [=](const auto& x) { return 1 / square(x - pole); };
-  const integral i = integrate(f, limit(2 * pole), infinity, {.digits = 30});
+  const integral i = integrate(f, end_point(2 * pole), infinity, {.digits = 30});
   EXPECT_EQ(i.verdict, status::certified) << i.obstacle;
   EXPECT_TRUE(contains(i.enclosure, rational(1 / pole)));
   // Of limits that may lie on either side of a pole, nothing is known.
   const ball around_1 = hull(ball(9, 64) / 10, ball(11, 64) / 10);
-  const integral j = integrate([](const auto& x) { return 1 / square(1 - x); }, 0, limit(around_1));
+  const integral j =
+      integrate([](const auto& x) { return 1 / square(1 - x); }, 0, end_point(around_1));
   EXPECT_EQ(j.verdict, status::not_certified);
   EXPECT_NE(j.why, reason::not_integrable);
 }

@@ -14,8 +14,8 @@ using support::power_of_ten;
 using support::to_rational;
 
 complex_ball number(long re, long im, precision p) { return {re, im, p}; }
-limit multiple_of_pi(const rational& q) {
-  return limit([q](precision p) { return pi(p) * q; });
+end_point multiple_of_pi(const rational& q) {
+  return end_point([q](precision p) { return pi(p) * q; });
 }
 
 struct known_contour_integral {
@@ -226,20 +226,20 @@ TEST(Contour, TwoPathsWithNothingBetweenThemAgree) {
         integrate_along(g, -path::polygon({p, corner, q}), {.digits = 25});
     EXPECT_TRUE(overlaps(-back.enclosure, bent.enclosure));
     // An arc over the same chord: the centre in the middle.
-    const auto middle = [&](const limit& x, const limit& y) {
-      return rational((x.exact_value() + y.exact_value()) / 2);
+    const auto middle = [&](const end_point& x, const end_point& y) {
+      return rational((x.exact().value() + y.exact().value()) / 2);
     };
     const rational cx = middle(p.re(), q.re());
     const rational cy = middle(p.im(), q.im());
-    const rational dx = q.re().exact_value() - cx;
-    const rational dy = q.im().exact_value() - cy;
+    const rational dx = q.re().exact().value() - cx;
+    const rational dy = q.im().exact().value() - cy;
     if (dx == 0 && dy == 0) continue;
-    const limit radius(
+    const end_point radius(
         [=](precision bits) { return sqrt(ball(rational(dx * dx + dy * dy), bits)); });
     const auto angle = [=](precision bits) { return atan2(ball(dy, bits), ball(dx, bits)); };
-    const path arc =
-        path::arc(path_point(cx, cy), radius,
-                  limit([=](precision bits) { return angle(bits) - pi(bits); }), limit(angle));
+    const path arc = path::arc(path_point(cx, cy), radius,
+                               end_point([=](precision bits) { return angle(bits) - pi(bits); }),
+                               end_point(angle));
     const contour_integral round = integrate_along(g, arc, {.digits = 25});
     ASSERT_EQ(round.verdict, status::certified) << round.obstacle;
     EXPECT_TRUE(overlaps(round.enclosure, straight.enclosure));
@@ -296,7 +296,7 @@ TEST(Contour, PolesOnThePathAreRefused) {
   EXPECT_TRUE(refused(f, path::circle(1, 1), "the pole of /"));
   EXPECT_TRUE(refused(
       [](const auto& z) { return tan(z); },
-      path::line(path_point(0, -1), path_point(limit([](precision p) { return pi(p); }), 1)),
+      path::line(path_point(0, -1), path_point(end_point([](precision p) { return pi(p); }), 1)),
       "the pole of tan"));
 }
 
@@ -413,9 +413,9 @@ TEST(Contour, WidePointsGiveWideTrueAnswers) {
 TEST(Contour, MisuseThrowsAndLimitsAreKept) {
   const auto f = [](const auto& z) { return exp(z); };
   EXPECT_THROW((void)integrate_along(f, path::circle(0, 1), {.digits = 0}), std::invalid_argument);
-  EXPECT_THROW((void)path::line(0, limit::infinity()), std::invalid_argument);
-  EXPECT_THROW((void)path::circle(0, limit::infinity()), std::invalid_argument);
-  EXPECT_THROW((void)path::arc(0, 1, 0, -limit::infinity()), std::invalid_argument);
+  EXPECT_THROW((void)path::line(0, end_point::infinity()), std::invalid_argument);
+  EXPECT_THROW((void)path::circle(0, end_point::infinity()), std::invalid_argument);
+  EXPECT_THROW((void)path::arc(0, 1, 0, -end_point::infinity()), std::invalid_argument);
   const contour_integral undefined = integrate_along(f, path::line(0, ball::undefined(64)));
   EXPECT_EQ(undefined.why, reason::not_defined);
   const contour_integral few =

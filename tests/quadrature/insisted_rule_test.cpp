@@ -22,7 +22,7 @@ integrate_options by(quadrature_rule rule, long digits = 60) {
 }
 
 template <class F>
-void expect_certified(const F& f, const limit& a, const limit& b, const ball& value,
+void expect_certified(const F& f, const end_point& a, const end_point& b, const ball& value,
                       quadrature_rule rule) {
   for (const long digits : {3L, 20L, 150L}) {
     const integral i = integrate(f, a, b, by(rule, digits));
@@ -55,11 +55,11 @@ TEST(InsistedRule, EachGivesTheValue) {
   for (const quadrature_rule rule :
        {quadrature_rule::gauss_legendre, quadrature_rule::clenshaw_curtis,
         quadrature_rule::trapezoid}) {
-    expect_certified([](const auto& x) { return 1 / (5 - 4 * cos(x)); }, 0, limit::pi(), p / 3,
+    expect_certified([](const auto& x) { return 1 / (5 - 4 * cos(x)); }, 0, end_point::pi(), p / 3,
                      rule);
   }
-  expect_certified([](const auto& x) { return 1 / (1 + square(x)); }, 0, limit::infinity(), p / 2,
-                   quadrature_rule::gauss_legendre);
+  expect_certified([](const auto& x) { return 1 / (1 + square(x)); }, 0, end_point::infinity(),
+                   p / 2, quadrature_rule::gauss_legendre);
 }
 
 TEST(InsistedRule, ClenshawCurtisTakesAboutTwiceTheNodes) {
@@ -85,21 +85,21 @@ TEST(InsistedRule, SaysWhyItDoesNotApply) {
   const std::string not_periodic =
       "not applicable: the trapezoidal rule needs an integrand that is proved periodic";
   EXPECT_EQ(starts(why(integrate(e, 0, 1, by(trapezoid))), not_periodic), "");
-  EXPECT_EQ(starts(why(integrate(e, 0, limit::pi(), by(trapezoid))), not_periodic), "");
-  EXPECT_EQ(starts(why(integrate([](const auto& x) { return exp(-x * x); }, 0, limit::infinity(),
-                                 by(trapezoid))),
+  EXPECT_EQ(starts(why(integrate(e, 0, end_point::pi(), by(trapezoid))), not_periodic), "");
+  EXPECT_EQ(starts(why(integrate([](const auto& x) { return exp(-x * x); }, 0,
+                                 end_point::infinity(), by(trapezoid))),
                    not_periodic),
             "");
   // Even about both limits, with a kink between.
   EXPECT_EQ(starts(why(integrate([](const auto& x) { return abs(cos(x) - rational(1, 3)); }, 0,
-                                 limit::pi(), by(trapezoid))),
+                                 end_point::pi(), by(trapezoid))),
                    "not applicable: the trapezoidal rule needs"),
             "");
   EXPECT_EQ(starts(why(integrate([](const auto& x) { return 1 / sqrt(x); }, 0, 1,
                                  by(quadrature_rule::clenshaw_curtis))),
                    "not applicable: the rule Clenshaw-Curtis needs values at the ends"),
             "");
-  EXPECT_EQ(starts(why(integrate(e, 0, limit::pi(), by(exponential))),
+  EXPECT_EQ(starts(why(integrate(e, 0, end_point::pi(), by(exponential))),
                    "not applicable: the double exponential rule needs rational limits"),
             "");
   EXPECT_EQ(starts(why(integrate([](const auto& x) { return abs(x - rational(1, 3)); }, 0, 1,

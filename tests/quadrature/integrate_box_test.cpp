@@ -17,8 +17,8 @@ using support::power_of_ten;
 
 constexpr precision exact_bits = 300;
 ball number(const rational& q) { return ball(q, exact_bits); }
-limit half_pi() {
-  return limit([](precision p) { return pi(p) / 2; });
+end_point half_pi() {
+  return end_point([](precision p) { return pi(p) / 2; });
 }
 
 constexpr auto exponential = [](const auto& x, const auto& p) { return exp(p[0] * x); };
@@ -282,7 +282,7 @@ TEST(IntegrateBox, WhereNoDerivativeIsHadTheDirectEnclosureStands) {
   EXPECT_TRUE(contains(root.enclosure, rational(2)) && contains(root.enclosure, rational(4)));
   const box_integral decay =
       integrate_box([](const auto& x, const auto& p) { return exp(-p[0] * x); }, 0,
-                    limit::infinity(), {{1, rational(11, 10)}}, {.digits = 10});
+                    end_point::infinity(), {{1, rational(11, 10)}}, {.digits = 10});
   EXPECT_EQ(decay.verdict, status::certified) << decay.obstacle;
   EXPECT_TRUE(contains(decay.enclosure, rational(1)) &&
               contains(decay.enclosure, rational(10, 11)));

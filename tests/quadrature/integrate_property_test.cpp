@@ -49,7 +49,7 @@ TEST(IntegrateProperty, OfSimpleFractionsIsTheirLogarithms) {
     const long digits = random.between(1, 60);
     const integral i =
         integrate([=](const auto& x) { return c / (x - p) + d / (square(x - u) + v * v); },
-                  limit(a), limit(b), {.digits = digits});
+                  end_point(a), end_point(b), {.digits = digits});
     const ball logs = c * log(number((b - p) / (a - p)));
     const ball angles = d / v * (atan(number((b - u) / v)) - atan(number((a - u) / v)));
     check(i, logs + angles, true);
@@ -65,8 +65,8 @@ TEST(IntegrateProperty, OfExponentialsTimesSines) {
     if (a == b) continue;
     const rational c = between(random, -8, 8);
     const rational w = between(random, 1, 60);
-    const integral i = integrate([=](const auto& x) { return exp(c * x) * sin(w * x); }, limit(a),
-                                 limit(b), {.digits = random.between(1, 60)});
+    const integral i = integrate([=](const auto& x) { return exp(c * x) * sin(w * x); },
+                                 end_point(a), end_point(b), {.digits = random.between(1, 60)});
     const auto antiderivative = [&](const rational& x) {
       return exp(number(c * x)) * (c * sin(number(w * x)) - w * cos(number(w * x))) /
              rational(c * c + w * w);
@@ -84,8 +84,8 @@ TEST(IntegrateProperty, OfPowersAndLogarithmsAtAnEnd) {
     const rational alpha(random.between(-5, 9), random.between(6, 8));
     const bool with_log = random.one_in(2);
     const bool from_right = random.one_in(2);
-    const limit near{end};
-    const limit far{rational(from_right ? end - h : end + h)};
+    const end_point near{end};
+    const end_point far{rational(from_right ? end - h : end + h)};
     const auto f = [=](const auto& x) {
       const auto s = from_right ? end - x : x - end;
       const auto power = support::real_power(s, alpha);
@@ -105,10 +105,10 @@ TEST(IntegrateProperty, IsAdditiveAndTurnsItsSign) {
     return exp(sin(3 * x)) / (x * x + rational(1, 50)) + sqrt(x + 4) * log(5 - x);
   };
   for (support::repeat trial(40); trial.again();) {
-    const limit a{between(random, -4, 5)};
-    const limit b{between(random, -4, 5)};
-    const limit c{between(random, -4, 5)};
-    const auto over = [&](const limit& from, const limit& to) {
+    const end_point a{between(random, -4, 5)};
+    const end_point b{between(random, -4, 5)};
+    const end_point c{between(random, -4, 5)};
+    const auto over = [&](const end_point& from, const end_point& to) {
       return integrate(f, from, to, {.digits = random.between(1, 40)}).enclosure;
     };
     EXPECT_TRUE(meet(over(a, b) + over(b, c), over(a, c)));
@@ -126,12 +126,12 @@ TEST(IntegrateProperty, DoesNotMindScalingAndReflection) {
     const rational q = between(random, 0, 3);
     const auto f = [=](const auto& x) { return abs(x - q) * atan(8 * x - 7) / sqrt(x + 1); };
     const integrate_options options{.digits = random.between(1, 25)};
-    const ball plain = integrate(f, limit(a), limit(b), options).enclosure;
-    const ball scaled = integrate([=](const auto& x) { return f(x * k); }, limit(rational(a / k)),
-                                  limit(rational(b / k)), options)
+    const ball plain = integrate(f, end_point(a), end_point(b), options).enclosure;
+    const ball scaled = integrate([=](const auto& x) { return f(x * k); },
+                                  end_point(rational(a / k)), end_point(rational(b / k)), options)
                             .enclosure;
-    const ball reflected = integrate([=](const auto& x) { return f(-x); }, limit(rational(-b)),
-                                     limit(rational(-a)), options)
+    const ball reflected = integrate([=](const auto& x) { return f(-x); }, end_point(rational(-b)),
+                                     end_point(rational(-a)), options)
                                .enclosure;
     EXPECT_TRUE(plain.is_bounded());
     EXPECT_TRUE(meet(plain, scaled * k));

@@ -39,8 +39,8 @@ struct known_integral {
 };
 
 template <class F>
-[[nodiscard]] known_integral known(std::string name, std::string source, F f, limit a, limit b,
-                                   std::function<ball(precision)> value) {
+[[nodiscard]] known_integral known(std::string name, std::string source, F f, end_point a,
+                                   end_point b, std::function<ball(precision)> value) {
   return {std::move(name), std::move(source),
           [f, a = std::move(a), b = std::move(b)](const integrate_options& options) {
             return integrate(f, a, b, options);
@@ -48,8 +48,8 @@ template <class F>
           std::move(value), nullptr};
 }
 template <class F>
-[[nodiscard]] known_integral known_zero(std::string name, std::string source, F f, limit a, limit b,
-                                        std::function<ball(precision)> size) {
+[[nodiscard]] known_integral known_zero(std::string name, std::string source, F f, end_point a,
+                                        end_point b, std::function<ball(precision)> size) {
   known_integral k = known(std::move(name), std::move(source), f, std::move(a), std::move(b),
                            [](precision p) { return ball(0, p); });
   k.size = std::move(size);

@@ -16,7 +16,7 @@ using support::known;
 using support::known_integral;
 using support::real_power;
 
-const limit infinity = limit::infinity();
+const end_point infinity = end_point::infinity();
 ball number(long n, precision p) { return ball(n, p); }
 ball half_pi(precision p) { return pi(p) / 2; }
 
@@ -125,7 +125,7 @@ TEST(Oscillation, KnowsFrequenciesThatCancel) {
 }
 
 template <class F>
-void refused(const char* name, F f, const limit& a, const limit& b, reason why) {
+void refused(const char* name, F f, const end_point& a, const end_point& b, reason why) {
   const integral i = integrate(f, a, b, {.digits = 10});
   EXPECT_EQ(i.verdict, status::not_certified) << name;
   EXPECT_EQ(i.why, why) << name << ": " << i.obstacle;

@@ -38,14 +38,13 @@ smooth_range range_of(const rational_polynomial& numerator, const rational& powe
   smooth_range range;
   range.numerator = numerator;
   if (power != 0) range.factors.push_back({y, power});
-  range.lower = detail::exact_end(power != 0 ? 0 : -1);
-  range.upper = detail::exact_end(1);
+  range.lower = power != 0 ? 0 : -1;
+  range.upper = 1;
   return range;
 }
 /// A range of which the panel sees the upper end only by its enclosures.
 void end_inexactly(smooth_range& range, const rational& z) {
-  range.upper = {};
-  range.upper.at = [z](precision p) { return ball(z, std::max<precision>(p, many_bits)); };
+  range.upper = end_point([z](precision p) { return ball(z, std::max<precision>(p, many_bits)); });
 }
 taylor_panel cut(taylor_panel panel) {
   panel.to_upper = true;
@@ -261,8 +260,8 @@ TEST(PanelIntegral, APanelTooSmallToBeSummedIsBounded) {
 /// What is left out of the integral of y^500 from 0 to 1, and of that of e^(-y) from 0 to infinity.
 TEST(TaylorRanges, WhatIsLeftOutIsBounded) {
   detail::hyperexponential_integral part;
-  part.lower = detail::exact_end(0);
-  part.upper = detail::exact_end(1);
+  part.lower = 0;
+  part.upper = 1;
   part.function.powers.push_back({y, 500});
   const std::optional<detail::finite_ranges> of_power = detail::ranges_of(part, 64);
   ASSERT_TRUE(of_power);
@@ -276,8 +275,8 @@ TEST(TaylorRanges, WhatIsLeftOutIsBounded) {
   EXPECT_GT(share_of_radius(below.value, pow(t, 501) / 501), 0.45);
 
   part = {};
-  part.lower = detail::exact_end(0);
-  part.upper.is_infinite = true;
+  part.lower = 0;
+  part.upper = end_point::infinity();
   part.function.exponent = constant(-1) * y;
   const std::optional<detail::finite_ranges> of_exponential = detail::ranges_of(part, 64);
   ASSERT_TRUE(of_exponential);

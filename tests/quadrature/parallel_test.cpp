@@ -17,8 +17,8 @@ namespace polhode {
 namespace {
 
 TEST(ParallelIntegral, HasTheSameBitsOnAnyNumberOfThreads) {
-  const auto check = [](const std::string& name, const auto& f, const limit& a, const limit& b,
-                        quadrature_rule rule = quadrature_rule::automatic) {
+  const auto check = [](const std::string& name, const auto& f, const end_point& a,
+                        const end_point& b, quadrature_rule rule = quadrature_rule::automatic) {
     for (const long digits : {40L, 200L}) {
       const integral one = integrate(f, a, b, {.digits = digits, .rule = rule});
       EXPECT_EQ(one.verdict, status::certified) << name;
@@ -30,11 +30,11 @@ TEST(ParallelIntegral, HasTheSameBitsOnAnyNumberOfThreads) {
       }
     }
   };
-  const limit infinity = limit::infinity();
+  const end_point infinity = end_point::infinity();
   check(
       "panels", [](const auto& x) { return 1 / (1 + 25 * square(x)) + log(x + 3); }, -1, 1);
   check(
-      "a period", [](const auto& x) { return sqrt(3 + cos(x) + sin(2 * x)); }, 0, limit::pi(2));
+      "a period", [](const auto& x) { return sqrt(3 + cos(x) + sin(2 * x)); }, 0, end_point::pi(2));
   check(
       "an end", [](const auto& x) { return log(x) * cos(x); }, 0, 1);
   check(

@@ -21,12 +21,12 @@ using support::power_of_ten;
 constexpr auto identity = [](const auto& z) { return z; };
 constexpr auto root = [](const auto& z) { return sqrt(z); };
 
-limit half_turns(long n) { return limit::pi(rational(n)); }
+end_point half_turns(long n) { return end_point::pi(rational(n)); }
 
 /// A path point that is known as a function of the precision only.
 path_point irrational(long square_re, long square_im) {
-  return {limit([=](precision p) { return sqrt(ball(square_re, p)); }),
-          limit([=](precision p) { return sqrt(ball(square_im, p)); })};
+  return {end_point([=](precision p) { return sqrt(ball(square_re, p)); }),
+          end_point([=](precision p) { return sqrt(ball(square_im, p)); })};
 }
 
 ::testing::AssertionResult throws_for(const path& along, const std::string& words) {
@@ -73,8 +73,8 @@ TEST(PathPieces, ThatJoinAreIntegrated) {
 TEST(PathPieces, GapsAreSeenWithEnoughBits) {
   const path two =
       path::line(0, irrational(2, 3)) +
-      path::line({limit([](precision p) { return sqrt(ball(2, p)) + power_of_ten(-40); }),
-                  limit([](precision p) { return sqrt(ball(3, p)); })},
+      path::line({end_point([](precision p) { return sqrt(ball(2, p)) + power_of_ten(-40); }),
+                  end_point([](precision p) { return sqrt(ball(3, p)); })},
                  1);
   EXPECT_FALSE(detail::gap_between(two.pieces(), 64));
   EXPECT_TRUE(detail::gap_between(two.pieces(), 192));
@@ -147,8 +147,8 @@ TEST(PathPieces, ACutBesideAnEndIsRefusedHoweverFewTheDigits) {
     EXPECT_TRUE(refused_for_a_cut(path::polygon({beside, -1, path_point(-1, 1)}), 3)) << exponent;
   }
   // An arc from below the cut.
-  const path arc =
-      path::arc(0, 1, limit([](precision p) { return -pi(p) - power_of_ten(-25); }), rational(-1));
+  const path arc = path::arc(
+      0, 1, end_point([](precision p) { return -pi(p) - power_of_ten(-25); }), rational(-1));
   EXPECT_TRUE(refused_for_a_cut(arc, 3));
 }
 

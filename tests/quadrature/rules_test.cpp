@@ -428,7 +428,7 @@ TEST(TrapezoidError, WeighsThePiecesOfASide) {
   for (const rational& h : {rational(1, 3), rational(1), rational(5)}) {
     const auto weight = [&](const auto& y) { return 2 / (1 + exp(y * (2 / h) * pi(400))); };
     const integral exact =
-        integrate(weight, limit(rational(1, 4)), limit(rational(1, 2)), {.digits = 20});
+        integrate(weight, end_point(rational(1, 4)), end_point(rational(1, 2)), {.digits = 20});
     ASSERT_EQ(exact.verdict, status::certified);
     const magnitude share = trapezoid_error(ball(h, p), bound);
     EXPECT_TRUE(is_bound_of(share, exact.enclosure)) << h;
@@ -734,8 +734,8 @@ TEST(DoubleExponentialProblem, BoundsTheIntegrandAtTheSides) {
 TEST(DoubleExponentialProblem, BoundsIntegrandsOfAnySize) {
   // 5 x^(-1/2) (1 + x): 5 (1 + reach) x^(-1/2) is not below it within reach of 0.
   const double reach = 0.5;
-  const detail::exact_ball zero;
-  const end_series x = end_series::argument(zero, detail::exact_ball(rational(1)), 1, reach);
+  const known_number zero;
+  const end_series x = end_series::argument(zero, known_number(rational(1)), 1, reach);
   const auto growth = growth_from_series(5 * (1 + x) / sqrt(x), reach);
   ASSERT_TRUE(growth.has_value());
   EXPECT_EQ(growth->exponent, rational(-1, 2));

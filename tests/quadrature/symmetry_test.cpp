@@ -246,7 +246,7 @@ TEST(Symmetry, ForgetsNumbersThatGrow) {
 // Integrals
 
 constexpr precision value_bits = 500;
-const limit half_turn = limit::pi(rational(1, 2));
+const end_point half_turn = end_point::pi(rational(1, 2));
 const std::vector trapezoid_only{quadrature_rule::trapezoid};
 
 struct symmetric_integral {
@@ -256,7 +256,7 @@ struct symmetric_integral {
   double evaluations;  // for 50 digits
 };
 template <class F>
-symmetric_integral with(std::string name, F f, const limit& a, const limit& b, ball value,
+symmetric_integral with(std::string name, F f, const end_point& a, const end_point& b, ball value,
                         double evaluations) {
   return {std::move(name), [=](const integrate_options& o) { return integrate(f, a, b, o); },
           std::move(value), evaluations};
@@ -280,17 +280,17 @@ TEST(SymmetricIntegral, IsTheTrapezoidalRules) {
                p / (2 * agm(ball(1, value_bits), sqrt(half))), 40),
            // GR 3.613 1: the whole circle, which is even about pi.
            with(
-               "Poisson", [](const auto& x) { return 1 / (5 - 4 * cos(x)); }, 0, limit::pi(2),
+               "Poisson", [](const auto& x) { return 1 / (5 - 4 * cos(x)); }, 0, end_point::pi(2),
                2 * p / 3, 97),
            with(
                "shifted circle", [](const auto& x) { return exp(cos(x)); }, 1,
-               limit(pi_combination{1, 2}), 2 * p * bessel_i0_of_1(), 43),
+               end_point(pi_combination{1, 2}), 2 * p * bessel_i0_of_1(), 43),
            with(
-               "two periods", [](const auto& x) { return exp(sin(x)); }, -limit::pi(), limit::pi(3),
-               4 * p * bessel_i0_of_1(), 43),
+               "two periods", [](const auto& x) { return exp(sin(x)); }, -end_point::pi(),
+               end_point::pi(3), 4 * p * bessel_i0_of_1(), 43),
            with(
-               "reversed", [](const auto& x) { return exp(sin(x)); }, limit::pi(), -limit::pi(),
-               -2 * p * bessel_i0_of_1(), 43),
+               "reversed", [](const auto& x) { return exp(sin(x)); }, end_point::pi(),
+               -end_point::pi(), -2 * p * bessel_i0_of_1(), 43),
        }) {
     // Of hyperexponential ones the front door makes Taylor series.
     const bool is_chosen = i.name != "K" && i.name != "Poisson";
@@ -316,30 +316,30 @@ TEST(SymmetricIntegral, IsNotSeenWhereThereIsNone) {
                "cos(x/3)", [](const auto& x) { return cos(x / 3); }, 0, half_turn, number(3) / 2,
                0),
            with(
-               "x sin x", [](const auto& x) { return x * sin(x); }, 0, limit::pi(), p, 0),
+               "x sin x", [](const auto& x) { return x * sin(x); }, 0, end_point::pi(), p, 0),
            with(
-               "e^x", [](const auto& x) { return exp(x); }, 0, limit::pi(), exp(p) - 1, 0),
+               "e^x", [](const auto& x) { return exp(x); }, 0, end_point::pi(), exp(p) - 1, 0),
            with(
                "odd about both", [](const auto& x) { return sin(x) / (2 + cos(x)); }, 0,
-               limit::pi(), log(number(3)), 0),
+               end_point::pi(), log(number(3)), 0),
            with(
-               "even about one", [](const auto& x) { return square(x) * cos(x); }, 0, limit::pi(),
-               -2 * p, 0),
+               "even about one", [](const auto& x) { return square(x) * cos(x); }, 0,
+               end_point::pi(), -2 * p, 0),
            with(
-               "sin over half a period", [](const auto& x) { return sin(x); }, 0, limit::pi(),
+               "sin over half a period", [](const auto& x) { return sin(x); }, 0, end_point::pi(),
                number(2), 0),
            with(
                "nearly a period", [](const auto& x) { return 1 + cos(x * rational(1001, 1000)); },
-               0, limit::pi(2), 2 * p + sin(2 * p * rational(1001, 1000)) * rational(1000, 1001),
-               0),
+               0, end_point::pi(2),
+               2 * p + sin(2 * p * rational(1001, 1000)) * rational(1000, 1001), 0),
            with(
-               "a root at an end", [](const auto& x) { return sqrt(x); }, 0, limit::pi(),
+               "a root at an end", [](const auto& x) { return sqrt(x); }, 0, end_point::pi(),
                2 * p * sqrt(p) / 3, 0),
            with(
                "a kink between", [](const auto& x) { return abs(sin(x)); }, half_turn,
-               limit::pi(rational(3, 2)), number(2), 0),
+               end_point::pi(rational(3, 2)), number(2), 0),
            with(
-               "a kink at even ends", [](const auto& x) { return abs(sin(x)); }, 0, limit::pi(),
+               "a kink at even ends", [](const auto& x) { return abs(sin(x)); }, 0, end_point::pi(),
                number(2), 0),
        }) {
     const integral result = i.run({.digits = 50});
@@ -354,15 +354,15 @@ TEST(SymmetricIntegral, IsNotSeenWhereThereIsNone) {
 TEST(SymmetricIntegral, OfWhatIsNotAnalyticIsRefusedOrOtherwiseDone) {
   // A pole between; and one beyond the reach of a strip that pays.
   const auto pole = [](const auto& x) { return 1 / (1 - 2 * cos(x)); };
-  EXPECT_NE(integrate(pole, 0, limit::pi()).verdict, status::certified);
+  EXPECT_NE(integrate(pole, 0, end_point::pi()).verdict, status::certified);
   const rational near = rational(1) + support::power_of_ten(-12);
   const auto close = [=](const auto& x) { return 1 / (near - cos(x)); };
-  const integral result = integrate(close, 0, limit::pi(), {.digits = 30});
+  const integral result = integrate(close, 0, end_point::pi(), {.digits = 30});
   EXPECT_EQ(result.verdict, status::certified);
   EXPECT_EQ(result.account.rules, std::vector{quadrature_rule::taylor_series});
   EXPECT_TRUE(holds(result, pi(value_bits) / sqrt(ball(near * near - 1, value_bits))));
   const auto of_another_kind = [=](const auto& x) { return exp(cos(x)) / (near - cos(x)); };
-  const integral other = integrate(of_another_kind, 0, limit::pi(), {.digits = 30});
+  const integral other = integrate(of_another_kind, 0, end_point::pi(), {.digits = 30});
   EXPECT_EQ(other.verdict, status::certified);
   EXPECT_EQ(other.account.rules, std::vector{quadrature_rule::gauss_legendre});
 }
@@ -377,9 +377,9 @@ TEST(SymmetricIntegral, OfRandomTrigonometricFunctionsIsThatOverTheHalves) {
     const auto f = [=](const auto& x) {
       return (1 + s * sin(x)) * sqrt(c + cos(k * x)) + square(sin(k * x)) / (c + sin(x));
     };
-    const limit from(pi_combination{a, 0});
-    const limit middle(pi_combination{a, rational(random.between(1, 5), 3)});
-    const limit to(pi_combination{a, 2});
+    const end_point from(pi_combination{a, 0});
+    const end_point middle(pi_combination{a, rational(random.between(1, 5), 3)});
+    const end_point to(pi_combination{a, 2});
     const integrate_options options{.digits = random.between(3, 40)};
     const integral whole = integrate(f, from, to, options);
     EXPECT_EQ(whole.verdict, status::certified) << whole.obstacle;
@@ -398,32 +398,34 @@ TEST(SymmetricIntegral, OfPiecesIsNotThatOfTheirContinuations) {
   };
   const auto sine = [](const auto& x) { return abs(sin(x)); };
   const auto cosine = [](const auto& x) { return abs(cos(x)); };
-  const limit half = limit::pi(rational(1, 2));
-  is(integrate(sine, 0, limit::pi(), options), 2);
-  is(integrate(sine, -limit::pi(), limit::pi(), options), 4);
-  is(integrate(sine, half, limit::pi(rational(3, 2)), options), 2);
-  is(integrate(cosine, 0, limit::pi(), options), 2);
+  const end_point half = end_point::pi(rational(1, 2));
+  is(integrate(sine, 0, end_point::pi(), options), 2);
+  is(integrate(sine, -end_point::pi(), end_point::pi(), options), 4);
+  is(integrate(sine, half, end_point::pi(rational(3, 2)), options), 2);
+  is(integrate(cosine, 0, end_point::pi(), options), 2);
   is(integrate(cosine, -half, half, options), 2);
-  is(integrate([](const auto& x) { return max(sin(x), -sin(x)); }, 0, limit::pi(2), options), 4);
-  is(integrate([](const auto& x) { return sin(x) * floor(1 + sin(x)); }, 0, limit::pi(2), options),
+  is(integrate([](const auto& x) { return max(sin(x), -sin(x)); }, 0, end_point::pi(2), options),
+     4);
+  is(integrate([](const auto& x) { return sin(x) * floor(1 + sin(x)); }, 0, end_point::pi(2),
+               options),
      2);
-  is(integrate([](const auto& x) { return abs(sin(x)); }, 0, limit::pi(),
+  is(integrate([](const auto& x) { return abs(sin(x)); }, 0, end_point::pi(),
                {.digits = 20, .rule = quadrature_rule::gauss_legendre}),
      2);
 }
 
 TEST(SymmetricIntegral, BetweenEqualLimitsIsZero) {
   const auto f = [](const auto& x) { return cos(x); };
-  EXPECT_TRUE(integrate(f, limit::pi(), limit::pi()).enclosure.is_exact());
-  EXPECT_TRUE(integrate(f, limit::pi(), -limit::pi(-1)).enclosure.is_exact());
+  EXPECT_TRUE(integrate(f, end_point::pi(), end_point::pi()).enclosure.is_exact());
+  EXPECT_TRUE(integrate(f, end_point::pi(), -end_point::pi(-1)).enclosure.is_exact());
 }
 
 TEST(Limit, OfMultiplesOfPi) {
-  EXPECT_TRUE(overlaps(limit::pi(rational(-3, 4)).at(100), pi(100) * rational(-3, 4)));
-  EXPECT_TRUE(overlaps((-limit(pi_combination{1, 2})).at(100), -1 - 2 * pi(100)));
-  EXPECT_FALSE(limit::pi().is_exact());
-  EXPECT_TRUE(limit(pi_combination{7, 0}).is_exact());
-  EXPECT_FALSE(limit([](precision p) { return pi(p); }).form());
+  EXPECT_TRUE(overlaps(end_point::pi(rational(-3, 4)).at(100), pi(100) * rational(-3, 4)));
+  EXPECT_TRUE(overlaps((-end_point(pi_combination{1, 2})).at(100), -1 - 2 * pi(100)));
+  EXPECT_FALSE(end_point::pi().exact());
+  EXPECT_EQ(end_point(pi_combination{7, 0}).exact(), rational(7));
+  EXPECT_FALSE(end_point([](precision p) { return pi(p); }).form());
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ void expect_bound(const magnitude& bound, const ball& tail, const rational& fact
 
 /// f from a to b is cut off towards `end`; tail(x) is what lies beyond x.
 template <class F, class Tail>
-void check_tail(const char* name, const F& f, const limit& a, const limit& b, bool towards_b,
-                const Tail& tail, const rational& factor) {
+void check_tail(const char* name, const F& f, const end_point& a, const end_point& b,
+                bool towards_b, const Tail& tail, const rational& factor) {
   for (const long bits : {1L, 100L}) {
     const auto prepared = detail::prepare(detail::make_integrand(f), a, b, {}, bits);
     ASSERT_TRUE(prepared.why == reason::none && prepared.has_tail) << name;
@@ -40,30 +40,30 @@ void check_tail(const char* name, const F& f, const limit& a, const limit& b, bo
 }
 
 TEST(Tails, OfExponentialDecayAreBounded) {
-  const limit infinity = limit::infinity();
+  const end_point infinity = end_point::infinity();
   const rational little(101, 100);
   check_tail(
-      "exp(-x)", [](const auto& x) { return exp(-x); }, limit(1), infinity, true,
+      "exp(-x)", [](const auto& x) { return exp(-x); }, end_point(1), infinity, true,
       [](const ball& x) { return exp(-x); }, little);
   check_tail(
-      "x^2 exp(-x)", [](const auto& x) { return x * x * exp(-x); }, limit(1), infinity, true,
+      "x^2 exp(-x)", [](const auto& x) { return x * x * exp(-x); }, end_point(1), infinity, true,
       [](const ball& x) { return (x * x + 2 * x + 2) * exp(-x); }, little);
   check_tail(
-      "x^2 exp(x)", [](const auto& x) { return x * x * exp(x); }, -infinity, limit(-1), false,
+      "x^2 exp(x)", [](const auto& x) { return x * x * exp(x); }, -infinity, end_point(-1), false,
       [](const ball& x) { return (x * x - 2 * x + 2) * exp(x); }, little);
   check_tail(
-      "exp(-x/3)/7", [](const auto& x) { return exp(-x / 3) / 7; }, limit(2), infinity, true,
+      "exp(-x/3)/7", [](const auto& x) { return exp(-x / 3) / 7; }, end_point(2), infinity, true,
       [](const ball& x) { return 3 * exp(-x / 3) / 7; }, little);
   // Between x^2 (1 - 2x) exp(-1/x) and x^2 exp(-1/x).
   check_tail(
-      "exp(-1/x)", [](const auto& x) { return exp(-1 / x); }, limit(0), limit(1), false,
+      "exp(-1/x)", [](const auto& x) { return exp(-1 / x); }, end_point(0), end_point(1), false,
       [](const ball& x) { return x * x * exp(-1 / x) * (1 - 2 * x); }, rational(6, 5));
 }
 
 /// The bound of the integral of |f| beyond 2, from f's series for x >= 2.
 template <class F>
 magnitude beyond_two(const F& f) {
-  const tail_series x = tail_series::argument(detail::exact_ball(rational(1)), 0.5);
+  const tail_series x = tail_series::argument(known_number(rational(1)), 0.5);
   return f(x).integral_beyond(ball(2, 64));
 }
 
@@ -127,28 +127,28 @@ TEST(Tails, OfFunctionsNearZeroAreBounded) {
 TEST(Tails, OfLogarithmsAndPowersAreBounded) {
   const rational little(101, 100);
   check_tail(
-      "log x", [](const auto& x) { return log(x); }, limit(0), limit(1), false,
+      "log x", [](const auto& x) { return log(x); }, end_point(0), end_point(1), false,
       [](const ball& x) { return x * (1 - log(x)); }, little);
   check_tail(
-      "log(x)^2", [](const auto& x) { return log(x) * log(x); }, limit(0), limit(1), false,
+      "log(x)^2", [](const auto& x) { return log(x) * log(x); }, end_point(0), end_point(1), false,
       [](const ball& x) { return x * (square(log(x)) - 2 * log(x) + 2); }, little);
   check_tail(
-      "log(x)/sqrt x", [](const auto& x) { return log(x) / sqrt(x); }, limit(0), limit(1), false,
-      [](const ball& x) { return 2 * sqrt(x) * (2 - log(x)); }, little);
+      "log(x)/sqrt x", [](const auto& x) { return log(x) / sqrt(x); }, end_point(0), end_point(1),
+      false, [](const ball& x) { return 2 * sqrt(x) * (2 - log(x)); }, little);
 }
 
 // sin(x - 2)/x^(1/10) from 2 on is the integral of Re (2 + it)^(-1/10) e^(-t) over t > 0.
 TEST(Tails, OfOscillationsAreBounded) {
   const auto f = [](const auto& x) { return sin(x - 2) / pow(x, rational(1, 10)); };
   const auto found =
-      detail::oscillations_at(detail::make_integrand(f), limit(0), limit(1), true, 1, 0);
+      detail::oscillations_at(detail::make_integrand(f), end_point(0), end_point(1), true, 1, 0);
   ASSERT_TRUE(found && found->segments.size() == 1);
   ASSERT_EQ(found->start, 2);
   const auto along = [](const auto& t) {
     return pow(4 + t * t, rational(-1, 20)) * cos(atan(t / 2) / 10) * exp(-t);
   };
   const rational length = upper_rational(found->segments.front().scale(64));
-  const integral rest = integrate(along, limit(length), limit::infinity(), {.digits = 10});
+  const integral rest = integrate(along, end_point(length), end_point::infinity(), {.digits = 10});
   ASSERT_EQ(rest.verdict, status::certified);
   expect_bound(found->rest, rest.enclosure, rational(19, 10), "sin(x - 2)/x^(1/10)");
 }
@@ -159,7 +159,7 @@ TEST(Tails, OfOscillationsWithLogarithmsAreBounded) {
     return sin(x - 3) * log(x) * log(x) / pow(x, rational(1, 10));
   };
   const auto found =
-      detail::oscillations_at(detail::make_integrand(f), limit(0), limit(1), true, 1, 0);
+      detail::oscillations_at(detail::make_integrand(f), end_point(0), end_point(1), true, 1, 0);
   ASSERT_TRUE(found && found->segments.size() == 1);
   ASSERT_EQ(found->start, 2);
   // Re e^(-i) (log z)^2 z^(-1/10) e^(-t), z = 2 + it.
@@ -171,7 +171,7 @@ TEST(Tails, OfOscillationsWithLogarithmsAreBounded) {
            pow(4 + t * t, rational(-1, 20)) * exp(-t);
   };
   const rational length = upper_rational(found->segments.front().scale(64));
-  const integral rest = integrate(along, limit(length), limit::infinity(), {.digits = 10});
+  const integral rest = integrate(along, end_point(length), end_point::infinity(), {.digits = 10});
   ASSERT_EQ(rest.verdict, status::certified);
   EXPECT_TRUE(rest.enclosure.magnitude_lower() <= found->rest);
 }

@@ -19,7 +19,7 @@ using support::known;
 using support::known_integral;
 using support::power_of_ten;
 
-const limit infinity = limit::infinity();
+const end_point infinity = end_point::infinity();
 const auto exactly = [](const rational& q) { return [q](precision p) { return ball(q, p); }; };
 const rational half(1, 2);
 ball gamma_at(const rational& q, precision p) { return gamma(ball(q, p)); }
@@ -28,8 +28,8 @@ ball beta(const rational& a, const rational& b, precision p) {
   return gamma_at(a, p) * gamma_at(b, p) / gamma_at(a + b, p);
 }
 /// A limit that is not known as a rational number, nor as a multiple of pi.
-limit irrational(const rational& q) {
-  return limit([q](precision p) { return sqrt(ball(q, p)); });
+end_point irrational(const rational& q) {
+  return end_point([q](precision p) { return sqrt(ball(q, p)); });
 }
 
 const std::string antiderivative = "derivation: antiderivative";
@@ -161,7 +161,7 @@ std::vector<known_integral> with_a_phase() {
           [](const auto& x) { return exp(-square(x)) * cos(3 * x); }, -infinity, infinity,
           [](precision p) { return sqrt(pi(p)) * exp(ball(rational(-9, 4), p)); }),
       known(
-          "x sin x", antiderivative, [](const auto& x) { return x * sin(x); }, 0, limit::pi(),
+          "x sin x", antiderivative, [](const auto& x) { return x * sin(x); }, 0, end_point::pi(),
           [](precision p) { return pi(p); }),
       known(
           "x^2 cos(5x+1)", antiderivative, [](const auto& x) { return square(x) * cos(5 * x + 1); },
@@ -233,17 +233,17 @@ std::vector<known_integral> in_exponentials() {
 
 /// In sin^2 (k x).
 std::vector<known_integral> in_circular_functions() {
-  const limit quarter_turn = limit::pi(half);
+  const end_point quarter_turn = end_point::pi(half);
   return {
       known(
           "1/(2+cos x) over a period", "GR 3.613.1", [](const auto& x) { return 1 / (2 + cos(x)); },
-          0, limit::pi(2), [](precision p) { return 2 * pi(p) / sqrt(ball(3, p)); }),
+          0, end_point::pi(2), [](precision p) { return 2 * pi(p) / sqrt(ball(3, p)); }),
       known(
           "1/(2+sin x) over a period", "GR 3.613.1", [](const auto& x) { return 1 / (2 + sin(x)); },
-          0, limit::pi(2), [](precision p) { return 2 * pi(p) / sqrt(ball(3, p)); }),
+          0, end_point::pi(2), [](precision p) { return 2 * pi(p) / sqrt(ball(3, p)); }),
       known(
-          "sqrt(sin x)", "GR 3.621.5", [](const auto& x) { return sqrt(sin(x)); }, 0, limit::pi(),
-          [](precision p) { return beta(rational(3, 4), half, p); }),
+          "sqrt(sin x)", "GR 3.621.5", [](const auto& x) { return sqrt(sin(x)); }, 0,
+          end_point::pi(), [](precision p) { return beta(rational(3, 4), half, p); }),
       known(
           "sqrt(tan x)", "GR 3.629", [](const auto& x) { return sqrt(tan(x)); }, 0, quarter_turn,
           [](precision p) { return pi(p) / sqrt(ball(2, p)); }),
@@ -309,7 +309,7 @@ TEST(TaylorSeries, AreChosenByTheFrontDoorAndTakeAReversedRange) {
 
 // With what a rounded recurrence leaves over, a root that was taken of a negative number, or a pole, must be seen.
 template <class F>
-void expect_refused(const std::string& name, F f, limit a, limit b) {
+void expect_refused(const std::string& name, F f, end_point a, end_point b) {
   for (const long digits : {5L, 40L}) {
     const integral i =
         integrate(f, a, b, {.digits = digits, .rule = quadrature_rule::taylor_series});
@@ -410,7 +410,7 @@ TEST(TaylorSeries, AreRefusedAtPolesAndWhereAnIntegralDiverges) {
   expect_refused(
       "tan x", [](const auto& x) { return tan(x); }, 0, 2);
   expect_refused(
-      "1/cos^2 x", [](const auto& x) { return 1 / square(cos(x)); }, 0, limit::pi());
+      "1/cos^2 x", [](const auto& x) { return 1 / square(cos(x)); }, 0, end_point::pi());
   expect_refused(
       "1/sinh x", [](const auto& x) { return 1 / sinh(x); }, -1, 2);
   expect_refused(
@@ -462,7 +462,7 @@ ball rounded(const std::string& text, const std::string& unit) {
 // Steep functions over ranges that begin or end in the middle of nowhere: what is negligible of a panel must not stand for
 // a range that ends in another one. The values are those of two other programs.
 TEST(TaylorSeries, EndWhereTheRangeDoes) {
-  const auto expect = [](const char* what, const auto& f, const limit& a, const limit& b,
+  const auto expect = [](const char* what, const auto& f, const end_point& a, const end_point& b,
                          const ball& value) {
     const integral i = integrate(f, a, b, {.digits = 20});
     EXPECT_EQ(i.verdict, status::certified) << what;
@@ -493,9 +493,9 @@ TEST(TaylorSeries, EndWhereTheRangeDoes) {
 
 // Poles at irrational ends, next to which the integrand is too small to be seen.
 TEST(TaylorSeries, SeeThePoleAtAnEndWhereTheIntegrandIsSmall) {
-  const limit cube_root([](precision p) { return root(ball(18, p), 3); });
-  const limit of_square([](precision p) { return (4 + sqrt(ball(40, p))) / 2; });
-  const auto is_refused = [](const auto& f, const limit& b) {
+  const end_point cube_root([](precision p) { return root(ball(18, p), 3); });
+  const end_point of_square([](precision p) { return (4 + sqrt(ball(40, p))) / 2; });
+  const auto is_refused = [](const auto& f, const end_point& b) {
     return integrate(f, 0, b, {.digits = 20}).verdict == status::not_certified;
   };
   EXPECT_TRUE(
@@ -510,9 +510,9 @@ TEST(TaylorSeries, SeeThePoleAtAnEndWhereTheIntegrandIsSmall) {
 }
 
 TEST(TaylorSeries, KeepANarrowIrrationalRange) {
-  const limit a([](precision p) { return sqrt(ball(2, p)); });
+  const end_point a([](precision p) { return sqrt(ball(2, p)); });
   const rational length = parse_rational("4.29e-16");
-  const limit b([=](precision p) { return sqrt(ball(2, p)) + length; });
+  const end_point b([=](precision p) { return sqrt(ball(2, p)) + length; });
   const rational slope = parse_rational("1.32e-308");
   const integral i =
       integrate([=](const auto& x) { return rational(1013, 1000) / (1 + exp(7 * x)) + slope * x; },
@@ -533,23 +533,23 @@ TEST(TaylorSeries, OfSteepFunctionsAreRight) {
     return std::uniform_int_distribution<long>(low, high)(random);
   };
   const std::vector<
-      std::function<integral(long, const limit&, const limit&, const integrate_options&)>>
+      std::function<integral(long, const end_point&, const end_point&, const integrate_options&)>>
       families{
-          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+          [](long n, const end_point& a, const end_point& b, const integrate_options& o) {
             return integrate([n](const auto& x) { return exp(x) * pow(1 + exp(x), n); }, a, b, o);
           },
-          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+          [](long n, const end_point& a, const end_point& b, const integrate_options& o) {
             return integrate([n](const auto& x) { return pow(1 + exp(-x), -n); }, a, b, o);
           },
-          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+          [](long n, const end_point& a, const end_point& b, const integrate_options& o) {
             return integrate([n](const auto& x) { return pow(1 + square(cos(x)), n); }, a, b, o);
           },
-          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+          [](long n, const end_point& a, const end_point& b, const integrate_options& o) {
             return integrate(
                 [n](const auto& x) { return sin(x) * cos(x) * pow(2 + square(sin(x)), n); }, a, b,
                 o);
           },
-          [](long n, const limit& a, const limit& b, const integrate_options& o) {
+          [](long n, const end_point& a, const end_point& b, const integrate_options& o) {
             return integrate([n](const auto& x) { return pow(x, n) * exp(-n * x); }, a, b, o);
           },
       };
@@ -561,12 +561,12 @@ TEST(TaylorSeries, OfSteepFunctionsAreRight) {
     const rational start(pick(1, 150), 100);
     const auto point = [&](const rational& q) {
       return pick(0, 2) == 0
-                 ? limit([q](precision p) { return ball(q, p) + sqrt(ball(2, p)) / 10000; })
-                 : limit(q);
+                 ? end_point([q](precision p) { return ball(q, p) + sqrt(ball(2, p)) / 10000; })
+                 : end_point(q);
     };
-    const limit a = point(start);
-    const limit b = point(start + length + rational(1, 1000));
-    const limit middle = limit(start + length / 2 + rational(1, 2000) + rational(1, 14142));
+    const end_point a = point(start);
+    const end_point b = point(start + length + rational(1, 1000));
+    const end_point middle = end_point(start + length / 2 + rational(1, 2000) + rational(1, 14142));
     const long digits = pick(5, 30);
     const integral x = f(n, a, b, {.digits = digits, .rule = quadrature_rule::taylor_series});
     if (x.verdict != status::certified) continue;
@@ -606,10 +606,10 @@ TEST(TaylorSeries, AgreeWithGaussLegendre) {
              support::real_power(square(x - p) + q, e) * support::real_power(root - x, of_root) *
              exp(s * square(x) / 4 - x);
     };
-    const limit to =
-        is_irrational
-            ? limit([=](precision bits) { return ball(a, bits) + (b - a) / sqrt(ball(2, bits)); })
-            : limit(b);
+    const end_point to = is_irrational ? end_point([=](precision bits) {
+      return ball(a, bits) + (b - a) / sqrt(ball(2, bits));
+    })
+                                       : end_point(b);
     const long digits = pick(3, 40);
     const integral x =
         integrate(f, a, to, {.digits = digits, .rule = quadrature_rule::taylor_series});

@@ -11,15 +11,8 @@ namespace polhode::detail {
 namespace {
 
 /// sqrt(2), to any precision.
-range_end root_of_2() {
-  range_end end;
-  end.at = [](precision p) { return sqrt(ball(2, p)); };
-  return end;
-}
-range_end infinite_end() {
-  range_end end;
-  end.is_infinite = true;
-  return end;
+end_point root_of_2() {
+  return end_point([](precision p) { return sqrt(ball(2, p)); });
 }
 const place lower = place::lower_end();
 const place upper = place::upper_end();
@@ -31,7 +24,7 @@ struct report {
   rational length;
 };
 
-std::optional<ball> sum_of(const range_end& from, const range_end& to,
+std::optional<ball> sum_of(const end_point& from, const end_point& to,
                            const std::vector<report>& reports) {
   tiled_sum<ball> sum(from, to, ball(0, 64));
   for (const report& r : reports) sum.add(r.done, r.within, ball(r.length, 64));
@@ -39,7 +32,7 @@ std::optional<ball> sum_of(const range_end& from, const range_end& to,
 }
 
 TEST(Tiling, AddsUpPiecesInAnyOrder) {
-  const auto sum = sum_of(exact_end(0), exact_end(3),
+  const auto sum = sum_of(0, 3,
                           {{{place(2), place(3)}, {2, rational(3)}, 1},
                            {{place(0), place(rational(1, 3))}, {0, rational(1, 3)}, rational(1, 3)},
                            {{place(rational(1, 3)), place(2)}, {0, rational(2)}, rational(5, 3)}});
@@ -48,66 +41,63 @@ TEST(Tiling, AddsUpPiecesInAnyOrder) {
 }
 
 TEST(Tiling, TakesAnExactEndByItsNameToo) {
-  EXPECT_TRUE(sum_of(exact_end(0), exact_end(1), {{{lower, upper}, {0, rational(1)}, 1}}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(1), {{{lower, upper}, {0, rational(9, 10)}, 1}}));
+  EXPECT_TRUE(sum_of(0, 1, {{{lower, upper}, {0, rational(1)}, 1}}));
+  EXPECT_FALSE(sum_of(0, 1, {{{lower, upper}, {0, rational(9, 10)}, 1}}));
 }
 
 TEST(Tiling, RefusesAGap) {
   EXPECT_FALSE(sum_of(
-      exact_end(0), exact_end(3),
+      0, 3,
       {{{place(0), place(1)}, {0, rational(1)}, 1}, {{place(2), place(3)}, {2, rational(3)}, 1}}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(3), {{{place(1), place(3)}, {1, rational(3)}, 2}}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(3), {{{place(0), place(2)}, {0, rational(2)}, 2}}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(3), {}));
+  EXPECT_FALSE(sum_of(0, 3, {{{place(1), place(3)}, {1, rational(3)}, 2}}));
+  EXPECT_FALSE(sum_of(0, 3, {{{place(0), place(2)}, {0, rational(2)}, 2}}));
+  EXPECT_FALSE(sum_of(0, 3, {}));
 }
 
 TEST(Tiling, RefusesWhatIsDoneTwice) {
   const report left{{place(0), place(1)}, {0, rational(1)}, 1};
   const report right{{place(1), place(2)}, {1, rational(2)}, 1};
-  EXPECT_TRUE(sum_of(exact_end(0), exact_end(2), {left, right}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(2), {left, right, right}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(2),
-                      {left, right, {{place(0), place(2)}, {0, rational(2)}, 2}}));
-  EXPECT_FALSE(
-      sum_of(exact_end(0), exact_end(2),
-             {{{place(0), place(rational(3, 2))}, {0, rational(3, 2)}, rational(3, 2)}, right}));
+  EXPECT_TRUE(sum_of(0, 2, {left, right}));
+  EXPECT_FALSE(sum_of(0, 2, {left, right, right}));
+  EXPECT_FALSE(sum_of(0, 2, {left, right, {{place(0), place(2)}, {0, rational(2)}, 2}}));
+  EXPECT_FALSE(sum_of(
+      0, 2, {{{place(0), place(rational(3, 2))}, {0, rational(3, 2)}, rational(3, 2)}, right}));
 }
 
 TEST(Tiling, RefusesMoreThanTheRuleWasGiven) {
-  EXPECT_FALSE(
-      sum_of(exact_end(0), exact_end(1), {{{place(0), place(1)}, {0, rational(1, 2)}, 1}}));
-  EXPECT_FALSE(sum_of(exact_end(0), exact_end(1),
-                      {{{place(0), place(1)}, {rational(1, 9), rational(1)}, 1}}));
+  EXPECT_FALSE(sum_of(0, 1, {{{place(0), place(1)}, {0, rational(1, 2)}, 1}}));
+  EXPECT_FALSE(sum_of(0, 1, {{{place(0), place(1)}, {rational(1, 9), rational(1)}, 1}}));
 }
 
 // The fault that this is for: a rule says that it has stopped at an irrational end that is not in its interval.
 TEST(Tiling, RefusesAnEndThatIsNotInTheInterval) {
   const rational near = parse_rational("1.41421356237309504880168872420969807856");
   const rational beyond = parse_rational("1.41421356237309504880168872420969807857");
-  EXPECT_TRUE(sum_of(exact_end(1), root_of_2(), {{{place(1), upper}, {1, beyond}, 1}}));
-  EXPECT_FALSE(sum_of(exact_end(1), root_of_2(), {{{place(1), upper}, {1, near}, 1}}));
-  EXPECT_TRUE(sum_of(root_of_2(), exact_end(2), {{{lower, place(2)}, {near, rational(2)}, 1}}));
-  EXPECT_FALSE(sum_of(root_of_2(), exact_end(2), {{{lower, place(2)}, {beyond, rational(2)}, 1}}));
+  EXPECT_TRUE(sum_of(1, root_of_2(), {{{place(1), upper}, {1, beyond}, 1}}));
+  EXPECT_FALSE(sum_of(1, root_of_2(), {{{place(1), upper}, {1, near}, 1}}));
+  EXPECT_TRUE(sum_of(root_of_2(), 2, {{{lower, place(2)}, {near, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(root_of_2(), 2, {{{lower, place(2)}, {beyond, rational(2)}, 1}}));
   // With panels before it that it says were negligible.
   EXPECT_FALSE(sum_of(
-      root_of_2(), exact_end(2),
+      root_of_2(), 2,
       {{{lower, place(1)}, {0, rational(1)}, 0}, {{place(1), place(2)}, {1, rational(2)}, 1}}));
-  EXPECT_FALSE(sum_of(root_of_2(), exact_end(2), {{{place(1), place(2)}, {1, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(root_of_2(), 2, {{{place(1), place(2)}, {1, rational(2)}, 1}}));
 }
 
 TEST(Tiling, IsNotDecidedWhereAnEndCannotBeTold) {
-  range_end one;  // 1, which no enclosure tells from 1
-  one.at = [](precision p) { return square(sin(ball(1, p))) + square(cos(ball(1, p))); };
+  // 1, which no enclosure tells from 1
+  const end_point one(
+      [](precision p) { return square(sin(ball(1, p))) + square(cos(ball(1, p))); });
   EXPECT_EQ(side_of(one, 1), std::nullopt);
-  EXPECT_FALSE(sum_of(exact_end(0), one, {{{place(0), upper}, {0, rational(1)}, 1}}));
-  EXPECT_TRUE(sum_of(exact_end(0), one, {{{place(0), upper}, {0, rational(2)}, 1}}));
+  EXPECT_FALSE(sum_of(0, one, {{{place(0), upper}, {0, rational(1)}, 1}}));
+  EXPECT_TRUE(sum_of(0, one, {{{place(0), upper}, {0, rational(2)}, 1}}));
 }
 
 TEST(Tiling, ReachesInfinityByAPieceWithoutAnUpperBound) {
   const report tail{{place(5), upper}, {5, std::nullopt}, 0};
   EXPECT_TRUE(
-      sum_of(exact_end(0), infinite_end(), {{{place(0), place(5)}, {0, rational(5)}, 5}, tail}));
-  EXPECT_FALSE(sum_of(exact_end(0), infinite_end(),
+      sum_of(0, end_point::infinity(), {{{place(0), place(5)}, {0, rational(5)}, 5}, tail}));
+  EXPECT_FALSE(sum_of(0, end_point::infinity(),
                       {{{place(0), place(5)}, {0, rational(5)}, 5},
                        {{place(5), upper}, {5, parse_rational("1e100")}, 0}}));
 }
@@ -115,29 +105,29 @@ TEST(Tiling, ReachesInfinityByAPieceWithoutAnUpperBound) {
 // Pieces between points of which some are known by their enclosures only.
 
 TEST(Tiling, KnowsALimitByItsCopies) {
-  const limit a = limit([](precision p) { return sqrt(ball(2, p)); });
-  const limit same_value = limit([](precision p) { return sqrt(ball(2, p)); });
-  const limit copy = a;
+  const end_point a = end_point([](precision p) { return sqrt(ball(2, p)); });
+  const end_point same_value = end_point([](precision p) { return sqrt(ball(2, p)); });
+  const end_point copy = a;
   EXPECT_TRUE(a.is_same_as(copy));
   EXPECT_FALSE(a.is_same_as(same_value));  // that they are equal is not known
-  EXPECT_TRUE(limit(rational(1, 2)).is_same_as(limit(rational(2, 4))));
-  EXPECT_FALSE(limit(rational(1, 2)).is_same_as(limit(rational(1, 3))));
-  EXPECT_TRUE(limit::pi(2).is_same_as(limit::pi(2)));
-  EXPECT_TRUE(limit::infinity().is_same_as(limit::infinity()));
-  EXPECT_FALSE(limit::infinity().is_same_as(-limit::infinity()));
-  EXPECT_FALSE(limit::infinity().is_same_as(limit(0)));
+  EXPECT_TRUE(end_point(rational(1, 2)).is_same_as(end_point(rational(2, 4))));
+  EXPECT_FALSE(end_point(rational(1, 2)).is_same_as(end_point(rational(1, 3))));
+  EXPECT_TRUE(end_point::pi(2).is_same_as(end_point::pi(2)));
+  EXPECT_TRUE(end_point::infinity().is_same_as(end_point::infinity()));
+  EXPECT_FALSE(end_point::infinity().is_same_as(-end_point::infinity()));
+  EXPECT_FALSE(end_point::infinity().is_same_as(end_point(0)));
 }
 
 TEST(Tiling, OfPartsBetweenLimits) {
-  const limit a = -limit::infinity();
-  const limit root = limit([](precision p) { return sqrt(ball(2, p)); });
-  const limit other = limit([](precision p) { return sqrt(ball(2, p)); });
-  EXPECT_TRUE(is_tiled({{root, limit(2)}, {a, root}}, a, 2));
-  EXPECT_FALSE(is_tiled({{other, limit(2)}, {a, root}}, a, 2));
+  const end_point a = -end_point::infinity();
+  const end_point root = end_point([](precision p) { return sqrt(ball(2, p)); });
+  const end_point other = end_point([](precision p) { return sqrt(ball(2, p)); });
+  EXPECT_TRUE(is_tiled({{root, end_point(2)}, {a, root}}, a, 2));
+  EXPECT_FALSE(is_tiled({{other, end_point(2)}, {a, root}}, a, 2));
   EXPECT_FALSE(is_tiled({{a, root}}, a, 2));
-  EXPECT_FALSE(is_tiled({{root, limit(2)}}, a, 2));
-  EXPECT_FALSE(is_tiled({{root, limit(2)}, {a, root}, {root, limit(2)}}, a, 2));
-  EXPECT_FALSE(is_tiled({{limit(2), root}, {a, root}}, a, 2));  // run the wrong way
+  EXPECT_FALSE(is_tiled({{root, end_point(2)}}, a, 2));
+  EXPECT_FALSE(is_tiled({{root, end_point(2)}, {a, root}, {root, end_point(2)}}, a, 2));
+  EXPECT_FALSE(is_tiled({{end_point(2), root}, {a, root}}, a, 2));  // run the wrong way
   EXPECT_FALSE(is_tiled({}, a, 2));
   EXPECT_FALSE(is_tiled({}, a, a));
 }

@@ -109,7 +109,7 @@ TEST(MontgomeryPhase, IsTheQuadratureOfItsIntegral) {
           const auto bx = b * square(sin(t));
           return (1 - bx) / sqrt((a + bx) * (c + bx));
         },
-        0, limit::pi(rational(1, 2)), {.digits = 40});
+        0, end_point::pi(rational(1, 2)), {.digits = 40});
     ASSERT_EQ(q.verdict, status::certified);
     EXPECT_TRUE(meet(montgomery_phase(rigid, c, 160), scale(q.enclosure, 2))) << a << " " << b;
   }

@@ -151,8 +151,8 @@ struct made_function {
 
 struct made_problem {
   made_function f;
-  range_end lower = 0;
-  range_end upper = 1;
+  end_point lower = 0;
+  end_point upper = 1;
   std::vector<known_root> roots;  // of f, in the interval or not
   std::string text;
 };
@@ -206,21 +206,21 @@ class problem_maker {
   rational near(const rational& x) {
     return x + random_.between(-3, 3) * ten_to_minus(random_.between(0, 40));
   }
-  range_end any_end(const std::vector<known_root>& roots) {
+  end_point any_end(const std::vector<known_root>& roots) {
     if (roots.empty() || random_.one_in(2)) {
       return {rational(random_.between(-4000, 4000), 100)};
     }
     const known_root& r = random_.choose(roots);
     const rational by = random_.between(-1, 1) * ten_to_minus(random_.between(1, 30));
     if (r.exact) return {rational(*r.exact + by)};
-    return range_end([at = r.at, by](precision p) { return at(p) + by; });
+    return end_point([at = r.at, by](precision p) { return at(p) + by; });
   }
 
   random_source& random_;
 };
 
 enum class side { inside, outside, at_an_end };
-side side_of(const known_root& r, const range_end& lower, const range_end& upper) {
+side side_of(const known_root& r, const end_point& lower, const end_point& upper) {
   const ball x = r.at(truth_bits);
   const ball low = lower.at(truth_bits);
   const ball high = upper.at(truth_bits);
@@ -231,7 +231,7 @@ side side_of(const known_root& r, const range_end& lower, const range_end& upper
 
 /// What is wrong with the answer; empty where nothing is.
 std::string fault_of(const root_set& s, const std::vector<known_root>& roots,
-                     const range_end& lower, const range_end& upper) {
+                     const end_point& lower, const end_point& upper) {
   if (s.identically_zero) return "said to be 0 everywhere";
   std::vector<bool> is_listed(roots.size(), false);
   for (std::size_t i = 0; i < s.regions.size(); ++i) {
@@ -298,7 +298,7 @@ TEST(RootAdversary, RootsAtMultiplesOfPi) {
     const rational shift = which == 1 ? rational(1, 2) : rational(0);
     const long first = random.between(-6, 3);
     const long last = first + random.between(0, 8);
-    const auto end = [&](long n) { return range_end(pi_combination{0, (n + shift) / k}); };
+    const auto end = [&](long n) { return end_point(pi_combination{0, (n + shift) / k}); };
     const auto f = [&](const auto& x) {
       using T = std::remove_cvref_t<decltype(x)>;
       const T y = T(k * x);
@@ -366,7 +366,7 @@ TEST(RootAdversary, AJumpTowardsInfinityBetweenWhichItRises) {
   const auto f =
       real_function::with_derivative([](const ball& x) { return 2 * x + 10 * atan(1 / (5 - x)); },
                                      [](const ball& x) { return 2 + 10 / (square(5 - x) + 1); });
-  const root_set s = isolate_roots(f, 1, range_end::infinity());
+  const root_set s = isolate_roots(f, 1, end_point::infinity());
   const ball about = ball(rational(552, 100), 64).enlarged(magnitude::power_of_two(-5));
   EXPECT_TRUE(std::any_of(s.regions.begin(), s.regions.end(),
                           [&](const root_region& r) { return overlaps(r.enclosure, about); }));
@@ -374,7 +374,7 @@ TEST(RootAdversary, AJumpTowardsInfinityBetweenWhichItRises) {
 
 TEST(RootAdversary, InexactEndsInTheWrongOrder) {
   const auto end = [](const rational& by) {
-    return range_end([by](precision p) { return sqrt(ball(2, p)) + by; });
+    return end_point([by](precision p) { return sqrt(ball(2, p)) + by; });
   };
   const auto f = [](const auto& x) { return x; };
   EXPECT_THROW((void)isolate_roots(f, end(ten_to_minus(60)), end(0)), input_error);

@@ -59,8 +59,8 @@ rational_polynomial with_roots(const std::vector<std::pair<rational, long>>& roo
 TEST(IsolateRoots, Wilkinson) {
   std::vector<std::pair<rational, long>> roots;
   for (long k = 1; k <= 20; ++k) roots.emplace_back(k, 1);
-  const root_set s = isolate_roots(real_function::of(with_roots(roots)),
-                                   range_end::minus_infinity(), range_end::infinity());
+  const root_set s = isolate_roots(real_function::of(with_roots(roots)), -end_point::infinity(),
+                                   end_point::infinity());
   expect_resolved(s, 20);
   for (long k = 1; k <= 20; ++k) {
     const refined_root r = refine(s.regions[static_cast<std::size_t>(k - 1)], 100);
@@ -220,7 +220,7 @@ TEST(IsolateRoots, AtEndPoints) {
   expect_resolved(isolate_roots(g, 2, 2), 1);
   expect_resolved(isolate_roots(g, 1, 1), 0);
   // An end that is no rational number, and a root there: it is not decided on which side.
-  const range_end at_pi([](precision p) { return pi(p); });
+  const end_point at_pi([](precision p) { return pi(p); });
   const root_set s = isolate_roots([](const auto& x) { return sin(x); }, 1, at_pi);
   ASSERT_EQ(s.regions.size(), 1U);
   EXPECT_EQ(s.regions[0].verdict, root_verdict::unique);
@@ -231,7 +231,7 @@ TEST(IsolateRoots, AtEndPoints) {
 // An end q + r pi is known exactly, and so is whether f is 0 there.
 TEST(IsolateRoots, AtEndsThatAreMultiplesOfPi) {
   const auto at = [](const rational& q, const rational& r) {
-    return range_end(pi_combination{q, r});
+    return end_point(pi_combination{q, r});
   };
   const auto sine = [](const auto& x) { return sin(x); };
   expect_resolved(isolate_roots(sine, 1, at(0, 1)), 1);
@@ -269,8 +269,8 @@ TEST(IsolateRoots, AtBisectionPointsOnce) {
 }
 
 TEST(IsolateRoots, TowardsInfinity) {
-  const range_end infinity = range_end::infinity();
-  const range_end minus_infinity = range_end::minus_infinity();
+  const end_point infinity = end_point::infinity();
+  const end_point minus_infinity = -end_point::infinity();
   expect_resolved(
       isolate_roots([](const auto& x) { return square(x) - exp(x); }, minus_infinity, infinity), 1);
   expect_resolved(
@@ -332,10 +332,10 @@ TEST(IsolateRoots, Constants) {
 TEST(IsolateRoots, BadInput) {
   const auto f = [](const auto& x) { return x; };
   EXPECT_THROW(static_cast<void>(isolate_roots(f, 1, 0)), input_error);
-  EXPECT_THROW(static_cast<void>(isolate_roots(f, range_end::infinity(), 0)), input_error);
-  EXPECT_THROW(static_cast<void>(isolate_roots(f, 0, range_end::minus_infinity())), input_error);
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, end_point::infinity(), 0)), input_error);
+  EXPECT_THROW(static_cast<void>(isolate_roots(f, 0, -end_point::infinity())), input_error);
   EXPECT_THROW(static_cast<void>(
-                   isolate_roots(f, 0, range_end([](precision p) { return log(ball(-1, p)); }))),
+                   isolate_roots(f, 0, end_point([](precision p) { return log(ball(-1, p)); }))),
                input_error);
   EXPECT_THROW(static_cast<void>(refine(isolate_roots(f, -1, 1).regions[0], 0)),
                std::invalid_argument);
@@ -576,7 +576,7 @@ TEST(FunctionStructure, SeriesAreExactWhereTheyAreEvidentlyRational) {
 
 TEST(FunctionStructure, SeriesAreExactAtMultiplesOfPi) {
   const auto known = [](const rational& q, const rational& r) {
-    return detail::known_number(pi_combination{q, r}, 64);
+    return known_number(pi_combination{q, r}, 64);
   };
   // sin, cos and tan at k pi/2, and enclosures at other points.
   for (long k = -9; k <= 9; ++k) {

@@ -44,7 +44,7 @@ void expect_same(const root_set& one, const root_set& other) {
 }
 
 void expect_same_on_any_number(const std::string& name, const real_function& f,
-                               const range_end& lower, const range_end& upper,
+                               const end_point& lower, const end_point& upper,
                                isolate_options options = {}) {
   const root_set one = isolate_roots(f, lower, upper, options);
   for (const int threads : {0, 2, 3, 8}) {
@@ -55,8 +55,8 @@ void expect_same_on_any_number(const std::string& name, const real_function& f,
 }
 
 TEST(ParallelRoots, AreTheSameOnAnyNumberOfThreads) {
-  const auto infinity = range_end::infinity();
-  const auto minus_infinity = range_end::minus_infinity();
+  const auto infinity = end_point::infinity();
+  const auto minus_infinity = -end_point::infinity();
   const auto check = expect_same_on_any_number;
   check("many", [](const auto& x) { return sin(square(x)); }, 0, 20, {});
   check("a point", [](const auto& x) { return sin(1 / x); }, rational(1, 200), 1, {});

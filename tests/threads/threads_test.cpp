@@ -166,7 +166,7 @@ TEST(Threads, IntegralsAreTheSameInside) {
     const formula sum{expression("1/(2+sin(x)) + exp(x)", {{"x"}, {}})};
     record r;
     r.balls.push_back(integrate(sum, 0, 1, options).enclosure);
-    r.balls.push_back(integrate(periodic, 0, limit::pi(), options).enclosure);
+    r.balls.push_back(integrate(periodic, 0, end_point::pi(), options).enclosure);
     return r;
   };
   const record expected = all(1);

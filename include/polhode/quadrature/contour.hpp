@@ -34,29 +34,29 @@ class path_point {
   /// re + im i. What is a limit is a part: an exact number, a ball, a function of the precision. Throws
   /// std::invalid_argument where a part is infinite.
   template <class N>
-  requires std::convertible_to<const N&, limit> path_point(
+  requires std::convertible_to<const N&, end_point> path_point(
       const N& re)  // NOLINT(google-explicit-constructor): exact, or the same set
-      : path_point(limit(re), limit(0)) {}
-  path_point(limit re, limit im);
+      : path_point(end_point(re), end_point(0)) {}
+  path_point(end_point re, end_point im);
   /// The set z, whose width the result cannot fall below.
   path_point(const complex_ball& z)  // NOLINT(google-explicit-constructor): the same set
-      : path_point(limit(z.re), limit(z.im)) {}
+      : path_point(end_point(z.re), end_point(z.im)) {}
   /// A number that at(p) encloses with p bits.
   explicit path_point(const std::function<complex_ball(precision)>& at)
       : re_([at](precision p) { return at(p).re; }), im_([at](precision p) { return at(p).im; }) {}
 
   [[nodiscard]] complex_ball at(precision p) const { return {re_.at(p), im_.at(p)}; }
-  [[nodiscard]] const limit& re() const { return re_; }
-  [[nodiscard]] const limit& im() const { return im_; }
+  [[nodiscard]] const end_point& re() const { return re_; }
+  [[nodiscard]] const end_point& im() const { return im_; }
 
-  /// Certainly the same number: each part is, as limit::is_same_as says.
+  /// Certainly the same number: each part is, as end_point::is_same_as says.
   [[nodiscard]] bool is_same_as(const path_point& other) const {
     return re_.is_same_as(other.re_) && im_.is_same_as(other.im_);
   }
 
  private:
-  limit re_;
-  limit im_;
+  end_point re_;
+  end_point im_;
 };
 
 /// The straight line between two points.
@@ -68,9 +68,9 @@ struct line_piece {
 /// of the opposite arc.
 struct arc_piece {
   path_point centre;
-  limit radius;
-  limit from_angle;
-  limit to_angle;
+  end_point radius;
+  end_point from_angle;
+  end_point to_angle;
 };
 using path_piece = std::variant<line_piece, arc_piece>;
 
@@ -82,9 +82,10 @@ class path {
   [[nodiscard]] static path line(path_point from, path_point to);
   /// Straight lines from each point to the next; give the first one again at the end to close it.
   [[nodiscard]] static path polygon(const std::vector<path_point>& points);
-  [[nodiscard]] static path arc(path_point centre, limit radius, limit from_angle, limit to_angle);
+  [[nodiscard]] static path arc(path_point centre, end_point radius, end_point from_angle,
+                                end_point to_angle);
   /// Once around, counterclockwise, from centre + radius.
-  [[nodiscard]] static path circle(path_point centre, limit radius);
+  [[nodiscard]] static path circle(path_point centre, end_point radius);
 
   [[nodiscard]] const std::vector<path_piece>& pieces() const { return pieces_; }
   /// The one and then the other.

@@ -170,17 +170,17 @@ template <class F>
     for (const rational& part : {rational(15, 16), rational(3, 4), rational(1, 2), rational(1, 4),
                                  rational(1, 16), rational(1, 256)}) {
       const double reach = double_interval(rational(length * part)).midpoint();
-      const detail::exact_ball zero;
-      const detail::exact_ball one(rational(1));
-      const detail::exact_ball minus(rational(-1));
+      const known_number zero;
+      const known_number one(rational(1));
+      const known_number minus(rational(-1));
       end_series series;
       if constexpr (std::is_invocable_v<const F&, const end_series&, const end_series&>) {
         const end_series near = end_series::argument(zero, one, 1, reach);
-        const end_series far = end_series::argument(detail::exact_ball(length), minus, 1, reach);
+        const end_series far = end_series::argument(known_number(length), minus, 1, reach);
         series = detail::value_as<end_series>(at_a ? f(near, far) : f(far, near), near);
       } else {
         const end_series x =
-            end_series::argument(detail::exact_ball(at_a ? a : b), at_a ? one : minus, 1, reach);
+            end_series::argument(known_number(at_a ? a : b), at_a ? one : minus, 1, reach);
         series = detail::value_as<end_series>(f(x), x);
       }
       std::optional<end_growth> found = growth_from_series(series, reach);

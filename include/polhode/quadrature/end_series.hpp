@@ -29,103 +29,10 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
-#include "polhode/arithmetic/pi_combination.hpp"
+#include "polhode/arithmetic/known_number.hpp"
 #include "polhode/arithmetic/region.hpp"
 
 namespace polhode {
-
-namespace detail {
-
-/// A real number by an enclosure, and exactly where it is known to be a rational of moderate size, or such a
-/// combination of 1 and pi: what decides whether a coefficient is 0.
-class exact_ball {
- public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
-  static constexpr bool takes_exact_numbers = true;
-  static constexpr precision bits = 128;
-
-  exact_ball() : exact_ball(rational(0)) {}
-  explicit exact_ball(const rational& q) : exact_(q), enclosure_(q, bits) { forget_if_long(); }
-  explicit exact_ball(const ball& x) : enclosure_(x) {
-    if (x.is_exact()) exact_ = lower_rational(x);
-    forget_if_long();
-  }
-
-  explicit exact_ball(const pi_combination& x) : enclosure_(x.at(bits)) {
-    if (x.is_rational()) {
-      exact_ = x.q;
-    } else {
-      form_ = x;
-    }
-    forget_if_long();
-  }
-
-  /// The rational number that it is known to be.
-  [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
-  /// The number q + r pi that it is known to be.
-  [[nodiscard]] std::optional<pi_combination> form() const {
-    if (exact_) return pi_combination{*exact_, 0};
-    return form_;
-  }
-  [[nodiscard]] const ball& enclosure() const { return enclosure_; }
-  [[nodiscard]] bool is_zero() const { return exact_ && *exact_ == 0; }
-
-  friend exact_ball operator-(const exact_ball& x) {
-    if (x.form_) return exact_ball(-*x.form_);
-    return x.exact_ ? exact_ball(rational(-*x.exact_)) : exact_ball(-x.enclosure_);
-  }
-  friend exact_ball operator+(const exact_ball& x, const exact_ball& y) {
-    if (x.exact_ && y.exact_) return exact_ball(rational(*x.exact_ + *y.exact_));
-    if (const auto a = x.form(), b = y.form(); a && b) return exact_ball(*a + *b);
-    return exact_ball(x.enclosure_ + y.enclosure_);
-  }
-  friend exact_ball operator-(const exact_ball& x, const exact_ball& y) { return x + (-y); }
-  friend exact_ball operator*(const exact_ball& x, const exact_ball& y) {
-    if (x.exact_ && y.exact_) return exact_ball(rational(*x.exact_ * *y.exact_));
-    const bool defined = !x.enclosure_.is_undefined() && !y.enclosure_.is_undefined();
-    if (defined && (x.is_zero() || y.is_zero())) return exact_ball(rational(0));
-    if (x.form_ && y.exact_) return exact_ball(*x.form_ * *y.exact_);
-    if (y.form_ && x.exact_) return exact_ball(*y.form_ * *x.exact_);
-    return exact_ball(x.enclosure_ * y.enclosure_);
-  }
-  /// Undefined where y may be 0.
-  friend exact_ball operator/(const exact_ball& x, const exact_ball& y) {
-    if (x.exact_ && y.exact_ && *y.exact_ != 0) return exact_ball(rational(*x.exact_ / *y.exact_));
-    if (x.form_ && y.exact_ && *y.exact_ != 0)
-      return exact_ball(*x.form_ * rational(1 / *y.exact_));
-    return exact_ball(x.enclosure_ / y.enclosure_);
-  }
-  exact_ball& operator+=(const exact_ball& y) { return *this = *this + y; }
-  friend exact_ball operator+(const exact_ball& x, long n) { return x + exact_ball(rational(n)); }
-  friend exact_ball operator-(const exact_ball& x, long n) { return x - exact_ball(rational(n)); }
-  friend exact_ball operator*(const exact_ball& x, long n) { return x * exact_ball(rational(n)); }
-  friend exact_ball operator/(const exact_ball& x, long n) { return x / exact_ball(rational(n)); }
-
- private:
-  void forget_if_long();
-
-  std::optional<rational> exact_;
-  std::optional<pi_combination> form_;  // where r != 0
-  ball enclosure_;
-};
-
-[[nodiscard]] exact_ball sqrt(const exact_ball& x);
-[[nodiscard]] exact_ball exp(const exact_ball& x);
-[[nodiscard]] exact_ball log(const exact_ball& x);
-[[nodiscard]] exact_ball sin(const exact_ball& x);
-[[nodiscard]] exact_ball cos(const exact_ball& x);
-[[nodiscard]] exact_ball tan(const exact_ball& x);
-[[nodiscard]] exact_ball asin(const exact_ball& x);
-[[nodiscard]] exact_ball acos(const exact_ball& x);
-[[nodiscard]] exact_ball atan(const exact_ball& x);
-[[nodiscard]] exact_ball sinh(const exact_ball& x);
-[[nodiscard]] exact_ball cosh(const exact_ball& x);
-[[nodiscard]] exact_ball tanh(const exact_ball& x);
-[[nodiscard]] exact_ball asinh(const exact_ball& x);
-[[nodiscard]] exact_ball acosh(const exact_ball& x);
-[[nodiscard]] exact_ball atanh(const exact_ball& x);
-
-}  // namespace detail
 
 class end_series {
  public:
@@ -145,8 +52,8 @@ class end_series {
   /// Blocked.
   end_series() : blocked_(true) {}
   /// a + s t^q over the square of half-side r, for q > 0; for q < 0 and a = 0, an end at infinity.
-  [[nodiscard]] static end_series argument(const detail::exact_ball& a, const detail::exact_ball& s,
-                                           long q, double r, int orders = most_orders);
+  [[nodiscard]] static end_series argument(const known_number& a, const known_number& s, long q,
+                                           double r, int orders = most_orders);
 
   [[nodiscard]] static end_series blocked(std::string_view where, remedy r = remedy::unknown);
   [[nodiscard]] bool is_blocked() const { return blocked_; }
@@ -216,15 +123,15 @@ class end_series {
   /// A constant function beside this one.
   template <exact_number N>
   [[nodiscard]] end_series constant_like(const N& n) const {
-    return constant(detail::exact_ball(rational(n)), detail::constant_region(n, region()));
+    return constant(known_number(rational(n)), detail::constant_region(n, region()));
   }
   [[nodiscard]] end_series constant_like(const ball& x) const {
-    return constant(detail::exact_ball(x), region(x));
+    return constant(known_number(x), region(x));
   }
 
  private:
-  static constexpr precision bits = detail::exact_ball::bits;
-  using centre_jet = jet<detail::exact_ball, dynamic_order>;
+  static constexpr precision bits = known_number::usual_precision;
+  using centre_jet = jet<known_number, dynamic_order>;
   using square_jet = jet<region, dynamic_order>;
   /// G_k's two jets. They have the same order, which falls with each division by t.
   struct term {
@@ -232,7 +139,7 @@ class end_series {
     square_jet over;
   };
 
-  [[nodiscard]] end_series constant(const detail::exact_ball& at_0, const region& over) const;
+  [[nodiscard]] end_series constant(const known_number& at_0, const region& over) const;
   /// Not blocked, or the first that is.
   template <class F>
   static end_series regular(const end_series& x, std::string_view name, F&& f);

@@ -26,13 +26,13 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/goal.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
-#include "polhode/quadrature/limit.hpp"
 #include "polhode/quadrature/recorded.hpp"
 #include "polhode/quadrature/rule.hpp"
 #include "polhode/quadrature/symmetry.hpp"
@@ -200,24 +200,24 @@ template <class F>
   return result;
 }
 
-[[nodiscard]] integral integrate_function(const integrand& f, const limit& a, const limit& b,
-                                          const integrate_options& options);
+[[nodiscard]] integral integrate_function(const integrand& f, const end_point& a,
+                                          const end_point& b, const integrate_options& options);
 
 /// x = a + (b - a) t, in the region's own arithmetic.
 class affine_map {
  public:
-  affine_map(limit a, limit b);
+  affine_map(end_point a, end_point b);
   [[nodiscard]] region operator()(const region& t) const;
   [[nodiscard]] ball operator()(const ball& t) const;
   [[nodiscard]] ball start(precision p) const { return a_.at(p); }
   [[nodiscard]] ball length(precision p) const {
-    if (!a_.is_exact() || !b_.is_exact()) return b_.at(p) - a_.at(p);
-    return {rational(b_.exact_value() - a_.exact_value()), p};
+    if (!a_.exact() || !b_.exact()) return b_.at(p) - a_.at(p);
+    return {rational(*b_.exact() - *a_.exact()), p};
   }
 
  private:
-  limit a_;
-  limit b_;
+  end_point a_;
+  end_point b_;
   region a_hardware_;
   region length_hardware_;
 };
@@ -225,11 +225,11 @@ class affine_map {
 }  // namespace detail
 
 /// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a = b. Limits may
-/// be infinite (limit::infinity()), and f singular at them, where end_series.hpp finds it integrable.
+/// be infinite (end_point::infinity()), and f singular at them, where end_series.hpp finds it integrable.
 /// Verdicts: certified; not_certified with not_analytic (obstacle says what and where), not_integrable,
 /// evaluation_limit, precision_limit, not_applicable. The enclosure holds the integral with every verdict.
 template <class F>
-[[nodiscard]] integral integrate(const F& f, const limit& a, const limit& b,
+[[nodiscard]] integral integrate(const F& f, const end_point& a, const end_point& b,
                                  const integrate_options& options = {}) {
   return detail::integrate_function(detail::make_integrand(f), a, b, options);
 }

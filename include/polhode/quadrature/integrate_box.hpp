@@ -195,7 +195,7 @@ template <class F>
 }
 
 [[nodiscard]] box_integral integrate_function_over_box(const parametric_integrand& f,
-                                                       const limit& a, const limit& b,
+                                                       const end_point& a, const end_point& b,
                                                        const parameter_box& box,
                                                        const box_options& options);
 
@@ -205,7 +205,7 @@ template <class F>
 /// obstacle that `integrate` met, where f is not proved integrable for every p in it. Throws
 /// std::invalid_argument for digits or most_boxes below 1, and as `integrate` does.
 template <class F>
-[[nodiscard]] box_integral integrate_box(const F& f, const limit& a, const limit& b,
+[[nodiscard]] box_integral integrate_box(const F& f, const end_point& a, const end_point& b,
                                          const std::vector<parameter_range>& box,
                                          const box_options& options = {}) {
   return detail::integrate_function_over_box(detail::make_parametric_integrand(f), a, b, box,

@@ -23,7 +23,7 @@
 
 namespace polhode {
 
-class limit;
+class end_point;
 struct integral;
 struct integrate_options;
 namespace detail {
@@ -46,8 +46,8 @@ class quadrature_strategy {
   [[nodiscard]] virtual bool is_automatic() const { return false; }
   /// The integral over [a, b], a < b; -infinity and +infinity are limits too. Returns nullopt where the rule is not for this f. Whatever
   /// the verdict, the enclosure must hold the integral.
-  [[nodiscard]] virtual std::optional<integral> attempt(const detail::integrand& f, const limit& a,
-                                                        const limit& b,
+  [[nodiscard]] virtual std::optional<integral> attempt(const detail::integrand& f,
+                                                        const end_point& a, const end_point& b,
                                                         const integrate_options& options) const = 0;
   /// What f would have to be, said where the rule was insisted on and is not for f.
   [[nodiscard]] virtual std::string_view need() const { return {}; }
@@ -70,8 +70,8 @@ class panel_rule : public quadrature_strategy {
   [[nodiscard]] virtual bool has_ends_as_nodes() const { return false; }
 
   /// On panels (integrate.hpp says how).
-  [[nodiscard]] std::optional<integral> attempt(const detail::integrand& f, const limit& a,
-                                                const limit& b,
+  [[nodiscard]] std::optional<integral> attempt(const detail::integrand& f, const end_point& a,
+                                                const end_point& b,
                                                 const integrate_options& options) const final;
 };
 

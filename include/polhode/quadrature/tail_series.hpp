@@ -22,7 +22,7 @@ class tail_series {
   /// Blocked.
   tail_series() = default;
   /// s/t for 0 < t <= r. An r above 1 counts as 1: of y = 1/t it is used that 0 <= log y <= y.
-  [[nodiscard]] static tail_series argument(const detail::exact_ball& s, double r,
+  [[nodiscard]] static tail_series argument(const known_number& s, double r,
                                             int orders = end_series::most_orders);
 
   [[nodiscard]] tail_series blocked(std::string_view where) const;
@@ -32,8 +32,7 @@ class tail_series {
   }
 
   /// a + s t for 0 < t <= r: for a function that vanishes exponentially at a finite end.
-  [[nodiscard]] static tail_series argument(const detail::exact_ball& a,
-                                            const detail::exact_ball& s, double r,
+  [[nodiscard]] static tail_series argument(const known_number& a, const known_number& s, double r,
                                             int orders = end_series::most_orders);
 
   /// The sign for 0 < t <= r; 0 where it is not known to be one.

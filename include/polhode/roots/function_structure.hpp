@@ -15,15 +15,15 @@
 #include <vector>
 
 #include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/known_number.hpp"
 #include "polhode/arithmetic/natural_domain.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "polhode/roots/known_number.hpp"
 
 namespace polhode {
 
 class function_structure {
  public:
-  using exact_series = jet<detail::known_number, dynamic_order>;
+  using exact_series = jet<known_number, dynamic_order>;
 
   /// g^power, with g and g' over the box, and g at the point in it.
   struct factor {
@@ -117,7 +117,7 @@ class function_structure {
   }
   /// A series with the value alone, for a function with breaks.
   [[nodiscard]] static exact_series value_alone(const exact_series& like,
-                                                const detail::known_number& value);
+                                                const known_number& value);
 
   friend function_structure pow(const function_structure& x, long n);
 

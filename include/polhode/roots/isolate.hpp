@@ -33,51 +33,11 @@
 #include <string>
 #include <vector>
 
-#include "polhode/arithmetic/pi_combination.hpp"
+#include "polhode/arithmetic/end_point.hpp"
 #include "polhode/roots/newton.hpp"
 #include "polhode/roots/real_function.hpp"
 
 namespace polhode {
-
-/// An end of the interval that is searched: an exact number, a real number that can be had to any precision,
-/// or an infinity.
-class range_end {
- public:
-  template <machine_integer N>
-  range_end(N n)  // NOLINT(google-explicit-constructor): exact
-      : range_end(rational(n)) {}
-  range_end(const rational& q)  // NOLINT(google-explicit-constructor): exact
-      : range_end(pi_combination{q, 0}) {}
-  /// q + r pi, known as such: a root that is exactly there, as sin(x) has at pi, is found to be inside.
-  explicit range_end(const pi_combination& x)
-      : form_(x), at_([x](precision p) { return x.at(p); }) {
-    if (x.is_rational()) exact_ = x.q;
-  }
-  /// A number that at(p) encloses with p bits.
-  explicit range_end(std::function<ball(precision)> at) : at_(std::move(at)) {}
-  template <std::floating_point N>
-  range_end(N) = delete;
-  [[nodiscard]] static range_end infinity() { return range_end(infinite{1}); }
-  [[nodiscard]] static range_end minus_infinity() { return range_end(infinite{-1}); }
-
-  /// 1, -1, or 0 for a number.
-  [[nodiscard]] int infinite_sign() const { return infinite_; }
-  [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
-  /// q + r pi, where it is known to be that.
-  [[nodiscard]] const std::optional<pi_combination>& form() const { return form_; }
-  [[nodiscard]] ball at(precision p) const { return at_(p); }
-
- private:
-  struct infinite {
-    int sign;
-  };
-  explicit range_end(infinite i) : infinite_(i.sign) {}
-
-  std::optional<rational> exact_;
-  std::optional<pi_combination> form_;
-  std::function<ball(precision)> at_;
-  int infinite_ = 0;
-};
 
 /// What is known of the roots in one part of the interval.
 struct root_region {
@@ -160,7 +120,7 @@ struct isolate_options {
 class root_search {
  public:
   /// Throws input_error where the interval is the wrong way round, or is one infinity.
-  root_search(const real_function& f, const range_end& lower, const range_end& upper);
+  root_search(const real_function& f, const end_point& lower, const end_point& upper);
 
   void run(const isolate_options& options = {});
   [[nodiscard]] bool is_finished() const;
@@ -173,8 +133,8 @@ class root_search {
 };
 
 /// The roots of f with lower <= x <= upper.
-[[nodiscard]] root_set isolate_roots(const real_function& f, const range_end& lower,
-                                     const range_end& upper, const isolate_options& options = {});
+[[nodiscard]] root_set isolate_roots(const real_function& f, const end_point& lower,
+                                     const end_point& upper, const isolate_options& options = {});
 
 /// A root to many digits.
 struct refined_root {

@@ -9,14 +9,14 @@
 
 namespace polhode::detail {
 
-integral integrate_on_panels(const integrand& f, const limit& a, const limit& b,
+integral integrate_on_panels(const integrand& f, const end_point& a, const end_point& b,
                              const integrate_options& options) {
   integral result;
   long bits = bits_for_digits(options.digits);
   std::vector<rational> cuts;   // where the range is cut, in order
   std::vector<rational> known;  // these, the limits, and points where cutting does not help
-  for (const limit& end : {a, b}) {
-    if (end.is_exact()) known.push_back(end.exact_value());
+  for (const end_point& end : {a, b}) {
+    if (end.exact()) known.push_back(*end.exact());
   }
   // In the set, or, for a pole at the set's end, in a larger one; but in the range.
   const auto is_in_range = [&](const ball& x) {

@@ -166,8 +166,8 @@ integrator::outcome integrator::sum(double log2_goal) {
   bool exhausted = false;
   // Of each segment, 0 <= t <= 1.
   const complex_ball zero(0, result_bits_);
-  std::vector<tiled_sum<complex_ball>> of_segments(
-      segments_.size(), tiled_sum<complex_ball>(exact_end(0), exact_end(1), zero));
+  std::vector<tiled_sum<complex_ball>> of_segments(segments_.size(),
+                                                   tiled_sum<complex_ball>(0, 1, zero));
   for (panel& p : panels_) {
     const panel_sum part = part_of_panel(p, share, most_precision, exhausted);
     of_segments[p.segment].add(part.done, p.interval(), part.value);

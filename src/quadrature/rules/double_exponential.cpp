@@ -11,7 +11,8 @@ class double_exponential final : public quadrature_strategy {
   [[nodiscard]] std::string_view purpose() const override {
     return "tanh-sinh, over a finite range with rational limits";
   }
-  [[nodiscard]] std::optional<integral> attempt(const integrand& f, const limit& a, const limit& b,
+  [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
+                                                const end_point& b,
                                                 const integrate_options& options) const override {
     return integrate_by_double_exponential(f, a, b, options);
   }

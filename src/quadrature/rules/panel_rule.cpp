@@ -4,8 +4,8 @@
 
 namespace polhode {
 
-std::optional<integral> panel_rule::attempt(const detail::integrand& f, const limit& a,
-                                            const limit& b,
+std::optional<integral> panel_rule::attempt(const detail::integrand& f, const end_point& a,
+                                            const end_point& b,
                                             const integrate_options& options) const {
   return detail::integrate_on_panels(f, a, b, options);
 }

@@ -13,7 +13,8 @@ class taylor_series final : public quadrature_strategy {
     return "for sums of hyperexponential functions of x, e^(k x) or sin^2 (k x)";
   }
   [[nodiscard]] bool is_automatic() const override { return true; }
-  [[nodiscard]] std::optional<integral> attempt(const integrand& f, const limit& a, const limit& b,
+  [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
+                                                const end_point& b,
                                                 const integrate_options& options) const override {
     return integrate_by_taylor_series(f, a, b, options);
   }

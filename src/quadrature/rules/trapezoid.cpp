@@ -12,7 +12,8 @@ class trapezoid_on_circles final : public quadrature_strategy {
   [[nodiscard]] std::string_view purpose() const override {
     return "for an integrand that is periodic over the range, or even about both limits";
   }
-  [[nodiscard]] std::optional<integral> attempt(const integrand& f, const limit& a, const limit& b,
+  [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
+                                                const end_point& b,
                                                 const integrate_options& options) const override {
     return integrate_on_panels(f, a, b, options);
   }

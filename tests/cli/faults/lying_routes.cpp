@@ -18,14 +18,14 @@ ball shifted(const ball& x) { return x * (1 + rational(1, 1'000'000'000'000'000)
 // The names are those that --wrap gives to the functions of tests/CMakeLists.txt.
 
 integral
-right_integral(const detail::integrand& f, const limit& a, const limit& b, const integrate_options& options) __asm__(
+right_integral(const detail::integrand& f, const end_point& a, const end_point& b, const integrate_options& options) __asm__(
     "__real__ZN7polhode6detail18integrate_functionERKNS0_9integrandERKNS_"
-    "5limitES6_RKNS_17integrate_optionsE");
+    "9end_pointES6_RKNS_17integrate_optionsE");
 integral
-wrong_integral(const detail::integrand& f, const limit& a, const limit& b, const integrate_options& options) __asm__(
+wrong_integral(const detail::integrand& f, const end_point& a, const end_point& b, const integrate_options& options) __asm__(
     "__wrap__ZN7polhode6detail18integrate_functionERKNS0_9integrandERKNS_"
-    "5limitES6_RKNS_17integrate_optionsE");
-integral wrong_integral(const detail::integrand& f, const limit& a, const limit& b,
+    "9end_pointES6_RKNS_17integrate_optionsE");
+integral wrong_integral(const detail::integrand& f, const end_point& a, const end_point& b,
                         const integrate_options& options) {
   integral result = right_integral(f, a, b, options);
   if (options.rule == quadrature_rule::automatic) result.enclosure = shifted(result.enclosure);
@@ -33,15 +33,15 @@ integral wrong_integral(const detail::integrand& f, const limit& a, const limit&
 }
 
 root_set
-right_roots(const real_function& f, const range_end& lower, const range_end& upper, const isolate_options& options) __asm__(
-    "__real__ZN7polhode13isolate_rootsERKNS_13real_functionERKNS_9range_"
-    "endES5_RKNS_15isolate_optionsE");
+right_roots(const real_function& f, const end_point& lower, const end_point& upper, const isolate_options& options) __asm__(
+    "__real__ZN7polhode13isolate_rootsERKNS_13real_functionERKNS_9end_"
+    "pointES5_RKNS_15isolate_optionsE");
 root_set
-wrong_roots(const real_function& f, const range_end& lower, const range_end& upper, const isolate_options& options) __asm__(
-    "__wrap__ZN7polhode13isolate_rootsERKNS_13real_functionERKNS_9range_"
-    "endES5_RKNS_15isolate_optionsE");
+wrong_roots(const real_function& f, const end_point& lower, const end_point& upper, const isolate_options& options) __asm__(
+    "__wrap__ZN7polhode13isolate_rootsERKNS_13real_functionERKNS_9end_"
+    "pointES5_RKNS_15isolate_optionsE");
 /// Loses the last root when it is called first.
-root_set wrong_roots(const real_function& f, const range_end& lower, const range_end& upper,
+root_set wrong_roots(const real_function& f, const end_point& lower, const end_point& upper,
                      const isolate_options& options) {
   static int calls = 0;
   root_set result = right_roots(f, lower, upper, options);

@@ -1,8 +1,7 @@
 #pragma once
 
-// A real number that is known exactly, as a rational one or as q + r pi, or by an enclosure: the scalar of jets in
-// which "is 0" can be decided. Exact are the results of + - * / and the values of functions at the few points where
-// they are evidently rational (exp 0, cos 0, sin pi, sqrt of a square, ...).
+// A real number that is known exactly, as q + r pi with rational q and r, or by an enclosure: the scalar of jets and
+// series in which "is this coefficient 0" can be decided.
 
 #include <optional>
 #include <utility>
@@ -11,51 +10,68 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/pi_combination.hpp"
 
-namespace polhode::detail {
+namespace polhode {
 
+/// Exact are the results of + - * / of exact numbers, as far as they have this form, and the values of functions at the
+/// few points where they are evidently rational (exp 0, cos 0, sin pi, sqrt of a square, ...). A number whose
+/// numerators or denominators pass 2^longest is kept by its enclosure alone.
 class known_number {
  public:
-  known_number() : known_number(rational(0), 64) {}
-  known_number(const rational& q, precision p) : exact_(q), enclosure_(q, p) {}
-  known_number(const pi_combination& x, precision p) : enclosure_(x.at(p)) {
-    if (x.is_rational()) {
-      exact_ = x.q;
-    } else {
-      with_pi_ = x;
-    }
-  }
-  explicit known_number(ball x) : enclosure_(std::move(x)) {}
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
+  static constexpr std::size_t longest = 4096;  // bits
+  static constexpr precision usual_precision = 128;
 
+  known_number() : known_number(rational(0)) {}
+  explicit known_number(const rational& q, precision p = usual_precision)
+      : known_number(pi_combination{q, 0}, p) {}
+  explicit known_number(const pi_combination& x, precision p = usual_precision);
+  /// A ball without width is the exact number that it is.
+  explicit known_number(ball x);
+
+  /// The rational number that it is known to be.
   [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
-  /// q + r pi where it is known to be that with r != 0; it is no rational number then.
-  [[nodiscard]] const std::optional<pi_combination>& with_pi() const { return with_pi_; }
+  /// The number q + r pi that it is known to be.
+  [[nodiscard]] std::optional<pi_combination> form() const {
+    return exact_ ? pi_combination{*exact_, 0} : with_pi_;
+  }
   [[nodiscard]] const ball& enclosure() const { return enclosure_; }
   [[nodiscard]] bool is_exactly(long n) const { return exact_ && *exact_ == n; }
+  [[nodiscard]] bool is_zero() const { return is_exactly(0); }
+
+  /// x, with an enclosure of this one's precision.
+  [[nodiscard]] known_number like(const pi_combination& x) const {
+    return known_number(x, enclosure_.precision());
+  }
+  [[nodiscard]] known_number like(const rational& q) const { return like(pi_combination{q, 0}); }
+  [[nodiscard]] known_number like(long n) const { return like(rational(n)); }
 
   friend known_number operator-(const known_number& x) {
-    if (x.exact_) return x.like(-*x.exact_);
-    if (x.with_pi_) return x.like(-*x.with_pi_);
+    if (const auto s = x.form()) return x.like(-*s);
     return known_number(-x.enclosure_);
   }
   friend known_number operator+(const known_number& x, const known_number& y) {
-    if (x.exact_ && y.exact_) return x.like(*x.exact_ + *y.exact_);
+    if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ + *y.exact_));
     if (const auto s = x.form(), t = y.form(); s && t) return x.like(*s + *t);
     return known_number(x.enclosure_ + y.enclosure_);
   }
   friend known_number operator-(const known_number& x, const known_number& y) { return x + (-y); }
   /// 0 times a number is 0, however little is known of the number if it is defined.
   friend known_number operator*(const known_number& x, const known_number& y) {
-    if (x.exact_ && y.exact_) return x.like(*x.exact_ * *y.exact_);
+    if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ * *y.exact_));
     const bool defined = !x.enclosure_.is_undefined() && !y.enclosure_.is_undefined();
-    if (defined && (x.is_exactly(0) || y.is_exactly(0))) return x.like(rational(0));
+    if (defined && (x.is_zero() || y.is_zero())) return x.like(0);
     if (x.with_pi_ && y.exact_) return x.like(*x.with_pi_ * *y.exact_);
     if (x.exact_ && y.with_pi_) return x.like(*y.with_pi_ * *x.exact_);
     return known_number(x.enclosure_ * y.enclosure_);
   }
+  /// Undefined where y may be 0.
   friend known_number operator/(const known_number& x, const known_number& y) {
-    if (x.exact_ && y.exact_ && *y.exact_ != 0) return x.like(*x.exact_ / *y.exact_);
-    if (x.with_pi_ && y.exact_ && *y.exact_ != 0) return x.like(*x.with_pi_ * (1 / *y.exact_));
-    if (x.is_exactly(0) && !y.enclosure_.is_undefined() && !contains_zero(y.enclosure_)) return x;
+    if (x.exact_ && y.exact_ && *y.exact_ != 0) return x.like(rational(*x.exact_ / *y.exact_));
+    if (x.with_pi_ && y.exact_ && *y.exact_ != 0) {
+      return x.like(*x.with_pi_ * rational(1 / *y.exact_));
+    }
+    if (x.is_zero() && !y.enclosure_.is_undefined() && !contains_zero(y.enclosure_)) return x;
     return known_number(x.enclosure_ / y.enclosure_);
   }
   known_number& operator+=(const known_number& y) { return *this = *this + y; }
@@ -64,31 +80,9 @@ class known_number {
   friend known_number operator*(const known_number& x, long n) { return x * x.like(n); }
   friend known_number operator/(const known_number& x, long n) { return x / x.like(n); }
 
-  /// x, or its enclosure where it is too long to be kept.
-  [[nodiscard]] known_number like(const pi_combination& x) const {
-    constexpr std::size_t longest = 1U << 14;
-    known_number r(x, enclosure_.precision());
-    const auto is_long = [](const rational& q) {
-      const mpq_srcptr parts = q.backend().data();
-      return mpz_sizeinbase(mpq_numref(parts), 2) > longest ||
-             mpz_sizeinbase(mpq_denref(parts), 2) > longest;
-    };
-    if (is_long(x.q) || is_long(x.r)) {
-      r.exact_.reset();
-      r.with_pi_.reset();
-    }
-    return r;
-  }
-  [[nodiscard]] known_number like(const rational& q) const { return like(pi_combination{q, 0}); }
-  [[nodiscard]] known_number like(long n) const { return like(rational(n)); }
-
  private:
-  [[nodiscard]] std::optional<pi_combination> form() const {
-    return exact_ ? pi_combination{*exact_, 0} : with_pi_;
-  }
-
   std::optional<rational> exact_;
-  std::optional<pi_combination> with_pi_;
+  std::optional<pi_combination> with_pi_;  // q + r pi with r != 0: it is no rational number then
   ball enclosure_;
 };
 
@@ -109,4 +103,4 @@ class known_number {
 [[nodiscard]] known_number acosh(const known_number& x);
 [[nodiscard]] known_number atanh(const known_number& x);
 
-}  // namespace polhode::detail
+}  // namespace polhode

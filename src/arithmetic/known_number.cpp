@@ -1,8 +1,42 @@
-#include "polhode/roots/known_number.hpp"
+#include "polhode/arithmetic/known_number.hpp"
 
 #include <array>
+#include <cstdlib>
 
-namespace polhode::detail {
+namespace polhode {
+
+namespace {
+
+bool is_short(const rational& q) {
+  const mpq_srcptr parts = q.backend().data();
+  return mpz_sizeinbase(mpq_numref(parts), 2) <= known_number::longest &&
+         mpz_sizeinbase(mpq_denref(parts), 2) <= known_number::longest;
+}
+
+/// Not 2^(2^30), which would fill the memory as a rational number.
+bool is_short(const ball& x) {
+  constexpr long most = static_cast<long>(known_number::longest);
+  const magnitude size = x.magnitude_upper();
+  return size.is_zero() ||
+         (x.precision() < most && std::labs(size.exponent()) < most - x.precision());
+}
+
+}  // namespace
+
+known_number::known_number(const pi_combination& x, precision p) : enclosure_(x.at(p)) {
+  if (!is_short(x.q) || !is_short(x.r)) return;
+  if (x.is_rational()) {
+    exact_ = x.q;
+  } else {
+    with_pi_ = x;
+  }
+}
+
+known_number::known_number(ball x) : enclosure_(std::move(x)) {
+  if (enclosure_.is_bounded() && enclosure_.is_exact() && is_short(enclosure_)) {
+    exact_ = lower_rational(enclosure_);
+  }
+}
 
 known_number sqrt(const known_number& x) {
   if (x.exact() && *x.exact() >= 0) {
@@ -40,9 +74,9 @@ namespace {
 
 /// k where x is k pi/2, counted modulo 4.
 std::optional<int> quarter_turns(const known_number& x) {
-  if (x.is_exactly(0)) return 0;
-  if (!x.with_pi() || x.with_pi()->q != 0) return std::nullopt;
-  const rational twice = 2 * x.with_pi()->r;
+  const auto form = x.form();
+  if (!form || form->q != 0) return std::nullopt;
+  const rational twice = 2 * form->r;
   if (denominator(twice) != 1) return std::nullopt;
   return static_cast<int>(mpz_fdiv_ui(mpq_numref(twice.backend().data()), 4));
 }
@@ -65,4 +99,4 @@ known_number tan(const known_number& x) {
   return known_number(tan(x.enclosure()));
 }
 
-}  // namespace polhode::detail
+}  // namespace polhode
