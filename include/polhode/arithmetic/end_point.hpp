@@ -28,58 +28,71 @@ class end_point {
       : end_point([x](precision) { return x; }) {}
   /// q + r pi, known as such. An integrand that is even about it, or of such a period, is integrated by fewer evaluations;
   /// a root that is exactly there, as sin(x) has at pi, is found to be inside.
-  explicit end_point(const pi_combination& x)
-      : at_(shared([x](precision p) { return x.at(p); })), form_(x) {
-    if (x.is_rational()) exact_ = x.q;
+  explicit end_point(const pi_combination& x) {
+    knowledge known;
+    known.form = x;
+    if (x.is_rational()) known.exact = x.q;
+    known_ = std::make_shared<const knowledge>(std::move(known));
   }
   /// r pi.
   [[nodiscard]] static end_point pi(const rational& r = 1) {
     return end_point(pi_combination{0, r});
   }
   /// A number that at(p) encloses with p bits.
-  explicit end_point(std::function<ball(precision)> at) : at_(shared(std::move(at))) {}
+  explicit end_point(std::function<ball(precision)> at) {
+    knowledge known;
+    known.at = std::move(at);
+    known_ = std::make_shared<const knowledge>(std::move(known));
+  }
+  // Copies only: what was moved from stays a number.
+  end_point(const end_point&) = default;
+  end_point& operator=(const end_point&) = default;
+  ~end_point() = default;
   /// A double is a decimal only by accident: see ball.
   template <std::floating_point N>
   end_point(N) = delete;
 
   [[nodiscard]] static end_point infinity() { return {1, infinite{}}; }
   friend end_point operator-(const end_point& x) {
-    if (x.infinite_ != 0) return {-x.infinite_, infinite{}};
-    if (x.form_) return end_point(-*x.form_);
-    return end_point([at = x.at_](precision p) { return -(*at)(p); });
+    if (x.is_infinite()) return {-x.infinite_sign(), infinite{}};
+    if (x.form()) return end_point(-*x.form());
+    return end_point([x](precision p) { return -x.at(p); });
   }
 
   /// 1 for infinity, -1 for -infinity, else 0.
-  [[nodiscard]] int infinite_sign() const { return infinite_; }
-  [[nodiscard]] bool is_infinite() const { return infinite_ != 0; }
+  [[nodiscard]] int infinite_sign() const { return known_->infinite_sign; }
+  [[nodiscard]] bool is_infinite() const { return infinite_sign() != 0; }
   /// The rational number that it is known to be.
-  [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
+  [[nodiscard]] const std::optional<rational>& exact() const { return known_->exact; }
   /// The number q + r pi that it is known to be.
-  [[nodiscard]] const std::optional<pi_combination>& form() const { return form_; }
+  [[nodiscard]] const std::optional<pi_combination>& form() const { return known_->form; }
   /// An enclosure with p bits; undefined for an infinity.
   [[nodiscard]] ball at(precision p) const {
-    return infinite_ == 0 ? (*at_)(p) : ball::undefined(p);
+    if (is_infinite()) return ball::undefined(p);
+    return form() ? form()->at(p) : known_->at(p);
   }
   /// They are the same point for certain: equal exact numbers, the same infinity, or copies of one end point.
   [[nodiscard]] bool is_same_as(const end_point& other) const {
-    if (infinite_ != other.infinite_) return false;
-    if (infinite_ != 0) return true;
-    if (form_ && other.form_) return *form_ == *other.form_;
-    return at_ == other.at_;
+    if (is_infinite() || other.is_infinite()) return infinite_sign() == other.infinite_sign();
+    if (form() && other.form()) return *form() == *other.form();
+    return known_ == other.known_;
   }
 
  private:
-  using function = std::function<ball(precision)>;
   struct infinite {};
-  end_point(int sign, infinite /*unused*/) : infinite_(sign) {}
-  static std::shared_ptr<const function> shared(function at) {
-    return std::make_shared<const function>(std::move(at));
+  end_point(int sign, infinite /*unused*/) {
+    knowledge known;
+    known.infinite_sign = sign;
+    known_ = std::make_shared<const knowledge>(std::move(known));
   }
 
-  std::shared_ptr<const function> at_;
-  std::optional<rational> exact_;
-  std::optional<pi_combination> form_;
-  int infinite_ = 0;
+  struct knowledge {
+    std::optional<rational> exact;
+    std::optional<pi_combination> form;
+    std::function<ball(precision)> at;  // where it has no form, and is finite
+    int infinite_sign = 0;
+  };
+  std::shared_ptr<const knowledge> known_;  // shared by copies, which are made often
 };
 
 // What they were called in version 0.1.
