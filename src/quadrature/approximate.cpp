@@ -5,11 +5,6 @@
 
 namespace polhode::detail {
 
-double approximate_log2(const magnitude& x) {
-  if (x.is_zero()) return -1e18;
-  if (x.is_infinite()) return 1e18;
-  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
-}
 double approximately(const ball& x) {
   mpfr_cell middle(64);
   x.midpoint(middle.get());

@@ -241,13 +241,6 @@ std::vector<fixed_point_polynomial::values> fixed_point_polynomial::at(
 // ---------------------------------------------------------------------------------------------
 // 3. Taylor polynomials.
 
-/// An estimate of log2 of a magnitude, for the search only.
-double estimated_log2(const magnitude& x) {
-  if (x.is_zero()) return -1e18;
-  if (x.is_infinite()) return 1e18;
-  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
-}
-
 constexpr precision least_bits = 64;
 
 /// p, rounded up to whole limbs: the same work.
@@ -363,7 +356,10 @@ ball sum_of(const local_series& series, const ball& g, precision fewer, long las
 /// the midpoints of balls are taken for numbers.
 ball approximate_zero(const local_series& series, precision bits) {
   const auto& d = series.coefficients;
-  const auto log2_of = [](const ball& x) { return estimated_log2(x.magnitude_upper()); };
+  const auto log2_of = [](const ball& x) {
+    constexpr double most = 0x1p+40;  // of 0, too
+    return std::clamp(estimated_log2(x.magnitude_upper()), -most, most);
+  };
   constexpr precision bits_of_start = 192;
   const ball slope = d[1].with_precision(bits_of_start);
   ball g = -(d[0].with_precision(bits_of_start) / slope);

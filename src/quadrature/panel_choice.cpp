@@ -60,14 +60,14 @@ std::optional<std::vector<taylor_panel>> panel_choice::panels() {
 }
 
 double panel_choice::log2_of_size(const std::vector<taylor_panel>& panels) const {
-  double size = -1e18;
+  double size = -infinite;
   for (const taylor_panel& p : panels) {
     const double c = approximately(p.centre);
     const double r = approximately(p.radius);
     for (const double z : {-0.9, -0.5, 0.0, 0.5, 0.9}) {
       if (p.at_end && z <= 0) continue;
       const double value = log2_at(c + r * z) + std::log2(std::abs(r));
-      if (value < 1e17) size = std::max(size, value);
+      if (std::isfinite(value)) size = std::max(size, value);
     }
   }
   return size;
@@ -163,7 +163,7 @@ double panel_choice::spread(double c, double r, const std::optional<rational>& e
     if (k == 0 || (k == 6 && !except)) least = std::min(least, value);
   }
   const double log_of_2 = std::log(2.0);
-  return std::isfinite(most) && std::isfinite(least) ? (most - least) / log_of_2 : 1e18;
+  return std::isfinite(most) && std::isfinite(least) ? (most - least) / log_of_2 : infinite;
 }
 
 double panel_choice::length_at(const rational& y, int direction, const rational& all) const {

@@ -36,7 +36,7 @@ std::optional<panel_value> panel_integral::to(double log2_goal, precision most_b
   if (!is_prepared_ && !prepare()) return std::nullopt;
   const ball size = constant(64) * maximum_ * length_factor();
   const double_interval log2_greatest = log_greatest_ / log_of_2;
-  const double log2_size = approximate_log2(size.magnitude_upper()) + log2_greatest.upper();
+  const double log2_size = estimated_log2(size.magnitude_upper()) + log2_greatest.upper();
   if (!(log2_size < 1e15)) return std::nullopt;
   if (log2_size <= log2_goal) {
     // A bound over the whole panel is one over each part of it.
@@ -44,7 +44,7 @@ std::optional<panel_value> panel_integral::to(double log2_goal, precision most_b
     return panel_value{ball(0, 64).enlarged(most), panel_.piece()};
   }
   const double lost = ((log_greatest_ - log_least_ - log_least_q_) / log_of_2).upper();
-  const double bits = approximate_log2(size.magnitude_upper()) + lost - log2_goal + 5;
+  const double bits = estimated_log2(size.magnitude_upper()) + lost - log2_goal + 5;
   const double log2_terms = std::log2(std::max(bits, 16.0)) + 1;
   // Only a cut panel's powers of z add up to errors of the square of the number of terms.
   const double f = std::ceil(std::max(bits + (panel_.is_cut() ? 2 : 1) * log2_terms, 64.0));

@@ -10,12 +10,6 @@ namespace polhode::detail {
 
 namespace {
 
-double approximate_log2(const magnitude& x) {
-  if (x.is_zero()) return -1e18;
-  if (x.is_infinite()) return 1e18;
-  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
-}
-
 /// An upper bound of |F| on Im t = h, 0 <= Re t <= 1, from so many pieces.
 magnitude supremum_along(const segment& s, double h, long pieces, long& evaluations) {
   magnitude supremum;
@@ -79,11 +73,11 @@ class strip_search {
     // More pieces, while they save more nodes than they cost.
     for (long pieces = 2 * fewest; pieces <= most; pieces *= 2) {
       const double pieces_price = static_cast<double>(pieces) * price_;
-      if (nodes < 1e17 && pieces_price > 0.5 * nodes) break;
+      if (std::isfinite(nodes) && pieces_price > 0.5 * nodes) break;
       supremum = min(supremum, supremum_along(segment_, h, pieces, evaluations_));
       const double before = nodes;
       nodes = nodes_for(half_width, supremum);
-      if (before < 1e17 && before - nodes < pieces_price) break;
+      if (std::isfinite(before) && before - nodes < pieces_price) break;
     }
     if (supremum.is_infinite() || !(nodes < best_.nodes)) return false;
     found_ = true;
@@ -134,7 +128,7 @@ std::optional<fundamental_range> fundamental_range_of(const integrand& f, const 
 double nodes_in_strip(double half_width, const magnitude& supremum, double log2_goal) {
   // 2 M e^(-2 H n) <= 2^log2_goal.
   constexpr double half_log_2 = 0.34657360;
-  const double excess = approximate_log2(supremum) + 1.1 - log2_goal;
+  const double excess = estimated_log2(supremum) + 1.1 - log2_goal;
   return std::max(1.0, std::ceil(excess * half_log_2 / half_width));
 }
 

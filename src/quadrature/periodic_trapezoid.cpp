@@ -11,13 +11,6 @@ namespace {
 
 constexpr precision bound_precision = 64;
 
-/// An estimate of log2 of a magnitude, for the search only.
-double estimated_log2(const magnitude& x) {
-  if (x.is_zero()) return -std::numeric_limits<double>::infinity();
-  if (x.is_infinite()) return std::numeric_limits<double>::infinity();
-  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
-}
-
 ball from_estimate(double x) { return ball::exactly(x, bound_precision); }
 
 /// A strip and an estimate of the nodes it asks for.

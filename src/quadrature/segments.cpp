@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "approximate.hpp"
 #include "breaks.hpp"
 #include "oscillation.hpp"
 #include "periodic.hpp"
@@ -360,14 +361,14 @@ segment regular_segment(const integrand& f, const end_point& a, const end_point&
 double log2_of_samples(const integrand& f, const ball& p, const ball& s,
                        std::initializer_list<long> eighths) {
   const auto at = f.evaluator(64);
-  double size = -1e18;
+  double size = -infinite;
   for (const long k : eighths) {
     const ball value = at(p + s * k / 8);
     if (value.is_bounded() && !value.magnitude_upper().is_zero()) {
       size = std::max(size, static_cast<double>(value.magnitude_upper().log2_floor()));
     }
   }
-  return size < -1e17 ? 0 : size;
+  return std::isfinite(size) ? size : 0;
 }
 
 double approximate_log2_of(const ball& x) {

@@ -157,15 +157,15 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
       if (is_real && y.real() > low && y.real() < high) peaks.push_back(y.real());
     }
   }
-  if (!(size(low) < 1e17)) {  // singular there
+  if (!(size(low) < greatest_log2)) {  // singular there
     const double length = range.upper.is_infinite() ? 1 : high - low;
     for (int k = 1; k <= 60; ++k) peaks.push_back(low + std::ldexp(length, -k));
   }
   std::sort(peaks.begin(), peaks.end());
-  double greatest = -1e18;
+  double greatest = -infinite;
   for (const double y : peaks) {
     const double value = size(y);
-    if (!(value > greatest) || value > 1e17) continue;
+    if (!(value > greatest) || value > greatest_log2) continue;
     // How far it is until half of the value.
     double width = std::max(std::abs(y), 1e-3);
     while (width > 1e-300 && size(y + width) < value - 1 && size(y - width) < value - 1) width /= 2;
@@ -199,7 +199,7 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
     range.lower = t;
   };
   const auto is_small = [&](const std::optional<ball>& bound) {
-    return bound && approximate_log2(bound->magnitude_upper()) <= greatest - bits;
+    return bound && estimated_log2(bound->magnitude_upper()) <= greatest - bits;
   };
   // A short number, not nearer to the peak than y.
   const auto short_number = [](double y, double peak) {

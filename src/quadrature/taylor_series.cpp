@@ -34,12 +34,12 @@ class taylor_sum {
     std::vector<finite_ranges> prepared;
     std::vector<std::vector<covered_range>> covered;
     std::vector<double> log2_constants;
-    double size = -1e18;
+    double size = -infinite;
     for (const hyperexponential_integral& part : parts_) {
       const hyperexponential& h = part.function;
       if (h.coefficient == 0) return std::nullopt;
-      const double constant = approximate_log2(h.constant(f_, 64).magnitude_upper());
-      if (!(std::abs(constant) < 1e17)) return std::nullopt;
+      const double constant = estimated_log2(h.constant(f_, 64).magnitude_upper());
+      if (!std::isfinite(constant)) return std::nullopt;
       log2_constants.push_back(constant);
       auto one = ranges_of(part, bits);
       if (!one) return std::nullopt;
@@ -148,7 +148,7 @@ std::optional<integral> integrate_by_taylor_series(const integrand& f, const end
     }
     // The value is smaller than its parts, or their bounds are larger than was expected.
     const double missing =
-        approximate_log2(radius) + digits - approximate_log2(value->magnitude_upper());
+        estimated_log2(radius) + digits - estimated_log2(value->magnitude_upper());
     if (!(missing < digits + 64)) return std::nullopt;
     bits += std::max(missing, 0.0) + 8;
   }

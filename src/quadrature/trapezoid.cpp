@@ -13,13 +13,6 @@ namespace {
 
 constexpr precision bound_precision = 64;
 
-/// About log2 of a magnitude, to search with.
-double estimated_log2(const magnitude& x) {
-  if (x.is_zero()) return -1e18;
-  if (x.is_infinite()) return 1e18;
-  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
-}
-
 magnitude error_with(const rectangle_bound& bound, const rational& length, long nodes) {
   return trapezoid_error(ball(rational(length / nodes), bound_precision), bound);
 }

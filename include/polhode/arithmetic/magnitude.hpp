@@ -250,4 +250,11 @@ inline magnitude magnitude::abs_down(mpfr_srcptr x) {
                          static_cast<std::int64_t>(mpfr_get_exp(x)) - fraction_bits);
 }
 
+/// About log2(x), to search with: -infinity for 0, infinity for an infinite one.
+[[nodiscard]] inline double estimated_log2(const magnitude& x) {
+  if (x.is_zero()) return -std::numeric_limits<double>::infinity();
+  if (x.is_infinite()) return std::numeric_limits<double>::infinity();
+  return std::log2(static_cast<double>(x.fraction())) + static_cast<double>(x.exponent());
+}
+
 }  // namespace polhode

@@ -32,7 +32,7 @@ magnitude integrator::least_size() const {
 
 /// log2 of the largest contribution that a panel of the plan makes.
 double integrator::log2_of_planned_size() const {
-  double size = -1e18;
+  double size = -infinite;
   for (const panel& p : panels_) {
     size = std::max(size, p.log2_typical + log2_scales_[p.segment] - static_cast<double>(p.level));
   }
@@ -42,15 +42,14 @@ double integrator::log2_of_planned_size() const {
 /// An estimate of log2 of the integral of |f|, by samples; and by a coarse plan, where the bounds of |f|
 /// say that the samples may have missed the most of it.
 integrator::outcome integrator::estimate_size() {
-  double samples = -1e18;
-  double bound = -1e18;
+  double samples = -infinite;
+  double bound = -infinite;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const auto f = evaluator_of(segments_[i], 64);
     for (long k = 1; k < 16; k += 2) {
       const complex_ball value = f(ball(rational(k, 16), 64));
       if (value.is_bounded()) {
-        samples =
-            std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
+        samples = std::max(samples, estimated_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
       }
     }
     for (long k = 5; k < 14 && !segments_[i].along; ++k) {
@@ -59,16 +58,17 @@ integrator::outcome integrator::estimate_size() {
       scale(t, t, -k);
       const complex_ball value = f(t);
       if (value.is_bounded()) {
-        samples = std::max(samples, approximate_log2(value.magnitude_upper()) + log2_scales_[i] -
+        samples = std::max(samples, estimated_log2(value.magnitude_upper()) + log2_scales_[i] -
                                         static_cast<double>(k));
       }
     }
     ++result_.account.region_evaluations;
     const region all = segments_[i].over(region(double_interval(0.0, 1.0)));
-    bound = std::max(bound, approximate_log2(all.magnitude_upper()) + log2_scales_[i]);
+    bound = std::max(bound, estimated_log2(all.magnitude_upper()) + log2_scales_[i]);
   }
-  log2_size_ = samples > -1e17 ? samples : 0;
-  if (bound <= samples + 16 || bound > 1e17) return outcome::done;
+  log2_size_ = std::isfinite(samples) ? samples : 0;
+  if (bound <= samples + 16 || !std::isfinite(bound)) return outcome::done;
+  samples = std::max(samples, -greatest_log2);
   // The bound is never too small: lower it until a plan finds something of about its size.
   log2_size_ = bound;
   for (double step = 64; log2_size_ > samples; step *= 2) {
@@ -91,7 +91,7 @@ contour_integral integrator::run() {
     // With as many bits as tell a short range's ends apart.
     precision p = 64;
     while (p < 40'000 && scale_of(s, p).magnitude_lower().is_zero()) p *= 2;
-    log2_scales_.push_back(approximate_log2(scale_of(s, p).magnitude_upper()));
+    log2_scales_.push_back(estimated_log2(scale_of(s, p).magnitude_upper()));
   }
   // Along a path nothing is gained by coming nearer to a cut or a pole that is met.
   const double least_depth = !segments_.empty() && segments_.front().along ? 160 : 420;
@@ -143,7 +143,7 @@ contour_integral integrator::run() {
       return result_;
     }
     // The value is smaller than its integrand led to expect.
-    const double value = approximate_log2(result_.enclosure.magnitude_upper());
+    const double value = estimated_log2(result_.enclosure.magnitude_upper());
     if (log2_goal <= lowest_goal + 2) {
       // 10^-digits of the integral of |f| stands for the value.
       const magnitude size = least_size();
@@ -153,7 +153,7 @@ contour_integral integrator::run() {
       }
       if (lowest_is_proved || size.is_zero()) break;
       lowest_is_proved = true;
-      lowest_goal = approximate_log2(size) - 2 * log2_digits - 3;
+      lowest_goal = estimated_log2(size) - 2 * log2_digits - 3;
     }
     log2_goal = std::max(std::min(value - log2_digits, log2_goal) - 3, lowest_goal);
   }

@@ -23,7 +23,7 @@ const panel_rule& panel_rule_of(const quadrature_rule& chosen) {
 double integrator::log2_of_typical(const panel& p, double log2_goal) const {
   // The middle and two points beside it, so that a zero of F does not mislead; with more bits where F
   // cannot tell them from a singularity nearby.
-  double largest = -1e18;
+  double largest = -infinite;
   const auto most = static_cast<precision>(8 * std::max(log2_size_ - log2_goal, 48.0));
   for (precision wide = 96 + 2 * p.level; wide == 96 + 2 * p.level || wide < most; wide *= 4) {
     const auto f = evaluator_of(segments_[p.segment], wide);
@@ -33,7 +33,7 @@ double integrator::log2_of_typical(const panel& p, double log2_goal) const {
       const complex_ball value = f(centre + scale(ball(offset, wide), -p.level - 4));  // exact
       if (!value.is_bounded()) continue;
       defined = true;
-      largest = std::max(largest, approximate_log2(value.magnitude_upper()));
+      largest = std::max(largest, estimated_log2(value.magnitude_upper()));
     }
     if (defined) break;
   }
@@ -50,7 +50,7 @@ double integrator::nodes_accepted(const panel& p, double log2_goal) const {
   return 0.42 * std::max(p.log2_typical - mean_goal(p, log2_goal), 8.0) + 10;
 }
 
-/// The best ellipse found around the panel, in p. The number of nodes it needs for a mean of F to 2^goal; huge where
+/// The best ellipse found around the panel, in p. The number of nodes it needs for a mean of F to 2^goal; infinite where
 /// none was found.
 double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const {
   // The price of a region's evaluation in those of f at a node.
@@ -58,19 +58,20 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
   const int halves = segments_[p.segment].along ? 2 : 1;
   const double region_price = halves / (0.3 + std::pow(bits / 300, 1.5));
   const double most_nodes = std::min(2 * bits, bits + 32) + 16;
-  double best_nodes = 1e18;
+  double best_nodes = infinite;
   const auto consider = [&](double rho) {
     const ellipse e(rho);
     const double log2_limit =
-        std::clamp(goal + 2 * std::log2(rho) * std::min(most_nodes, best_nodes), -1e18, 1e18);
+        std::clamp(goal + 2 * std::log2(rho) * std::min(most_nodes, best_nodes), -greatest_log2,
+                   greatest_log2);
     const std::optional<magnitude> inside =
         bounds.inside(e, magnitude::power_of_two(static_cast<long>(log2_limit)));
     if (!inside) return false;
     magnitude supremum = *inside;
-    double nodes = estimated_gauss_nodes(rho, approximate_log2(supremum), goal);
+    double nodes = estimated_gauss_nodes(rho, estimated_log2(supremum), goal);
     for (int arcs = 6; arcs * region_price < 0.5 * nodes && arcs <= 1024; arcs *= 2) {
       supremum = min(supremum, bounds.on_boundary(e, arcs));
-      const double fewer = estimated_gauss_nodes(rho, approximate_log2(supremum), goal);
+      const double fewer = estimated_gauss_nodes(rho, estimated_log2(supremum), goal);
       const bool worthwhile = nodes - fewer > arcs * region_price;
       nodes = fewer;
       if (!worthwhile) break;
@@ -80,7 +81,7 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
       p.rho = rho;
       p.supremum = supremum;
     }
-    return nodes <= best_nodes;
+    return std::isfinite(nodes) && nodes <= best_nodes;
   };
   constexpr double first = 3;
   constexpr double step = 1.5;
@@ -94,13 +95,13 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
   constexpr double regions_of_step = 12;
   for (double finer = std::sqrt(step); finer > 1.02; finer = std::sqrt(finer)) {
     const double saved = best_nodes * (1 - std::log2(p.rho) / std::log2(p.rho * finer));
-    if (best_nodes > 1e17 || saved < regions_of_step * region_price) break;
+    if (!std::isfinite(best_nodes) || saved < regions_of_step * region_price) break;
     consider(p.rho * finer);
   }
   return best_nodes;
 }
 
-/// How the panel's integral is to be had, in p. The number of nodes that takes; huge where no way was found.
+/// How the panel's integral is to be had, in p. The number of nodes that takes; infinite where no way was found.
 double integrator::try_panel(panel& p, double log2_goal) {
   const segment& s = segments_[p.segment];
   p.log2_typical = log2_of_typical(p, log2_goal);
@@ -108,18 +109,18 @@ double integrator::try_panel(panel& p, double log2_goal) {
   const double goal = mean_goal(p, log2_goal);
   // So small that the bound is enough.
   const region over_panel = f(double_interval(-1.0, 1.0), double_interval(0));
-  const double most = approximate_log2(over_panel.magnitude_upper());
+  const double most = estimated_log2(over_panel.magnitude_upper());
   if (most <= goal) {
     p.closed_by = at_most(s, over_panel.magnitude_upper());
     return 0;
   }
   // Where points of the panel are too close to an end for the samples, the bound stands for them.
-  if (p.log2_typical < -1e17) p.log2_typical = most < 1e17 ? most : goal + 64;
+  if (!std::isfinite(p.log2_typical)) p.log2_typical = std::isfinite(most) ? most : goal + 64;
   constexpr long short_level = 8;  // of such a panel smaller tiles tell little more than the whole
   ellipse_bounds bounds(f, 24, s.along.has_value(), p.suspect);
   if (over_panel.is_analytic() || p.level < short_level) {
     const double nodes = find_ellipse(p, goal, bounds);
-    if (nodes < 1e17) return nodes;
+    if (std::isfinite(nodes)) return nodes;
     p.suspect = bounds.suspect();
   } else {
     bounds.note(over_panel);
@@ -136,13 +137,13 @@ double integrator::try_panel(panel& p, double log2_goal) {
     const ball t =
         hull(ball(rational(p.centre - half), wide), ball(rational(p.centre + half), wide));
     const complex_ball range = evaluator_of(s, wide)(t);
-    if (range.is_bounded() && approximate_log2(radius_of(range)) <= goal - 4) {
+    if (range.is_bounded() && estimated_log2(radius_of(range)) <= goal - 4) {
       p.closed_by = range;
       p.by_range_only = true;
       return 0;
     }
   }
-  return 1e18;
+  return infinite;
 }
 
 integrator::outcome integrator::plan(double log2_goal) {
@@ -284,7 +285,7 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   constexpr long suspicious_level = 40;
   const segment& own = segments_[p.segment];
   const bool is_real = !own.along && !own.continued;
-  if (is_real && p.level == suspicious_level && own_nodes > 1e17) {
+  if (is_real && p.level == suspicious_level && !std::isfinite(own_nodes)) {
     if (const std::optional<rational> point = point_in(p)) {
       constexpr std::size_t most_points = 200;
       points_.push_back(*point);
@@ -306,7 +307,7 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
     return outcome::done;
   };
   std::array<panel, 2> halves{p.half(-1), p.half(1)};
-  std::array<double, 2> nodes_of_halves{1e18, 1e18};
+  std::array<double, 2> nodes_of_halves{infinite, infinite};
   // Where the halves take no fewer nodes theirs mostly do not: with so few bits, at which regions cost more than
   // nodes, they are not looked at.
   constexpr double few_bits = 600;
@@ -315,7 +316,7 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
     if (own_nodes <= nodes_of_halves[0] + nodes_of_halves[1]) return keep_whole();
   }
   for (std::size_t k = 0; k < 2; ++k) {
-    const bool is_tried = nodes_of_halves[k] < 1e17;
+    const bool is_tried = std::isfinite(nodes_of_halves[k]);
     const outcome o = is_tried
                           ? plan_tried_panel(std::move(halves[k]), nodes_of_halves[k], log2_goal)
                           : plan_panel(std::move(halves[k]), log2_goal);

@@ -16,9 +16,9 @@ namespace {
 
 /// How many nodes a panel's rule takes for an error of about 2^log2_goal of the mean of F.
 long nodes_of_panel(const panel& p, double log2_goal) {
-  if (!p.strip) return p.rule->nodes_for(p.rho, approximate_log2(p.supremum), log2_goal);
+  if (!p.strip) return p.rule->nodes_for(p.rho, estimated_log2(p.supremum), log2_goal);
   return static_cast<long>(
-      std::min(nodes_in_strip(p.strip->half_width, p.supremum, log2_goal), 1e17));
+      std::min(nodes_in_strip(p.strip->half_width, p.supremum, log2_goal), greatest_log2));
 }
 
 void note(const quadrature_rule& rule, std::vector<quadrature_rule>& rules) {
@@ -114,7 +114,7 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
     exhausted = true;
     return bound_alone();
   }
-  double last_radius = 1e18;
+  std::optional<double> last_radius;  // log2, where it is finite
   while (true) {
     auto working = static_cast<precision>(std::max(needed, 53.0));
     if (!has_room_for(p, working)) {
@@ -126,20 +126,19 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
     result_.account.evaluations += p.nodes;
     result_.account.precision = std::max(result_.account.precision, working);
     const panel_sum part{enlarged(s, sum.value, truncation) * scale_of(s, working), sum.done};
-    const double radius = approximate_log2(radius_of(part.value));
+    const double radius = estimated_log2(radius_of(part.value));
     if (radius <= share + 1) return part;
     // More bits, until they do not help any more; to tell a short panel's nodes from what is beside it, they
     // may have to be many before they do.
-    const bool helps = radius <= last_radius - 4 || last_radius > 1e17;
+    const bool helps = !last_radius || radius <= *last_radius - 4;
     const bool stuck = !helps && working >= 128 + 2 * p.level;
     if (stuck || working >= most_precision) {
       exhausted = true;
       return part;
     }
-    last_radius = radius;
+    last_radius = std::isfinite(radius) ? std::optional(radius) : std::nullopt;
     const auto bits_used = static_cast<double>(working);
-    needed =
-        std::min(bits_used + (helps && radius < 1e17 ? radius - share + 4 : bits_used), allowed);
+    needed = std::min(bits_used + (helps && last_radius ? radius - share + 4 : bits_used), allowed);
   }
 }
 
