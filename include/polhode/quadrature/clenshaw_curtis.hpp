@@ -17,6 +17,7 @@
 //   w_j = (2/n) Re sum over 0 <= m < n/2 of b_m/(1 - 4m^2) e^(pi i m/n) e^(2 pi i m j/n),  b_0 = 1, else 2.
 
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "polhode/quadrature/periodic_trapezoid.hpp"
@@ -135,6 +136,18 @@ template <scalar T>
     rule.weights.push_back(T(2 * sums[j].re / n));
   }
   return rule;
+}
+
+/// The nodes >= 0 of one of these rules, with p bits.
+[[nodiscard]] inline symmetric_nodes symmetric_half(chebyshev_points_rule<ball> rule, precision p) {
+  symmetric_nodes half;
+  half.n = static_cast<long>(rule.nodes.size());
+  half.bits = p;
+  for (std::size_t k = (rule.nodes.size() + 1) / 2; k-- > 0;) {
+    half.nodes.push_back(std::move(rule.nodes[k]));
+    half.weights.push_back(std::move(rule.weights[k]));
+  }
+  return half;
 }
 
 /// The sum of w_j f(x_j): with T = ball an enclosure of the rule's value, with T = mpfr_float the uncertified

@@ -12,7 +12,7 @@ class clenshaw_curtis_on_panels final : public panel_rule {
  public:
   [[nodiscard]] std::string_view name() const override { return "Clenshaw-Curtis"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "on panels too, with the ends of the range among its nodes";
+    return "on panels, with their ends as nodes";
   }
   /// With the 2n + 1 nodes of its degree 2n it is about as exact as Gauss and Legendre's rule with n.
   [[nodiscard]] long nodes_for(double rho, double log2_supremum, double log2_goal) const override {
@@ -24,17 +24,9 @@ class clenshaw_curtis_on_panels final : public panel_rule {
                                            const magnitude& supremum) const override {
     return clenshaw_curtis_error(n - 1, rho, supremum);
   }
-  /// The nodes cos(j pi/(n-1)) run from 1 downwards; those >= 0 are kept, from the middle up.
   [[nodiscard]] std::shared_ptr<const symmetric_nodes> nodes(long n, precision p) const override {
-    chebyshev_points_rule<ball> all = clenshaw_curtis_rule<ball>(n - 1, p);
-    symmetric_nodes kept;
-    kept.n = n;
-    kept.bits = p;
-    for (auto k = static_cast<std::size_t>((n + 1) / 2); k-- > 0;) {
-      kept.nodes.push_back(std::move(all.nodes[k]));
-      kept.weights.push_back(std::move(all.weights[k]));
-    }
-    return std::make_shared<const symmetric_nodes>(std::move(kept));
+    return std::make_shared<const symmetric_nodes>(
+        symmetric_half(clenshaw_curtis_rule<ball>(n - 1, p), p));
   }
   [[nodiscard]] bool has_ends_as_nodes() const override { return true; }
 };

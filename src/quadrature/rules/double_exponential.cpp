@@ -9,7 +9,7 @@ class double_exponential final : public quadrature_strategy {
  public:
   [[nodiscard]] std::string_view name() const override { return "double exponential"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "tanh-sinh, over a finite range with rational limits";
+    return "tanh-sinh, between rational limits";
   }
   [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
                                                 const end_point& b,

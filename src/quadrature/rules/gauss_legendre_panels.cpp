@@ -14,7 +14,7 @@ class gauss_legendre_on_panels final : public panel_rule {
  public:
   [[nodiscard]] std::string_view name() const override { return "Gauss-Legendre"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "on panels around which the integrand is proved analytic";
+    return "on panels; the rule for most integrands";
   }
   [[nodiscard]] bool is_automatic() const override { return true; }
   [[nodiscard]] long nodes_for(double rho, double log2_supremum, double log2_goal) const override {

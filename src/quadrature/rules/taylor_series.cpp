@@ -10,7 +10,7 @@ class taylor_series final : public quadrature_strategy {
  public:
   [[nodiscard]] std::string_view name() const override { return "Taylor series"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "for sums of hyperexponential functions of x, e^(k x) or sin^2 (k x)";
+    return "for sums of hyperexponential functions";
   }
   [[nodiscard]] bool is_automatic() const override { return true; }
   [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,

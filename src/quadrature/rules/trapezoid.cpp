@@ -10,7 +10,7 @@ class trapezoid_on_circles final : public quadrature_strategy {
  public:
   [[nodiscard]] std::string_view name() const override { return "trapezoid"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "for an integrand that is periodic over the range, or even about both limits";
+    return "where periodic, or even about both limits";
   }
   [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
                                                 const end_point& b,
