@@ -1,0 +1,131 @@
+// The roots of regions, to many digits.
+
+#include <algorithm>
+
+#include "base/worker_threads.hpp"
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "search/taylor_bounds.hpp"
+#include "thread_count.hpp"
+#include "tiling.hpp"
+
+namespace polhode {
+
+namespace {
+
+/// The half of the enclosure that holds the root of f, which is simple and the only one in it: on either side of
+/// it f has one sign. std::nullopt where the signs are not certain.
+std::optional<ball> half_with_root(const real_function& f, const ball& enclosure, precision p) {
+  const detail::exact_interval whole{lower_rational(enclosure), upper_rational(enclosure)};
+  const auto sign_at = [&](const rational& x) { return sign_of(f.at(p)->value(ball(x, p))); };
+  const auto is_certain = [](sign s) { return s == sign::negative || s == sign::positive; };
+  const ball middle = enclosure.middle();
+  const sign at_middle =
+      sign_of(f.at(p)->value(middle.with_precision(std::max(p, middle.precision()))));
+  const sign at_upper = sign_at(*whole.upper);
+  if (!is_certain(at_middle) || !is_certain(at_upper)) return std::nullopt;
+  const rational cut = lower_rational(middle);
+  const detail::exact_interval half = at_middle == at_upper
+                                          ? detail::exact_interval{whole.lower, cut}
+                                          : detail::exact_interval{cut, whole.upper};
+  return half.to_ball(std::max(p, enclosure.precision()));
+}
+
+}  // namespace
+
+refined_root refine(const root_region& region, long digits) {
+  if (digits < 1) throw std::invalid_argument("refine: at least one digit must be asked for");
+  refined_root result;
+  result.enclosure = region.enclosure;
+  const precision p = bits_for_digits(digits) + 8;
+  if (region.exact) {
+    result.enclosure = ball(*region.exact, p);
+    result.exact = region.exact;
+    result.verdict = status::certified;
+    return result;
+  }
+  if (region.multiplicity == 0 || !region.simple || !region.function) return result;
+  const real_function& f = *region.simple;
+  const auto is_narrow = [&](const ball& x) {
+    const magnitude size = (contains_zero(x) ? region.box : x).magnitude_upper();
+    return x.radius() <= scale(size, -(static_cast<std::int64_t>(p) - 5));
+  };
+  // Bits beside those of x that f is evaluated with, because it cancels.
+  precision more = 0;
+  const precision most = 8 * p + (1L << 14);
+  constexpr int most_halvings = 60;
+  int halvings = 0;
+  while (true) {
+    const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };
+    const auto value = [&](const ball& x) { return f.at(x.precision() + more)->value(raised(x)); };
+    const auto slope = [&](const ball& x) {
+      return detail::slope_over(*f.at(x.precision() + more), raised(x), f);
+    };
+    // A little room, so that a root at the end of its enclosure is inside.
+    const ball known = result.enclosure;
+    const magnitude before = known.radius();
+    const ball room = intersection(known.enlarged(known.radius()), region.box);
+    const root_enclosure r = refine_root(value, slope, room.is_undefined() ? known : room, p);
+    if (r.verdict == root_verdict::none) {
+      throw std::logic_error("refine: the enclosures of f and its derivative contradict");
+    }
+    result.evaluations_of_f += r.evaluations_of_f;
+    result.evaluations_of_derivative += r.evaluations_of_derivative;
+    const ball both = intersection(r.root, known);
+    result.enclosure = (both.is_undefined() ? r.root : both).with_precision(p + 16);
+    if (is_narrow(result.enclosure)) break;
+    // Newton's method may not contract yet on a wide enclosure.
+    if (result.enclosure.radius() > scale(before, -1) && halvings < most_halvings) {
+      ++halvings;
+      if (const auto half = half_with_root(f, result.enclosure, p + more)) {
+        result.enclosure = *half;
+        continue;
+      }
+    }
+    if (more >= most) break;
+    more = std::min(std::max<precision>(2 * more, 64), most);
+  }
+  const ball& x = result.enclosure;
+  if (is_narrow(x)) result.verdict = status::certified;
+  // A short rational number in the enclosure, and exactly a root. It shows in few bits.
+  if (result.verdict == status::certified) {
+    constexpr precision few = 128;
+    constexpr int few_terms = 16;
+    constexpr std::size_t most_height = 48;
+    const ball coarse = x.with_precision(std::min(few, x.precision()));
+    const auto short_one =
+        simplest_between(lower_rational(coarse), upper_rational(coarse), few_terms);
+    // Rounded to p bits the enclosure may hold a root beside the box; in the box there is one only.
+    if (short_one && rational_polynomial({*short_one}).height() <= most_height &&
+        contains(x, *short_one) && contains(region.box, *short_one)) {
+      const rational& q = *short_one;
+      const auto s = region.function->structure(function_structure::variable_at(q, 0, p));
+      if (s && s->series() && (*s->series())[0].is_exactly(0)) {
+        result.exact = q;
+        result.enclosure = ball(q, p);
+      }
+    }
+  }
+  return result;
+}
+
+std::vector<refined_root> refine(const std::vector<root_region>& regions, long digits,
+                                 int threads) {
+  detail::require_threads("refine", threads);
+  std::vector<refined_root> result(regions.size());
+  const auto step = [&](long i) {
+    const auto k = static_cast<std::size_t>(i);
+    result[k] = refine(regions[k], digits);
+  };
+  const auto count = static_cast<long>(regions.size());
+  if (threads == 1 || count < 2) {
+    for (long i = 0; i < count; ++i) step(i);
+  } else {
+    detail::worker_threads(threads).for_each(count, step);
+  }
+  return result;
+}
+
+}  // namespace polhode

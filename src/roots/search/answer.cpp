@@ -1,0 +1,131 @@
+#include "answer.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "clusters.hpp"
+#include "polhode/arithmetic/interval.hpp"
+#include "range.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+bool is_less(const ball& x, const ball& y) {
+  return mpfr_less_p(lower(x).backend().data(), lower(y).backend().data()) != 0;
+}
+
+void in_order(std::vector<root_region>& regions) {
+  std::sort(regions.begin(), regions.end(), [](const root_region& x, const root_region& y) {
+    return is_less(x.enclosure, y.enclosure);
+  });
+}
+
+/// Roots of different factors, neither in the other's enclosure, may have enclosures that overlap: they are made narrower.
+void keep_apart(std::vector<root_region>& regions) {
+  constexpr long most_digits = 1L << 14;
+  for (std::size_t i = 1; i < regions.size(); ++i) {
+    root_region& x = regions[i - 1];
+    root_region& y = regions[i];
+    if (x.multiplicity == 0 || y.multiplicity == 0) continue;
+    for (long digits = 15; overlaps(x.enclosure, y.enclosure) && digits < most_digits;
+         digits *= 2) {
+      x.enclosure = refine(x, digits).enclosure;
+      y.enclosure = refine(y, digits).enclosure;
+    }
+  }
+  in_order(regions);
+}
+
+/// The boxes of the regions of a polynomial's factors hold roots of other factors: they are made narrower.
+void keep_out_other_roots(root_region& r, std::size_t problem,
+                          const std::vector<root_problem>& problems) {
+  if (problems.size() < 2 || r.multiplicity == 0) return;
+  constexpr long most_digits = 1L << 20;
+  for (long digits = 15; digits <= most_digits; digits *= 2) {
+    bool apart = true;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      if (i == problem) continue;
+      const ball value = problems[i].g->at(r.enclosure.precision())->value(r.enclosure);
+      apart = apart && !value.is_undefined() && !contains_zero(value);
+    }
+    if (apart) {
+      r.box = r.enclosure;
+      return;
+    }
+    r.enclosure = refine(r, digits).enclosure;
+  }
+  r.box = r.enclosure;
+  r.verdict = root_verdict::at_least_one;
+  r.multiplicity = 0;
+  r.remark = "not told from a root of another multiplicity";
+}
+
+/// The roots that do not lie outside of the range.
+void add_found(const root_search::state& s, std::vector<root_region>& regions) {
+  for (const found_root& known : s.found) {
+    root_region r = known.region;
+    const real_function& g = *s.problems[known.problem].g;
+    const side at_lower = side_of(r, s.lower, true, g, r);
+    const side at_upper = side_of(r, s.upper, false, g, r);
+    if (at_lower == side::outside || at_upper == side::outside) continue;
+    r.may_lie_outside = (at_lower == side::undecided || at_upper == side::undecided) &&
+                        r.verdict != root_verdict::unresolved;
+    keep_out_other_roots(r, known.problem, s.problems);
+    r.function = s.f;
+    regions.push_back(std::move(r));
+  }
+}
+
+/// What is not settled, in clusters.
+void add_open(const root_search::state& s, std::vector<root_region>& regions) {
+  std::vector<work_box> open = s.pending;
+  open.insert(open.end(), s.stuck.begin(), s.stuck.end());
+  const std::vector<work_box> clusters = joined(open, s.found);
+  (void)parts_of(clusters, open);
+  for (const work_box& b : clusters) {
+    root_region r;
+    r.box = r.enclosure = b.x.to_ball(b.bits);
+    r.remark = s.limit.empty() ? "not examined yet" : s.limit + " was reached";
+    r.function = s.f;
+    r.simple = s.problems[b.problem].g;
+    regions.push_back(std::move(r));
+  }
+}
+
+/// From left to right; neighbouring places where f is not defined are one.
+std::vector<singular_place> in_order(std::vector<singular_place> given) {
+  std::sort(given.begin(), given.end(), [](const singular_place& x, const singular_place& y) {
+    return is_less(x.place, y.place);
+  });
+  std::vector<singular_place> places;
+  for (singular_place& place : given) {
+    const bool joins = !places.empty() && places.back().pole_order == 0 && place.pole_order == 0 &&
+                       overlaps(places.back().place, place.place);
+    const bool again = !places.empty() && places.back().pole_order > 0 &&
+                       overlaps(places.back().place, place.place);
+    if (joins) {
+      places.back().place = hull(places.back().place, place.place);
+    } else if (!again) {
+      places.push_back(std::move(place));
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+root_set answer_of(const root_search::state& s) {
+  root_set result;
+  result.identically_zero = s.identically_zero;
+  result.complete = s.pending.empty();
+  result.account = s.account;
+  result.singular = in_order(s.singular);
+  add_found(s, result.regions);
+  add_open(s, result.regions);
+  in_order(result.regions);
+  keep_apart(result.regions);
+  return result;
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,516 @@
+#include "examination.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "roots/count_zeros.hpp"
+#include "taylor_bounds.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+exact_box exact_ends(const ball& x) { return {lower_rational(x), upper_rational(x)}; }
+
+/// The box and half of its width more on either side; a point, and a little.
+exact_box widened(const exact_box& b) {
+  rational more = b.width() / 2;
+  if (more == 0) more = (abs(*b.lower) + 1) / (1L << 40);
+  return {*b.lower - more, *b.upper + more};
+}
+
+/// g(x) for the factor with that id in the numerator, or the denominator, of f's structure.
+real_function factor_of(const real_function& f, long id) {
+  const auto slope = [f, id](const ball& x) {
+    const auto s = f.structure(function_structure::variable(x, x.middle()));
+    for (const auto& g : s->numerator().factors) {
+      if (g.id == id) return g.over;
+    }
+    if (s->denominator()) {
+      for (const auto& g : s->denominator()->factors) {
+        if (g.id == id) return g.over;
+      }
+    }
+    return jet<ball, 1>::constant(ball::undefined(x.precision()));
+  };
+  return real_function(
+      [slope](precision) {
+        function_evaluator e;
+        e.value = [slope](const ball& x) { return slope(x)[0]; };
+        e.derivative = [slope](const ball& x) { return slope(x)[1]; };
+        e.slope = slope;
+        e.series = [slope](const ball& x, int n) {
+          const jet<ball, 1> known = slope(x);
+          series_type r(n);
+          for (int k = 0; k <= n; ++k) r[k] = k <= 1 ? known[k] : ball::undefined(x.precision());
+          return r;
+        };
+        return e;
+      },
+      1);
+}
+
+bool is_certainly_not_zero(const ball& x) { return !x.is_undefined() && !contains_zero(x); }
+bool is_not_negative(const ball& x) {
+  const sign s = sign_of(x);
+  return s == sign::positive || s == sign::zero;
+}
+
+/// Bits of the longer part of q.
+std::size_t height(const rational& q) { return rational_polynomial({q}).height(); }
+
+/// The examination of one box.
+class examination {
+ public:
+  examination(const root_search::state& s, const isolate_options& options, evaluators& known)
+      : s_(s), options_(options), evaluators_(known) {}
+
+  [[nodiscard]] outcome of_box(work_box b) && {
+    if (b.x.is_bounded()) {
+      examine(std::move(b));
+    } else {
+      examine_tail(std::move(b));
+    }
+    return std::move(result_);
+  }
+  /// The region that a cluster of boxes is, which are as narrow as they get.
+  [[nodiscard]] outcome of_cluster(const work_box& b) && {
+    conclude(b);
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] const root_problem& problem(const work_box& b) const {
+    return s_.problems[b.problem];
+  }
+  const function_evaluator& evaluator(std::size_t problem, precision p) {
+    result_.most_bits = std::max(result_.most_bits, p);
+    auto& known = evaluators_[{problem, p}];
+    if (known == nullptr) known = s_.problems[problem].g->at(p);
+    return *known;
+  }
+  series_type series(const work_box& b, const ball& x, int n) {
+    ++result_.evaluations;
+    return evaluator(b.problem, b.bits).series(x, n);
+  }
+  std::optional<function_structure> structure(const root_problem& p, const function_structure& x) {
+    ++result_.evaluations;
+    return p.g->structure(x);
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Bounded boxes
+
+  void examine(work_box b) {
+    const rational size = std::max({abs(*b.x.lower), abs(*b.x.upper), rational(1, 1L << 30)});
+    const rational width = b.x.width();
+    if (width > 0) {  // the ends must be told apart
+      const rational ratio = size / width;
+      const auto bits =
+          static_cast<precision>(mpz_sizeinbase(mpq_numref(ratio.backend().data()), 2) -
+                                 mpz_sizeinbase(mpq_denref(ratio.backend().data()), 2));
+      b.bits = std::max<precision>(b.bits, bits + 40);
+    }
+    const ball x = b.x.to_ball(b.bits);
+    const int n = problem(b).g->best_order();
+    series_type over = series(b, x, n);
+    if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
+    if (over[0].is_undefined() || over[1].is_undefined()) {
+      if (!has_no_root_where_defined(b) && !by_structure(b)) halve(b);
+      return;
+    }
+    const ball middle(b.x.middle(), b.bits);
+    const series_type at_middle = series(b, middle, n);
+    if (over[n].is_undefined()) {  // once differentiable
+      series_type shorter(1);
+      shorter[0] = over[0];
+      shorter[1] = over[1];
+      over = shorter;
+    }
+    const enclosed_function f = taylor(at_middle, over, x - middle);
+    if (is_certainly_not_zero(f.value)) return exclude(b.x, x);
+    if (!contains_zero(f.slope) && by_newton(b, x, middle, at_middle[0], f.slope)) return;
+    // Where rounding, not the width of the box, is what leaves f undecided.
+    constexpr int least_gain = 8;
+    const bool noisy = at_middle[0].radius() > scale(f.value.radius(), -least_gain);
+    if (noisy) b.bits = std::max(b.bits, std::min(2 * b.bits, most_bits(b)));
+    if (is_turn_for_structure(b.halvings) && by_structure(b)) return;
+    halve(b);
+  }
+
+  /// There is no root in x, nor in the set, which holds it.
+  void exclude(const exact_box& x, const ball& over) { result_.excluded.push_back({x, over}); }
+
+  /// What is spent on cancellation grows with the depth: a function that is 0 on an interval is not to cost
+  /// the most everywhere.
+  [[nodiscard]] precision most_bits(const work_box& b) const {
+    return std::min<precision>(options_.most_precision, 512 + 32L * b.halvings);
+  }
+
+  static bool is_turn_for_structure(int halvings) {
+    constexpr std::array turns = {8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192};
+    return std::find(turns.begin(), turns.end(), halvings) != turns.end();
+  }
+
+  /// True where the box is settled: it has no root, its root was found, or a narrower box takes its place.
+  bool by_newton(const work_box& b, const ball& x, const ball& middle, const ball& value,
+                 const ball& slope) {
+    const ball image = middle - value / slope;
+    if (image.is_undefined()) return false;
+    if (!overlaps(image, x)) {
+      exclude(b.x, x);
+      return true;
+    }
+    if (contains(x, image)) {
+      add_simple_root(b, b.x, x, image);
+      return true;
+    }
+    // A root near an end, or at it: in a wider box.
+    const exact_box wide = widened(b.x);
+    const ball wider = wide.to_ball(b.bits);
+    ++result_.evaluations;
+    const jet<ball, 1> over = evaluator(b.problem, b.bits).slope(wider);
+    if (!over[0].is_undefined() && is_certainly_not_zero(over[1])) {
+      const ball wider_image = middle - value / over[1];
+      // The root may lie beyond x, where the first image says nothing of it.
+      if (contains(wider, wider_image)) {
+        add_simple_root(b, wide, wider, wider_image);
+        return true;
+      }
+    }
+    const ball left = intersection(image, x);
+    if (left.is_undefined() || !left.is_bounded()) return false;
+    work_box rest = b;
+    rest.x = exact_ends(left);
+    rest.x.lower = std::max(*rest.x.lower, *b.x.lower);
+    rest.x.upper = std::min(*rest.x.upper, *b.x.upper);
+    if (*rest.x.upper < *rest.x.lower) {
+      exclude(b.x, x);
+      return true;
+    }
+    if (rest.x.width() > b.x.width() * rational(3, 4) || b.x.width() == 0) return false;
+    if (++rest.halvings > options_.most_halvings) return false;
+    if (*b.x.lower < *rest.x.lower) exclude({b.x.lower, rest.x.lower}, x);
+    if (*rest.x.upper < *b.x.upper) exclude({rest.x.upper, b.x.upper}, x);
+    result_.rest.push_back(std::move(rest));
+    return true;
+  }
+
+  void halve(work_box b) {
+    if (b.halvings >= options_.most_halvings || b.x.width() == 0) {
+      b.remark = "not resolved by " + std::to_string(b.halvings) + " halvings";
+      result_.stuck.push_back(std::move(b));
+      return;
+    }
+    ++b.halvings;
+    work_box right = b;
+    right.x.lower = b.x.middle();
+    b.x.upper = right.x.lower;
+    result_.rest.push_back(std::move(right));
+    result_.rest.push_back(std::move(b));
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Structure
+
+  /// The same test as in by_structure, in the box itself: f may be undefined beyond it.
+  bool has_no_root_where_defined(const work_box& b) {
+    const ball x = b.x.to_ball(b.bits);
+    const auto s =
+        structure(problem(b), function_structure::variable(x, ball(b.x.middle(), b.bits)));
+    if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
+    result_.singular.push_back({x, 0});
+    exclude(b.x, x);
+    return true;
+  }
+
+  /// True where the box is done with.
+  bool by_structure(const work_box& b) {
+    if (problem(b).square_free) return false;
+    const exact_box wide = widened(b.x);
+    const ball x = wide.to_ball(b.bits);
+    const ball middle(b.x.middle(), b.bits);
+    const auto s = structure(problem(b), function_structure::variable(x, middle));
+    if (!s) return false;
+    const jet<ball, 1> over = s->over();
+    const bool is_defined = !over[0].is_undefined();
+    if (!s->natural_range() || is_certainly_not_zero(*s->natural_range())) {
+      if (!is_defined) result_.singular.push_back({b.x.to_ball(b.bits), 0});
+      exclude(b.x, x);
+      return true;
+    }
+    const auto vanishing = [](const std::vector<function_structure::factor>& factors) {
+      std::vector<const function_structure::factor*> r;
+      for (const auto& g : factors) {
+        if (!is_certainly_not_zero(g.over[0])) r.push_back(&g);
+      }
+      return r;
+    };
+    /// The enclosure of the only root of the factor in x; std::nullopt where that is not proved.
+    const auto only_root = [&](const function_structure::factor& g) -> std::optional<ball> {
+      if (g.over[0].is_undefined() || !is_certainly_not_zero(g.over[1])) return std::nullopt;
+      const ball image = middle - g.at_point / g.over[1];
+      if (!contains(x, image)) return std::nullopt;
+      return image;
+    };
+    const auto zeros = vanishing(s->numerator().factors);
+    const auto poles = s->denominator() ? vanishing(s->denominator()->factors)
+                                        : std::vector<const function_structure::factor*>{};
+    if (zeros.empty()) {
+      // What the pole is a factor beside must be defined there: exp(1/x)/x has no pole at 0.
+      const bool has_order = s->numerator().over[0].is_bounded() &&
+                             (!s->denominator() || s->denominator()->over[0].is_bounded());
+      if (poles.size() == 1 && has_order) {
+        if (const auto pole = only_root(*poles.front())) {
+          const real_function g = factor_of(*problem(b).g, poles.front()->id);
+          result_.singular.push_back({refined_place(g, *pole, x), poles.front()->power});
+          result_.known = {wide, x, std::nullopt};
+          return true;
+        }
+      }
+      if (poles.empty()) {
+        if (!is_defined) result_.singular.push_back({b.x.to_ball(b.bits), 0});
+        exclude(b.x, x);
+        return true;
+      }
+      // The poles are told apart first; where they are no poles, the place is only made narrower.
+      constexpr int few_halvings = 8;
+      if (b.halvings < (has_order ? options_.most_halvings : few_halvings)) return false;
+      result_.singular.push_back({b.x.to_ball(b.bits), 0});
+      exclude(b.x, x);
+      return true;
+    }
+    if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
+      // The quotient may be defined where f is not: 1/(1/x) is x/1.
+      ++result_.evaluations;
+      const jet<ball, 1> plain = evaluator(b.problem, b.bits).slope(x);
+      const bool f_is_defined = !plain[0].is_undefined() && !plain[1].is_undefined();
+      const auto root = f_is_defined ? only_root(*zeros.front()) : std::nullopt;
+      if (root) {
+        const long m = zeros.front()->power;
+        const auto& f = *problem(b).g;
+        add(b, wide, x, *root, m, std::nullopt,
+            std::make_shared<real_function>(factor_of(f, zeros.front()->id)));
+        return true;
+      }
+    }
+    return by_exact_point(b, wide, x);
+  }
+
+  /// The only root of g in the box, to the digits that a place is worth.
+  ball refined_place(const real_function& g, const ball& root, const ball& box) {
+    constexpr precision p = 60;
+    const auto value = [&](const ball& t) { return g.at(t.precision())->value(t); };
+    const auto slope = [&](const ball& t) { return g.at(t.precision())->derivative(t); };
+    const root_enclosure r =
+        refine_root(value, slope, intersection(root.enlarged(root.radius()), box), p);
+    result_.evaluations += r.evaluations_of_f + r.evaluations_of_derivative;
+    const ball both = intersection(r.root, root);
+    return both.is_undefined() ? root : both;
+  }
+
+  /// The order of the zero of f at the simplest rational number in the box, where f is exactly 0 there.
+  struct exact_zero {
+    rational at;
+    long multiplicity = 0;  // 0 where it was not found
+  };
+  std::optional<exact_zero> exact_zero_in(const work_box& b) {
+    exact_zero r{simplest_between(*b.x.lower, *b.x.upper), 0};
+    constexpr std::size_t simple_height = 200;
+    if (height(r.at) > simple_height) return std::nullopt;
+    for (const int order : {1, 8, 40}) {
+      const auto s = structure(problem(b), function_structure::variable_at(r.at, order, b.bits));
+      if (!s || !s->series()) return std::nullopt;
+      const auto& t = *s->series();
+      if (!t[0].is_exactly(0)) return std::nullopt;
+      int k = 1;
+      while (k <= order && t[k].is_exactly(0)) ++k;
+      if (k > order) continue;
+      if (is_certainly_not_zero(t[k].enclosure())) r.multiplicity = k;
+      return r;
+    }
+    return r;
+  }
+
+  /// f, ..., f^(m-1) are exactly 0 at c in x, and f^(m) has no zero in x: then c is the only root in x, m
+  /// times, since m + 1 roots, counted with their multiplicities, would give f^(m) a zero (Rolle).
+  bool by_exact_point(const work_box& b, const exact_box& wide, const ball& x) {
+    const auto zero = exact_zero_in(b);
+    if (!zero || zero->multiplicity == 0) return false;
+    const auto m = static_cast<int>(zero->multiplicity);
+    if (m > problem(b).g->most_order()) return false;
+    const series_type over = series(b, x, m);
+    for (int k = 0; k <= m; ++k) {
+      if (over[k].is_undefined()) return false;
+    }
+    if (contains_zero(over[m])) return false;
+    add(b, wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
+    return true;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Towards infinity
+
+  /// f^(k) > 0 on [M, inf), f^(j)(M) >= 0 for j < k and f(M) > 0 prove f > 0 on [M, inf): going down from k,
+  /// f^(j)(x) = f^(j)(M) + the integral of f^(j+1). Likewise for f < 0, and towards -infinity with f(-x).
+  bool keeps_its_sign(const work_box& b, const series_type& over) {
+    const bool rightward = b.x.lower.has_value();
+    const ball end(rightward ? *b.x.lower : *b.x.upper, b.bits);
+    const series_type at_end = series(b, end, over.order());
+    const sign first = sign_of(at_end[0]);
+    if (first != sign::positive && first != sign::negative) return false;
+    for (int k = 0; k <= over.order(); ++k) {
+      // f^(k) may go on where f itself has a jump.
+      if (over[k].is_undefined()) return false;
+      // The k-th coefficient of f(-x), or of -f, where these take the place of f.
+      const bool turned = (!rightward && k % 2 != 0) != (first == sign::negative);
+      if (certainly_positive(turned ? -over[k] : over[k])) return true;
+      if (!is_not_negative(turned ? -at_end[k] : at_end[k])) return false;
+    }
+    return false;
+  }
+
+  void examine_tail(work_box b) {
+    if (!b.x.lower && !b.x.upper) {
+      work_box right = b;
+      work_box left = b;
+      b.x = {rational(-1), rational(1)};
+      left.x.upper = -1;
+      right.x.lower = 1;
+      for (work_box* part : {&right, &b, &left}) result_.rest.push_back(std::move(*part));
+      return;
+    }
+    const bool rightward = b.x.lower.has_value();
+    const rational end = rightward ? *b.x.lower : *b.x.upper;
+    const rational size = rightward ? end : rational(-end);
+    const ball x = b.x.to_ball(b.bits);
+    constexpr int order = 12;
+    const int n = std::min(std::max(order, problem(b).g->best_order()), problem(b).g->most_order());
+    const series_type over = series(b, x, n);
+    if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
+    if (size >= 1) {
+      if (keeps_its_sign(b, over)) return exclude(b.x, x);
+      if (const auto s =
+              structure(problem(b), function_structure::variable(x, ball(end, b.bits)))) {
+        const bool nowhere = !s->natural_range() || is_certainly_not_zero(*s->natural_range());
+        const auto& factors = s->numerator().factors;
+        if (nowhere || std::all_of(factors.begin(), factors.end(), [](const auto& g) {
+              return is_certainly_not_zero(g.over[0]);
+            })) {
+          if (s->over()[0].is_undefined()) result_.singular.push_back({x, 0});
+          return exclude(b.x, x);
+        }
+      }
+    }
+    const rational farthest = rational(integer(1) << 1024U);
+    if (size > farthest) {
+      b.remark = "the sign towards infinity is not proved";
+      result_.stuck.push_back(std::move(b));
+      return;
+    }
+    const rational next_size = size < 1 ? rational(1) : rational(2 * size + 1);
+    const rational cut = rightward ? next_size : rational(-next_size);
+    work_box near = b;
+    (rightward ? near.x.upper : near.x.lower) = cut;
+    (rightward ? b.x.lower : b.x.upper) = cut;
+    if (rightward) std::swap(near, b);
+    result_.rest.push_back(std::move(near));
+    result_.rest.push_back(std::move(b));
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Roots
+
+  void add_simple_root(const work_box& b, const exact_box& done, const ball& x, const ball& image) {
+    add(b, done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
+  }
+
+  /// The only root of the problem in the box; `done`, which lies in the box, need not be searched any more.
+  void add(const work_box& b, const exact_box& done, const ball& box, const ball& enclosure,
+           long multiplicity, std::optional<rational> exact,
+           std::shared_ptr<const real_function> simple) {
+    root_region r;
+    r.verdict = multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
+    r.box = box;
+    r.enclosure = intersection(enclosure, box);
+    r.multiplicity = multiplicity;
+    r.exact = std::move(exact);
+    r.function = problem(b).g;
+    r.simple = std::move(simple);
+    result_.known = {done, box, std::move(r)};
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // The end
+
+  /// What is proved of a cluster.
+  void conclude(const work_box& b) {
+    root_region r;
+    r.box = r.enclosure = b.x.to_ball(b.bits);
+    r.remark = b.remark;
+    r.function = r.simple = problem(b).g;
+    if (b.x.is_bounded()) {
+      // A structure that no single one of its boxes had.
+      if (by_structure(b)) return;
+      if (const auto zero = exact_zero_in(b)) {
+        r.verdict = root_verdict::at_least_one;
+        r.exact = zero->at;
+      } else if (changes_sign(b)) {
+        r.verdict = root_verdict::at_least_one;
+      }
+      const region over = problem(b).g->over(region(r.box));
+      if (!over.is_analytic() && over.why() != obstacle::unknown) {
+        r.remark = "the " + to_text(over.why()) + " of " + std::string(over.where());
+      }
+      const auto zeros = count_zeros(*problem(b).g, b.x.middle(), b.x.width() / 2, 2 * b.bits);
+      if (zeros) {
+        result_.evaluations += zeros->evaluations;
+        const bool holds_box = 2 * zeros->radius >= b.x.width();
+        if (zeros->count == 0 && holds_box) return exclude(b.x, r.box);
+        const bool of_f = s_.problems.size() == 1 && problem(b).multiplicity == 1;
+        if (of_f) r.complex_roots = zeros->count;
+      }
+    }
+    result_.known = {b.x, r.box, std::move(r)};
+  }
+
+  /// f is continuously differentiable on the box and has opposite signs at its ends.
+  bool changes_sign(const work_box& b) {
+    const ball x = b.x.to_ball(b.bits);
+    const series_type over = series(b, x, 1);
+    if (over[0].is_undefined() || over[1].is_undefined()) return false;
+    const auto sign_at = [&](const rational& end) {
+      for (precision p = b.bits; p <= std::max(4 * b.bits, options_.most_precision); p *= 2) {
+        ++result_.evaluations;
+        const sign s = sign_of(evaluator(b.problem, p).value(ball(end, p)));
+        if (s != sign::unknown) return s;
+      }
+      return sign::unknown;
+    };
+    const sign left = sign_at(*b.x.lower);
+    const sign right = sign_at(*b.x.upper);
+    return (left == sign::negative && right == sign::positive) ||
+           (left == sign::positive && right == sign::negative);
+  }
+
+  const root_search::state& s_;
+  const isolate_options& options_;
+  evaluators& evaluators_;
+  outcome result_;
+};
+
+}  // namespace
+
+outcome examine_box(const root_search::state& s, const isolate_options& options, evaluators& known,
+                    work_box b) {
+  return examination(s, options, known).of_box(std::move(b));
+}
+
+outcome examine_cluster(const root_search::state& s, const isolate_options& options,
+                        evaluators& known, const work_box& b) {
+  return examination(s, options, known).of_cluster(b);
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,274 @@
+#include "searcher.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include "base/worker_threads.hpp"
+#include "clusters.hpp"
+#include "examination.hpp"
+#include "polhode/arithmetic/interval.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+/// One run of a search. Boxes are examined from left to right, each result before the next box; more threads examine
+/// boxes before their turn, and what they find waits for it. So their number changes nothing in the answer.
+class searcher {
+ public:
+  searcher(root_search::state& s, const isolate_options& options) : s_(s), options_(options) {
+    if (options.threads == 1) return;
+    workers_.emplace(options.threads);
+    constexpr long boxes_for_each = 16;
+    most_at_a_time_ =
+        boxes_for_each * (options.threads == 0 ? workers_->processors() : options.threads);
+  }
+
+  void run() {
+    search();
+    for (work_box& b : s_.pending) b.ahead = nullptr;
+  }
+
+ private:
+  void search() {
+    const auto start = std::chrono::steady_clock::now();
+    s_.limit.clear();
+    constexpr long between_looks = 64;
+    for (long boxes = 0; !s_.pending.empty(); ++boxes) {
+      if (boxes >= options_.most_boxes) {
+        s_.limit = "the limit on the number of boxes";
+        return;
+      }
+      if (static_cast<long>(s_.stuck.size()) > options_.most_unresolved) {
+        s_.limit = "the limit on unresolved boxes";
+        return;
+      }
+      if (options_.most_time && std::chrono::steady_clock::now() - start > *options_.most_time) {
+        s_.limit = "the limit on the time";
+        return;
+      }
+      if (options_.progress && boxes % between_looks == 0 &&
+          !options_.progress({s_.account.boxes, static_cast<long>(s_.pending.size()),
+                              static_cast<long>(s_.found.size())})) {
+        s_.limit = "a request to stop";
+        return;
+      }
+      if (s_.pending.back().ahead == nullptr) examine_next();
+      const work_box b = std::move(s_.pending.back());
+      s_.pending.pop_back();
+      ++s_.account.boxes;
+      --waiting_;
+      merge(b, {&b.x}, std::move(*b.ahead));
+    }
+    if (!s_.concluded) conclude();
+    s_.concluded = true;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Examining
+
+  /// The outcome of examine(evaluators), or the exception that it was left by.
+  template <class Examine>
+  std::shared_ptr<outcome> outcome_of(const Examine& examine) {
+    auto r = std::make_shared<outcome>();
+    try {
+      *r = examine(evaluators_.local());
+    } catch (...) {
+      r->error = std::current_exception();
+    }
+    return r;
+  }
+
+  /// The next box, and with more threads some of those that come after it.
+  void examine_next() {
+    std::vector<work_box*> boxes;
+    collect(s_.pending, boxes);
+    const auto step = [&](long i) {
+      work_box& b = *boxes[static_cast<std::size_t>(i)];
+      b.ahead = outcome_of([&](evaluators& known) { return examine_box(s_, options_, known, b); });
+    };
+    const auto count = static_cast<long>(boxes.size());
+    if (count == 1) {
+      step(0);
+    } else {
+      workers_->for_each(count, step);
+    }
+    waiting_ += count;
+  }
+
+  /// The boxes that are to be examined, in the order in which the search will meet them, as far as that is known.
+  void collect(std::vector<work_box>& stack, std::vector<work_box*>& boxes) const {
+    constexpr long most_waiting = 4096;  // they take memory
+    const long most = workers_ && waiting_ < most_waiting ? most_at_a_time_ : 1;
+    for (std::size_t i = stack.size(); i-- > 0 && static_cast<long>(boxes.size()) < most;) {
+      if (stack[i].ahead == nullptr) {
+        boxes.push_back(&stack[i]);
+      } else {
+        collect(stack[i].ahead->rest, boxes);
+      }
+    }
+  }
+
+  /// What it is worth if the search goes another way.
+  void forget_ahead(work_box& b) {
+    if (b.ahead == nullptr) return;
+    --waiting_;
+    for (work_box& part : b.ahead->rest) forget_ahead(part);
+    b.ahead = nullptr;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Merging
+
+  /// Proves that the outcome is about the whole box, and keeps it. Of the box, the parts are what was open until now.
+  void merge(const work_box& b, const std::vector<const exact_box*>& parts, outcome o) {
+    if (o.error) std::rethrow_exception(o.error);
+    expect_whole(b.x, o);
+    s_.account.evaluations += o.evaluations;
+    s_.account.most_bits = std::max(s_.account.most_bits, o.most_bits);
+    const auto append = [](auto& to, auto& from) {
+      to.insert(to.end(), std::make_move_iterator(from.begin()),
+                std::make_move_iterator(from.end()));
+    };
+    append(s_.singular, o.singular);
+    settle(b, parts, o);
+    append(s_.stuck, o.stuck);
+    append(s_.pending, o.rest);
+  }
+
+  /// A cluster's outcome is about its hull, one set without a root or with known ones, and settles its parts.
+  void settle(const work_box& b, const std::vector<const exact_box*>& parts, outcome& o) {
+    settled_pieces& settled = s_.settled[b.problem];
+    const bool is_cluster = parts.size() != 1 || parts.front() != &b.x;
+    expect(!is_cluster || (o.rest.empty() && o.stuck.empty()), "a cluster is not concluded");
+    if (!o.known) {
+      if (is_cluster) {
+        for (const exact_box* x : parts) settled.add_without_root(*x);
+      } else {
+        for (const auto& e : o.excluded) settled.add_without_root(e.x);
+      }
+      return;
+    }
+    const auto settle_all = [&](const auto& add_piece) {
+      for (const exact_box* x : parts) add_piece(*x);
+      take_out(b.problem, o.known->done, add_piece);
+    };
+    if (!o.known->region) {
+      settle_all([&](const exact_box& x) { settled.add_without_root(x); });
+      return;
+    }
+    const std::size_t region = add(b.problem, std::move(*o.known->region));
+    settle_all([&](const exact_box& x) { settled.add_known(x, region); });
+  }
+
+  /// The number of the region in the list.
+  std::size_t add(std::size_t problem, root_region r) {
+    const auto about = double_interval::from_ball(r.box);
+    for (std::size_t i = 0; i < s_.found.size(); ++i) {
+      found_root& known = s_.found[i];
+      if (r.multiplicity > 0 && known.problem == problem && overlaps(known.about, about) &&
+          is_the_same(known.region, r)) {
+        known.about = double_interval::from_ball(known.region.box);
+        return i;
+      }
+    }
+    s_.found.push_back({std::move(r), problem, about});
+    return s_.found.size() - 1;
+  }
+
+  /// Whether the roots of the two regions are one. Each is the only one in its box.
+  static bool is_the_same(root_region& known, root_region& more) {
+    if (known.multiplicity == 0 || !overlaps(known.box, more.box)) return false;
+    for (long digits = 15; digits <= 15L << 8; digits *= 2) {
+      if (contains(known.box, more.enclosure) || contains(more.box, known.enclosure)) return true;
+      if (!overlaps(known.enclosure, more.enclosure)) return false;
+      known.enclosure = refine(known, digits).enclosure;
+      more.enclosure = refine(more, digits).enclosure;
+    }
+    // One root or two, at the common end of both boxes: neither is claimed.
+    known.enclosure = hull(known.enclosure, more.enclosure);
+    known.box = hull(known.box, more.box);
+    known.verdict = root_verdict::at_least_one;
+    known.multiplicity = 0;
+    known.remark = "one root or two";
+    return true;
+  }
+
+  /// Settles `done`, in which all roots of the problem are known. Gives what it takes out to add_piece.
+  template <class AddPiece>
+  void take_out(std::size_t problem, const exact_box& done, const AddPiece& add_piece) {
+    for (auto* boxes : {&s_.pending, &s_.stuck}) {
+      std::vector<work_box> left;
+      left.reserve(boxes->size());
+      for (work_box& b : *boxes) {
+        const bool apart = b.problem != problem || (b.x.upper && *b.x.upper < *done.lower) ||
+                           (b.x.lower && *b.x.lower > *done.upper);
+        if (apart) {
+          left.push_back(std::move(b));
+          continue;
+        }
+        // It may only touch.
+        const bool is_whole = (b.x.lower && *b.x.lower == *done.upper && b.x.lower != b.x.upper) ||
+                              (b.x.upper && *b.x.upper == *done.lower && b.x.lower != b.x.upper);
+        if (is_whole) {
+          left.push_back(std::move(b));
+          continue;
+        }
+        forget_ahead(b);
+        add_piece(
+            {!b.x.lower || (done.lower && *b.x.lower < *done.lower) ? done.lower : b.x.lower,
+             !b.x.upper || (done.upper && *b.x.upper > *done.upper) ? done.upper : b.x.upper});
+        // The right part first: the leftmost box is on top.
+        if (!b.x.upper || *b.x.upper > *done.upper) {
+          left.push_back(b);
+          left.back().x.lower = done.upper;
+        }
+        if (!b.x.lower || *b.x.lower < *done.lower) {
+          left.push_back(std::move(b));
+          left.back().x.upper = done.lower;
+        }
+      }
+      *boxes = std::move(left);
+    }
+  }
+
+  /// What is proved of the boxes that stay unresolved.
+  void conclude() {
+    const std::vector<work_box> boxes = std::move(s_.stuck);
+    s_.stuck.clear();
+    const std::vector<work_box> clusters = joined(boxes, s_.found);
+    const auto parts = parts_of(clusters, boxes);
+    std::vector<std::shared_ptr<outcome>> outcomes(clusters.size());
+    const auto step = [&](long i) {
+      const auto k = static_cast<std::size_t>(i);
+      outcomes[k] = outcome_of(
+          [&](evaluators& known) { return examine_cluster(s_, options_, known, clusters[k]); });
+    };
+    const auto count = static_cast<long>(clusters.size());
+    if (workers_) {
+      workers_->for_each(count, step);
+    } else {
+      for (long i = 0; i < count; ++i) step(i);
+    }
+    for (std::size_t i = 0; i < clusters.size(); ++i) {
+      merge(clusters[i], parts[i], std::move(*outcomes[i]));
+    }
+  }
+
+  root_search::state& s_;
+  const isolate_options& options_;
+  std::optional<worker_threads> workers_;
+  tbb::enumerable_thread_specific<evaluators> evaluators_;
+  long most_at_a_time_ = 1;
+  long waiting_ = 0;  // boxes that were examined and not merged yet
+};
+
+}  // namespace
+
+void search(root_search::state& s, const isolate_options& options) { searcher(s, options).run(); }
+
+}  // namespace polhode::detail

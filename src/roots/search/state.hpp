@@ -1,0 +1,98 @@
+#pragma once
+
+// What a search for roots knows: the boxes that are left, the roots and the singular places that were found, and the pieces of the
+// interval that are settled.
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "roots/tiling.hpp"
+
+namespace polhode {
+namespace detail {
+
+using exact_box = exact_interval;
+
+constexpr precision first_bits = 64;
+
+struct outcome;
+
+struct work_box {
+  exact_box x;
+  int halvings = 0;
+  precision bits = first_bits;
+  std::size_t problem = 0;
+  std::string remark;  // why it is left unresolved
+  /// What its examination gives, where it was examined before its turn.
+  std::shared_ptr<outcome> ahead = nullptr;
+};
+
+/// What the examination of a box gives, of pieces that make up the box. It depends on the box and the options alone.
+struct outcome {
+  struct without_root {
+    exact_box x;
+    ball over;  // has no root in this set
+  };
+  /// All roots in `done`, which holds the box, are known: the region's, or none where there is no region.
+  struct known_part {
+    exact_box done;
+    ball over;  // what the proof is about: the region's box
+    std::optional<root_region> region;
+  };
+  std::vector<work_box> rest;  // left to do, in the order of a stack
+  std::vector<work_box> stuck;
+  std::vector<without_root> excluded;
+  std::optional<known_part> known;
+  std::vector<singular_place> singular;
+  long evaluations = 0;
+  precision most_bits = 0;
+  std::exception_ptr error;  // what f threw
+};
+
+/// Proves that the outcome is about the whole box: the pieces make it up, and what was proved was proved over them.
+void expect_whole(const exact_box& box, const outcome& o);
+
+/// A function whose roots are looked for: f, or a factor of the polynomial f with simple roots only.
+struct root_problem {
+  std::shared_ptr<const real_function> g;
+  long multiplicity = 1;  // of its roots, as roots of f
+  bool square_free = false;
+};
+
+struct found_root {
+  root_region region;
+  std::size_t problem = 0;
+  double_interval about;  // holds the region's box
+};
+
+}  // namespace detail
+
+struct root_search::state {
+  std::shared_ptr<const real_function> f;
+  end_point lower = 0;
+  end_point upper = 0;
+  std::vector<detail::root_problem> problems;
+  std::vector<detail::settled_pieces> settled;  // of each problem
+  std::vector<detail::work_box> pending;        // a stack, the leftmost box on top
+  std::vector<detail::work_box> stuck;
+  std::vector<detail::found_root> found;
+  std::vector<singular_place> singular;
+  bool identically_zero = false;
+  bool concluded = false;
+  std::string limit;  // the one that ended the last run
+  isolation_account account;
+};
+
+namespace detail {
+
+/// Proves that the interval that was asked for, from end to end, is in the one that is searched, and that every point of
+/// it is settled or open: for every problem.
+void expect_whole(const root_search::state& s);
+
+}  // namespace detail
+}  // namespace polhode
