@@ -5,7 +5,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
-#include "quadrature/box_tiling.hpp"
+#include "quadrature/boxes/box_tiling.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
 

@@ -1,7 +1,7 @@
 // The integral over one panel: each of the terms that make up its error bound is nearly attained by a case here, so that
 // none can be left out or halved.
 
-#include "quadrature/panel_integral.hpp"
+#include "quadrature/series/panel_integral.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/hyperexponential.hpp"
-#include "quadrature/taylor_ranges.hpp"
+#include "quadrature/series/hyperexponential.hpp"
+#include "quadrature/series/taylor_ranges.hpp"
 #include "support/random.hpp"
 
 namespace polhode {

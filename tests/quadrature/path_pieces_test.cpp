@@ -1,7 +1,7 @@
 // Paths as they are put together: that pieces join, that what is integrated over a piece is the piece, and that beside an end
 // nothing is in the way; and random paths against antiderivatives and residues.
 
-#include "quadrature/path_pieces.hpp"
+#include "quadrature/paths/path_pieces.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/oscillation.hpp"
-#include "quadrature/segments.hpp"
+#include "quadrature/ends/oscillation.hpp"
+#include "quadrature/ends/segments.hpp"
 #include "support/reference.hpp"
 
 namespace polhode {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/segments.hpp"
+#include "quadrature/ends/segments.hpp"
 
 namespace polhode::detail {
 namespace {

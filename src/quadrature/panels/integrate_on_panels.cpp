@@ -5,7 +5,7 @@
 
 #include "integrator.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/poles.hpp"
+#include "quadrature/formula/poles.hpp"
 
 namespace polhode::detail {
 

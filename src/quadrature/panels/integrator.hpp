@@ -12,7 +12,7 @@
 #include "panel.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/segments.hpp"
+#include "quadrature/ends/segments.hpp"
 #include "segment_values.hpp"
 
 namespace polhode::detail {

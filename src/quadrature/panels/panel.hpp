@@ -7,7 +7,7 @@
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/periodic.hpp"
+#include "quadrature/rules/periodic.hpp"
 #include "quadrature/tiling.hpp"
 
 namespace polhode::detail {

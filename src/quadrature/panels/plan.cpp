@@ -9,7 +9,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/approximate.hpp"
-#include "quadrature/breaks.hpp"
+#include "quadrature/ends/breaks.hpp"
 #include "quadrature/rules/rule_estimates.hpp"
 #include "quadrature/rules/rules.hpp"
 

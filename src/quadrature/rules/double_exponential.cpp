@@ -1,4 +1,4 @@
-#include "quadrature/insisted_double_exponential.hpp"
+#include "insisted_double_exponential.hpp"
 #include "rules.hpp"
 
 namespace polhode::detail {

@@ -3,7 +3,7 @@
 
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
-#include "quadrature/rules/rule_estimates.hpp"
+#include "rule_estimates.hpp"
 #include "rules.hpp"
 
 namespace polhode::detail {

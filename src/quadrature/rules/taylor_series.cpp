@@ -1,4 +1,4 @@
-#include "quadrature/taylor_series.hpp"
+#include "quadrature/series/taylor_series.hpp"
 
 #include "rules.hpp"
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-#include "recorded_formula.hpp"
+#include "quadrature/formula/recorded_formula.hpp"
 
 namespace polhode::detail {
 

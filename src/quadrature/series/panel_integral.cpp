@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "approximate.hpp"
 #include "hyperexponential.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "quadrature/approximate.hpp"
 
 namespace polhode::detail {
 

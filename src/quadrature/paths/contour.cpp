@@ -7,7 +7,7 @@
 
 #include "path_pieces.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "segments.hpp"
+#include "quadrature/ends/segments.hpp"
 
 namespace polhode {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "approximate.hpp"
 #include "panel_choice.hpp"
 #include "panel_integral.hpp"
+#include "quadrature/approximate.hpp"
+#include "quadrature/tiling.hpp"
 #include "taylor_ranges.hpp"
-#include "tiling.hpp"
 
 namespace polhode::detail {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "approximate.hpp"
+#include "quadrature/approximate.hpp"
 
 namespace polhode::detail {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "recorded_formula.hpp"
+#include "quadrature/formula/recorded_formula.hpp"
 
 namespace polhode::detail {
 

@@ -5,9 +5,9 @@
 #include <complex>
 #include <utility>
 
-#include "approximate.hpp"
 #include "panel_choice.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "quadrature/approximate.hpp"
 
 namespace polhode::detail {
 

@@ -17,8 +17,8 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "recorded_formula.hpp"
-#include "tiling.hpp"
+#include "quadrature/formula/recorded_formula.hpp"
+#include "quadrature/tiling.hpp"
 
 namespace polhode::detail {
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <stdexcept>
 
-#include "approximate.hpp"
 #include "breaks.hpp"
 #include "oscillation.hpp"
-#include "periodic.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "quadrature/approximate.hpp"
+#include "quadrature/rules/periodic.hpp"
 
 namespace polhode::detail {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/polynomial.hpp"
-#include "tiling.hpp"
+#include "quadrature/tiling.hpp"
 
 namespace polhode::detail {
 

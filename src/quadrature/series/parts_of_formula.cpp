@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "parts_by_variable.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+class parts_of {
+ public:
+  parts_of(const formula& f, const end_point& a, const end_point& b) : f_(f), a_(a), b_(b) {
+    for (std::size_t i = 0; i < f.size() && !plain_; ++i) {
+      const recorded_node& node = f.node(i);
+      const bool is_transcendental = f.needs(i) && node.what == recorded_node::kind::function &&
+                                     node.operation.rule >= recorded_rule::exp;
+      if (is_transcendental) {
+        plain_ = std::make_unique<forms>(f, f.result(), argument_itself(f, 1, 0, nullptr));
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<std::vector<hyperexponential_integral>> of(std::size_t node) {
+    std::vector<hyperexponential_integral> result;
+    if (!plain_) {
+      if (!add_in_argument({f_, a_, b_}, node, result)) return in_sum(node);
+      return result;
+    }
+    for (const auto add_in :
+         {&add_in_argument, &add_in_exponential, &add_in_sine_squared, &add_in_sine_of_half}) {
+      result.clear();
+      if (add_in({f_, a_, b_, plain_.get()}, node, result)) return result;
+    }
+    return in_sum(node);
+  }
+
+ private:
+  [[nodiscard]] bool is_sum(std::size_t node) const {
+    const recorded_node& n = f_.node(node);
+    return n.what == recorded_node::kind::function &&
+           (n.operation.rule == recorded_rule::sum ||
+            n.operation.rule == recorded_rule::difference);
+  }
+  /// Of the sum that a node is; no more than a few over the most.
+  [[nodiscard]] std::size_t terms_of(std::size_t node) const {
+    std::vector<std::size_t> open{node};
+    std::size_t terms = 0;
+    while (!open.empty() && terms <= most_terms && open.size() <= most_terms) {
+      const std::size_t next = open.back();
+      open.pop_back();
+      if (is_sum(next)) {
+        open.push_back(f_.node(next).left);
+        open.push_back(f_.node(next).right);
+      } else {
+        ++terms;
+      }
+    }
+    return terms + open.size();
+  }
+  /// A sum term by term.
+  [[nodiscard]] std::optional<hyperexponential_integrals> in_sum(std::size_t node) {
+    const recorded_node& sum_node = f_.node(node);
+    const auto rule = sum_node.operation.rule;
+    if (!is_sum(node) || terms_of(node) > most_terms) return std::nullopt;
+    auto left = of(sum_node.left);
+    if (!left) return std::nullopt;
+    auto right = of(sum_node.right);
+    if (!right || left->size() + right->size() > most_terms) return std::nullopt;
+    for (hyperexponential_integral& part : *right) {
+      if (rule == recorded_rule::difference) {
+        part.function.coefficient = -part.function.coefficient;
+      }
+      left->push_back(std::move(part));
+    }
+    return left;
+  }
+
+  const formula& f_;
+  const end_point& a_;
+  const end_point& b_;
+  /// What nodes are in x, where the formula has exponential or circular functions of them.
+  std::unique_ptr<forms> plain_;
+};
+
+}  // namespace
+
+std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(const formula& f,
+                                                                             const end_point& a,
+                                                                             const end_point& b) {
+  if (f.has_breaks()) return std::nullopt;
+  return parts_of(f, a, b).of(f.result());
+}
+
+}  // namespace polhode::detail
