@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "arithmetic/fixed_point_functions.hpp"
+#include "arithmetic/functions/fixed_point_functions.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "support/random.hpp"
 #include "support/real.hpp"

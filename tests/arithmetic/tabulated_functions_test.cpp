@@ -1,7 +1,7 @@
 // The functions by tables are within the units that they say, which MPFR's at a higher precision judge; and come near to them: a bound
 // that were many times too wide would hide an error.
 
-#include "arithmetic/tabulated_functions.hpp"
+#include "arithmetic/functions/tabulated_functions.hpp"
 
 #include <algorithm>
 #include <array>

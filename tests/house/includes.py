@@ -154,7 +154,7 @@ def self_test():
         "src/checker/digest.cpp": '#include "base/sha256.hpp"\n',
         "src/arithmetic/own.hpp": '#include "base/quoted.hpp"\n',
         "src/arithmetic/ball/deep.cpp": '#include "arithmetic/own.hpp"\n#include "../own.hpp"\n',
-        "src/arithmetic/tables.cpp": '#include "function_tables.hpp"\n',
+        "src/arithmetic/functions/tables.cpp": '#include "function_tables.hpp"\n',
         "src/roots/own.cpp": '#include "polhode/roots/public.hpp"\n',
         "src/cost/own.hpp": '#include "proofs/own.hpp"\n',
         "src/cli/own.cpp": '#include "cost/own.hpp"\n#include "polhode/checker/public.hpp"\n',

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "ball_access.hpp"
+#include "arithmetic/ball/ball_access.hpp"
 
 namespace polhode {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "arithmetic/ball/ball_access.hpp"
 #include "atan2.hpp"
-#include "ball_access.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 
 namespace polhode {

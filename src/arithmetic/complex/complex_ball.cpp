@@ -5,11 +5,11 @@
 #include <optional>
 #include <ostream>
 
-#include "ball_access.hpp"
-#include "exact_product.hpp"
-#include "exponent_range.hpp"
+#include "arithmetic/ball/ball_access.hpp"
+#include "arithmetic/ball/exact_product.hpp"
+#include "arithmetic/ball/exponent_range.hpp"
+#include "arithmetic/ball/raw_error.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "raw_error.hpp"
 
 namespace polhode {
 

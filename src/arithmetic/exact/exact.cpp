@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string>
 
-#include "ball_access.hpp"
+#include "arithmetic/ball/ball_access.hpp"
 #include "base/quoted.hpp"
 
 namespace polhode {

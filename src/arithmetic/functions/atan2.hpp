@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ball_access.hpp"
+#include "arithmetic/ball/ball_access.hpp"
 
 namespace polhode::detail {
 

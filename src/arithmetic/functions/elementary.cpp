@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ball_access.hpp"
+#include "arithmetic/ball/ball_access.hpp"
 #include "fixed_point_functions.hpp"
 
 namespace polhode {

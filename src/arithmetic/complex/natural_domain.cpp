@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "atan2.hpp"
-#include "ball_access.hpp"
+#include "arithmetic/ball/ball_access.hpp"
+#include "arithmetic/functions/atan2.hpp"
 
 namespace polhode::natural_domain {
 
