@@ -88,17 +88,16 @@ std::pair<ball, integer> without_whole(const ball& x) {
 }
 
 /// Hypothesis: the rates have so many bits more than `bits` as |cycles t|, |turns t| have before the point.
-moment<ball> reduced(const rotor_rates& rates, rotor_regime regime, const rational& t,
-                     precision bits) {
+moment<ball> reduced(const rotor_rates& rates, regime kind, const rational& t, precision bits) {
   const precision all = rates.turns.precision();
   const ball time(t, all);
   moment<ball> r;
   integer n = 0;
-  if (regime == rotor_regime::steady) {
+  if (is_equilibrium(kind)) {
     r.cycle = ball(0, bits);
   } else {
     ball cycles = rates.cycles * time + rates.cycles_0;
-    if (regime != rotor_regime::separatrix) std::tie(cycles, n) = without_whole(cycles);
+    if (kind != regime::separatrix) std::tie(cycles, n) = without_whole(cycles);
     n += rates.half_turns_0;
     r.cycle = cycles.with_precision(bits);
   }
@@ -124,9 +123,8 @@ T negated_if(bool negative, const T& x) {
 
 /// J/|J| in the principal axes, x and y over `across` of prepared.
 template <class T>
-triple<T> direction(const triple<T>& amplitude, rotor_regime regime, const theta_point<T>& at,
-                    bool odd) {
-  const bool oscillating = regime == rotor_regime::oscillating;
+triple<T> direction(const triple<T>& amplitude, regime kind, const theta_point<T>& at, bool odd) {
+  const bool oscillating = kind == regime::oscillating;
   const T cn = negated_if(odd, at.cn);
   const T sn = negated_if(odd, at.sn);
   return {T(amplitude[0] * (oscillating ? at.dn : cn)), T(amplitude[1] * sn),
@@ -207,7 +205,7 @@ theta_point<T> steady_point(precision bits) {
 template <class T>
 struct prepared {
   precision bits = 0;
-  rotor_regime regime = rotor_regime::steady;
+  regime kind = regime::equilibrium_x;
   rotor_rates rates;
   theta_series<T> series;
   /// That of rotor_tables, the first two over the power of two `across`: J may be so near to the axis z that its other
@@ -226,11 +224,11 @@ struct prepared {
 
   template <bool WithLag>
   [[nodiscard]] theta_point<T> point(const T& cycle) const {
-    if (regime == rotor_regime::steady) return steady_point<T>(bits);
+    if (is_equilibrium(kind)) return steady_point<T>(bits);
     return theta_values_at<WithLag>(series, cycle);
   }
   [[nodiscard]] triple<T> direction_at(const theta_point<T>& at, bool odd) const {
-    return regime == rotor_regime::steady ? amplitude : direction(amplitude, regime, at, odd);
+    return is_equilibrium(kind) ? amplitude : direction(amplitude, kind, at, odd);
   }
   [[nodiscard]] rotor_sample<T> sample(const moment<T>& at) const {
     triple<T> j = direction_at(point<false>(at.cycle), at.odd);
@@ -265,7 +263,7 @@ struct prepared {
 prepared<ball> prepare(const initial_state& state, precision bits, precision spare) {
   prepared<ball> r;
   r.bits = bits;
-  r.regime = state.regime();
+  r.kind = state.regime();
   r.order = state.order();
   r.signs = state.signs();
   rotor_tables tables(state, bits + spare);
@@ -276,7 +274,7 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   r.series = std::move(working.series);
   r.amplitude = std::move(working.amplitude);
   r.across = ball(1, bits);
-  if (r.regime != rotor_regime::steady) {
+  if (!is_equilibrium(r.kind)) {
     const auto power =
         static_cast<long>(std::max(exponent_of(r.amplitude[0]), exponent_of(r.amplitude[1])));
     r.across = scale(r.across, power);
@@ -286,7 +284,7 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   r.size = std::move(working.size);
   for (std::size_t i = 0; i < 3; ++i) r.moments[i] = ball(state.moments()[i], bits);
 
-  const moment<ball> start = reduced(r.rates, r.regime, 0, bits);
+  const moment<ball> start = reduced(r.rates, r.kind, 0, bits);
   const theta_point<ball> at = r.point<true>(start.cycle);
   r.phase_0 = scale(pi(bits), 1) * (start.whole + start.fraction) - angle_of(at.x, at.y);
   const matrix3<ball> turned =
@@ -334,7 +332,7 @@ prepared<T> as_scalars(const prepared<ball>& x) {
   const precision bits = x.bits;
   prepared<T> r;
   r.bits = bits;
-  r.regime = x.regime;
+  r.kind = x.kind;
   r.rates = x.rates;
   r.series = as_scalars<T>(x.series, bits);
   r.amplitude = as_scalars<T>(x.amplitude, bits);
@@ -539,7 +537,7 @@ class rotor_motion<double> {
     const prepared<ball>& by = exact_.prepared_first();
     fast_ = as_scalars<long double>(by);
     momentum_ = as_scalars<double>(by);
-    if (by.regime != rotor_regime::steady) {
+    if (!is_equilibrium(by.kind)) {
       cycles_ = split(by.rates.cycles);
       cycles_0_ = split(by.rates.cycles_0);
       slip_ = split(by.rates.slip);
@@ -606,9 +604,9 @@ class rotor_motion<double> {
   template <std::floating_point T>
   [[nodiscard]] std::pair<moment<T>, double> cycle_at(double t) const {
     moment<T> at{};
-    if (fast_.regime == rotor_regime::steady) return {at, 0};
+    if (is_equilibrium(fast_.kind)) return {at, 0};
     const whole_and_rest u = product(t, cycles_, cycles_0_);
-    if (fast_.regime == rotor_regime::separatrix) {
+    if (fast_.kind == regime::separatrix) {
       at.cycle = static_cast<T>(u.whole) + rest_of<T>(u);
       return {at, 0};
     }
@@ -740,9 +738,6 @@ T rotor<T>::momentum_size() const {
 
 namespace {
 
-bool has_period(const initial_state& state) {
-  return state.regime() == rotor_regime::oscillating || state.regime() == rotor_regime::rotating;
-}
 /// turns T - 2 slip, T = 2/cycles, times 2 pi.
 ball phase_of(const detail::rotor_rates& rates) {
   const ball turns = scale(rates.turns / rates.cycles - rates.slip, 1);
@@ -753,19 +748,19 @@ ball phase_of(const detail::rotor_rates& rates) {
 
 template <class T>
 std::optional<T> rotor<T>::period() const {
-  if (!has_period(state())) return std::nullopt;
+  if (!is_periodic(state().regime())) return std::nullopt;
   return motion_->number(2 / motion_->rates().cycles);
 }
 template <class T>
 std::optional<T> rotor<T>::phase_per_period() const {
-  if (!has_period(state())) return std::nullopt;
+  if (!is_periodic(state().regime())) return std::nullopt;
   return motion_->number(phase_of(motion_->rates()));
 }
 template <class T>
 T rotor<T>::mean_precession() const {
   const detail::rotor_rates& rates = motion_->rates();
-  if (has_period(state())) return motion_->number(phase_of(rates) * rates.cycles / 2);
-  if (state().regime() == rotor_regime::steady) {
+  if (is_periodic(state().regime())) return motion_->number(phase_of(rates) * rates.cycles / 2);
+  if (is_equilibrium(state().regime())) {
     return motion_->number(2 * pi(rates.turns.precision()) * rates.turns);
   }
   const auto middle = static_cast<std::size_t>(state().order()[1]);
