@@ -481,8 +481,8 @@ TEST(Rotor, EquilibriaDoNotMove) {
     triple<rational> omega{0, 0, 0};
     omega[axis] = -2;
     const auto state = initial_state::from_angular_velocity({3, 2, 1}, omega);
-    constexpr std::array about{regime::equilibrium_x, regime::equilibrium_y, regime::equilibrium_z};
-    EXPECT_EQ(state.regime(), about.at(axis));
+    constexpr std::array kinds{regime::equilibrium_x, regime::equilibrium_y, regime::equilibrium_z};
+    EXPECT_EQ(state.regime(), kinds.at(axis));
     const rotor<ball> r(state, 100);
     EXPECT_FALSE(r.period());
     EXPECT_FALSE(r.phase_per_period());
@@ -620,7 +620,7 @@ TEST(Rotor, RefusesWhatIsNoState) {
       },
       "angular velocity");
   const body rigid(1, rational(1, 2));
-  expect_refusal([&] { (void)initial_state::at_middle_of_twist(rigid, 2); }, "between -b");
+  expect_refusal([&] { (void)initial_state::at_middle_of_twist(rigid, 2); }, "from -b");
   expect_refusal([&] { (void)initial_state::at_middle_of_twist(rigid, -1); }, "-1/2");
   auto state = initial_state::from_momentum({1, 2, 3}, {1, 1, 1});
   expect_refusal([&] { state.set_quaternion({0, 0, 0, 0}); }, "must not be 0");
