@@ -116,7 +116,7 @@ ball certain(const certain_number& n, const std::string& what, long digits) {
 
 void refuse_equilibrium(const body& rigid, const rational& c, const std::string& name) {
   const regime r = regime_of(rigid, c);
-  if (r != regime::equilibrium_x && r != regime::equilibrium_z) return;
+  if (!is_equilibrium(r)) return;
   throw usage_error(fmt::format(
       "c = {}: {}, where the angular momentum does not move in the body and there is no {}; "
       "give c between -b = {} and a = {}, ends excluded",

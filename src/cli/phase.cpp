@@ -47,13 +47,10 @@ struct answer {
   std::optional<ball> geometric;
 };
 
-bool is_moving(regime r) { return r == regime::oscillating || r == regime::rotating; }
-bool is_equilibrium(regime r) { return r == regime::equilibrium_x || r == regime::equilibrium_z; }
-
 answer answer_of(const phase_options& options, const body& rigid, const rational& c, long digits) {
   answer result{rigid.kind(), c, regime_of(rigid, c), {}, {}, {}, {}, {}, {}};
   if (result.motion == regime::separatrix) return result;
-  if (is_moving(result.motion)) {
+  if (is_periodic(result.motion)) {
     result.phase = certain(montgomery_phase_to_digits(rigid, c, digits), "the phase", digits);
     if (options.excess) {
       result.excess =
@@ -72,9 +69,7 @@ answer answer_of(const phase_options& options, const body& rigid, const rational
 }
 
 /// "2 pi I"
-const char* bound_formula(regime r) {
-  return r == regime::oscillating || r == regime::equilibrium_x ? "2 pi I" : "2 pi J";
-}
+const char* bound_formula(regime r) { return is_about_x(r) ? "2 pi I" : "2 pi J"; }
 
 std::string remark_on(regime r) {
   if (r == regime::separatrix) return "the phase is infinite";
@@ -87,10 +82,10 @@ std::string text_of(const answer& a, long digits) {
   std::string result;
   if (a.phase) result += fmt::format("phase = {}\n", to_decimal(*a.phase, digits));
   result += to_text(a.motion);
-  if (!is_moving(a.motion)) result += ": " + remark_on(a.motion);
+  if (!is_periodic(a.motion)) result += ": " + remark_on(a.motion);
   result += '\n';
   if (a.bound) {
-    result += fmt::format("{} {} = {}\n", is_moving(a.motion) ? "greatest lower bound" : "limit",
+    result += fmt::format("{} {} = {}\n", is_periodic(a.motion) ? "greatest lower bound" : "limit",
                           bound_formula(a.motion), to_decimal(*a.bound, digits));
   }
   if (a.period) {
@@ -109,9 +104,9 @@ std::string json_of(const answer& a, long digits) {
               {"kind", to_text(a.kind)},
               {"verdict", to_text(status::certified)}};
   result["phase"] = a.phase ? to_json(*a.phase, digits) : json(nullptr);
-  if (!is_moving(a.motion)) result["remark"] = remark_on(a.motion);
+  if (!is_periodic(a.motion)) result["remark"] = remark_on(a.motion);
   if (a.bound) {
-    result[is_moving(a.motion) ? "greatest_lower_bound" : "limit"] = to_json(*a.bound, digits);
+    result[is_periodic(a.motion) ? "greatest_lower_bound" : "limit"] = to_json(*a.bound, digits);
   }
   if (a.period) {
     result["dynamic"] = to_json(*a.dynamic, digits);

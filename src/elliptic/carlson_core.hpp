@@ -53,7 +53,7 @@
 #include <optional>
 #include <utility>
 
-#include "elliptic/real_scalar.hpp"
+#include "polhode/arithmetic/real_scalar.hpp"
 
 namespace polhode::detail {
 

@@ -6,13 +6,14 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/inertia_tensor.hpp"
-#include "rigid_body/moments_text.hpp"
 
 namespace polhode {
 namespace {
 
-using detail::listed;
-using detail::refuse_unless_positive;
+/// "3, 2, 1".
+std::string listed(const std::array<rational, 3>& x) {
+  return to_text(x[0]) + ", " + to_text(x[1]) + ", " + to_text(x[2]);
+}
 
 /// For I_x >= I_y >= I_z.
 body_kind kind_of(const std::array<rational, 3>& sorted) {
@@ -84,6 +85,14 @@ body::body(rational a, rational b) : a_(std::move(a)), b_(std::move(b)) {
     throw input_error("b = " + to_text(b_) +
                       ": it must be between 0 and 1, ends excluded (1 - I_y/I_x with 0 < I_y < "
                       "I_x)");
+  }
+}
+
+void refuse_unless_positive(const std::array<rational, 3>& moments) {
+  for (const rational& moment : moments) {
+    if (moment > 0) continue;
+    throw input_error("moments of inertia " + listed(moments) + ": " + to_text(moment) +
+                      " is not positive; all three must be");
   }
 }
 

@@ -1,9 +1,9 @@
-#include "rigid_body/half_phase.hpp"
+#include "polhode/rigid_body/half_phase.hpp"
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
 
-namespace polhode::detail {
+namespace polhode {
 
 ball rotating_half_phase(const body& rigid, const ball& c) {
   const precision p = c.precision();
@@ -25,23 +25,23 @@ ball rotating_half_phase_slope(const body& rigid, const ball& c) {
   return -sum / (end * sqrt(rational(rigid.a() + rigid.b()) * end));
 }
 
-ball oscillating_half_phase(const body& rigid, const share& s) {
-  const precision p = s.u.precision();
+ball oscillating_half_phase(const body& rigid, const turning_point& at) {
+  const precision p = at.u.precision();
   const rational total(rigid.a() + rigid.b());
-  const ball v = (rigid.a() + rigid.b() * s.u) / total;
-  const carlson_pair w = carlson_rf_rj(ball(0, p), s.u, v, ball(1, p));
-  const ball sum = rational(1 - rigid.b()) * w.rf + rational(rigid.b() / 3) * s.left * w.rj;
+  const ball v = (rigid.a() + rigid.b() * at.u) / total;
+  const carlson_pair w = carlson_rf_rj(ball(0, p), at.u, v, ball(1, p));
+  const ball sum = rational(1 - rigid.b()) * w.rf + rational(rigid.b() / 3) * at.left * w.rj;
   return 2 * sum / sqrt(ball(rational(rigid.b() * total), p));
 }
 
-ball oscillating_half_phase_slope(const body& rigid, const share& s) {
-  const precision p = s.u.precision();
+ball oscillating_half_phase_slope(const body& rigid, const turning_point& at) {
+  const precision p = at.u.precision();
   const rational total(rigid.a() + rigid.b());
-  const ball v = (rigid.a() + rigid.b() * s.u) / total;
+  const ball v = (rigid.a() + rigid.b() * at.u) / total;
   const ball zero(0, p);
-  const ball sum = carlson_rd(zero, v, s.u) +
-                   rational(rigid.b() * (1 + rigid.a()) / total) * carlson_rd(zero, s.u, v);
+  const ball sum = carlson_rd(zero, v, at.u) +
+                   rational(rigid.b() * (1 + rigid.a()) / total) * carlson_rd(zero, at.u, v);
   return -sum / (3 * sqrt(ball(rational(rigid.b() * total), p)));
 }
 
-}  // namespace polhode::detail
+}  // namespace polhode

@@ -5,7 +5,8 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/elliptic/carlson.hpp"
+#include "polhode/rigid_body/motion.hpp"
+#include "rigid_body/phase_integral.hpp"
 #include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
@@ -28,40 +29,11 @@ void check_range(const body& rigid, const rational& c, const rational& u) {
   }
 }
 
-/// The lower limit of the phase's integral; input_error where there is no phase.
-rational turning_point(const body& rigid, const rational& c) {
-  switch (const regime r = regime_of(rigid, c); r) {
-    case regime::oscillating:
-      return rational(-c / rigid.b());
-    case regime::rotating:
-      return 0;
-    case regime::separatrix:
-      throw input_error(
-          "c = 0: on the separatrix the Montgomery phase is infinite; give c < 0 or "
-          "c > 0");
-    case regime::equilibrium_x:
-    case regime::equilibrium_z:
-      throw input_error("c = " + to_text(c) + ": " + to_text(r) +
-                        ", where the angular momentum does not move in the body; give c between "
-                        "-b and a, ends excluded");
-  }
-  return 0;
-}
-
 }  // namespace
 
 ball phase_integral(const body& rigid, const rational& c, const rational& u, precision p) {
   check_range(rigid, c, u);
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
-  const rational left(1 - u);
-  const ball x(u, p);
-  const ball y(rational((a + b * u) / (a + b)), p);
-  const ball z(rational((c + b * u) / (c + b)), p);
-  const carlson_pair integrals = carlson_rf_rj(x, y, z, ball(1, p));
-  const ball sum =
-      ball(rational(1 - b), p) * integrals.rf + ball(rational(b * left / 3), p) * integrals.rj;
-  return 2 * sqrt(ball(rational(left / ((a + b) * (b + c))), p)) * sum;
+  return detail::phase_integral_of(rigid.a(), rigid.b(), c, u, p);
 }
 
 ball phase_integral_slope(const body& rigid, const rational& c, const rational& u, precision p) {
@@ -78,18 +50,11 @@ ball phase_integral_slope(const body& rigid, const rational& c, const rational& 
 }
 
 ball montgomery_phase(const body& rigid, const rational& c, precision p) {
-  return 2 * phase_integral(rigid, c, turning_point(rigid, c), p);
+  return motion(rigid, c).phase(p);
 }
 
 ball rotation_period(const body& rigid, const rational& c, precision p) {
-  (void)turning_point(rigid, c);  // refuses where there is no period
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
-  const rational first(c < 0 ? a - c : a);
-  const rational second(c < 0 ? b : b + c);
-  const ball lambda2(rational(first * second), p);
-  const ball m1(rational(abs(c) * (a + b) / (first * second)), p);
-  return 4 * carlson_rf(ball(0, p), m1, ball(1, p)) / sqrt(lambda2);
+  return motion(rigid, c).period(p);
 }
 
 ball dynamic_phase(const body& rigid, const rational& c, precision p) {
@@ -105,9 +70,8 @@ ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
   if (r == regime::separatrix) {
     throw input_error("c = 0: the separatrix belongs to neither regime; give c < 0 or c > 0");
   }
-  const bool oscillating = r == regime::oscillating || r == regime::equilibrium_x;
   return 2 * pi(p) *
-         (oscillating ? rigid.geometric_constant(p) : rigid.second_geometric_constant(p));
+         (is_about_x(r) ? rigid.geometric_constant(p) : rigid.second_geometric_constant(p));
 }
 
 certain_number montgomery_phase_to_digits(const body& rigid, const rational& c, long digits) {

@@ -4,20 +4,18 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
-#include "polhode/rigid_body/regime.hpp"
+#include "polhode/rigid_body/motion.hpp"
 
 namespace polhode::detail {
 
 /// The motion on its first quarters, by S = sinh w = tan am(lambda t), t the time from the middle of the twist in I_y/J:
 ///
 ///                oscillating               rotating, separatrix
-///   kappa^2      (a+b)/(a-c)               (a+b)/a
-///   m1 = 1 - m   -c (a+b)/(b (a-c))        c (a+b)/(a (b+c))
-///   lambda^2     b (a-c)                   a (b+c)
-///   eta          (b+c)/b                   1
+///   kappa^2      (a+b)/(a-c)               (a+b)/a                  1 + the kappa of motion.hpp
+///   eta          (b+c)/b                   1                        1 - its turning point
 ///   tan psi      sqrt(eta) T/sqrt(1+m1 S^2)   T              with T = kappa S
 ///
-/// and in both, with x = cos^2 psi,
+/// with m1 and lambda of motion.hpp; and in both, with x = cos^2 psi,
 ///   1 - x = eta T^2/(1+T^2),   a + b x = (a+b)(1+S^2)/(1+T^2),                                               (1)
 ///   {x, (c + b x)/(b+c)} = {(1+m1 S^2)/(1+T^2), 1/(1+T^2)} when oscillating, the other way round when rotating.  (2)
 /// Proof of (1), (2): eta = 1 + c/b is 1 - u for the turning point u = -c/b; put 1 - x = eta sin^2 alpha, T = tan alpha (alpha
@@ -40,7 +38,7 @@ namespace polhode::detail {
 template <class T>
 class quarter {
  public:
-  quarter(const body& rigid, const rational& c, regime motion, precision p) {
+  quarter(const motion& of, precision p) {
     using std::sqrt;
     const auto number = [=](const rational& q) {
       if constexpr (std::same_as<T, ball>) {
@@ -49,19 +47,13 @@ class quarter {
         return static_cast<T>(q);
       }
     };
-    const rational& a = rigid.a();
-    const rational& b = rigid.b();
-    const rational total(a + b);
-    const bool oscillating = motion == regime::oscillating;
-    const rational first(oscillating ? a - c : a);
-    const rational second(oscillating ? b : b + c);
-    b_ = number(b);
-    rest_ = number(rational(1 - b));
+    b_ = number(of.b());
+    rest_ = number(rational(1 - of.b()));
     one_ = number(rational(1));
-    kappa2_ = number(rational(total / first));
-    m1_ = number(rational(abs(c) * total / (first * second)));
-    lambda_ = sqrt(number(rational(first * second)));
-    eta_ = number(oscillating ? rational((b + c) / b) : rational(1));
+    kappa2_ = number(rational(1 + of.kappa()));
+    m1_ = number(of.m1());
+    lambda_ = sqrt(number(of.lambda2()));
+    eta_ = number(rational(1 - of.turning_point()));
   }
 
   [[nodiscard]] const T& m1() const { return m1_; }

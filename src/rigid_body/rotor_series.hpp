@@ -55,7 +55,7 @@
 
 #include <vector>
 
-#include "elliptic/real_scalar.hpp"
+#include "polhode/arithmetic/real_scalar.hpp"
 
 namespace polhode::detail {
 

@@ -4,12 +4,9 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/rotor.hpp"
-#include "rigid_body/moments_text.hpp"
 
 namespace polhode {
 namespace {
-
-using detail::refuse_unless_positive;
 
 int sign_of_rational(const rational& q) { return q > 0 ? 1 : (q < 0 ? -1 : 0); }
 
@@ -35,20 +32,6 @@ rational determinant(const matrix3<rational>& m) {
 }
 
 }  // namespace
-
-std::string to_text(rotor_regime r) {
-  switch (r) {
-    case rotor_regime::steady:
-      return "steady";
-    case rotor_regime::oscillating:
-      return "oscillating";
-    case rotor_regime::separatrix:
-      return "separatrix";
-    case rotor_regime::rotating:
-      break;
-  }
-  return "rotating";
-}
 
 initial_state initial_state::from_momentum(const triple<rational>& moments,
                                            const triple<rational>& momentum) {
@@ -93,17 +76,10 @@ initial_state initial_state::from_angular_velocity(const triple<rational>& momen
 }
 
 initial_state initial_state::at_middle_of_twist(const body& rigid, const rational& c) {
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
-  if (c < -b || c > a) {
-    throw input_error("c = " + to_text(c) + ": it must be between -b = " + to_text(rational(-b)) +
-                      " and a = " + to_text(a));
-  }
+  const auto [x, y, z] = polhode::motion(rigid, c).greatest_squares();
   initial_state s;
-  s.moments_ = {rational(1 / (1 - b)), 1, rational(1 / (1 + a))};
+  s.moments_ = {rational(1 / (1 - rigid.b())), 1, rational(1 / (1 + rigid.a()))};
   s.squared_momentum_ = 1;
-  const rational x((a - c) / (a + b));
-  const rational z((b + c) / (a + b));
   s.settle({x, 0, z}, {-sign_of_rational(x), 0, sign_of_rational(z)});
   return s;
 }
@@ -118,29 +94,22 @@ void initial_state::settle(const triple<rational>& squares, const triple<int>& s
     senses_[i] = senses[index(order_[i])];
   }
   const auto& [x, y, z] = sorted;
-  a_ = y / z - 1;
-  b_ = 1 - y / x;
+  const rational a(y / z - 1);
+  const rational b(1 - y / x);
   // 2 I_y H/J^2 = (1-b) J_x^2 + J_y^2 + (1+a) J_z^2 over J^2.
-  c_ = a_ * squares_[2] - b_ * squares_[0];
-  // J x omega = 0: no two components of J belong to different moments.
-  bool steady = true;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    steady = steady && (senses_[i] == 0 || senses_[j] == 0 || sorted[i] == sorted[j]);
-  }
-  regime_ = steady    ? rotor_regime::steady
-            : c_ < 0  ? rotor_regime::oscillating
-            : c_ == 0 ? rotor_regime::separatrix
-                      : rotor_regime::rotating;
+  motion_ = polhode::motion(a, b, rational(a * squares_[2] - b * squares_[0]));
+  // J x omega = 0, no two components of J belonging to different moments: c is -b or a, or J is along y.
+  const bool along_y = senses_[0] == 0 && senses_[2] == 0;
+  regime_ = motion_.regime() == polhode::regime::separatrix && along_y
+                ? polhode::regime::equilibrium_y
+                : motion_.regime();
 
   // Right-handed: an odd order turns y about. Then a half turn about an axis, which changes the signs of the other two.
   const bool odd = (order_[0] + 1) % 3 != order_[1];
   signs_ = {1, odd ? -1 : 1, 1};
-  const bool turn_x =
-      (regime_ == rotor_regime::oscillating || regime_ == rotor_regime::separatrix) &&
-      senses_[0] > 0;
-  const bool turn_z =
-      (regime_ == rotor_regime::rotating || regime_ == rotor_regime::separatrix) && senses_[2] < 0;
+  const bool separatrix = regime_ == polhode::regime::separatrix;
+  const bool turn_x = (regime_ == polhode::regime::oscillating || separatrix) && senses_[0] > 0;
+  const bool turn_z = (regime_ == polhode::regime::rotating || separatrix) && senses_[2] < 0;
   if (turn_x) signs_[0] = -signs_[0];
   if (turn_z) signs_[2] = -signs_[2];
   if (turn_x != turn_z) signs_[1] = -signs_[1];
@@ -149,7 +118,7 @@ void initial_state::settle(const triple<rational>& squares, const triple<int>& s
 
 rational initial_state::twice_energy() const {
   const rational& middle = moments_[index(order_[1])];
-  return rational((1 + c_) * squared_momentum_ / middle);
+  return rational((1 + c()) * squared_momentum_ / middle);
 }
 
 void refuse_unless_rotation(const matrix3<rational>& rows) {

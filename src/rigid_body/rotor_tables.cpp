@@ -1,6 +1,7 @@
 #include "rigid_body/rotor_tables.hpp"
 
 #include "polhode/elliptic/carlson.hpp"
+#include "polhode/rigid_body/jacobi_start.hpp"
 
 namespace polhode::detail {
 namespace {
@@ -41,24 +42,6 @@ ball alternating(const ball& x, std::size_t n) { return n % 2 == 0 ? x : -x; }
 
 }  // namespace
 
-jacobi_start jacobi_start_of(const initial_state& state) {
-  const rational& a = state.a();
-  const rational& b = state.b();
-  const rational& c = state.c();
-  const bool oscillating = state.regime() == rotor_regime::oscillating;
-  const auto& [x2, y2, z2] = state.direction_squares();
-  const triple<int>& senses = state.direction_signs();
-  const rational x(x2 * (a + b) / (a - c));
-  const rational z(z2 * (a + b) / (b + c));
-  jacobi_start result;
-  result.sine = senses[1];
-  result.cosine = oscillating ? senses[2] : -senses[0];
-  result.sine2 = oscillating ? rational(y2 * b / (b + c)) : rational(y2 * a / (a - c));
-  result.cosine2 = oscillating ? z : x;
-  result.delta2 = oscillating ? x : z;
-  return result;
-}
-
 /// Of 1 and this.
 ball rotor_tables::counted_agm(const ball& second) {
   ++work.integrals;
@@ -75,9 +58,7 @@ ball rotor_tables::pole(const rational& m, const rational& kappa, precision bits
 
 rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size_t terms)
     : terms_(terms) {
-  const rational& a = state.a();
   const rational& b = state.b();
-  const rational& c = state.c();
   const auto middle = static_cast<std::size_t>(state.order()[1]);
   const rational& moment = state.moments()[middle];
   size = sqrt(ball(state.squared_momentum(), bits));
@@ -86,26 +67,21 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   const triple<rational>& squares = state.direction_squares();
   const triple<int>& senses = state.direction_signs();
 
-  if (state.regime() == rotor_regime::steady) {
+  if (is_equilibrium(state.regime())) {
     for (std::size_t i = 0; i < 3; ++i) amplitude[i] = sqrt(ball(squares[i], bits)) * senses[i];
     // J parallel to omega: omega = J/I with 2 H/J^2 = 1/I.
-    rates = {ball(0, bits), ball(0, bits), per_turn * rational(1 + c), ball(0, bits), 0};
+    rates = {ball(0, bits), ball(0, bits), per_turn * rational(1 + state.c()), ball(0, bits), 0};
     return;
   }
 
-  const bool oscillating = state.regime() == rotor_regime::oscillating;
-  const bool forever = state.regime() == rotor_regime::separatrix;
-  const rational sum(a + b);
-  const rational first(oscillating ? a - c : a);
-  const rational second(oscillating ? b : b + c);
-  const rational lambda2(first * second);
-  const rational m1(abs(c) * sum / lambda2);
+  const motion& of = state.motion();
+  const bool oscillating = of.regime() == regime::oscillating;
+  const bool forever = of.regime() == regime::separatrix;
+  const rational m1 = of.m1();
   const rational m(1 - m1);
-  const rational kappa(oscillating ? (b + c) / (a - c) : b / a);
-  const rational x2((a - c) / sum);
-  const rational y2(oscillating ? (b + c) / b : (a - c) / a);
-  const rational z2((b + c) / sum);
-  const ball lambda = sqrt(ball(lambda2, bits));
+  const rational kappa = of.kappa();
+  const auto [x2, y2, z2] = of.greatest_squares();
+  const ball lambda = sqrt(ball(of.lambda2(), bits));
   const ball agm1 = forever ? ball(0, bits) : counted_agm(sqrt(ball(m1, bits)));
 
   if (2 * m > 1) {
@@ -118,15 +94,13 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   amplitude[1] *= series.of_sn;
   amplitude[2] *= oscillating ? series.of_cn : series.of_dn;
 
-  // u_0 = F(am u_0) = sn R_F(cn^2, dn^2, 1) where cn >= 0 (DLMF 19.25.5), and sn(2K - u) = sn u, cn(2K - u) = -cn u.
   const jacobi_start start = jacobi_start_of(state);
-  const bool back = start.cosine < 0;
+  const bool back = start.cosine < 0;                                // sn(2K - u) = sn u
   const ball per_cycle = forever ? ball(1, bits) : agm1 / pi(bits);  // 1/(2K)
-  ball u0 = sqrt(ball(start.sine2, bits)) * start.sine;
+  ball u0(0, bits);
   if (start.sine != 0) {
     ++work.integrals;
-    u0 *=
-        carlson_rf(ball(start.cosine2, bits), ball(start.delta2, bits), ball(1, bits)) * per_cycle;
+    u0 = start.distance(bits) * per_cycle * start.sine;
   }
   rates.cycles = unit * lambda * per_cycle;
   rates.cycles_0 = back ? -u0 : u0;

@@ -14,14 +14,6 @@ struct rotor_rates {
   long half_turns_0 = 0;
 };
 
-/// Jacobi's functions at time 0, u = u_0: their squares, and the signs of sn and cn. The motion is not steady.
-struct jacobi_start {
-  int sine = 0;
-  int cosine = 0;
-  rational sine2, cosine2, delta2;
-};
-[[nodiscard]] jacobi_start jacobi_start_of(const initial_state& state);
-
 struct rotor_tables {
   /// With so many terms of the series as bits need, or with `terms` >= 2 (where the nome is not 0): what is left out is in the
   /// bounds either way.

@@ -4,14 +4,12 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/half_phase.hpp"
 #include "polhode/roots/inverse.hpp"
-#include "rigid_body/half_phase.hpp"
 #include "rigid_body/raised_precision.hpp"
 
 namespace polhode {
 namespace {
-
-using detail::share;
 
 /// The greatest integer below q > 0.
 integer greatest_below(const rational& q) {
@@ -81,8 +79,8 @@ certain_number rotating_root(const body& rigid, long m, long digits) {
   if (!least) return {};
   // F(c,0) goes on decreasing for c > a.
   const long greatest = exponent_above(rigid.a()) + 1;
-  const auto phase = [&](const ball& c) { return detail::rotating_half_phase(rigid, c); };
-  const auto slope = [&](const ball& c) { return detail::rotating_half_phase_slope(rigid, c); };
+  const auto phase = [&](const ball& c) { return rotating_half_phase(rigid, c); };
+  const auto slope = [&](const ball& c) { return rotating_half_phase_slope(rigid, c); };
   const auto value = [&](precision p) { return 2 * pi(p) / m; };
   work_count work;
   const auto root = [&](precision p) {
@@ -107,8 +105,8 @@ struct equation_range {
   precision lost = 0;
 };
 
-share share_of(const ball& x, bool from_one) {
-  return from_one ? share{1 - x, x} : share{x, 1 - x};
+turning_point share_of(const ball& x, bool from_one) {
+  return from_one ? turning_point{1 - x, x} : turning_point{x, 1 - x};
 }
 
 /// 1 - u for a root u > 1/2, to about p bits or to a relative width of about 1 - u, whichever is wider: by the mean value theorem
@@ -123,7 +121,7 @@ ball share_from_one(const body& rigid, const integer& m, precision p) {
   constexpr int most_steps = 8;
   for (int i = 0; i < most_steps; ++i) {
     const ball between = hull(ball(0, p), x);  // 1 less the point of the theorem
-    const ball slope = -detail::oscillating_half_phase_slope(rigid, {1 - between, between});
+    const ball slope = -oscillating_half_phase_slope(rigid, {1 - between, between});
     const ball narrower = intersection(gap / slope, x);
     const bool narrowed = narrower.radius() <= scale(x.radius(), -1);
     x = narrower;
@@ -134,9 +132,9 @@ ball share_from_one(const body& rigid, const integer& m, precision p) {
 
 std::optional<equation_range> range_of(const body& rigid, const integer& m) {
   constexpr precision p = 192;
-  const share middle = share_of(ball(rational(1, 2), p), false);
+  const turning_point middle = share_of(ball(rational(1, 2), p), false);
   equation_range result;
-  const ball excess = detail::oscillating_half_phase(rigid, middle) - 2 * pi(p) / m;
+  const ball excess = oscillating_half_phase(rigid, middle) - 2 * pi(p) / m;
   if (!certainly_positive(excess)) {
     const auto least = exponent_below(least_log2(rigid, m) - 1);
     if (!least) return std::nullopt;
@@ -161,10 +159,10 @@ ball oscillating_root(const body& rigid, const integer& m, const equation_range&
   // What is near 1 is computed with the bits that the difference from the limit loses.
   const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + range.lost); };
   const auto phase = [&](const ball& x) {
-    return detail::oscillating_half_phase(rigid, share_of(raised(x), range.from_one));
+    return oscillating_half_phase(rigid, share_of(raised(x), range.from_one));
   };
   const auto slope = [&](const ball& x) {
-    const ball result = detail::oscillating_half_phase_slope(rigid, share_of(x, range.from_one));
+    const ball result = oscillating_half_phase_slope(rigid, share_of(x, range.from_one));
     return range.from_one ? -result : result;
   };
   const auto value = [&](precision q) { return 2 * pi(q + range.lost) / m; };
@@ -226,7 +224,8 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
     const ball x = oscillating_root(rigid, m, *range, needed + guard, result.work);
     if (!x.is_bounded()) continue;
     // Near 1, u = 1 - x is resolved by as many bits as x is small.
-    const share s = share_of(x.with_precision(x.precision() + range->lost), range->from_one);
+    const turning_point s =
+        share_of(x.with_precision(x.precision() + range->lost), range->from_one);
     const ball c = -rigid.b() * s.u;
     const ball sine = sqrt(s.u);
     const ball cosine = sqrt(s.left);

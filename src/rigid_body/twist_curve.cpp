@@ -8,9 +8,9 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/jacobi.hpp"
+#include "polhode/rigid_body/half_phase.hpp"
 #include "polhode/rigid_body/phase_integrands.hpp"
 #include "polhode/roots/newton.hpp"
-#include "rigid_body/half_phase.hpp"
 #include "rigid_body/quarter.hpp"
 #include "rigid_body/raised_precision.hpp"
 
@@ -31,23 +31,21 @@ struct branch {
   precision lost = 0;  // bits that r, or its distance from the end, has lost
 };
 
-ball half_phase(const body& rigid, const rational& c, precision p) {
-  return scale(montgomery_phase(rigid, c, p), -1);
-}
+ball half_phase(const motion& of, precision p) { return scale(of.phase(p), -1); }
 
 /// r = pi - n Q.
-ball rest_of(const body& rigid, const rational& c, const integer& n, precision p) {
-  return n == 0 ? pi(p) : pi(p) - n * half_phase(rigid, c, p);
+ball rest_of(const motion& of, const integer& n, precision p) {
+  return n == 0 ? pi(p) : pi(p) - n * half_phase(of, p);
 }
 
 /// Nothing where n is not decided.
-std::optional<branch> branch_of(const body& rigid, const rational& c, regime motion) {
-  if (motion == regime::separatrix) return branch{};
+std::optional<branch> branch_of(const motion& of) {
+  if (of.regime() == regime::separatrix) return branch{};
   const precision most =
-      2048 + 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b()) + size_in_bits(c));
+      2048 + 8 * (size_in_bits(of.a()) + size_in_bits(of.b()) + size_in_bits(of.c()));
   constexpr precision least = 64;
   for (precision p = least; p <= most; p *= 2) {
-    const ball q = half_phase(rigid, c, p);
+    const ball q = half_phase(of, p);
     const ball whole = floor(pi(p) / q + rational(1, 2));
     if (!whole.is_exact()) continue;
     branch result;
@@ -58,7 +56,7 @@ std::optional<branch> branch_of(const body& rigid, const rational& c, regime mot
     constexpr int enough = 20;
     if (!certainly_positive(left) || left.radius() > scale(left.magnitude_lower(), -enough))
       continue;
-    const quarter<ball> way(rigid, c, motion, p);
+    const quarter<ball> way(of, p);
     result.late = certainly_positive(abs(r) - way.phase(1 / sqrt(sqrt(way.m1()))));
     result.lost = std::max(0L, log2_of(result.n * q) - log2_of(result.late ? left : q)) + 8;
     return result;
@@ -110,12 +108,12 @@ T approximate_root(const F& f, const Slope& slope, T low, T high) {
 }
 
 /// The same in double, or nothing where it has no room for the numbers; a start where few bits are lost.
-std::optional<ball> quick_root(const body& rigid, const rational& c, regime motion, bool late,
-                               const ball& target, const ball& low, const ball& high) {
+std::optional<ball> quick_root(const motion& of, bool late, const ball& target, const ball& low,
+                               const ball& high) {
   const auto number = [](const ball& x) { return midpoint(x).convert_to<double>(); };
   constexpr double most = 100;
   constexpr double least = 1e-100;
-  const quarter<double> way(rigid, c, motion, 53);
+  const quarter<double> way(of, 53);
   const bool has_room = number(low) > least && number(high) < most && way.m1() > 1e-100;
   if (!has_room) return std::nullopt;
   const double rest = number(target);
@@ -128,34 +126,34 @@ std::optional<ball> quick_root(const body& rigid, const rational& c, regime moti
 
 /// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is near 0. The proof's
 /// evaluations are counted, not those of the search.
-ball find_s(const body& rigid, const rational& c, regime motion, const branch& at, precision p,
-            work_count& work) {
-  const auto way_at = [&](const ball& x) { return quarter<ball>(rigid, c, motion, x.precision()); };
+ball find_s(const motion& of, const branch& at, precision p, work_count& work) {
+  const auto way_at = [&](const ball& x) { return quarter<ball>(of, x.precision()); };
   const precision coarse = 64 + at.lost;
-  const ball r = rest_of(rigid, c, at.n, coarse);
+  const ball r = rest_of(of, at.n, coarse);
   const bool backwards = certainly_negative(r);
   const auto target = [&](precision q) {
-    const ball rest = rest_of(rigid, c, at.n, q);
+    const ball rest = rest_of(of, at.n, q);
     return backwards ? -rest : rest;
   };
   // The unknown of the equation is w', or w and about 1/kappa: near 0 an error of kappa w is one of epsilon.
-  const quarter<ball> way(rigid, c, motion, coarse);
+  const quarter<ball> way(of, coarse);
   const long unit = -log2_of(way.tangent(ball(1, coarse)));
   const ball shift = at.late ? ball(0, coarse) : scale(ball(1, coarse), unit);
   const auto excess = [&](const ball& x) {
     const ball w = x.with_precision(x.precision() + at.lost) - shift;
     const quarter<ball> here = way_at(w);
-    if (motion != regime::separatrix) return excess_at(here, w, at.late, target(w.precision()));
+    if (of.regime() != regime::separatrix)
+      return excess_at(here, w, at.late, target(w.precision()));
     // In closed form: t - arctan(sqrt(b/a) tanh w), w = lambda t = sqrt(ab) t.
-    const ball root = sqrt(ball(rational(rigid.b() / rigid.a()), w.precision()));
+    const ball root = sqrt(ball(rational(of.b() / of.a()), w.precision()));
     return w / here.lambda() - atan(root * tanh(w)) - pi(w.precision());
   };
   const auto slope = [&](const ball& x) { return slope_in_w(way_at(x), ball(x - shift), at.late); };
 
-  const ball span = at.late ? scale(half_phase(rigid, c, coarse), -1) - abs(r) : abs(r);
+  const ball span = at.late ? scale(half_phase(of, coarse), -1) - abs(r) : abs(r);
   // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
   const ball low = span * way.lambda();
-  const ball high = 2 * low / rational(1 - rigid.b());
+  const ball high = 2 * low / rational(1 - of.b());
   constexpr long bits_of_exponents = 31;  // of MPFR's; S = sinh w would be beyond them
   if (!high.is_bounded() || log2_of(low) > bits_of_exponents) return ball::undefined(p);
   const precision bits = coarse + std::max(0L, log2_of(high));
@@ -163,9 +161,8 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
   magnitude uncertainty = high.magnitude_upper();
   if (!contains_zero(r)) {
     constexpr precision most_lost = 16;
-    const auto quick = at.lost <= most_lost
-                           ? quick_root(rigid, c, motion, at.late, abs(r), low, high)
-                           : std::nullopt;
+    const auto quick =
+        at.lost <= most_lost ? quick_root(of, at.late, abs(r), low, high) : std::nullopt;
     start = quick ? quick->with_precision(bits)
                   : approximate_root<ball>([&](const ball& w) { return excess(w + shift); },
                                            [&](const ball& w) { return slope(w + shift); },
@@ -196,10 +193,10 @@ ball find_s(const body& rigid, const rational& c, regime motion, const branch& a
 bool is_odd(const integer& n) { return n % 2 != 0; }
 
 /// epsilon, by an angle between 0 and pi whose smallness is not lost.
-ball epsilon_at(const quarter<ball>& way, const ball& s, regime motion, const integer& n) {
+ball epsilon_at(const quarter<ball>& way, const ball& s, regime r, const integer& n) {
   const precision p = s.precision();
   ball tangent = way.tangent(s);
-  if (motion == regime::oscillating) {
+  if (r == regime::oscillating) {
     tangent = sqrt(way.eta()) * tangent / sqrt(1 + way.m1() * square(s));
     return atan2(ball(1, p), is_odd(n) ? -tangent : tangent);
   }
@@ -220,12 +217,13 @@ ball epsilon_at(const quarter<ball>& way, const ball& s, regime motion, const in
 /// -1/(2 (c + b x)) = -(t+1)/(2 (b+c)(t+Z)), and (1 - b x)(t+1) = (1-b)(t+1) + b (1-u) = (1-b)(t+Z) + b (1-u)(1+c)/(b+c), since
 /// 1 - Z = b (1-u)/(b+c). The integral of 1/sqrt(...) is 2 R_F, that of 1/((t+Z) sqrt(...)) is (2/3) R_D(X,Y,Z); then homogeneity,
 /// as for (3), with R_D of the degree -3/2.
-ball slope_at(const body& rigid, const rational& c, regime motion, const quarter<ball>& way,
-              const ball& s, const integer& n) {
+ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, const ball& s,
+              const integer& n) {
   const precision p = s.precision();
-  const bool oscillating = motion == regime::oscillating;
-  const rational& b = rigid.b();
-  const rational total(rigid.a() + b);
+  const bool oscillating = of.regime() == regime::oscillating;
+  const rational& b = of.b();
+  const rational& c = of.c();
+  const rational total(of.a() + b);
   const rational end(b + c);
   const ball one(1, p);
   const ball s2 = square(s);
@@ -240,8 +238,8 @@ ball slope_at(const body& rigid, const rational& c, regime motion, const quarter
       -scale(sqrt(way.eta() / ball(rational(total * end * end * end), p)) * tangent * sum, -1);
   if (n != 0) {
     const ball whole = oscillating
-                           ? -half_phase_slope({rigid.a(), b, rational(-c / b)}, p) / ball(b, p)
-                           : detail::rotating_half_phase_slope(rigid, ball(c, p));
+                           ? -half_phase_slope({of.a(), b, of.turning_point()}, p) / ball(b, p)
+                           : rotating_half_phase_slope(rigid, ball(c, p));
     change += n * whole;
   }
   const ball inverse_h = sqrt(rational(total * end) * ((1 + s2) * z)) / (way.rate(s) * (1 + t2));
@@ -249,29 +247,19 @@ ball slope_at(const body& rigid, const rational& c, regime motion, const quarter
   return oscillating && is_odd(n) ? -result : result;
 }
 
-/// As montgomery_phase refuses, but for the separatrix.
-regime moving_regime(const body& rigid, const rational& c) {
-  const regime motion = regime_of(rigid, c);
-  if (motion != regime::equilibrium_x && motion != regime::equilibrium_z) return motion;
-  throw input_error(
-      "c = " + to_text(c) + ": " + to_text(motion) +
-      ", where the angular momentum does not move in the body; give c between -b and a, "
-      "ends excluded");
-}
-
-twist twist_on(const body& rigid, const rational& c, regime motion, const branch& at, precision p,
+twist twist_on(const body& rigid, const motion& of, const branch& at, precision p,
                with_slope slope) {
   constexpr precision guard = 32;
   twist result;
-  result.motion = motion;
+  result.motion = of.regime();
   result.branch = at.n;
   result.epsilon = result.slope = ball::undefined(p);
-  const ball s = find_s(rigid, c, motion, at, p + guard, result.work);
+  const ball s = find_s(of, at, p + guard, result.work);
   if (!s.is_bounded()) return result;
-  const quarter<ball> way(rigid, c, motion, s.precision());
-  result.epsilon = epsilon_at(way, s, motion, at.n).with_precision(p + guard);
+  const quarter<ball> way(of, s.precision());
+  result.epsilon = epsilon_at(way, s, of.regime(), at.n).with_precision(p + guard);
   if (slope == with_slope::yes) {
-    result.slope = slope_at(rigid, c, motion, way, s, at.n).with_precision(p + guard);
+    result.slope = slope_at(rigid, of, way, s, at.n).with_precision(p + guard);
   }
   if (!result.epsilon.is_bounded()) return result;
   result.verdict = status::certified;
@@ -282,26 +270,28 @@ twist twist_on(const body& rigid, const rational& c, regime motion, const branch
 }  // namespace
 
 twist twist_at(const body& rigid, const rational& c, precision p, with_slope slope) {
-  const regime motion = moving_regime(rigid, c);
-  const auto at = branch_of(rigid, c, motion);
-  if (at) return twist_on(rigid, c, motion, *at, p, slope);
+  const motion of(rigid, c);
+  of.refuse_equilibrium();
+  const auto at = branch_of(of);
+  if (at) return twist_on(rigid, of, *at, p, slope);
   twist undecided;
-  undecided.motion = motion;
+  undecided.motion = of.regime();
   undecided.epsilon = undecided.slope = ball::undefined(p);
   return undecided;
 }
 
 twist twist_to_digits(const body& rigid, const rational& c, long digits, with_slope slope) {
-  const regime motion = moving_regime(rigid, c);
+  const motion of(rigid, c);
+  of.refuse_equilibrium();
   twist result;
-  result.motion = motion;
-  const auto at = branch_of(rigid, c, motion);
+  result.motion = of.regime();
+  const auto at = branch_of(of);
   if (at) {
     const precision most = detail::guard_for(digits) + 4 * (at->lost + size_in_bits(c));
     const precision needed = bits_for_digits(digits);
     for (precision guard = 0; guard <= most; guard = 2 * guard + 32) {
       const work_count before = result.work;
-      result = twist_on(rigid, c, motion, *at, needed + guard, slope);
+      result = twist_on(rigid, of, *at, needed + guard, slope);
       result.work += before;
       if (result.verdict != status::certified) break;
       if (detail::has_digits(result.epsilon, digits) &&

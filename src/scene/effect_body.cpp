@@ -132,8 +132,8 @@ effect_result tennis_racket(const effect_context& x) {
   add(result, "epsilon0", separatrix_defect_to_digits(rigid, x.digits()), "rad");
   if (has_perfect_twist(rigid)) add(result, "c0", perfect_twist_to_digits(rigid, x.digits()));
   if (!x.has_motion()) return result;
-  const regime motion = x.motion();
-  if (motion == regime::equilibrium_x || motion == regime::equilibrium_z) {
+  const regime motion = x.regime();
+  if (is_equilibrium(motion)) {
     result.remarks.emplace_back(
         to_text(motion) +
         ": the angular momentum does not move in the body, and there is no epsilon(c)");

@@ -6,6 +6,7 @@
 
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/motion.hpp"
 #include "polhode/scene/effects.hpp"
 
 namespace polhode::detail {
@@ -17,18 +18,14 @@ struct effect_context {
 
   [[nodiscard]] const body& rigid() const { return *what.body.rigid; }
   [[nodiscard]] const rational& c() const { return *what.state->c; }
-  [[nodiscard]] regime motion() const { return regime_of(rigid(), c()); }
+  [[nodiscard]] polhode::motion motion() const { return {rigid(), c()}; }
+  [[nodiscard]] polhode::regime regime() const { return regime_of(rigid(), c()); }
   [[nodiscard]] bool has_motion() const { return what.state && what.state->c; }
   [[nodiscard]] long digits() const { return what.digits; }
   /// Digits of what other effects compute with: they lose a few.
   [[nodiscard]] long working_digits() const { return what.digits + 15; }
   [[nodiscard]] const ball& number(const std::string& effect, const std::string& name) const;
 };
-
-/// Whether the angular momentum goes around in the body.
-[[nodiscard]] inline bool is_periodic(regime r) {
-  return r == regime::oscillating || r == regime::rotating;
-}
 
 /// (I_y/J) over the scene's unit of time, to about p bits.
 [[nodiscard]] ball natural_time(const scene& what, precision p);
@@ -40,10 +37,6 @@ void add_exact(effect_result& to, const std::string& name, const rational& value
 void add(effect_result& to, const std::string& name, const certain_number& value,
          const std::string& unit = "");
 void not_certified(effect_result& to, const std::string& why);
-
-/// The period in units of I_y/J where the motion is periodic: 4 K/lambda with K = pi/(2 agm(1, sqrt m1)) (montgomery_phase.hpp has
-/// lambda and m1).
-[[nodiscard]] ball period_at(const body& rigid, const rational& c, precision p, work_count& work);
 
 /// Guard bits where nothing cancels.
 [[nodiscard]] inline precision most_guard(long digits) {

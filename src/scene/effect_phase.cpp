@@ -5,7 +5,6 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/elliptic/complete.hpp"
 #include "polhode/rigid_body/curve_motions.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "scene/effect_context.hpp"
@@ -15,7 +14,7 @@ namespace {
 
 /// Exactly about the intermediate axis, where that is known.
 bool is_on_middle_axis(const effect_context& x) {
-  if (x.motion() != regime::separatrix || !x.what.state->momentum) return false;
+  if (x.regime() != regime::separatrix || !x.what.state->momentum) return false;
   const auto& j = *x.what.state->momentum;
   return j[0] == 0 && j[2] == 0;
 }
@@ -23,7 +22,7 @@ constexpr const char* middle_axis = "exactly about the intermediate axis: an uns
 
 /// What there is to say where nothing is periodic.
 void remark_unless_periodic(effect_result& result, const effect_context& x, const char* what) {
-  const regime motion = x.motion();
+  const regime motion = x.regime();
   if (is_on_middle_axis(x)) {
     result.remarks.push_back(std::string(middle_axis) + ", and there is no " + what);
   } else if (motion == regime::separatrix) {
@@ -63,21 +62,9 @@ effect_result curve(const effect_context& x, const std::string& column, const st
 
 }  // namespace
 
-ball period_at(const body& rigid, const rational& c, precision p, work_count& work) {
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
-  const rational first(c < 0 ? a - c : a);
-  const rational second(c < 0 ? b : b + c);
-  const agm_sums agm =
-      agm_with_sum(ball(1, p), sqrt(ball(rational(abs(c) * (a + b) / (first * second)), p)));
-  ++work.integrals;
-  work.agm_steps += agm.steps;
-  return 2 * pi(p) / (agm.mean * sqrt(ball(rational(first * second), p)));
-}
-
 effect_result regime_effect(const effect_context& x) {
   effect_result result;
-  result.words = {{"regime", to_text(x.motion())}};
+  result.words = {{"regime", to_text(x.regime())}};
   add_exact(result, "c", x.c());
   if (is_on_middle_axis(x)) result.remarks.emplace_back(middle_axis);
   return result;
@@ -86,11 +73,10 @@ effect_result regime_effect(const effect_context& x) {
 effect_result period(const effect_context& x) {
   effect_result result;
   remark_unless_periodic(result, x, "period");
-  if (!is_periodic(x.motion())) return result;
+  if (!is_periodic(x.regime())) return result;
   const long digits = x.working_digits();
-  const ball natural =
-      enclose_to_digits([&](precision p) { return period_at(x.rigid(), x.c(), p, result.work); },
-                        digits, most_guard(digits));
+  const ball natural = enclose_to_digits(
+      [&](precision p) { return x.motion().period(p, &result.work); }, digits, most_guard(digits));
   if (natural.is_undefined()) {
     not_certified(result, "the period was not certified");
     return result;
@@ -105,7 +91,7 @@ effect_result period(const effect_context& x) {
 effect_result montgomery_phase_effect(const effect_context& x) {
   effect_result result;
   remark_unless_periodic(result, x, "phase");
-  if (!is_periodic(x.motion())) return result;
+  if (!is_periodic(x.regime())) return result;
   const certain_number phase = montgomery_phase_to_digits(x.rigid(), x.c(), x.working_digits());
   add(result, "phase", phase, "rad");
   if (phase.verdict != status::certified) return result;
@@ -122,7 +108,7 @@ effect_result montgomery_phase_effect(const effect_context& x) {
 
 effect_result mean_precession(const effect_context& x) {
   effect_result result;
-  const regime motion = x.motion();
+  const regime motion = x.regime();
   const std::string per_time =
       x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad per " + x.what.time_unit.name;
   const precision p = bits_for_digits(x.working_digits()) + 64;

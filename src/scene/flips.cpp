@@ -4,8 +4,7 @@
 
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/elliptic/carlson.hpp"
-#include "rigid_body/rotor_tables.hpp"
+#include "polhode/rigid_body/jacobi_start.hpp"
 #include "scene/motion.hpp"
 
 namespace polhode::detail {
@@ -25,16 +24,10 @@ std::optional<rational> exact_share(const jacobi_start& at) {
   return std::nullopt;
 }
 
-/// lambda t_0 with t_0 = u_0/lambda, in (-2K, 2K]: F(am u_0 | m) = sn R_F(cn^2, dn^2, 1) for cn >= 0 (DLMF 19.25.5), and 2K less that
-/// of the angle's supplement beyond.
+/// t_0 = u_0/lambda in I_y/J, in (-T/2, T/2].
 ball initial_time(const effect_context& x, const jacobi_start& at, const ball& period) {
   const precision p = period.precision();
-  const rational& a = x.rigid().a();
-  const rational& b = x.rigid().b();
-  const rational& c = x.c();
-  const ball lambda = sqrt(ball(rational(c < 0 ? b * (a - c) : a * (b + c)), p));
-  const ball first = sqrt(ball(at.sine2, p)) *
-                     carlson_rf(ball(at.cosine2, p), ball(at.delta2, p), ball(1, p)) / lambda;
+  const ball first = at.distance(p) / sqrt(ball(x.motion().lambda2(), p));
   const ball size = at.cosine < 0 ? scale(period, -1) - first : first;
   return at.sine < 0 ? -size : size;
 }
@@ -95,23 +88,23 @@ effect_result flips(const effect_context& x) {
   effect_result result;
   const rational_vector& j = *x.what.state->momentum;
   const std::string unit = x.what.time_unit.name;
-  if (x.motion() == regime::separatrix && (j[0] != 0 || j[2] != 0)) {
+  if (x.regime() == regime::separatrix && (j[0] != 0 || j[2] != 0)) {
     separatrix_flip(x, result);
     return result;
   }
-  if (!is_periodic(x.motion())) {
+  if (!is_periodic(x.regime())) {
     result.words = {{"flips", "never"}};
     result.remarks.emplace_back(
-        x.motion() == regime::separatrix
+        x.regime() == regime::separatrix
             ? "exactly about the intermediate axis: an equilibrium, in which it stays"
-            : to_text(x.motion()) + ", in which it stays");
+            : to_text(x.regime()) + ", in which it stays");
     return result;
   }
   const jacobi_start at = start_of(x);
   const auto exact = exact_share(at);
   const ball& shared = x.number("period", "natural_period");
   const auto period = [&](precision p) {
-    return p <= shared.precision() ? shared : period_at(x.rigid(), x.c(), p, result.work);
+    return p <= shared.precision() ? shared : x.motion().period(p, &result.work);
   };
   const auto share = [&](const ball& t) {
     if (exact) return ball(*exact, t.precision());

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "rigid_body/moments_text.hpp"
-
 namespace polhode::detail {
 namespace {
 

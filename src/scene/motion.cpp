@@ -1,3 +1,5 @@
+// The series in time: momentum and attitude.
+
 #include "scene/motion.hpp"
 
 #include <algorithm>
@@ -8,20 +10,12 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/rigid_body/rotor.hpp"
+#include "scene/exact_quaternion.hpp"
+#include "scene/matrix.hpp"
+#include "scene/scene_motion.hpp"
 
 namespace polhode::detail {
 namespace {
-
-/// Rotations by the principal axes, of which the columns are unit vectors: from the principal frame to the given one.
-matrix3<rational> frame_of(const scene_body& of) {
-  matrix3<rational> result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const rational& square = of.axes[k].square;
-    const rational length(integer(sqrt(numerator(square))), integer(sqrt(denominator(square))));
-    for (std::size_t i = 0; i < 3; ++i) result[i][k] = of.axes[k].direction[i] / length;
-  }
-  return result;
-}
 
 template <class T>
 T number_of(const rational& q, precision p);
@@ -49,111 +43,6 @@ matrix3<T> numbers_of(const matrix3<From>& x, precision p) {
   }
   return result;
 }
-
-template <class T>
-matrix3<T> product(const matrix3<T>& x, const matrix3<T>& y) {
-  matrix3<T> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k)
-      result[i][k] = x[i][0] * y[0][k] + x[i][1] * y[1][k] + x[i][2] * y[2][k];
-  }
-  return result;
-}
-template <class T>
-matrix3<T> transposed(const matrix3<T>& x) {
-  matrix3<T> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = x[k][i];
-  }
-  return result;
-}
-template <class T>
-triple<T> product(const matrix3<T>& x, const triple<T>& v) {
-  triple<T> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = x[i][0] * v[0] + x[i][1] * v[1] + x[i][2] * v[2];
-  return result;
-}
-
-/// In the principal axes.
-triple<rational> momentum_of(const scene& what) {
-  const scene_body& of = what.body;
-  triple<rational> momentum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const rational& square = of.axes[i].square;
-    momentum[i] = (*what.state->momentum)[i] /
-                  rational(integer(sqrt(numerator(square))), integer(sqrt(denominator(square))));
-  }
-  return momentum;
-}
-
-initial_state state_of(const scene& what) {
-  return initial_state::from_momentum(*what.body.moments, momentum_of(what));
-}
-
-/// The attitude at time 0: from the given frame to space.
-matrix3<ball> attitude_at_0(const scene& what, initial_state any, precision p) {
-  const scene_state& state = *what.state;
-  if (state.quaternion) any.set_quaternion(*state.quaternion);
-  if (state.matrix) any.set_matrix(*state.matrix);
-  if (state.euler) any.set_euler_angles(*state.euler, state.euler_unit);
-  return any.attitude(p);
-}
-
-/// A time as the rotor has it, in moment/momentum: an exact number, and how far from it the true time may be, which has pi in it where
-/// angles are in degrees.
-struct rotor_time {
-  rational t;
-  magnitude off = magnitude::from_integer_up(0);
-};
-
-class motion {
- public:
-  motion(const scene& what, precision p)
-      : unit_(what.time_unit.size * what.state->momentum_size / what.body.size),
-        p_(p),
-        state_(state_of(what)) {
-    // |omega| <= |J|/I_z, so that |dJ/dt| = |J x omega| <= |J| |omega|, and an entry of dR/dt = R [omega]x is at most |omega|.
-    const ball size = sqrt(ball(state_.squared_momentum(), 64));
-    const ball fastest = size / (*what.body.moments)[2];
-    momentum_speed_ = (size * fastest).magnitude_upper();
-    attitude_speed_ = fastest.magnitude_upper();
-  }
-
-  [[nodiscard]] const initial_state& state() const { return state_; }
-  [[nodiscard]] const pi_scale& unit() const { return unit_; }
-  /// A bound of |omega|, in the rotor's units.
-  [[nodiscard]] const magnitude& attitude_speed() const { return attitude_speed_; }
-  [[nodiscard]] rotor_time at(const rational& t) const {
-    rotor_time result;
-    if (unit_.power == 0) {
-      result.t = t * unit_.factor;
-    } else if (t != 0) {
-      // The angle turned through, at most |t| |omega|, is to be known to 2^-p_.
-      const magnitude angle = multiply_up(attitude_speed_, (t * unit_.at(64)).magnitude_upper());
-      const auto whole = std::max<std::int64_t>(angle.log2_floor() + 1, 0);
-      const ball product = t * unit_.at(p_ + 64 + static_cast<precision>(whole));
-      const ball middle = product.middle();
-      result.t = lower_rational(middle);
-      result.off = product.radius();
-    }
-    return result;
-  }
-  [[nodiscard]] ball momentum(const ball& x, const rotor_time& at) const {
-    return x.enlarged(multiply_up(momentum_speed_, at.off));
-  }
-  [[nodiscard]] ball attitude(const ball& x, const rotor_time& at) const {
-    return x.enlarged(multiply_up(attitude_speed_, at.off));
-  }
-  static double momentum(double x, const rotor_time&) { return x; }
-  static double attitude(double x, const rotor_time&) { return x; }
-
- private:
-  pi_scale unit_;
-  precision p_;
-  initial_state state_;
-  magnitude momentum_speed_;
-  magnitude attitude_speed_;
-};
 
 std::vector<rational> times_of(const scene_time& time) {
   if (time.samples == 1) return {time.from};
@@ -197,32 +86,16 @@ void continue_signs(effect_table& table) {
   }
 }
 
-/// sqrt(q) of q >= 0 where it is rational.
-std::optional<rational> rational_root(const rational& q) {
-  const rational root(integer(sqrt(numerator(q))), integer(sqrt(denominator(q))));
-  if (root * root != q) return std::nullopt;
-  return root;
-}
-
-/// Whether the rotation is steady: omega = I^-1 J is parallel to J, exactly, so that J x omega = 0.
-bool is_steady(const triple<rational>& momentum, const triple<rational>& omega) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t k = (i + 1) % 3;
-    if (momentum[i] * omega[k] != momentum[k] * omega[i]) return false;
-  }
-  return true;
-}
-
 /// The columns of momentum_table at time 0, and at all times where the motion is steady: from the rational momentum at the
 /// start, so that integers and dyadic numbers among them are exact.
 class momentum_at_0 {
  public:
-  momentum_at_0(const scene& what, const motion& path, precision p) {
+  momentum_at_0(const scene& what, const scene_motion& path, precision p) {
     const matrix3<rational> frame = frame_of(what.body);
     const triple<rational> momentum = momentum_of(what);
     triple<rational> omega;
     for (std::size_t i = 0; i < 3; ++i) omega[i] = momentum[i] / (*what.body.moments)[i];
-    steady_ = is_steady(momentum, omega);
+    steady_ = is_equilibrium(path.state().regime());
     const rational square = path.state().squared_momentum();
     const auto size = rational_root(square);
     const auto add_rational = [&](const rational& one) {
@@ -270,7 +143,7 @@ class momentum_at_0 {
 /// J/|J| and omega in the given frame, omega in rad per unit of the scene's time.
 template <class T>
 effect_table momentum_table(const effect_context& x, precision p, work_count& work) {
-  const motion path(x.what, p);
+  const scene_motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
   work += turning.work();
   const auto frame = numbers_of<T>(frame_of(x.what.body), p);
@@ -307,111 +180,6 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   return table;
 }
 
-/// A quaternion's components w, x, y, z, those that are known to be rational; of both signs of the whole, any.
-using exact_quaternion = std::array<std::optional<rational>, 4>;
-
-/// Of a rotation with rational entries: 4 q_i^2 and 4 q_i q_k are sums of these. Where the greatest component is rational, all
-/// are; where it is not, a component is 0 or not rational.
-exact_quaternion quaternion_of(const matrix3<rational>& m) {
-  const std::array<rational, 4> squares{
-      1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
-      1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2]};
-  const auto g =
-      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
-  const std::array<rational, 3> with_w{m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
-  matrix3<rational> others;  // 4 q_i q_k of x, y, z
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) others[i][k] = m[i][k] + m[k][i];
-  }
-  const auto greatest = rational_root(squares[g] / 4);
-  exact_quaternion result;
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (k == g) {
-      result[k] = greatest;
-      continue;
-    }
-    const rational product =
-        g == 0 ? with_w[k - 1] : (k == 0 ? with_w[g - 1] : others[g - 1][k - 1]);
-    if (product == 0) {
-      result[k] = rational(0);
-    } else if (greatest) {
-      result[k] = product / (4 * *greatest);
-    }
-  }
-  return result;
-}
-
-matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz) {
-  const auto& [w, x, y, z] = wxyz;
-  const rational square(w * w + x * x + y * y + z * z);
-  const std::array<std::array<rational, 3>, 3> twice{
-      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
-  matrix3<rational> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = twice[i][k] / square;
-  }
-  return result;
-}
-
-/// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and at 0 radians.
-std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
-  if (angle < 0) angle = -angle;
-  if (angle == 0) return rational(1);
-  if (unit != angle_unit::degrees) return std::nullopt;
-  angle -= 360 * rational(integer(numerator(angle) / (360 * denominator(angle))));
-  if (angle > 180) angle = 360 - angle;
-  for (const auto& [at, value] :
-       {std::pair(rational(0), rational(1)), std::pair(rational(60), rational(1, 2)),
-        std::pair(rational(90), rational(0)), std::pair(rational(120), rational(-1, 2)),
-        std::pair(rational(180), rational(-1))}) {
-    if (angle == at) return value;
-  }
-  return std::nullopt;
-}
-
-/// Of R_z(phi) R_x(theta) R_z(psi): cos(theta/2) and sin(theta/2) times cosines and sines of (phi + psi)/2 and (phi - psi)/2.
-exact_quaternion quaternion_of(const rational_vector& phi_theta_psi, angle_unit unit) {
-  const auto& [phi, theta, psi] = phi_theta_psi;
-  const bool has_degrees = unit == angle_unit::degrees;
-  const auto cosine = [&](const rational& angle) { return rational_cosine(angle, unit); };
-  const auto sine = [&](const rational& angle) -> std::optional<rational> {
-    if (angle == 0) return rational(0);
-    return has_degrees ? cosine(angle - 90) : std::nullopt;
-  };
-  const auto product = [](const std::optional<rational>& x,
-                          const std::optional<rational>& y) -> std::optional<rational> {
-    if ((x && *x == 0) || (y && *y == 0)) return rational(0);
-    return x && y ? std::optional(rational(*x * *y)) : std::nullopt;
-  };
-  const rational half = theta / 2;
-  const rational sum = (phi + psi) / 2;
-  const rational difference = (phi - psi) / 2;
-  exact_quaternion result{product(cosine(half), cosine(sum)),
-                          product(sine(half), cosine(difference)),
-                          product(sine(half), sine(difference)), product(cosine(half), sine(sum))};
-  if (!has_degrees) return result;
-  // 2 cos x cos y = cos(x + y) + cos(x - y), where these are rational and the factors are not.
-  const auto of_sum = [&](std::optional<rational>& to, const rational& x, const rational& y) {
-    const auto one = cosine(x + y);
-    const auto other = cosine(x - y);
-    if (!to && one && other) to = (*one + *other) / 2;
-  };
-  of_sum(result[0], half, sum);
-  of_sum(result[1], half - 90, difference);
-  of_sum(result[2], half - 90, difference - 90);
-  of_sum(result[3], half, sum - 90);
-  return result;
-}
-
-exact_quaternion quaternion_at_0(const scene_state& state) {
-  if (state.euler) return quaternion_of(*state.euler, state.euler_unit);
-  if (state.matrix) return quaternion_of(*state.matrix);
-  if (state.quaternion) return quaternion_of(rotation_of(*state.quaternion));
-  return {rational(1), rational(0), rational(0), rational(0)};
-}
-
 /// Notes the rational components of the quaternion in row i, of the sign that the row has. Throws std::logic_error where they are
 /// not in their enclosures.
 void note_exact(effect_table& table, std::size_t i, exact_quaternion known) {
@@ -436,7 +204,7 @@ void note_exact(effect_table& table, std::size_t i, exact_quaternion known) {
 /// The quaternion that takes the given frame to space, and the unwrapped angle phi about J.
 template <class T>
 effect_table attitude_table(const effect_context& x, precision p, work_count& work) {
-  const motion path(x.what, p);
+  const scene_motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
   work += turning.work();
   const auto frame = numbers_of<T>(frame_of(x.what.body), p);
@@ -527,7 +295,7 @@ effect_result momentum(const effect_context& x) {
   if (x.what.in_double) not_certified(result, by_double);
   add_exact(result, "samples", rational(x.what.time->samples));
   // |omega| <= |J|/I_z.
-  const motion path(x.what, 64);
+  const scene_motion path(x.what, 64);
   const magnitude fastest =
       multiply_up(path.attitude_speed(), path.unit().at(64).magnitude_upper());
   const magnitude one = magnitude::from_integer_up(1);
@@ -549,43 +317,6 @@ effect_result attitude(const effect_context& x) {
       "q takes the axes in which the body was given to those of space; phi is the angle about J, "
       "unwrapped");
   return result;
-}
-
-work_count audit_motion(const effect_context& x, precision p,
-                        const std::function<void(const std::string&, const ball&)>& expect_zero) {
-  const initial_state start = state_of(x.what);
-  const rotor<ball> turning(start, p);
-  const rotor_sample<ball> begin = turning.sample(rational(0));
-  const triple<ball> in_space = product(turning.attitude(rational(0)).matrix, begin.momentum);
-  // The hull of the differences; or the first that does not hold 0, which no hull may hide.
-  const auto note = [](std::optional<ball>& all, const ball& difference) {
-    if (all && !contains_zero(*all)) return;
-    all = all && contains_zero(difference) ? hull(*all, difference) : difference;
-  };
-  std::optional<ball> energy;
-  std::optional<ball> momentum;
-  std::optional<ball> direction;
-  rational size = 0;  // at least |J|, and at most sqrt(3) times that
-  for (const rational& one : momentum_of(x.what)) size += abs(one);
-  for (const long time : {1L, 10L, 100L}) {
-    const rational t(time * start.moments()[1] / size);
-    const rotor_sample<ball> sample = turning.sample(t);
-    ball twice_energy(0, p);
-    ball square(0, p);
-    for (std::size_t i = 0; i < 3; ++i) {
-      twice_energy += polhode::square(sample.momentum[i]) / start.moments()[i];
-      square += polhode::square(sample.momentum[i]);
-    }
-    note(energy, twice_energy / start.twice_energy() - 1);
-    note(momentum, square / start.squared_momentum() - 1);
-    const triple<ball> there = product(turning.attitude(t).matrix, sample.momentum);
-    for (std::size_t i = 0; i < 3; ++i)
-      note(direction, (there[i] - in_space[i]) / turning.momentum_size());
-  }
-  expect_zero("energy", *energy);
-  expect_zero("squared_momentum", *momentum);
-  expect_zero("momentum_in_space", *direction);
-  return turning.work();
 }
 
 }  // namespace polhode::detail

@@ -6,7 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/elliptic/complete.hpp"
-#include "rigid_body/half_phase.hpp"
+#include "polhode/rigid_body/half_phase.hpp"
 #include "scene/effect_context.hpp"
 #include "scene/motion.hpp"
 
@@ -20,7 +20,7 @@ struct slopes {
 
 /// T in I_y/J and the Montgomery phase, with their derivatives.
 ///
-/// With L = lambda^2 and m1 (montgomery_phase.hpp) T = 4 R_F(0, m1, 1)/sqrt L, and dR_F(0,y,1)/dy = -R_D(0,1,y)/6 (DLMF 19.18.1), so that
+/// With L = lambda^2 and m1 (motion.hpp) T = 4 R_F(0, m1, 1)/sqrt L, and dR_F(0,y,1)/dy = -R_D(0,1,y)/6 (DLMF 19.18.1), so that
 /// for q = a, b, c
 ///   dT/dq = (4/lambda) [-R_D(0,1,m1)/6 dm1/dq - R_F(0,m1,1)/(2L) dL/dq].
 /// The phase is (1+c) T - alpha with alpha = the integral of cos theta dpsi around. As x = cos^2 psi gives cos^2 theta =
@@ -36,15 +36,17 @@ struct derivatives {
   slopes of_phase;
 };
 
-derivatives derivatives_at(const body& rigid, const rational& c, precision p) {
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
+derivatives derivatives_at(const motion& of, precision p) {
+  const rational& a = of.a();
+  const rational& b = of.b();
+  const rational& c = of.c();
   const rational total(a + b);
   const rational x_end(b + c);
   const rational z_end(a - c);
-  const bool rotating = c > 0;
-  const rational l(rotating ? a * x_end : b * z_end);
-  const rational m1(abs(c) * total / l);
+  const bool rotating = of.regime() == regime::rotating;
+  const rational l = of.lambda2();
+  const rational m1 = of.m1();
+  const std::array<rational, 3> greatest = of.greatest_squares();
   // In a, b, c.
   const std::array<rational, 3> dl =
       rotating ? std::array<rational, 3>{x_end, a, a} : std::array<rational, 3>{b, z_end, -b};
@@ -67,10 +69,10 @@ derivatives derivatives_at(const body& rigid, const rational& c, precision p) {
   ball x2;
   ball z2;
   if (rotating) {
-    x2 = 4 * rational(z_end / total) * quarter / lambda;
+    x2 = 4 * greatest[0] * quarter / lambda;
     z2 = (c * result.period + b * x2) / a;
   } else {
-    z2 = 4 * rational(x_end / total) * quarter / lambda;
+    z2 = 4 * greatest[2] * quarter / lambda;
     x2 = (a * z2 - c * result.period) / b;
   }
   const rational factor(1 + c);
@@ -127,14 +129,14 @@ effect_result sensitivity(const effect_context& x) {
   const ball growth = sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p0));
   add(result, "e_folding_time_at_middle_axis", natural_time(x.what, p0) / growth,
       x.what.time_unit.name);
-  if (!is_periodic(x.motion())) {
-    result.remarks.push_back(to_text(x.motion()) + ": no period and no phase to differentiate");
+  if (!is_periodic(x.regime())) {
+    result.remarks.push_back(to_text(x.regime()) + ": no period and no phase to differentiate");
     return result;
   }
   const precision most = most_guard_of(x);
   const std::array<const char*, 3> axis{"x", "y", "z"};
   for (precision guard = 64;; guard *= 2) {
-    const derivatives d = derivatives_at(x.rigid(), x.c(), bits_for_digits(digits) + guard);
+    const derivatives d = derivatives_at(x.motion(), bits_for_digits(digits) + guard);
     result.work.integrals += 3;
     effect_result found;
     add(found, "dT_da", d.of_period.a, "I_y/J");
@@ -160,16 +162,16 @@ effect_result sensitivity(const effect_context& x) {
 }
 
 namespace {
-/// Two routes to the phase's slope: the identity, and the integral differentiated (src/rigid_body/half_phase.hpp).
-ball difference_of_slopes(const body& rigid, const rational& c, precision p) {
-  const ball by_identity = derivatives_at(rigid, c, p).of_phase.c;
-  const rational& b = rigid.b();
+/// Two routes to the phase's slope: the identity, and the integral differentiated (half_phase.hpp).
+ball difference_of_slopes(const effect_context& x, precision p) {
+  const motion of = x.motion();
+  const ball by_identity = derivatives_at(of, p).of_phase.c;
+  const rational u = of.turning_point();
   const ball direct =
-      c > 0 ? 2 * rotating_half_phase_slope(rigid, ball(c, p))
-            : -2 *
-                  oscillating_half_phase_slope(
-                      rigid, {ball(rational(-c / b), p), ball(rational(1 + c / b), p)}) /
-                  b;
+      of.regime() == regime::rotating
+          ? 2 * rotating_half_phase_slope(x.rigid(), ball(of.c(), p))
+          : -2 * oscillating_half_phase_slope(x.rigid(), {ball(u, p), ball(rational(1 - u), p)}) /
+                of.b();
   return direct / by_identity - 1;
 }
 }  // namespace
@@ -191,8 +193,8 @@ effect_result audit(const effect_context& x) {
     };
     const precision p = bits_for_digits(x.working_digits()) + guard;
     result.work += audit_motion(x, p, expect_zero);
-    if (is_periodic(x.motion())) {
-      expect_zero("phase_slope", difference_of_slopes(x.rigid(), x.c(), p));
+    if (is_periodic(x.regime())) {
+      expect_zero("phase_slope", difference_of_slopes(x, p));
       result.work.integrals += 5;
     }
   }

@@ -43,16 +43,7 @@ APART_SERVES = {"checker": {"cli"}}
 GENERATED = {"function_tables.hpp"}
 
 # (the file that includes, the file that is included): why it is still so.
-EXCEPTIONS = {
-    ("src/scene/flips.cpp", "src/rigid_body/rotor_tables.hpp"):
-        "the scene interpolates flips in the rotor's tables; they become public with the type of a motion",
-    ("src/scene/inertia.cpp", "src/rigid_body/moments_text.hpp"):
-        "the scene prints moments as rigid_body's errors do; the text belongs to the public body",
-    ("src/scene/sensitivity.cpp", "src/rigid_body/half_phase.hpp"):
-        "the half phase in jets becomes public with the type of a motion",
-    ("src/rigid_body/rotor_series.hpp", "src/elliptic/real_scalar.hpp"):
-        "the scalars that the series of a rotor and those of theta functions share belong to arithmetic",
-}
+EXCEPTIONS = {}
 
 
 def room_of(path):

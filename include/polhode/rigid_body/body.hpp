@@ -72,6 +72,9 @@ class body {
   std::array<int, 3> order_{0, 1, 2};
 };
 
+/// Throws input_error, which says what was given, unless all three principal moments are positive. Any one unit.
+void refuse_unless_positive(const std::array<rational, 3>& moments);
+
 /// A moment known to lie in [value - sigma, value + sigma]; independent of the others.
 struct uncertain_moment {
   rational value;

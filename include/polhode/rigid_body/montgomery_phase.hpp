@@ -45,11 +45,8 @@ namespace polhode {
 /// input_error on the separatrix.
 [[nodiscard]] ball montgomery_phase_limit(const body& rigid, const rational& c, precision p);
 
-/// The period T of the angular momentum in the body, in units of I_y/J, to about p bits:
-///   T = (4/lambda) R_F(0, 1-m, 1),  lambda^2 = b (a-c), 1-m = -c (a+b)/(b (a-c)) where the body oscillates,
-///                                   lambda^2 = a (b+c), 1-m =  c (a+b)/(a (b+c)) where it rotates,
-/// four quarter periods K/lambda of Euler's equations (L. D. Landau, E. M. Lifshitz, Mechanics, 37; proved here in
-/// src/rigid_body/quarter.hpp, where dphi/dt = 1 - b x). Throws input_error as montgomery_phase does.
+/// The period T of the angular momentum in the body, in units of I_y/J, to about p bits: motion::period. Throws input_error as
+/// montgomery_phase does.
 [[nodiscard]] ball rotation_period(const body& rigid, const rational& c, precision p);
 
 /// The two parts of the Montgomery phase (R. Montgomery, Am. J. Phys. 59, 1991): dynamic, 2 H T/J = (1 + c) T in units of I_y/J,

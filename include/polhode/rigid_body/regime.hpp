@@ -9,16 +9,26 @@
 
 namespace polhode {
 
+/// Of a body with two or three equal moments an equilibrium may be about any axis of their plane or about any axis at all:
+/// it is equilibrium_x for c = -b, and else equilibrium_z.
 enum class regime {
   equilibrium_x,  // c = -b: the body turns about the axis of its greatest moment
-  oscillating,    // -b < c < 0
-  separatrix,     // c = 0, with the unstable equilibrium about the intermediate axis
-  rotating,       // 0 < c < a
-  equilibrium_z   // c = a: it turns about the axis of its least moment
+  oscillating,    // -b < c < 0: J goes around the axis of the greatest moment
+  separatrix,     // c = 0: J goes from one unstable equilibrium to the other, and takes for ever
+  rotating,       // 0 < c < a: J goes around the axis of the least moment
+  equilibrium_z,  // c = a: it turns about the axis of its least moment
+  equilibrium_y  // c = 0 and J exactly along the intermediate axis: c does not tell, only the state does
 };
 
-/// Decided in rationals. Throws input_error for c outside [-b, a].
+/// Decided in rationals. For c = 0 the separatrix, never equilibrium_y. Throws input_error for c outside [-b, a].
 [[nodiscard]] regime regime_of(const body& rigid, const rational& c);
+
+/// Whether J goes around in the body, in a finite time: oscillating or rotating.
+[[nodiscard]] bool is_periodic(regime r);
+/// Whether J stays where it is in the body.
+[[nodiscard]] bool is_equilibrium(regime r);
+/// Whether J goes around the axis x, or stays on it: c < 0.
+[[nodiscard]] bool is_about_x(regime r);
 
 /// "oscillating", "equilibrium about x", ...
 [[nodiscard]] std::string to_text(regime r);

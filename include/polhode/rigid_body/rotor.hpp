@@ -10,14 +10,7 @@
 //
 // Principal axes x, y, z are those of the greatest, the intermediate and the least moment, turned so that they are right-handed and
 // J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): half turns about principal axes are symmetries of the motion.
-// There, in units of |J| and I_y/|J|, with a = I_y/I_z - 1, b = 1 - I_y/I_x and c = 2 I_y H/J^2 - 1 in [-b, a],
-//
-//                 J                                  u = lambda t + u_0     1 - m                   kappa
-//   oscillating   (-A dn u, B sn u, C cn u)          lambda^2 = b (a-c)     -c (a+b)/(b (a-c))      (b+c)/(a-c)
-//   rotating      (-A cn u, B sn u, C dn u)          lambda^2 = a (b+c)     c (a+b)/(a (b+c))       b/a
-//   separatrix    (-A sech u, tanh u, C sech u)      lambda^2 = a b         0                       b/a
-//
-// with A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b), B^2 = (b+c)/b or (a-c)/a (L. D. Landau, E. M. Lifshitz, Mechanics, 37). Which of them
+// There, in units of |J| and I_y/|J|, J is one of the three solutions of motion.hpp. Which of them
 // it is, and whether the motion is steady, is decided in rationals. About J the body turns by the angle phi of the paper's Euler
 // angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an elliptic integral of the third kind; here it is had from
 // theta functions (C. G. J. Jacobi, J. reine angew. Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and
@@ -29,8 +22,7 @@
 #include <optional>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
-#include "polhode/rigid_body/body.hpp"
-#include "polhode/rigid_body/work.hpp"
+#include "polhode/rigid_body/motion.hpp"
 
 namespace polhode {
 
@@ -41,16 +33,6 @@ template <class T>
 using matrix3 = std::array<std::array<T, 3>, 3>;
 
 enum class angle_unit { radians, degrees };
-
-/// What kind of motion a rotation is.
-enum class rotor_regime {
-  steady,  // J parallel to omega: an equilibrium about a principal axis, and every motion of a spherical top
-  oscillating,  // c < 0: J goes around the axis of the greatest moment
-  separatrix,   // c = 0: J goes from one unstable equilibrium to the other, and takes for ever
-  rotating      // c > 0: J goes around the axis of the least moment
-};
-/// "steady", "oscillating", "separatrix", "rotating".
-[[nodiscard]] std::string to_text(rotor_regime r);
 
 /// Throws input_error for what is no rotation: rows with R R^T not exactly 1, or of determinant -1.
 void refuse_unless_rotation(const matrix3<rational>& rows);
@@ -86,10 +68,14 @@ class initial_state {
   [[nodiscard]] const rational& squared_momentum() const { return squared_momentum_; }
   [[nodiscard]] rational twice_energy() const;
   /// Of the principal axes: a >= 0 and 0 <= b < 1, which are 0 where moments are equal; c.
-  [[nodiscard]] const rational& a() const { return a_; }
-  [[nodiscard]] const rational& b() const { return b_; }
-  [[nodiscard]] const rational& c() const { return c_; }
-  [[nodiscard]] rotor_regime regime() const { return regime_; }
+  [[nodiscard]] const rational& a() const { return motion_.a(); }
+  [[nodiscard]] const rational& b() const { return motion_.b(); }
+  [[nodiscard]] const rational& c() const { return motion_.c(); }
+  /// The motion with these a, b and c.
+  [[nodiscard]] const polhode::motion& motion() const { return motion_; }
+  /// That of the motion, but equilibrium_y where J is exactly along y. An equilibrium is J parallel to omega; of a spherical top
+  /// every motion is one.
+  [[nodiscard]] polhode::regime regime() const { return regime_; }
   /// Which body axis (0, 1, 2) is x, y, z, and its sign: J_x = signs()[0] J[order()[0]].
   [[nodiscard]] const triple<int>& order() const { return order_; }
   [[nodiscard]] const triple<int>& signs() const { return signs_; }
@@ -106,8 +92,8 @@ class initial_state {
 
   triple<rational> moments_;
   rational squared_momentum_;
-  rational a_, b_, c_;
-  rotor_regime regime_ = rotor_regime::steady;
+  polhode::motion motion_{0, 0, 0};
+  polhode::regime regime_ = motion_.regime();
   triple<int> order_{0, 1, 2};
   triple<int> signs_{1, 1, 1};
   triple<rational> squares_;

@@ -1,15 +1,19 @@
 #pragma once
 
-// The operations on a real scalar T that the templates of this room use. T is one of three:
+// The operations on a real scalar T that the templates of elliptic integrals and of rotations share. They are in
+// polhode::detail: for the rooms of this library, not for programs that use it. T is one of three:
 //   ball          every result is an enclosure; truncation errors are added to the radius
 //   mpfr_float    the same steps without radii: the uncertified value
 //   long double   the same, in which values for `double` are computed (11 bits more than its 53 on x86)
 // The working precision q is an argument; a long double ignores it.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/elementary.hpp"

@@ -1,0 +1,158 @@
+#include "polhode/rigid_body/motion.hpp"
+
+#include <utility>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/carlson.hpp"
+#include "polhode/elliptic/complete.hpp"
+#include "rigid_body/phase_integral.hpp"
+
+namespace polhode {
+namespace {
+
+regime regime_by(const rational& a, const rational& b, const rational& c) {
+  const rational least(-b);
+  if (c < least || c > a) {
+    throw input_error("c = " + to_text(c) + ": it must be from -b = " + to_text(least) +
+                      " to a = " + to_text(a));
+  }
+  if (c == least) return regime::equilibrium_x;
+  if (c == a) return regime::equilibrium_z;
+  if (c == 0) return regime::separatrix;
+  return c < 0 ? regime::oscillating : regime::rotating;
+}
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------
+// Regimes
+
+regime regime_of(const body& rigid, const rational& c) {
+  return regime_by(rigid.a(), rigid.b(), c);
+}
+
+bool is_periodic(regime r) { return r == regime::oscillating || r == regime::rotating; }
+bool is_equilibrium(regime r) {
+  return r == regime::equilibrium_x || r == regime::equilibrium_y || r == regime::equilibrium_z;
+}
+bool is_about_x(regime r) { return r == regime::oscillating || r == regime::equilibrium_x; }
+
+std::string to_text(regime r) {
+  switch (r) {
+    case regime::equilibrium_x:
+      return "equilibrium about x";
+    case regime::oscillating:
+      return "oscillating";
+    case regime::separatrix:
+      return "separatrix";
+    case regime::rotating:
+      return "rotating";
+    case regime::equilibrium_y:
+      return "equilibrium about y";
+    case regime::equilibrium_z:
+      break;
+  }
+  return "equilibrium about z";
+}
+
+// ---------------------------------------------------------------------------------------------
+// Motions
+
+motion::motion(const body& rigid, const rational& c) : motion(rigid.a(), rigid.b(), c) {}
+
+motion::motion(rational a, rational b, rational c)
+    : a_(std::move(a)), b_(std::move(b)), c_(std::move(c)) {
+  if (a_ < 0) throw input_error("a = " + to_text(a_) + ": it must not be negative");
+  if (b_ < 0 || b_ >= 1) {
+    throw input_error("b = " + to_text(b_) + ": it must be at least 0 and below 1");
+  }
+  regime_ = regime_by(a_, b_, c_);
+}
+
+motion::factors motion::factors_of_lambda2() const {
+  factors result = is_about_x(regime_) ? factors{a_ - c_, b_} : factors{a_, b_ + c_};
+  if (result.first == 0 || result.second == 0) {
+    throw input_error("a = " + to_text(a_) + ", b = " + to_text(b_) + ", c = " + to_text(c_) +
+                      ": two moments are equal, and J does not move in the body; lambda is 0");
+  }
+  return result;
+}
+
+rational motion::lambda2() const {
+  const auto [first, second] = factors_of_lambda2();
+  return first * second;
+}
+
+rational motion::m1() const { return abs(c_) * (a_ + b_) / lambda2(); }
+
+rational motion::kappa() const {
+  const auto [first, second] = factors_of_lambda2();
+  return (is_about_x(regime_) ? rational(b_ + c_) : b_) / first;
+}
+
+std::array<rational, 3> motion::greatest_squares() const {
+  const auto [first, second] = factors_of_lambda2();
+  const rational sum(a_ + b_);
+  const rational x_end(b_ + c_);
+  const rational z_end(a_ - c_);
+  return {z_end / sum, is_about_x(regime_) ? x_end / second : z_end / first, x_end / sum};
+}
+
+rational motion::turning_point() const {
+  return is_about_x(regime_) && b_ != 0 ? rational(-c_ / b_) : rational(0);
+}
+
+ball motion::period(precision p, work_count* work) const {
+  refuse_unless_periodic();
+  const ball root = sqrt(ball(m1(), p));
+  const ball one(1, p);
+  ball mean;
+  if (work == nullptr) {
+    mean = agm(one, root);
+  } else {  // the same mean, by steps that are counted
+    const agm_sums counted = agm_with_sum(one, root);
+    mean = counted.mean;
+    ++work->integrals;
+    work->agm_steps += counted.steps;
+  }
+  return 2 * pi(p) / (mean * sqrt(ball(lambda2(), p)));
+}
+
+ball motion::phase(precision p) const {
+  refuse_unless_periodic();
+  return 2 * detail::phase_integral_of(a_, b_, c_, turning_point(), p);
+}
+
+void motion::refuse_equilibrium() const {
+  if (!is_equilibrium(regime_)) return;
+  throw input_error(
+      "c = " + to_text(c_) + ": " + to_text(regime_) +
+      ", where the angular momentum does not move in the body; give c between -b and a, "
+      "ends excluded");
+}
+
+void motion::refuse_unless_periodic() const {
+  refuse_equilibrium();
+  if (regime_ != regime::separatrix) return;
+  throw input_error(
+      "c = 0: on the separatrix the Montgomery phase is infinite; give c < 0 or "
+      "c > 0");
+}
+
+// ---------------------------------------------------------------------------------------------
+// The phase's integral
+
+ball detail::phase_integral_of(const rational& a, const rational& b, const rational& c,
+                               const rational& u, precision p) {
+  const rational left(1 - u);
+  const ball x(u, p);
+  const ball y(rational((a + b * u) / (a + b)), p);
+  const ball z(rational((c + b * u) / (c + b)), p);
+  const carlson_pair integrals = carlson_rf_rj(x, y, z, ball(1, p));
+  const ball sum =
+      ball(rational(1 - b), p) * integrals.rf + ball(rational(b * left / 3), p) * integrals.rj;
+  return 2 * sqrt(ball(rational(left / ((a + b) * (b + c))), p)) * sum;
+}
+
+}  // namespace polhode

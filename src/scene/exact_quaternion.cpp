@@ -1,0 +1,121 @@
+#include "scene/exact_quaternion.hpp"
+
+#include <algorithm>
+
+#include "polhode/rigid_body/rotor.hpp"
+
+namespace polhode::detail {
+
+std::optional<rational> rational_root(const rational& q) {
+  const rational root(integer(sqrt(numerator(q))), integer(sqrt(denominator(q))));
+  if (root * root != q) return std::nullopt;
+  return root;
+}
+
+namespace {
+
+/// Of a rotation with rational entries: 4 q_i^2 and 4 q_i q_k are sums of these. Where the greatest component is rational, all
+/// are; where it is not, a component is 0 or not rational.
+exact_quaternion quaternion_of(const matrix3<rational>& m) {
+  const std::array<rational, 4> squares{
+      1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
+      1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2]};
+  const auto g =
+      static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const std::array<rational, 3> with_w{m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]};
+  matrix3<rational> others;  // 4 q_i q_k of x, y, z
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) others[i][k] = m[i][k] + m[k][i];
+  }
+  const auto greatest = rational_root(squares[g] / 4);
+  exact_quaternion result;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (k == g) {
+      result[k] = greatest;
+      continue;
+    }
+    const rational product =
+        g == 0 ? with_w[k - 1] : (k == 0 ? with_w[g - 1] : others[g - 1][k - 1]);
+    if (product == 0) {
+      result[k] = rational(0);
+    } else if (greatest) {
+      result[k] = product / (4 * *greatest);
+    }
+  }
+  return result;
+}
+
+matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz) {
+  const auto& [w, x, y, z] = wxyz;
+  const rational square(w * w + x * x + y * y + z * z);
+  const std::array<std::array<rational, 3>, 3> twice{
+      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
+       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
+       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
+  matrix3<rational> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result[i][k] = twice[i][k] / square;
+  }
+  return result;
+}
+
+/// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and at 0 radians.
+std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
+  if (angle < 0) angle = -angle;
+  if (angle == 0) return rational(1);
+  if (unit != angle_unit::degrees) return std::nullopt;
+  angle -= 360 * rational(integer(numerator(angle) / (360 * denominator(angle))));
+  if (angle > 180) angle = 360 - angle;
+  for (const auto& [at, value] :
+       {std::pair(rational(0), rational(1)), std::pair(rational(60), rational(1, 2)),
+        std::pair(rational(90), rational(0)), std::pair(rational(120), rational(-1, 2)),
+        std::pair(rational(180), rational(-1))}) {
+    if (angle == at) return value;
+  }
+  return std::nullopt;
+}
+
+/// Of R_z(phi) R_x(theta) R_z(psi): cos(theta/2) and sin(theta/2) times cosines and sines of (phi + psi)/2 and (phi - psi)/2.
+exact_quaternion quaternion_of(const rational_vector& phi_theta_psi, angle_unit unit) {
+  const auto& [phi, theta, psi] = phi_theta_psi;
+  const bool has_degrees = unit == angle_unit::degrees;
+  const auto cosine = [&](const rational& angle) { return rational_cosine(angle, unit); };
+  const auto sine = [&](const rational& angle) -> std::optional<rational> {
+    if (angle == 0) return rational(0);
+    return has_degrees ? cosine(angle - 90) : std::nullopt;
+  };
+  const auto product = [](const std::optional<rational>& x,
+                          const std::optional<rational>& y) -> std::optional<rational> {
+    if ((x && *x == 0) || (y && *y == 0)) return rational(0);
+    return x && y ? std::optional(rational(*x * *y)) : std::nullopt;
+  };
+  const rational half = theta / 2;
+  const rational sum = (phi + psi) / 2;
+  const rational difference = (phi - psi) / 2;
+  exact_quaternion result{product(cosine(half), cosine(sum)),
+                          product(sine(half), cosine(difference)),
+                          product(sine(half), sine(difference)), product(cosine(half), sine(sum))};
+  if (!has_degrees) return result;
+  // 2 cos x cos y = cos(x + y) + cos(x - y), where these are rational and the factors are not.
+  const auto of_sum = [&](std::optional<rational>& to, const rational& x, const rational& y) {
+    const auto one = cosine(x + y);
+    const auto other = cosine(x - y);
+    if (!to && one && other) to = (*one + *other) / 2;
+  };
+  of_sum(result[0], half, sum);
+  of_sum(result[1], half - 90, difference);
+  of_sum(result[2], half - 90, difference - 90);
+  of_sum(result[3], half, sum - 90);
+  return result;
+}
+
+}  // namespace
+
+exact_quaternion quaternion_at_0(const scene_state& state) {
+  if (state.euler) return quaternion_of(*state.euler, state.euler_unit);
+  if (state.matrix) return quaternion_of(*state.matrix);
+  if (state.quaternion) return quaternion_of(rotation_of(*state.quaternion));
+  return {rational(1), rational(0), rational(0), rational(0)};
+}
+
+}  // namespace polhode::detail
