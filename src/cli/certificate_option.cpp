@@ -12,7 +12,7 @@ namespace polhode::cli {
 namespace fs = std::filesystem;
 
 void certificate_option::declare(CLI::App& app) {
-  app.add_option("--certificate", path, "Write what `polhode check` needs to show the result again")
+  app.add_option("--certificate", path, "Write a certificate for `polhode check`")
       ->type_name("FILE");
 }
 

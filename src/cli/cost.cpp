@@ -288,7 +288,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_option("--seconds", options->seconds,
                  "Leave out what is expected to take more than S seconds a call [2]")
       ->type_name("S");
-  options->estimate.declare(app, "Measure little, and say what N digits would take; 0: do not");
+  options->estimate.declare(app, "Estimate the time for N digits from short runs; 0: off");
   app.add_flag("--no-hard-cases", options->no_hard_cases, "Leave out the hard cases");
   app.add_option("--out", options->directory,
                  "Write cost.csv, cost.json and the pictures there, as SVG and PNG; DIR is\n"

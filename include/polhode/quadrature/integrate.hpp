@@ -121,7 +121,7 @@ struct segment {
   /// May be empty.
   std::function<std::optional<known_bound>(double_interval re, double_interval im)> known;
   /// Not empty where F(t + 1) = F(t) near t = 0, or F is even about t = 0 and about t = 1, if it is analytic there
-  /// (see mean_trapezoid_error): makes, for n and p, what makes a function of k that gives F((k + 1/2)/n) with p bits.
+  /// (see mean_trapezoid_error): given n and p, returns a factory of evaluators k -> F((k + 1/2)/n) with p bits.
   std::function<std::function<std::function<ball(long k)>()>(long n, precision p)> equidistant;
   /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of ellipses are
   /// looked at too.

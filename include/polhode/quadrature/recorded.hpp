@@ -1,6 +1,6 @@
 #pragma once
 
-// A formula found out by calling the function that has it.
+// Records a function's operations by calling it once.
 //
 // Call a generic function with a `recorded` number for its argument: each operation becomes a node, which knows
 // how it is done over balls, jets of balls, regions and series. So abs, min, max, floor and ceil, the functions that are made

@@ -29,6 +29,10 @@ magnitude power_of_two_above(const double_interval& e) {
                                  static_cast<long>(whole) - bits);
 }
 
+magnitude times(long count) {
+  return magnitude::from_integer_up(static_cast<std::uint64_t>(count));
+}
+
 }  // namespace
 
 std::optional<panel_value> panel_integral::to(double log2_goal, precision most_bits,
@@ -207,81 +211,93 @@ ball panel_integral::coordinate(const end_point& end, precision p) const {
   return (end.at(p) - panel_.centre) / ball(panel_.radius, p);
 }
 
-std::optional<ball> panel_integral::sum(long f, precision p, long most_terms) {
-  bits_ = f;
-  std::optional<ball> low;  // where it is cut off, in z
-  std::optional<ball> high;
-  const precision bits = f + 32;
+panel_integral::cut_ends panel_integral::cut_ends_in_z(precision bits) const {
+  cut_ends cut;
   const bool falls = panel_.radius < 0;
-  if (panel_.from_lower) (falls ? high : low) = coordinate(range_.lower, bits);
-  if (panel_.to_upper) (falls ? low : high) = coordinate(range_.upper, bits);
-  // The real part and, where g is complex, the imaginary one.
-  const std::size_t parts = phase_.coefficients.empty() ? 1 : 2;
-  std::vector<series_part> part(parts);
-  for (series_part& own : part) {
-    for (const auto& [z, at] : {std::pair(&low, &own.at_low), std::pair(&high, &own.at_high)}) {
-      if (!*z) continue;
-      fixed_point_number number = in_fixed_point(**z, f);
-      const bool is_inside =
-          (*z)->magnitude_upper() <= magnitude::power_of_two(0) &&
-          mpz_sizeinbase(number.value.backend().data(), 2) <= static_cast<std::size_t>(f);
-      if (!is_inside || (panel_.at_end && !certainly_positive(**z))) return std::nullopt;
-      at->emplace(std::move(number), f);
-    }
+  if (panel_.from_lower) (falls ? cut.high : cut.low) = coordinate(range_.lower, bits);
+  if (panel_.to_upper) (falls ? cut.low : cut.high) = coordinate(range_.upper, bits);
+  return cut;
+}
+
+bool panel_integral::add_cut_ends(const cut_ends& cut, long f, series_part& own) const {
+  for (const auto& [z, at] :
+       {std::pair(&cut.low, &own.at_low), std::pair(&cut.high, &own.at_high)}) {
+    if (!*z) continue;
+    fixed_point_number number = in_fixed_point(**z, f);
+    const bool is_inside =
+        (*z)->magnitude_upper() <= magnitude::power_of_two(0) &&
+        mpz_sizeinbase(number.value.backend().data(), 2) <= static_cast<std::size_t>(f);
+    if (!is_inside || (panel_.at_end && !certainly_positive(**z))) return false;
+    at->emplace(std::move(number), f);
   }
-  const bool is_cut = low || high;
+  return true;
+}
 
-  const taylor_recurrence recurrence{q_, s_, t_, numerator_.coefficients, power_};
-  const std::optional<computed_terms> terms =
-      add_terms(recurrence, {f, most_terms, !panel_.at_end && !is_cut, is_cut}, part);
-  if (!terms) return std::nullopt;
-  terms_ = terms->count;
-
-  // That of A for g, integrated: with N, or sqrt(2) N < 3/2 N, of the theorem.
+magnitude panel_integral::error_of_coefficients(long count_of_divisions, std::size_t parts,
+                                                long f) const {
   const magnitude unit = magnitude::power_of_two(-f);
-  const auto times = [](long count) {
-    return magnitude::from_integer_up(static_cast<std::uint64_t>(count));
-  };
   const magnitude relative =
       power_of_two_above((log_greatest_ - log_least_ - log_least_q_) / log_of_2);
-  const magnitude divisions = times(terms->divisions);
+  const magnitude divisions = times(count_of_divisions);
   const magnitude steps = parts == 1 ? divisions : scale(multiply_up(divisions, three), -1);
   const magnitude of_a = multiply_up(steps, multiply_up(unit, relative));
-  const magnitude of_series =
-      multiply_up(multiply_up(of_a, maximum_.magnitude_upper()), length_factor().magnitude_upper());
+  return multiply_up(multiply_up(of_a, maximum_.magnitude_upper()),
+                     length_factor().magnitude_upper());
+}
+
+ball panel_integral::integral_of(const series_part& own, const cut_ends& ends, long f,
+                                 precision p) const {
+  const magnitude unit = magnitude::power_of_two(-f);
   const auto from_units = [&](const integer& units, const magnitude& error) {
     ball value(units, p);
     scale(value, value, -f);
     return value.enlarged(error);
   };
-  const auto value_of = [&](const series_part& own) {
-    // Each b_n is off by less than a unit, and 0 where e_n is.
-    const magnitude of_terms = multiply_up(times(own.terms), unit);
-    const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
-      // b_n z^n is off by less than a unit for b_n and another one for the product; z^n by at most n - 1 units, as 1 and
-      // z are not rounded and each product by z adds less than one; and z by its own error, with |G'(z)| <= sum of |e_n|.
-      const magnitude of_powers =
-          multiply_up(scale(ball(own.of_powers, 64).magnitude_upper(), -f), unit);
-      const magnitude size = scale(ball(own.sum_of_sizes, 64).magnitude_upper(), -f);
-      const magnitude of_products = scale(of_terms, 1);
-      const ball value = from_units(
-          cut->sum(), add_up(of_products, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
-      const ball power = z.with_precision(p);
-      return value * (power_ == 0 ? power : power_of_positive(power, rational(power_ + 1)));
-    };
-    if (!is_cut && !panel_.at_end) return from_units(own.at_plus * 2, scale(of_terms, 1));
-    ball value = own.at_high ? at(own.at_high, *high) : from_units(own.at_plus, of_terms);
-    if (own.at_low) {
-      value = value - at(own.at_low, *low);
-    } else if (!panel_.at_end) {
-      value = value + from_units(own.at_minus, of_terms);
-    }
-    return value;
+  // Each b_n is off by less than a unit, and 0 where e_n is.
+  const magnitude of_terms = multiply_up(times(own.terms), unit);
+  const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
+    // b_n z^n is off by less than a unit for b_n and another one for the product; z^n by at most n - 1 units, as 1 and
+    // z are not rounded and each product by z adds less than one; and z by its own error, with |G'(z)| <= sum of |e_n|.
+    const magnitude of_powers =
+        multiply_up(scale(ball(own.of_powers, 64).magnitude_upper(), -f), unit);
+    const magnitude size = scale(ball(own.sum_of_sizes, 64).magnitude_upper(), -f);
+    const magnitude of_products = scale(of_terms, 1);
+    const ball value = from_units(
+        cut->sum(), add_up(of_products, add_up(of_powers, multiply_up(size, cut->error_of_z()))));
+    const ball power = z.with_precision(p);
+    return value * (power_ == 0 ? power : power_of_positive(power, rational(power_ + 1)));
   };
-  const ball real = value_of(part[0]);
+  if (!ends.is_cut() && !panel_.at_end) return from_units(own.at_plus * 2, scale(of_terms, 1));
+  ball value = own.at_high ? at(own.at_high, *ends.high) : from_units(own.at_plus, of_terms);
+  if (own.at_low) {
+    value = value - at(own.at_low, *ends.low);
+  } else if (!panel_.at_end) {
+    value = value + from_units(own.at_minus, of_terms);
+  }
+  return value;
+}
+
+std::optional<ball> panel_integral::sum(long f, precision p, long most_terms) {
+  bits_ = f;
+  const cut_ends ends = cut_ends_in_z(f + 32);
+  // The real part and, where g is complex, the imaginary one.
+  const std::size_t parts = phase_.coefficients.empty() ? 1 : 2;
+  std::vector<series_part> part(parts);
+  for (series_part& own : part) {
+    if (!add_cut_ends(ends, f, own)) return std::nullopt;
+  }
+  const taylor_recurrence recurrence{q_, s_, t_, numerator_.coefficients, power_};
+  const bool only_even = !panel_.at_end && !ends.is_cut();
+  const std::optional<computed_terms> terms =
+      add_terms(recurrence, {f, most_terms, only_even, ends.is_cut()}, part);
+  if (!terms) return std::nullopt;
+  terms_ = terms->count;
+
+  const magnitude of_series = error_of_coefficients(terms->divisions, parts, f);
+  const ball real = integral_of(part[0], ends, f, p);
   if (parts == 1) return real.enlarged(of_series) * constant(p);
   // The part of (real + i imaginary) e^(i t(c)) that is meant. What A is off by is a complex number, and turned with it.
-  const ball imaginary = value_of(part[1]);
+  const ball imaginary = integral_of(part[1], ends, f, p);
   const ball angle(rational(phase_.coefficients.front() * phase_.content), p);
   const ball result = range_.is_sine ? real * sin(angle) + imaginary * cos(angle)
                                      : real * cos(angle) - imaginary * sin(angle);

@@ -54,6 +54,22 @@ class panel_integral {
   [[nodiscard]] ball length_factor() const;
   /// z of the range's end.
   [[nodiscard]] ball coordinate(const end_point& end, precision p) const;
+  /// Where the panel is cut off, in z.
+  struct cut_ends {
+    std::optional<ball> low;
+    std::optional<ball> high;
+    [[nodiscard]] bool is_cut() const { return low || high; }
+  };
+  [[nodiscard]] cut_ends cut_ends_in_z(precision bits) const;
+  /// The sums at these ends, in units of 2^-f; false where an end is not proved to be in the panel.
+  [[nodiscard]] bool add_cut_ends(const cut_ends& cut, long f, series_part& own) const;
+  /// What the a_n are off by makes the integral of g so much wrong, in size: that of A for g, integrated, with N, or
+  /// sqrt(2) N < 3/2 N, of the theorem.
+  [[nodiscard]] magnitude error_of_coefficients(long count_of_divisions, std::size_t parts,
+                                                long f) const;
+  /// The integral of one part of the series, but for what the a_n are off by.
+  [[nodiscard]] ball integral_of(const series_part& own, const cut_ends& ends, long f,
+                                 precision p) const;
   std::optional<ball> sum(long f, precision p, long most_terms);
 
   const smooth_range& range_;

@@ -113,7 +113,7 @@ class searcher {
     }
   }
 
-  /// What it is worth if the search goes another way.
+  /// Discards results computed ahead that the search will not use.
   void forget_ahead(work_box& b) {
     if (b.ahead == nullptr) return;
     --waiting_;
