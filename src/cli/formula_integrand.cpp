@@ -12,97 +12,18 @@ namespace detail {
 
 namespace {
 
-// Found by their arguments, under names that no member of `supplement` hides.
-tail_series nearly_minus_one(const tail_series& x) { return expm1(x); }
-tail_series of_one_more(const tail_series& x) { return log1p(x); }
-
-/// For series: what they lack is blocked, or made of what they have.
+/// What both kinds of series make of what they have; what they have not is blocked.
 template <class Series>
 struct series_supplement {
-  static Series expm1(const Series& x) { return exp(x) - 1; }
-  static Series log1p(const Series& x) { return log(x + 1); }
   static Series sinpi(const Series& x) { return sin(x * pi(128)); }
   static Series cospi(const Series& x) { return cos(x * pi(128)); }
-  static Series abs(const Series& x) { return abs_of(x); }
-  static Series floor(const Series& x) { return floor_of(x); }
-  static Series ceil(const Series& x) { return ceil_of(x); }
-  static Series min(const Series& x, const Series& y) { return min_of(x, y); }
-  static Series max(const Series& x, const Series& y) { return max_of(x, y); }
   static Series hypot(const Series& x, const Series& y) { return sqrt(x * x + y * y); }
-  static Series agm(const Series& x, const Series&) { return x.blocked("agm"); }
-  static Series atan2(const Series& y, const Series&) { return y.blocked("atan2"); }
-  static Series power_integer(const Series& x, long n) { return pow(x, n); }
-  static Series power(const Series& x, const Series& y) { return pow(x, y); }
   /// Of odd n, of negative numbers too.
   static Series root(const Series& x, long n) {
     if (n % 2 != 0 && x.sign() < 0) return -pow(-x, rational(1, n));
     return pow(x, rational(1, n));
   }
-  static Series gamma(const Series& x) { return x.blocked("gamma"); }
-  static Series log_gamma(const Series& x) { return x.blocked("log_gamma"); }
-  static Series erf(const Series& x) { return x.blocked("erf"); }
-  static Series erfc(const Series& x) { return x.blocked("erfc"); }
-
- private:
-  // Found by their arguments, under names that no member hides.
-  static Series abs_of(const Series& x) {
-    using polhode::abs;
-    return abs(x);
-  }
-  static Series floor_of(const Series& x) {
-    using polhode::floor;
-    return floor(x);
-  }
-  static Series ceil_of(const Series& x) {
-    using polhode::ceil;
-    return ceil(x);
-  }
-  static Series min_of(const Series& x, const Series& y) {
-    using polhode::min;
-    return min(x, y);
-  }
-  static Series max_of(const Series& x, const Series& y) {
-    using polhode::max;
-    return max(x, y);
-  }
 };
-
-}  // namespace
-
-template <>
-struct supplement<end_series> : series_supplement<end_series> {};
-template <>
-struct supplement<tail_series> : series_supplement<tail_series> {
-  static tail_series expm1(const tail_series& x) { return nearly_minus_one(x); }
-  static tail_series log1p(const tail_series& x) { return of_one_more(x); }
-};
-
-namespace {
-
-// Found by their arguments, under names that no member of `supplement` hides.
-#define POLHODE_OF_ONE(f) \
-  symmetry f##_of(const symmetry& v) { return f(v); }
-#define POLHODE_OF_TWO(f) \
-  symmetry f##_of(const symmetry& u, const symmetry& v) { return f(u, v); }
-POLHODE_OF_ONE(expm1)
-POLHODE_OF_ONE(log1p)
-POLHODE_OF_ONE(sinpi)
-POLHODE_OF_ONE(cospi)
-POLHODE_OF_ONE(abs)
-POLHODE_OF_ONE(floor)
-POLHODE_OF_ONE(ceil)
-POLHODE_OF_ONE(gamma)
-POLHODE_OF_ONE(log_gamma)
-POLHODE_OF_ONE(erf)
-POLHODE_OF_ONE(erfc)
-POLHODE_OF_TWO(min)
-POLHODE_OF_TWO(max)
-POLHODE_OF_TWO(hypot)
-POLHODE_OF_TWO(agm)
-POLHODE_OF_TWO(atan2)
-#undef POLHODE_OF_ONE
-#undef POLHODE_OF_TWO
-symmetry root_of(const symmetry& v, long n) { return root(v, n); }
 
 /// What every arithmetic answers of a function that it has not.
 constexpr auto not_available = [](const auto& v, const auto&, long) {
@@ -122,226 +43,137 @@ constexpr auto not_available = [](const auto& v, const auto&, long) {
 }  // namespace
 
 template <>
+struct supplement<tail_series> : series_supplement<tail_series> {};
+template <>
+struct supplement<end_series> : series_supplement<end_series> {
+  static end_series expm1(const end_series& x) { return exp(x) - 1; }
+  static end_series log1p(const end_series& x) { return log(x + 1); }
+};
+
+template <>
 struct supplement<symmetry> {
   static symmetry number(const rational& q) { return symmetry(q); }
   static symmetry constant(const instruction& i) {
     return i.what == operation::pi ? symmetry(pi_combination{0, 1}) : symmetry::some_constant();
   }
-  static symmetry expm1(const symmetry& v) { return expm1_of(v); }
-  static symmetry log1p(const symmetry& v) { return log1p_of(v); }
-  static symmetry sinpi(const symmetry& v) { return sinpi_of(v); }
-  static symmetry cospi(const symmetry& v) { return cospi_of(v); }
-  static symmetry abs(const symmetry& v) { return abs_of(v); }
-  static symmetry floor(const symmetry& v) { return floor_of(v); }
-  static symmetry ceil(const symmetry& v) { return ceil_of(v); }
-  static symmetry gamma(const symmetry& v) { return gamma_of(v); }
-  static symmetry log_gamma(const symmetry& v) { return log_gamma_of(v); }
-  static symmetry erf(const symmetry& v) { return erf_of(v); }
-  static symmetry erfc(const symmetry& v) { return erfc_of(v); }
-  static symmetry min(const symmetry& u, const symmetry& v) { return min_of(u, v); }
-  static symmetry max(const symmetry& u, const symmetry& v) { return max_of(u, v); }
-  static symmetry hypot(const symmetry& u, const symmetry& v) { return hypot_of(u, v); }
-  static symmetry agm(const symmetry& u, const symmetry& v) { return agm_of(u, v); }
-  static symmetry atan2(const symmetry& y, const symmetry& x) { return atan2_of(y, x); }
-  static symmetry power_integer(const symmetry& v, long n) { return pow(v, n); }
-  static symmetry power(const symmetry& u, const symmetry& v) { return pow(u, v); }
-  static symmetry root(const symmetry& v, long n) { return root_of(v, n); }
   /// Under what leaves all arguments as they are, so is the value: as any function of them.
-  static symmetry further(const further_function&, const std::vector<symmetry>& x) {
+  template <class F, class Range>
+  static symmetry further(const F&, const Range& x) {
     symmetry all = x.front();
-    for (const symmetry& v : x) all = agm_of(all, v);
-    return gamma_of(all);
+    for (const symmetry& v : x) all = agm(all, v);
+    return gamma(all);
   }
 };
 
 /// As for balls.
 template <>
 struct supplement<angle> {
-  using on_balls = supplement<ball>;
-
-  static angle expm1(const angle& x) { return angle(on_balls::expm1(x.value())); }
-  static angle log1p(const angle& x) { return angle(on_balls::log1p(x.value())); }
-  static angle sinpi(const angle& x) { return angle(on_balls::sinpi(x.value())); }
-  static angle cospi(const angle& x) { return angle(on_balls::cospi(x.value())); }
-  static angle abs(const angle& x) { return angle(on_balls::abs(x.value())); }
-  static angle floor(const angle& x) { return angle(on_balls::floor(x.value())); }
-  static angle ceil(const angle& x) { return angle(on_balls::ceil(x.value())); }
-  static angle gamma(const angle& x) { return angle(on_balls::gamma(x.value())); }
-  static angle log_gamma(const angle& x) { return angle(on_balls::log_gamma(x.value())); }
-  static angle erf(const angle& x) { return angle(on_balls::erf(x.value())); }
-  static angle erfc(const angle& x) { return angle(on_balls::erfc(x.value())); }
-  static angle min(const angle& x, const angle& y) { return of_two(on_balls::min, x, y); }
-  static angle max(const angle& x, const angle& y) { return of_two(on_balls::max, x, y); }
-  static angle hypot(const angle& x, const angle& y) { return of_two(on_balls::hypot, x, y); }
-  static angle agm(const angle& x, const angle& y) { return of_two(on_balls::agm, x, y); }
-  static angle atan2(const angle& y, const angle& x) { return of_two(on_balls::atan2, y, x); }
-  static angle power_integer(const angle& x, long n) {
-    return angle(on_balls::power_integer(x.value(), n));
-  }
-  static angle power(const angle& x, const angle& y) { return of_two(on_balls::power, x, y); }
-  static angle root(const angle& x, long n) { return angle(on_balls::root(x.value(), n)); }
-  static angle further(const further_function& f, const std::vector<angle>& x) {
+  template <class F, class Range>
+  static angle further(const F& f, const Range& x) {
     std::vector<ball> values;
     values.reserve(x.size());
     for (const angle& a : x) values.push_back(a.value());
     return angle(f.value(values));
   }
-
- private:
-  static angle of_two(ball (*f)(const ball&, const ball&), const angle& x, const angle& y) {
-    return angle(f(x.value(), y.value()));
-  }
 };
-/// An operation that each arithmetic has in its own supplement.
-#define POLHODE_RECORDED(f)                                                        \
-  static recorded f(const recorded& x) {                                           \
-    return x.applied(recorded_operation::of([](const auto& v, const auto&, long) { \
-                       return supplement<std::remove_cvref_t<decltype(v)>>::f(v);  \
-                     }),                                                           \
-                     x);                                                           \
-  }
-#define POLHODE_RECORDED_OF_TWO(f)                                                   \
-  static recorded f(const recorded& x, const recorded& y) {                          \
-    return x.applied(recorded_operation::of([](const auto& v, const auto& w, long) { \
-                       return supplement<std::remove_cvref_t<decltype(v)>>::f(v, w); \
-                     }),                                                             \
-                     y);                                                             \
-  }
+
+/// Each function that recorded.hpp does not name is done as each arithmetic has it.
 template <>
 struct supplement<recorded> {
-  POLHODE_RECORDED(expm1)
-  POLHODE_RECORDED(log1p)
-  POLHODE_RECORDED(gamma)
-  POLHODE_RECORDED(log_gamma)
-  POLHODE_RECORDED(erf)
-  POLHODE_RECORDED(erfc)
-  POLHODE_RECORDED_OF_TWO(hypot)
-  POLHODE_RECORDED_OF_TWO(agm)
-  POLHODE_RECORDED_OF_TWO(atan2)
   static recorded sinpi(const recorded& x) {
-    return circular(
-        x,
-        [](const auto& v, const auto&, long) {
-          return supplement<std::remove_cvref_t<decltype(v)>>::sinpi(v);
-        },
-        recorded_rule::sinpi);
+    return in_each<operation::sinpi>(x, x, recorded_rule::sinpi);
   }
   static recorded cospi(const recorded& x) {
-    return circular(
-        x,
-        [](const auto& v, const auto&, long) {
-          return supplement<std::remove_cvref_t<decltype(v)>>::cospi(v);
-        },
-        recorded_rule::cospi);
+    return in_each<operation::cospi>(x, x, recorded_rule::cospi);
   }
-  static recorded abs(const recorded& x) { return size_of(x); }
-  static recorded floor(const recorded& x) { return integer_below(x); }
-  static recorded ceil(const recorded& x) { return integer_above(x); }
-  static recorded min(const recorded& x, const recorded& y) { return smaller(x, y); }
-  static recorded max(const recorded& x, const recorded& y) { return greater(x, y); }
-  static recorded power_integer(const recorded& x, long n) { return pow(x, n); }
   static recorded power(const recorded& x, const recorded& y) {
-    recorded_operation operation = recorded_operation::of([](const auto& v, const auto& w, long) {
-      return supplement<std::remove_cvref_t<decltype(v)>>::power(v, w);
-    });
-    operation.rule = recorded_rule::power;
-    return x.applied(operation, y);
+    return in_each<operation::power>(x, y, recorded_rule::power);
   }
   static recorded root(const recorded& x, long n) {
     recorded_operation operation =
         recorded_operation::of([](const auto& v, const auto&, long order) {
-          return supplement<std::remove_cvref_t<decltype(v)>>::root(v, order);
+          return named<operation::root>::over(v, order);
         });
     operation.rule = recorded_rule::root;
     return x.applied(operation, x, n);
   }
-  static recorded further(const further_function&, const std::vector<recorded>& x) {
-    return x.front().applied(recorded_operation::of(not_available), x.front());
+  template <operation what, class Range>
+  static recorded further(const named<what>&, const Range& x) {
+    return in_each<what>(x.front(), x.back(), recorded_rule::other);
+  }
+  template <class Range>
+  static recorded further(const further_function&, const Range& x) {
+    const recorded& first = x.front();
+    return first.applied(recorded_operation::of(not_available), first);
   }
 
  private:
-  template <class F>
-  static recorded circular(const recorded& x, F f, recorded_rule rule) {
-    recorded_operation operation = recorded_operation::of(f);
-    operation.rule = rule;
-    return x.applied(operation, x);
-  }
-  // Found by their arguments, under names that no member hides.
-  static recorded size_of(const recorded& x) {
-    using polhode::abs;
-    return abs(x);
-  }
-  static recorded integer_below(const recorded& x) {
-    using polhode::floor;
-    return floor(x);
-  }
-  static recorded integer_above(const recorded& x) {
-    using polhode::ceil;
-    return ceil(x);
-  }
-  static recorded smaller(const recorded& x, const recorded& y) {
-    using polhode::min;
-    return min(x, y);
-  }
-  static recorded greater(const recorded& x, const recorded& y) {
-    using polhode::max;
-    return max(x, y);
+  /// x and y are the same for a function of one.
+  template <operation what>
+  static recorded in_each(const recorded& x, const recorded& y, recorded_rule rule) {
+    recorded_operation result = recorded_operation::of([](const auto& v, const auto& w, long) {
+      if constexpr (requires { named<what>::over(v, w); }) {
+        return named<what>::over(v, w);
+      } else {
+        return named<what>::over(v);
+      }
+    });
+    result.rule = rule;
+    return x.applied(result, y);
   }
 };
-#undef POLHODE_RECORDED
-#undef POLHODE_RECORDED_OF_TWO
 
 /// What a jet of regions has beside its own functions: the value of the region's function, and its derivative. Not
 /// available are those of gamma, log_gamma and agm.
 template <>
 struct supplement<jet<region, 1>> {
   using series = jet<region, 1>;
-  using on_regions = supplement<region>;
 
-  static series expm1(const series& x) { return with_value(exp(x), on_regions::expm1(x[0])); }
-  static series log1p(const series& x) { return with_value(log(x + 1), on_regions::log1p(x[0])); }
+  static series expm1(const series& x) {
+    return with_value(exp(x), named<operation::expm1>::over(x[0]));
+  }
+  static series log1p(const series& x) {
+    return with_value(log(x + 1), named<operation::log1p>::over(x[0]));
+  }
   static series sinpi(const series& x) {
-    return with_value(sin(x * pi(x[0].precision() + 64)), on_regions::sinpi(x[0]));
+    return with_value(sin(x * pi(x[0].precision() + 64)), named<operation::sinpi>::over(x[0]));
   }
   static series cospi(const series& x) {
-    return with_value(cos(x * pi(x[0].precision() + 64)), on_regions::cospi(x[0]));
+    return with_value(cos(x * pi(x[0].precision() + 64)), named<operation::cospi>::over(x[0]));
   }
   static series abs(const series& x) {
-    const region value = on_regions::abs(x[0]);
+    const region value = named<operation::abs>::over(x[0]);
     if (!value.is_analytic()) return constant(value);
     if (x[0].re().lower() > 0) return x;
     return x[0].re().upper() < 0 ? -x : not_available("abs");
   }
-  static series floor(const series& x) { return constant(on_regions::floor(x[0])); }
-  static series ceil(const series& x) { return constant(on_regions::ceil(x[0])); }
+  static series floor(const series& x) { return constant(named<operation::floor>::over(x[0])); }
+  static series ceil(const series& x) { return constant(named<operation::ceil>::over(x[0])); }
   static series min(const series& x, const series& y) {
-    return chosen(x, y, on_regions::min(x[0], y[0]), y[0] - x[0]);
+    return chosen(x, y, named<operation::min>::over(x[0], y[0]), y[0] - x[0]);
   }
   static series max(const series& x, const series& y) {
-    return chosen(x, y, on_regions::max(x[0], y[0]), x[0] - y[0]);
+    return chosen(x, y, named<operation::max>::over(x[0], y[0]), x[0] - y[0]);
   }
   static series hypot(const series& x, const series& y) { return sqrt(x * x + y * y); }
-  static series agm(const series&, const series&) { return not_available("agm"); }
   static series atan2(const series& y, const series& x) {
     const series slope = (x * y[1] - y * x[1]) / (x * x + y * y);
-    return from(on_regions::atan2(y[0], x[0]), slope[0]);
+    return from(named<operation::atan2>::over(y[0], x[0]), slope[0]);
   }
-  static series power_integer(const series& x, long n) { return pow(x, n); }
   static series power(const series& x, const series& y) {
-    return with_value(exp(y * log(x)), on_regions::power(x[0], y[0]));
+    return with_value(exp(y * log(x)), named<operation::power>::over(x[0], y[0]));
   }
   /// (z^(1/n))' = z^(1/n)/(n z) for every branch.
   static series root(const series& x, long n) {
-    const region value = on_regions::root(x[0], n);
+    const region value = named<operation::root>::over(x[0], n);
     return from(value, value * x[1] / (x[0] * n));
   }
-  static series gamma(const series&) { return not_available("gamma"); }
-  static series log_gamma(const series&) { return not_available("log_gamma"); }
   /// (2/sqrt(pi)) e^(-x^2) x'.
-  static series erf(const series& x) { return from(on_regions::erf(x[0]), bell(x)); }
-  static series erfc(const series& x) { return from(on_regions::erfc(x[0]), -bell(x)); }
-  static series further(const further_function& f, const std::vector<series>&) {
-    return not_available(f.what.name);
+  static series erf(const series& x) { return from(named<operation::erf>::over(x[0]), bell(x)); }
+  static series erfc(const series& x) { return from(named<operation::erfc>::over(x[0]), -bell(x)); }
+  template <class F, class Range>
+  static series further(const F& f, const Range&) {
+    return not_available(name_of_function(f));
   }
 
  private:

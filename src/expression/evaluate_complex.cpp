@@ -43,89 +43,67 @@ complex_ball undefined_like(const complex_ball& z) {
   return complex_ball::undefined(z.precision());
 }
 
-/// f of a set on the real line; elsewhere undefined.
-template <class F>
-complex_ball on_reals(const complex_ball& z, F&& f) {
-  return is_real(z) ? real(f(z.re)) : undefined_like(z);
-}
-
 }  // namespace
 
-using on_balls = supplement<ball>;
 using complexes = supplement<complex_ball>;
 using regions = supplement<region>;
 
 complex_ball complexes::expm1(const complex_ball& z) {
-  return is_real(z) ? real(on_balls::expm1(z.re)) : exp(z) - 1;
+  return is_real(z) ? real(polhode::expm1(z.re)) : exp(z) - 1;
 }
 complex_ball complexes::log1p(const complex_ball& z) {
-  return is_real(z) && certainly_positive(z.re + 1) ? real(on_balls::log1p(z.re)) : log(z + 1);
+  return is_real(z) && certainly_positive(z.re + 1) ? real(polhode::log1p(z.re)) : log(z + 1);
 }
 complex_ball complexes::sinpi(const complex_ball& z) {
-  return is_real(z) ? real(on_balls::sinpi(z.re)) : sine_of_half_turns(z);
+  return is_real(z) ? real(polhode::sinpi(z.re)) : sine_of_half_turns(z);
 }
 complex_ball complexes::cospi(const complex_ball& z) {
-  return is_real(z) ? real(on_balls::cospi(z.re)) : cosine_of_half_turns(z);
+  return is_real(z) ? real(polhode::cospi(z.re)) : cosine_of_half_turns(z);
 }
 complex_ball complexes::abs(const complex_ball& z) {
-  if (is_real(z)) return real(on_balls::abs(z.re));
+  if (is_real(z)) return real(polhode::abs(z.re));
   if (certainly_positive(z.re)) return z;
   return certainly_negative(z.re) ? -z : undefined_like(z);
 }
 complex_ball complexes::floor(const complex_ball& z) {
-  return z.is_undefined() ? z : real(on_balls::floor(z.re));
+  return z.is_undefined() ? z : real(polhode::floor(z.re));
 }
 complex_ball complexes::ceil(const complex_ball& z) {
-  return z.is_undefined() ? z : real(on_balls::ceil(z.re));
+  return z.is_undefined() ? z : real(polhode::ceil(z.re));
 }
 complex_ball complexes::min(const complex_ball& z, const complex_ball& w) {
-  if (is_real(z) && is_real(w)) return real(on_balls::min(z.re, w.re));
+  if (is_real(z) && is_real(w)) return real(polhode::min(z.re, w.re));
   if (certainly_less(z.re, w.re)) return z;
   return certainly_less(w.re, z.re) ? w : undefined_like(z);
 }
 complex_ball complexes::max(const complex_ball& z, const complex_ball& w) {
-  if (is_real(z) && is_real(w)) return real(on_balls::max(z.re, w.re));
+  if (is_real(z) && is_real(w)) return real(polhode::max(z.re, w.re));
   if (certainly_less(z.re, w.re)) return w;
   return certainly_less(w.re, z.re) ? z : undefined_like(z);
 }
 complex_ball complexes::hypot(const complex_ball& z, const complex_ball& w) {
-  if (is_real(z) && is_real(w)) return real(on_balls::hypot(z.re, w.re));
+  if (is_real(z) && is_real(w)) return real(polhode::hypot(z.re, w.re));
   return sqrt(square(z) + square(w));
 }
 complex_ball complexes::agm(const complex_ball& z, const complex_ball& w) {
-  if (is_real(z) && is_real(w)) return real(on_balls::agm(z.re, w.re));
+  if (is_real(z) && is_real(w)) return real(polhode::agm(z.re, w.re));
   return polhode::agm(z, w);
 }
 complex_ball complexes::atan2(const complex_ball& y, const complex_ball& x) {
-  return is_real(x) && is_real(y) ? real(on_balls::atan2(y.re, x.re)) : angle_of(y, x);
+  return is_real(x) && is_real(y) ? real(polhode::atan2(y.re, x.re)) : angle_of(y, x);
 }
-complex_ball complexes::power_integer(const complex_ball& z, long n) { return pow(z, n); }
-complex_ball complexes::power(const complex_ball& z, const complex_ball& w) { return pow(z, w); }
 complex_ball complexes::root(const complex_ball& z, long n) {
   if (is_real(z) && (n % 2 != 0 || !certainly_negative(z.re))) {
-    const ball x = on_balls::root(z.re, n);
+    const ball x = polhode::root(z.re, static_cast<unsigned long>(n));
     if (!x.is_undefined()) return real(x);
   }
   if (n % 2 == 0 || certainly_positive(z.re)) return principal_root(z, n);
   return certainly_negative(z.re) ? -principal_root(-z, n) : undefined_like(z);
 }
-complex_ball complexes::gamma(const complex_ball& z) { return on_reals(z, on_balls::gamma); }
-complex_ball complexes::log_gamma(const complex_ball& z) {
-  return on_reals(z, on_balls::log_gamma);
-}
-complex_ball complexes::erf(const complex_ball& z) { return on_reals(z, on_balls::erf); }
-complex_ball complexes::erfc(const complex_ball& z) { return on_reals(z, on_balls::erfc); }
 
 // ---------------------------------------------------------------------------------------------
 
 namespace {
-
-/// Functions that are found by their arguments only, under names that no member of `supplement` hides.
-region size_of(const region& z) { return abs(z); }
-region integer_below(const region& z) { return floor(z); }
-region integer_above(const region& z) { return ceil(z); }
-region smaller(const region& z, const region& w) { return min(z, w); }
-region greater(const region& z, const region& w) { return max(z, w); }
 
 /// The sign of the real part of every member: 1, -1, or 0 where it is not the same or not proved.
 int sign_of_real_part(const region& z) {
@@ -140,19 +118,8 @@ region regions::expm1(const region& z) { return exp(z) - 1; }
 region regions::log1p(const region& z) { return log(z + 1); }
 region regions::sinpi(const region& z) { return sine_of_half_turns(z); }
 region regions::cospi(const region& z) { return cosine_of_half_turns(z); }
-region regions::abs(const region& z) { return size_of(z); }
-region regions::floor(const region& z) { return integer_below(z); }
-region regions::ceil(const region& z) { return integer_above(z); }
-region regions::min(const region& z, const region& w) { return smaller(z, w); }
-region regions::max(const region& z, const region& w) { return greater(z, w); }
 region regions::hypot(const region& z, const region& w) { return sqrt(square(z) + square(w)); }
-region regions::agm(const region& z, const region& w) {
-  if (!z.is_analytic()) return z;
-  return w.is_analytic() ? region::blocked(obstacle::unknown, "agm") : w;
-}
 region regions::atan2(const region& y, const region& x) { return angle_of(y, x); }
-region regions::power_integer(const region& z, long n) { return pow(z, n); }
-region regions::power(const region& z, const region& w) { return pow(z, w); }
 region regions::root(const region& z, long n) {
   if (n % 2 == 0 || !z.is_analytic()) return principal_root(z, n);
   switch (sign_of_real_part(z)) {
@@ -164,9 +131,6 @@ region regions::root(const region& z, long n) {
       return region::blocked(obstacle::branch_cut, "root");
   }
 }
-region regions::gamma(const region& z) { return polhode::gamma(z); }
-region regions::log_gamma(const region& z) { return polhode::log_gamma(z); }
-
 region regions::erf(const region& z) {
   if (!z.is_analytic()) return z;
   const double_interval re = z.re();

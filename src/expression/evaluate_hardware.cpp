@@ -8,59 +8,10 @@
 
 namespace polhode::detail {
 
-using intervals = supplement<double_interval>;
-using on_balls = supplement<ball>;
-
-namespace {
-
-constexpr precision ball_bits = 64;
-
-/// What has no code in doubles goes by balls.
-template <class F>
-double_interval by_ball(double_interval x, F&& f) {
-  return double_interval::from_ball(f(to_ball(x, ball_bits)));
+double_interval supplement<double_interval>::atan2(double_interval y, double_interval x) {
+  constexpr precision bits = 64;
+  return double_interval::from_ball(polhode::atan2(to_ball(y, bits), to_ball(x, bits)));
 }
-template <class F>
-double_interval by_balls(double_interval x, double_interval y, F&& f) {
-  return double_interval::from_ball(f(to_ball(x, ball_bits), to_ball(y, ball_bits)));
-}
-
-/// Functions that are found by their arguments only, under names that no member of `supplement` hides.
-double_interval size_of(double_interval x) { return abs(x); }
-double_interval smaller(double_interval x, double_interval y) { return min(x, y); }
-double_interval greater(double_interval x, double_interval y) { return max(x, y); }
-
-}  // namespace
-
-double_interval intervals::expm1(double_interval x) { return polhode::expm1(x); }
-double_interval intervals::log1p(double_interval x) { return polhode::log1p(x); }
-double_interval intervals::sinpi(double_interval x) { return by_ball(x, on_balls::sinpi); }
-double_interval intervals::cospi(double_interval x) { return by_ball(x, on_balls::cospi); }
-double_interval intervals::abs(double_interval x) { return size_of(x); }
-double_interval intervals::floor(double_interval x) { return by_ball(x, on_balls::floor); }
-double_interval intervals::ceil(double_interval x) { return by_ball(x, on_balls::ceil); }
-double_interval intervals::min(double_interval x, double_interval y) { return smaller(x, y); }
-double_interval intervals::max(double_interval x, double_interval y) { return greater(x, y); }
-double_interval intervals::hypot(double_interval x, double_interval y) {
-  return polhode::hypot(x, y);
-}
-double_interval intervals::agm(double_interval x, double_interval y) {
-  return by_balls(x, y, on_balls::agm);
-}
-double_interval intervals::atan2(double_interval y, double_interval x) {
-  return by_balls(y, x, on_balls::atan2);
-}
-double_interval intervals::power_integer(double_interval x, long n) { return pow(x, n); }
-double_interval intervals::power(double_interval x, double_interval y) {
-  return by_balls(x, y, on_balls::power);
-}
-double_interval intervals::root(double_interval x, long n) {
-  return by_ball(x, [n](const ball& b) { return on_balls::root(b, n); });
-}
-double_interval intervals::gamma(double_interval x) { return by_ball(x, on_balls::gamma); }
-double_interval intervals::log_gamma(double_interval x) { return by_ball(x, on_balls::log_gamma); }
-double_interval intervals::erf(double_interval x) { return by_ball(x, on_balls::erf); }
-double_interval intervals::erfc(double_interval x) { return by_ball(x, on_balls::erfc); }
 
 // ---------------------------------------------------------------------------------------------
 
@@ -166,8 +117,12 @@ void execute(const instruction& i, double& r, const double& x, const double& y) 
     case operation::atan2:
       r = std::atan2(x, y);
       return;
-    default:
-      throw std::logic_error("an instruction without operands in the body of an expression");
+    default: {
+      ball value;
+      execute<ball>(i, value, ball::exactly(x, 64), ball::exactly(y, 64));
+      r = converted<double>(value);
+      return;
+    }
   }
 #undef POLHODE_DOUBLE
 }

@@ -93,13 +93,12 @@ void execute(const instruction& i, mpfr_float& r, const mpfr_float& x, const mpf
     mpfr_pow_si(v, a, i.number, MPFR_RNDN);
   } else if (i.what == operation::root) {
     mpfr_rootn_ui(v, a, static_cast<unsigned long>(i.number), MPFR_RNDN);
-  } else if (i.what == operation::sinpi || i.what == operation::cospi) {
-    // By the ball, which reduces exactly.
-    value = midpoint(i.what == operation::sinpi ? sinpi(ball(x)) : cospi(ball(x)));
+  } else {  // among them sinpi and cospi, which balls reduce exactly
+    ball around;
+    execute<ball>(i, around, ball(x), ball(y));
+    value = midpoint(around);
     mpfr_swap(r.backend().data(), value.backend().data());
     return;
-  } else {
-    throw std::logic_error("an instruction without operands in the body of an expression");
   }
   mpfr_swap(r.backend().data(), v);
 }

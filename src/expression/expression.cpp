@@ -122,22 +122,24 @@ std::optional<std::pair<rational, long>> expression::exact_power() const {
   return std::pair(*base, root.number);
 }
 
+namespace {
+/// That of a named function; nothing for the other operations.
+std::optional<detail::function_kind> kind_of(operation what) {
+  switch (what) {
+#define POLHODE_KIND(f, arguments, description, domain, kind, reader) \
+  case operation::f:                                                  \
+    return detail::function_kind::kind;
+    POLHODE_FUNCTION_TABLE(POLHODE_KIND, POLHODE_KIND, POLHODE_KIND, POLHODE_NO_ROW)
+#undef POLHODE_KIND
+    default:
+      return std::nullopt;
+  }
+}
+}  // namespace
+
 std::optional<std::string_view> expression::function_not_analytic() const {
   for (const detail::instruction& i : program_->body.code) {
-    switch (i.what) {
-      case operation::abs:
-        return "abs";
-      case operation::min:
-        return "min";
-      case operation::max:
-        return "max";
-      case operation::floor:
-        return "floor";
-      case operation::ceil:
-        return "ceil";
-      default:
-        break;
-    }
+    if (kind_of(i.what) == detail::function_kind::piecewise) return detail::name_of(i.what);
   }
   return std::nullopt;
 }
@@ -153,12 +155,20 @@ std::size_t expression::live_numbers() const {
 }
 
 namespace {
+expression_cost cost_of(detail::function_kind kind) {
+  switch (kind) {
+    case detail::function_kind::special:
+      return expression_cost::special;
+    case detail::function_kind::elementary:
+      return expression_cost::elementary;
+    default:
+      return expression_cost::algebraic;
+  }
+}
+
 expression_cost cost_of(operation what) {
+  if (const auto kind = kind_of(what)) return cost_of(*kind);
   switch (what) {
-    case operation::gamma:
-    case operation::log_gamma:
-    case operation::erf:
-    case operation::erfc:
     case operation::zeta:
     case operation::euler_gamma:
     case operation::catalan:
@@ -166,17 +176,10 @@ expression_cost cost_of(operation what) {
     case operation::negate:
     case operation::power_integer:
     case operation::root:
-    case operation::sqrt:
-    case operation::abs:
-    case operation::floor:
-    case operation::ceil:
     case operation::add:
     case operation::subtract:
     case operation::multiply:
     case operation::divide:
-    case operation::min:
-    case operation::max:
-    case operation::hypot:
       return expression_cost::algebraic;
     case operation::further:
       return expression_cost::further;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 
 #include "graph.hpp"
+#include "polhode/expression/function_table.hpp"
 
 namespace polhode {
 namespace detail {
@@ -14,6 +16,7 @@ using operands = std::vector<node_id>;
 // ---------------------------------------------------------------------------------------------
 // Domains, for operands that are numbers. (Elsewhere the evaluation finds out.)
 
+bool everywhere(const rational&) { return true; }
 bool not_negative(const rational& q) { return q >= 0; }
 bool positive(const rational& q) { return q > 0; }
 bool not_zero(const rational& q) { return q != 0; }
@@ -122,24 +125,59 @@ node_id function_of(graph& g, operation what, node_id x) {
 // ---------------------------------------------------------------------------------------------
 // The functions
 
-template <operation what>
-node_id everywhere(graph& g, const operands& x) {
-  return function_of(g, what, x[0]);
+/// How a call of the operation is read: by the domain that the table gives, or the function that it gives.
+template <operation what, auto reader>
+node_id read_call(graph& g, const operands& x) {
+  if constexpr (std::is_invocable_v<decltype(reader), graph&, const operands&>) {
+    return reader(g, x);
+  } else {
+    check_domain(g, name_of(what), x[0], reader);
+    return function_of(g, what, x[0]);
+  }
 }
 
-/// The function of that name in the table, on its domain.
-#define POLHODE_ON(f, defined)                 \
-  [](graph& g, const operands& x) {            \
-    check_domain(g, #f, x[0], defined);        \
-    return function_of(g, operation::f, x[0]); \
-  }
+/// The quotient of two functions of x; `above` may be none, for 1.
+node_id quotient(graph& g, std::optional<operation> above, operation below, node_id x) {
+  const node_id numerator = above ? function_of(g, *above, x) : g.number(1);
+  return divide(g, numerator, function_of(g, below, x));
+}
+node_id secant(graph& g, const operands& x) { return quotient(g, {}, operation::cos, x[0]); }
+node_id cosecant(graph& g, const operands& x) {
+  check_domain(g, "csc", x[0], not_zero);
+  return quotient(g, {}, operation::sin, x[0]);
+}
+node_id cotangent(graph& g, const operands& x) {
+  check_domain(g, "cot", x[0], not_zero);
+  return quotient(g, operation::cos, operation::sin, x[0]);
+}
+node_id hyperbolic_secant(graph& g, const operands& x) {
+  return quotient(g, {}, operation::cosh, x[0]);
+}
+node_id hyperbolic_cosecant(graph& g, const operands& x) {
+  check_domain(g, "csch", x[0], not_zero);
+  return quotient(g, {}, operation::sinh, x[0]);
+}
+node_id hyperbolic_cotangent(graph& g, const operands& x) {
+  check_domain(g, "coth", x[0], not_zero);
+  return quotient(g, {}, operation::tanh, x[0]);
+}
 
 /// The function of 1/x, where x is in the domain of the function of that name: the inverse of a reciprocal, as asec(x) = acos(1/x).
-template <operation what>
-node_id of_reciprocal(graph& g, const char* name, node_id x, bool (*defined)(const rational&)) {
+node_id of_reciprocal(graph& g, operation what, const char* name, node_id x,
+                      bool (*defined)(const rational&)) {
   check_domain(g, name, x, defined);
   return function_of(g, what, divide(g, g.number(1), x));
 }
+#define POLHODE_OF_RECIPROCAL(reader, name, what, defined)          \
+  node_id reader(graph& g, const operands& x) {                     \
+    return of_reciprocal(g, operation::what, #name, x[0], defined); \
+  }
+POLHODE_OF_RECIPROCAL(inverse_secant, asec, acos, outside_open_unit)
+POLHODE_OF_RECIPROCAL(inverse_cosecant, acsc, asin, outside_open_unit)
+POLHODE_OF_RECIPROCAL(inverse_hyperbolic_secant, asech, acosh, in_unit_but_zero)
+POLHODE_OF_RECIPROCAL(inverse_hyperbolic_cosecant, acsch, asinh, not_zero)
+POLHODE_OF_RECIPROCAL(inverse_hyperbolic_cotangent, acoth, atanh, outside_closed_unit)
+#undef POLHODE_OF_RECIPROCAL
 
 /// acot(x) = pi/2 - atan(x), in (0, pi) and analytic everywhere. For a number x > 0 that is atan(1/x), without cancellation.
 node_id inverse_cotangent(graph& g, const operands& x) {
@@ -185,6 +223,14 @@ node_id logarithm(graph& g, const char* name, node_id x, long b) {
   }
   return divide(g, function_of(g, operation::log, x), g.make(operation::log, g.number(b)));
 }
+
+node_id binary_logarithm(graph& g, const operands& x) { return logarithm(g, "log2", x[0], 2); }
+node_id decimal_logarithm(graph& g, const operands& x) { return logarithm(g, "log10", x[0], 10); }
+node_id natural_logarithm(graph& g, const operands& x) {
+  return read_call<operation::log, positive>(g, x);
+}
+
+node_id power_of(graph& g, const operands& x) { return power(g, x[0], x[1]); }
 
 node_id gamma_of(graph& g, const operands& x) {
   check_domain(g, "gamma", x[0], no_pole_of_gamma);
@@ -257,85 +303,23 @@ node_id atan2_of(graph& g, const operands& x) {
   return g.make(operation::atan2, x[0], x[1]);
 }
 
-constexpr const char* all = "all x";
+int arity_of(std::string_view arguments) {
+  return 1 + static_cast<int>(std::count(arguments.begin(), arguments.end(), ','));
+}
 
 }  // namespace
 
-// clang-format off
 const std::vector<function_row>& function_rows() {
+#define POLHODE_ROW(f, arguments, description, domain, kind, reader) \
+  {{#f, arguments, description, domain}, arity_of(arguments), read_call<operation::f, reader>},
+#define POLHODE_MADE(f, arguments, description, domain, reader) \
+  {{#f, arguments, description, domain}, arity_of(arguments), reader},
   static const std::vector<function_row> rows{
-      {{"sqrt", "x", "square root", "x >= 0"}, 1, POLHODE_ON(sqrt, not_negative)},
-      {{"cbrt", "x", "real cube root", all}, 1, cube_root_of},
-      {{"root", "x, n", "real n-th root, n a whole number from 1", "x >= 0; all x where n is odd"}, 2, root_of},
-      {{"pow", "x, y", "x^y", "as x^y"}, 2, [](graph& g, const operands& x) { return power(g, x[0], x[1]); }},
-      {{"exp", "x", "e^x", all}, 1, everywhere<operation::exp>},
-      {{"expm1", "x", "e^x - 1", all}, 1, everywhere<operation::expm1>},
-      {{"log", "x", "natural logarithm", "x > 0"}, 1, POLHODE_ON(log, positive)},
-      {{"ln", "x", "natural logarithm, the same as log", "x > 0"}, 1, POLHODE_ON(log, positive)},
-      {{"log1p", "x", "log(1 + x)", "x > -1"}, 1, POLHODE_ON(log1p, above_minus_one)},
-      {{"log2", "x", "logarithm to the base 2", "x > 0"}, 1, [](graph& g, const operands& x) { return logarithm(g, "log2", x[0], 2); }},
-      {{"log10", "x", "logarithm to the base 10", "x > 0"}, 1, [](graph& g, const operands& x) { return logarithm(g, "log10", x[0], 10); }},
-      {{"sin", "x", "sine", all}, 1, everywhere<operation::sin>},
-      {{"cos", "x", "cosine", all}, 1, everywhere<operation::cos>},
-      {{"tan", "x", "tangent", "no odd multiple of pi/2"}, 1, everywhere<operation::tan>},
-      {{"sec", "x", "1/cos(x)", "no odd multiple of pi/2"}, 1, [](graph& g, const operands& x) {
-         return divide(g, g.number(1), function_of(g, operation::cos, x[0])); }},
-      {{"csc", "x", "1/sin(x)", "no multiple of pi"}, 1, [](graph& g, const operands& x) {
-         check_domain(g, "csc", x[0], not_zero);
-         return divide(g, g.number(1), function_of(g, operation::sin, x[0])); }},
-      {{"cot", "x", "cos(x)/sin(x)", "no multiple of pi"}, 1, [](graph& g, const operands& x) {
-         check_domain(g, "cot", x[0], not_zero);
-         return divide(g, function_of(g, operation::cos, x[0]), function_of(g, operation::sin, x[0])); }},
-      {{"sinpi", "x", "sin(pi x)", all}, 1, everywhere<operation::sinpi>},
-      {{"cospi", "x", "cos(pi x)", all}, 1, everywhere<operation::cospi>},
-      {{"asin", "x", "arc sine, in [-pi/2, pi/2]", "-1 <= x <= 1"}, 1, POLHODE_ON(asin, in_closed_unit)},
-      {{"acos", "x", "arc cosine, in [0, pi]", "-1 <= x <= 1"}, 1, POLHODE_ON(acos, in_closed_unit)},
-      {{"atan", "x", "arc tangent, in (-pi/2, pi/2)", all}, 1, everywhere<operation::atan>},
-      {{"atan2", "y, x", "angle of the point (x, y), in (-pi, pi]", "not x = y = 0"}, 2, atan2_of},
-      {{"acot", "x", "inverse of cot, in (0, pi): pi/2 - atan(x)", all}, 1, inverse_cotangent},
-      {{"asec", "x", "inverse of sec, in [0, pi]: acos(1/x)", "x <= -1 or x >= 1"}, 1, [](graph& g, const operands& x) {
-         return of_reciprocal<operation::acos>(g, "asec", x[0], outside_open_unit); }},
-      {{"acsc", "x", "inverse of csc, in [-pi/2, pi/2]: asin(1/x)", "x <= -1 or x >= 1"}, 1, [](graph& g, const operands& x) {
-         return of_reciprocal<operation::asin>(g, "acsc", x[0], outside_open_unit); }},
-      {{"sinh", "x", "hyperbolic sine", all}, 1, everywhere<operation::sinh>},
-      {{"cosh", "x", "hyperbolic cosine", all}, 1, everywhere<operation::cosh>},
-      {{"tanh", "x", "hyperbolic tangent", all}, 1, everywhere<operation::tanh>},
-      {{"sech", "x", "1/cosh(x)", all}, 1, [](graph& g, const operands& x) {
-         return divide(g, g.number(1), function_of(g, operation::cosh, x[0])); }},
-      {{"csch", "x", "1/sinh(x)", "x != 0"}, 1, [](graph& g, const operands& x) {
-         check_domain(g, "csch", x[0], not_zero);
-         return divide(g, g.number(1), function_of(g, operation::sinh, x[0])); }},
-      {{"coth", "x", "1/tanh(x)", "x != 0"}, 1, [](graph& g, const operands& x) {
-         check_domain(g, "coth", x[0], not_zero);
-         return divide(g, g.number(1), function_of(g, operation::tanh, x[0])); }},
-      {{"asinh", "x", "inverse of sinh", all}, 1, everywhere<operation::asinh>},
-      {{"acosh", "x", "inverse of cosh, >= 0", "x >= 1"}, 1, POLHODE_ON(acosh, from_one)},
-      {{"atanh", "x", "inverse of tanh", "-1 < x < 1"}, 1, POLHODE_ON(atanh, in_open_unit)},
-      {{"asech", "x", "inverse of sech, >= 0: acosh(1/x)", "0 < x <= 1"}, 1, [](graph& g, const operands& x) {
-         return of_reciprocal<operation::acosh>(g, "asech", x[0], in_unit_but_zero); }},
-      {{"acsch", "x", "inverse of csch: asinh(1/x)", "x != 0"}, 1, [](graph& g, const operands& x) {
-         return of_reciprocal<operation::asinh>(g, "acsch", x[0], not_zero); }},
-      {{"acoth", "x", "inverse of coth: atanh(1/x)", "x < -1 or x > 1"}, 1, [](graph& g, const operands& x) {
-         return of_reciprocal<operation::atanh>(g, "acoth", x[0], outside_closed_unit); }},
-      {{"abs", "x", "|x|", all}, 1, everywhere<operation::abs>},
-      {{"sign", "x", "-1, 0 or 1 as x < 0, x = 0 or x > 0", all}, 1, sign_of},
-      {{"min", "x, y", "the smaller of both", "all x and y"}, 2, smaller_of},
-      {{"max", "x, y", "the greater of both", "all x and y"}, 2, greater_of},
-      {{"floor", "x", "greatest integer <= x", all}, 1, everywhere<operation::floor>},
-      {{"ceil", "x", "least integer >= x", all}, 1, everywhere<operation::ceil>},
-      {{"hypot", "x, y", "sqrt(x^2 + y^2)", "all x and y"}, 2, hypot_of},
-      {{"agm", "x, y", "arithmetic-geometric mean", "x >= 0 and y >= 0"}, 2, agm_of},
-      {{"gamma", "x", "Euler's gamma function", "no whole number <= 0"}, 1, gamma_of},
-      {{"log_gamma", "x", "log |gamma(x)|", "no whole number <= 0"}, 1, log_gamma_of},
-      {{"lgamma", "x", "log |gamma(x)|, the same as log_gamma", "no whole number <= 0"}, 1, log_gamma_of},
-      {{"erf", "x", "error function", all}, 1, everywhere<operation::erf>},
-      {{"erfc", "x", "1 - erf(x)", all}, 1, everywhere<operation::erfc>},
-      {{"zeta", "n", "Riemann's zeta function", "n a whole number from 2"}, 1, zeta_of},
-  };
+      POLHODE_FUNCTION_TABLE(POLHODE_ROW, POLHODE_ROW, POLHODE_ROW, POLHODE_MADE)};
+#undef POLHODE_ROW
+#undef POLHODE_MADE
   return rows;
 }
-// clang-format on
-#undef POLHODE_ON
 
 const std::vector<constant_row>& constant_rows() {
   static const std::vector<constant_row> rows{

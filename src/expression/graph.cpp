@@ -10,10 +10,9 @@ bool commutes(operation what) {
   switch (what) {
     case operation::add:
     case operation::multiply:
-    case operation::min:
-    case operation::max:
-    case operation::hypot:
-    case operation::agm:
+#define POLHODE_COMMUTES(f, ...) case operation::f:
+      POLHODE_FUNCTION_TABLE(POLHODE_NO_ROW, POLHODE_NO_ROW, POLHODE_COMMUTES, POLHODE_NO_ROW)
+#undef POLHODE_COMMUTES
       return true;
     default:
       return false;
@@ -139,8 +138,29 @@ std::string brief(const rational& q) {
 }
 
 int operands_of(operation what) {
-  if (what < operation::negate || what == operation::further) return 0;
-  return what < operation::add ? 1 : 2;
+  switch (what) {
+    case operation::negate:
+    case operation::power_integer:
+    case operation::root:
+      return 1;
+    case operation::add:
+    case operation::subtract:
+    case operation::multiply:
+    case operation::divide:
+    case operation::power:
+      return 2;
+#define POLHODE_ONE(f, ...) \
+  case operation::f:        \
+    return 1;
+#define POLHODE_TWO(f, ...) \
+  case operation::f:        \
+    return 2;
+      POLHODE_FUNCTION_TABLE(POLHODE_ONE, POLHODE_TWO, POLHODE_TWO, POLHODE_NO_ROW)
+#undef POLHODE_ONE
+#undef POLHODE_TWO
+    default:
+      return 0;
+  }
 }
 
 std::vector<node_id> operands_at(const graph& g, node_id i) {

@@ -17,40 +17,10 @@ const char* name_of(operation what) {
       return "zeta";
     case operation::root:
       return "root";
-#define POLHODE_NAME(f) \
-  case operation::f:    \
+#define POLHODE_NAME(f, ...) \
+  case operation::f:         \
     return #f;
-      POLHODE_NAME(sqrt)
-      POLHODE_NAME(abs)
-      POLHODE_NAME(floor)
-      POLHODE_NAME(ceil)
-      POLHODE_NAME(exp)
-      POLHODE_NAME(expm1)
-      POLHODE_NAME(log)
-      POLHODE_NAME(log1p)
-      POLHODE_NAME(sin)
-      POLHODE_NAME(cos)
-      POLHODE_NAME(tan)
-      POLHODE_NAME(sinpi)
-      POLHODE_NAME(cospi)
-      POLHODE_NAME(asin)
-      POLHODE_NAME(acos)
-      POLHODE_NAME(atan)
-      POLHODE_NAME(sinh)
-      POLHODE_NAME(cosh)
-      POLHODE_NAME(tanh)
-      POLHODE_NAME(asinh)
-      POLHODE_NAME(acosh)
-      POLHODE_NAME(atanh)
-      POLHODE_NAME(gamma)
-      POLHODE_NAME(log_gamma)
-      POLHODE_NAME(erf)
-      POLHODE_NAME(erfc)
-      POLHODE_NAME(min)
-      POLHODE_NAME(max)
-      POLHODE_NAME(hypot)
-      POLHODE_NAME(agm)
-      POLHODE_NAME(atan2)
+      POLHODE_FUNCTION_TABLE(POLHODE_NAME, POLHODE_NAME, POLHODE_NAME, POLHODE_NO_ROW)
 #undef POLHODE_NAME
     default:
       return "";

@@ -3,10 +3,14 @@
 // How a compiled formula is evaluated over a type T: the instructions one after another, in slots that are
 // used again. Needed only for a T beyond those that expression.hpp lists.
 //
-// T needs the operators + - * /, pow(x, n) and the functions sqrt, exp, log, sin, cos, tan, asin, acos,
-// atan, sinh, cosh, tanh, asinh, acosh and atanh; what T may lack is in detail::supplement<T>.
+// T needs the operators + - * / and pow(x, n). A named function is looked for in three places: supplement<T>, where T spells it otherwise
+// than by its name; the function of that name that is found by its argument; and, where there is none, what T answers of a
+// function that is known over balls alone (value_over). So a row of function_table.hpp and a function over balls
+// are enough for every T to have an answer, if only that the function is not available.
 
+#include <array>
 #include <concepts>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -18,35 +22,11 @@
 namespace polhode {
 namespace detail {
 
-/// The functions that a T may lack. Each static member obeys the inclusion principle, or answers that it
-/// is not defined, or not available, in T's way.
+/// What a T has under other names than those of the table, or does otherwise there. Each static member obeys the inclusion principle,
+/// or answers that it is not defined, or not available, in T's way. power_integer(x, n), power(x, y) and root(x, n) are
+/// x^n, x^y and the real root. `further(f, arguments)` is T's answer for a function that is known by f.value over balls.
 template <class T>
-struct supplement;
-
-template <>
-struct supplement<ball> {
-  static ball expm1(const ball& x) { return polhode::expm1(x); }
-  static ball log1p(const ball& x) { return polhode::log1p(x); }
-  static ball sinpi(const ball& x) { return polhode::sinpi(x); }
-  static ball cospi(const ball& x) { return polhode::cospi(x); }
-  static ball abs(const ball& x) { return polhode::abs(x); }
-  static ball floor(const ball& x) { return polhode::floor(x); }
-  static ball ceil(const ball& x) { return polhode::ceil(x); }
-  static ball min(const ball& x, const ball& y) { return polhode::min(x, y); }
-  static ball max(const ball& x, const ball& y) { return polhode::max(x, y); }
-  static ball hypot(const ball& x, const ball& y) { return polhode::hypot(x, y); }
-  static ball agm(const ball& x, const ball& y) { return polhode::agm(x, y); }
-  static ball atan2(const ball& y, const ball& x) { return polhode::atan2(y, x); }
-  static ball power_integer(const ball& x, long n) { return pow(x, n); }
-  static ball power(const ball& x, const ball& y) { return pow(x, y); }
-  static ball root(const ball& x, long n) {
-    return polhode::root(x, static_cast<unsigned long>(n));
-  }
-  static ball gamma(const ball& x) { return polhode::gamma(x); }
-  static ball log_gamma(const ball& x) { return polhode::log_gamma(x); }
-  static ball erf(const ball& x) { return polhode::erf(x); }
-  static ball erfc(const ball& x) { return polhode::erfc(x); }
-};
+struct supplement {};
 
 /// Off the real line abs, min, max, floor and ceil are those of region.hpp, decided by real parts, and are
 /// undefined where the real parts do not decide; root(z, n) of odd n is -root(-z, n) where Re z < 0; where
@@ -65,13 +45,7 @@ struct supplement<complex_ball> {
   static complex_ball hypot(const complex_ball& z, const complex_ball& w);
   static complex_ball agm(const complex_ball& z, const complex_ball& w);
   static complex_ball atan2(const complex_ball& y, const complex_ball& x);
-  static complex_ball power_integer(const complex_ball& z, long n);
-  static complex_ball power(const complex_ball& z, const complex_ball& w);
   static complex_ball root(const complex_ball& z, long n);
-  static complex_ball gamma(const complex_ball& z);
-  static complex_ball log_gamma(const complex_ball& z);
-  static complex_ball erf(const complex_ball& z);
-  static complex_ball erfc(const complex_ball& z);
 };
 
 /// agm is not available (obstacle::unknown); log_gamma for Re z > 0.
@@ -81,87 +55,41 @@ struct supplement<region> {
   static region log1p(const region& z);
   static region sinpi(const region& z);
   static region cospi(const region& z);
-  static region abs(const region& z);
-  static region floor(const region& z);
-  static region ceil(const region& z);
-  static region min(const region& z, const region& w);
-  static region max(const region& z, const region& w);
   static region hypot(const region& z, const region& w);
-  static region agm(const region& z, const region& w);
   static region atan2(const region& y, const region& x);
-  static region power_integer(const region& z, long n);
-  static region power(const region& z, const region& w);
   static region root(const region& z, long n);
-  static region gamma(const region& z);
-  static region log_gamma(const region& z);
   /// erf is entire: with m real, erf(z) - erf(m) is z - m times a mean of its derivative over the segment
   /// between them, and lies in (Z - m) (2/sqrt(pi)) exp(-W^2) for any convex W that holds m and Z.
   static region erf(const region& z);
   static region erfc(const region& z);
 };
 
+/// By way of balls: double_interval.hpp has the angle off a cut alone.
 template <>
 struct supplement<double_interval> {
-  static double_interval expm1(double_interval x);
-  static double_interval log1p(double_interval x);
-  static double_interval sinpi(double_interval x);
-  static double_interval cospi(double_interval x);
-  static double_interval abs(double_interval x);
-  static double_interval floor(double_interval x);
-  static double_interval ceil(double_interval x);
-  static double_interval min(double_interval x, double_interval y);
-  static double_interval max(double_interval x, double_interval y);
-  static double_interval hypot(double_interval x, double_interval y);
-  static double_interval agm(double_interval x, double_interval y);
   static double_interval atan2(double_interval y, double_interval x);
-  static double_interval power_integer(double_interval x, long n);
-  static double_interval power(double_interval x, double_interval y);
-  static double_interval root(double_interval x, long n);
-  static double_interval gamma(double_interval x);
-  static double_interval log_gamma(double_interval x);
-  static double_interval erf(double_interval x);
-  static double_interval erfc(double_interval x);
 };
-
-// Found by their arguments only, under names that no member of `supplement` hides.
-template <class T>
-[[nodiscard]] T error_function_of(const T& x) {
-  return erf(x);
-}
-template <class T>
-[[nodiscard]] T complementary_error_function_of(const T& x) {
-  return erfc(x);
-}
 
 /// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function of it; the
 /// derivatives of gamma, log_gamma and agm are not available, and undefined.
 template <int Order>
 struct supplement<jet<ball, Order>> {
   using series = jet<ball, Order>;
-  using on_balls = supplement<ball>;
 
-  static series expm1(const series& x) { return with_value(exp(x), on_balls::expm1(x[0])); }
-  static series log1p(const series& x) { return with_value(log(x + 1), on_balls::log1p(x[0])); }
+  static series expm1(const series& x) { return with_value(exp(x), polhode::expm1(x[0])); }
+  static series log1p(const series& x) { return with_value(log(x + 1), polhode::log1p(x[0])); }
   static series sinpi(const series& x) {
-    return with_value(sin(x * pi(x[0].precision())), on_balls::sinpi(x[0]));
+    return with_value(sin(x * pi(x[0].precision())), polhode::sinpi(x[0]));
   }
   static series cospi(const series& x) {
-    return with_value(cos(x * pi(x[0].precision())), on_balls::cospi(x[0]));
+    return with_value(cos(x * pi(x[0].precision())), polhode::cospi(x[0]));
   }
-  static series abs(const series& x) { return polhode::abs(x); }
-  static series floor(const series& x) { return polhode::floor(x); }
-  static series ceil(const series& x) { return polhode::ceil(x); }
-  static series min(const series& x, const series& y) { return polhode::min(x, y); }
-  static series max(const series& x, const series& y) { return polhode::max(x, y); }
   static series hypot(const series& x, const series& y) {
-    return with_value(sqrt(x * x + y * y), on_balls::hypot(x[0], y[0]));
-  }
-  static series agm(const series& x, const series& y) {
-    return value_only(x, on_balls::agm(x[0], y[0]));
+    return with_value(sqrt(x * x + y * y), polhode::hypot(x[0], y[0]));
   }
   /// By whichever of x > 0, y > 0 and y < 0 is certain; elsewhere the value only.
   static series atan2(const series& y, const series& x) {
-    const ball value = on_balls::atan2(y[0], x[0]);
+    const ball value = polhode::atan2(y[0], x[0]);
     if (certainly_positive(x[0])) return with_value(atan(y / x), value);
     if (contains_zero(y[0]) || y[0].is_undefined()) return value_only(x, value);
     return with_value(-atan(x / y), value);
@@ -175,17 +103,13 @@ struct supplement<jet<ball, Order>> {
     return with_value(exp(y * log(x)), value);
   }
   static series root(const series& x, long n) {
-    const ball value = on_balls::root(x[0], n);
+    const ball value = polhode::root(x[0], static_cast<unsigned long>(n));
     if (certainly_positive(x[0])) return with_value(exp(log(x) / n), value);
     if (certainly_negative(x[0]) && n % 2 != 0) {
       return with_value(-exp(log(-x) / n), value);
     }
     return value_only(x, value);
   }
-  static series gamma(const series& x) { return value_only(x, on_balls::gamma(x[0])); }
-  static series log_gamma(const series& x) { return value_only(x, on_balls::log_gamma(x[0])); }
-  static series erf(const series& x) { return error_function_of(x); }
-  static series erfc(const series& x) { return complementary_error_function_of(x); }
 
  private:
   static series with_value(series x, const ball& value) {
@@ -197,101 +121,19 @@ struct supplement<jet<ball, Order>> {
   }
 };
 
-/// The result of the instruction for the operands x and y, of which r may be one.
-template <class T>
-void execute(const instruction& i, T& r, const T& x, const T& y) {
-  using more = supplement<T>;
-// In the storage of r, where T has such a function (ball).
-#define POLHODE_OWN(f)                     \
-  case operation::f:                       \
-    if constexpr (requires { f(r, x); }) { \
-      f(r, x);                             \
-    } else {                               \
-      r = f(x);                            \
-    }                                      \
-    return;
-#define POLHODE_OPERATOR(f, sign)             \
-  case operation::f:                          \
-    if constexpr (requires { f(r, x, y); }) { \
-      f(r, x, y);                             \
-    } else {                                  \
-      r = x sign y;                           \
-    }                                         \
-    return;
-#define POLHODE_MORE(f) \
-  case operation::f:    \
-    r = more::f(x);     \
-    return;
-#define POLHODE_MORE_OF_TWO(f) \
-  case operation::f:           \
-    r = more::f(x, y);         \
-    return;
-  switch (i.what) {
-    POLHODE_OPERATOR(add, +)
-    POLHODE_OPERATOR(subtract, -)
-    POLHODE_OPERATOR(multiply, *)
-    POLHODE_OPERATOR(divide, /)
-    POLHODE_OWN(sqrt)
-    POLHODE_OWN(exp)
-    POLHODE_OWN(log)
-    POLHODE_OWN(sin)
-    POLHODE_OWN(cos)
-    POLHODE_OWN(tan)
-    POLHODE_OWN(asin)
-    POLHODE_OWN(acos)
-    POLHODE_OWN(atan)
-    POLHODE_OWN(sinh)
-    POLHODE_OWN(cosh)
-    POLHODE_OWN(tanh)
-    POLHODE_OWN(asinh)
-    POLHODE_OWN(acosh)
-    POLHODE_OWN(atanh)
-    POLHODE_MORE(expm1)
-    POLHODE_MORE(log1p)
-    POLHODE_MORE(sinpi)
-    POLHODE_MORE(cospi)
-    POLHODE_MORE(abs)
-    POLHODE_MORE(floor)
-    POLHODE_MORE(ceil)
-    POLHODE_MORE(gamma)
-    POLHODE_MORE(log_gamma)
-    POLHODE_MORE(erf)
-    POLHODE_MORE(erfc)
-    POLHODE_MORE_OF_TWO(min)
-    POLHODE_MORE_OF_TWO(max)
-    POLHODE_MORE_OF_TWO(hypot)
-    POLHODE_MORE_OF_TWO(agm)
-    POLHODE_MORE_OF_TWO(atan2)
-    POLHODE_MORE_OF_TWO(power)
-    case operation::negate:
-      r = -x;
-      return;
-    case operation::power_integer:
-      if constexpr (std::same_as<T, ball>) {
-        if (i.number == 2) return square(r, x);
-      }
-      r = more::power_integer(x, i.number);
-      return;
-    case operation::root:
-      r = more::root(x, i.number);
-      return;
-    default:  // numbers and variables are inputs, constants are evaluated apart
-      throw std::logic_error("an instruction without operands in the body of an expression");
-  }
-#undef POLHODE_OWN
-#undef POLHODE_OPERATOR
-#undef POLHODE_MORE
-#undef POLHODE_MORE_OF_TWO
+[[nodiscard]] inline const char* name_of_function(const further_function& f) {
+  return f.what.name.c_str();
 }
-template <>
-void execute(const instruction& i, mpfr_float& r, const mpfr_float& x, const mpfr_float& y);
-template <>
-void execute(const instruction& i, double& r, const double& x, const double& y);
+template <class F>
+[[nodiscard]] const char* name_of_function(const F&) {
+  return F::name;
+}
 
-/// The value of a further function over any type, from its values over balls; supplement<T>::further(f, arguments) has it
-/// for a T that has a way of its own.
-template <class T>
-[[nodiscard]] T value_of_further(const further_function& f, const std::vector<T>& x) {
+/// The value over any type of a function that is known by f.value over balls: a further_function, or a named one that T has not.
+/// x is a range of T or of references to them; supplement<T>::further(f, x) has it for a T that has a way of its own.
+template <class T, class F, class Range>
+[[nodiscard]] T value_over(const F& f, const Range& x) {
+  const T& first = x.front();
   const auto at_balls = [&](auto&& ball_of) {
     std::vector<ball> arguments;
     arguments.reserve(x.size());
@@ -301,7 +143,7 @@ template <class T>
   if constexpr (requires { supplement<T>::further(f, x); }) {
     return supplement<T>::further(f, x);
   } else if constexpr (std::same_as<T, ball>) {
-    return f.value(x);
+    return at_balls([](const ball& a) { return a; });
   } else if constexpr (std::same_as<T, mpfr_float>) {
     return midpoint(at_balls([](const mpfr_float& a) { return ball(a); }));
   } else if constexpr (std::same_as<T, double>) {
@@ -312,37 +154,214 @@ template <class T>
   } else if constexpr (std::same_as<T, complex_ball>) {
     for (const complex_ball& a : x) {
       if (sign_of(a.im) == sign::zero) continue;
-      return f.over_complex ? f.over_complex(x) : complex_ball::undefined(a.precision());
+      if constexpr (requires { f.over_complex; }) {
+        if (f.over_complex) return f.over_complex(x);
+      }
+      return complex_ball::undefined(a.precision());
     }
     return complex_ball(at_balls([](const complex_ball& a) { return a.re; }));
   } else if constexpr (std::same_as<T, region>) {
     for (const region& a : x) {
       if (!a.is_analytic()) return a;
     }
-    if (f.over_regions) return f.over_regions(x);
-    return region::blocked(obstacle::unknown, f.what.name.c_str());
+    if constexpr (requires { f.over_regions; }) {
+      if (f.over_regions) return f.over_regions(x);
+    }
+    return region::blocked(obstacle::unknown, name_of_function(f));
   } else if constexpr (is_jet<T>::value) {
-    T result = x.front();
+    T result = first;
     result[0] = at_balls([](const T& a) { return a[0]; });
     const ball none = ball::undefined(result[0].precision());
     for (int k = 1; k <= result.order(); ++k) result[k] = none;
-    if (f.gradient && result.order() >= 1) {
-      std::vector<ball> arguments;
-      arguments.reserve(x.size());
-      for (const T& a : x) arguments.push_back(a[0]);
-      const std::vector<ball> slopes = f.gradient(arguments);
-      ball sum(0, result[0].precision());
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        // What does not vary needs no derivative.
-        if (sign_of(x[i][1]) != sign::zero) sum += slopes[i] * x[i][1];
+    if constexpr (requires { f.gradient; }) {
+      if (f.gradient && result.order() >= 1) {
+        std::vector<ball> arguments;
+        arguments.reserve(x.size());
+        for (const T& a : x) arguments.push_back(a[0]);
+        const std::vector<ball> slopes = f.gradient(arguments);
+        ball sum(0, result[0].precision());
+        for (std::size_t i = 0; i < x.size(); ++i) {
+          // What does not vary needs no derivative.
+          if (sign_of(x[i][1]) != sign::zero) sum += slopes[i] * x[i][1];
+        }
+        result[1] = sum;
       }
-      result[1] = sum;
     }
     return result;
   } else {
-    return x.front().blocked(f.what.name.c_str());
+    return first.blocked(name_of_function(f));
   }
 }
+
+/// A function of the table, or x^n, x^y or the real root, in every arithmetic: over(x), over(x, y) or over(x, n), and put(r, ...) for the
+/// same in r, which may be one of the operands. is_own<T>: T has it, and does not answer by way of balls.
+template <operation what>
+struct named;
+
+#define POLHODE_NAMED_OF_ONE(f, ...)                                                     \
+  template <>                                                                            \
+  struct named<operation::f> {                                                           \
+    static constexpr const char* name = #f;                                              \
+    template <class T>                                                                   \
+    static constexpr bool is_otherwise = requires(const T& x) {                          \
+      supplement<T>::f(x);                                                               \
+    };                                                                                   \
+    template <class T>                                                                   \
+    static constexpr bool is_by_name = requires(const T& x) {                            \
+      { f(x) } -> std::same_as<T>;                                                       \
+    };                                                                                   \
+    template <class T>                                                                   \
+    static constexpr bool is_own = is_otherwise<T> || is_by_name<T>;                     \
+    template <class T>                                                                   \
+    [[nodiscard]] static T over(const T& x) {                                            \
+      if constexpr (is_otherwise<T>) {                                                   \
+        return supplement<T>::f(x);                                                      \
+      } else if constexpr (is_by_name<T>) {                                              \
+        return f(x);                                                                     \
+      } else {                                                                           \
+        static_assert(!std::same_as<T, ball>, "balls have every function of the table"); \
+        return value_over<T>(named(), std::array{std::cref(x)});                         \
+      }                                                                                  \
+    }                                                                                    \
+    template <class T>                                                                   \
+    static void put(T& r, const T& x) {                                                  \
+      if constexpr (!is_otherwise<T> && requires { f(r, x); }) {                         \
+        f(r, x);                                                                         \
+      } else {                                                                           \
+        r = over(x);                                                                     \
+      }                                                                                  \
+    }                                                                                    \
+    template <class T>                                                                   \
+    [[nodiscard]] static T of(std::span<const T> x) {                                    \
+      return over(x[0]);                                                                 \
+    }                                                                                    \
+    [[nodiscard]] static ball value(std::span<const ball> x) { return of(x); }           \
+  };
+#define POLHODE_NAMED_OF_TWO_AS(what, f)                                                 \
+  template <>                                                                            \
+  struct named<operation::what> {                                                        \
+    static constexpr const char* name = #f;                                              \
+    template <class T>                                                                   \
+    static constexpr bool is_otherwise = requires(const T& x, const T& y) {              \
+      supplement<T>::what(x, y);                                                         \
+    };                                                                                   \
+    template <class T>                                                                   \
+    static constexpr bool is_by_name = requires(const T& x, const T& y) {                \
+      { f(x, y) } -> std::same_as<T>;                                                    \
+    };                                                                                   \
+    template <class T>                                                                   \
+    static constexpr bool is_own = is_otherwise<T> || is_by_name<T>;                     \
+    template <class T>                                                                   \
+    [[nodiscard]] static T over(const T& x, const T& y) {                                \
+      if constexpr (is_otherwise<T>) {                                                   \
+        return supplement<T>::what(x, y);                                                \
+      } else if constexpr (is_by_name<T>) {                                              \
+        return f(x, y);                                                                  \
+      } else {                                                                           \
+        static_assert(!std::same_as<T, ball>, "balls have every function of the table"); \
+        return value_over<T>(named(), std::array{std::cref(x), std::cref(y)});           \
+      }                                                                                  \
+    }                                                                                    \
+    template <class T>                                                                   \
+    [[nodiscard]] static T of(std::span<const T> x) {                                    \
+      return over(x[0], x[1]);                                                           \
+    }                                                                                    \
+    [[nodiscard]] static ball value(std::span<const ball> x) { return of(x); }           \
+  };
+#define POLHODE_NAMED_OF_TWO(f, ...) POLHODE_NAMED_OF_TWO_AS(f, f)
+POLHODE_FUNCTION_TABLE(POLHODE_NAMED_OF_ONE, POLHODE_NAMED_OF_TWO, POLHODE_NAMED_OF_TWO,
+                       POLHODE_NO_ROW)
+POLHODE_NAMED_OF_TWO_AS(power, pow)
+#undef POLHODE_NAMED_OF_ONE
+#undef POLHODE_NAMED_OF_TWO
+#undef POLHODE_NAMED_OF_TWO_AS
+
+template <>
+struct named<operation::power_integer> {
+  template <class T>
+  [[nodiscard]] static T over(const T& x, long n) {
+    if constexpr (requires { supplement<T>::power_integer(x, n); }) {
+      return supplement<T>::power_integer(x, n);
+    } else {
+      return pow(x, n);
+    }
+  }
+};
+
+template <>
+struct named<operation::root> {
+  static constexpr const char* name = "root";
+  long n;
+
+  template <class T>
+  [[nodiscard]] static T over(const T& x, long n) {
+    if constexpr (std::same_as<T, ball>) {
+      return polhode::root(x, static_cast<unsigned long>(n));
+    } else if constexpr (requires { supplement<T>::root(x, n); }) {
+      return supplement<T>::root(x, n);
+    } else if constexpr (requires {
+                           { root(x, n) } -> std::same_as<T>;
+                         }) {
+      return root(x, n);
+    } else {
+      return value_over<T>(named{n}, std::array{std::cref(x)});
+    }
+  }
+  [[nodiscard]] ball value(std::span<const ball> x) const { return over(x[0], n); }
+};
+
+/// The result of the instruction for the operands x and y, of which r may be one.
+template <class T>
+void execute(const instruction& i, T& r, const T& x, const T& y) {
+// In the storage of r, where T has such a function (ball).
+#define POLHODE_OPERATOR(f, sign)             \
+  case operation::f:                          \
+    if constexpr (requires { f(r, x, y); }) { \
+      f(r, x, y);                             \
+    } else {                                  \
+      r = x sign y;                           \
+    }                                         \
+    return;
+#define POLHODE_OF_ONE(f, ...)      \
+  case operation::f:                \
+    named<operation::f>::put(r, x); \
+    return;
+#define POLHODE_OF_TWO(f, ...)           \
+  case operation::f:                     \
+    r = named<operation::f>::over(x, y); \
+    return;
+  switch (i.what) {
+    POLHODE_OPERATOR(add, +)
+    POLHODE_OPERATOR(subtract, -)
+    POLHODE_OPERATOR(multiply, *)
+    POLHODE_OPERATOR(divide, /)
+    POLHODE_OF_TWO(power)
+    POLHODE_FUNCTION_TABLE(POLHODE_OF_ONE, POLHODE_OF_TWO, POLHODE_OF_TWO, POLHODE_NO_ROW)
+    case operation::negate:
+      r = -x;
+      return;
+    case operation::power_integer:
+      if constexpr (std::same_as<T, ball>) {
+        if (i.number == 2) return square(r, x);
+      }
+      r = named<operation::power_integer>::over(x, i.number);
+      return;
+    case operation::root:
+      r = named<operation::root>::over(x, i.number);
+      return;
+    default:  // numbers and variables are inputs, constants are evaluated apart
+      throw std::logic_error("an instruction without operands in the body of an expression");
+  }
+#undef POLHODE_OPERATOR
+#undef POLHODE_OF_ONE
+#undef POLHODE_OF_TWO
+}
+// What these lack they take from the middle of a ball.
+template <>
+void execute(const instruction& i, mpfr_float& r, const mpfr_float& x, const mpfr_float& y);
+template <>
+void execute(const instruction& i, double& r, const double& x, const double& y);
+
 /// The operand's number -> the operand, in `operand`.
 template <class T, class Operand>
 [[nodiscard]] T value_of_call(const tape& t, const instruction& i, const Operand& operand) {
@@ -350,7 +369,7 @@ template <class T, class Operand>
   std::vector<T> arguments;
   arguments.reserve(call.operands.size());
   for (const std::uint32_t o : call.operands) arguments.push_back(operand(o));
-  return value_of_further<T>(*call.function, arguments);
+  return value_over<T>(*call.function, arguments);
 }
 
 /// The real number enclosed by x, as a T.

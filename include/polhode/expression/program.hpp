@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/expression/function_table.hpp"
 #include "polhode/expression/functions.hpp"
 
 namespace polhode::detail {
@@ -27,43 +28,16 @@ enum class operation : std::uint8_t {
   negate,
   power_integer,  // x^n
   root,           // the real n-th root, n >= 3
-  sqrt,
-  abs,
-  floor,
-  ceil,
-  exp,
-  expm1,
-  log,
-  log1p,
-  sin,
-  cos,
-  tan,
-  sinpi,
-  cospi,
-  asin,
-  acos,
-  atan,
-  sinh,
-  cosh,
-  tanh,
-  asinh,
-  acosh,
-  atanh,
-  gamma,
-  log_gamma,
-  erf,
-  erfc,
   // Of x and y.
   add,
   subtract,
   multiply,
   divide,
   power,
-  min,
-  max,
-  hypot,
-  agm,
-  atan2,  // of the point with abscissa y and ordinate x: in the order of the arguments
+// The functions of the table, of x, or of x and y in the order of the arguments.
+#define POLHODE_ENUMERATOR(f, ...) f,
+  POLHODE_FUNCTION_TABLE(POLHODE_ENUMERATOR, POLHODE_ENUMERATOR, POLHODE_ENUMERATOR, POLHODE_NO_ROW)
+#undef POLHODE_ENUMERATOR
   // Of any number of operands: n is the place in a list of calls.
   further,
 };
