@@ -22,6 +22,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/curve_motions.hpp"
+#include "polhode/rigid_body/motion.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -56,8 +57,8 @@ point point_at(const body& rigid, const rational& c, long digits) {
   const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
   point p{c, certain({t.verdict, t.why, t.epsilon}, "epsilon at c = " + to_text(c), digits), {}};
   if (c <= 0) {
-    // tan = sqrt(u/(1-u)), u = -c/b
-    const rational square(-c / (rigid.b() + c));
+    const rational u = motion(rigid, c).turning_point();
+    const rational square(u / (1 - u));  // of the tangent
     const auto angle = [&](precision q) { return atan(sqrt(ball(square, q))); };
     certain_number turning;
     turning.enclosure = enclose_to_digits(angle, digits, 15 * bits_for_digits(digits) + 1024);
