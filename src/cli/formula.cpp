@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "elliptic_functions.hpp"
 #include "errors.hpp"
 #include "layout.hpp"
 #include "polhode/expression/functions.hpp"
+#include "polhode/formulas/elliptic_functions.hpp"
 
 namespace polhode::cli {
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cli/formula_integrand.hpp"
 #include "integrals.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode::differential {
@@ -89,10 +89,10 @@ box_integral computed(const box_case& c) {
   for (const auto& [lower, upper] : c.sides) {
     box.emplace_back(*read(lower).exact_value(), *read(upper).exact_value());
   }
-  const limit to = c.to.is("inf") ? limit::infinity() : cli::limit_of(read(c.to));
+  const limit to = c.to.is("inf") ? limit::infinity() : limit_of(read(c.to));
   return detail::integrate_function_over_box(
-      cli::parametric_integrand_of(read(c.integrand, {"x", "a", "b"})), cli::limit_of(read(c.from)),
-      to, box, {.digits = 12, .most_boxes = c.boxes, .most_evaluations = 500});
+      parametric_integrand_of(read(c.integrand, {"x", "a", "b"})), limit_of(read(c.from)), to, box,
+      {.digits = 12, .most_boxes = c.boxes, .most_evaluations = 500});
 }
 
 TEST(boxes, hold_the_integral_at_their_points) {

@@ -1,4 +1,4 @@
-#include "formula_function.hpp"
+#include "polhode/formulas/function.hpp"
 
 #include <optional>
 
@@ -103,9 +103,6 @@ struct supplement<function_structure> {
 
 template class compiled_expression<function_structure>;
 
-namespace cli {
-
 real_function function_of(const expression& f) { return {f}; }
 
-}  // namespace cli
 }  // namespace polhode

@@ -3,9 +3,9 @@
 #include "polhode/expression/expression.hpp"
 #include "polhode/roots/real_function.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 /// A formula of one variable as the search for roots needs it.
 [[nodiscard]] real_function function_of(const expression& f);
 
-}  // namespace polhode::cli
+}  // namespace polhode

@@ -7,7 +7,7 @@
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 /// f must have one variable, or none.
 [[nodiscard]] detail::integrand integrand_of(const expression& f);
@@ -20,4 +20,4 @@ namespace polhode::cli {
 /// f's first variable is the argument, the others are the parameters.
 [[nodiscard]] detail::parametric_integrand parametric_integrand_of(const expression& f);
 
-}  // namespace polhode::cli
+}  // namespace polhode

@@ -1,4 +1,4 @@
-#include "formula_integrand.hpp"
+#include "polhode/formulas/integrand.hpp"
 
 #include <array>
 #include <span>
@@ -381,8 +381,6 @@ template class compiled_expression<end_series>;
 template class compiled_expression<tail_series>;
 template class compiled_expression<recorded>;
 
-namespace cli {
-
 detail::integrand integrand_of(const expression& f) {
   constexpr precision series_bits = 192;
   detail::integrand result;
@@ -481,5 +479,4 @@ detail::parametric_integrand parametric_integrand_of(const expression& f) {
   return result;
 }
 
-}  // namespace cli
 }  // namespace polhode
