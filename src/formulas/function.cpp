@@ -2,7 +2,12 @@
 
 #include <optional>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/formulas/integrand.hpp"
 
 namespace polhode {
 
@@ -103,6 +108,23 @@ struct supplement<function_structure> {
 
 template class compiled_expression<function_structure>;
 
-real_function function_of(const expression& f) { return {f}; }
+real_function function_of(const expression& f) {
+  if (f.variables().size() > 1) {
+    throw input_error(
+        fmt::format("the variables of the formula are {}; roots are found of a function of one",
+                    fmt::join(f.variables(), ", ")));
+  }
+  return {f};
+}
+
+range_end range_end_of(const expression& f) {
+  if (const auto form = limit_of(f).form()) return range_end(*form);
+  return range_end([f](precision p) { return f.value(p); });
+}
+
+root_set isolate_roots(const expression& f, const range_end& lower, const range_end& upper,
+                       const isolate_options& options) {
+  return isolate_roots(function_of(f), lower, upper, options);
+}
 
 }  // namespace polhode
