@@ -1,15 +1,15 @@
 #include "formula.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "elliptic_functions.hpp"
 #include "errors.hpp"
 #include "layout.hpp"
 #include "polhode/expression/functions.hpp"
+#include "polhode/formulas/elliptic_functions.hpp"
+#include "polhode/formulas/parse.hpp"
 
 namespace polhode::cli {
 
@@ -30,53 +30,10 @@ std::string without_margins(const std::string& text) {
 
 namespace {
 
-using definition = std::pair<std::string, std::string>;
+using definition = formula_definition;
 
 /// Throws input_error where the text can be no name of a variable.
-void expect_name(const std::string& name) {
-  (void)expression("0", {{name}, {}, elliptic_functions()});
-}
-
-/// The names in a formula, those of functions and constants too.
-std::set<std::string> names_in(const std::string& text) {
-  std::set<std::string> names;
-  const auto is_letter = [](char c) { return is_identifier({&c, 1}); };
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  for (auto at = text.begin(); at != text.end();) {
-    if (!is_letter(*at)) {
-      ++at;
-      continue;
-    }
-    const auto end =
-        std::find_if(at, text.end(), [&](char c) { return !is_letter(c) && !is_digit(c); });
-    names.emplace(at, end);
-    at = end;
-  }
-  return names;
-}
-
-/// Each definition behind those that it needs, else in the order given.
-std::vector<definition> in_order_of_need(std::vector<definition> given) {
-  std::vector<definition> result;
-  while (!given.empty()) {
-    const auto is_ready = [&](const definition& one) {
-      const std::set<std::string> needed = names_in(one.second);
-      return std::none_of(given.begin(), given.end(),
-                          [&](const definition& other) { return needed.contains(other.first); });
-    };
-    const auto next = std::find_if(given.begin(), given.end(), is_ready);
-    if (next == given.end()) {
-      std::string names;
-      for (const definition& one : given) names += (names.empty() ? "" : ", ") + one.first;
-      throw usage_error(given.size() == 1
-                            ? fmt::format("--let: the value of {} needs {} itself", names, names)
-                            : fmt::format("--let: the values of {} need each other", names));
-    }
-    result.push_back(std::move(*next));
-    given.erase(next);
-  }
-  return result;
-}
+void expect_name(const std::string& name) { (void)parse("0", {name}); }
 
 }  // namespace
 
@@ -111,7 +68,11 @@ std::vector<std::pair<std::string, std::string>> let_option::value() const {
                                     in_quotes(result.back().first)));
     }
   }
-  return in_order_of_need(std::move(result));
+  try {
+    return in_order_of_need(std::move(result));
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("--let: {}", error.what()));
+  }
 }
 
 namespace {
@@ -148,9 +109,10 @@ std::vector<std::string> parts_between_commas(const std::string& text) {
 
 expression read_formula(const std::string& given, const std::vector<std::string>& variables,
                         const let_option& let) {
+  const std::vector<definition> definitions = let.value();
   const std::string text = given.substr(std::min(given.find_first_not_of(' '), given.size()));
   try {
-    return expression(text, {variables, let.value(), elliptic_functions()});
+    return parse(text, variables, definitions);
   } catch (const input_error& error) {
     throw usage_error(fmt::format("{}: {}", in_quotes(text), error.what()));
   }

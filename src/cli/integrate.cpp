@@ -20,7 +20,6 @@
 #include "errors.hpp"
 #include "exact_decimals.hpp"
 #include "formula.hpp"
-#include "formula_integrand.hpp"
 #include "json_document.hpp"
 #include "layout.hpp"
 #include "memory_limit.hpp"
@@ -28,7 +27,8 @@
 #include "path_option.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
-#include "polhode/certificate/formula_certificates.hpp"
+#include "polhode/formulas/certificates.hpp"
+#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/polynomial_integral.hpp"
 #include "progress.hpp"
 #include "range_option.hpp"
@@ -319,7 +319,7 @@ exit_status integrate_over_box(const integrate_command_options& options) {
   check_memory(options, digits);
   const let_option numbers = options.let.numbers();
   std::vector<std::string> variables{options.variable};
-  detail::parameter_box box;
+  std::vector<parameter_range> box;
   for (const auto& [name, text] : options.let.intervals().value()) {
     variables.push_back(name);
     box.push_back(read_interval(name, text, numbers));
@@ -331,9 +331,7 @@ exit_status integrate_over_box(const integrate_command_options& options) {
     const progress line;
     line.show("integrating over boxes of parameters");
     const time_watch watch(options.time_limit.limit());
-    return detail::integrate_function_over_box(
-        parametric_integrand_of(f), a, b, box,
-        {.digits = digits + 1, .most_boxes = options.boxes.value()});
+    return integrate_box(f, a, b, box, {.digits = digits + 1, .most_boxes = options.boxes.value()});
   }();
   print(json_wanted ? json_document_text("integral", as_json(f, options, i, digits))
                     : as_text(i, digits));
@@ -361,7 +359,7 @@ void add_checkers_opinion(second_opinion& result, const expression& f,
   if (digits > most_digits_for_checker) return;
   std::optional<json> certificate;
   try {
-    certificate = integral_certificate(checkable_range(f, options), i.enclosure, digits);
+    certificate = certificate_of(checkable_range(f, options), i, digits);
   } catch (const std::invalid_argument&) {
     return;  // no certificate can hold it
   }
@@ -455,7 +453,7 @@ exit_status integrate_real(integrate_command_options& options) {
       report(f, options, integrate_closer, verify, counts, [&](const integral& i) {
         certified = i.verdict == status::certified;
         if (!certified) return;
-        options.certificate.write(integral_certificate(what, i.enclosure, options.digits.value()));
+        options.certificate.write(certificate_of(what, i, options.digits.value()));
       });
   options.certificate.expect_certified(certified);
   return result;
@@ -474,20 +472,10 @@ exit_status integrate_along_path(const integrate_command_options& options) {
       read_formula(options.formula, {options.variable, imaginary_unit}, options.let);
   const path along = options.along ? read_polygon(*options.along, options.let)
                                    : read_circle(*options.circle, options.let);
-  if (const auto name = f.function_not_analytic()) {
-    contour_integral refused;
-    refused.why = reason::not_analytic;
-    refused.obstacle = fmt::format("{} is not analytic in the complex plane", *name);
-    return report(
-        f, options, [&](const integrate_options&) { return refused; },
-        [](const contour_integral&) { return second_opinion(); });
-  }
-  const detail::complex_integrand g = complex_integrand_of(f);
   return report(
-      f, options,
-      [&](const integrate_options& goal) { return detail::integrate_path(g, along, goal); },
+      f, options, [&](const integrate_options& goal) { return integrate_along(f, along, goal); },
       [&](const contour_integral& i) {
-        return integral_again(g, along, i, options.digits.value(),
+        return integral_again(complex_integrand_of(f), along, i, options.digits.value(),
                               static_cast<int>(options.threads.value()));
       });
 }

@@ -16,14 +16,13 @@
 #include "count_option.hpp"
 #include "duration.hpp"
 #include "formula.hpp"
-#include "formula_function.hpp"
-#include "formula_integrand.hpp"
 #include "json_document.hpp"
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
-#include "polhode/certificate/formula_certificates.hpp"
+#include "polhode/formulas/certificates.hpp"
+#include "polhode/formulas/function.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "progress.hpp"
 #include "range_option.hpp"
@@ -62,8 +61,7 @@ given_end read_end(const std::string& text, const let_option& let) {
   if (sign > 0) return {end_point::infinity(), std::nullopt};
   if (sign < 0) return {-end_point::infinity(), std::nullopt};
   const expression f = read_formula(text, {}, let);
-  if (const auto form = end_point_of(f).form()) return {end_point(*form), f};
-  return {end_point([f](precision p) { return f.value(p); }), f};
+  return {end_point_of(f), f};
 }
 
 using given_range = std::pair<given_end, given_end>;
@@ -151,7 +149,7 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   {
     // For evaluations so long that the search does not come to look at the clock.
     const time_watch watch(2 * time_limit.limit());
-    result.roots = isolate_roots(function_of(f), range.first.end, range.second.end, options);
+    result.roots = isolate_roots(f, range.first.end, range.second.end, options);
   }
   if (ended_early) result.ended_after = time_limit.limit();
   const std::vector<root_region>& regions = result.roots.regions;
@@ -326,21 +324,13 @@ formula_over_range checkable_range(const expression& f, const given_range& range
 }
 
 /// Throws usage_error for an answer that no certificate can hold.
-json certificate_of(const formula_over_range& what, const answer& a, long digits) {
-  const auto refuse = [](const char* why) {
-    throw usage_error(fmt::format("--certificate: {}", why));
-  };
-  if (a.roots.identically_zero) refuse("the formula is 0 everywhere");
-  if (!a.roots.singular.empty()) {
-    refuse("the formula is not defined everywhere in the range; give one in which it is");
+json certificate_for_option(const formula_over_range& what, const answer& a, long digits) {
+  try {
+    expect_checkable(a.roots);
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("--certificate: {}", error.what()));
   }
-  std::vector<ball> enclosures;
-  enclosures.reserve(a.list.size());
-  for (const listed_root& r : a.list) {
-    if (r.region.multiplicity != 1) refuse("there is a multiple root; it must be simple");
-    enclosures.push_back(r.exact ? r.enclosure : refine(r.region, digits + 8).enclosure);
-  }
-  return roots_certificate(what, enclosures, digits);
+  return certificate_of(what, a.roots, digits);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -364,7 +354,7 @@ void add_checkers_opinion(second_opinion& result, const expression& f, const giv
   if (digits > most_digits_for_checker) return;
   std::optional<json> certificate;
   try {
-    certificate = certificate_of(checkable_range(f, range), a, digits);
+    certificate = certificate_of(checkable_range(f, range), a.roots, digits);
   } catch (const std::invalid_argument&) {
     return;  // no certificate can hold it
   }
@@ -403,7 +393,7 @@ exit_status run(roots_options& options) {
   if (options.verify.given && a.is_certified()) {
     opinion = verify(f, range, a, digits, threads);
   }
-  if (what && a.is_certified()) options.certificate.write(certificate_of(*what, a, digits));
+  if (what && a.is_certified()) options.certificate.write(certificate_for_option(*what, a, digits));
   if (format == "json") {
     json result = as_json(f, options, a, digits);
     if (opinion) result["second_opinion"] = opinion->as_json();

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "formula_function.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/function.hpp"
 #include "second_integral.hpp"
 
 namespace polhode::cli {

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "elliptic_functions.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/elliptic_functions.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -7,12 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/formula_integrand.hpp"
 #include "cli/second_integral.hpp"
 #include "cli/second_roots.hpp"
 #include "cli/second_value.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/formula_certificates.hpp"
+#include "polhode/formulas/integrand.hpp"
 
 namespace polhode::test {
 namespace {
@@ -127,7 +127,7 @@ integral moved(integral i) {
 
 TEST(SecondOpinion, AWrongIntegralIsContradicted) {
   for (const char* text : {"exp(x)", "sin(x)/x", "sqrt(x)*exp(x)", "1/(1+x^4)"}) {
-    const detail::integrand f = cli::integrand_of(formula(text));
+    const detail::integrand f = integrand_of(formula(text));
     const integral right = detail::integrate_function(f, 0, 1, {.digits = 20});
     ASSERT_EQ(right.verdict, status::certified) << text;
     EXPECT_TRUE(cli::integral_again(f, 0, 1, right, 20, 1).agrees()) << text;
@@ -137,7 +137,7 @@ TEST(SecondOpinion, AWrongIntegralIsContradicted) {
 }
 
 TEST(SecondOpinion, ANumberForADivergentIntegralIsContradicted) {
-  const detail::integrand f = cli::integrand_of(formula("exp(x)/(x-1/3)"));
+  const detail::integrand f = integrand_of(formula("exp(x)/(x-1/3)"));
   integral wrong;
   wrong.enclosure = ball(1, 64);
   wrong.verdict = status::certified;
@@ -147,7 +147,7 @@ TEST(SecondOpinion, ANumberForADivergentIntegralIsContradicted) {
 }
 
 TEST(SecondOpinion, AnotherRuleIsTakenThanTheFirst) {
-  const detail::integrand f = cli::integrand_of(formula("exp(x)"));
+  const detail::integrand f = integrand_of(formula("exp(x)"));
   for (const quadrature_rule rule :
        {quadrature_rule::taylor_series, quadrature_rule::gauss_legendre}) {
     integrate_options how{.digits = 20};
@@ -192,7 +192,7 @@ TEST(SecondOpinion, TheCutIsBetweenTheEndsAndOnNoHalf) {
 
 TEST(SecondOpinion, AWrongIntegralAlongAPathIsContradicted) {
   const expression f("exp(z)/z^3", {{"z", "i"}, {}, nullptr});
-  const detail::complex_integrand g = cli::complex_integrand_of(f);
+  const detail::complex_integrand g = complex_integrand_of(f);
   const path circle = path::circle(0, 1);
   contour_integral i = detail::integrate_path(g, circle, {.digits = 20});
   EXPECT_TRUE(cli::integral_again(g, circle, i, 20, 1).agrees());

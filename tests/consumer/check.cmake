@@ -41,7 +41,7 @@ if(NOT output STREQUAL "${VERSION}\n")
 endif()
 
 run("${work}/build/consumer_everything")
-if(NOT output STREQUAL "${VERSION} 0.373412066406213...\n")
+if(NOT output STREQUAL "${VERSION} 0.373412066406213...\n0.246824132812427... 1\n")
   message(FATAL_ERROR "the consumer of all headers printed:\n${output}")
 endif()
 

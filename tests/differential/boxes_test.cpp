@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cli/formula_integrand.hpp"
 #include "integrals.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode::differential {
@@ -89,11 +89,10 @@ box_integral computed(const box_case& c) {
   for (const auto& [lower, upper] : c.sides) {
     box.emplace_back(*read(lower).exact_value(), *read(upper).exact_value());
   }
-  const end_point to = c.to.is("inf") ? end_point::infinity() : cli::end_point_of(read(c.to));
+  const end_point to = c.to.is("inf") ? end_point::infinity() : end_point_of(read(c.to));
   return detail::integrate_function_over_box(
-      cli::parametric_integrand_of(read(c.integrand, {"x", "a", "b"})),
-      cli::end_point_of(read(c.from)), to, box,
-      {.digits = 12, .most_boxes = c.boxes, .most_evaluations = 500});
+      parametric_integrand_of(read(c.integrand, {"x", "a", "b"})), end_point_of(read(c.from)), to,
+      box, {.digits = 12, .most_boxes = c.boxes, .most_evaluations = 500});
 }
 
 TEST(boxes, hold_the_integral_at_their_points) {

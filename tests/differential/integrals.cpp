@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cli/formula_integrand.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/integrand.hpp"
 
 namespace polhode::differential {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 end_point read_limit(const term& t) {
   if (t.is("inf")) return end_point::infinity();
   if (t.is("-inf")) return -end_point::infinity();
-  return cli::end_point_of(read(t));
+  return end_point_of(read(t));
 }
 
 /// As the command line needs it: not to be taken for an option.
@@ -450,8 +450,8 @@ std::string command_of(const piece& p) {
 
 integral computed(const piece& p) {
   try {
-    return detail::integrate_function(cli::integrand_of(read(p.integrand, {"x"})),
-                                      read_limit(p.from), read_limit(p.to),
+    return detail::integrate_function(integrand_of(read(p.integrand, {"x"})), read_limit(p.from),
+                                      read_limit(p.to),
                                       {.digits = p.digits + 1,
                                        .most_evaluations = p.most_evaluations,
                                        .most_precision = 1L << 13,

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cli/formula_integrand.hpp"
 #include "cli/path_option.hpp"
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "tally.hpp"
 #include "term.hpp"
@@ -42,7 +42,7 @@ contour_integral computed(const path_case& c, counts& tally) {
   ++tally.computed;
   const path way =
       c.circle.empty() ? cli::read_polygon(c.along, {}) : cli::read_circle(c.circle, {});
-  return detail::integrate_path(cli::complex_integrand_of(read(c.integrand, {"z", "i"})), way,
+  return detail::integrate_path(complex_integrand_of(read(c.integrand, {"z", "i"})), way,
                                 {.digits = c.digits + 1, .most_evaluations = 2'000});
 }
 

@@ -11,10 +11,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cli/formula_function.hpp"
-#include "cli/formula_integrand.hpp"
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/function.hpp"
+#include "polhode/formulas/integrand.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "tally.hpp"
 #include "term.hpp"
@@ -40,7 +40,7 @@ end_point end_of(const term& t) {
   if (t.is("inf")) return end_point::infinity();
   if (t.is("-inf")) return -end_point::infinity();
   const expression f = read(t);
-  if (const auto form = cli::end_point_of(f).form()) return end_point(*form);
+  if (const auto form = end_point_of(f).form()) return end_point(*form);
   return end_point([f](precision p) { return f.value(p); });
 }
 
@@ -49,7 +49,7 @@ root_set roots_of(const root_case& c) {
   options.most_boxes = 3'000;
   options.most_unresolved = 100;
   options.most_precision = 1L << 11;
-  return isolate_roots(cli::function_of(read(c.f, {"x"})), end_of(c.from), end_of(c.to), options);
+  return isolate_roots(function_of(read(c.f, {"x"})), end_of(c.from), end_of(c.to), options);
 }
 
 /// A root that a function is known to have.

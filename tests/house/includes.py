@@ -25,7 +25,7 @@ FLOORS = [
     ["arithmetic"],
     ["expression"],  # formulas as text, and their evaluation
     ["quadrature", "roots", "elliptic", "certificate"],
-    ["rigid_body"],
+    ["rigid_body", "formulas"],  # formulas: what is integrated, searched for roots and certified of a formula
     ["scene", "proofs"],
     ["cost"],
     ["polhode.hpp", "cli"],  # polhode.hpp includes what a program needs most

@@ -1,9 +1,14 @@
-#include "formula_integrand.hpp"
+#include "polhode/formulas/integrand.hpp"
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode {
@@ -213,9 +218,20 @@ template class compiled_expression<end_series>;
 template class compiled_expression<tail_series>;
 template class compiled_expression<recorded>;
 
-namespace cli {
+namespace {
+
+/// Throws input_error unless f has at most so many variables.
+void expect_variables(const expression& f, std::size_t most, const char* what) {
+  const std::vector<std::string>& names = f.variables();
+  if (names.size() <= most) return;
+  throw input_error(
+      fmt::format("the variables of the formula are {}; {}", fmt::join(names, ", "), what));
+}
+
+}  // namespace
 
 detail::integrand integrand_of(const expression& f) {
+  expect_variables(f, 1, "an integrand has one, its argument");
   constexpr precision series_bits = 192;
   detail::integrand result;
   result.over = [f, in_hardware = f.evaluator<region>(64)](const region& x) {
@@ -235,6 +251,7 @@ detail::integrand integrand_of(const expression& f) {
 }
 
 end_point end_point_of(const expression& f) {
+  expect_variables(f, 0, "an end of a range has none");
   if (f.exact_value()) return end_point(*f.exact_value());
   const symmetry value = f.evaluator<symmetry>(64)(symmetry());
   if (value.value()) return end_point(*value.value());
@@ -242,16 +259,24 @@ end_point end_point_of(const expression& f) {
 }
 
 detail::complex_integrand complex_integrand_of(const expression& f) {
+  expect_variables(f, 2, "an integrand along a path has its argument and the imaginary unit");
+  const bool has_unit = f.variables().size() == 2;
   detail::complex_integrand result;
-  result.over = [f, in_hardware = f.evaluator<region>(64)](const region& z) {
+  result.over = [f, has_unit, in_hardware = f.evaluator<region>(64)](const region& z) {
+    const auto value = [&](const auto& g, const region& unit) {
+      if (!has_unit) return g(z);
+      const std::array values{z, unit};
+      return g(std::span<const region>(values));
+    };
     if (z.is_in_hardware()) {
-      const std::array values{z, region(double_interval(0), double_interval(1))};
-      return in_hardware(std::span<const region>(values));
+      return value(in_hardware, region(double_interval(0), double_interval(1)));
     }
-    const std::array values{z, region::in_balls(complex_ball::i(z.precision()))};
-    return f.evaluator<region>(z.precision())(std::span<const region>(values));
+    return value(f.evaluator<region>(z.precision()),
+                 region::in_balls(complex_ball::i(z.precision())));
   };
-  result.evaluator = [f](precision p) -> std::function<complex_ball(const complex_ball&)> {
+  result.evaluator = [f,
+                      has_unit](precision p) -> std::function<complex_ball(const complex_ball&)> {
+    if (!has_unit) return f.evaluator<complex_ball>(p);
     return [g = f.evaluator<complex_ball>(p), i = complex_ball::i(p)](const complex_ball& z) {
       const std::array values{z, i};
       return g(std::span<const complex_ball>(values));
@@ -313,5 +338,35 @@ detail::parametric_integrand parametric_integrand_of(const expression& f) {
   return result;
 }
 
-}  // namespace cli
+// ---------------------------------------------------------------------------------------------
+// The integrals
+
+integral integrate(const expression& f, const end_point& a, const end_point& b,
+                   const integrate_options& options) {
+  return detail::integrate_function(integrand_of(f), a, b, options);
+}
+
+contour_integral integrate_along(const expression& f, const path& along,
+                                 const integrate_options& options) {
+  const detail::complex_integrand g = complex_integrand_of(f);
+  if (const auto name = f.function_not_analytic()) {
+    contour_integral refused;
+    refused.why = reason::not_analytic;
+    refused.obstacle = fmt::format("{} is not analytic in the complex plane", *name);
+    return refused;
+  }
+  return detail::integrate_path(g, along, options);
+}
+
+box_integral integrate_box(const expression& f, const end_point& a, const end_point& b,
+                           const std::vector<parameter_range>& box, const box_options& options) {
+  if (f.variables().size() != box.size() + 1) {
+    throw input_error(
+        fmt::format("the formula has {} variables and the box {} sides; it must have a side for "
+                    "each variable behind the first",
+                    f.variables().size(), box.size()));
+  }
+  return detail::integrate_function_over_box(parametric_integrand_of(f), a, b, box, options);
+}
+
 }  // namespace polhode

@@ -1,4 +1,4 @@
-#include "elliptic_functions.hpp"
+#include "polhode/formulas/elliptic_functions.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -12,7 +12,7 @@
 #include "polhode/elliptic/legendre.hpp"
 #include "polhode/elliptic/theta.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 namespace {
 
 using balls = std::span<const ball>;
@@ -507,4 +507,4 @@ std::shared_ptr<const further_functions> elliptic_functions() {
   return functions;
 }
 
-}  // namespace polhode::cli
+}  // namespace polhode

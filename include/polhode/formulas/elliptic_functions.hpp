@@ -6,8 +6,8 @@
 
 #include "polhode/expression/functions.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 [[nodiscard]] std::shared_ptr<const further_functions> elliptic_functions();
 
-}  // namespace polhode::cli
+}  // namespace polhode

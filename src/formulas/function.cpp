@@ -1,10 +1,15 @@
-#include "formula_function.hpp"
+#include "polhode/formulas/function.hpp"
 
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/formulas/integrand.hpp"
 
 namespace polhode {
 
@@ -65,9 +70,18 @@ struct supplement<function_structure> {
 
 template class compiled_expression<function_structure>;
 
-namespace cli {
+real_function function_of(const expression& f) {
+  if (f.variables().size() > 1) {
+    throw input_error(
+        fmt::format("the variables of the formula are {}; roots are found of a function of one",
+                    fmt::join(f.variables(), ", ")));
+  }
+  return {f};
+}
 
-real_function function_of(const expression& f) { return {f}; }
+root_set isolate_roots(const expression& f, const end_point& lower, const end_point& upper,
+                       const isolate_options& options) {
+  return isolate_roots(function_of(f), lower, upper, options);
+}
 
-}  // namespace cli
 }  // namespace polhode

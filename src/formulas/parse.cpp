@@ -1,0 +1,64 @@
+#include "polhode/formulas/parse.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/formulas/elliptic_functions.hpp"
+
+namespace polhode {
+namespace {
+
+/// The names in a formula, those of functions and constants too.
+std::set<std::string> names_in(const std::string& text) {
+  std::set<std::string> names;
+  const auto is_letter = [](char c) { return is_identifier({&c, 1}); };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  for (auto at = text.begin(); at != text.end();) {
+    if (!is_letter(*at)) {
+      ++at;
+      continue;
+    }
+    const auto end =
+        std::find_if(at, text.end(), [&](char c) { return !is_letter(c) && !is_digit(c); });
+    names.emplace(at, end);
+    at = end;
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<formula_definition> in_order_of_need(std::vector<formula_definition> definitions) {
+  std::vector<formula_definition> result;
+  while (!definitions.empty()) {
+    const auto is_ready = [&](const formula_definition& one) {
+      const std::set<std::string> needed = names_in(one.second);
+      return std::none_of(
+          definitions.begin(), definitions.end(),
+          [&](const formula_definition& other) { return needed.contains(other.first); });
+    };
+    const auto next = std::find_if(definitions.begin(), definitions.end(), is_ready);
+    if (next == definitions.end()) {
+      std::string names;
+      for (const formula_definition& one : definitions) {
+        names += (names.empty() ? "" : ", ") + one.first;
+      }
+      throw input_error(definitions.size() == 1
+                            ? fmt::format("the value of {} needs {} itself", names, names)
+                            : fmt::format("the values of {} need each other", names));
+    }
+    result.push_back(std::move(*next));
+    definitions.erase(next);
+  }
+  return result;
+}
+
+expression parse(std::string_view text, const std::vector<std::string>& variables,
+                 const std::vector<formula_definition>& definitions) {
+  return expression(text, {variables, in_order_of_need(definitions), elliptic_functions()});
+}
+
+}  // namespace polhode

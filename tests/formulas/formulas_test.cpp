@@ -1,0 +1,158 @@
+// Formulas as what C++ users integrate, search for roots and certify.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/formulas/certificates.hpp"
+#include "polhode/formulas/function.hpp"
+#include "polhode/formulas/integrand.hpp"
+#include "polhode/formulas/parse.hpp"
+
+namespace polhode::test {
+namespace {
+
+/// The enclosure holds the number, and is narrow.
+void expect_number(const ball& found, const ball& known, long digits) {
+  EXPECT_TRUE(overlaps(found, known));
+  EXPECT_LE(found.radius(), pow(ball(10, 64), -digits).magnitude_upper());
+}
+
+TEST(FormulaIntegral, IsThatOfTheFormula) {
+  const end_point infinity = end_point::infinity();
+  const integral bell = integrate(parse("exp(-x^2)"), -infinity, infinity, {.digits = 40});
+  ASSERT_EQ(bell.verdict, status::certified) << bell.obstacle;
+  expect_number(bell.enclosure, sqrt(pi(300)), 39);
+  // Singular at an end, and a limit that is a multiple of pi.
+  const integral root = integrate(parse("1/sqrt(y)", {"y"}), 0, 4, {.digits = 30});
+  ASSERT_EQ(root.verdict, status::certified) << root.obstacle;
+  expect_number(root.enclosure, ball(4, 300), 28);
+  const integral sine =
+      integrate(parse("sin(x)"), 0, end_point_of(parse("pi", {})), {.digits = 30});
+  expect_number(sine.enclosure, ball(2, 300), 28);
+  // A formula without variables.
+  expect_number(integrate(parse("3", {}), 1, 2).enclosure, ball(3, 300), 14);
+}
+
+TEST(FormulaIntegral, DivergentOnesAreRefused) {
+  EXPECT_EQ(integrate(parse("1/x"), -1, 1).verdict, status::not_certified);
+  EXPECT_EQ(integrate(parse("1/x"), 1, end_point::infinity()).verdict, status::not_certified);
+}
+
+TEST(FormulaIntegral, LimitsAreAsExactAsTheirFormulas) {
+  EXPECT_EQ(end_point_of(parse("1/3 + 1/6", {})).exact(), rational(1, 2));
+  const end_point combination = end_point_of(parse("1 - 2*pi/3", {}));
+  ASSERT_TRUE(combination.form().has_value());
+  EXPECT_EQ(combination.form()->q, 1);
+  EXPECT_EQ(combination.form()->r, rational(-2, 3));
+  EXPECT_FALSE(end_point_of(parse("sqrt(2)", {})).form().has_value());
+  EXPECT_TRUE(overlaps(end_point_of(parse("sqrt(2)", {})).at(200), sqrt(ball(2, 200))));
+  EXPECT_EQ(end_point_of(parse("pi/2", {})).form()->r, rational(1, 2));
+}
+
+TEST(FormulaIntegral, AlongAPathWithAndWithoutTheImaginaryUnit) {
+  const path circle = path::circle(0, 1);
+  for (const expression& f : {parse("exp(z)/z^3", {"z"}), parse("-i^2*exp(z)/z^3", {"z", "i"})}) {
+    const contour_integral found = integrate_along(f, circle, {.digits = 25});
+    ASSERT_EQ(found.verdict, status::certified) << found.obstacle;
+    expect_number(found.enclosure.re, ball(0, 200), 24);
+    expect_number(found.enclosure.im, pi(200), 24);
+  }
+  const contour_integral turned = integrate_along(parse("i/z", {"z", "i"}), circle);
+  expect_number(turned.enclosure.re, -2 * pi(200), 14);
+}
+
+TEST(FormulaIntegral, AlongAPathFunctionsThatAreNotAnalyticAreRefused) {
+  const contour_integral found = integrate_along(parse("abs(z)", {"z"}), path::circle(0, 1));
+  EXPECT_EQ(found.verdict, status::not_certified);
+  EXPECT_EQ(found.why, reason::not_analytic);
+  EXPECT_EQ(found.obstacle, "abs is not analytic in the complex plane");
+  EXPECT_TRUE(found.enclosure.re.is_undefined());
+}
+
+TEST(FormulaIntegral, OverABoxOfParameters) {
+  const box_integral found = integrate_box(parse("k*x", {"x", "k"}), 0, 2, {{1, 3}});
+  ASSERT_EQ(found.verdict, status::certified) << found.obstacle;
+  EXPECT_LE(lower_rational(found.enclosure), 2);
+  EXPECT_GE(upper_rational(found.enclosure), 6);
+  EXPECT_LT(upper_rational(found.enclosure), 7);
+}
+
+TEST(FormulaIntegral, AnotherNumberOfVariablesIsRefused) {
+  const expression two = parse("x*y", {"x", "y"});
+  const expression three = parse("x*y*i", {"x", "y", "i"});
+  EXPECT_THROW((void)integrate(two, 0, 1), input_error);
+  EXPECT_THROW((void)end_point_of(parse("x")), input_error);
+  EXPECT_THROW((void)integrate_along(three, path::circle(0, 1)), input_error);
+  EXPECT_THROW((void)integrate_box(two, 0, 1, {}), input_error);
+  EXPECT_THROW((void)integrate_box(two, 0, 1, {{1, 2}, {1, 2}}), input_error);
+  EXPECT_THROW((void)isolate_roots(two, 0, 1), input_error);
+}
+
+TEST(FormulaRoots, AreThoseOfTheFormula) {
+  const root_set found =
+      isolate_roots(parse("(x-1)*(x^2-2)^3"), -end_point::infinity(), end_point::infinity());
+  ASSERT_TRUE(found.is_resolved());
+  ASSERT_EQ(found.regions.size(), 3U);
+  EXPECT_EQ(found.regions[0].multiplicity, 3);
+  EXPECT_EQ(found.regions[1].exact, 1);
+  expect_number(refine(found.regions[2], 30).enclosure, sqrt(ball(2, 200)), 29);
+}
+
+TEST(FormulaRoots, AtAnEndThatIsAMultipleOfPiAreInside) {
+  const root_set found = isolate_roots(parse("sin(x)"), 1, end_point_of(parse("3*pi", {})));
+  EXPECT_TRUE(found.is_resolved());
+  EXPECT_EQ(found.regions.size(), 3U);
+}
+
+// ---------------------------------------------------------------------------------------------
+// Certificates
+
+std::string refusal(const formula_over_range& what, const root_set& found) {
+  try {
+    (void)certificate_of(what, found, 10);
+  } catch (const input_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+formula_over_range range(const std::string& f, const std::string& from, const std::string& to) {
+  return {parse(f), parse(from, {}), parse(to, {})};
+}
+
+TEST(FormulaCertificate, HoldsTheIntegral) {
+  const formula_over_range what = range("4/(1+x^2)", "0", "1");
+  const integral found = integrate(what.f, 0, 1, {.digits = 25});
+  const json c = certificate_of(what, found, 20);
+  EXPECT_EQ(c, integral_certificate(what, found.enclosure, 20));
+  integral open = found;
+  open.verdict = status::not_certified;
+  EXPECT_THROW((void)certificate_of(what, open, 20), input_error);
+}
+
+TEST(FormulaCertificate, HoldsTheRoots) {
+  const formula_over_range what = range("(x^2-2)*(x-1/2)", "-2", "2");
+  const root_set found = isolate_roots(what.f, -2, 2);
+  const json c = certificate_of(what, found, 20);
+  EXPECT_EQ(c.at("claim"), "roots");
+  EXPECT_EQ(c.at("witness").at("boxes").size(), 3U) << c.dump(2);
+}
+
+TEST(FormulaCertificate, RootsThatNoneCanHoldAreRefused) {
+  const auto refused = [](const char* f) {
+    return refusal(range(f, "-2", "2"), isolate_roots(parse(f), -2, 2));
+  };
+  EXPECT_NE(refused("(x-1)^2").find("multiple root"), std::string::npos);
+  EXPECT_NE(refused("x - x").find("0 everywhere"), std::string::npos);
+  EXPECT_NE(refused("(x-1)/x").find("not defined everywhere"), std::string::npos);
+  root_set open = isolate_roots(parse("x^2-2"), -2, 2);
+  open.complete = false;
+  EXPECT_NE(refusal(range("x^2-2", "-2", "2"), open).find("not every place"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace polhode::test
