@@ -22,12 +22,12 @@ namespace {
 using namespace polhode;
 using namespace polhode::bench;
 
-struct motion {
+struct measured_motion {
   std::string name;
   initial_state state;
 };
 
-std::vector<motion> motions() {
+std::vector<measured_motion> motions() {
   const triple<rational> moments{3, 2, 1};
   const body rigid(1, rational(1, 3));
   return {
@@ -128,16 +128,16 @@ int main(int argc, char** argv) {
       {"Polhode", "dopri5"},
       {"faster"},
       12};
-  for (const motion& m : motions()) {
+  for (const measured_motion& m : motions()) {
     benchmarks.add(in_double, m.name, [m] { return samples_in_double(m.state); });
   }
-  for (const motion& m : motions()) {
+  for (const measured_motion& m : motions()) {
     benchmarks.add(balls, m.name, [m] { return samples_to_digits<ball>(m.state, 50); });
   }
-  for (const motion& m : motions()) {
+  for (const measured_motion& m : motions()) {
     benchmarks.add(numbers, m.name, [m] { return samples_to_digits<mpfr_float>(m.state, 50); });
   }
-  for (const motion& m : motions()) {
+  for (const measured_motion& m : motions()) {
     if (m.name == "c = -1e-300") continue;  // 1,000 such periods take dopri5 minutes
     benchmarks.add_measured(races, m.name, [m] { return against_odeint(m.state); });
   }
