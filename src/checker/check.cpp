@@ -23,7 +23,7 @@ void check_document(const json& certificate, report& result, budget& work) {
   }
   const std::string& name = root["claim"].text();
   const bool of_formula = name == "integral" || name == "roots";
-  const claim_text* text = find_claim_text(name);
+  const claim* text = find_claim(name);
   if (text == nullptr && !of_formula) {
     root["claim"].malformed("this version knows no claim " + in_quotes(name) +
                             "; `polhode certify --list` shows those that it knows");
@@ -47,7 +47,8 @@ void check_document(const json& certificate, report& result, budget& work) {
   }
   examination e(root, *text, result);
   e.expect_words();
-  check_claim(name, e);
+  text->check(e);
+  e.finish();
 }
 
 }  // namespace

@@ -175,9 +175,8 @@ void expect_grounds(const place& certificate, std::string_view tier,
   // The kinds of its steps, in this order.
   std::vector<std::string_view> kinds;
   const place facts = certificate["facts"];
-  for (const std::string_view kind :
-       {std::string_view(decided_exactly), std::string_view(enclosed),
-        std::string_view("argued in words"), std::string_view("cited")}) {
+  for (const std::string_view kind : {std::string_view(decided_exactly), std::string_view(enclosed),
+                                      argued_in_words, only_cited}) {
     bool has_it = kind == enclosed && !certificate["numbers"].value().empty();
     for (std::size_t i = 0; i < facts.size(); ++i) {
       has_it = has_it || facts.at(i)["kind"].text() == kind;

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "claim_texts.hpp"
+#include "claim.hpp"
 #include "document.hpp"
 #include "interval.hpp"
 
@@ -56,7 +56,7 @@ void expect_grounds(const place& certificate, std::string_view tier,
 
 class examination {
  public:
-  examination(place certificate, const claim_text& text, report& result)
+  examination(place certificate, const claim& text, report& result)
       : root_(std::move(certificate)), text_(text), report_(result) {}
 
   [[nodiscard]] budget& work() const { return root_.work(); }
@@ -122,7 +122,7 @@ class examination {
   ends next_number(const std::string& name);
 
   place root_;
-  const claim_text& text_;
+  const claim& text_;
   report& report_;
   rational a_;
   rational b_;
@@ -138,8 +138,5 @@ class examination {
 [[nodiscard]] std::string multiple_of_pi(const rational& q);
 /// "0.1234567890123 and 0.1234567890124": both ends, rounded outward.
 [[nodiscard]] std::string in_decimals(const range& r, budget& work);
-
-/// Checks what a claim of that name says, and calls finish.
-void check_claim(std::string_view name, examination& e);
 
 }  // namespace polhode::checker

@@ -1,5 +1,6 @@
 # The checker is a project of its own: src/checker is configured, built and installed apart, where no other package than its own is looked
-# for, and the program verifies a certificate and refuses a forged one. SOURCES, WORK, CERTIFICATES, COMPILER, LAUNCHER, FLAGS and GENERATOR are given.
+# for and a warning is an error, and the program verifies a certificate and refuses a forged one. SOURCES, WORK, CERTIFICATES, COMPILER, LAUNCHER, FLAGS and
+# GENERATOR are given.
 
 file(REMOVE_RECURSE "${WORK}")
 function(run expected)
@@ -17,7 +18,7 @@ foreach(package IN ITEMS MPFR fmt CLI11 TBB tomlplusplus pugixml GTest)
 endforeach()
 run(0 "${CMAKE_COMMAND}" -S "${SOURCES}" -B "${WORK}/build" -G "${GENERATOR}" ${without}
   "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
-  "-DCMAKE_CXX_FLAGS=${FLAGS}")
+  "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 run(0 "${CMAKE_COMMAND}" --build "${WORK}/build" --target polhode-check)
 run(0 "${CMAKE_COMMAND}" --install "${WORK}/build" --prefix "${WORK}/prefix")
 foreach(file IN ITEMS bin/polhode-check include/polhode/checker/check.hpp)

@@ -1,0 +1,57 @@
+// Where epsilon(c) is pi/2.
+
+#include "brackets.hpp"
+#include "checker/facts.hpp"
+#include "list.hpp"
+#include "shapes.hpp"
+
+namespace polhode::checker {
+namespace {
+
+void check_crossing(examination& e) {
+  e.read_body();
+  e.steps();
+  check_I(e);
+  const body rigid = body_of(e);
+  const integer count = rigid.crossings();
+  e.witness("crossings_count").expect_text(count.str());
+  e.fact("at the given a, b, in rationals: k < 1/I for " + counted(count) + ", and the body is " +
+             rigid.kind_in_words(),
+         (count == 0 || rigid.is_above_I(rational(integer(1), count))) &&
+             !rigid.is_above_I(rational(integer(1), count + 1)) &&
+             (count > 0) == (rigid.kind() < 0));
+  if (count > 0) {
+    check_brackets(
+        e, count, [](int k) { return rational(1, k); }, "crossings");
+  } else {
+    check_absence(e, 1);
+  }
+}
+
+}  // namespace
+
+claim crossing_claim() {
+  return {.name = "crossing",
+          .reference = "lemma 3",
+          .statement =
+              "epsilon(c) takes the value pi/2 in (-b, 0) if and only if I < 1, that is, if the "
+              "body is not physical: exactly ceil(1/I) - 1 times.",
+          .formula =
+              "epsilon(c*) = pi/2 for some c* in (-b, 0)  <=>  I < 1; it has ceil(1/I) - 1 such "
+              "solutions",
+          .method =
+              "For all a > 0, 0 < b < 1: by the symmetries of the reduced system psi_c(phi + G) = "
+              "-psi_c(phi), and psi_c(pi) = 0 exactly where pi = k G(u) for a whole k >= 1; G maps "
+              "(0, 1) one to one onto the values above pi I, so that there is one solution for "
+              "every k < 1/I. The first, G = pi, lies beyond the first intersection, G = 2 pi. "
+              "Computed: the polynomial steps for G, and the count in rationals. Cited: uniqueness "
+              "of solutions (Picard and Lindeloef).",
+          .steps = facts::with_more(facts::half_phase_steps),
+          .tier = with_words,
+          .argument = {facts::half_phase_takes_each_value_once, facts::symmetries,
+                       argued("psi_c(pi) = 0 exactly where pi = k G for a whole k >= 1."),
+                       facts::intermediate_values, facts::solutions_are_unique},
+          .check = check_crossing};
+}
+
+}  // namespace polhode::checker

@@ -1,0 +1,68 @@
+// The Montgomery phase of rotating motion.
+
+#include "answers.hpp"
+#include "checker/elliptic.hpp"
+#include "checker/facts.hpp"
+#include "checker/functions.hpp"
+#include "list.hpp"
+#include "shapes.hpp"
+
+namespace polhode::checker {
+namespace {
+
+/// At c = a/4, a/2, 3a/4 F(c,0) decreases and keeps within its bounds.
+tri rotating_phase_obeys_its_bounds(const body& rigid, precision bits) {
+  const interval limit = pi(bits) * rigid.J(bits);
+  std::optional<interval> before;
+  tri result = true;
+  for (const int quarter : {1, 2, 3}) {
+    const rational c(rigid.a * quarter / 4);
+    const interval value = rotating_phase(rigid.a, rigid.b, c, bits);
+    const interval least =
+        (rigid.I(bits) * asinh(pi(bits) * sqrt(exactly(rational(rigid.b / (4 * c)), bits))))
+            .scaled(1);
+    const interval most = limit * sqrt(exactly(rational(4, quarter), bits));
+    result = all_of({result, below(limit, value), below(least, value), below(value, most),
+                     before ? below(value, *before) : tri(true)});
+    before = value;
+  }
+  return result;
+}
+
+void check_montgomery_rotating(examination& e) {
+  e.read_body();
+  e.steps();
+  const body rigid = body_of(e);
+  e.number("greatest_lower_bound",
+           [&](precision bits) { return (pi(bits) * rigid.J(bits)).scaled(1); });
+  e.fact(
+      "at the given a, b the phase by the AGM at c = a/4, a/2, 3a/4 decreases, is above 2 pi J and "
+      "4 I arsinh((pi/2) sqrt(b/c)), and below 2 pi J sqrt(a/c)",
+      [&](precision bits) { return rotating_phase_obeys_its_bounds(rigid, bits); });
+}
+
+}  // namespace
+
+claim montgomery_rotating_claim() {
+  return {.name = "montgomery_rotating",
+          .reference = "theorem 2, eq. (17)",
+          .statement =
+              "The Montgomery phase of rotating motion decreases in c, and its greatest lower "
+              "bound is 2 pi J.",
+          .formula = "dphi(c) = 2 F(c,0): decreasing in c, inf = lim (c -> a) = 2 pi J",
+          .method =
+              "For all a > 0, 0 < b < 1: the integrand decreases strictly in c; (a+bX)/(c+bX) lies "
+              "between 1 and a/c, so that P < F(c,0) <= P sqrt(a/c) with P the integral at c = a, "
+              "which is pi J by an antiderivative. So pi J is the limit for c -> a and the "
+              "greatest lower bound, which is not attained for c < a. Computed: the polynomial "
+              "steps; the rest is monotonicity of the integral.",
+          .steps = facts::with_more(facts::rotating_phase_steps),
+          .tier = with_words,
+          .argument =
+              {facts::integral_decreases_with_integrand,
+               argued("As c tends to a both bounds tend to P, which is pi J by the antiderivative: "
+                      "this is the greatest lower bound, and it is not attained.")},
+          .check = check_montgomery_rotating};
+}
+
+}  // namespace polhode::checker

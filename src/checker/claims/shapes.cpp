@@ -1,0 +1,61 @@
+#include "shapes.hpp"
+
+#include "answers.hpp"
+#include "checker/elliptic.hpp"
+#include "checker/functions.hpp"
+
+namespace polhode::checker {
+namespace {
+
+void check_constant(examination& e, const std::string& name, bool exists, const rational& exact,
+                    const std::function<interval(precision bits)>& f) {
+  if (exists) {
+    e.fact("at the given a, b: " + name + " = " + exact.str() + " exactly", true);
+  } else {
+    e.number(name, f);
+  }
+}
+
+}  // namespace
+
+void check_steps_only(examination& e) {
+  e.read_no_inputs();
+  e.steps();
+}
+
+void check_I(examination& e) {
+  const body rigid = body_of(e);
+  rational exact;
+  const bool exists = exact_root(rigid.squared_I(), exact);
+  check_constant(e, "I", exists, exact, [&](precision bits) { return rigid.I(bits); });
+}
+
+void check_J(examination& e) {
+  const body rigid = body_of(e);
+  rational exact;
+  const bool exists = exact_root(rigid.squared_J_plus_1(), exact);
+  exact -= 1;
+  check_constant(e, "J", exists, exact, [&](precision bits) { return rigid.J(bits); });
+}
+
+tri half_phase_obeys_its_bounds(const body& rigid, precision bits) {
+  const rational& a = rigid.a;
+  const rational& b = rigid.b;
+  const interval limit = pi(bits) * rigid.I(bits);
+  std::optional<interval> before;
+  tri result = true;
+  for (const int quarter : {1, 2, 3}) {
+    const rational u(quarter, 4);
+    const interval value = half_phase(a, b, u, bits);
+    const interval least =
+        (rigid.I(bits) * asinh(pi(bits) / sqrt(exactly(rational(4 * u), bits)))).scaled(1);
+    const interval ratio = exactly(rational((1 - b * u) / (1 - b)), bits) *
+                           sqrt(exactly(rational((a + b) / (u * (a + b * u))), bits));
+    result = all_of({result, below(limit, value), below(least, value), below(value, limit * ratio),
+                     before ? below(value, *before) : tri(true)});
+    before = value;
+  }
+  return result;
+}
+
+}  // namespace polhode::checker

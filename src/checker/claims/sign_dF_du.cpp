@@ -1,0 +1,167 @@
+// The sign of dF/du, by an integral, an identity and a sweep.
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "answers.hpp"
+#include "checker/elliptic.hpp"
+#include "checker/facts.hpp"
+#include "checker/functions.hpp"
+#include "checker/polynomial.hpp"
+#include "list.hpp"
+#include "sweep.hpp"
+#include "trapezoid.hpp"
+
+namespace polhode::checker {
+namespace {
+
+/// -(1/4) b^(-1/2) (1 + cos t)(a + (a+2) b X)/(X (a + b X))^(3/2), X = ((1+u) - (1-u) cos t)/2: dG/du is its integral. On the strip |X| <= above,
+/// Re X >= below, |1 + cos t| <= 1 + cosh H, and |X (a + b X)| >= below (a + b below).
+periodic_integrand slope_integrand(const rational& a, const rational& b, const rational& u) {
+  const rational slope((a + 2) * b);
+  return {[=](const interval& cosine) {
+            const precision bits = cosine.bits();
+            const interval x = exactly(rational((1 + u) / 2), bits) -
+                               exactly(rational((1 - u) / 2), bits) * cosine;
+            const interval product = x * (exactly(a, bits) + exactly(b, bits) * x);
+            const interval numerator =
+                (exactly(1, bits) + cosine) * (exactly(a, bits) + exactly(slope, bits) * x);
+            return -numerator / (sqrt(exactly(b, bits)) * product * sqrt(product) * 4);
+          },
+          [=](const rational& half_width, precision bits) {
+            const strip_range x = range_on_strip(u, half_width, bits);
+            if (!x.below.is_positive()) throw undecided("x may be 0 on it");
+            const interval cosh = cosh_of(half_width, bits);
+            const interval product = x.below * (exactly(a, bits) + exactly(b, bits) * x.below);
+            const interval numerator =
+                (exactly(1, bits) + cosh) * (exactly(a, bits) + exactly(slope, bits) * x.above);
+            return numerator / (sqrt(exactly(b, bits)) * product * sqrt(product) * 4);
+          }};
+}
+
+/// d(h^2)/du, expanded: with X = u + (1-u) k, k = y^2, N = a (1 - bX)^2 and D = (1-k) X (a + bX), (N' D - N D')/D^2 is
+/// -a (1 - bX)(a + (a+2) b X)/(X (a + bX))^2.
+bool identity_holds() {
+  const polynomial x = polynomial::read("u+(1-u)*k");
+  const auto in_x = [&](const char* text) { return polynomial::read(text).with('x', x); };
+  const polynomial n = in_x("a*(1-b*x)^2");
+  const polynomial d = in_x("(1-k)*x*(a+b*x)");
+  return n.derivative('u') * d - n * d.derivative('u') == in_x("-a*(1-b*x)*(a+(a+2)*b*x)*(1-k)^2");
+}
+
+/// The second route: the integral of eq. (44), or the note that u is too near 0 for it.
+void check_integral_route(examination& e, const range& value) {
+  const rational& a = e.a();
+  const rational& b = e.b();
+  const rational& u = e.u();
+  const place quadrature = e.witness("quadrature");
+  if (quadrature.has("note")) {
+    quadrature.expect_keys({"verdict", "rule", "note"});
+    quadrature["verdict"].expect_text("not certified");
+    quadrature["rule"].expect_text("periodic trapezoid, 2n nodes (2k+1) pi/(2n)");
+    quadrature["note"].expect_text(
+        "u is so near 0 that the rule would need more than 200000 nodes: this route is left out, "
+        "and the AGM stands alone");
+    // The strip's half-width is below artanh sqrt u < 2 sqrt u: for u above q^2 the rule has the digits with fewer nodes.
+    const rational q(4 * std::min(e.digits(), 1000L) + 200 + e.input_bits(), 250'000);
+    if (u > q * q) quadrature["note"].refute("u is not so near 0");
+  } else {
+    quadrature.expect_keys(
+        {"verdict", "rule", "nodes", "half_width", "supremum", "truncation_error", "value"});
+    quadrature["verdict"].expect_text("certified");
+    interval integral = check_quadrature(quadrature, slope_integrand(a, b, u), e.input_bits());
+    const range given = examination::decimals(quadrature["value"], [&](long) { return integral; });
+    constexpr long most_quadrature_digits = 1000;
+    quadrature["value"]["digits"].expect_whole(std::min(e.digits(), most_quadrature_digits));
+    e.fact("the paper's eq. (44) by certified quadrature, to " +
+               std::to_string(std::min(e.digits(), most_quadrature_digits)) +
+               " digits, overlaps the value by AGM and is negative",
+           overlaps(integral, value.lower, value.upper) && given.upper < 0, enclosed);
+  }
+}
+
+/// The paper's derivative of the integrand, and its sign.
+void check_identity(examination& e) {
+  const place identity = e.witness("identity");
+  identity.expect_keys({"points", "degrees"});
+  identity["points"].expect_whole(528);
+  identity["degrees"].expect_text(
+      "cleared of denominators both sides are polynomials of degree at most 2 in a, 3 in b, 3 in u "
+      "and 10 in y; they agree on a grid of 3 x 4 x 4 x 11 points, hence everywhere");
+  const bool holds = identity_holds();
+  e.fact(
+      "the u-derivative of the integrand of eq. (43) is the integrand of eq. (44): d(h^2)/du = -a "
+      "(1 - bX)(a + (a+2) b X)/(X (a + bX))^2, equal in exact rationals at 528 points",
+      holds);
+  e.fact(
+      "for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
+      "(44) is positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
+      holds &&
+          letter_ranges("a > 0, b > 0, x > 0").show_sign(polynomial::read("a+(a+2)*b*x"), true));
+}
+
+void check_boxes(examination& e, const range& value) {
+  const rational& a = e.a();
+  const rational& b = e.b();
+  const rational& u = e.u();
+  const std::size_t boxes = check_sweep(e.witness("sweep"));
+  e.fact(
+      "interval sweep: -u sqrt(b(a+b)) dF/du > 3/4 on all of [0,1]^3 in the variables a/(a+b), "
+      "b(1+a)/(a+b), u (" +
+          std::to_string(boxes) + " boxes)",
+      true, enclosed);
+  const interval integral = enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u,
+                                         precision(sweep_bits + e.input_bits(), e.work()));
+  e.fact("the sweep's integral at the given a, b, u holds the value above",
+         [&](precision bits) -> tri {
+           const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
+           const interval W = factor * interval::between(value.lower, value.upper, bits);
+           if (is_inside(W, integral.lower(), integral.upper())) return true;
+           if (!overlaps(W, integral.lower(), integral.upper())) return false;
+           return std::nullopt;
+         });
+}
+
+void check_sign_dF_du(examination& e) {
+  e.read_motion();
+  const rational& a = e.a();
+  const rational& b = e.b();
+  const rational& u = e.u();
+  const range value =
+      e.number("dF_du", [&](precision bits) { return half_phase_slope(a, b, u, bits); });
+  e.fact("at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)", value.upper < 0,
+         enclosed);
+  check_integral_route(e, value);
+  check_identity(e);
+  check_boxes(e, value);
+}
+
+}  // namespace
+
+claim sign_dF_du_claim() {
+  return {
+      .name = "sign_dF_du",
+      .reference = "appendix A, lemma 6, eq. (44)",
+      .statement =
+          "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its "
+          "derivative is negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
+      .formula =
+          "dF(-bu,u)/du = -(b/(ab)^(3/2)) integral over (0,1) of sqrt(1-y^2) (a + (a+2) b X)/(X (1 "
+          "+ bX/a))^(3/2) dy < 0, X = u + (1-u) y^2",
+      .method =
+          "At the given a, b, u the value is enclosed by two routes that share no formula. For all "
+          "a, b, u: after y = sin s the integrand of eq. (43) and its u-derivative are continuous "
+          "in (s, u) on [0, pi/2] x [u_0, 1] for every u_0 > 0, so differentiation under the "
+          "integral is allowed; the derivative of the integrand is the paper's, an exact identity "
+          "of rational functions; its sign is read off its factors. The sweep bounds the same "
+          "quantity over the whole compactified box of parameters in interval arithmetic.",
+      .steps = {},
+      .tier = with_words,
+      .argument = {argued("Differentiation under the integral: the integrand and its derivative in "
+                          "u are continuous on [0, pi/2] x [u_0, 1] for every u_0 > 0. An integral "
+                          "of what is negative is negative.")},
+      .check = check_sign_dF_du};
+}
+
+}  // namespace polhode::checker
