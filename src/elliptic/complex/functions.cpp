@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-using namespace detail::
-    in_plane;  // NOLINT(google-build-using-namespace): the templates beside this file
+// The templates beside this file.
+using namespace detail::in_plane;  // NOLINT(google-build-using-namespace)
 
 namespace {
 
