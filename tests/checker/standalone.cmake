@@ -18,7 +18,8 @@ foreach(package IN ITEMS MPFR fmt CLI11 TBB tomlplusplus pugixml GTest)
 endforeach()
 run(0 "${CMAKE_COMMAND}" -S "${SOURCES}" -B "${WORK}/build" -G "${GENERATOR}" ${without}
   "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
-  "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
+  # At -O3 g++ 12 warns of an overlap inside of std::string's own operator+ (GCC's bug 105651).
+  "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 run(0 "${CMAKE_COMMAND}" --build "${WORK}/build" --target polhode-check)
 run(0 "${CMAKE_COMMAND}" --install "${WORK}/build" --prefix "${WORK}/prefix")
 foreach(file IN ITEMS bin/polhode-check include/polhode/checker/check.hpp)
