@@ -145,7 +145,7 @@ void check_csv(const std::string& text, const std::string& where) {
     bool has_words = false;
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const bool explains = header[k] == "remark" || header[k] == "word";
-      has_words = has_words || (explains && cells[k].size() > (cells[k].front() == '"' ? 2 : 0));
+      has_words = has_words || (explains && cells[k].size() > (cells[k].starts_with('"') ? 2 : 0));
     }
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (is_of_words(header[k])) continue;
