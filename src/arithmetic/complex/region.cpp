@@ -17,6 +17,10 @@ bool ends_at_zero(double_interval x) { return (x.lower() == 0) != (x.upper() == 
 bool ends_at_zero(const rectangle<double_interval>& z) {
   return ends_at_zero(z.re) || ends_at_zero(z.im);
 }
+/// What is made of it ends at 0 as a rule: x^2 of [-4, 4] does.
+bool touches_zero(const rectangle<double_interval>& z) {
+  return ends_at_zero(z) || contains_zero(z);
+}
 
 /// Every end is 0 or a normal double.
 bool is_regular(double_interval x) {
@@ -376,7 +380,7 @@ double_interval region::im() const {
 
 /// f in hardware, with an exponent, or in balls where an operand is kept in them or the result leaves the hardware's
 /// range: also where an end may have underflowed to 0, so that the set would seem to touch a pole or a
-/// branch point. (What is made of sets that end at 0 ends at 0 as a rule, and balls would not help; not
+/// branch point. (What is made of sets that end at 0, or hold it, ends at 0 as a rule, and balls would not help; not
 /// so exp of [-1000, 0]: `zero_is_news` where it may underflow.) An undefined result of operands without an obstacle is
 /// retried too: it may come of infinity - infinity; if balls do no better, it is not analytic.
 template <class Hardware, class Balls, class Scaled>
@@ -385,7 +389,7 @@ region region::combined(const region& z, const region& w, Hardware&& hardware, B
   if (!z.is_analytic()) return z;
   if (!w.is_analytic()) return w;
   if (z.is_in_hardware() && w.is_in_hardware()) {
-    const bool zero_is_usual = ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_);
+    const bool zero_is_usual = touches_zero(z.hardware_) || touches_zero(w.hardware_);
     const auto suspicious = [&](const region& r, bool is_news) {
       return ends_at_zero(r.hardware_) && (is_news || !zero_is_usual);
     };
@@ -413,7 +417,7 @@ struct region::functions {
     if (!z.is_moderate() || !w.is_moderate()) return false;
     r.hardware_ = f(z.hardware_, w.hardware_);
     return is_regular(r.hardware_) &&
-           (!ends_at_zero(r.hardware_) || ends_at_zero(z.hardware_) || ends_at_zero(w.hardware_));
+           (!ends_at_zero(r.hardware_) || touches_zero(z.hardware_) || touches_zero(w.hardware_));
   }
   /// Whether the predicate holds of the set, in the form in which it is kept.
   template <class Predicate>

@@ -380,7 +380,7 @@ double cut_for(const std::function<magnitude(const ball& y)>& left, double r,
                const magnitude& goal) {
   const auto enough = [&](double y) { return left(ball::exactly(y, 64)) <= goal; };
   double high = 1 / r;
-  while (high < 0x1p40 && !enough(high)) high *= 2;
+  while (high < 0x1p40 / r && !enough(high)) high *= 2;
   if (!enough(high)) return 0;
   double low = high / 2;
   for (int k = 0; k < 6 && low >= 1 / r; ++k) {
@@ -412,9 +412,12 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
       end.infinite
           ? log2_of_samples(f, p.with_precision(64), s.with_precision(64), {8, 9, 12, 20, 40})
           : log2_of_samples(f, p.with_precision(64), s.with_precision(64), {1, 2, 4, 7, 8});
-  const magnitude goal =
-      magnitude::power_of_two(static_cast<long>(size - 1.05 * static_cast<double>(bits) - 48));
-  for (const double r : {0.5, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-24}) {
+  // Numbers have exponents down to about -2^30; where the samples lie far from a peak they tell nothing of it.
+  constexpr double least_goal = -0x1p29;
+  const double log2_goal = std::max(size - 1.05 * static_cast<double>(bits) - 48, least_goal);
+  const magnitude goal = magnitude::power_of_two(static_cast<long>(log2_goal));
+  for (const double r : {0.5, 0x1p-2, 0x1p-4, 0x1p-6, 0x1p-8, 0x1p-12, 0x1p-16, 0x1p-24, 0x1p-32,
+                         0x1p-48, 0x1p-64}) {
     const auto with_orders = [&](int orders) {
       return f.near_infinity(
           end.infinite ? tail_series::argument(exactly(end.distance), r, orders)

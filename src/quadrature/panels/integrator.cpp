@@ -30,61 +30,6 @@ magnitude integrator::least_size() const {
   return size;
 }
 
-/// log2 of the largest contribution that a panel of the plan makes.
-double integrator::log2_of_planned_size() const {
-  double size = -infinite;
-  for (const panel& p : panels_) {
-    size = std::max(size, p.log2_typical + log2_scales_[p.segment] - static_cast<double>(p.level));
-  }
-  return size;
-}
-
-/// An estimate of log2 of the integral of |f|, by samples; and by a coarse plan, where the bounds of |f|
-/// say that the samples may have missed the most of it.
-integrator::outcome integrator::estimate_size() {
-  double samples = -infinite;
-  double bound = -infinite;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const auto f = evaluator_of(segments_[i], 64);
-    for (long k = 1; k < 16; k += 2) {
-      const complex_ball value = f(ball(rational(k, 16), 64));
-      if (value.is_bounded()) {
-        samples = std::max(samples, estimated_log2(value.magnitude_upper()) + log2_scales_[i] - 2);
-      }
-    }
-    for (long k = 5; k < 14 && !segments_[i].along; ++k) {
-      // A piece of the real line may have the most of its size near t = 0.
-      ball t(1, 64);
-      scale(t, t, -k);
-      const complex_ball value = f(t);
-      if (value.is_bounded()) {
-        samples = std::max(samples, estimated_log2(value.magnitude_upper()) + log2_scales_[i] -
-                                        static_cast<double>(k));
-      }
-    }
-    ++result_.account.region_evaluations;
-    const region all = segments_[i].over(region(double_interval(0.0, 1.0)));
-    bound = std::max(bound, estimated_log2(all.magnitude_upper()) + log2_scales_[i]);
-  }
-  log2_size_ = std::isfinite(samples) ? samples : 0;
-  if (bound <= samples + 16 || !std::isfinite(bound)) return outcome::done;
-  samples = std::max(samples, -greatest_log2);
-  // The bound is never too small: lower it until a plan finds something of about its size.
-  log2_size_ = bound;
-  for (double step = 64; log2_size_ > samples; step *= 2) {
-    const double goal = log2_size_ - 8;
-    const outcome o = plan(goal);
-    if (o != outcome::done) return o;
-    const double size = log2_of_planned_size();
-    if (size >= goal - 8) {
-      log2_size_ = size;
-      break;
-    }
-    log2_size_ = std::max(samples, log2_size_ - step);
-  }
-  return outcome::done;
-}
-
 contour_integral integrator::run() {
   const double log2_digits = options_.goal().log2_relative();
   for (const segment& s : segments_) {
@@ -97,7 +42,8 @@ contour_integral integrator::run() {
   const double least_depth = !segments_.empty() && segments_.front().along ? 160 : 420;
   deepest_ = options_.most_depth.value_or(static_cast<long>(least_depth + 1.1 * log2_digits));
   auto start = clock::now();
-  outcome o = estimate_size();
+  estimate_size();
+  outcome o = outcome::done;
   double log2_goal = log2_size_ - log2_digits;
   if (options_.absolute_exponent) {
     log2_goal = std::max(log2_goal, static_cast<double>(*options_.absolute_exponent));

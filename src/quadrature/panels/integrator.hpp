@@ -1,7 +1,8 @@
 #pragma once
 
 // Integrals over panels: a plan that a goal needs, the sums of the plan's rules, and the loop over goals.
-// The plan is made in plan.cpp, the sums in sums.cpp, the loop in integrator.cpp.
+// The plan is made in plan.cpp, the sums in sums.cpp, the loop in integrator.cpp, and what it begins
+// with, the size of the integral, in size_estimate.cpp.
 
 #include <functional>
 #include <map>
@@ -75,8 +76,8 @@ class integrator {
   [[nodiscard]] std::optional<rational> point_in(const panel& p) const;
   [[nodiscard]] bool is_hopeless_beyond(const panel& p) const;
   outcome obstructed_at(const panel& p);
-  [[nodiscard]] double log2_of_planned_size() const;
-  outcome estimate_size();
+  [[nodiscard]] double log2_of_samples(std::size_t index) const;
+  void estimate_size();
   [[nodiscard]] magnitude least_size() const;
 
   const std::vector<segment>& segments_;

@@ -32,13 +32,15 @@ class panel_regions {
       const bool finite = !whole.is_zero() && !whole.is_infinite() && !part.is_zero();
       return finite ? whole.log2_floor() - part.log2_floor() : 0;
     };
-    const magnitude t = ball(p.centre, 64).magnitude_upper();
+    const magnitude centre = ball(p.centre, 64).magnitude_upper();
     const auto gap = static_cast<long>(
-        std::max(gap_of(size, distance), gap_of(t, magnitude::power_of_two(-p.level - 1))));
+        std::max(gap_of(size, distance), gap_of(centre, magnitude::power_of_two(-p.level - 1))));
     in_hardware_ = gap < 24 && p.level < 900;
     if (p.level < 900) {
       hardware_centre_ = double_interval(p.centre);
       hardware_half_ = double_interval(std::ldexp(1.0, static_cast<int>(-p.level - 1)));
+      const closed_interval t = p.interval();
+      hardware_whole_ = hull(double_interval(t.lower), double_interval(*t.upper));
     }
     if (!in_hardware_) {
       bits_ = 80 + std::max(gap, 0L) + p.level;
@@ -60,7 +62,10 @@ class panel_regions {
   [[nodiscard]] region operator()(double_interval re, double_interval im) const {
     ++evaluations_;
     if (panel_.level < 900) {
-      const double_interval t_re = hardware_centre_ + hardware_half_ * re;
+      // Products round outward, also where they are exact; the panel itself is not to reach beyond t = 0.
+      const bool is_whole = re.lower() == -1 && re.upper() == 1;
+      const double_interval t_re =
+          is_whole ? hardware_whole_ : hardware_centre_ + hardware_half_ * re;
       const double_interval t_im = hardware_half_ * im;
       if (segment_.known) {
         if (const std::optional<known_bound> known = segment_.known(t_re, t_im)) {
@@ -92,6 +97,7 @@ class panel_regions {
   bool in_hardware_ = true;
   double_interval hardware_centre_;
   double_interval hardware_half_;
+  double_interval hardware_whole_;
   precision bits_ = 0;
   ball ball_centre_;
 };

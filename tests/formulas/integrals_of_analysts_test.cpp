@@ -1,0 +1,75 @@
+// Integrals that analysts try first, as they type them: certified to thirty digits, right, and without much work.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/integrand.hpp"
+#include "polhode/formulas/parse.hpp"
+
+namespace polhode::test {
+namespace {
+
+struct known_to_digits {
+  std::string formula;
+  std::string lower;
+  std::string upper;
+  std::string value;  // forty digits, rounded
+};
+
+end_point limit_of(const std::string& text) {
+  if (text == "-inf") return -end_point::infinity();
+  if (text == "inf") return end_point::infinity();
+  return end_point_of(parse(text, {}));
+}
+
+/// Certified with the digits asked for, beside the value, and with at most so many evaluations of all kinds.
+void expect_known(const std::vector<known_to_digits>& all, long most_evaluations) {
+  constexpr long digits = 30;
+  for (const known_to_digits& k : all) {
+    SCOPED_TRACE(k.formula + " from " + k.lower + " to " + k.upper);
+    const integral found =
+        integrate(parse(k.formula), limit_of(k.lower), limit_of(k.upper), {.digits = digits});
+    EXPECT_EQ(found.verdict, status::certified) << to_text(found.why) << ": " << found.obstacle;
+    const ball value = parse(k.value, {}).value(200);
+    const magnitude size = value.magnitude_upper();
+    const ball rounded =
+        value.enlarged(multiply_up(size, pow(ball(10, 64), -39).magnitude_upper()));
+    EXPECT_TRUE(overlaps(found.enclosure, rounded)) << to_decimal(found.enclosure, 40);
+    EXPECT_LE(found.enclosure.radius(),
+              multiply_up(size, pow(ball(10, 64), -digits).magnitude_upper()));
+    EXPECT_LE(found.account.evaluations + found.account.region_evaluations, most_evaluations);
+  }
+}
+
+TEST(IntegralsOfAnalysts, NarrowPeaksOfEntireFunctions) {
+  const std::string root_of_pi = "1.772453850905516027298167483341145182798";
+  expect_known(
+      {
+          {"exp(-x^2)", "-1000", "1000", root_of_pi},
+          {"exp(-x^2)", "-1e6", "1e6", root_of_pi},
+          {"exp(-x*x)", "-1e6", "1e6", root_of_pi},
+          {"exp(-x^2*1e6)", "-1", "1", root_of_pi + "e-3"},
+          {"exp(-x^4)", "-100", "100", "1.812804954110954155965342577933836001498"},
+          {"exp(-(x-1/3)^2*1e20)", "0", "1", root_of_pi + "e-10"},
+          {"exp(-(x-3/10)^2*1e8)*log(1+x)", "0", "1",
+           "4.650285482734245976234031018324867390817e-5"},
+          {"exp(-(x-1/3)^2*1e10)", "-inf", "inf", root_of_pi + "e-5"},
+          {"exp(-1e10*(x-sqrt(2)/2)^2)", "0", "1", root_of_pi + "e-5"},
+          {"exp(-(x-3/10)^2/1e-20)", "-4", "pi", root_of_pi + "e-10"},
+          {"exp(-(x-3/10)^2/1e-20)*cos(x)", "-4", "4",
+           "1.693289839061236025459952904730049066383e-10"},
+          {"exp(-(x-1e8)^2)", "-inf", "inf", root_of_pi},
+          {"exp(-(x-1e5)^2)*log(2+x^2)", "-inf", "inf",
+           "40.81225815141518813402212731993949463476"},
+          {"exp(-(x-1e5)^2)/(1+x^2)", "-inf", "inf",
+           "1.772453850994138719839012150072364621683e-10"},
+      },
+      2000);
+}
+
+}  // namespace
+}  // namespace polhode::test
