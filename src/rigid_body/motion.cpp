@@ -32,12 +32,6 @@ regime regime_of(const body& rigid, const rational& c) {
   return regime_by(rigid.a(), rigid.b(), c);
 }
 
-bool is_periodic(regime r) { return r == regime::oscillating || r == regime::rotating; }
-bool is_equilibrium(regime r) {
-  return r == regime::equilibrium_x || r == regime::equilibrium_y || r == regime::equilibrium_z;
-}
-bool is_about_x(regime r) { return r == regime::oscillating || r == regime::equilibrium_x; }
-
 std::string to_text(regime r) {
   switch (r) {
     case regime::equilibrium_x:

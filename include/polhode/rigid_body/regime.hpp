@@ -24,11 +24,17 @@ enum class regime {
 [[nodiscard]] regime regime_of(const body& rigid, const rational& c);
 
 /// Whether J goes around in the body, in a finite time: oscillating or rotating.
-[[nodiscard]] bool is_periodic(regime r);
+[[nodiscard]] constexpr bool is_periodic(regime r) {
+  return r == regime::oscillating || r == regime::rotating;
+}
 /// Whether J stays where it is in the body.
-[[nodiscard]] bool is_equilibrium(regime r);
+[[nodiscard]] constexpr bool is_equilibrium(regime r) {
+  return r == regime::equilibrium_x || r == regime::equilibrium_y || r == regime::equilibrium_z;
+}
 /// Whether J goes around the axis x, or stays on it: c < 0.
-[[nodiscard]] bool is_about_x(regime r);
+[[nodiscard]] constexpr bool is_about_x(regime r) {
+  return r == regime::oscillating || r == regime::equilibrium_x;
+}
 
 /// "oscillating", "equilibrium about x", ...
 [[nodiscard]] std::string to_text(regime r);
