@@ -228,6 +228,33 @@ integral_case exponential_tail(maker& m) {
           "inf", few_digits(m)};
 }
 
+/// Of functions that are exponentially small, or near to a number, by their own bounds.
+integral_case special_tail(maker& m) {
+  const term k = m.positive_rational();
+  term f = 0;
+  switch (m.between(0, 5)) {
+    case 0:
+      f = power(call("erfc", k * x), m.between(1, 3));
+      break;
+    case 1:
+      f = call("erf", m.one_in(2) ? k * x : k * x - m.positive_rational()) * call("exp", -x);
+      break;
+    case 2:
+      f = call("log", 1 + (m.one_in(2) ? term(1) : term(-1)) / 3 * call("exp", -(k * x)));
+      break;
+    case 3:
+      f = call("exp", -(k * call(m.one_in(2) ? "cosh" : "exp", x)));
+      break;
+    case 4:
+      f = call("exp", -(x * (2 + call(m.one_in(2) ? "sin" : "tanh", k * x))));
+      break;
+    default:
+      f = call("exp", x - call("exp", x));
+  }
+  if (m.one_in(3)) f = f * power(x, m.between(1, 3));
+  return {f, m.one_in(2) ? term(0) : m.near(m.within(0.1, 3)), "inf", few_digits(m)};
+}
+
 integral_case whole_line(maker& m) {
   const term k = m.positive_rational();
   const term c = m.one_in(2) ? term(0) : m.near(m.within(-2, 2));
@@ -293,6 +320,7 @@ std::vector<integral_family> end_families() {
           {"divergent tail", 6, mostly_cheap(divergent_tail)},
           {"algebraic tail", 7, mostly_cheap(algebraic_tail)},
           {"exponential tail", 7, mostly_cheap(exponential_tail)},
+          {"special tail", 6, mostly_cheap(special_tail)},
           {"whole line", 7, mostly_cheap(whole_line)},
           {"extreme sizes", 7, mostly_cheap(extreme_sizes)},
           {"many orders of magnitude", 6, mostly_cheap(many_orders)}};

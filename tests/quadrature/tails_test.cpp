@@ -124,6 +124,60 @@ TEST(Tails, OfFunctionsNearZeroAreBounded) {
   EXPECT_TRUE(integral_of(12, inverse_factorial).magnitude_lower() <= great);
 }
 
+// 1 + w, of which the logarithm is that of log1p w.
+TEST(Tails, OfLogarithmsNearOneAreBounded) {
+  const ball w = exp(ball(-2, p));
+  ball sum(0, p);
+  ball power = w;
+  for (long k = 1; k < 60; ++k, power *= w) sum += (k % 2 == 0 ? -1 : 1) * power / (k * k);
+  const ball tail = sum.enlarged(magnitude::power_of_two(-100));
+  expect_bound(beyond_two([](const auto& x) { return log(1 + exp(-x)); }), tail, rational(3, 2),
+               "log(1 + w)");
+  expect_bound(beyond_two([](const auto& x) { return log(exp(-x) + 1); }), tail, rational(3, 2),
+               "log(w + 1)");
+}
+
+TEST(Tails, OfErrorFunctionsAreBounded) {
+  const ball tail = exp(ball(-4, p)) / sqrt(pi(p)) - 2 * erfc(ball(2, p));
+  expect_bound(beyond_two([](const auto& x) { return erfc(x); }), tail, rational(3, 2), "erfc");
+  // Of less than e^-x/200.
+  const ball whole = exp(ball(-2, p));
+  const magnitude bound = beyond_two([](const auto& x) { return erf(x) * exp(-x); });
+  EXPECT_TRUE((whole * rational(199, 200)).magnitude_lower() <= bound);
+  EXPECT_TRUE(bound <= (whole * rational(101, 100)).magnitude_upper());
+  const magnitude mirrored = beyond_two([](const auto& x) { return erf(-x) * exp(-x); });
+  EXPECT_TRUE((whole * rational(199, 200)).magnitude_lower() <= mirrored);
+  // erfc of what may have any sign is at most 2, and is that nearly for x < -2.
+  const magnitude doubled = beyond_two([](const auto& x) { return erfc(-x) * exp(-x); });
+  EXPECT_TRUE((whole * rational(199, 100)).magnitude_lower() <= doubled);
+}
+
+// With z = 20 e and v = 20 e^(y/2), the integral of exp(-20 e^(y/2)) over y >= 2 is 2 E_1(z), between 2 e^-z/(z + 1) and
+// 2 e^-z/z; the bound's tangent touches e^(y/2) at y = 2.
+TEST(Tails, OfDoubleExponentialsAreBounded) {
+  const ball z = 20 * exp(ball(1, p));
+  const rational little(105, 100);
+  expect_bound(beyond_two([](const auto& x) { return exp(-20 * exp(x / 2)); }),
+               2 * exp(-z) / (z + 1), little, "exp(-20 exp(x/2))");
+  // Of tanh it is known that it lies between -1 and 1; it is above 0.96 here, and the factors are between 1 and 1.018.
+  const ball more = z * rational(1018, 1000);
+  const ball least = 2 * exp(-more) / (more + 1);
+  const auto factor = [](const auto& x) { return rational(3, 2) - tanh(x) / 2; };
+  expect_bound(beyond_two([&](const auto& x) { return exp(-20 * exp(x / 2) * factor(x)); }), least,
+               4, "exp(-20 exp(x/2) U)");
+  expect_bound(beyond_two([&](const auto& x) { return exp(20 * exp(x / 2) * -factor(x)); }), least,
+               4, "exp(20 exp(x/2) (-U))");
+  const ball slope(rational(509, 100), p);
+  const ball simple = exp(-2 * slope) / slope;
+  expect_bound(beyond_two([&](const auto& x) { return exp(-5 * x * factor(x)); }), simple,
+               rational(3, 2), "exp(-5 x U)");
+  expect_bound(beyond_two([&](const auto& x) { return exp(5 * x * -factor(x)); }), simple,
+               rational(3, 2), "exp(5 x (-U))");
+  // What grows has no tail.
+  EXPECT_TRUE(beyond_two([&](const auto& x) { return exp(5 * x * factor(x)); }).is_infinite());
+  EXPECT_TRUE(beyond_two([&](const auto& x) { return exp(exp(x) * factor(x)); }).is_infinite());
+}
+
 TEST(Tails, OfLogarithmsAndPowersAreBounded) {
   const rational little(101, 100);
   check_tail(

@@ -8,6 +8,7 @@
 // interval is known that holds its values. With x = s/t this describes exp(-x^2), sech x, x^1000 e^-x sin x
 // for large x. It knows nothing of complex arguments. What does not have this form is blocked.
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -68,6 +69,11 @@ class tail_series {
   /// 1.29... and from 1.38... to 0.81... over -1/2 <= v <= 1/2.
   friend tail_series expm1(const tail_series& x);
   friend tail_series log1p(const tail_series& x);
+  /// |erf| <= 1, with the sign of x.
+  friend tail_series erf(const tail_series& x);
+  /// For x > 0, erfc(x) = (2/sqrt(pi)) integral of e^(-s^2) over s >= x <= (2/sqrt(pi)) integral of (s/x) e^(-s^2) =
+  /// e^(-x^2)/(x sqrt(pi)); between 0 and 2 else.
+  friend tail_series erfc(const tail_series& x);
   friend tail_series sin(const tail_series& x);
   friend tail_series cos(const tail_series& x);
   friend tail_series tan(const tail_series& x);
@@ -101,6 +107,15 @@ class tail_series {
   [[nodiscard]] magnitude integral(const ball& y, long power) const;
   /// e^phi with phi bounded goes into h.
   void settle();
+  [[nodiscard]] static tail_series sum(const tail_series& x, const tail_series& y);
+  /// e^x for x = e^phi h U of which no range is known, with |h| instead of h and U's sign turned where h < 0. Without phi, x <= |h| u
+  /// for u = sup U. Where phi > 0 and u < 0: e^phi >= e phi (the tangent at 1), so that x <= e phi |h| u. With H for that bound
+  /// the value is e^H times something in (0, 1].
+  [[nodiscard]] tail_series exp_of_growing() const;
+  /// The number 1.
+  [[nodiscard]] bool is_one() const;
+  /// It decays exponentially, and is at most 1/2 in size.
+  [[nodiscard]] bool is_small() const;
   /// U is 1, and no function of which only a range is known.
   [[nodiscard]] bool has_no_factor() const { return u_.lower() == 1 && u_.upper() == 1; }
   [[nodiscard]] bool is_plain() const { return !phi_ && has_no_factor(); }
@@ -121,6 +136,8 @@ class tail_series {
   end_series one_;
   double_interval u_;
   double r_ = 0;
+  /// Where this is 1 + v with a v that has an exponential: v.
+  std::shared_ptr<const tail_series> beyond_1_;
 };
 
 template <detail::series_constant N>

@@ -72,6 +72,14 @@ tail_series operator/(const tail_series& x, const tail_series& y) {
 /// With the greater exponential in front: e^phi h (U + (g/h) V e^delta), where delta = -c y^mu times at
 /// least 1 and |g/h| <= B y^P as for integral_beyond, and y^P e^(-c y^mu) decreases for y >= 1/r.
 tail_series operator+(const tail_series& x, const tail_series& y) {
+  tail_series sum = tail_series::sum(x, y);
+  if (sum.is_blocked()) return sum;
+  if (x.is_one() && y.phi_) sum.beyond_1_ = std::make_shared<const tail_series>(y);
+  if (y.is_one() && x.phi_) sum.beyond_1_ = std::make_shared<const tail_series>(x);
+  return sum;
+}
+
+tail_series tail_series::sum(const tail_series& x, const tail_series& y) {
   if (x.is_blocked()) return x;
   if (y.is_blocked()) return y;
   std::optional<end_series> delta;
@@ -95,7 +103,7 @@ tail_series operator+(const tail_series& x, const tail_series& y) {
   }
   const int sign = delta->sign();
   if (sign == 0) return x.blocked("+ (of exponentials)");
-  if (sign > 0) return y + x;
+  if (sign > 0) return sum(y, x);
   if (y.h_.is_zero()) return x;
   const end_series quotient = y.h_ / x.h_;
   if (quotient.is_blocked()) return x.blocked("+");
@@ -140,7 +148,7 @@ tail_series exp(const tail_series& x) {
       const bool decays = x.phi_->sign() < 0;
       range = decays ? range * double_interval(0.0, 1.0) : double_interval::undefined();
     }
-    if (range.is_undefined()) return x.blocked("exp");
+    if (range.is_undefined()) return x.exp_of_growing();
     return x.with(std::nullopt, x.one_, exp(range));
   }
   const end_series h = x.h_.simplified();
@@ -148,8 +156,24 @@ tail_series exp(const tail_series& x) {
   return x.with(std::nullopt, exp(h), double_interval(1));
 }
 
+tail_series tail_series::exp_of_growing() const {
+  const int sign = h_.sign();
+  if (sign == 0) return blocked("exp");
+  const double greatest = sign > 0 ? u_.upper() : -u_.lower();
+  end_series bound = (sign > 0 ? h_ : -h_) * rational(greatest);
+  if (phi_) {
+    if (phi_->sign() <= 0 || greatest >= 0) return blocked("exp");
+    const rational e_below(2718281828, 1000000000);
+    bound = bound * *phi_ * e_below;
+  }
+  bound = bound.simplified();
+  if (bound.is_blocked() || bound.log_degree() != 0) return blocked("exp");
+  return with(std::move(bound), one_, double_interval(0.0, 1.0));
+}
+
 tail_series log(const tail_series& x) {
   if (x.is_blocked()) return x;
+  if (x.beyond_1_ && x.beyond_1_->is_small()) return log1p(*x.beyond_1_);
   const end_series sum = x.phi_ ? *x.phi_ + log(x.h_) : log(x.h_);
   if (x.has_no_factor()) return x.with(std::nullopt, sum, double_interval(1));
   return x.with(std::nullopt, sum, double_interval(1)) + x.with(std::nullopt, x.one_, log(x.u_));
@@ -214,23 +238,44 @@ tail_series min(const tail_series& x, const tail_series& y) {
 }
 tail_series max(const tail_series& x, const tail_series& y) { return -min(-x, -y); }
 
-/// x times something in `range`, where |x| <= 1/2 and x decays exponentially; f(x) else.
-template <class F>
-tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
-  if (is_blocked() || !phi_) return f(*this);
-  if (phi_->sign() >= 0) return f(*this);
+bool tail_series::is_one() const { return !is_blocked() && is_plain() && (h_ - one_).is_zero(); }
+
+bool tail_series::is_small() const {
+  if (is_blocked() || !phi_) return false;
+  if (phi_->sign() >= 0) return false;
   // phi <= -c y^mu <= -c r^-mu.
   const ball most =
       exp(-exactly(phi_->infimum()) * pow(ball::exactly(r_, 64), ball(phi_->exponent(), 64)));
   const double_interval size = h_.real_range() * u_ * outward(most);
-  const bool small = size.magnitude() <= 0.5;
-  return small ? with(phi_, h_, u_ * range) : f(*this);
+  return size.magnitude() <= 0.5;
+}
+
+/// x times something in `range`, where it is small; f(x) else.
+template <class F>
+tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
+  return is_small() ? with(phi_, h_, u_ * range) : f(*this);
 }
 tail_series expm1(const tail_series& x) {
   return x.nearly_itself(double_interval(0.78, 1.3), [](const auto& v) { return exp(v) - 1; });
 }
 tail_series log1p(const tail_series& x) {
   return x.nearly_itself(double_interval(0.81, 1.39), [](const auto& v) { return log(v + 1); });
+}
+
+tail_series erf(const tail_series& x) {
+  if (x.is_blocked()) return x;
+  const int sign = x.sign();
+  return x.with(std::nullopt, x.one_, double_interval(sign > 0 ? 0.0 : -1.0, sign < 0 ? 0.0 : 1.0));
+}
+tail_series erfc(const tail_series& x) {
+  if (x.is_blocked()) return x;
+  const int sign = x.sign();
+  if (sign > 0) {
+    const tail_series bell = exp(-(x * x)) / x;
+    const double_interval inverse_root_of_pi(0.0, 0.5642);  // 1/sqrt(pi) = 0.56418...
+    if (!bell.is_blocked()) return bell.with(bell.phi_, bell.h_, bell.u_ * inverse_root_of_pi);
+  }
+  return x.with(std::nullopt, x.one_, double_interval(sign < 0 ? 1.0 : 0.0, sign > 0 ? 1.0 : 2.0));
 }
 
 magnitude tail_series::integral(const ball& y, long power) const {
