@@ -215,6 +215,30 @@ integral_case periodic(maker& m) {
   return c;
 }
 
+/// Of so many periods that one of them stands for all.
+integral_case many_periods(maker& m) {
+  const term k = m.one_in(3) ? m.positive_rational() * term("pi") : m.positive_rational();
+  const term t = k * x;
+  const term a = m.one_in(3) ? term(0) : m.near(m.within(-3, 3));
+  const term length = m.one_in(2) ? m.near(m.within(300, 2000)) : m.decimal(m.scattered(1e3, 1e12));
+  switch (m.between(0, 4)) {
+    case 0:
+      return {1 / (m.between(2, 5) + call("cos", t)), a, a + length, few_digits(m)};
+    case 1:
+      return {call("exp", call("sin", t)) * call("cos", m.between(2, 3) * t), a, a + length,
+              few_digits(m)};
+    case 2:
+      return {call("abs", call("sin", t)), a, a + length, few_digits(m)};
+    case 3: {  // its antiderivative is known
+      integral_case c{1 + call("sin", t), a, a + length, few_digits(m)};
+      c.antiderivative = x - call("cos", t) / k;
+      return c;
+    }
+    default:
+      return {power(call("sin", t), m.between(2, 6)), a, a + length, few_digits(m)};
+  }
+}
+
 }  // namespace
 
 std::vector<integral_family> shape_families() {
@@ -226,7 +250,8 @@ std::vector<integral_family> shape_families() {
           {"complex poles near", 7, mostly_cheap(pole_beside)},
           {"nested functions", 5, mostly_cheap(nested)},
           {"symmetric", 7, mostly_cheap(symmetric)},
-          {"periodic", 7, mostly_cheap(periodic)}};
+          {"periodic", 7, mostly_cheap(periodic)},
+          {"many periods", 5, mostly_cheap(many_periods)}};
 }
 
 }  // namespace polhode::differential

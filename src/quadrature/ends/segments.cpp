@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -9,6 +10,8 @@
 #include "oscillation.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/approximate.hpp"
+#include "quadrature/formula/periods.hpp"
+#include "quadrature/formula/recorded_formula.hpp"
 #include "quadrature/rules/periodic.hpp"
 
 namespace polhode::detail {
@@ -580,8 +583,38 @@ bool can_cut_at(const integrand& f, const rational& q) {
   return true;
 }
 
+namespace {
+
+/// That of one period, times their count, and that of the rest.
+preparation prepare_periods(const integrand& f, const end_point& a, const whole_periods& periods,
+                            const std::vector<rational>& cuts, long bits) {
+  preparation result = prepare(f, a, periods.first_end, cuts, bits);
+  for (segment& s : result.segments) {
+    s.scale = [scale = s.scale, count = periods.count](precision p) { return scale(p) * count; };
+  }
+  result.remainder = result.remainder * periods.count;
+  result.log2_periods = static_cast<long>(mpz_sizeinbase(periods.count.backend().data(), 2));
+  if (result.why != reason::none || !periods.rest_end) return result;
+  preparation rest = prepare(f, a, *periods.rest_end, cuts, bits);
+  std::move(rest.segments.begin(), rest.segments.end(), std::back_inserter(result.segments));
+  result.remainder += rest.remainder;
+  result.has_tail = result.has_tail || rest.has_tail;
+  result.why = rest.why;
+  result.obstacle = rest.obstacle;
+  return result;
+}
+
+}  // namespace
+
 preparation prepare(const integrand& f, const end_point& a, const end_point& b,
                     const std::vector<rational>& cuts, long bits) {
+  if (f.record && !a.is_infinite() && !b.is_infinite()) {
+    if (const auto periods = whole_periods_of(f, formula(f.record), a, b)) {
+      preparation result = prepare_periods(f, a, *periods, cuts, bits);
+      result.parts = {{a, b}};
+      return result;
+    }
+  }
   preparation result;
   // f as it is known at the two ends.
   const auto finite = [&](const end_point& left, const integrand& at_left, const end_point& right,

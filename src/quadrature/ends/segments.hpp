@@ -20,6 +20,8 @@ struct preparation {
   ball remainder = ball(0, 64);
   /// A tail was cut off for the given number of bits; more bits make it smaller.
   bool has_tail = false;
+  /// About log2 of how many periods the segments stand for: a value counts as 0 beside the integral of |f| over one.
+  long log2_periods = 0;
   reason why = reason::none;  // where it cannot be done
   std::string obstacle;
   /// What the segments and the remainder stand for: each that is added says it here.

@@ -48,7 +48,8 @@ contour_integral integrator::run() {
   if (options_.absolute_exponent) {
     log2_goal = std::max(log2_goal, static_cast<double>(*options_.absolute_exponent));
   }
-  double lowest_goal = log2_goal - log2_digits;  // where a value counts as 0
+  // Where a value counts as 0.
+  double lowest_goal = log2_goal - log2_digits - static_cast<double>(log2_periods_);
   bool lowest_is_proved = false;
   for (int attempts = 0; attempts < 6; ++attempts) {
     if (o == outcome::done) o = plan(log2_goal);
@@ -92,7 +93,7 @@ contour_integral integrator::run() {
     const double value = estimated_log2(result_.enclosure.magnitude_upper());
     if (log2_goal <= lowest_goal + 2) {
       // 10^-digits of the integral of |f| stands for the value.
-      const magnitude size = least_size();
+      const magnitude size = scale(least_size(), -log2_periods_);
       if (goal{2 * options_.digits}.is_met(radius_of(result_.enclosure), size)) {
         result_.verdict = status::certified;
         return result_;

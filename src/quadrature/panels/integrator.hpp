@@ -32,6 +32,7 @@ class integrator {
              std::function<std::optional<ball>(const ball& x)> pole_in = {})
       : segments_(prepared.segments),
         remainder_(prepared.remainder),
+        log2_periods_(prepared.log2_periods),
         options_(options),
         rule_(panel_rule_of(options.rule)),
         known_points_(known),
@@ -82,6 +83,7 @@ class integrator {
 
   const std::vector<segment>& segments_;
   const ball& remainder_;
+  long log2_periods_;
   const integrate_options& options_;
   const panel_rule& rule_;
   const std::vector<rational>& known_points_;

@@ -8,6 +8,7 @@
 #include "panel_choice.hpp"
 #include "panel_integral.hpp"
 #include "quadrature/approximate.hpp"
+#include "quadrature/formula/periods.hpp"
 #include "quadrature/tiling.hpp"
 #include "taylor_ranges.hpp"
 
@@ -128,6 +129,8 @@ std::optional<integral> integrate_by_taylor_series(const integrand& f, const end
   if (!f.record) return std::nullopt;
   const auto start = clock::now();
   const formula recorded(f.record);
+  // Of many periods one is enough, and panels know that.
+  if (options.rule.is_automatic() && whole_periods_of(f, recorded, a, b)) return std::nullopt;
   const auto parts = hyperexponential_parts(recorded, a, b);
   if (!parts || parts->empty()) return std::nullopt;
   const double digits = static_cast<double>(options.digits) * std::log2(10.0);

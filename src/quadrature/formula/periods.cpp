@@ -1,0 +1,140 @@
+#include "periods.hpp"
+
+#include <utility>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/quadrature/symmetry.hpp"
+#include "quadrature/ends/breaks.hpp"
+#include "quadrature/formula/recorded_formula.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+constexpr precision search_bits = 384;
+
+/// sin(x) has the frequency 1 in turns of 2 pi, sin(2 pi x) and sinpi(2 x) have it in turns of 1.
+struct frequency {
+  rational turns;
+  bool of_pi = false;  // a period is 2 pi/turns, else 1/turns
+};
+
+std::size_t length_of(const rational& q) {
+  return mpz_sizeinbase(numerator(q).backend().data(), 2) +
+         mpz_sizeinbase(denominator(q).backend().data(), 2);
+}
+
+/// The rational number that x seems to be: one much shorter than x. To search with.
+std::optional<rational> short_rational(const ball& x) {
+  if (!x.is_bounded() || contains_zero(x)) return std::nullopt;
+  const rational q = simplest_rational(lower_rational(x), upper_rational(x));
+  constexpr std::size_t most_length = 300;
+  return length_of(q) <= most_length ? std::optional(q) : std::nullopt;
+}
+
+rational greatest_common_divisor(const rational& x, const rational& y) {
+  const integer a = numerator(x) * denominator(y);
+  const integer b = numerator(y) * denominator(x);
+  integer g;
+  mpz_gcd(g.backend().data(), a.backend().data(), b.backend().data());
+  return {g, denominator(x) * denominator(y)};
+}
+
+/// Of sin, cos or tan of an argument with this slope.
+std::optional<frequency> frequency_of(recorded_rule rule, const ball& slope) {
+  if (rule == recorded_rule::sinpi || rule == recorded_rule::cospi) {
+    const auto q = short_rational(slope);
+    return q ? std::optional(frequency{rational(abs(*q) / 2), false}) : std::nullopt;
+  }
+  if (const auto q = short_rational(slope)) return frequency{rational(abs(*q)), true};
+  if (const auto q = short_rational(slope / pi(search_bits))) {
+    return frequency{rational(abs(*q) / 2), false};
+  }
+  return std::nullopt;
+}
+
+bool is_circular(const recorded_node& node) {
+  if (node.what != recorded_node::kind::function) return false;
+  switch (node.operation.rule) {
+    case recorded_rule::sin:
+    case recorded_rule::cos:
+    case recorded_rule::tan:
+    case recorded_rule::sinpi:
+    case recorded_rule::cospi:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The period that all circular functions in it would have if their arguments were affine. To search with.
+std::optional<pi_combination> period_to_try(const formula& f) {
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    if (f.needs(i) && is_circular(f.node(i))) last = i + 1;
+  }
+  if (last == 0) return std::nullopt;
+  const slope_jet x = slope_jet::variable(ball(0, search_bits));
+  const auto values = evaluate(f, search_bits, x, choices(f.size()), last - 1);
+  std::optional<frequency> common;
+  for (std::size_t i = 0; i < last; ++i) {
+    if (!f.needs(i) || !is_circular(f.node(i))) continue;
+    const ball& slope = values[f.node(i).left][1];
+    if (slope.is_bounded() && sign_of(slope) == sign::zero) continue;  // of a constant
+    const auto own = frequency_of(f.node(i).operation.rule, slope);
+    if (!own || (common && common->of_pi != own->of_pi)) return std::nullopt;
+    common =
+        common ? frequency{greatest_common_divisor(common->turns, own->turns), own->of_pi} : *own;
+  }
+  if (!common) return std::nullopt;
+  return common->of_pi ? pi_combination{0, 2 / common->turns}
+                       : pi_combination{1 / common->turns, 0};
+}
+
+/// The greatest whole number that is certainly not above the length of the range in periods.
+std::optional<integer> whole_count(const end_point& a, const end_point& b,
+                                   const pi_combination& period) {
+  for (precision p = 128; p <= 65536; p *= 2) {
+    const ball quotient = (b.at(p) - a.at(p)) / period.at(p);
+    if (!quotient.is_bounded()) return std::nullopt;
+    const rational low = lower_rational(quotient);
+    if (upper_rational(quotient) - low > rational(1, 1024)) continue;
+    integer n;
+    mpz_fdiv_q(n.backend().data(), numerator(low).backend().data(),
+               denominator(low).backend().data());
+    return n;
+  }
+  return std::nullopt;
+}
+
+/// x + n period.
+end_point moved(const end_point& x, const pi_combination& period, const integer& n) {
+  const pi_combination by = period * rational(n);
+  if (x.form()) return end_point(*x.form() + by);
+  const auto more = static_cast<precision>(mpz_sizeinbase(n.backend().data(), 2)) + 64;
+  return end_point([=](precision p) { return x.at(p + more) + by.at(p + more); });
+}
+
+}  // namespace
+
+std::optional<whole_periods> whole_periods_of(const integrand& f, const formula& recorded,
+                                              const end_point& a, const end_point& b) {
+  constexpr long least = 64;
+  if (!f.under || a.is_infinite() || b.is_infinite()) return std::nullopt;
+  const std::optional<pi_combination> period = period_to_try(recorded);
+  if (!period) return std::nullopt;
+  std::optional<integer> count = whole_count(a, b, *period);
+  if (!count || *count < least) return std::nullopt;
+  if (!f.under(symmetry::translation(*period)).is_invariant()) return std::nullopt;
+  if (a.form() && b.form()) {
+    // Where the range is whole periods, the count from a ball may be less by one.
+    for (const integer& n : {*count, integer(*count + 1)}) {
+      if (*b.form() - *a.form() == *period * rational(n)) {
+        return whole_periods{n, moved(a, *period, 1), std::nullopt};
+      }
+    }
+  }
+  return whole_periods{*count, moved(a, *period, 1), moved(b, *period, integer(-*count))};
+}
+
+}  // namespace polhode::detail
