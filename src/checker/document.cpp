@@ -8,9 +8,9 @@
 namespace polhode::checker {
 namespace {
 
-constexpr std::size_t most_levels = 16;
+constexpr std::size_t most_nesting = 16;
 constexpr std::size_t most_values = 1'000'000;
-constexpr std::size_t most_digits = 2'000'000;
+constexpr std::size_t most_digits_of_integer = 2'000'000;
 
 /// A key as a part of a JSON pointer (RFC 6901).
 std::string escaped(std::string_view key) {
@@ -106,8 +106,8 @@ class limited_reader : public nlohmann::json_sax<json> {
     return true;
   }
   bool open(json value) {
-    if (levels_.size() >= most_levels) {
-      refuse("nested deeper than " + std::to_string(most_levels) + " levels");
+    if (levels_.size() >= most_nesting) {
+      refuse("nested deeper than " + std::to_string(most_nesting) + " levels");
     }
     levels_.push_back({put(std::move(value)), ""});
     return true;
@@ -221,7 +221,7 @@ long place::whole(long least, long most) const {
   return static_cast<long>(value);
 }
 bool place::may_be_read() const {
-  if (text().size() > most_digits) return false;
+  if (text().size() > most_digits_of_integer) return false;
   const budget::at here = working();
   work_->decimals(bits_of_decimal(text()));
   return true;

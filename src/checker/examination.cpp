@@ -11,10 +11,10 @@
 namespace polhode::checker {
 namespace {
 
-constexpr long most_digits = 100'000;
+constexpr long most_digits_of_number = 100'000;
 constexpr long most_input_bits = 20'000;
 /// Behind the point, of a number's ends.
-constexpr long most_bits = 1'200'000;
+constexpr long most_working_bits = 1'200'000;
 /// Bits for questions that are not about a number's digits.
 constexpr std::array<long, 5> precisions{128, 256, 512, 2048, 8192};
 
@@ -360,8 +360,9 @@ examination::ends examination::next_number(const std::string& name) {
     where.expect_keys({"value", "radius", "lower", "upper", "digits", "digits_asked", "dyadic"});
   }
   const long digits = where["digits"].whole(1, 1L << 40U);
-  if (digits > most_digits) {
-    where["digits"].not_checkable("it has more than " + std::to_string(most_digits) + " digits");
+  if (digits > most_digits_of_number) {
+    where["digits"].not_checkable("it has more than " + std::to_string(most_digits_of_number) +
+                                  " digits");
   }
   where["digits_asked"].expect_whole(digits);
   if (digits_ != 0) where["digits"].expect_whole(digits_);
@@ -380,7 +381,7 @@ examination::ends examination::next_number(const std::string& name) {
   const long bits = bit_length(integer(denominator(width))) + 16;
   const long leading_zeros = std::max(0L, bit_length(integer(denominator(exact.lower))) -
                                               bit_length(integer(numerator(exact.lower))));
-  if (bits > most_bits ||
+  if (bits > most_working_bits ||
       bits - leading_zeros > 40 * bits_for_digits(digits) + 16 * input_bits() + 8192) {
     where["dyadic"].not_checkable("its ends are nearer to each other than its digits need");
   }
@@ -457,7 +458,7 @@ range examination::decimals(const place& where, const std::function<interval(pre
     where.expect_keys({"value", "radius", "lower", "upper", "digits"});
   }
   const long digits = where["digits"].whole(rounded ? 0 : 1, 1L << 40U);
-  if (digits > most_digits) where["digits"].not_checkable("it has too many digits");
+  if (digits > most_digits_of_number) where["digits"].not_checkable("it has too many digits");
   range r{where["lower"].decimal_value(), where["upper"].decimal_value()};
   if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
   expect_radius(where);

@@ -8,10 +8,10 @@
 namespace polhode::checker {
 namespace {
 
-constexpr int most_levels = 500;
+constexpr int most_formula_levels = 500;
 constexpr long most_exponent = 1'000'000;
 /// Of a rational number that is worked out.
-constexpr long most_bits = 1L << 17U;
+constexpr long most_exact_bits = 1L << 17U;
 constexpr long units_of_a_character = 100;
 constexpr long units_of_an_instruction = 400;
 /// Before the point of any value.
@@ -88,9 +88,9 @@ class formula_reader {
   class deeper {
    public:
     explicit deeper(formula_reader& reader) : levels_(reader.levels_) {
-      if (++levels_ > most_levels) {
+      if (++levels_ > most_formula_levels) {
         reader.where_.malformed("column " + std::to_string(reader.at_ + 1) + ": more than " +
-                                std::to_string(most_levels) + " levels inside each other");
+                                std::to_string(most_formula_levels) + " levels inside each other");
       }
     }
     ~deeper() { --levels_; }
@@ -209,7 +209,7 @@ class formula_reader {
     if (what == operation::divide && q != nullptr && *q == 0) {
       where_.malformed("before column " + std::to_string(at_ + 1) + ": a division by 0");
     }
-    if (p != nullptr && q != nullptr && bit_length(*p) + bit_length(*q) < most_bits) {
+    if (p != nullptr && q != nullptr && bit_length(*p) + bit_length(*q) < most_exact_bits) {
       work_.rationals(2, bit_length(*p) + bit_length(*q));
       switch (what) {
         case operation::add:
@@ -239,7 +239,7 @@ class formula_reader {
     if (p != nullptr && *p == 0 && n < 0) {
       where_.malformed("before column " + std::to_string(at_ + 1) + ": a negative power of 0");
     }
-    if (p != nullptr && bit_length(*p) * std::abs(n) < most_bits) {
+    if (p != nullptr && bit_length(*p) * std::abs(n) < most_exact_bits) {
       work_.rationals(3, bit_length(*p) * std::abs(n));
       const auto power = [&](const integer& x) {
         return integer(pow(x, static_cast<unsigned>(std::abs(n))));

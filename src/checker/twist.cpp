@@ -5,7 +5,7 @@
 namespace polhode::checker {
 namespace {
 
-int sign_of(const interval& x) {
+int known_sign(const interval& x) {
   if (x.is_positive()) return 1;
   if (x.is_negative()) return -1;
   throw undecided("a sign is not known");
@@ -22,13 +22,14 @@ int side_of_amplitude(const body& rigid, const rational& c, const interval& valu
     throw undecided("an angle is not known well enough");
   const sine_and_cosine at = sin_cos(t);
   if (c == 0) {
-    return sign_of(value - separatrix_phase(rigid.a, rigid.b, square(at.cosine), square(at.sine)));
+    return known_sign(value -
+                      separatrix_phase(rigid.a, rigid.b, square(at.cosine), square(at.sine)));
   }
   if (c < 0) {  // beyond the turning point, sin^2 t >= 1 + c/b
     const interval turning(rational(1 + c / rigid.b), bits);
     if (is_below(turning, square(at.sine))) return -1;
   }
-  return sign_of(value - partial_phase(rigid.a, rigid.b, c, t));
+  return known_sign(value - partial_phase(rigid.a, rigid.b, c, t));
 }
 
 }  // namespace
@@ -57,7 +58,7 @@ int side_of_defect(const body& rigid, const rational& c, const rational& level, 
     }
     return up ? 1 : -1;
   }
-  const int sign = sign_of(rest) * (oscillates && n % 2 != 0 ? -1 : 1);
+  const int sign = known_sign(rest) * (oscillates && n % 2 != 0 ? -1 : 1);
   const interval size = (rest.is_negative() ? -rest : rest).scaled(1);
   // psi_c(pi) = sign s (+ n pi): above psi where sign s > from.
   return -sign * side_of_amplitude(rigid, c, size, sign > 0 ? from : -from);

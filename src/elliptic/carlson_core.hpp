@@ -355,108 +355,158 @@ template <elliptic_scalar T>
 /// What P is, for x < y < z.
 enum class third_kind { absent, general, equals_y_or_z };
 
+/// The steps of (1) to (5) for 0 <= x < y < z, numbers, and P > x: the letters are those of the text at the top.
+template <elliptic_scalar T>
+class landen_steps {
+ public:
+  landen_steps(const T& x, const T& y, const T& z, const T& P, third_kind kind, precision q)
+      : x_(x),
+        y_(y),
+        z_(z),
+        P_(P),
+        third_(kind != third_kind::absent),
+        product_wanted_(kind == third_kind::general),
+        q_(q),
+        wanted_(last_difference<T>(q)),
+        a_(root_of(T(z - x))),
+        b_(root_of(T(y - x))),
+        c_(root_of(x)),
+        d_(root_of(y)),
+        e_(root_of(z)),
+        o_(whole<T>(1, q)),
+        s_(third_ ? root_of(T(P - x)) : whole<T>(0, q)),
+        kappa_(whole<T>(1, q)),
+        weight_(whole<T>(1, q)),
+        weights_(whole<T>(0, q)),
+        terms_(whole<T>(0, q)),
+        re_(whole<T>(1, q)),
+        im_(whole<T>(0, q)) {
+    if (!product_wanted_) return;
+    const T above = T((P - z) * (P - y));
+    circular_ = sign_in(above) > 0;
+    kappa_ = root_of(T((circular_ ? above : T(-above)) / (P - x)));
+    if (!circular_) im_ = whole<T>(1, q);
+  }
+
+  /// Nothing where an angle is too near a full turn to be placed.
+  [[nodiscard]] std::optional<landen_values<T>> values() {
+    constexpr int most_steps = 100;
+    for (; !is_found(); step()) {
+      if (n_ == most_steps) return std::nullopt;
+    }
+    return values_here();
+  }
+
+ private:
+  static constexpr precision rough_bits = 96;
+
+  [[nodiscard]] bool is_found() const {
+    const bool mean_found = log2_up(divide_up(size_up(T(a_ - b_)), size_down(b_))) <= wanted_;
+    return mean_found && (!third_ || log2_up(weight_up_) <= wanted_);
+  }
+
+  /// From step n to n + 1.
+  void step() {
+    const T ab = T(a_ * b_);
+    const T cc = square_of(c_);
+    const T oo = T(ab * square_of(o_));
+    e_ = T(e_ * d_);
+    o_ = scaled(T(c_ * o_), 1);
+    c_ = T(cc - oo);
+    d_ = T(cc + oo);
+    keep_in_range(exponent_of(d_), c_, d_, e_, o_);
+    if (third_) {
+      weights_ += weight_;
+      if (product_wanted_) {
+        multiply_product();
+      } else {
+        terms_ += scaled(T(weight_ * o_ / e_), -n_ - 1);
+      }
+      const T r = T(ab / s_);
+      const T sum = T(s_ + r);
+      weight_ = scaled(T(weight_ * ((s_ - r) / sum)), -1);
+      weight_up_ = size_up(weight_);
+      s_ = scaled(sum, -1);
+    }
+    a_ = scaled(T(a_ + b_), -1);
+    b_ = root_of(ab);
+    ++n_;
+  }
+  /// By (2e + i k o), squared as often as steps are left; or, where k^2 < 0, numerator and denominator by 2e + k o and 2e - k o.
+  void multiply_product() {
+    const T twice = scaled(e_, 1);
+    const T part = T(kappa_ * weight_ * o_);
+    if (circular_) {
+      terms_ += scaled(angle_of(raised(part, rough_bits), raised(twice, rough_bits)), -n_);
+      if (n_ == 0) {
+        re_ = twice;
+        im_ = part;
+      } else {
+        const T square_re = T((re_ - im_) * (re_ + im_));
+        const T square_im = scaled(T(re_ * im_), 1);
+        re_ = T(square_re * twice - square_im * part);
+        im_ = T(square_im * twice + square_re * part);
+      }
+    } else {  // atanh(k/H) = (1/2) log((2e + k o)/(2e - k o))
+      re_ = n_ == 0 ? T(twice + part) : T(square_of(re_) * (twice + part));
+      im_ = n_ == 0 ? T(twice - part) : T(square_of(im_) * (twice - part));
+    }
+    keep_in_range(std::max(exponent_of(re_), exponent_of(im_)), re_, im_);
+  }
+
+  /// What the sums and the mean give after n steps.
+  [[nodiscard]] std::optional<landen_values<T>> values_here() const {
+    const T mean = between(b_, a_);
+    const T rough = scaled(T(rf_by_duplication(raised(x_, rough_bits), raised(y_, rough_bits),
+                                               raised(z_, rough_bits), rough_bits) *
+                             raised(a_, rough_bits)),
+                           n_);
+    const std::optional<T> phi = unwrapped(angle_of(T(mean * o_), c_), rough, q_);
+    if (!phi) return std::nullopt;
+    landen_values<T> result{scaled(T(*phi / mean), -n_), undefined_of<T>(q_), 0};
+    if (!third_) return result;
+    const T first = T(result.rf * weights_);
+    const std::optional<T> second = sum_of_angles();
+    if (!second) return std::nullopt;
+    const T difference =
+        with_error(T(first - *second), scale(multiply_up(weight_up_, size_up(result.rf)), 1));
+    result.lost = bits_lost(difference, first, q_);
+    result.rj = T(3 * scaled(difference, -1) / (P_ - x_));
+    return result;
+  }
+  /// The second sum of (5).
+  [[nodiscard]] std::optional<T> sum_of_angles() const {
+    if (!product_wanted_) return terms_;
+    if (!circular_) return T(scaled(log_of(T(re_ / im_)), -n_) / kappa_);
+    const std::optional<T> angle = unwrapped(angle_of(im_, re_), scaled(terms_, n_ - 1), q_);
+    if (!angle) return std::nullopt;
+    return T(scaled(*angle, 1 - n_) / kappa_);
+  }
+
+  const T& x_;
+  const T& y_;
+  const T& z_;
+  const T& P_;
+  bool third_;
+  bool product_wanted_;
+  precision q_;
+  std::int64_t wanted_;
+  T a_, b_, c_, d_, e_, o_, s_;
+  T kappa_;   // k
+  T weight_;  // Q_n
+  T weights_;
+  T terms_;    // the second sum for k = 0, or roughly the angles
+  T re_, im_;  // the product, or numerator and denominator of the argument of a logarithm
+  bool circular_ = true;
+  magnitude weight_up_ = magnitude::power_of_two(0);
+  int n_ = 0;
+};
+
 /// Hypotheses: 0 <= x < y < z, numbers, and P > x. Nothing where an angle is too near a full turn to be placed.
 template <elliptic_scalar T>
 [[nodiscard]] std::optional<landen_values<T>> by_landen(const T& x, const T& y, const T& z,
                                                         const T& P, third_kind kind, precision q) {
-  constexpr precision rough_bits = 96;
-  const std::int64_t wanted = last_difference<T>(q);
-  const bool third = kind != third_kind::absent;
-  const bool product_wanted = kind == third_kind::general;
-  T a = root_of(T(z - x));
-  T b = root_of(T(y - x));
-  T c = root_of(x);
-  T d = root_of(y);
-  T e = root_of(z);
-  T o = whole<T>(1, q);
-  T s = third ? root_of(T(P - x)) : whole<T>(0, q);
-  T kappa = whole<T>(1, q);
-  bool circular = true;
-  if (product_wanted) {
-    const T above = T((P - z) * (P - y));
-    circular = sign_in(above) > 0;
-    kappa = root_of(T((circular ? above : T(-above)) / (P - x)));
-  }
-  T weight = whole<T>(1, q);  // Q_n
-  T weights = whole<T>(0, q);
-  T terms = whole<T>(0, q);  // of k = 0, or roughly the angles
-  T re =
-      whole<T>(1, q);  // the product, or numerator and denominator of the argument of a logarithm
-  T im = whole<T>(0, q);
-  if (!circular) im = whole<T>(1, q);
-  magnitude weight_up = magnitude::power_of_two(0);
-  constexpr int most_steps = 100;
-  for (int n = 0;; ++n) {
-    const bool mean_found = log2_up(divide_up(size_up(T(a - b)), size_down(b))) <= wanted;
-    const bool sum_found = !third || log2_up(weight_up) <= wanted;
-    if (mean_found && sum_found) {
-      const T mean = between(b, a);
-      const T rough = scaled(T(rf_by_duplication(raised(x, rough_bits), raised(y, rough_bits),
-                                                 raised(z, rough_bits), rough_bits) *
-                               raised(a, rough_bits)),
-                             n);
-      const std::optional<T> phi = unwrapped(angle_of(T(mean * o), c), rough, q);
-      if (!phi) return std::nullopt;
-      landen_values<T> result{scaled(T(*phi / mean), -n), undefined_of<T>(q), 0};
-      if (!third) return result;
-      const T first = T(result.rf * weights);
-      T second = terms;
-      if (product_wanted && circular) {
-        const std::optional<T> angle = unwrapped(angle_of(im, re), scaled(terms, n - 1), q);
-        if (!angle) return std::nullopt;
-        second = T(scaled(*angle, 1 - n) / kappa);
-      } else if (product_wanted) {
-        second = T(scaled(log_of(T(re / im)), -n) / kappa);
-      }
-      const T difference =
-          with_error(T(first - second), scale(multiply_up(weight_up, size_up(result.rf)), 1));
-      result.lost = bits_lost(difference, first, q);
-      result.rj = T(3 * scaled(difference, -1) / (P - x));
-      return result;
-    }
-    if (n == most_steps) return std::nullopt;
-    const T ab = T(a * b);
-    const T cc = square_of(c);
-    const T oo = T(ab * square_of(o));
-    e = T(e * d);
-    o = scaled(T(c * o), 1);
-    c = T(cc - oo);
-    d = T(cc + oo);
-    keep_in_range(exponent_of(d), c, d, e, o);
-    if (third) {
-      weights += weight;
-      if (product_wanted) {
-        const T twice = scaled(e, 1);
-        const T part = T(kappa * weight * o);
-        if (circular) {
-          terms += scaled(angle_of(raised(part, rough_bits), raised(twice, rough_bits)), -n);
-          if (n == 0) {
-            re = twice;
-            im = part;
-          } else {
-            const T square_re = T((re - im) * (re + im));
-            const T square_im = scaled(T(re * im), 1);
-            re = T(square_re * twice - square_im * part);
-            im = T(square_im * twice + square_re * part);
-          }
-          keep_in_range(std::max(exponent_of(re), exponent_of(im)), re, im);
-        } else {  // atanh(k/H) = (1/2) log((2e + k o)/(2e - k o))
-          re = n == 0 ? T(twice + part) : T(square_of(re) * (twice + part));
-          im = n == 0 ? T(twice - part) : T(square_of(im) * (twice - part));
-          keep_in_range(std::max(exponent_of(re), exponent_of(im)), re, im);
-        }
-      } else {
-        terms += scaled(T(weight * o / e), -n - 1);
-      }
-      const T r = T(ab / s);
-      const T sum = T(s + r);
-      weight = scaled(T(weight * ((s - r) / sum)), -1);
-      weight_up = size_up(weight);
-      s = scaled(sum, -1);
-    }
-    a = scaled(T(a + b), -1);
-    b = root_of(ab);
-  }
+  return landen_steps<T>(x, y, z, P, kind, q).values();
 }
 
 }  // namespace polhode::detail

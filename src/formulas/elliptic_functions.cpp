@@ -1,9 +1,11 @@
 #include "polhode/formulas/elliptic_functions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
@@ -202,302 +204,322 @@ formula simpler_complete_third_kind(known_arguments x) {
 }
 
 // ---------------------------------------------------------------------------------------------
+// The tables. Each function has its value over balls, its derivatives over balls where there are any, where it may be defined,
+// a simpler formula where there is one, and its continuation, written once for regions and complex balls.
 
-/// A function of Jacobi's, with the slopes in u and m where there are any.
-further_function jacobi(const std::string& letters, const std::string& description,
-                        const std::string& domain,
-                        ball (*f)(const ball&, const elliptic_parameter<ball>&),
-                        std::array<ball, 2> jacobi_gradient_values::*slopes = nullptr) {
-  std::string name = "jacobi";
-  for (const char letter : letters) name += static_cast<char>(std::toupper(letter));
-  further_function result{
-      {name, "u, m", description, domain}, 2, [f](balls x) { return f(x[0], x[1]); }};
-  if (slopes != nullptr) {
-    result.gradient = [slopes](balls x) { return listed(jacobi_gradient(x[0], x[1]).*slopes); };
-  }
-  if (letters == "am") {
-    result.may_be_defined = [](known_arguments x) { return !is_number(x[1]) || x[1]->q <= 1; };
-    result.simpler = [](known_arguments x) -> formula {
-      if (is_zero(x[0])) return "0";
-      if (is_zero(x[1])) return "u";
-      if (is_exactly(x[1], 1)) return "2*atan(tanh(u/2))";  // Gudermann's function
-      return std::nullopt;
+template <class F>
+further_function continued(further_function f, const F& continuation) {
+  f.over_regions = [continuation](std::span<const region> x) { return continuation(x); };
+  f.over_complex = [continuation](std::span<const complex_ball> x) { return continuation(x); };
+  return f;
+}
+
+constexpr const char* amplitude = "m sin^2 <= 1 up to phi";
+constexpr const char* bounded = "m sin^2 <= 1 up to phi; m=1: |phi| < pi/2";
+
+bool has_first_kind(known_arguments x) { return amplitude_domain(x[0], x[1], false); }
+
+further_functions legendre_functions() {
+  return {
+      continued({{"ellipticK", "m", "complete, of the first kind", "m < 1"},
+                 1,
+                 [](balls x) { return elliptic_k(x[0]); },
+                 [](balls x) { return std::vector<ball>{elliptic_k_derivative(x[0])}; },
+                 of_rationals(below_one),
+                 [](known_arguments x) { return is_zero(x[0]) ? formula("pi/2") : std::nullopt; }},
+                [](auto x) { return elliptic_k(x[0]); }),
+      continued({{"ellipticE", "m", "complete, of the second kind", "m <= 1"},
+                 1,
+                 [](balls x) { return elliptic_e(elliptic_parameter<ball>(x[0])); },
+                 [](balls x) { return std::vector<ball>{elliptic_e_derivative(x[0])}; },
+                 of_rationals(up_to_one),
+                 [](known_arguments x) -> formula {
+                   if (is_exactly(x[0], 1)) return "1";
+                   return is_zero(x[0]) ? formula("pi/2") : std::nullopt;
+                 }},
+                [](auto x) { return elliptic_e(x[0]); }),
+      continued({{"ellipticE", "phi, m", "second kind, amplitude phi", amplitude},
+                 2,
+                 [](balls x) { return elliptic_e(x[0], x[1]); },
+                 [](balls x) { return listed(elliptic_e_gradient(x[0], x[1])); },
+                 [](known_arguments x) { return amplitude_domain(x[0], x[1], true); },
+                 simpler_second_kind},
+                [](auto x) { return elliptic_e(x[0], x[1]); }),
+      continued({{"ellipticD", "m", "(K - E)/m", "m < 1"},
+                 1,
+                 [](balls x) { return elliptic_d(elliptic_parameter<ball>(x[0])); },
+                 nullptr,
+                 of_rationals(below_one),
+                 [](known_arguments x) { return is_zero(x[0]) ? formula("pi/4") : std::nullopt; }},
+                [](auto x) { return elliptic_d(x[0]); }),
+      continued({{"ellipticD", "phi, m", "(F - E)/m, amplitude phi", bounded},
+                 2,
+                 [](balls x) { return elliptic_d(x[0], x[1]); },
+                 nullptr,
+                 has_first_kind,
+                 [](known_arguments x) { return is_zero(x[0]) ? formula("0") : std::nullopt; }},
+                [](auto x) { return elliptic_d(x[0], x[1]); }),
+      continued({{"ellipticF", "phi, m", "first kind, amplitude phi", bounded},
+                 2,
+                 [](balls x) { return elliptic_f(x[0], x[1]); },
+                 [](balls x) { return listed(elliptic_f_gradient(x[0], x[1])); },
+                 has_first_kind,
+                 simpler_first_kind},
+                [](auto x) { return elliptic_f(x[0], x[1]); }),
+      continued({{"ellipticPi", "n, m", "complete, of the third kind",
+                  "m < 1, n != 1; n > 1: principal value"},
+                 2,
+                 [](balls x) { return elliptic_pi(x[0], elliptic_parameter<ball>(x[1])); },
+                 [](balls x) { return listed(elliptic_pi_gradient(x[0], x[1])); },
+                 of_rationals([](numbers x) { return x[0] != 1 && x[1] < 1; }),
+                 simpler_complete_third_kind},
+                [](auto x) { return elliptic_pi(x[0], x[1]); }),
+      continued({{"ellipticPi", "n, phi, m", "third kind, amplitude phi",
+                  "as ellipticF, n sin(phi)^2 != 1"},
+                 3,
+                 [](balls x) { return elliptic_pi(x[0], x[1], x[2]); },
+                 [](balls x) { return listed(elliptic_pi_gradient(x[0], x[1], x[2])); },
+                 [](known_arguments x) {
+                   const auto turns = quarter_turns(x[1]);
+                   if (is_exactly(x[0], 1) && turns && is_odd(*turns)) return false;
+                   return amplitude_domain(x[1], x[2], false);
+                 },
+                 [](known_arguments x) -> formula {
+                   if (is_zero(x[1])) return "0";
+                   if (is_zero(x[0])) return "ellipticF(phi, m)";
+                   return std::nullopt;
+                 }},
+                [](auto x) { return elliptic_pi(x[0], x[1], x[2]); }),
+      continued({{"bulirschCel", "kc, p, a, b", "Bulirsch's complete integral", "kc != 0, p != 0"},
+                 4,
+                 [](balls x) { return bulirsch_cel(x[0], x[1], x[2], x[3]); },
+                 nullptr,
+                 of_rationals([](numbers x) { return x[0] != 0 && x[1] != 0; }),
+                 simpler_cel},
+                [](auto x) {  // R_F and R_J of 0, kc^2, 1 and p
+                  const auto square_of_kc = square(x[0]);
+                  const auto zero = x[0] * 0;
+                  return x[2] * carlson_rf(zero, square_of_kc, zero + 1) +
+                         (x[3] - x[2] * x[1]) * carlson_rj(zero, square_of_kc, zero + 1, x[1]) / 3;
+                }),
+      continued({{"ellipticNome", "m", "exp(-pi K(1-m)/K(m))", "0 <= m <= 1"},
+                 1,
+                 [](balls x) { return elliptic_nome(x[0]); },
+                 nullptr,
+                 of_rationals(in_unit),
+                 [](known_arguments x) {
+                   return is_zero(x[0]) || is_exactly(x[0], 1) ? formula("m") : std::nullopt;
+                 }},
+                [](auto x) { return elliptic_nome(x[0]); }),
+  };
+}
+
+further_functions carlson_functions() {
+  return {
+      continued(
+          {{"carlsonRF", "x, y, z", "R_F, symmetric", "x, y, z >= 0, at most one 0"},
+           3,
+           [](balls x) { return carlson_rf(x[0], x[1], x[2]); },
+           [](balls x) { return listed(carlson_rf_gradient(x[0], x[1], x[2])); },
+           of_rationals(carlson_domain),
+           [](known_arguments x) { return are_equal(x, 3) ? formula("1/sqrt(x)") : std::nullopt; }},
+          [](auto x) { return carlson_rf(x[0], x[1], x[2]); }),
+      continued({{"carlsonRC", "x, y", "R_F(x, y, y)", "x >= 0, y != 0; y < 0: principal value"},
+                 2,
+                 [](balls x) { return carlson_rc(x[0], x[1]); },
+                 [](balls x) { return listed(carlson_rc_gradient(x[0], x[1])); },
+                 of_rationals([](numbers x) { return x[0] >= 0 && x[1] != 0; }),
+                 [](known_arguments x) -> formula {
+                   if (is_zero(x[0]) && is_number(x[1]) && x[1]->q < 0) return "0";
+                   // DLMF 19.2.20, which is analytic in x.
+                   if (is_number(x[1]) && x[1]->q < 0)
+                     return "sqrt(x/(x - y))*carlsonRC(x - y, -y)";
+                   return are_equal(x, 2) ? formula("1/sqrt(x)") : std::nullopt;
+                 }},
+                [](auto x) { return carlson_rc(x[0], x[1]); }),
+      continued(
+          {{"carlsonRD", "x, y, z", "R_J(x, y, z, z)", "x, y >= 0, not both 0, z > 0"},
+           3,
+           [](balls x) { return carlson_rd(x[0], x[1], x[2]); },
+           [](balls x) { return listed(carlson_rd_gradient(x[0], x[1], x[2])); },
+           of_rationals([](numbers x) { return carlson_domain(x) && x[2] > 0; }),
+           [](known_arguments x) { return are_equal(x, 3) ? formula("x^(-3/2)") : std::nullopt; }},
+          [](auto x) { return carlson_rd(x[0], x[1], x[2]); }),
+      continued({{"carlsonRG", "x, y, z", "R_G, symmetric", "x, y, z >= 0"},
+                 3,
+                 [](balls x) { return carlson_rg(x[0], x[1], x[2]); },
+                 [](balls x) { return listed(carlson_rg_gradient(x[0], x[1], x[2])); },
+                 of_rationals([](numbers x) { return x[0] >= 0 && x[1] >= 0 && x[2] >= 0; }),
+                 [](known_arguments x) -> formula {
+                   if (are_equal(x, 3)) return "sqrt(x)";
+                   if (is_zero(x[0]) && is_zero(x[1])) return "sqrt(z)/2";
+                   if (is_zero(x[0]) && is_zero(x[2])) return "sqrt(y)/2";
+                   if (is_zero(x[1]) && is_zero(x[2])) return "sqrt(x)/2";
+                   return std::nullopt;
+                 }},
+                [](auto x) { return carlson_rg(x[0], x[1], x[2]); }),
+      continued(
+          {{"carlsonRJ", "x, y, z, p", "R_J, of the third kind",
+            "x, y, z >= 0, at most one 0, p != 0"},
+           4,
+           [](balls x) { return carlson_rj(x[0], x[1], x[2], x[3]); },
+           [](balls x) { return listed(carlson_rj_gradient(x[0], x[1], x[2], x[3])); },
+           of_rationals([](numbers x) { return carlson_domain(x) && x[3] != 0; }),
+           [](known_arguments x) { return are_equal(x, 4) ? formula("x^(-3/2)") : std::nullopt; }},
+          [](auto x) { return carlson_rj(x[0], x[1], x[2], x[3]); }),
+  };
+}
+
+// Jacobi's functions, by the letters of their names.
+
+using of_parameter = ball (*)(const ball&, const elliptic_parameter<ball>&);
+
+std::string upper_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+struct jacobi_row {
+  const char* letters;
+  const char* description;
+  const char* domain;
+  of_parameter f;
+  std::array<ball, 2> jacobi_gradient_values::*slopes = nullptr;  // in u and m
+};
+constexpr std::array jacobi_rows{
+    jacobi_row{"sn", "sin am", "all u and m", jacobi_sn, &jacobi_gradient_values::sn},
+    jacobi_row{"cn", "cos am", "all u and m", jacobi_cn, &jacobi_gradient_values::cn},
+    jacobi_row{"dn", "sqrt(1 - m sn^2)", "all u and m", jacobi_dn, &jacobi_gradient_values::dn},
+    jacobi_row{"ns", "1/sn", "sn != 0", jacobi_ns},
+    jacobi_row{"nc", "1/cn", "cn != 0", jacobi_nc},
+    jacobi_row{"nd", "1/dn", "dn != 0", jacobi_nd},
+    jacobi_row{"sc", "sn/cn", "cn != 0", jacobi_sc},
+    jacobi_row{"sd", "sn/dn", "dn != 0", jacobi_sd},
+    jacobi_row{"cs", "cn/sn", "sn != 0", jacobi_cs},
+    jacobi_row{"cd", "cn/dn", "dn != 0", jacobi_cd},
+    jacobi_row{"ds", "dn/sn", "sn != 0", jacobi_ds},
+    jacobi_row{"dc", "dn/cn", "cn != 0", jacobi_dc},
+};
+
+struct jacobi_inverse_row {
+  const char* letters;
+  const char* domain;
+  of_parameter f;
+  bool (*may_be_defined)(numbers);
+  std::optional<int> zero = std::nullopt;                        // the argument at which it is 0
+  bool (*is_k)(const rational& x, const rational& m) = nullptr;  // it is K, or -K for x < 0
+};
+constexpr std::array jacobi_inverse_rows{
+    jacobi_inverse_row{"sn", "|x| <= 1, 0 <= m <= 1, |x| < 1 if m = 1", jacobi_arcsn, of_sine, 0},
+    jacobi_inverse_row{"cn", "|x| <= 1, 0 <= m <= 1, x > 0 if m = 1", jacobi_arccn, of_cosine, 1},
+    jacobi_inverse_row{"dn", "sqrt(1-m) <= x <= 1, x > 0, 0 < m <= 1", jacobi_arcdn, of_delta, 1,
+                       is_delta_at_k},
+    jacobi_inverse_row{"ns", "x >= 1, 0 <= m <= 1, x > 1 if m = 1", jacobi_arcns,
+                       above_one_or_infinite},
+    jacobi_inverse_row{"nc", "x >= 1, 0 <= m <= 1", jacobi_arcnc, above_one, 1},
+    jacobi_inverse_row{"nd", "1 <= x <= 1/sqrt(1-m), 0 < m <= 1", jacobi_arcnd, of_inverse_delta, 1,
+                       is_inverse_delta_at_k},
+    jacobi_inverse_row{"sc", "all x, 0 <= m <= 1", jacobi_arcsc, parameter_in_unit, 0},
+    jacobi_inverse_row{"sd", "|x| <= 1/sqrt(1-m), 0 <= m <= 1", jacobi_arcsd, of_sine_over_delta, 0,
+                       is_inverse_delta_at_k},
+    jacobi_inverse_row{"cs", "0 <= m <= 1, x > 0 if m = 1", jacobi_arccs, of_cotangent},
+    jacobi_inverse_row{"cd", "|x| <= 1, 0 <= m < 1", jacobi_arccd, of_shifted_sine, 1},
+    jacobi_inverse_row{"ds", "x >= sqrt(1-m), x > 0, 0 <= m <= 1", jacobi_arcds, of_delta_over_sine,
+                       std::nullopt, is_delta_at_k},
+    jacobi_inverse_row{"dc", "x >= 1, 0 <= m < 1", jacobi_arcdc, above_one_below_unit_parameter, 1},
+};
+
+further_function amplitude_function() {
+  return continued({{"jacobiAM", "u, m", "amplitude, inverse of F", "m <= 1"},
+                    2,
+                    [](balls x) { return jacobi_am(x[0], x[1]); },
+                    [](balls x) { return listed(jacobi_gradient(x[0], x[1]).am); },
+                    [](known_arguments x) { return !is_number(x[1]) || x[1]->q <= 1; },
+                    [](known_arguments x) -> formula {
+                      if (is_zero(x[0])) return "0";
+                      if (is_zero(x[1])) return "u";
+                      if (is_exactly(x[1], 1)) return "2*atan(tanh(u/2))";  // Gudermann's function
+                      return std::nullopt;
+                    }},
+                   [](auto x) { return jacobi_am(x[0], x[1]); });
+}
+further_function function_of(const jacobi_row& row) {
+  const std::string letters = row.letters;
+  further_function result{{"jacobi" + upper_case(letters), "u, m", row.description, row.domain},
+                          2,
+                          [f = row.f](balls x) { return f(x[0], x[1]); }};
+  if (row.slopes != nullptr) {
+    result.gradient = [slopes = row.slopes](balls x) {
+      return listed(jacobi_gradient(x[0], x[1]).*slopes);
     };
-    return result;
   }
   result.may_be_defined = [divisor = letters[1]](known_arguments x) {
     return may_be_defined_jacobi(divisor, x);
   };
   result.simpler = [letters](known_arguments x) { return simpler_jacobi(letters, x); };
-  return result;
-}
-further_function inverse(const std::string& name, const std::string& of, const std::string& domain,
-                         ball (*f)(const ball&, const elliptic_parameter<ball>&),
-                         bool (*may_be_defined)(numbers), std::optional<int> zero = std::nullopt,
-                         bool (*at_k)(const rational&, const rational&) = nullptr) {
-  return {{name, "x, m", "inverse of " + of, domain},
-          2,
-          [f](balls x) { return f(x[0], x[1]); },
-          nullptr,
-          of_rationals(may_be_defined),
-          [zero, at_k](known_arguments x) -> formula {
-            if (zero && is_exactly(x[0], *zero)) return "0";
-            if (at_k == nullptr || !is_number(x[0]) || !is_number(x[1])) return std::nullopt;
-            if (!at_k(x[0]->q, x[1]->q)) return std::nullopt;
-            return x[0]->q < 0 ? "-ellipticK(m)" : "ellipticK(m)";
-          }};
-}
-further_function theta_function(int j, bool derivative) {
-  const std::string name = "jacobiTheta" + std::to_string(j);
-  const std::string of = "theta_" + std::to_string(j);
-  const auto simpler = [j, derivative](known_arguments x) {
-    return simpler_theta(j, derivative, x);
-  };
-  const auto may_be_defined = [](known_arguments x) {
-    return !is_number(x[1]) || (x[1]->q >= 0 && x[1]->q < 1);
-  };
-  if (derivative) {
-    return {{name + "Prime", "z, q", "derivative of " + of + " in z", "0 <= q < 1"},
-            2,
-            [j](balls x) { return theta(j, x[0], x[1]).derivative; },
-            nullptr,
-            may_be_defined,
-            simpler};
-  }
-  return {{name, "z, q", of + " of the nome q", "0 <= q < 1"},
-          2,
-          [j](balls x) { return theta(j, x[0], x[1]).value; },
-          [j](balls x) {
-            return std::vector<ball>{theta(j, x[0], x[1]).derivative,
-                                     ball::undefined(x[0].precision())};
-          },
-          may_be_defined,
-          simpler};
-}
-
-/// Gives the function of that name and number of arguments its continuation, written once for regions and complex balls.
-template <class F>
-void continue_analytically(further_functions& all, const std::string& name, std::size_t arity,
-                           const F& f) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const further_function& g) {
-    return g.what.name == name && g.arity == arity;
+  return continued(std::move(result), [p = letters[0], q = letters[1]](auto x) {
+    return jacobi_quotient(p, q, x[0], x[1]);
   });
-  found->over_regions = [f](std::span<const region> x) { return f(x); };
-  found->over_complex = [f](std::span<const complex_ball> x) { return f(x); };
 }
-
-void continue_analytically(further_functions& all) {
-  const auto of = [&](const char* name, std::size_t arity, const auto& f) {
-    continue_analytically(all, name, arity, f);
-  };
-  of("ellipticK", 1, [](auto x) { return elliptic_k(x[0]); });
-  of("ellipticE", 1, [](auto x) { return elliptic_e(x[0]); });
-  of("ellipticE", 2, [](auto x) { return elliptic_e(x[0], x[1]); });
-  of("ellipticD", 1, [](auto x) { return elliptic_d(x[0]); });
-  of("ellipticD", 2, [](auto x) { return elliptic_d(x[0], x[1]); });
-  of("ellipticF", 2, [](auto x) { return elliptic_f(x[0], x[1]); });
-  of("ellipticPi", 2, [](auto x) { return elliptic_pi(x[0], x[1]); });
-  of("ellipticPi", 3, [](auto x) { return elliptic_pi(x[0], x[1], x[2]); });
-  of("bulirschCel", 4, [](auto x) {  // R_F and R_J of 0, kc^2, 1 and p
-    const auto square_of_kc = square(x[0]);
-    const auto zero = x[0] * 0;
-    return x[2] * carlson_rf(zero, square_of_kc, zero + 1) +
-           (x[3] - x[2] * x[1]) * carlson_rj(zero, square_of_kc, zero + 1, x[1]) / 3;
-  });
-  of("ellipticNome", 1, [](auto x) { return elliptic_nome(x[0]); });
-  of("carlsonRF", 3, [](auto x) { return carlson_rf(x[0], x[1], x[2]); });
-  of("carlsonRC", 2, [](auto x) { return carlson_rc(x[0], x[1]); });
-  of("carlsonRD", 3, [](auto x) { return carlson_rd(x[0], x[1], x[2]); });
-  of("carlsonRG", 3, [](auto x) { return carlson_rg(x[0], x[1], x[2]); });
-  of("carlsonRJ", 4, [](auto x) { return carlson_rj(x[0], x[1], x[2], x[3]); });
-  of("jacobiAM", 2, [](auto x) { return jacobi_am(x[0], x[1]); });
-  for (const char p : {'s', 'c', 'd', 'n'}) {
-    for (const char q : {'s', 'c', 'd', 'n'}) {
-      if (p == q) continue;
-      const std::string name = {'j',
-                                'a',
-                                'c',
-                                'o',
-                                'b',
-                                'i',
-                                static_cast<char>(std::toupper(p)),
-                                static_cast<char>(std::toupper(q))};
-      of(name.c_str(), 2, [p, q](auto x) { return jacobi_quotient(p, q, x[0], x[1]); });
-      const std::string inverse_name = "jacobiArc" + name.substr(name.size() - 2);
-      of(inverse_name.c_str(), 2, [p, q](auto x) { return jacobi_inverse(p, q, x[0], x[1]); });
-    }
-  }
-  for (const int j : {1, 2, 3, 4}) {
-    const std::string name = "jacobiTheta" + std::to_string(j);
-    of(name.c_str(), 2, [j](auto x) { return theta_value(j, x[0], x[1]); });
-    of((name + "Prime").c_str(), 2, [j](auto x) { return theta_derivative(j, x[0], x[1]); });
-  }
-}
-
-further_functions make() {
-  const std::string amplitude = "m sin^2 <= 1 up to phi";
-  const std::string bounded = amplitude + "; m=1: |phi| < pi/2";
-  const auto of_first_kind = [](known_arguments x) { return amplitude_domain(x[0], x[1], false); };
-  further_functions f{
-      {{"ellipticK", "m", "complete, of the first kind", "m < 1"},
-       1,
-       [](balls x) { return elliptic_k(x[0]); },
-       [](balls x) { return std::vector<ball>{elliptic_k_derivative(x[0])}; },
-       of_rationals(below_one),
-       [](known_arguments x) { return is_zero(x[0]) ? formula("pi/2") : std::nullopt; }},
-      {{"ellipticE", "m", "complete, of the second kind", "m <= 1"},
-       1,
-       [](balls x) { return elliptic_e(elliptic_parameter<ball>(x[0])); },
-       [](balls x) { return std::vector<ball>{elliptic_e_derivative(x[0])}; },
-       of_rationals(up_to_one),
-       [](known_arguments x) -> formula {
-         if (is_exactly(x[0], 1)) return "1";
-         return is_zero(x[0]) ? formula("pi/2") : std::nullopt;
+further_function function_of(const jacobi_inverse_row& row) {
+  const std::string letters = row.letters;
+  return continued(
+      {{"jacobiArc" + upper_case(letters), "x, m", "inverse of " + letters, row.domain},
+       2,
+       [f = row.f](balls x) { return f(x[0], x[1]); },
+       nullptr,
+       of_rationals(row.may_be_defined),
+       [zero = row.zero, is_k = row.is_k](known_arguments x) -> formula {
+         if (zero && is_exactly(x[0], *zero)) return "0";
+         if (is_k == nullptr || !is_number(x[0]) || !is_number(x[1])) {
+           return std::nullopt;
+         }
+         if (!is_k(x[0]->q, x[1]->q)) return std::nullopt;
+         return x[0]->q < 0 ? "-ellipticK(m)" : "ellipticK(m)";
        }},
-      {{"ellipticE", "phi, m", "second kind, amplitude phi", amplitude},
+      [p = letters[0], q = letters[1]](auto x) { return jacobi_inverse(p, q, x[0], x[1]); });
+}
+
+bool is_nome(known_arguments x) { return !is_number(x[1]) || (x[1]->q >= 0 && x[1]->q < 1); }
+
+further_function theta_function(int j) {
+  const std::string number = std::to_string(j);
+  return continued(
+      {{"jacobiTheta" + number, "z, q", "theta_" + number + " of the nome q", "0 <= q < 1"},
        2,
-       [](balls x) { return elliptic_e(x[0], x[1]); },
-       [](balls x) { return listed(elliptic_e_gradient(x[0], x[1])); },
-       [](known_arguments x) { return amplitude_domain(x[0], x[1], true); },
-       simpler_second_kind},
-      {{"ellipticD", "m", "(K - E)/m", "m < 1"},
-       1,
-       [](balls x) { return elliptic_d(elliptic_parameter<ball>(x[0])); },
-       nullptr,
-       of_rationals(below_one),
-       [](known_arguments x) { return is_zero(x[0]) ? formula("pi/4") : std::nullopt; }},
-      {{"ellipticD", "phi, m", "(F - E)/m, amplitude phi", bounded},
-       2,
-       [](balls x) { return elliptic_d(x[0], x[1]); },
-       nullptr,
-       of_first_kind,
-       [](known_arguments x) { return is_zero(x[0]) ? formula("0") : std::nullopt; }},
-      {{"ellipticF", "phi, m", "first kind, amplitude phi", bounded},
-       2,
-       [](balls x) { return elliptic_f(x[0], x[1]); },
-       [](balls x) { return listed(elliptic_f_gradient(x[0], x[1])); },
-       of_first_kind,
-       simpler_first_kind},
-      {{"ellipticPi", "n, m", "complete, of the third kind",
-        "m < 1, n != 1; n > 1: principal value"},
-       2,
-       [](balls x) { return elliptic_pi(x[0], elliptic_parameter<ball>(x[1])); },
-       [](balls x) { return listed(elliptic_pi_gradient(x[0], x[1])); },
-       of_rationals([](numbers x) { return x[0] != 1 && x[1] < 1; }),
-       simpler_complete_third_kind},
-      {{"ellipticPi", "n, phi, m", "third kind, amplitude phi", "as ellipticF, n sin(phi)^2 != 1"},
-       3,
-       [](balls x) { return elliptic_pi(x[0], x[1], x[2]); },
-       [](balls x) { return listed(elliptic_pi_gradient(x[0], x[1], x[2])); },
-       [](known_arguments x) {
-         const auto turns = quarter_turns(x[1]);
-         if (is_exactly(x[0], 1) && turns && is_odd(*turns)) return false;
-         return amplitude_domain(x[1], x[2], false);
+       [j](balls x) { return theta(j, x[0], x[1]).value; },
+       [j](balls x) {
+         return std::vector<ball>{theta(j, x[0], x[1]).derivative,
+                                  ball::undefined(x[0].precision())};
        },
-       [](known_arguments x) -> formula {
-         if (is_zero(x[1])) return "0";
-         if (is_zero(x[0])) return "ellipticF(phi, m)";
-         return std::nullopt;
-       }},
-      {{"bulirschCel", "kc, p, a, b", "Bulirsch's complete integral", "kc != 0, p != 0"},
-       4,
-       [](balls x) { return bulirsch_cel(x[0], x[1], x[2], x[3]); },
-       nullptr,
-       of_rationals([](numbers x) { return x[0] != 0 && x[1] != 0; }),
-       simpler_cel},
-      {{"ellipticNome", "m", "exp(-pi K(1-m)/K(m))", "0 <= m <= 1"},
-       1,
-       [](balls x) { return elliptic_nome(x[0]); },
-       nullptr,
-       of_rationals(in_unit),
-       [](known_arguments x) {
-         return is_zero(x[0]) || is_exactly(x[0], 1) ? formula("m") : std::nullopt;
-       }},
-      {{"carlsonRF", "x, y, z", "R_F, symmetric", "x, y, z >= 0, at most one 0"},
-       3,
-       [](balls x) { return carlson_rf(x[0], x[1], x[2]); },
-       [](balls x) { return listed(carlson_rf_gradient(x[0], x[1], x[2])); },
-       of_rationals(carlson_domain),
-       [](known_arguments x) { return are_equal(x, 3) ? formula("1/sqrt(x)") : std::nullopt; }},
-      {{"carlsonRC", "x, y", "R_F(x, y, y)", "x >= 0, y != 0; y < 0: principal value"},
-       2,
-       [](balls x) { return carlson_rc(x[0], x[1]); },
-       [](balls x) { return listed(carlson_rc_gradient(x[0], x[1])); },
-       of_rationals([](numbers x) { return x[0] >= 0 && x[1] != 0; }),
-       [](known_arguments x) -> formula {
-         if (is_zero(x[0]) && is_number(x[1]) && x[1]->q < 0) return "0";
-         // DLMF 19.2.20, which is analytic in x.
-         if (is_number(x[1]) && x[1]->q < 0) return "sqrt(x/(x - y))*carlsonRC(x - y, -y)";
-         return are_equal(x, 2) ? formula("1/sqrt(x)") : std::nullopt;
-       }},
-      {{"carlsonRD", "x, y, z", "R_J(x, y, z, z)", "x, y >= 0, not both 0, z > 0"},
-       3,
-       [](balls x) { return carlson_rd(x[0], x[1], x[2]); },
-       [](balls x) { return listed(carlson_rd_gradient(x[0], x[1], x[2])); },
-       of_rationals([](numbers x) { return carlson_domain(x) && x[2] > 0; }),
-       [](known_arguments x) { return are_equal(x, 3) ? formula("x^(-3/2)") : std::nullopt; }},
-      {{"carlsonRG", "x, y, z", "R_G, symmetric", "x, y, z >= 0"},
-       3,
-       [](balls x) { return carlson_rg(x[0], x[1], x[2]); },
-       [](balls x) { return listed(carlson_rg_gradient(x[0], x[1], x[2])); },
-       of_rationals([](numbers x) { return x[0] >= 0 && x[1] >= 0 && x[2] >= 0; }),
-       [](known_arguments x) -> formula {
-         if (are_equal(x, 3)) return "sqrt(x)";
-         if (is_zero(x[0]) && is_zero(x[1])) return "sqrt(z)/2";
-         if (is_zero(x[0]) && is_zero(x[2])) return "sqrt(y)/2";
-         if (is_zero(x[1]) && is_zero(x[2])) return "sqrt(x)/2";
-         return std::nullopt;
-       }},
-      {{"carlsonRJ", "x, y, z, p", "R_J, of the third kind", "x, y, z >= 0, at most one 0, p != 0"},
-       4,
-       [](balls x) { return carlson_rj(x[0], x[1], x[2], x[3]); },
-       [](balls x) { return listed(carlson_rj_gradient(x[0], x[1], x[2], x[3])); },
-       of_rationals([](numbers x) { return carlson_domain(x) && x[3] != 0; }),
-       [](known_arguments x) { return are_equal(x, 4) ? formula("x^(-3/2)") : std::nullopt; }},
-  };
-  using slopes = jacobi_gradient_values;
-  const std::string everywhere = "all u and m";
-  const auto divisor = [](const char* name) { return std::string(name) + " != 0"; };
-  f.push_back(jacobi("am", "amplitude, inverse of F", "m <= 1", jacobi_am, &slopes::am));
-  f.push_back(jacobi("sn", "sin am", everywhere, jacobi_sn, &slopes::sn));
-  f.push_back(jacobi("cn", "cos am", everywhere, jacobi_cn, &slopes::cn));
-  f.push_back(jacobi("dn", "sqrt(1 - m sn^2)", everywhere, jacobi_dn, &slopes::dn));
-  f.push_back(jacobi("ns", "1/sn", divisor("sn"), jacobi_ns));
-  f.push_back(jacobi("nc", "1/cn", divisor("cn"), jacobi_nc));
-  f.push_back(jacobi("nd", "1/dn", divisor("dn"), jacobi_nd));
-  f.push_back(jacobi("sc", "sn/cn", divisor("cn"), jacobi_sc));
-  f.push_back(jacobi("sd", "sn/dn", divisor("dn"), jacobi_sd));
-  f.push_back(jacobi("cs", "cn/sn", divisor("sn"), jacobi_cs));
-  f.push_back(jacobi("cd", "cn/dn", divisor("dn"), jacobi_cd));
-  f.push_back(jacobi("ds", "dn/sn", divisor("sn"), jacobi_ds));
-  f.push_back(jacobi("dc", "dn/cn", divisor("cn"), jacobi_dc));
-  f.push_back(inverse("jacobiArcSN", "sn", "|x| <= 1, 0 <= m <= 1, |x| < 1 if m = 1", jacobi_arcsn,
-                      of_sine, 0));
-  f.push_back(inverse("jacobiArcCN", "cn", "|x| <= 1, 0 <= m <= 1, x > 0 if m = 1", jacobi_arccn,
-                      of_cosine, 1));
-  f.push_back(inverse("jacobiArcDN", "dn", "sqrt(1-m) <= x <= 1, x > 0, 0 < m <= 1", jacobi_arcdn,
-                      of_delta, 1, is_delta_at_k));
-  f.push_back(inverse("jacobiArcNS", "ns", "x >= 1, 0 <= m <= 1, x > 1 if m = 1", jacobi_arcns,
-                      above_one_or_infinite));
-  f.push_back(inverse("jacobiArcNC", "nc", "x >= 1, 0 <= m <= 1", jacobi_arcnc, above_one, 1));
-  f.push_back(inverse("jacobiArcND", "nd", "1 <= x <= 1/sqrt(1-m), 0 < m <= 1", jacobi_arcnd,
-                      of_inverse_delta, 1, is_inverse_delta_at_k));
-  f.push_back(
-      inverse("jacobiArcSC", "sc", "all x, 0 <= m <= 1", jacobi_arcsc, parameter_in_unit, 0));
-  f.push_back(inverse("jacobiArcSD", "sd", "|x| <= 1/sqrt(1-m), 0 <= m <= 1", jacobi_arcsd,
-                      of_sine_over_delta, 0, is_inverse_delta_at_k));
-  f.push_back(
-      inverse("jacobiArcCS", "cs", "0 <= m <= 1, x > 0 if m = 1", jacobi_arccs, of_cotangent));
-  f.push_back(
-      inverse("jacobiArcCD", "cd", "|x| <= 1, 0 <= m < 1", jacobi_arccd, of_shifted_sine, 1));
-  f.push_back(inverse("jacobiArcDS", "ds", "x >= sqrt(1-m), x > 0, 0 <= m <= 1", jacobi_arcds,
-                      of_delta_over_sine, std::nullopt, is_delta_at_k));
-  f.push_back(inverse("jacobiArcDC", "dc", "x >= 1, 0 <= m < 1", jacobi_arcdc,
-                      above_one_below_unit_parameter, 1));
-  for (const int j : {1, 2, 3, 4}) f.push_back(theta_function(j, false));
-  for (const int j : {1, 2, 3, 4}) f.push_back(theta_function(j, true));
-  continue_analytically(f);
-  return f;
+       is_nome,
+       [j](known_arguments x) { return simpler_theta(j, false, x); }},
+      [j](auto x) { return theta_value(j, x[0], x[1]); });
+}
+further_function theta_derivative_function(int j) {
+  const std::string number = std::to_string(j);
+  return continued({{"jacobiTheta" + number + "Prime", "z, q",
+                     "derivative of theta_" + number + " in z", "0 <= q < 1"},
+                    2,
+                    [j](balls x) { return theta(j, x[0], x[1]).derivative; },
+                    nullptr,
+                    is_nome,
+                    [j](known_arguments x) { return simpler_theta(j, true, x); }},
+                   [j](auto x) { return theta_derivative(j, x[0], x[1]); });
+}
+
+/// In the order that people see.
+further_functions make() {
+  further_functions all = legendre_functions();
+  const further_functions carlson = carlson_functions();
+  all.insert(all.end(), carlson.begin(), carlson.end());
+  all.push_back(amplitude_function());
+  for (const jacobi_row& row : jacobi_rows) all.push_back(function_of(row));
+  for (const jacobi_inverse_row& row : jacobi_inverse_rows) all.push_back(function_of(row));
+  for (const int j : {1, 2, 3, 4}) all.push_back(theta_function(j));
+  for (const int j : {1, 2, 3, 4}) all.push_back(theta_derivative_function(j));
+  return all;
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ std::string counted(const integer& count) {
   return (count == 1 ? "k = 1" : "k = 1 ... " + count.str()) + " and no other k >= 1";
 }
 
+namespace {
+
 void check_brackets(examination& e, const integer& count, const std::function<rational(int k)>& q,
                     const std::string& key) {
   constexpr int most = 6;
@@ -59,6 +61,17 @@ void check_absence(examination& e, const rational& q) {
            return below(pi(bits) * exactly(q, bits),
                         half_phase(rigid.a, rigid.b, rational(1, 2), bits));
          });
+}
+
+}  // namespace
+
+void check_values_of_half_phase(examination& e, const integer& count,
+                                const std::function<rational(int k)>& q, const std::string& key) {
+  if (count > 0) {
+    check_brackets(e, count, q, key);
+  } else {
+    check_absence(e, q(1));
+  }
 }
 
 }  // namespace polhode::checker

@@ -22,10 +22,9 @@ namespace polhode::checker {
 
 /// "k = 1 ... 3 and no other k >= 1".
 [[nodiscard]] std::string counted(const integer& count);
-/// Brackets of G(u) = q(k) pi for k = 1 ... count, at most six of them, as the witness `key` gives them.
-void check_brackets(examination& e, const integer& count, const std::function<rational(int k)>& q,
-                    const std::string& key);
-/// That G is q pi nowhere: I >= q.
-void check_absence(examination& e, const rational& q);
+/// That G(u) = q(k) pi has one solution for each k = 1 ... count, q(k) falling: brackets of at most six of them, as the witness `key`
+/// gives them; or where count is 0, that G is q(1) pi nowhere: I >= q(1).
+void check_values_of_half_phase(examination& e, const integer& count,
+                                const std::function<rational(int k)>& q, const std::string& key);
 
 }  // namespace polhode::checker

@@ -9,9 +9,7 @@ namespace polhode::checker {
 namespace {
 
 void check_c0_decreases(examination& e) {
-  e.read_body();
-  e.steps();
-  const body rigid = body_of(e);
+  const body rigid = check_body_and_steps(e);
   const body other{2 * e.a(), e.b()};
   if (!rigid.is_above_J(2)) {
     e.add_to_method(facts::there_is_no_c0);

@@ -9,21 +9,15 @@ namespace polhode::checker {
 namespace {
 
 void check_count(examination& e) {
-  e.read_body();
-  e.steps();
+  const body rigid = check_body_and_steps(e);
   check_I(e);
-  const body rigid = body_of(e);
   const integer count = rigid.intersections();
   e.witness("N").expect_text(count.str());
   const auto q = [](const integer& k) { return rational(integer(2), 2 * k - 1); };
   e.fact("at the given a, b, in rationals: I < 2/(2k-1) for " + counted(count),
          (count == 0 || rigid.is_above_I(q(count))) && !rigid.is_above_I(q(count + 1)));
-  if (count > 0) {
-    check_brackets(
-        e, count, [&](int k) { return q(integer(k)); }, "intersections");
-  } else {
-    check_absence(e, 2);
-  }
+  check_values_of_half_phase(
+      e, count, [&](int k) { return q(integer(k)); }, "intersections");
 }
 
 }  // namespace

@@ -9,10 +9,8 @@ namespace polhode::checker {
 namespace {
 
 void check_crossing(examination& e) {
-  e.read_body();
-  e.steps();
+  const body rigid = check_body_and_steps(e);
   check_I(e);
-  const body rigid = body_of(e);
   const integer count = rigid.crossings();
   e.witness("crossings_count").expect_text(count.str());
   e.fact("at the given a, b, in rationals: k < 1/I for " + counted(count) + ", and the body is " +
@@ -20,12 +18,8 @@ void check_crossing(examination& e) {
          (count == 0 || rigid.is_above_I(rational(integer(1), count))) &&
              !rigid.is_above_I(rational(integer(1), count + 1)) &&
              (count > 0) == (rigid.kind() < 0));
-  if (count > 0) {
-    check_brackets(
-        e, count, [](int k) { return rational(1, k); }, "crossings");
-  } else {
-    check_absence(e, 1);
-  }
+  check_values_of_half_phase(
+      e, count, [](int k) { return rational(1, k); }, "crossings");
 }
 
 }  // namespace

@@ -11,9 +11,7 @@ namespace polhode::checker {
 namespace {
 
 void check_epsilon0_decreases(examination& e) {
-  e.read_body();
-  e.steps();
-  const body rigid = body_of(e);
+  const body rigid = check_body_and_steps(e);
   const body other{2 * e.a(), e.b()};
   std::optional<range> first;
   std::optional<range> second;

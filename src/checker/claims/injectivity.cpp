@@ -117,10 +117,8 @@ void check_two_c(examination& e) {
 }
 
 void check_injectivity(examination& e) {
-  e.read_body();
-  e.steps();
+  const body rigid = check_body_and_steps(e);
   check_I(e);
-  const body rigid = body_of(e);
   const bool physical = !rigid.is_above_I(1);
   e.fact("at the given a, b, in rationals: I " + std::string(physical ? ">=" : "<") + " 1, " +
              rigid.kind_in_words() + ": epsilon(c) is " +

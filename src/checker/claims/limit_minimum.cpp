@@ -12,9 +12,7 @@ namespace polhode::checker {
 namespace {
 
 void check_limit_minimum(examination& e) {
-  e.read_body();
-  e.steps();
-  const body rigid = body_of(e);
+  const body rigid = check_body_and_steps(e);
   e.number("epsilon0_min", epsilon0_min);
   const range beta = e.root_number("beta", false, mean_equation);
   e.fact(

@@ -9,9 +9,7 @@ namespace polhode::checker {
 namespace {
 
 void check_montgomery_oscillating(examination& e) {
-  e.read_body();
-  e.steps();
-  const body rigid = body_of(e);
+  const body rigid = check_body_and_steps(e);
   e.number("greatest_lower_bound",
            [&](precision bits) { return (pi(bits) * rigid.I(bits)).scaled(1); });
   e.fact(

@@ -13,26 +13,17 @@ namespace {
 /// At c = a/4, a/2, 3a/4 F(c,0) decreases and keeps within its bounds.
 tri rotating_phase_obeys_its_bounds(const body& rigid, precision bits) {
   const interval limit = pi(bits) * rigid.J(bits);
-  std::optional<interval> before;
-  tri result = true;
-  for (const int quarter : {1, 2, 3}) {
+  return phase_obeys_its_bounds(limit, [&](int quarter) -> bounded_phase {
     const rational c(rigid.a * quarter / 4);
-    const interval value = rotating_phase(rigid.a, rigid.b, c, bits);
-    const interval least =
-        (rigid.I(bits) * asinh(pi(bits) * sqrt(exactly(rational(rigid.b / (4 * c)), bits))))
-            .scaled(1);
-    const interval most = limit * sqrt(exactly(rational(4, quarter), bits));
-    result = all_of({result, below(limit, value), below(least, value), below(value, most),
-                     before ? below(value, *before) : tri(true)});
-    before = value;
-  }
-  return result;
+    return {rotating_phase(rigid.a, rigid.b, c, bits),
+            (rigid.I(bits) * asinh(pi(bits) * sqrt(exactly(rational(rigid.b / (4 * c)), bits))))
+                .scaled(1),
+            limit * sqrt(exactly(rational(4, quarter), bits))};
+  });
 }
 
 void check_montgomery_rotating(examination& e) {
-  e.read_body();
-  e.steps();
-  const body rigid = body_of(e);
+  const body rigid = check_body_and_steps(e);
   e.number("greatest_lower_bound",
            [&](precision bits) { return (pi(bits) * rigid.J(bits)).scaled(1); });
   e.fact(

@@ -8,10 +8,8 @@ namespace polhode::checker {
 namespace {
 
 void check_physical(examination& e) {
-  e.read_body();
-  e.steps();
+  const body rigid = check_body_and_steps(e);
   check_I(e);
-  const body rigid = body_of(e);
   const rational excess(1 + 1 / (1 + e.a()) - 1 / (1 - e.b()));
   const rational above(rigid.squared_I() - 1);
   const auto sign = [](const rational& q) { return q > 0 ? 1 : q < 0 ? -1 : 0; };

@@ -9,10 +9,9 @@ namespace polhode::checker {
 namespace {
 
 void check_separatrix_twist(examination& e) {
-  e.read_body();
-  e.steps();
+  const body rigid = check_body_and_steps(e);
   if (!e.is_missing(facts::enclosure_of_epsilon0)) {
-    e.root_number("epsilon0", true, separatrix_equation(body_of(e)));
+    e.root_number("epsilon0", true, separatrix_equation(rigid));
   }
 }
 

@@ -18,6 +18,12 @@ void check_constant(examination& e, const std::string& name, bool exists, const 
 
 }  // namespace
 
+body check_body_and_steps(examination& e) {
+  e.read_body();
+  e.steps();
+  return body_of(e);
+}
+
 void check_steps_only(examination& e) {
   e.read_no_inputs();
   e.steps();
@@ -38,24 +44,31 @@ void check_J(examination& e) {
   check_constant(e, "J", exists, exact, [&](precision bits) { return rigid.J(bits); });
 }
 
-tri half_phase_obeys_its_bounds(const body& rigid, precision bits) {
-  const rational& a = rigid.a;
-  const rational& b = rigid.b;
-  const interval limit = pi(bits) * rigid.I(bits);
+tri phase_obeys_its_bounds(const interval& limit,
+                           const std::function<bounded_phase(int quarter)>& at) {
   std::optional<interval> before;
   tri result = true;
   for (const int quarter : {1, 2, 3}) {
-    const rational u(quarter, 4);
-    const interval value = half_phase(a, b, u, bits);
-    const interval least =
-        (rigid.I(bits) * asinh(pi(bits) / sqrt(exactly(rational(4 * u), bits)))).scaled(1);
-    const interval ratio = exactly(rational((1 - b * u) / (1 - b)), bits) *
-                           sqrt(exactly(rational((a + b) / (u * (a + b * u))), bits));
-    result = all_of({result, below(limit, value), below(least, value), below(value, limit * ratio),
+    const auto [value, least, most] = at(quarter);
+    result = all_of({result, below(limit, value), below(least, value), below(value, most),
                      before ? below(value, *before) : tri(true)});
     before = value;
   }
   return result;
+}
+
+tri half_phase_obeys_its_bounds(const body& rigid, precision bits) {
+  const rational& a = rigid.a;
+  const rational& b = rigid.b;
+  const interval limit = pi(bits) * rigid.I(bits);
+  return phase_obeys_its_bounds(limit, [&](int quarter) -> bounded_phase {
+    const rational u(quarter, 4);
+    const interval ratio = exactly(rational((1 - b * u) / (1 - b)), bits) *
+                           sqrt(exactly(rational((a + b) / (u * (a + b * u))), bits));
+    return {half_phase(a, b, u, bits),
+            (rigid.I(bits) * asinh(pi(bits) / sqrt(exactly(rational(4 * u), bits)))).scaled(1),
+            limit * ratio};
+  });
 }
 
 }  // namespace polhode::checker

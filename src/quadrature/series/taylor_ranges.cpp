@@ -133,14 +133,8 @@ double size_of_roots(const smooth_range& range) {
   return size;
 }
 
-/// Without what is too small to count for so many bits. Nothing where no end of an infinite range is found.
-std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
-  panel_choice choice(range, bits);
-  if (!choice.prepare()) return std::nullopt;
-  const auto size = [&](double y) { return choice.log2_at(y); };
-  const double low = approximately(range.lower.at(64));
-  const double high = range.upper.is_infinite() ? 1e300 : approximately(range.upper.at(64));
-  // The greatest values, in doubles: at the ends and where the logarithmic derivative is 0.
+/// The zeros of the logarithmic derivative P'/P + sum of e_i p_i'/p_i + s' are those of this polynomial.
+rational_polynomial slope_of(const smooth_range& range) {
   rational_polynomial q({rational(1)});
   rational_polynomial slope = range.numerator.derivative();
   for (const smooth_factor& f : range.factors) {
@@ -148,94 +142,171 @@ std::optional<finite_ranges> cut_off(smooth_range range, double bits) {
             range.numerator * q * f.base.derivative() * rational_polynomial({f.exponent});
     q = q * f.base;
   }
-  slope = slope + range.exponent.derivative() * range.numerator * q;
-  std::vector<double> peaks{low};
-  if (!range.upper.is_infinite()) peaks.push_back(high);
-  if (slope.degree() > 0) {
-    for (const std::complex<double>& y : approximate_roots(slope)) {
-      const bool is_real = std::abs(y.imag()) <= 1e-6 * std::abs(y.real());
-      if (is_real && y.real() > low && y.real() < high) peaks.push_back(y.real());
+  return slope + range.exponent.derivative() * range.numerator * q;
+}
+
+/// Searches in doubles for points beyond which the integrand is too small to count for so many bits. What it finds is
+/// proposed only: bound_by_slope has to prove that it is so.
+class cut_search {
+ public:
+  cut_search(const smooth_range& range, double bits)
+      : range_(range),
+        bits_(bits),
+        choice_(range, bits),
+        low_(approximately(range.lower.at(64))),
+        high_(range.upper.is_infinite() ? 1e300 : approximately(range.upper.at(64))) {}
+
+  /// False where no value is found that counts.
+  [[nodiscard]] bool prepare() {
+    if (!choice_.prepare()) return false;
+    const std::vector<double> peaks = possible_peaks();
+    greatest_ = greatest_near(peaks);
+    const auto first =
+        std::find_if(peaks.begin(), peaks.end(), [&](double y) { return counts(y); });
+    const auto last =
+        std::find_if(peaks.rbegin(), peaks.rend(), [&](double y) { return counts(y); });
+    if (first == peaks.end() || last == peaks.rend()) return false;
+    first_ = *first;
+    last_ = *last;
+    return true;
+  }
+
+  /// A bound of so little does not count.
+  [[nodiscard]] bool is_small(const std::optional<ball>& bound) const {
+    return bound && estimated_log2(bound->magnitude_upper()) <= greatest_ - bits_;
+  }
+  /// Of an infinite range: proposes points farther and farther out, from the first beyond which little is left, until one is
+  /// taken; false where none is.
+  template <class Take>
+  [[nodiscard]] bool propose_towards_infinity(const Take& take) const {
+    double outside = std::max(std::abs(last_), 1e-3);
+    while (outside < 1e100 && counts(last_ + outside)) outside *= 2;
+    double step = crossing(last_, last_ + outside) - last_;
+    constexpr int most_attempts = 60;
+    for (int k = 0; k < most_attempts; ++k, step *= 1.1) {
+      if (take(short_number(last_ + step, last_))) return true;
     }
+    return false;
   }
-  if (!(size(low) < greatest_log2)) {  // singular there
-    const double length = range.upper.is_infinite() ? 1 : high - low;
-    for (int k = 1; k <= 60; ++k) peaks.push_back(low + std::ldexp(length, -k));
+  /// Between the last value that counts and the upper end, which is a number; nothing where a cut is not worth a proof.
+  [[nodiscard]] std::optional<rational> upper_cut() const {
+    if (!range_.upper.exact() || !(size(high_) < least() - much)) return std::nullopt;
+    const rational t = short_number(crossing(last_, high_), last_);
+    if (t >= *range_.upper.exact() || t <= exact_double(last_)) return std::nullopt;
+    return t;
   }
-  std::sort(peaks.begin(), peaks.end());
-  double greatest = -infinite;
-  for (const double y : peaks) {
-    const double value = size(y);
-    if (!(value > greatest) || value > greatest_log2) continue;
-    // How far it is until half of the value.
-    double width = std::max(std::abs(y), 1e-3);
-    while (width > 1e-300 && size(y + width) < value - 1 && size(y - width) < value - 1) width /= 2;
-    greatest = std::max(greatest, value + std::min(std::log2(width), 0.0));
+  /// Between the lower end, which is a number, and the first value that counts.
+  [[nodiscard]] std::optional<rational> lower_cut() const {
+    if (!range_.lower.exact() || !(first_ > low_) || !(size(low_) < least() - much)) {
+      return std::nullopt;
+    }
+    const rational t = short_number(crossing(first_, low_), first_);
+    if (t <= *range_.lower.exact() || t >= exact_double(first_)) return std::nullopt;
+    return t;
   }
-  const double least = greatest - bits - 10;
-  // From the first and the last peak that counts outward, to where it does not any more.
-  const auto counts = [&](double y) { return size(y) >= least; };
-  const auto first = std::find_if(peaks.begin(), peaks.end(), counts);
-  const auto last = std::find_if(peaks.rbegin(), peaks.rend(), counts);
-  if (first == peaks.end() || last == peaks.rend()) return std::nullopt;
-  const auto crossing = [&](double inside, double outside) {
+
+ private:
+  static constexpr double much = 40;  // a short way is not worth a proof
+
+  [[nodiscard]] double size(double y) const { return choice_.log2_at(y); }
+  [[nodiscard]] double least() const { return greatest_ - bits_ - 10; }
+  [[nodiscard]] bool counts(double y) const { return size(y) >= least(); }
+
+  /// Where the greatest values may be, in order: at the ends, where the logarithmic derivative is 0, and near a singular end.
+  [[nodiscard]] std::vector<double> possible_peaks() const {
+    std::vector<double> peaks{low_};
+    if (!range_.upper.is_infinite()) peaks.push_back(high_);
+    const rational_polynomial slope = slope_of(range_);
+    if (slope.degree() > 0) {
+      for (const std::complex<double>& y : approximate_roots(slope)) {
+        const bool is_real = std::abs(y.imag()) <= 1e-6 * std::abs(y.real());
+        if (is_real && y.real() > low_ && y.real() < high_) peaks.push_back(y.real());
+      }
+    }
+    if (!(size(low_) < greatest_log2)) {  // singular there
+      const double length = range_.upper.is_infinite() ? 1 : high_ - low_;
+      for (int k = 1; k <= 60; ++k) peaks.push_back(low_ + std::ldexp(length, -k));
+    }
+    std::sort(peaks.begin(), peaks.end());
+    return peaks;
+  }
+  /// log2 of the greatest value times the width of its peak, where that is below 1.
+  [[nodiscard]] double greatest_near(const std::vector<double>& peaks) const {
+    double greatest = -infinite;
+    for (const double y : peaks) {
+      const double value = size(y);
+      if (!(value > greatest) || value > greatest_log2) continue;
+      // How far it is until half of the value.
+      double width = std::max(std::abs(y), 1e-3);
+      while (width > 1e-300 && size(y + width) < value - 1 && size(y - width) < value - 1) {
+        width /= 2;
+      }
+      greatest = std::max(greatest, value + std::min(std::log2(width), 0.0));
+    }
+    return greatest;
+  }
+  /// Where values begin not to count, between a point where they do and one where they do not.
+  [[nodiscard]] double crossing(double inside, double outside) const {
     for (int k = 0; k < 60; ++k) {
       const double middle = (inside + outside) / 2;
       (counts(middle) ? inside : outside) = middle;
     }
     return outside;
-  };
-  finite_ranges result;
-  // What lies beyond t in the range, of which this is a bound, is left out.
-  const auto leave_out_above = [&](const rational& t, const ball& bound) {
-    result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
-                            {place(t), place::upper_end()},
-                            {t, range.upper.exact()}});
-    range.upper = t;
-  };
-  const auto leave_out_below = [&](const rational& t, const ball& bound) {
-    result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
-                            {place::lower_end(), place(t)},
-                            {*range.lower.exact(), t}});
-    range.lower = t;
-  };
-  const auto is_small = [&](const std::optional<ball>& bound) {
-    return bound && estimated_log2(bound->magnitude_upper()) <= greatest - bits;
-  };
-  // A short number, not nearer to the peak than y.
-  const auto short_number = [](double y, double peak) {
+  }
+  /// A short number, not nearer to the peak than y.
+  [[nodiscard]] static rational short_number(double y, double peak) {
     const double unit = unit_of(std::abs(y - peak), 6);
     return exact_double((y > peak ? std::ceil(y / unit) : std::floor(y / unit)) * unit);
+  }
+
+  const smooth_range& range_;
+  double bits_;
+  panel_choice choice_;
+  double low_;
+  double high_;
+  double greatest_ = 0;
+  double first_ = 0;  // the first and the last peak that count
+  double last_ = 0;
+};
+
+/// Leaves out what lies beyond t in the range, of which this is a bound.
+void leave_out_above(finite_ranges& result, smooth_range& range, const rational& t,
+                     const ball& bound) {
+  result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
+                          {place(t), place::upper_end()},
+                          {t, range.upper.exact()}});
+  range.upper = t;
+}
+void leave_out_below(finite_ranges& result, smooth_range& range, const rational& t,
+                     const ball& bound) {
+  result.rests.push_back({ball(0, 64).enlarged(bound.magnitude_upper()),
+                          {place::lower_end(), place(t)},
+                          {*range.lower.exact(), t}});
+  range.lower = t;
+}
+
+/// Without what is proved to be too small to count for so many bits. Nothing where no end of an infinite range is found.
+std::optional<finite_ranges> cut_off(const smooth_range& whole, double bits) {
+  cut_search search(whole, bits);
+  if (!search.prepare()) return std::nullopt;
+  finite_ranges result;
+  smooth_range range = whole;
+  // The cut at t, if the bound of what is beyond it, up to `end`, is proved to be small.
+  const auto proved_cut = [&](const rational& t, const std::optional<rational>& end,
+                              auto leave_out) {
+    const std::optional<ball> bound = bound_by_slope(range, t, end);
+    if (!search.is_small(bound)) return false;
+    leave_out(result, range, t, *bound);
+    return true;
   };
-  // A short way is not worth a proof.
-  constexpr double much = 40;
-  if (range.upper.is_infinite()) {
-    double outside = std::max(std::abs(*last), 1e-3);
-    while (outside < 1e100 && counts(*last + outside)) outside *= 2;
-    double step = crossing(*last, *last + outside) - *last;
-    for (int k = 0;; ++k, step *= 1.1) {
-      if (k == 60) return std::nullopt;
-      const rational t = short_number(*last + step, *last);
-      const std::optional<ball> bound = bound_by_slope(range, t, std::nullopt);
-      if (!is_small(bound)) continue;
-      leave_out_above(t, *bound);
-      break;
-    }
-  } else if (range.upper.exact() && size(high) < least - much) {
-    const double y = crossing(*last, high);
-    const rational t = short_number(y, *last);
-    const std::optional<ball> bound = bound_by_slope(range, t, range.upper.exact());
-    if (t < *range.upper.exact() && t > exact_double(*last) && is_small(bound)) {
-      leave_out_above(t, *bound);
-    }
+  if (whole.upper.is_infinite()) {
+    const bool is_cut = search.propose_towards_infinity(
+        [&](const rational& t) { return proved_cut(t, std::nullopt, leave_out_above); });
+    if (!is_cut) return std::nullopt;
+  } else if (const auto t = search.upper_cut()) {
+    proved_cut(*t, whole.upper.exact(), leave_out_above);
   }
-  if (range.lower.exact() && *first > low && size(low) < least - much) {
-    const double y = crossing(*first, low);
-    const rational t = short_number(y, *first);
-    const std::optional<ball> bound = bound_by_slope(range, t, range.lower.exact());
-    if (t > *range.lower.exact() && t < exact_double(*first) && is_small(bound)) {
-      leave_out_below(t, *bound);
-    }
-  }
+  if (const auto t = search.lower_cut()) proved_cut(*t, whole.lower.exact(), leave_out_below);
   result.ranges.push_back(std::move(range));
   return result;
 }
@@ -276,7 +347,7 @@ std::optional<finite_ranges> ranges_of(const hyperexponential_integral& part, do
                                     [](const smooth_factor& f) { return abs(f.exponent) >= 16; });
   if (is_steep && (range.exponent.degree() >= 1 || !range.upper.is_infinite())) {
     if (range.upper.is_infinite() && !range.lower.exact()) return std::nullopt;
-    return cut_off(std::move(range), bits);
+    return cut_off(range, bits);
   }
   if (range.phase.degree() >= 0) {
     if (range.upper.is_infinite()) return std::nullopt;

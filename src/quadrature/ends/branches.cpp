@@ -1,0 +1,111 @@
+#include "branches.hpp"
+
+#include "polhode/arithmetic/interval.hpp"
+
+namespace polhode::detail::breaks {
+
+namespace {
+
+using kind = recorded_node::kind;
+
+bool not_negative(const ball& x) { return certainly_less_equal(ball(0, 64), x); }
+bool not_positive(const ball& x) { return certainly_less_equal(x, ball(0, 64)); }
+
+/// The greatest integer that is at most x's lower end; nothing where that is not a moderate number.
+std::optional<long> integer_below(const ball& x) {
+  constexpr long most = 1L << 40;
+  if (!x.is_bounded() || magnitude::power_of_two(40) <= x.magnitude_upper()) return std::nullopt;
+  const rational q = lower_rational(x);
+  integer n;
+  mpz_fdiv_q(n.backend().data(), numerator(q).backend().data(), denominator(q).backend().data());
+  if (abs(n) >= most) return std::nullopt;
+  return static_cast<long>(n);
+}
+
+/// The branch for the whole range of the decider; `strictly`: it is strictly monotone, so that of the range's ends each is
+/// reached at one point at most, which does not matter to an integral.
+std::optional<long> branch_over(kind what, const ball& range, bool strictly) {
+  if (range.is_undefined()) return std::nullopt;
+  if (what == kind::ceil) {
+    const std::optional<long> below = branch_over(kind::floor, -range, strictly);
+    return below ? std::optional(-*below) : std::nullopt;
+  }
+  if (what == kind::floor) {
+    const std::optional<long> n = integer_below(range);
+    if (!n) return std::nullopt;
+    const ball next(*n + 1, 64);
+    const bool same = strictly ? certainly_less_equal(range, next) : certainly_less(range, next);
+    return same ? n : std::nullopt;
+  }
+  if (not_negative(range)) return 1;
+  return not_positive(range) ? std::optional(-1L) : std::nullopt;
+}
+
+/// The branch for a decider between n and the next integer in the direction of the sign; for other kinds than floor and
+/// ceil n is 0.
+long branch_beside(kind what, long n, int side) {
+  if (what == kind::floor) return side > 0 ? n : n - 1;
+  if (what == kind::ceil) return side > 0 ? n + 1 : n;
+  return side;
+}
+
+/// The integer at which alone the branch may change where the decider has values in this range; nothing where there may
+/// be more.
+std::optional<long> only_change(kind what, const ball& range) {
+  if (what != kind::floor && what != kind::ceil) return 0;
+  const std::optional<long> below = integer_below(range);
+  if (!below) return std::nullopt;
+  // Or *below itself, where the range starts at it.
+  const bool at_start = !certainly_greater(range, *below);
+  const long n = at_start && certainly_less(range, *below + 1) ? *below : *below + 1;
+  if (n == *below + 1 && !certainly_less_equal(range, ball(n + 1, 64))) return std::nullopt;
+  return n;
+}
+
+}  // namespace
+
+traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
+             const crossing* given, int side) {
+  const recorded_nodes& nodes = f.at(x.precision());
+  evaluation<slope_jet> over(nodes, slope_jet::variable(x));
+  evaluation<slope_jet> at_low(nodes, slope_jet::variable(low));
+  evaluation<slope_jet> at_high(nodes, slope_jet::variable(high));
+  traced result;
+  result.chosen.resize(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!f.needs(i)) continue;
+    std::optional<long>& branch = result.chosen[i];
+    if (nodes[i].is_piecewise()) {
+      const std::size_t d = nodes[i].decider;
+      const auto& [range, slope] = std::pair(over[d][0], over[d][1]);
+      const bool ascending = certainly_positive(slope);
+      const bool monotone = !range.is_undefined() && (ascending || certainly_negative(slope));
+      const ball& start = (ascending ? at_low : at_high)[d][0];
+      const ball& end = (ascending ? at_high : at_low)[d][0];
+      const ball between = monotone ? intersection(range, hull(start, end)) : range;
+      const ball& values = between.is_undefined() ? range : between;
+      branch = branch_over(nodes[i].what, values, monotone);
+      std::optional<crossing> suspect;
+      if (monotone && !branch) {
+        if (const auto n = only_change(nodes[i].what, values)) suspect = crossing{d, *n, ascending};
+      }
+      const bool crosses =
+          suspect && certainly_less(start, suspect->n) && certainly_greater(end, suspect->n);
+      if (crosses && given != nullptr && given->decider == d && given->n == suspect->n) {
+        branch = branch_beside(nodes[i].what, given->n, ascending ? side : -side);
+      }
+      if (!branch && result.decided) {
+        result.decided = false;
+        result.suspect = suspect;
+        result.slope = slope;
+        result.crosses = crosses;
+      }
+    }
+    over.step(i, branch);
+    at_low.step(i, branch);
+    at_high.step(i, branch);
+  }
+  return result;
+}
+
+}  // namespace polhode::detail::breaks

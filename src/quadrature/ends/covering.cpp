@@ -1,0 +1,106 @@
+#include "covering.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/arithmetic/interval.hpp"
+
+namespace polhode::detail::breaks {
+
+covering::covering(const formula& f, const integrand& g, const interval& whole, long bits)
+    : f_(f),
+      g_(g),
+      least_log2_width_(whole.log2_width() - bits),
+      most_effort_(1e6 + static_cast<double>(bits) * static_cast<double>(bits) / 2) {
+  cover(whole);
+}
+
+bool covering::has_branches() const {
+  return std::any_of(stretches_.begin(), stretches_.end(), [](const stretch& s) {
+    return s.what == stretch::form::plain || s.what == stretch::form::broken;
+  });
+}
+
+void covering::cover(const interval& whole) {
+  constexpr long most_breaks = 4000;
+  std::vector<interval> open{whole};
+  while (!open.empty()) {
+    const interval x = open.back();
+    open.pop_back();
+    if (effort_ > most_effort_ || breaks_ > most_breaks) {
+      stretches_.clear();
+      return;
+    }
+    const traced t = traced_over(x, nullptr, 0);
+    if (std::optional<stretch> s = resolved(x, t)) {
+      stretches_.push_back(*std::move(s));
+    } else {
+      split(x, t, open);
+    }
+  }
+}
+
+std::optional<stretch> covering::resolved(const interval& x, const traced& t) {
+  using form = stretch::form;
+  if (t.decided) return stretch{x, form::plain, t.chosen, {}, std::nullopt};
+  if (t.crosses) {
+    traced before = traced_over(x, &*t.suspect, -1);
+    traced beyond = traced_over(x, &*t.suspect, 1);
+    if (before.decided && beyond.decided) {
+      ++breaks_;
+      return stretch{x, form::broken, std::move(before.chosen), std::move(beyond.chosen),
+                     t.suspect};
+    }
+  }
+  const bool is_short = x.log2_width() < least_log2_width_;
+  const precision p = x.bits();
+  const bool hopeless = x.level >= 40 && !g_.evaluator(p)(x.set(p)).is_bounded();
+  if (!is_short && !hopeless) return std::nullopt;
+  // Near such a point breaks may crowd.
+  if (hopeless) most_effort_ = std::min(most_effort_, effort_ + 5e4);
+  return stretch{x, hopeless ? form::unresolved : form::short_one, {}, {}, std::nullopt};
+}
+
+/// Into halves; or, where the decider can only be n within a short interval, into that and what is beside it.
+void covering::split(const interval& x, const traced& t, std::vector<interval>& open) const {
+  const precision p = x.bits();
+  std::vector<rational> cuts{x.middle()};
+  if (t.suspect) {
+    // As in break_point::refine.
+    const std::size_t d = t.suspect->decider;
+    const ball middle(x.middle(), p);
+    const ball value =
+        evaluate(f_, p, slope_jet::variable(middle), t.chosen, d)[d][0] - t.suspect->n;
+    const ball zero = intersection(middle - value / t.slope, x.set(p));
+    if (zero.is_bounded()) {
+      // A little wider, so that the signs at the ends can be told.
+      const magnitude margin = scale(ball(x.width(), 64).magnitude_upper(), -p / 4);
+      const ball grown = zero.enlarged(margin);
+      const rational low = lower_rational(grown);
+      const rational high = upper_rational(grown);
+      if (high - low < x.width() / 8) {
+        cuts.clear();
+        if (low > x.low) cuts.push_back(low);
+        if (high < x.high) cuts.push_back(high);
+      }
+    }
+  }
+  cuts.push_back(x.high);
+  std::vector<interval> parts;
+  rational start = x.low;
+  for (const rational& end : cuts) {
+    interval part{start, end, 0};
+    part.level = x.level + std::max(1L, static_cast<long>(x.log2_width() - part.log2_width()));
+    parts.push_back(part);
+    start = end;
+  }
+  open.insert(open.end(), parts.rbegin(), parts.rend());
+}
+
+traced covering::traced_over(const interval& x, const crossing* given, int side) {
+  const precision p = x.bits();
+  effort_ += static_cast<double>(f_.size()) * (1 + static_cast<double>(p) / 256);
+  return trace(f_, x.set(p), ball(x.low, p), ball(x.high, p), given, side);
+}
+
+}  // namespace polhode::detail::breaks

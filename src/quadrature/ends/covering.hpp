@@ -1,0 +1,50 @@
+#pragma once
+
+// The range of a function with breaks, covered by intervals on which its branches are known.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/ends/branches.hpp"
+
+namespace polhode::detail::breaks {
+
+/// A part of the range: with one set of branches; or with a break in it, and the branches before and beyond it; or
+/// so short that it is left out; or unresolved.
+struct stretch {
+  enum class form : std::uint8_t { plain, broken, short_one, unresolved };
+  interval x;
+  form what = form::plain;
+  choices before;
+  choices beyond;
+  std::optional<crossing> crosses;
+};
+
+/// f is g's recording.
+class covering {
+ public:
+  covering(const formula& f, const integrand& g, const interval& whole, long bits);
+
+  /// In order; none where that took too much effort.
+  [[nodiscard]] const std::vector<stretch>& stretches() const { return stretches_; }
+  [[nodiscard]] bool has_branches() const;
+
+ private:
+  void cover(const interval& whole);
+  /// The interval with its branches, with a break and what is beside it, or left as it is; nothing where it is to be cut first.
+  [[nodiscard]] std::optional<stretch> resolved(const interval& x, const traced& t);
+  void split(const interval& x, const traced& t, std::vector<interval>& open) const;
+  traced traced_over(const interval& x, const crossing* given, int side);
+
+  const formula& f_;
+  const integrand& g_;
+  std::int64_t least_log2_width_;
+  double effort_ = 0;  // in evaluations of a node with few bits
+  double most_effort_;
+  long breaks_ = 0;
+  std::vector<stretch> stretches_;
+};
+
+}  // namespace polhode::detail::breaks

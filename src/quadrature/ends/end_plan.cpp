@@ -1,0 +1,130 @@
+#include "end_plan.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace polhode::detail::ends {
+
+end_point sum_of(const end_point& a, const end_point& b, const rational& factor) {
+  if (a.form() && b.form()) return end_point(*a.form() + *b.form() * factor);
+  return end_point([=](precision p) { return a.at(p) + b.at(p) * factor; });
+}
+end_point difference(const end_point& a, const end_point& b) { return sum_of(a, -b, 1); }
+
+known_number exactly(const end_point& x) {
+  return x.form() ? known_number(*x.form()) : known_number(x.at(192));
+}
+
+namespace {
+
+/// |q| t^(q-1) f(p + s t^q): the exponent and the bounds from the series of f.
+end_plan plan_from_series(const end_series& series, long q, double r) {
+  const end_series h = series.simplified();
+  end_plan plan;
+  plan.q = q;
+  plan.r = r;
+  plan.exponent = h.exponent() + (q - 1);
+  const auto factor = magnitude::from_integer_up(static_cast<std::uint64_t>(std::abs(q)));
+  for (int k = 0; k <= h.log_degree(); ++k) {
+    plan.bounds.push_back(multiply_up(h.supremum(k), factor));
+  }
+  const bool integrable = plan.exponent > -1;
+  const bool is_power = h.log_degree() == 0 && denominator(plan.exponent) == 1;
+  if (!integrable) {
+    plan.how = h.leads_surely() ? manner::divergent : manner::unknown;
+    plan.obstacle = "a coefficient that may be 0";
+  } else {
+    plan.how = is_power ? manner::power : manner::exponential;
+  }
+  return plan;
+}
+
+/// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which its series is
+/// known; with few orders first, which cost less and mostly suffice.
+end_series series_at_end(const integrand& f, const end_of_range& end, long q, double& r) {
+  constexpr std::array<double, 6> sizes{0.5, 0.25, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32};
+  using remedy = end_series::remedy;
+  const known_number p = exactly(end.at);
+  const known_number s = exactly(end.distance);
+  end_series first;
+  double found_r = 0;
+  std::optional<end_series> found;  // on a larger square, with a poor bound
+  int orders = 2;
+  for (std::size_t k = 0; k < sizes.size();) {
+    r = sizes.at(k);
+    end_series h = f.near_end(end_series::argument(p, s, q, r, orders));
+    const bool few_orders = orders < end_series::most_orders;
+    const remedy help = h.what_may_help();
+    if (h.is_blocked()) {
+      if (found) break;
+      if (k == 0) first = h;
+      if (help == remedy::none || help == remedy::other_root) return h;
+      if (help == remedy::smaller_square || !few_orders) ++k;
+    } else if (!few_orders || h.simplified().leads_surely()) {
+      // On a small square the bound is not far from the value at its centre.
+      constexpr long poor = 10;
+      const end_series g = h.simplified();
+      if (found && multiply_up(g.supremum(g.log_degree()), magnitude::power_of_two(poor)) >
+                       found->simplified().supremum(g.log_degree())) {
+        break;
+      }
+      found = h;
+      found_r = r;
+      if (g.supremum(g.log_degree()) <= multiply_up(g.size_at_0(), magnitude::power_of_two(poor)))
+        break;
+      ++k;
+      continue;
+    }
+    if (help != remedy::smaller_square) orders = end_series::most_orders;
+  }
+  if (!found) return first;
+  r = found_r;
+  return *found;
+}
+
+}  // namespace
+
+end_plan look_at_end(const integrand& f, const end_of_range& end) {
+  using remedy = end_series::remedy;
+  constexpr long most_root = 6;
+  end_plan best;
+  for (long root = 1; root <= most_root;) {
+    const long q = end.infinite ? -root : root;
+    double r = 0;
+    const end_series h = series_at_end(f, end, q, r);
+    if (h.is_blocked()) {
+      if (best.obstacle.empty()) best.obstacle = std::string(h.where());
+      const remedy help = h.what_may_help();
+      if (help == remedy::none || help == remedy::smaller_square) break;
+      ++root;
+      continue;
+    }
+    end_plan plan = plan_from_series(h, q, r);
+    if (plan.how == manner::power) return plan;
+    if (best.how == manner::unknown) best = plan;
+    // Where there is no logarithm, the exponent times this root is whole.
+    const integer whole = denominator(plan.exponent) * root;
+    const bool helps = plan.how == manner::exponential && plan.bounds.size() == 1;
+    if (!helps || whole <= root || whole > most_root) break;
+    root = static_cast<long>(whole);
+  }
+  return best;
+}
+
+bool is_regular(const integrand& f, const end_of_range& end) {
+  const precision p = 192;
+  const ball start = end.at.at(p);
+  const ball distance = end.distance.at(p);
+  const double_interval in_doubles(-0x1p-10, 0x1p-10);
+  if (f.over(region(start) + region(distance) * region(in_doubles, in_doubles)).is_analytic()) {
+    return true;
+  }
+  for (const double size : {0x1p-10, 0x1p-20, 0x1p-40}) {
+    const ball side = to_ball(double_interval(-size, size), p);
+    const region x = start + distance * region::in_balls({side, side});
+    if (f.over(x).is_analytic()) return true;
+  }
+  return false;
+}
+
+}  // namespace polhode::detail::ends
