@@ -103,5 +103,34 @@ TEST(IntegralsOfAnalysts, OverManyPeriods) {
       400);
 }
 
+/// Refused, with the point, and with at most so much work.
+void expect_refused(const std::string& formula, const end_point& a, const end_point& b,
+                    const std::string& obstacle) {
+  SCOPED_TRACE(formula);
+  const integral found = integrate(parse(formula), a, b, {.digits = 30});
+  EXPECT_EQ(found.verdict, status::not_certified);
+  EXPECT_EQ(found.why, reason::not_integrable);
+  EXPECT_EQ(found.obstacle, obstacle);
+  EXPECT_LE(found.account.evaluations + found.account.region_evaluations, 10'000);
+}
+
+// Sets in f are wider than its values long before the zero: x - sin x is x^3/6.
+TEST(IntegralsOfAnalysts, CancellationThatHidesAZero) {
+  expect_known(
+      {
+          {"sqrt(x^2-2*x+1)", "0", "2", "1"},
+          {"sqrt(exp(x)+exp(-x)-2)", "-1", "1", "1.021007721651046281809801291221376100383"},
+          {"(x-sin(x))/x^3", "-1", "1", "0.3278563610432192389947922428964552611672"},
+          {"x^2/(exp(x)-x-1)", "-1", "1", "4.0369134595089139242163632861820281227"},
+          {"x^3/(x-sin(x))", "-1", "1", "12.20318172869262821829822449047218241339"},
+          {"(1-cos(x-1/2))/(x-1/2)^2", "0", "1", "0.4965450836476242427883797455608479152493"},
+      },
+      3000);
+  expect_refused("1/sqrt(x^2-2*x+1)", 0, 2, "the integrand grows too fast at x = 1");
+  expect_refused("1/(exp(x)-x-1)", -1, 1, "the integrand grows too fast at x = 0");
+  expect_refused("1/(x-sin(x))", -1, 1, "the integrand grows too fast at x = 0");
+  expect_refused("1/(sin(x)-x)*cos(x)", -1, 1, "the integrand grows too fast at x = 0");
+}
+
 }  // namespace
 }  // namespace polhode::test

@@ -73,8 +73,8 @@ class integrator {
   [[nodiscard]] complex_ball sum_over_nodes(const panel& p, const symmetric_nodes& rule) const;
   [[nodiscard]] ball trapezoid_part(const panel& p, precision working) const;
   [[nodiscard]] double log2_of_typical(const panel& p, double log2_goal) const;
-  [[nodiscard]] ball range_of(const panel& p) const;
-  [[nodiscard]] std::optional<rational> point_in(const panel& p) const;
+  [[nodiscard]] ball range_of(const panel& p, long around = 1) const;
+  [[nodiscard]] std::optional<rational> point_in(const ball& both, long greatest_denominator) const;
   [[nodiscard]] bool is_hopeless_beyond(const panel& p) const;
   outcome obstructed_at(const panel& p);
   [[nodiscard]] double log2_of_samples(std::size_t index) const;
@@ -94,6 +94,7 @@ class integrator {
   // not end, F is known on the real line alone.
   static constexpr long most_ranges_in_a_row = 64;
   long ranges_in_a_row_ = 0;
+  long short_panels_ = 0;  // that were halved again
   std::vector<panel> panels_;
   double planned_nodes_ = 0;
   std::vector<double> log2_scales_;

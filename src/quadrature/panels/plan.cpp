@@ -150,6 +150,7 @@ integrator::outcome integrator::plan(double log2_goal) {
   panels_.clear();
   planned_nodes_ = 0;
   ranges_in_a_row_ = 0;
+  short_panels_ = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
     const outcome o = plan_segment(i, log2_goal - 6);
     if (o != outcome::done) return o;
@@ -214,21 +215,20 @@ integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal
                                                      : outcome::done;
 }
 
-/// From one end to the other.
-ball integrator::range_of(const panel& p) const {
+/// From one end to the other; with what is beside it, as far as the segment reaches, where `around` is above 1.
+ball integrator::range_of(const panel& p, long around) const {
   const segment& s = segments_[p.segment];
-  const rational half = p.half_length();
-  return hull(s.position(ball(rational(p.centre - half), 192)),
-              s.position(ball(rational(p.centre + half), 192)));
+  const rational half = p.half_length() * around;
+  const rational low = std::max(rational(p.centre - half), rational(0));
+  const rational high = std::min(rational(p.centre + half), rational(1));
+  return hull(s.position(ball(low, 192)), s.position(ball(high, 192)));
 }
 
-/// A rational number of small denominator in the panel that is not known yet; at most one of a few
+/// A rational number of small denominator in a range of x that is not known yet; at most one of a few
 /// neighbouring panels has the same.
-std::optional<rational> integrator::point_in(const panel& p) const {
-  const ball both = range_of(p);
+std::optional<rational> integrator::point_in(const ball& both, long greatest_denominator) const {
   if (!both.is_bounded()) return std::nullopt;
   const rational q = simplest_rational(lower_rational(both), upper_rational(both));
-  constexpr long greatest_denominator = 10'000;
   if (denominator(q) > greatest_denominator) return std::nullopt;
   const bool known =
       std::find(known_points_.begin(), known_points_.end(), q) != known_points_.end();
@@ -285,8 +285,21 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   constexpr long suspicious_level = 40;
   const segment& own = segments_[p.segment];
   const bool is_real = !own.along && !own.continued;
+  // Ever shorter panels on the way to a point: such as it takes where numbers cancel in f, as in x - sin x, whose sets are
+  // wider than the values by then.
+  constexpr long short_level = 10;
+  constexpr long most_short_panels = 48;
+  if (is_real && p.level >= short_level && !std::isfinite(own_nodes) &&
+      ++short_panels_ > most_short_panels) {
+    constexpr long panels_around = 256;
+    short_panels_ = 0;
+    if (const std::optional<rational> point = point_in(range_of(p, panels_around), 16)) {
+      points_.push_back(*point);
+      return outcome::cut_needed;
+    }
+  }
   if (is_real && p.level == suspicious_level && !std::isfinite(own_nodes)) {
-    if (const std::optional<rational> point = point_in(p)) {
+    if (const std::optional<rational> point = point_in(range_of(p), 10'000)) {
       constexpr std::size_t most_points = 200;
       points_.push_back(*point);
       return points_.size() < most_points ? outcome::done : outcome::cut_needed;  // for now
