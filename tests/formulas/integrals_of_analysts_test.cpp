@@ -132,5 +132,27 @@ TEST(IntegralsOfAnalysts, CancellationThatHidesAZero) {
   expect_refused("1/(sin(x)-x)*cos(x)", -1, 1, "the integrand grows too fast at x = 0");
 }
 
+TEST(IntegralsOfAnalysts, OscillationWithRoots) {
+  expect_known(
+      {
+          {"sin(x)/x^(1/3)", "0", "inf", "1.17270053526350045388653789952814824566"},
+          {"sin(x)/x^(4/3)", "0", "inf", "2.031176909139600625417932042231770678279"},
+          {"cos(x)/x^(2/5)", "0", "inf", "0.8753252416804371183048298072455319978657"},
+          {"sin(x)/sqrt(sqrt(x))", "0", "inf", "1.132137410205050899787449122496758824865"},
+          {"cos(x^2)/cbrt(x)", "0", "inf", "1.160014413116984775294152416942826011387"},
+      },
+      1000);
+  // Whole and in parts: the root of a number that is negative up to 10.
+  const expression f = parse("sin(x)*cbrt(x-10)/x^2");
+  const integrate_options options{.digits = 30};
+  const end_point infinity = end_point::infinity();
+  const ball parts = integrate(f, 1, 10, options).enclosure +
+                     integrate(f, 10, 20, options).enclosure +
+                     integrate(f, 20, infinity, options).enclosure;
+  const integral whole = integrate(f, 1, infinity, options);
+  EXPECT_EQ(whole.verdict, status::certified) << whole.obstacle;
+  EXPECT_TRUE(overlaps(whole.enclosure, parts));
+}
+
 }  // namespace
 }  // namespace polhode::test

@@ -344,6 +344,17 @@ class separation {
       case recorded_rule::sqrt:
         if (!x.is_steady()) return std::nullopt;
         return steady(sqrt(value(x)), power_of_powers(x, rational(1, 2)));
+      case recorded_rule::root:
+        // Of a positive number the power. That it is positive from Y0 on is proved where the power is bounded: powers of
+        // negative numbers have no series, and lie on a cut.
+        if (!is_constant(x)) return power(x, rational(1, node.number));
+        break;
+      case recorded_rule::power: {
+        const recorded_node& exponent = nodes_[node.right];
+        const bool is_exact = exponent.what == recorded_node::kind::constant && exponent.exact;
+        if (!is_constant(x) && is_exact) return power(x, *exponent.exact);
+        break;
+      }
       case recorded_rule::sin:
       case recorded_rule::cos:
         if (!is_constant(x)) return circular(x, node.operation.rule == recorded_rule::sin);
