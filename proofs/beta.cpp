@@ -184,13 +184,11 @@ root_enclosure enclose_beta(precision p) {
 }
 
 claim beta_claim() {
-  return {"beta",
-          "eq. (40)",
+  return {"eq. (40)",
           "beta is the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). What it says of "
           "bodies, that it is the greatest lower bound of c0/b over all physical ones, is the "
           "claim limit_minimum. The paper prints 0.028973.",
           "interval Newton on the AGM; signs by certified quadrature as an independent route",
-          claim_subject::none,
           prove_beta,
           proof_tier::by_machine,
           {{step_kind::cited,

@@ -49,11 +49,9 @@ certificate prove_c0(const request& wanted) {
 }  // namespace
 
 claim c0_decreases_claim() {
-  return {"c0_decreases",
-          "lemma 4",
+  return {"lemma 4",
           "The perfect twist c0(a, b) decreases as a increases.",
           "exact derivatives of the integrand and their signs",
-          claim_subject::body,
           prove_c0,
           proof_tier::with_words,
           {{step_kind::argued,

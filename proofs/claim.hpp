@@ -20,14 +20,15 @@ enum class claim_subject { none, body, motion };
 
 /// One statement of the paper and what proves it.
 struct claim {
-  std::string name;
   std::string reference;  // where the paper says it
   std::string statement;  // one line
   std::string method;     // one line
-  claim_subject subject = claim_subject::none;
   std::function<certificate(const request&)> prove;
   proof_tier tier = proof_tier::by_machine;
   std::vector<stated_step> argument = {};  // what is argued in words, and cited
+  // As claims.hpp lists it.
+  std::string name = {};
+  claim_subject subject = claim_subject::none;
 };
 
 /// All claims, in the order of the paper.

@@ -1,33 +1,41 @@
 #pragma once
 
-// One function a claim, each in a file of its own; registry.cpp lists them.
+// The claims, in the order of the paper: each with its name and what of a request its numbers depend on (claim_subject). The list is written
+// here and nowhere else. A claim is a function name_claim() in a file of its own.
 
 #include "proofs/claim.hpp"
 
+// clang-format off
+#define POLHODE_CLAIMS(claim_about) \
+  claim_about(physical, body) \
+  claim_about(montgomery_oscillating, body) \
+  claim_about(montgomery_rotating, body) \
+  claim_about(first_equation, body) \
+  claim_about(separatrix_twist, body) \
+  claim_about(perfect_twist, body) \
+  claim_about(intersection, body) \
+  claim_about(crossing, body) \
+  claim_about(injectivity, body) \
+  claim_about(count, body) \
+  claim_about(c0_decreases, body) \
+  claim_about(epsilon0_decreases, body) \
+  claim_about(large_a, none) \
+  claim_about(limit_formula, none) \
+  claim_about(limit_minimum, body) \
+  claim_about(epsilon0_min, none) \
+  claim_about(delta_psi_max, none) \
+  claim_about(beta, none) \
+  claim_about(sign_dF_du, motion) \
+  claim_about(half_phase_limits, body) \
+  claim_about(implicit_equations, none) \
+  claim_about(printed_numbers, none) \
+  claim_about(errata, none)
+// clang-format on
+
 namespace polhode::proofs {
 
-[[nodiscard]] claim physical_claim();
-[[nodiscard]] claim montgomery_oscillating_claim();
-[[nodiscard]] claim montgomery_rotating_claim();
-[[nodiscard]] claim first_equation_claim();
-[[nodiscard]] claim separatrix_twist_claim();
-[[nodiscard]] claim perfect_twist_claim();
-[[nodiscard]] claim intersection_claim();
-[[nodiscard]] claim crossing_claim();
-[[nodiscard]] claim injectivity_claim();
-[[nodiscard]] claim count_claim();
-[[nodiscard]] claim c0_decreases_claim();
-[[nodiscard]] claim epsilon0_decreases_claim();
-[[nodiscard]] claim large_a_claim();
-[[nodiscard]] claim limit_formula_claim();
-[[nodiscard]] claim limit_minimum_claim();
-[[nodiscard]] claim epsilon0_min_claim();
-[[nodiscard]] claim delta_psi_max_claim();
-[[nodiscard]] claim beta_claim();
-[[nodiscard]] claim sign_dF_du_claim();
-[[nodiscard]] claim half_phase_limits_claim();
-[[nodiscard]] claim implicit_equations_claim();
-[[nodiscard]] claim printed_numbers_claim();
-[[nodiscard]] claim errata_claim();
+#define POLHODE_DECLARATION(name, subject) [[nodiscard]] claim name##_claim();
+POLHODE_CLAIMS(POLHODE_DECLARATION)
+#undef POLHODE_DECLARATION
 
 }  // namespace polhode::proofs

@@ -44,13 +44,11 @@ certificate prove_count(const request& wanted) {
 }  // namespace
 
 claim count_claim() {
-  return {"count",
-          "theorem 4",
+  return {"theorem 4",
           "C and S meet exactly N = ceil(1/I + 1/2) - 1 times: n + 1 times for 2/(2n+3) <= I < "
           "2/(2n+1), "
           "where the paper says at least.",
           "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
-          claim_subject::body,
           prove_count,
           proof_tier::with_words,
           {{step_kind::argued,

@@ -42,12 +42,10 @@ certificate prove_crossing(const request& wanted) {
 
 claim crossing_claim() {
   return {
-      "crossing",
       "lemma 3",
       "epsilon(c) takes the value pi/2 in (-b, 0) if and only if I < 1, that is, if the body is "
       "not physical: exactly ceil(1/I) - 1 times.",
       "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
-      claim_subject::body,
       prove_crossing,
       proof_tier::with_words,
       {{step_kind::argued,

@@ -38,11 +38,9 @@ certificate prove_epsilon0(const request& wanted) {
 }  // namespace
 
 claim epsilon0_decreases_claim() {
-  return {"epsilon0_decreases",
-          "lemma 5",
+  return {"lemma 5",
           "The twist defect on the separatrix, epsilon0(a, b), decreases as a increases.",
           "exact derivatives of the integrand and their signs",
-          claim_subject::body,
           prove_epsilon0,
           proof_tier::with_words,
           {{step_kind::argued,

@@ -41,13 +41,11 @@ root_enclosure epsilon0_min_by_logarithm(precision p) {
 
 claim epsilon0_min_claim() {
   return {
-      "epsilon0_min",
       "eq. (39)",
       "epsilon0_min = pi/2 - am(pi | 1) = pi - 2 arctan(e^pi). What it says of bodies, that it is "
       "the greatest lower bound of the twist defect on the separatrix over all physical ones, is "
       "the claim limit_minimum. The paper prints 0.086374.",
       "ball arithmetic; interval Newton on log tan as a second route",
-      claim_subject::none,
       prove_epsilon0_min,
       proof_tier::by_machine,
       {{step_kind::cited, "am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i))."}}};

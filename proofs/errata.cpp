@@ -164,12 +164,10 @@ certificate prove_errata(const request& wanted) {
 
 claim errata_claim() {
   return {
-      "errata",
       "sections 1 to 8, figure 7",
       "Each printed number that is wrong, beside the certified one, and statements that are not "
       "right as printed.",
       "enclosures against the printed decimals; exact counterexamples",
-      claim_subject::none,
       prove_errata,
       proof_tier::with_words,
       {{step_kind::argued,

@@ -60,12 +60,10 @@ certificate prove_decrease(const request& wanted) {
 
 claim first_equation_claim() {
   return {
-      "first_equation",
       "proposition 2, eqs. (21)-(24)",
       "The twist defect given by the first implicit equation decreases strictly in c, and so is "
       "injective there.",
       "exact derivative of the integrand and its sign",
-      claim_subject::body,
       prove_decrease,
       proof_tier::with_words,
       {{step_kind::argued,

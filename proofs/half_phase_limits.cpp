@@ -30,11 +30,9 @@ certificate prove_limits(const request& wanted) {
 }  // namespace
 
 claim half_phase_limits_claim() {
-  return {"half_phase_limits",
-          "appendix A, lemma 7, eqs. (45)-(46)",
+  return {"appendix A, lemma 7, eqs. (45)-(46)",
           "F(-bu,u) tends to pi I as u tends to 1, and to infinity as u tends to 0.",
           "explicit bounds on both sides, by exact signs",
-          claim_subject::body,
           prove_limits,
           proof_tier::with_words,
           {{step_kind::argued,

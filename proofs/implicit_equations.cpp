@@ -50,12 +50,10 @@ certificate prove_equations(const request&) {
 
 claim implicit_equations_claim() {
   return {
-      "implicit_equations",
       "appendix B, eqs. (48)-(53)",
       "After n intersections of C and S the curve C is given by one of four implicit equations, "
       "by the parity of n and the side of pi/2 on which epsilon is.",
       "symmetries of the motion; sums of the sweeps",
-      claim_subject::none,
       prove_equations,
       proof_tier::by_argument,
       {{step_kind::argued,

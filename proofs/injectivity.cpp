@@ -255,13 +255,11 @@ certificate prove_injectivity(const request& wanted) {
 
 claim injectivity_claim() {
   return {
-      "injectivity",
       "theorem 3, proposition 4",
       "The twist defect epsilon(c) is an injective function of c if and only if I >= 1, that is, "
       "if and only if the body is physical.",
       "monotone parts by exact signs; a chain of enclosures, or two c with one epsilon, for a "
       "body",
-      claim_subject::body,
       prove_injectivity,
       proof_tier::with_words,
       {{step_kind::argued,

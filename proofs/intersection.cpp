@@ -42,12 +42,10 @@ certificate prove_intersection(const request& wanted) {
 
 claim intersection_claim() {
   return {
-      "intersection",
       "lemma 2 and its remark",
       "The part of C given by the first implicit equation meets S in exactly one point with u in "
       "(0, 1) if I < 2 and in none otherwise; at I = 2 the point is the limit u = 1.",
       "one-to-one map onto (pi I, infinity), by exact signs; I < 2 in rationals",
-      claim_subject::body,
       prove_intersection,
       proof_tier::with_words,
       {{step_kind::argued,

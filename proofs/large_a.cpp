@@ -38,13 +38,11 @@ certificate prove_large_a(const request&) {
 
 claim large_a_claim() {
   return {
-      "large_a",
       "section 7: after lemma 5, remark 2",
       "As a -> infinity for one b, epsilon0 -> 0, c0 -> 0 and the first point where C meets S "
       "tends to c = epsilon = 0; for no body is epsilon0 = 0: a perfect twist on the separatrix "
       "there is in this limit only.",
       "explicit bounds, by exact signs",
-      claim_subject::none,
       prove_large_a,
       proof_tier::with_words,
       {{step_kind::argued,

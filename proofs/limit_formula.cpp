@@ -58,14 +58,12 @@ certificate prove_limit(const request&) {
 
 claim limit_formula_claim() {
   return {
-      "limit_formula",
       "eqs. (33)-(38)",
       "As a -> infinity, b -> 0 with ab -> chi > 0 and c/b = beta > -1, epsilon tends to pi/2 - "
       "am(pi sqrt(chi(1+beta)) | 1/(1+beta)), where for beta < 0 the amplitude is the psi with sin "
       "psi = sqrt(1+beta) sn(pi sqrt(chi) | 1+beta), |psi| < pi/2, before the first turning point "
       "and beyond it.",
       "two-sided bound of the integrand, by exact signs; symmetries of the motion",
-      claim_subject::none,
       prove_limit,
       proof_tier::by_argument,
       {{step_kind::argued,

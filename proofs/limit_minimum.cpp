@@ -98,14 +98,12 @@ certificate prove_minimum(const request& wanted) {
 }  // namespace
 
 claim limit_minimum_claim() {
-  return {"limit_minimum",
-          "section 7, eqs. (39), (40)",
+  return {"section 7, eqs. (39), (40)",
           "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min; over all "
           "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained. For "
           "beta < 0, chi <= 1 the limit's epsilon is above epsilon0_min, and tends to it as chi -> "
           "1, beta -> 0.",
           "one polynomial inequality over all physical bodies; the limit formula",
-          claim_subject::body,
           prove_minimum,
           proof_tier::by_argument,
           {{step_kind::argued,

@@ -45,12 +45,10 @@ certificate prove_oscillating(const request& wanted) {
 }  // namespace
 
 claim montgomery_oscillating_claim() {
-  return {"montgomery_oscillating",
-          "theorem 1",
+  return {"theorem 1",
           "The Montgomery phase of oscillating motion increases in c, and its greatest lower bound "
           "is 2 pi I; this is at least 2 pi if and only if the body is physical.",
           "exact derivative and signs; two-sided bounds for the limit",
-          claim_subject::body,
           prove_oscillating,
           proof_tier::with_words,
           {{step_kind::argued,

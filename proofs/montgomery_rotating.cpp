@@ -33,12 +33,10 @@ certificate prove_rotating(const request& wanted) {
 }  // namespace
 
 claim montgomery_rotating_claim() {
-  return {"montgomery_rotating",
-          "theorem 2, eq. (17)",
+  return {"theorem 2, eq. (17)",
           "The Montgomery phase of rotating motion decreases in c, and its greatest lower bound is "
           "2 pi J.",
           "exact derivative and signs; two-sided bounds and an antiderivative for the limit",
-          claim_subject::body,
           prove_rotating,
           proof_tier::with_words,
           {{step_kind::argued,

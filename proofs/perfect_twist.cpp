@@ -73,12 +73,10 @@ certificate prove_perfect_twist(const request& wanted) {
 
 claim perfect_twist_claim() {
   return {
-      "perfect_twist",
       "proposition 3, part 2",
       "A perfect twist, epsilon = 0, occurs if and only if J < 2, at exactly one c0, which lies "
       "in (0, a).",
       "one-to-one map onto (pi J, infinity), by exact signs; J < 2 in rationals",
-      claim_subject::body,
       prove_perfect_twist,
       proof_tier::with_words,
       {{step_kind::argued,

@@ -59,12 +59,10 @@ certificate prove_physical(const request& wanted) {
 
 claim physical_claim() {
   return {
-      "physical",
       "proposition 1",
       "A rigid body with moments of inertia I_z < I_y < I_x is physical, I_y + I_z >= I_x, if and "
       "only if its geometric constant is I >= 1; it is planar if and only if I = 1.",
       "identities of polynomials over all moments; signs of rationals for a body",
-      claim_subject::body,
       prove_physical,
       proof_tier::with_words,
       {{step_kind::argued,

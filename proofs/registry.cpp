@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "polhode/arithmetic/exact.hpp"
 #include "proofs/claims.hpp"
 
@@ -25,30 +27,16 @@ std::string command_of(const claim& c) {
 
 const std::vector<claim>& all_claims() {
   static const std::vector<claim> claims = [] {
-    std::vector<claim> list{physical_claim(),
-                            montgomery_oscillating_claim(),
-                            montgomery_rotating_claim(),
-                            first_equation_claim(),
-                            separatrix_twist_claim(),
-                            perfect_twist_claim(),
-                            intersection_claim(),
-                            crossing_claim(),
-                            injectivity_claim(),
-                            count_claim(),
-                            c0_decreases_claim(),
-                            epsilon0_decreases_claim(),
-                            large_a_claim(),
-                            limit_formula_claim(),
-                            limit_minimum_claim(),
-                            epsilon0_min_claim(),
-                            delta_psi_max_claim(),
-                            beta_claim(),
-                            sign_dF_du_claim(),
-                            half_phase_limits_claim(),
-                            implicit_equations_claim(),
-                            printed_numbers_claim(),
-                            errata_claim()};
-    // What a claim is called and where it stands is written once, here and in its certificate.
+    std::vector<claim> list;
+    const auto add = [&list](const char* name, claim_subject subject, claim c) {
+      c.name = name;
+      c.subject = subject;
+      list.push_back(std::move(c));
+    };
+#define POLHODE_ADD(name, subject) add(#name, claim_subject::subject, name##_claim());
+    POLHODE_CLAIMS(POLHODE_ADD)
+#undef POLHODE_ADD
+    // What a claim is called and where it stands is written once, in its file and in claims.hpp.
     for (claim& c : list) {
       c.prove = [c](const request& wanted) {
         if (wanted.digits < 1) {

@@ -75,12 +75,10 @@ ball separatrix_defect(const body& rigid, precision p) {
 
 claim separatrix_twist_claim() {
   return {
-      "separatrix_twist",
       "proposition 3, part 1, eq. (25)",
       "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
       "solution u = sin^2 epsilon0 in (0, 1), for every body.",
       "exact signs and limits; interval Newton for the number",
-      claim_subject::body,
       prove_separatrix,
       proof_tier::with_words,
       {{step_kind::argued,

@@ -126,13 +126,11 @@ certificate prove_sign(const request& wanted) {
 
 claim sign_dF_du_claim() {
   return {
-      "sign_dF_du",
       "appendix A, lemma 6, eq. (44)",
       "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its derivative "
       "is "
       "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
       "two enclosures of the value; exact identity and signs; interval sweep over all parameters",
-      claim_subject::motion,
       prove_sign,
       proof_tier::with_words,
       {{step_kind::argued,

@@ -28,104 +28,58 @@ double arithmetic_geometric_mean(double x, double y) {
   return x;
 }
 
-double real_root(double x, long n) {
-  const double size = std::pow(std::abs(x), 1.0 / static_cast<double>(n));
-  if (x >= 0) return size;
-  return n % 2 != 0 ? -size : std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace
 
+/// The standard library's functions.
 template <>
-void execute(const instruction& i, double& r, const double& x, const double& y) {
-  constexpr double pi = std::numbers::pi;
-#define POLHODE_DOUBLE(f) \
-  case operation::f:      \
-    r = std::f(x);        \
-    return;
-  switch (i.what) {
-    POLHODE_DOUBLE(sqrt)
-    POLHODE_DOUBLE(abs)
-    POLHODE_DOUBLE(floor)
-    POLHODE_DOUBLE(ceil)
-    POLHODE_DOUBLE(exp)
-    POLHODE_DOUBLE(expm1)
-    POLHODE_DOUBLE(log)
-    POLHODE_DOUBLE(log1p)
-    POLHODE_DOUBLE(sin)
-    POLHODE_DOUBLE(cos)
-    POLHODE_DOUBLE(tan)
-    POLHODE_DOUBLE(asin)
-    POLHODE_DOUBLE(acos)
-    POLHODE_DOUBLE(atan)
-    POLHODE_DOUBLE(sinh)
-    POLHODE_DOUBLE(cosh)
-    POLHODE_DOUBLE(tanh)
-    POLHODE_DOUBLE(asinh)
-    POLHODE_DOUBLE(acosh)
-    POLHODE_DOUBLE(atanh)
-    POLHODE_DOUBLE(erf)
-    POLHODE_DOUBLE(erfc)
-    case operation::add:
-      r = x + y;
-      return;
-    case operation::subtract:
-      r = x - y;
-      return;
-    case operation::multiply:
-      r = x * y;
-      return;
-    case operation::divide:
-      r = x / y;
-      return;
-    case operation::negate:
-      r = -x;
-      return;
-    case operation::power_integer:
-      r = std::pow(x, static_cast<double>(i.number));
-      return;
-    case operation::power:
-      r = std::pow(x, y);
-      return;
-    case operation::root:
-      r = real_root(x, i.number);
-      return;
-    case operation::sinpi:
-      r = std::sin(pi * std::fmod(x, 2.0));
-      return;
-    case operation::cospi:
-      r = std::cos(pi * std::fmod(x, 2.0));
-      return;
-    case operation::gamma:
-      r = std::tgamma(x);
-      return;
-    case operation::log_gamma:
-      r = std::lgamma(x);
-      return;
-    case operation::min:
-      r = std::fmin(x, y);
-      return;
-    case operation::max:
-      r = std::fmax(x, y);
-      return;
-    case operation::hypot:
-      r = std::hypot(x, y);
-      return;
-    case operation::agm:
-      r = arithmetic_geometric_mean(x, y);
-      return;
-    case operation::atan2:
-      r = std::atan2(x, y);
-      return;
-    default: {
-      ball value;
-      execute<ball>(i, value, ball::exactly(x, 64), ball::exactly(y, 64));
-      r = converted<double>(value);
-      return;
-    }
+struct supplement<double> {
+#define POLHODE_STD_OF_ONE_AS(name, f) \
+  static double name(double x) { return std::f(x); }
+#define POLHODE_STD_OF_ONE(f) POLHODE_STD_OF_ONE_AS(f, f)
+#define POLHODE_STD_OF_TWO_AS(name, f) \
+  static double name(double x, double y) { return std::f(x, y); }
+  POLHODE_STD_OF_ONE(sqrt)
+  POLHODE_STD_OF_ONE(abs)
+  POLHODE_STD_OF_ONE(floor)
+  POLHODE_STD_OF_ONE(ceil)
+  POLHODE_STD_OF_ONE(exp)
+  POLHODE_STD_OF_ONE(expm1)
+  POLHODE_STD_OF_ONE(log)
+  POLHODE_STD_OF_ONE(log1p)
+  POLHODE_STD_OF_ONE(sin)
+  POLHODE_STD_OF_ONE(cos)
+  POLHODE_STD_OF_ONE(tan)
+  POLHODE_STD_OF_ONE(asin)
+  POLHODE_STD_OF_ONE(acos)
+  POLHODE_STD_OF_ONE(atan)
+  POLHODE_STD_OF_ONE(sinh)
+  POLHODE_STD_OF_ONE(cosh)
+  POLHODE_STD_OF_ONE(tanh)
+  POLHODE_STD_OF_ONE(asinh)
+  POLHODE_STD_OF_ONE(acosh)
+  POLHODE_STD_OF_ONE(atanh)
+  POLHODE_STD_OF_ONE(erf)
+  POLHODE_STD_OF_ONE(erfc)
+  POLHODE_STD_OF_ONE_AS(gamma, tgamma)
+  POLHODE_STD_OF_ONE_AS(log_gamma, lgamma)
+  POLHODE_STD_OF_TWO_AS(power, pow)
+  POLHODE_STD_OF_TWO_AS(min, fmin)
+  POLHODE_STD_OF_TWO_AS(max, fmax)
+  POLHODE_STD_OF_TWO_AS(hypot, hypot)
+  POLHODE_STD_OF_TWO_AS(atan2, atan2)
+#undef POLHODE_STD_OF_ONE
+#undef POLHODE_STD_OF_ONE_AS
+#undef POLHODE_STD_OF_TWO_AS
+  static double sinpi(double x) { return std::sin(std::numbers::pi * std::fmod(x, 2.0)); }
+  static double cospi(double x) { return std::cos(std::numbers::pi * std::fmod(x, 2.0)); }
+  static double agm(double x, double y) { return arithmetic_geometric_mean(x, y); }
+  static double power_integer(double x, long n) { return std::pow(x, static_cast<double>(n)); }
+  static double root(double x, long n) {
+    const double size = std::pow(std::abs(x), 1.0 / static_cast<double>(n));
+    if (x >= 0) return size;
+    return n % 2 != 0 ? -size : std::numeric_limits<double>::quiet_NaN();
   }
-#undef POLHODE_DOUBLE
-}
+};
 
 }  // namespace polhode::detail
 

@@ -3,105 +3,98 @@
 namespace polhode::detail {
 namespace {
 
-using unary = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
-using binary = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+using unary = int(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+using binary = int(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
 
-unary function_of_one(operation what) {
-  switch (what) {
-#define POLHODE_MPFR(f) \
-  case operation::f:    \
-    return mpfr_##f;
-    POLHODE_MPFR(sqrt)
-    POLHODE_MPFR(exp)
-    POLHODE_MPFR(expm1)
-    POLHODE_MPFR(log)
-    POLHODE_MPFR(log1p)
-    POLHODE_MPFR(sin)
-    POLHODE_MPFR(cos)
-    POLHODE_MPFR(tan)
-    POLHODE_MPFR(asin)
-    POLHODE_MPFR(acos)
-    POLHODE_MPFR(atan)
-    POLHODE_MPFR(sinh)
-    POLHODE_MPFR(cosh)
-    POLHODE_MPFR(tanh)
-    POLHODE_MPFR(asinh)
-    POLHODE_MPFR(acosh)
-    POLHODE_MPFR(atanh)
-    POLHODE_MPFR(gamma)
-    POLHODE_MPFR(erf)
-    POLHODE_MPFR(erfc)
-#undef POLHODE_MPFR
-    case operation::negate:
-      return [](mpfr_ptr r, mpfr_srcptr x, mpfr_rnd_t d) { return mpfr_neg(r, x, d); };
-    case operation::abs:
-      return [](mpfr_ptr r, mpfr_srcptr x, mpfr_rnd_t d) { return mpfr_abs(r, x, d); };
-    case operation::floor:
-      return [](mpfr_ptr r, mpfr_srcptr x, mpfr_rnd_t) { return mpfr_floor(r, x); };
-    case operation::ceil:
-      return [](mpfr_ptr r, mpfr_srcptr x, mpfr_rnd_t) { return mpfr_ceil(r, x); };
-    case operation::log_gamma:
-      return [](mpfr_ptr r, mpfr_srcptr x, mpfr_rnd_t d) {
-        int sign = 0;
-        return mpfr_lgamma(r, &sign, x, d);
-      };
-    default:
-      return nullptr;
-  }
+mpfr_float of_one(unary f, const mpfr_float& x) {
+  mpfr_float value = zero_of_precision(precision_of(x));
+  f(value.backend().data(), x.backend().data(), MPFR_RNDN);
+  return value;
 }
-
-binary function_of_two(operation what) {
-  switch (what) {
-    case operation::add:
-      return mpfr_add;
-    case operation::subtract:
-      return mpfr_sub;
-    case operation::multiply:
-      return mpfr_mul;
-    case operation::divide:
-      return mpfr_div;
-    case operation::power:
-      return mpfr_pow;
-    case operation::min:
-      return mpfr_min;
-    case operation::max:
-      return mpfr_max;
-    case operation::hypot:
-      return mpfr_hypot;
-    case operation::agm:
-      return mpfr_agm;
-    case operation::atan2:
-      return mpfr_atan2;
-    default:
-      return nullptr;
-  }
+mpfr_float of_two(binary f, const mpfr_float& x, const mpfr_float& y) {
+  mpfr_float value = zero_of_precision(std::max(precision_of(x), precision_of(y)));
+  f(value.backend().data(), x.backend().data(), y.backend().data(), MPFR_RNDN);
+  return value;
 }
 
 }  // namespace
 
+/// MPFR's own functions, each of which rounds once. sinpi and cospi are not among them: balls reduce the argument exactly.
 template <>
-void execute(const instruction& i, mpfr_float& r, const mpfr_float& x, const mpfr_float& y) {
-  const mpfr_srcptr a = x.backend().data();
-  const mpfr_srcptr b = y.backend().data();
-  mpfr_float value = zero_of_precision(std::max(precision_of(x), precision_of(y)));
-  const mpfr_ptr v = value.backend().data();
-  if (const unary f = function_of_one(i.what)) {
-    f(v, a, MPFR_RNDN);
-  } else if (const binary g = function_of_two(i.what)) {
-    g(v, a, b, MPFR_RNDN);
-  } else if (i.what == operation::power_integer) {
-    mpfr_pow_si(v, a, i.number, MPFR_RNDN);
-  } else if (i.what == operation::root) {
-    mpfr_rootn_ui(v, a, static_cast<unsigned long>(i.number), MPFR_RNDN);
-  } else {  // among them sinpi and cospi, which balls reduce exactly
-    ball around;
-    execute<ball>(i, around, ball(x), ball(y));
-    value = midpoint(around);
-    mpfr_swap(r.backend().data(), value.backend().data());
-    return;
+struct supplement<mpfr_float> {
+#define POLHODE_MPFR_OF_ONE(f) \
+  static mpfr_float f(const mpfr_float& x) { return of_one(mpfr_##f, x); }
+#define POLHODE_MPFR_OF_TWO_AS(name, f)                              \
+  static mpfr_float name(const mpfr_float& x, const mpfr_float& y) { \
+    return of_two(mpfr_##f, x, y);                                   \
   }
-  mpfr_swap(r.backend().data(), v);
-}
+#define POLHODE_MPFR_OF_TWO(f) POLHODE_MPFR_OF_TWO_AS(f, f)
+  POLHODE_MPFR_OF_ONE(sqrt)
+  POLHODE_MPFR_OF_ONE(exp)
+  POLHODE_MPFR_OF_ONE(expm1)
+  POLHODE_MPFR_OF_ONE(log)
+  POLHODE_MPFR_OF_ONE(log1p)
+  POLHODE_MPFR_OF_ONE(sin)
+  POLHODE_MPFR_OF_ONE(cos)
+  POLHODE_MPFR_OF_ONE(tan)
+  POLHODE_MPFR_OF_ONE(asin)
+  POLHODE_MPFR_OF_ONE(acos)
+  POLHODE_MPFR_OF_ONE(atan)
+  POLHODE_MPFR_OF_ONE(sinh)
+  POLHODE_MPFR_OF_ONE(cosh)
+  POLHODE_MPFR_OF_ONE(tanh)
+  POLHODE_MPFR_OF_ONE(asinh)
+  POLHODE_MPFR_OF_ONE(acosh)
+  POLHODE_MPFR_OF_ONE(atanh)
+  POLHODE_MPFR_OF_ONE(gamma)
+  POLHODE_MPFR_OF_ONE(erf)
+  POLHODE_MPFR_OF_ONE(erfc)
+  POLHODE_MPFR_OF_TWO(min)
+  POLHODE_MPFR_OF_TWO(max)
+  POLHODE_MPFR_OF_TWO(hypot)
+  POLHODE_MPFR_OF_TWO(agm)
+  POLHODE_MPFR_OF_TWO(atan2)
+  POLHODE_MPFR_OF_TWO_AS(power, pow)
+  POLHODE_MPFR_OF_TWO_AS(add, add)
+  POLHODE_MPFR_OF_TWO_AS(subtract, sub)
+  POLHODE_MPFR_OF_TWO_AS(multiply, mul)
+  POLHODE_MPFR_OF_TWO_AS(divide, div)
+#undef POLHODE_MPFR_OF_ONE
+#undef POLHODE_MPFR_OF_TWO_AS
+#undef POLHODE_MPFR_OF_TWO
+  // Macros of mpfr.h, or functions with other arguments.
+  static mpfr_float negate(const mpfr_float& x) {
+    return of_one([](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t d) { return mpfr_neg(r, a, d); }, x);
+  }
+  static mpfr_float abs(const mpfr_float& x) {
+    return of_one([](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t d) { return mpfr_abs(r, a, d); }, x);
+  }
+  static mpfr_float floor(const mpfr_float& x) {
+    return of_one([](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t) { return mpfr_floor(r, a); }, x);
+  }
+  static mpfr_float ceil(const mpfr_float& x) {
+    return of_one([](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t) { return mpfr_ceil(r, a); }, x);
+  }
+  static mpfr_float log_gamma(const mpfr_float& x) {
+    return of_one(
+        [](mpfr_ptr r, mpfr_srcptr a, mpfr_rnd_t d) {
+          int sign = 0;
+          return mpfr_lgamma(r, &sign, a, d);
+        },
+        x);
+  }
+  static mpfr_float power_integer(const mpfr_float& x, long n) {
+    mpfr_float value = zero_of_precision(precision_of(x));
+    mpfr_pow_si(value.backend().data(), x.backend().data(), n, MPFR_RNDN);
+    return value;
+  }
+  static mpfr_float root(const mpfr_float& x, long n) {
+    mpfr_float value = zero_of_precision(precision_of(x));
+    mpfr_rootn_ui(value.backend().data(), x.backend().data(), static_cast<unsigned long>(n),
+                  MPFR_RNDN);
+    return value;
+  }
+};
 
 }  // namespace polhode::detail
 

@@ -23,8 +23,9 @@ namespace polhode {
 namespace detail {
 
 /// What a T has under other names than those of the table, or does otherwise there. Each static member obeys the inclusion principle,
-/// or answers that it is not defined, or not available, in T's way. power_integer(x, n), power(x, y) and root(x, n) are
-/// x^n, x^y and the real root. `further(f, arguments)` is T's answer for a function that is known by f.value over balls.
+/// or answers that it is not defined, or not available, in T's way (a double, or an mpfr_float, is rounded). power_integer(x, n),
+/// power(x, y) and root(x, n) are x^n, x^y and the real root; add, subtract, multiply, divide and negate stand for T's operators.
+/// `further(f, arguments)` is T's answer for a function that is known by f.value over balls.
 template <class T>
 struct supplement {};
 
@@ -313,14 +314,16 @@ struct named<operation::root> {
 /// The result of the instruction for the operands x and y, of which r may be one.
 template <class T>
 void execute(const instruction& i, T& r, const T& x, const T& y) {
-// In the storage of r, where T has such a function (ball).
-#define POLHODE_OPERATOR(f, sign)             \
-  case operation::f:                          \
-    if constexpr (requires { f(r, x, y); }) { \
-      f(r, x, y);                             \
-    } else {                                  \
-      r = x sign y;                           \
-    }                                         \
+// As the supplement has it; or in the storage of r, where T has such a function (ball).
+#define POLHODE_OPERATOR(f, sign)                         \
+  case operation::f:                                      \
+    if constexpr (requires { supplement<T>::f(x, y); }) { \
+      r = supplement<T>::f(x, y);                         \
+    } else if constexpr (requires { f(r, x, y); }) {      \
+      f(r, x, y);                                         \
+    } else {                                              \
+      r = x sign y;                                       \
+    }                                                     \
     return;
 #define POLHODE_OF_ONE(f, ...)      \
   case operation::f:                \
@@ -338,7 +341,11 @@ void execute(const instruction& i, T& r, const T& x, const T& y) {
     POLHODE_OF_TWO(power)
     POLHODE_FUNCTION_TABLE(POLHODE_OF_ONE, POLHODE_OF_TWO, POLHODE_OF_TWO, POLHODE_NO_ROW)
     case operation::negate:
-      r = -x;
+      if constexpr (requires { supplement<T>::negate(x); }) {
+        r = supplement<T>::negate(x);
+      } else {
+        r = -x;
+      }
       return;
     case operation::power_integer:
       if constexpr (std::same_as<T, ball>) {
@@ -356,12 +363,6 @@ void execute(const instruction& i, T& r, const T& x, const T& y) {
 #undef POLHODE_OF_ONE
 #undef POLHODE_OF_TWO
 }
-// What these lack they take from the middle of a ball.
-template <>
-void execute(const instruction& i, mpfr_float& r, const mpfr_float& x, const mpfr_float& y);
-template <>
-void execute(const instruction& i, double& r, const double& x, const double& y);
-
 /// The operand's number -> the operand, in `operand`.
 template <class T, class Operand>
 [[nodiscard]] T value_of_call(const tape& t, const instruction& i, const Operand& operand) {

@@ -12,7 +12,12 @@
 //     OF_EITHER(name, "x, y", ..., kind, reader)                            the same, with f(x, y) = f(y, x)
 //     MADE(name, arguments, what it is, where it is defined, reader)        made of other operations when the formula is read
 //
-// in the order of the tables that people see. `reader` is a name in src/expression/functions.cpp: a domain, bool(const rational&),
+// A derivative is no column: no formula is differentiated as a text. Derivatives are values of the same call at a jet, and jet.hpp has for
+// each function the recurrence of its Taylor coefficients, of every order, which a formula for f' could not give without making
+// it grow; end_series.hpp and symmetry.hpp have rules that are none of derivatives. A T without such a rule answers for itself (value_over in
+// evaluation.hpp), and functions beyond the table bring their gradient (further_function).
+//
+// The rows are in the order of the tables that people see. `reader` is a name in src/expression/functions.cpp: a domain, bool(const rational&),
 // which refuses a number outside; or a function that makes the node of a call.
 
 namespace polhode::detail {

@@ -19,7 +19,12 @@
 
 namespace polhode {
 
-/// Parameters of a body and a motion on the curve S, exact.
+/// What G is a function of: a body and a point of the curve S, exact, as a person gives them and before anything is checked. The
+/// parameters of a claim about one motion (proofs/claim.hpp) and of the integrands below.
+///
+/// It stands beside the class motion, whose c is -b u, as the other does not hold what this one is for: u = 1 has a value of G here, the
+/// limit pi I, where motion is an equilibrium without period and phase; a = 0 is refused here, where motion takes equal moments; and
+/// what is out of range is refused in terms of u, which the person typed, when it is used: a claim about the body alone takes any u.
 struct oscillating_motion {
   rational a;  // I_y/I_z - 1 > 0
   rational b;  // 1 - I_y/I_x, in (0, 1)
