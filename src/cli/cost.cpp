@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/clock.hpp"
 #include "commands.hpp"
+#include "cost/budget.hpp"
 #include "cost_report.hpp"
 #include "count_option.hpp"
 #include "duration.hpp"
@@ -27,6 +29,7 @@ namespace polhode::cli {
 namespace {
 
 using cost::measurement;
+using cost::time_budget;
 
 constexpr long most_digits_of_estimate = 1'000'000'000;
 
@@ -36,7 +39,7 @@ struct cost_options {
   bool no_hard_cases = false;
   bool data_only = false;
   count_option most_digits{"--max-digits", 1000, 16, 10'000'000};
-  std::string seconds = "2";
+  std::string seconds = "60";
   count_option estimate{"--estimate", 0, 0, most_digits_of_estimate};
   std::optional<std::string> directory;
   format_option format{{"text", "csv", "json"}};
@@ -99,6 +102,7 @@ std::string list_of(const std::vector<const cost::quantity*>& quantities) {
 class references {
  public:
   explicit references(const cost::quantity& q) : first_(&q.methods.front()) {}
+  [[nodiscard]] bool has(long digits) const { return known_.contains(digits); }
   const ball& at(long digits) {
     const auto found = known_.find(digits);
     if (found != known_.end()) return found->second;
@@ -111,10 +115,16 @@ class references {
   std::map<long, ball> known_;
 };
 
-/// The fraction of a method's allowance that its measurement takes at least.
-constexpr double share_of_allowance = 0.02;
+/// The fraction of the time for all that a measurement of short calls takes at least, and the seconds that it takes at most.
+constexpr double share_of_time = 0.001;
+constexpr double most_for_short_calls = 0.04;
 
-measured_quantity measured(const cost::quantity& q, const std::vector<long>& digits, double allowed,
+double least_seconds(const cost_options& options) {
+  return std::min(most_for_short_calls, share_of_time * seconds_of(options));
+}
+
+measured_quantity measured(const cost::quantity& q, const std::vector<long>& digits,
+                           const time_budget& budget, double least,
                            const cost::cold_processes& cold, const progress& line) {
   const auto index = static_cast<std::size_t>(&q - cost::quantities().data());
   measured_quantity result;
@@ -122,38 +132,39 @@ measured_quantity measured(const cost::quantity& q, const std::vector<long>& dig
   references known(q);
   for (std::size_t i = 0; i < q.methods.size(); ++i) {
     const cost::method& m = q.methods[i];
-    measured_method of_method;
-    of_method.what = &m;
-    for (const long n : digits) {
-      if (n > m.most_digits) break;
-      const auto expected = cost::extrapolated_seconds(of_method.points, n);
-      if (expected && *expected > allowed) break;
-      line.show(fmt::format("{}: {}, {} digits{}", q.name, m.name, n,
-                            expected ? fmt::format(" (about {:.2g} s a call)", *expected) : ""));
+    std::vector<long> possible = digits;
+    std::erase_if(possible, [&](long n) { return n > m.most_digits; });
+    // A call whose memory is counted and one by the clock; of the first method also one in a new process.
+    const double calls = i == 0 ? 3 : 2;
+    const auto of_reference = [&](long n) {
+      if (m.certified || known.has(n)) return 0.0;
+      return cost::extrapolated_seconds(result.methods.front().points, n).value_or(0);
+    };
+    const auto measured_at = [&](long n) {
+      line.show(fmt::format("{}: {}, {} digits", q.name, m.name, n));
       std::optional<double> first_call;
       if (i == 0) first_call = cold.seconds(index, i, n);
-      std::optional<ball> reference;
-      if (!m.certified) {
-        // No reference is worth more time than is allowed.
-        const auto certified = cost::extrapolated_seconds(result.methods.front().points, n);
-        if (certified && *certified > 2 * allowed) break;
-        reference = known.at(n);
-      }
-      measurement point =
-          cost::measure(m, n, reference, share_of_allowance * std::min(allowed, 2.0));
+      const std::optional<ball> reference =
+          m.certified ? std::nullopt : std::optional<ball>(known.at(n));
+      measurement point = cost::measure(m, n, reference, least);
       point.cold_seconds = first_call;
-      of_method.points.push_back(point);
-    }
-    result.methods.push_back(std::move(of_method));
+      return point;
+    };
+    cost::measured_points of_method = cost::measured_within(
+        budget.share(q.methods.size() - i), possible, calls, of_reference, measured_at);
+    result.methods.push_back({&m, std::move(of_method.points), std::move(of_method.left_out)});
   }
   return result;
 }
 
-measured_family measured(const cost::hard_family& f, long digits, double allowed,
-                         const progress& line) {
+measured_family measured(const cost::hard_family& f, long digits, const time_budget& budget,
+                         double least, const progress& line) {
+  // A member's time is expected to be at most so many times that of the one before.
+  constexpr double growth = 3;
   measured_family result;
   result.what = &f;
   result.digits = digits;
+  std::map<std::string, double> last_seconds;
   for (const long k : f.exponents) {
     const cost::quantity q = f.member(k);
     references known(q);
@@ -162,21 +173,21 @@ measured_family measured(const cost::hard_family& f, long digits, double allowed
       auto found = std::find_if(result.methods.begin(), result.methods.end(),
                                 [&](const auto& x) { return x.name == m.name; });
       if (found == result.methods.end()) {
-        result.methods.push_back({m.name, m.certified, {}});
+        result.methods.push_back({m.name, m.certified, {}, {}});
         found = std::prev(result.methods.end());
       }
-      // A method whose time grows is not asked again once the next call may take more than is allowed.
-      constexpr double growth = 3;
-      const bool ends =
-          !found->points.empty() && found->points.back().second.seconds * growth > allowed;
-      const bool has_ended = !found->points.empty() && k != f.exponents.front() &&
-                             found->points.back().first !=
-                                 *std::prev(std::find(f.exponents.begin(), f.exponents.end(), k));
-      if (ends || has_ended) continue;
+      const bool is_first = found->points.empty();
+      if (!found->left_out.empty() ||
+          (!is_first && !budget.allows(growth * last_seconds[m.name]))) {
+        found->left_out.push_back(k);
+        continue;
+      }
       line.show(fmt::format("hard {}: {}, k = {}", f.name, m.name, k));
+      const double start = budget.now();
       const std::optional<ball> reference =
           m.certified ? std::nullopt : std::optional<ball>(known.at(digits));
-      found->points.emplace_back(k, cost::measure(m, digits, reference, share_of_allowance));
+      found->points.emplace_back(k, cost::measure(m, digits, reference, least));
+      last_seconds[m.name] = budget.now() - start;
     }
   }
   return result;
@@ -201,6 +212,7 @@ exit_status run(const cost_options& options) {
   const std::vector<const cost::quantity*> quantities = selected(options);
   const std::vector<long> digits = digits_up_to(options.most_digits.value());
   const double allowed = seconds_of(options);
+  const double least = least_seconds(options);
   const std::string& format = options.format.value();
   const long estimated = options.estimate.value();
   (void)options.time_limit.limit();
@@ -244,12 +256,16 @@ exit_status run(const cost_options& options) {
     const progress line;
     const time_watch watch(
         options.time_limit.limit(static_cast<double>(quantities.size() + families.size())));
+    const auto start = detail::clock::now();
+    const time_budget budget(allowed, [start] { return detail::seconds_since(start); });
+    std::size_t parts = quantities.size() + families.size();
     for (const cost::quantity* q : quantities) {
-      report.quantities.push_back(measured(*q, digits, allowed, cold, line));
+      report.quantities.push_back(measured(*q, digits, budget.share(parts--), least, cold, line));
     }
     constexpr long digits_of_hard_cases = 30;
     for (const cost::hard_family* f : families) {
-      report.families.push_back(measured(*f, digits_of_hard_cases, allowed, line));
+      report.families.push_back(
+          measured(*f, digits_of_hard_cases, budget.share(parts--), least, line));
     }
     if (directory) {
       directory->write("cost.csv", as_csv(report));
@@ -286,7 +302,10 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_flag("--list", options->list, "Show the quantities and their methods");
   options->most_digits.declare(app, "Measure at 16, 30, 50, 100, 300, ... digits up to N");
   app.add_option("--seconds", options->seconds,
-                 "Leave out what is expected to take more than S seconds a call [2]")
+                 "Measure for S seconds in all, of which every quantity and hard case has its "
+                 "share: leave\n"
+                 "out, and name, what is expected to pass it; the first point of each method is\n"
+                 "measured in any case [60]")
       ->type_name("S");
   options->estimate.declare(app, "Estimate the time for N digits from short runs; 0: off");
   app.add_flag("--no-hard-cases", options->no_hard_cases, "Leave out the hard cases");

@@ -69,6 +69,24 @@ std::vector<price_pair> pairs_of(const measured_quantity& q) {
   return result;
 }
 
+/// "Left out for want of time (--seconds): tanh-sinh from 3000 digits on; ..." in lines; none where nothing was.
+template <class Methods, class NameOf>
+std::string left_out_text(const Methods& methods, const NameOf& name_of, const char* from) {
+  std::string names;
+  for (const auto& m : methods) {
+    if (m.left_out.empty()) continue;
+    names += (names.empty() ? "" : "; ") + name_of(m) +
+             fmt::format(fmt::runtime(from), m.left_out.front());
+  }
+  std::string result;
+  if (names.empty()) return result;
+  for (const std::string& line :
+       wrapped("Left out for want of time (--seconds): " + names, terminal_columns - 2)) {
+    result += "  " + line + '\n';
+  }
+  return result;
+}
+
 std::string text_of(const measured_quantity& q, const std::vector<long>& digits) {
   std::string result;
   for (const std::string& line :
@@ -121,6 +139,8 @@ std::string text_of(const measured_quantity& q, const std::vector<long>& digits)
       result += "  " + line + '\n';
     }
   }
+  result += left_out_text(
+      q.methods, [](const measured_method& m) { return m.what->name; }, " from {} digits on");
   return result + '\n';
 }
 
@@ -147,6 +167,8 @@ std::string text_of(const measured_family& f) {
       result += line + '\n';
     }
   }
+  result += left_out_text(
+      f.methods, [](const auto& m) { return m.name; }, " from k = {} on");
   return result + '\n';
 }
 
@@ -180,6 +202,13 @@ std::string csv_of(const std::string& what, const std::string& method, bool cert
                      certified ? "yes" : "no", k, m.digits, m.seconds, cell(m.cold_seconds),
                      cell(m.log10_error), cell(m.log10_claimed), m.has_digits() ? "yes" : "no",
                      m.evaluations, m.bytes, remark);
+}
+
+/// A line without a measurement.
+std::string csv_of_left_out(const std::string& what, const std::string& method, bool certified,
+                            const std::string& k, long digits) {
+  return fmt::format("{},\"{}\",{},{},{},,,,,,,,\"left out for want of time (--seconds)\"\n", what,
+                     method, certified ? "yes" : "no", k, digits);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -371,10 +400,10 @@ std::string as_text(const cost_report& report) {
   for (const measured_quantity& q : report.quantities) result += text_of(q, report.digits);
   for (const measured_family& f : report.families) result += text_of(f);
   result +=
-      "Times are medians of later calls on this machine. -: beyond the method's digits, or longer "
-      "than "
-      "--seconds\n"
-      "allows. *: fewer correct digits than asked for. !: fewer, though its own error estimate "
+      "Times are medians of later calls on this machine. -: beyond the method's digits, or left "
+      "out "
+      "(--seconds).\n"
+      "*: fewer correct digits than asked for. !: fewer, though its own error estimate "
       "says "
       "otherwise.\n";
   return result;
@@ -390,12 +419,19 @@ std::string as_csv(const cost_report& report) {
       for (const measurement& x : m.points) {
         result += csv_of(q.what->name, m.what->name, m.what->certified, "", x);
       }
+      for (const long n : m.left_out) {
+        result += csv_of_left_out(q.what->name, m.what->name, m.what->certified, "", n);
+      }
     }
   }
   for (const measured_family& f : report.families) {
     for (const auto& m : f.methods) {
       for (const auto& [k, x] : m.points) {
         result += csv_of("hard " + f.what->name, m.name, m.certified, std::to_string(k), x);
+      }
+      for (const long k : m.left_out) {
+        result += csv_of_left_out("hard " + f.what->name, m.name, m.certified, std::to_string(k),
+                                  f.digits);
       }
     }
   }
@@ -415,7 +451,8 @@ std::string as_json(const cost_report& report) {
            {"description", m.what->description},
            {"certified", m.what->certified},
            {"growth_exponent", number_or_null(cost::growth_exponent(m.points))},
-           {"points", std::move(points)}});
+           {"points", std::move(points)},
+           {"left_out", m.left_out}});
     }
     result["quantities"].push_back(std::move(one));
   }
@@ -429,8 +466,10 @@ std::string as_json(const cost_report& report) {
         point["k"] = k;
         points.push_back(std::move(point));
       }
-      one["methods"].push_back(
-          {{"name", m.name}, {"certified", m.certified}, {"points", std::move(points)}});
+      one["methods"].push_back({{"name", m.name},
+                                {"certified", m.certified},
+                                {"points", std::move(points)},
+                                {"left_out", m.left_out}});
     }
     result["hard"].push_back(std::move(one));
   }

@@ -13,6 +13,7 @@ namespace polhode::cli {
 struct measured_method {
   const cost::method* what = nullptr;
   std::vector<cost::measurement> points;  // by digits
+  std::vector<long> left_out;             // digits for which there was no time
 };
 
 struct measured_quantity {
@@ -28,6 +29,7 @@ struct measured_family {
     std::string name;
     bool certified = false;
     std::vector<std::pair<long, cost::measurement>> points;
+    std::vector<long> left_out;  // exponents
   };
   std::vector<method_points> methods;
 };

@@ -1,5 +1,6 @@
 // polhode cost: what it measures, its files, refusals. No test depends on how long anything takes.
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -46,11 +47,45 @@ TEST(CostCommand, MeasuresEveryMethodThatIsQuickEnough) {
   EXPECT_TRUE(report["hard"].empty());
 }
 
+/// So little time that nothing but the first point of each method is measured, whatever the machine.
+TEST(CostCommand, NamesWhatWasLeftOutForWantOfTime) {
+  const std::vector<std::string> command{"cost", "beta", "--max-digits", "50", "--seconds", "1e-9"};
+  const outcome text = run(command);
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("Left out for want of time (--seconds): "), std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find("from 30 digits on"), std::string::npos) << text.out;
+
+  std::vector<std::string> as = command;
+  as.insert(as.end(), {"--format", "json"});
+  const outcome json = run(as);
+  ASSERT_EQ(json.status, 0) << json.err;
+  const auto methods = nlohmann::json::parse(json.out)["quantities"][0]["methods"];
+  EXPECT_EQ(methods[0]["points"].size(), 1U);
+  EXPECT_EQ(methods[0]["left_out"], (std::vector<long>{30, 50}));
+  EXPECT_TRUE(methods.back()["left_out"].empty());  // double has no more than 16 digits
+
+  as.back() = "csv";
+  const outcome csv = run(as);
+  ASSERT_EQ(csv.status, 0) << csv.err;
+  std::istringstream lines(csv.out);
+  std::string line;
+  std::getline(lines, line);
+  const auto columns = std::count(line.begin(), line.end(), ',');
+  int left_out = 0;
+  while (std::getline(lines, line)) {
+    if (line.find("left out for want of time") == std::string::npos) continue;
+    ++left_out;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
+  }
+  EXPECT_EQ(left_out, 4);  // two methods to 30 and 50 digits
+}
+
 TEST(CostCommand, WritesTheFilesTogether) {
   const support::scratch_directory scratch;
   const std::string directory = scratch.path("costs");
-  const outcome result = run(
-      {"cost", "beta", "--max-digits", "30", "--out", directory, "--data-only", "--format", "csv"});
+  const outcome result = run({"cost", "beta", "--max-digits", "30", "--seconds", "100000", "--out",
+                              directory, "--data-only", "--format", "csv"});
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_TRUE(std::filesystem::exists(directory + "/cost.csv"));
   EXPECT_TRUE(std::filesystem::exists(directory + "/cost.json"));
