@@ -21,7 +21,7 @@ real_function real_function::of(const rational_polynomial& p) {
     return e;
   };
   const auto horner = [p](const auto& x) {
-    auto value = detail::value_of_function<std::remove_cvref_t<decltype(x)>>(rational(0), x);
+    auto value = detail::value_as<std::remove_cvref_t<decltype(x)>>(rational(0), x);
     for (std::size_t k = p.coefficients().size(); k-- > 0;) {
       value = value * x + p.coefficients()[k];
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/quadrature/periodic_trapezoid.hpp"
 
 namespace polhode {
@@ -104,24 +105,16 @@ POLHODE_OF_ANGLES(pow)
 namespace detail {
 template <class N>
 concept number_beside_angle = exact_number<N> || std::same_as<N, ball>;
-template <number_beside_angle N>
-[[nodiscard]] angle as_angle(const N& n, const angle& like) {
-  if constexpr (std::same_as<N, ball>) {
-    return angle(n);
-  } else {
-    return {n, like.precision()};
-  }
-}
 }  // namespace detail
 
 #define POLHODE_WITH_NUMBER(sign)                                 \
   template <detail::number_beside_angle N>                        \
   [[nodiscard]] angle operator sign(const angle& x, const N& n) { \
-    return x sign detail::as_angle(n, x);                         \
+    return x sign detail::value_as<angle>(n, x);                  \
   }                                                               \
   template <detail::number_beside_angle N>                        \
   [[nodiscard]] angle operator sign(const N& n, const angle& x) { \
-    return detail::as_angle(n, x) sign x;                         \
+    return detail::value_as<angle>(n, x) sign x;                  \
   }
 POLHODE_WITH_NUMBER(+)
 POLHODE_WITH_NUMBER(-)

@@ -214,7 +214,7 @@ template <class F>
   return detail::carry_out(
       std::move(plan),
       [&](long n, precision p) {
-        const auto real = detail::real_evaluator(f, p);
+        const auto real = detail::evaluator_of<ball>(f, p);
         if constexpr (std::is_invocable_v<decltype(real), const ball&, const ball&>) {
           const auto g = [&](const ball& u, const ball& v) -> ball {
             return detail::value_as<ball>(real(u, v), u);

@@ -28,6 +28,7 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/arithmetic/goal.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
@@ -145,44 +146,12 @@ struct integrand {
   std::function<recorded(const recorded& x, precision p)> record;
 };
 
-/// f's function object for arguments of type T with p bits: f itself, or what it makes for the purpose.
-template <class T, class F>
-[[nodiscard]] auto evaluator_of(const F& f, precision p) {
-  if constexpr (requires { f.template evaluator<T>(p); }) {
-    return f.template evaluator<T>(p);
-  } else {
-    return f;
-  }
-}
-template <class F>
-[[nodiscard]] auto real_evaluator(const F& f, precision p) {
-  return evaluator_of<ball>(f, p);
-}
-
-/// The value of f as a Y, also where f is constant and answers with a number.
-template <class Y, class V>
-[[nodiscard]] Y value_as(V&& value, const Y& like) {
-  if constexpr (std::same_as<std::remove_cvref_t<V>, Y>) {
-    return std::forward<V>(value);
-  } else if constexpr (std::same_as<Y, ball>) {
-    return ball(value, like.precision());
-  } else if constexpr (std::same_as<Y, angle>) {
-    return as_angle(value, like);
-  } else if constexpr (std::same_as<Y, region>) {
-    return constant_region(value, like);
-  } else if constexpr (std::same_as<Y, symmetry>) {
-    return symmetry(value);
-  } else {
-    return like.constant_like(value);
-  }
-}
-
 template <class F>
 [[nodiscard]] integrand make_integrand(const F& f) {
   integrand result;
   result.over = [f](const region& x) { return value_as<region>(f(x), x); };
   result.evaluator = [f](precision p) -> std::function<ball(const ball&)> {
-    return [g = real_evaluator(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
+    return [g = evaluator_of<ball>(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
   };
   if constexpr (std::is_invocable_v<const F&, const angle&>) {
     result.angle_evaluator = [f](precision p) -> std::function<ball(const angle&)> {

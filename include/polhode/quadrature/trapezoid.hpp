@@ -120,7 +120,7 @@ template <class F>
   return detail::carry_out(
       std::move(plan),
       [&](long n, precision p) {
-        const auto real = detail::real_evaluator(f, p);
+        const auto real = detail::evaluator_of<ball>(f, p);
         const auto g = [&](const ball& x) -> ball { return detail::value_as<ball>(real(x), x); };
         return trapezoid_sum<ball>(g, a, b, n, p);
       },

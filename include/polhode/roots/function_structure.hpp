@@ -52,6 +52,10 @@ class function_structure {
   // As the evaluation of formulas needs them: a constant beside a value.
   [[nodiscard]] function_structure constant_like(const rational& c) const;
   [[nodiscard]] function_structure constant_like(const ball& c) const;
+  template <exact_number N>
+  [[nodiscard]] function_structure constant_like(const N& n) const {
+    return constant_like(rational(n));
+  }
 
   [[nodiscard]] const std::optional<rational_polynomial>& polynomial() const { return polynomial_; }
   /// The range where it is defined; std::nullopt where it is defined nowhere in the box.
@@ -138,24 +142,14 @@ class function_structure {
 // With exact numbers and balls.
 template <class N>
 concept structure_constant = exact_number<N> || std::same_as<N, ball>;
-namespace detail {
-template <structure_constant N>
-[[nodiscard]] function_structure constant_structure(const N& n, const function_structure& like) {
-  if constexpr (std::same_as<N, ball>) {
-    return like.constant_like(n);
-  } else {
-    return like.constant_like(rational(n));
-  }
-}
-}  // namespace detail
 #define POLHODE_WITH_CONSTANTS(sign)                                                        \
   template <structure_constant N>                                                           \
   [[nodiscard]] function_structure operator sign(const function_structure& x, const N& n) { \
-    return x sign detail::constant_structure(n, x);                                         \
+    return x sign x.constant_like(n);                                                       \
   }                                                                                         \
   template <structure_constant N>                                                           \
   [[nodiscard]] function_structure operator sign(const N& n, const function_structure& x) { \
-    return detail::constant_structure(n, x) sign x;                                         \
+    return x.constant_like(n) sign x;                                                       \
   }
 POLHODE_WITH_CONSTANTS(+)
 POLHODE_WITH_CONSTANTS(-)
@@ -194,7 +188,7 @@ namespace detail {
 [[nodiscard]] function_structure pow(const function_structure& x, const function_structure& y);
 template <rational_like N>
 [[nodiscard]] function_structure pow(const function_structure& x, const N& y) {
-  return pow(x, detail::constant_structure(y, x));
+  return pow(x, x.constant_like(y));
 }
 
 }  // namespace polhode

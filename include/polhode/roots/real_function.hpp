@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/roots/function_structure.hpp"
@@ -83,56 +84,23 @@ class real_function {
   int best_order_ = 2;
 };
 
-namespace detail {
-
-/// What is called with arguments of type X and p bits: f itself, or the evaluator that f makes.
-template <class X, class F>
-[[nodiscard]] auto called_with(const F& f, precision p) {
-  if constexpr (requires { f.template evaluator<X>(p); }) {
-    return f.template evaluator<X>(p);
-  } else {
-    return f;
-  }
-}
-
-/// The value of f as that of a function of x, also where f is constant and answers with a number.
-template <class X, class V>
-[[nodiscard]] X value_of_function(V&& value, const X& x) {
-  if constexpr (std::same_as<std::remove_cvref_t<V>, X>) {
-    return std::forward<V>(value);
-  } else if constexpr (std::same_as<X, ball>) {
-    if constexpr (std::same_as<std::remove_cvref_t<V>, ball>) return value;
-    return ball(value, x.precision());
-  } else if constexpr (std::same_as<X, region>) {
-    return constant_region(value, x);
-  } else if constexpr (std::same_as<X, function_structure>) {
-    return constant_structure(value, x);
-  } else {
-    return X::constant(value_of_function<ball>(value, x[0]), x.order());
-  }
-}
-
-}  // namespace detail
-
 template <class F>
 requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::real_function(F f) {
-  using detail::called_with;
-  using detail::value_of_function;
+  using detail::evaluator_of;
+  using detail::value_as;
   using slope_type = jet<ball, 1>;
   using series_type = jet<ball, dynamic_order>;
   at_ = [f](precision p) {
     function_evaluator e;
-    e.value = [g = called_with<ball>(f, p)](const ball& x) {
-      return value_of_function<ball>(g(x), x);
-    };
-    e.slope = [g = called_with<slope_type>(f, p)](const ball& x) {
+    e.value = [g = evaluator_of<ball>(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
+    e.slope = [g = evaluator_of<slope_type>(f, p)](const ball& x) {
       const auto t = slope_type::variable(x);
-      return value_of_function<slope_type>(g(t), t);
+      return value_as<slope_type>(g(t), t);
     };
     e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
-    e.series = [g = called_with<series_type>(f, p)](const ball& x, int n) {
+    e.series = [g = evaluator_of<series_type>(f, p)](const ball& x, int n) {
       const auto t = series_type::variable(x, n);
-      return value_of_function<series_type>(g(t), t);
+      return value_as<series_type>(g(t), t);
     };
     return e;
   };
@@ -140,12 +108,11 @@ requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::re
     for_all_ = std::make_shared<const function_evaluator>(at_(64));
   }
   over_ = [f](const region& x) {
-    return value_of_function<region>(
-        called_with<region>(f, std::max<precision>(x.precision(), 64))(x), x);
+    return value_as<region>(evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x), x);
   };
   structure_ = [f](const function_structure& x) {
-    return value_of_function<function_structure>(
-        called_with<function_structure>(f, x.numerator().at_point.precision())(x), x);
+    return value_as<function_structure>(
+        evaluator_of<function_structure>(f, x.numerator().at_point.precision())(x), x);
   };
 }
 

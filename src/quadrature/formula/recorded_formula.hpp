@@ -41,17 +41,10 @@ inline analytic_ball operate(const recorded_operation& op, const analytic_ball& 
   return op.on_complex(x, y, n);
 }
 
-template <class N>
-ball constant_beside(const ball& x, const N& n) {
-  return value_as<ball>(n, x);
-}
-template <class N>
-slope_jet constant_beside(const slope_jet& x, const N& n) {
-  return slope_jet::constant(value_as<ball>(n, x[0]));
-}
-template <class N>
-region constant_beside(const region& x, const N& n) {
-  return constant_region(n, x);
+/// A number beside x.
+template <class T, class N>
+T constant_beside(const T& x, const N& n) {
+  return value_as<T>(n, x);
 }
 template <class N>
 end_series constant_beside(const end_series& x, const N& n) {
