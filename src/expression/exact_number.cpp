@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t most_terms = 64;
 constexpr std::size_t most_generators = 96;
 constexpr std::size_t most_steps = 20'000;
+constexpr std::size_t most_further_steps = 100'000;
 constexpr std::size_t most_bits = 1U << 14;  // of a coefficient
 constexpr long most_factors_at_once = 64;    // of a power of a sum
 constexpr int deepest_root = 3;              // roots taken to find a root
@@ -182,7 +183,7 @@ exact_number exactly(const rational& q) {
 
 void exact_field::spend(std::size_t steps) {
   spent_ += steps;
-  if (spent_ > most_steps) throw not_decided();
+  if (spent_ > (further_ ? most_further_steps : most_steps)) throw not_decided();
 }
 
 void exact_field::check_size(const exact_number& x) const {
@@ -225,7 +226,10 @@ exact_number exact_field::generated(generator_id g, const rational& exponent) {
 
 bool exact_field::is_positive(generator_id g) const {
   const generator& x = generators_[g];
-  if (x.what != kind::log && x.what != kind::opaque) return true;
+  if (x.what != kind::log && x.what != kind::opaque && x.what != kind::angle_cosine &&
+      x.what != kind::angle_sine) {
+    return true;
+  }
   return certainly_positive(x.enclosure);
 }
 
@@ -281,6 +285,7 @@ exact_number exact_field::difference(const exact_number& x, const exact_number& 
 /// The product of powers m, in which g^q = g^floor(q) g^(q - floor(q)) is done for those g that are a natural number or
 /// a sum.
 exact_number exact_field::expanded(const monomial& m) {
+  if (has_waves_to_reduce(m)) return with_waves_reduced(m);
   monomial kept;
   rational coefficient = 1;
   exact_number whole = exactly(1);
@@ -310,11 +315,12 @@ exact_number exact_field::product(const exact_number& x, const exact_number& y) 
     for (const auto& [n, d] : y) {
       spend(1);
       const monomial both = merged(m, n);
-      const bool is_plain = std::none_of(both.begin(), both.end(), [this](const auto& part) {
-        const generator& g = generators_[part.first];
-        return g.what == kind::base &&
-               (part.second >= 1 || (part.second < 0 && plain_number(g.of)));
-      });
+      const bool is_plain = !has_waves_to_reduce(both) &&
+                            std::none_of(both.begin(), both.end(), [this](const auto& part) {
+                              const generator& g = generators_[part.first];
+                              return g.what == kind::base &&
+                                     (part.second >= 1 || (part.second < 0 && plain_number(g.of)));
+                            });
       if (is_plain) {
         add_to(result, both, rational(c * d));
       } else {
@@ -692,6 +698,7 @@ std::optional<rational> exact_field::as_rational(const exact_number& x) {
       least = std::min(least, rational(floor_of(exponent)));
     }
   }
+  if (further_) return rational_by_further_rules(x);
   if (reciprocals.empty()) return std::nullopt;
   try {
     monomial powers;
@@ -829,22 +836,29 @@ exact_number exact_field::cospi(const rational& q) {
   return generated(make(kind::cosine, exactly(angle), polhode::cos(polhode::pi(bits) * angle)));
 }
 
-/// From cos(atan t) = 1/sqrt(1 + t^2) and sin(atan t) = t cos(atan t) by the sums of angles.
+/// From cos(atan t) = 1/sqrt(1 + t^2) and sin(atan t) = t cos(atan t) by the sums of angles. What is left is an angle of which cosine and
+/// sine are generators, or nothing is known.
 std::pair<exact_number, exact_number> exact_field::cos_and_sin(const exact_number& x) {
   constexpr long most_arcs = 16;
   rational turns = 0;
+  exact_number left;
   exact_number cosine = exactly(1);
   exact_number sine;
   long arcs = 0;
   for (const auto& [m, c] : x) {
-    if (m.size() != 1 || m.front().second != 1) throw not_decided();
-    const generator g = generators_[m.front().first];
-    if (g.what == kind::pi) {
+    const bool is_multiple = m.size() == 1 && m.front().second == 1;
+    if (is_multiple && generators_[m.front().first].what == kind::pi) {
       turns = c;
       continue;
     }
-    if (g.what != kind::arctan || !is_integer(c)) throw not_decided();
-    const long n = as_long(numerator(c));
+    if (!is_multiple || generators_[m.front().first].what != kind::arctan) {
+      add_to(left, m, c);
+      continue;
+    }
+    const generator g = generators_[m.front().first];
+    const integer whole = floor_of(c);
+    add_to(left, m, rational(c - rational(whole)));
+    const long n = as_long(whole);
     if (n > most_arcs || n < -most_arcs || (arcs += std::abs(n)) > most_arcs) throw not_decided();
     const exact_number of_arc = reciprocal(sqrt(sum(exactly(1), product(g.of, g.of))));
     const exact_number sine_of_arc = scaled(product(g.of, of_arc), n < 0 ? -1 : 1);
@@ -853,6 +867,12 @@ std::pair<exact_number, exact_number> exact_field::cos_and_sin(const exact_numbe
       sine = sum(product(sine, of_arc), product(cosine, sine_of_arc));
       cosine = next;
     }
+  }
+  if (!left.empty()) {
+    const auto [c, s] = generated_cos_and_sin(left);
+    const exact_number next = difference(product(cosine, c), product(sine, s));
+    sine = sum(product(sine, c), product(cosine, s));
+    cosine = next;
   }
   const exact_number c = cospi(turns);
   const exact_number s = sinpi(turns);

@@ -43,6 +43,10 @@ using exact_number = std::map<monomial, rational>;
 /// not_decided where it does not know the result.
 class exact_field {
  public:
+  /// With `further`, sines and cosines of any angle are generators too (exact/trigonometric_polynomial.cpp), and algebraic numbers are shown
+  /// to be 0 by polynomials (exact/annihilating_polynomial.cpp). That takes longer, and more terms.
+  explicit exact_field(bool further = false) : further_(further) {}
+
   [[nodiscard]] exact_number sum(const exact_number& x, const exact_number& y);
   [[nodiscard]] exact_number difference(const exact_number& x, const exact_number& y);
   [[nodiscard]] exact_number product(const exact_number& x, const exact_number& y);
@@ -83,13 +87,15 @@ class exact_field {
 
  private:
   enum class kind : std::uint8_t {
-    base,    // a natural number > 1, or a positive sum: exponents < 1
-    pi,      // the circle's
-    exp,     // of a monomial
-    log,     // of a positive number
-    arctan,  // of a number in (0, 1)
-    cosine,  // of q pi, 0 < q < 1/2
-    opaque,  // known by its enclosure
+    base,          // a natural number > 1, or a positive sum: exponents < 1
+    pi,            // the circle's
+    exp,           // of a monomial
+    log,           // of a positive number
+    arctan,        // of a number in (0, 1)
+    cosine,        // of q pi, 0 < q < 1/2
+    angle_cosine,  // of a number whose first coefficient is positive, without multiples of pi
+    angle_sine,    // of the same
+    opaque,        // known by its enclosure
   };
   struct generator {
     kind what;
@@ -124,8 +130,23 @@ class exact_field {
   [[nodiscard]] std::optional<rational> rational_by_roots_of_unity(const exact_number& x);
   [[nodiscard]] exact_number arctan_of_rational(const rational& t);
 
+  [[nodiscard]] std::pair<exact_number, exact_number> generated_cos_and_sin(const exact_number& x);
+  /// How many factors of m are cosines of multiples of pi, and how many cosines and sines of other angles; the other kinds count nowhere.
+  [[nodiscard]] std::pair<long, long> waves_in(const monomial& m) const;
+  [[nodiscard]] bool has_waves_to_reduce(const monomial& m) const;
+  [[nodiscard]] exact_number with_waves_reduced(const monomial& m);
+  [[nodiscard]] exact_number product_of_waves(generator_id v, generator_id w);
+  [[nodiscard]] std::optional<rational> rational_by_further_rules(const exact_number& x);
+  [[nodiscard]] bool is_shown_to_be_zero(const exact_number& x);
+  [[nodiscard]] exact_number without_reciprocals(exact_number x);
+  [[nodiscard]] bool is_zero_by_conjugates(exact_number x);
+  [[nodiscard]] bool is_zero_by_a_polynomial(const exact_number& x);
+  [[nodiscard]] bool is_algebraic(generator_id g) const;
+
   std::vector<generator> generators_;
   std::size_t spent_ = 0;
+  bool further_ = false;
+  bool shows_zero_ = false;  // within is_shown_to_be_zero, which does not call itself
 };
 
 }  // namespace polhode::detail

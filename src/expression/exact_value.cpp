@@ -30,7 +30,9 @@ rational bernoulli(long n) {
 
 class evaluation {
  public:
-  evaluation(const graph& g, const program& f) : g_(g), f_(f), used_(reachable(g)) {
+  /// By further rules, see exact_field.
+  evaluation(const graph& g, const program& f, bool further)
+      : g_(g), f_(f), used_(reachable(g)), field_(further) {
     values_.resize(g.size());
     places_.resize(g.size(), 0);
     std::size_t place = 0;
@@ -252,11 +254,15 @@ class evaluation {
 std::optional<rational> rational_value(const graph& g, const program& f) {
   if (const rational* q = g.value(g.root)) return *q;
   if (g.root >= most_nodes || varying(g)[g.root] != 0) return std::nullopt;
-  try {
-    return evaluation(g, f).root();
-  } catch (const not_decided&) {
-    return std::nullopt;
+  // The further rules take their own budget: where they reach its end, nothing is lost that the others decide.
+  for (const bool further : {false, true}) {
+    try {
+      if (auto q = evaluation(g, f, further).root()) return q;
+    } catch (const not_decided&) {
+      continue;
+    }
   }
+  return std::nullopt;
 }
 
 }  // namespace polhode::detail

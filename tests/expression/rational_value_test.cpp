@@ -98,6 +98,28 @@ TEST(RationalValue, KnownIdentities) {
       {"euler_gamma - euler_gamma", "0"},
       {"(erf(1)+1)*(erf(1)-1) - erf(1)^2", "-1"},
       {"agm(sqrt(2), 2/sqrt(2))^2", "2"},
+      // Cosines and sines of other angles than multiples of pi.
+      {"sin(1)^2 + cos(1)^2", "1"},
+      {"sin(2) - 2*sin(1)*cos(1)", "0"},
+      {"sin(1/2)*cos(1/3) - (sin(5/6) + sin(1/6))/2", "0"},
+      {"sin(-1/3)^3 + (3*sin(1/3) - sin(1))/4", "0"},
+      {"tan(1)*cos(1)/sin(1)", "1"},
+      {"tan(2) - 2*tan(1)/(1 - tan(1)^2)", "0"},
+      {"sin(pi/3 + 1) - sin(1)/2 - sqrt(3)/2*cos(1)", "0"},
+      {"cos(sqrt(2))^2 + sin(sqrt(2))^2", "1"},
+      {"cos(sqrt(2) + pi/7)^2 + sin(sqrt(2) + pi/7)^2", "1"},
+      {"cosh(1)*sin(1) - sin(1)*(e + 1/e)/2", "0"},
+      {"sqrt(1 - cos(2)) - sqrt(2)*sin(1)", "0"},
+      {"2*sin(atan(1/2)/2)^2 + 2/sqrt(5)", "1"},
+      {"sin(1e-200)^2 + cos(1e-200)^2", "1"},
+      // Algebraic numbers whose terms do not cancel by themselves.
+      {"cbrt(2 + sqrt(5)) + cbrt(2 - sqrt(5))", "1"},
+      {"cbrt(cbrt(2) - 1) - cbrt(1/9) + cbrt(2/9) - cbrt(4/9)", "0"},
+      {"sqrt(cbrt(28) - 3) - (cbrt(98) - cbrt(28) - 1)/3", "0"},
+      {"cbrt(7 + 5*sqrt(2)) - sqrt(2)", "1"},
+      {"sin(pi/7)*sin(2*pi/7)*sin(3*pi/7)/sqrt(7)", "1/8"},
+      {"cos(2*pi/17) + cos(4*pi/17) + cos(8*pi/17) + cos(16*pi/17) - sqrt(17)/4", "-1/4"},
+      {"sin(1)*(cbrt(2 + sqrt(5)) + cbrt(2 - sqrt(5)) - 1) + 3", "3"},
       // Of numbers known by their enclosures alone, negative ones.
       {"abs(sin(4))/sin(4)", "-1"},
       {"sqrt(sin(4)^2)/sin(4)", "-1"},
@@ -107,16 +129,24 @@ TEST(RationalValue, KnownIdentities) {
 }
 
 TEST(RationalValue, WhatIsNotShownIsLeftOpen) {
-  for (const char* formula :
-       {"pi", "sqrt(2)", "log(2)", "e", "euler_gamma", "sin(1)", "pi + 1e-400", "cos(pi/7)",
-        "log(2)*log(3)", "sqrt(2) + sqrt(3)", "sqrt(2+sqrt(2))", "exp(pi)",
-        // not equal to the integer by less than an enclosure of a double shows
-        "exp(pi*sqrt(163))", "sqrt(1e200+1) - 1e100",
-        // the first one at which precision, not a rule, decides
-        "floor(1e200*pi)",
-        // nearer to a known angle than the enclosures tell
-        "asin(1/2 + 1e-200)*6/pi", "acos(1/2 + 1e-200)*3/pi", "atan(1 + 1e-200)*4/pi",
-        "atan(sqrt(3) + 1e-200)*3/pi"}) {
+  for (
+      const char* formula :
+      {"pi", "sqrt(2)", "log(2)", "e", "euler_gamma", "sin(1)", "pi + 1e-400", "cos(pi/7)",
+       "log(2)*log(3)", "sqrt(2) + sqrt(3)", "sqrt(2+sqrt(2))", "exp(pi)",
+       // not equal to the integer by less than an enclosure of a double shows
+       "exp(pi*sqrt(163))", "sqrt(1e200+1) - 1e100",
+       // the first one at which precision, not a rule, decides
+       "floor(1e200*pi)", "sin(1)^2 + cos(2)^2", "sin(1)^2 + cos(1 + 1e-100)^2",
+       "cos(sqrt(2))*cos(sqrt(3))", "cbrt(2 + sqrt(5)) - cbrt(2 - sqrt(5))", "cbrt(3) - sqrt(2)",
+       // 3 (sqrt(10^160 + 1) - 10^80), which the enclosures do not tell from 0. With p the product of the cube roots, which is 1, it is a
+       // root of a polynomial that is 0 at 0 too: of t (t^2 + 6*10^80 t - 9), as the rules do not see that p is not e^(2 pi i/3).
+       "(sqrt(10^160+1) - 10^80)*((cbrt(2+sqrt(5))*cbrt(sqrt(5)-2))^2 + "
+       "cbrt(2+sqrt(5))*cbrt(sqrt(5)-2) + 1)",
+       // as small, and not 0 by the polynomial's value at 0
+       "sqrt(10^160+1) - 10^80 + sqrt(2) - sqrt(2)",
+       // nearer to a known angle than the enclosures tell
+       "asin(1/2 + 1e-200)*6/pi", "acos(1/2 + 1e-200)*3/pi", "atan(1 + 1e-200)*4/pi",
+       "atan(sqrt(3) + 1e-200)*3/pi"}) {
     EXPECT_FALSE(expression(formula).rational_value()) << formula;
   }
 }
@@ -126,8 +156,10 @@ TEST(RationalValue, NoValueWhereTheFormulaHasNone) {
        {"tan(pi/2)", "1/sin(pi)", "0*log(-pi)", "log(-pi) - log(-pi)", "0/sin(pi)", "sqrt(1-pi)^2",
         "(1-pi)^(1/2) - (1-pi)^(1/2)", "acosh(sqrt(2)-1) - acosh(sqrt(2)-1)", "asin(pi) - asin(pi)",
         "atanh(sqrt(2)) - atanh(sqrt(2))", "sin(pi)^(-1)*0", "sin(pi)/sin(pi)", "exp(log(-pi))",
-        "atan2(sin(pi), sin(pi))", "gamma(-2*sin(pi/6))/gamma(-2*sin(pi/6))", "sin(pi)^(-sqrt(2))",
-        "log(sqrt(2)-sqrt(8))*0", "log1p(-pi)/log1p(-pi)", "agm(-pi, -pi)/pi",
+        "atan2(sin(pi), sin(pi))", "1/(sin(1)^2+cos(1)^2-1)", "log(sin(2)-2*sin(1)*cos(1))*0",
+        "0/(cbrt(2+sqrt(5))+cbrt(2-sqrt(5))-1)", "sin(log(-pi))^2+cos(log(-pi))^2",
+        "gamma(-2*sin(pi/6))/gamma(-2*sin(pi/6))", "sin(pi)^(-sqrt(2))", "log(sqrt(2)-sqrt(8))*0",
+        "log1p(-pi)/log1p(-pi)", "agm(-pi, -pi)/pi",
         // a number that is 0, of which nothing but an enclosure is known
         "erf(sin(1)^2 + cos(1)^2 - 1)/erf(sin(1)^2 + cos(1)^2 - 1)",
         "erf(sin(1)^2 + cos(1)^2 - 1)^(-1)*erf(sin(1)^2 + cos(1)^2 - 1)"}) {
@@ -139,12 +171,16 @@ TEST(RationalValue, NoValueWhereTheFormulaHasNone) {
 // Random formulas in which much is exact
 
 std::string number(support::random_source& random) {
-  static constexpr std::array numbers{
-      "0",           "1",           "2",         "3",         "1/2",     "1/3",       "5/4",
-      "4",           "6",           "12",        "pi",        "(pi/2)",  "(pi/3)",    "(pi/4)",
-      "(pi/5)",      "(pi/8)",      "(2*pi/7)",  "(5*pi/12)", "sqrt(2)", "sqrt(3)",   "log(2)",
-      "log(3)",      "(1+sqrt(2))", "e",         "sin(4)",    "cos(2)",  "log(pi-3)", "erf(1)",
-      "(sqrt(5)-1)", "(1-pi)",      "atan(1/2)", "atan(1/3)", "zeta(2)", "gamma(1/2)"};
+  static constexpr std::array numbers{"0",           "1",         "2",           "3",
+                                      "1/2",         "1/3",       "5/4",         "4",
+                                      "6",           "12",        "pi",          "(pi/2)",
+                                      "(pi/3)",      "(pi/4)",    "(pi/5)",      "(pi/8)",
+                                      "(2*pi/7)",    "(5*pi/12)", "sqrt(2)",     "sqrt(3)",
+                                      "log(2)",      "log(3)",    "(1+sqrt(2))", "e",
+                                      "sin(4)",      "cos(2)",    "log(pi-3)",   "erf(1)",
+                                      "cos(1)",      "sin(2)",    "cbrt(2)",     "cbrt(2+sqrt(5))",
+                                      "(sqrt(5)-1)", "(1-pi)",    "atan(1/2)",   "atan(1/3)",
+                                      "zeta(2)",     "gamma(1/2)"};
   return random.choose(numbers);
 }
 
@@ -211,6 +247,47 @@ TEST(RationalValue, LiesInTheEnclosure) {
   EXPECT_GT(decided, 500 * share);
   EXPECT_GT(compared, decided / 2);
   EXPECT_GT(beyond_the_reader, 300 * share);
+}
+
+/// A random polynomial in cosines and sines of angles n/6 + m sqrt(2) + k pi/5: of the same with every angle's parts apart, by the sums of
+/// angles, it is not different.
+TEST(RationalValue, DecidesTrigonometricIdentities) {
+  support::random_source random(1770);
+  const auto text = [&](long least, long most) {
+    return std::to_string(random.between(least, most));
+  };
+  for (support::repeat trial(200); trial.again();) {
+    std::string whole;
+    std::string apart;
+    for (int terms = 0; terms < 3; ++terms) {
+      const std::string c = "+(" + text(-5, 5) + ")/" + text(1, 5);
+      whole += c;
+      apart += c;
+      for (long factors = random.between(1, 3); factors > 0; --factors) {
+        const std::string x = "(" + text(-6, 6) + "/6)";
+        const std::string y = "(" + text(-2, 2) + "*sqrt(2)+" + text(0, 9) + "*pi/5)";
+        const bool is_sine = random.one_in(2);
+        whole += std::string(is_sine ? "*sin(" : "*cos(") + x + "+" + y + ")";
+        apart += is_sine ? "*(sin" + x + "*cos" + y + "+cos" + x + "*sin" + y + ")"
+                         : "*(cos" + x + "*cos" + y + "-sin" + x + "*sin" + y + ")";
+      }
+    }
+    expect_value("(" + whole + ") - (" + apart + ")", "0");
+    EXPECT_NE(expression("(" + whole + ") - (" + apart + ") + sin(1/7)").rational_value(),
+              rational(0));
+  }
+}
+
+/// Roots of x^3 + 3 p x - 2 q with a rational root r, by Cardano's formula: q = (r^3 + 3 p r)/2.
+TEST(RationalValue, DecidesCubicRoots) {
+  support::random_source random(1545);
+  for (support::repeat trial(60); trial.again();) {
+    const std::string r = std::to_string(random.between(1, 9));
+    const std::string p = std::to_string(random.between(1, 9));
+    const std::string q = "((" + r + "^3+3*" + p + "*" + r + ")/2)";
+    const std::string s = "sqrt(" + q + "^2+" + p + "^3)";
+    expect_value("cbrt(" + q + "+" + s + ")+cbrt(" + q + "-" + s + ")", r);
+  }
 }
 
 /// x - y for two forms of the same number: random elements of Q(sqrt 2, sqrt 3, sqrt 5), squared and rooted, divided and
@@ -285,6 +362,20 @@ TEST(RationalValue, GivesUpOnGreatFormulas) {
         many(3000, [](const std::string& k) { return "log(" + k + ")"; }),
         nested(100, "(", "^(1/2)+sqrt(3))^2"),
         nested(100, "sqrt(sqrt(3)+", ")"),
+        many(100, [](const std::string& k) { return k + "^(1/" + k + ")"; }),
+        many(100, [](const std::string& k) { return "cbrt(" + k + "+sqrt(" + k + "+1))"; }) +
+            "-cbrt(7)",
+        many(12, [](const std::string& k) { return "cbrt(" + k + ")"; }) + "-cbrt(2+sqrt(5))",
+        "(" + many(40, [](const std::string& k) { return "sin(" + k + ")"; }) + ")^9",
+        many(100, [](const std::string& k) { return "cos(1/" + k + ")^" + k; }),
+        many(100, [](const std::string& k) { return "tan(1/" + k + ")"; }),
+        nested(40, "sin(cos(1)*", ")^2"),
+        nested(40, "cbrt(sqrt(5)+", ")"),
+        std::string("sin(10^4000)^2+cos(10^4000)^2"),
+        std::string("sin(exp(exp(20)))^2+cos(exp(exp(20)))^2"),
+        std::string("sin(1)^(10^12)"),
+        std::string("sin(1)^30*cos(2)^30*sin(3)^30"),
+        std::string("2^(1/1000003)+3^(1/1000003)-5^(1/7)"),
         nested(60, "exp(", "^2)"),
         nested(60, "sin(", ")+sqrt(2)"),
         std::string("2^(1/2)^(1/2)^(1/3)^(1/5)^(1/7)"),
