@@ -1,6 +1,7 @@
 #pragma once
 
-// All that a program needs most: numbers and their text, integrals, roots, elliptic functions, rigid bodies and formulas.
+// All that a program needs most: numbers and their text, integrals, roots, elliptic functions, rigid bodies, formulas
+// and second opinions.
 // Each part has a header of its own, which compiles sooner. Certificates and scenes are not among these.
 
 #include "polhode/arithmetic/boost_bridge.hpp"
@@ -28,4 +29,7 @@
 #include "polhode/roots/isolate.hpp"
 #include "polhode/roots/newton.hpp"
 #include "polhode/roots/systems.hpp"
+#include "polhode/verify/second_integral.hpp"
+#include "polhode/verify/second_roots.hpp"
+#include "polhode/verify/second_value.hpp"
 #include "polhode/version.hpp"

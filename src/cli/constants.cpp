@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/clock.hpp"
 #include "certificate_option.hpp"
 #include "commands.hpp"
 #include "json_document.hpp"
@@ -16,6 +17,7 @@
 #include "memory_limit.hpp"
 #include "options.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/verify/second_opinion.hpp"
 #include "progress.hpp"
 #include "proofs/claim.hpp"
 #include "second_opinion.hpp"
@@ -30,7 +32,7 @@ using proofs::constant;
 struct enclosed_constant {
   const constant* what;
   ball enclosure;
-  std::optional<second_opinion> opinion = std::nullopt;  // with --verify
+  std::optional<printed_opinion> opinion = std::nullopt;  // with --verify
 };
 
 [[noreturn]] void not_certified(const constant& c, long digits) {
@@ -189,18 +191,18 @@ std::vector<enclosed_constant> enclose_all(const std::vector<const constant*>& c
 
 /// By the constant's second formula, and by the checker from the claim's certificate; that of few digits, as its time grows with their square
 /// and more.
-second_opinion verify(const enclosed_constant& c, long digits) {
+printed_opinion verify(const enclosed_constant& c, long digits) {
   constexpr long most_digits_for_checker = 1000;
   constexpr long more_digits = 11;
   const std::string first_route = "the formula";
-  second_opinion result;
-  const stopwatch time;
+  printed_opinion result;
+  const auto start = detail::clock::now();
   const precision bits = bits_for_digits(digits + more_digits) | 1;
   const ball again = c.what->enclose_again(bits);
-  route_report report;
+  printed_route report;
   report.route = c.what->second_route;
   report.work = fmt::format("{} bits", bits);
-  report.seconds = time.seconds();
+  report.seconds = detail::seconds_since(start);
   expect_overlap(c.what->name, {first_route, c.enclosure}, {report.route, again});
   if (again.is_bounded() && again.radius() <= confirming_radius(c.enclosure, digits)) {
     report.enclosure = to_json(again, digits);

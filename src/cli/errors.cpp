@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/verify/second_opinion.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
@@ -43,7 +44,11 @@ exit_status report_by_type() {
   try {
     throw;
   } catch (const contradiction_error& e) {
-    print_error(std::string("polhode: ") + e.what() + '\n');
+    print_error(fmt::format(
+        "polhode: {}\n"
+        "There is no result. This is a fault in Polhode: please report it with the whole command "
+        "line.\n",
+        e.what()));
     return exit_status::contradiction;
   } catch (const not_certified_error& e) {
     return report(e.what(), exit_status::not_certified);

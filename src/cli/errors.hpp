@@ -33,12 +33,6 @@ class not_certified_error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Two proofs contradict each other, so that one of them is wrong; what() names both in several lines.
-class contradiction_error : public std::logic_error {
- public:
-  using std::logic_error::logic_error;
-};
-
 /// A text as it may stand in a message: in double quotes, control characters escaped, and without
 /// the middle of a long one.
 [[nodiscard]] std::string in_quotes(std::string_view text);

@@ -19,9 +19,9 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/certificate/certificate.hpp"
+#include "polhode/verify/second_value.hpp"
 #include "progress.hpp"
 #include "second_opinion.hpp"
-#include "second_value.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -207,27 +207,27 @@ exit_status run(const eval_options& options) {
   options.memory_limit.check(memory);
   (void)options.time_limit.limit();
   const auto print_with = [&](const std::string& text, json described,
-                              const std::optional<second_opinion>& opinion) {
+                              const std::optional<printed_opinion>& opinion) {
     if (opinion) described["second_opinion"] = opinion->as_json();
     print(json_wanted ? json_document_text("value", described)
                       : text + (opinion ? opinion->as_text() : ""));
     return opinion ? opinion->status() : exit_status::all_certified;
   };
   if (const auto& q = f.exact_value()) {
-    std::optional<second_opinion> opinion;
+    std::optional<printed_opinion> opinion;
     if (options.verify.given) {
-      opinion = exact_value_again(*options.formula, options.let, *q, digits);
+      opinion.emplace(exact_value_again(*options.formula, options.let.value(), *q, digits), digits);
     }
     return print_with(exact_answer(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
                       opinion);
   }
   if (const auto decimal = power_of_ten(f)) {
     return print_with(*decimal + " exactly\n", as_json(f, power_json(*decimal), {}, digits),
-                      options.verify.given ? std::optional(second_opinion()) : std::nullopt);
+                      options.verify.given ? std::optional(printed_opinion()) : std::nullopt);
   }
   if (const auto q = f.rational_value()) {
-    std::optional<second_opinion> opinion;
-    if (options.verify.given) opinion = rational_value_again(f, *q, digits);
+    std::optional<printed_opinion> opinion;
+    if (options.verify.given) opinion.emplace(rational_value_again(f, *q, digits), digits);
     return print_with(exact_answer(*q, digits), as_json(f, exact_json(*q, digits), {}, digits),
                       opinion);
   }
@@ -241,12 +241,12 @@ exit_status run(const eval_options& options) {
     return enclose(f, digits, line);
   }();
   const bool certified = a.why == reason::none;
-  std::optional<second_opinion> opinion;
+  std::optional<printed_opinion> opinion;
   if (options.verify.given && certified) {
     const progress line;
     line.show("looking for a second opinion");
     const time_watch watch(options.time_limit.limit());
-    opinion = value_again(f, a.enclosure, a.bits, digits);
+    opinion.emplace(value_again(f, a.enclosure, a.bits, digits), digits);
   }
   const exit_status status = print_with(
       as_text(f, a, digits), as_json(f, to_json(a.enclosure, digits), a, digits), opinion);

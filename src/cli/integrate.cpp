@@ -30,9 +30,9 @@
 #include "polhode/formulas/certificates.hpp"
 #include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/polynomial_integral.hpp"
+#include "polhode/verify/second_integral.hpp"
 #include "progress.hpp"
 #include "range_option.hpp"
-#include "second_integral.hpp"
 #include "second_opinion.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
@@ -230,7 +230,7 @@ exit_status report(const expression& f, const integrate_command_options& options
     return integrate_for(integral_to, digits, how);
   }();
   const bool certified = i.verdict == status::certified;
-  std::optional<second_opinion> opinion;
+  std::optional<printed_opinion> opinion;
   if (options.verify.given && certified) {
     const progress line;
     line.show("looking for a second opinion");
@@ -352,7 +352,7 @@ formula_over_range checkable_range(const expression& f, const integrate_command_
 }
 
 /// The checker's opinion, where there is a certificate of the integral; of few digits, as its time grows with their square and more.
-void add_checkers_opinion(second_opinion& result, const expression& f,
+void add_checkers_opinion(printed_opinion& result, const expression& f,
                           const integrate_command_options& options, const integral& i) {
   constexpr long most_digits_for_checker = 200;
   const long digits = options.digits.value();
@@ -435,8 +435,9 @@ exit_status integrate_real(integrate_command_options& options) {
     return detail::integrate_function(g, a, b, goal);
   };
   const auto verify = [&](const integral& i) {
-    second_opinion result = integral_again(integrand_of(f), a, b, i, options.digits.value(),
-                                           static_cast<int>(options.threads.value()));
+    const long digits = options.digits.value();
+    const int threads = static_cast<int>(options.threads.value());
+    printed_opinion result(integral_again(f, a, b, i, digits, threads), digits);
     add_checkers_opinion(result, f, options, i);
     return result;
   };
@@ -475,8 +476,9 @@ exit_status integrate_along_path(const integrate_command_options& options) {
   return report(
       f, options, [&](const integrate_options& goal) { return integrate_along(f, along, goal); },
       [&](const contour_integral& i) {
-        return integral_again(complex_integrand_of(f), along, i, options.digits.value(),
-                              static_cast<int>(options.threads.value()));
+        const long digits = options.digits.value();
+        const int threads = static_cast<int>(options.threads.value());
+        return printed_opinion(integral_again(f, along, i, digits, threads), digits);
       });
 }
 

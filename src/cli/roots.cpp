@@ -24,10 +24,10 @@
 #include "polhode/formulas/certificates.hpp"
 #include "polhode/formulas/function.hpp"
 #include "polhode/roots/isolate.hpp"
+#include "polhode/verify/second_roots.hpp"
 #include "progress.hpp"
 #include "range_option.hpp"
 #include "second_opinion.hpp"
-#include "second_roots.hpp"
 #include "streams.hpp"
 #include "time_limit.hpp"
 
@@ -348,7 +348,7 @@ proved_roots as_proved(const answer& a) {
 }
 
 /// The checker's opinion, where there is a certificate of the roots; of few digits, as its time grows with their square and more.
-void add_checkers_opinion(second_opinion& result, const expression& f, const given_range& range,
+void add_checkers_opinion(printed_opinion& result, const expression& f, const given_range& range,
                           const answer& a, const std::string& first_route, long digits) {
   constexpr long most_digits_for_checker = 1000;
   if (digits > most_digits_for_checker) return;
@@ -361,13 +361,14 @@ void add_checkers_opinion(second_opinion& result, const expression& f, const giv
   result.add(checked_again("the roots", first_route, *certificate));
 }
 
-second_opinion verify(const expression& f, const given_range& range, const answer& a, long digits,
-                      int threads) {
+printed_opinion verify(const expression& f, const given_range& range, const answer& a, long digits,
+                       int threads) {
   const progress line;
   line.show("looking for a second opinion");
   const std::string first_route = fmt::format("the search, {} boxes", a.roots.account.boxes);
-  second_opinion result =
-      roots_again(f, range.first.end, range.second.end, as_proved(a), first_route, digits, threads);
+  printed_opinion result(
+      roots_again(f, range.first.end, range.second.end, as_proved(a), first_route, digits, threads),
+      digits);
   add_checkers_opinion(result, f, range, a, first_route, digits);
   return result;
 }
@@ -389,7 +390,7 @@ exit_status run(roots_options& options) {
   if (options.certificate.is_given()) what = checkable_range(f, range);
   options.certificate.prepare();
   const answer a = find_roots(f, range, digits, threads, options.time_limit);
-  std::optional<second_opinion> opinion;
+  std::optional<printed_opinion> opinion;
   if (options.verify.given && a.is_certified()) {
     opinion = verify(f, range, a, digits, threads);
   }

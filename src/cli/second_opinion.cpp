@@ -1,14 +1,13 @@
 #include "second_opinion.hpp"
 
 #include <algorithm>
-#include <cstdint>
+#include <variant>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "base/clock.hpp"
 #include "duration.hpp"
-#include "polhode/arithmetic/elementary.hpp"
-#include "polhode/arithmetic/text.hpp"
 #include "polhode/checker/check.hpp"
 
 namespace polhode::cli {
@@ -26,77 +25,16 @@ void verify_option::expect_format(const std::string& format) const {
   }
 }
 
-namespace {
-
-/// Both ends, with so many digits.
-std::string ends_of(const ball& x, long digits) {
-  if (!x.is_bounded()) return "undefined";
-  const decimal_enclosure d = to_decimal_enclosure(x, digits);
-  return d.exact ? d.value : fmt::format("[{}, {}]", d.lower, d.upper);
-}
-
-/// How many digits show that the sets have no common number: those that their size has before their distance, and a few.
-long digits_of_gap(const ball& x, const ball& y) {
-  constexpr long few = 20;
-  const magnitude gap = (x - y).magnitude_lower();
-  const magnitude size = max(x.magnitude_upper(), y.magnitude_upper());
-  if (gap.is_zero() || size.is_zero() || size.is_infinite()) return few;
-  const std::int64_t bits = std::max<std::int64_t>(size.log2_floor() - gap.log2_floor(), 0);
-  return few + static_cast<long>(bits / 3);
-}
-
-}  // namespace
-
-void contradict(std::string_view what, const finding<std::string>& first,
-                const finding<std::string>& second) {
-  throw contradiction_error(
-      fmt::format("INTERNAL ERROR: two proofs contradict each other, so one of them is wrong\n"
-                  "  of:           {}\n"
-                  "  first route:  {}\n"
-                  "                {}\n"
-                  "  second route: {}\n"
-                  "                {}\n"
-                  "There is no result. This is a fault in Polhode: please report it with the whole "
-                  "command line.",
-                  what, first.route, first.enclosure, second.route, second.enclosure));
-}
-
-void expect_overlap(std::string_view what, const finding<ball>& first,
-                    const finding<ball>& second) {
-  if (overlaps(first.enclosure, second.enclosure)) return;
-  const long digits = digits_of_gap(first.enclosure, second.enclosure);
-  contradict(what, {first.route, ends_of(first.enclosure, digits)},
-             {second.route, ends_of(second.enclosure, digits)});
-}
-
-void expect_overlap(std::string_view what, const finding<complex_ball>& first,
-                    const finding<complex_ball>& second) {
-  const auto part = [&](const char* name, const ball& x, const ball& y) {
-    expect_overlap(fmt::format("{}, its {} part", what, name), {first.route, x}, {second.route, y});
-  };
-  part("real", first.enclosure.re, second.enclosure.re);
-  part("imaginary", first.enclosure.im, second.enclosure.im);
-}
-
-magnitude confirming_radius(const ball& first, long digits) {
-  const magnitude unit =
-      divide_down(first.magnitude_lower(), pow(ball(10, 64), digits).magnitude_upper());
-  return max(first.radius(), unit);
-}
-magnitude confirming_radius(const complex_ball& first, long digits) {
-  return max(confirming_radius(first.re, digits), confirming_radius(first.im, digits));
-}
-
 // ---------------------------------------------------------------------------------------------
 // What is said of it
 
 namespace {
 
-std::string cost_text(const route_report& r) {
+std::string cost_text(const printed_route& r) {
   return fmt::format("{}{}{}", r.work, r.work.empty() ? "" : ", ", duration_text(r.seconds));
 }
 
-json to_json(const route_report& r) {
+json to_json(const printed_route& r) {
   json result{{"agrees", r.agrees()}, {"route", r.route}};
   if (!r.agrees()) result["reason"] = r.obstacle;
   result["enclosure"] = r.enclosure;
@@ -104,17 +42,47 @@ json to_json(const route_report& r) {
   return result;
 }
 
-}  // namespace
-
-bool second_opinion::agrees() const {
-  return std::any_of(tried_.begin(), tried_.end(),
-                     [](const route_report& r) { return r.agrees(); });
+json to_json(const proved_roots& list, long digits) {
+  json result = json::array();
+  for (const proved_root& r : list.roots) {
+    json entry = polhode::to_json(r.enclosure, digits);
+    entry["multiplicity"] = r.multiplicity;
+    result.push_back(std::move(entry));
+  }
+  return result;
 }
 
-std::string second_opinion::as_text() const {
+/// What is found of a number, as the commands print it.
+struct enclosure_as_json {
+  long digits;
+
+  json operator()(const std::monostate&) const { return {}; }
+  json operator()(const ball& x) const { return polhode::to_json(x, digits); }
+  json operator()(const complex_ball& z) const {
+    return {{"real", polhode::to_json(z.re, digits)},
+            {"imaginary", polhode::to_json(z.im, digits)}};
+  }
+  json operator()(const proved_roots& list) const { return to_json(list, digits); }
+};
+
+}  // namespace
+
+printed_opinion::printed_opinion(const second_opinion& opinion, long digits) {
+  for (const route_report& r : opinion.routes()) {
+    add({r.route, r.obstacle, std::visit(enclosure_as_json{digits}, r.enclosure), r.work,
+         r.seconds});
+  }
+}
+
+bool printed_opinion::agrees() const {
+  return std::any_of(tried_.begin(), tried_.end(),
+                     [](const printed_route& r) { return r.agrees(); });
+}
+
+std::string printed_opinion::as_text() const {
   std::string result;
   std::string reasons;
-  for (const route_report& r : tried_) {
+  for (const printed_route& r : tried_) {
     if (r.agrees()) {
       result += fmt::format("second opinion: the same by {} ({})\n", r.route, cost_text(r));
     } else {
@@ -126,10 +94,10 @@ std::string second_opinion::as_text() const {
                      reasons.empty() ? "" : " (" + reasons + ")");
 }
 
-json second_opinion::as_json() const {
+json printed_opinion::as_json() const {
   json result;
   json others = json::array();
-  for (const route_report& r : tried_) {
+  for (const printed_route& r : tried_) {
     if (agrees() && !r.agrees()) continue;
     if (agrees() && result.is_null()) {
       result = to_json(r);
@@ -145,14 +113,14 @@ json second_opinion::as_json() const {
 // ---------------------------------------------------------------------------------------------
 // The checker
 
-route_report checked_again(std::string_view what, const std::string& first,
-                           const json& certificate) {
-  const stopwatch time;
+printed_route checked_again(std::string_view what, const std::string& first,
+                            const json& certificate) {
+  const auto start = detail::clock::now();
   const std::string text = certificate.dump(2);
   const checker::report r = checker::check(text);
-  route_report result;
+  printed_route result;
   result.route = "the independent checker, from a certificate";
-  result.seconds = time.seconds();
+  result.seconds = detail::seconds_since(start);
   result.work = fmt::format("{} bytes", text.size());
   const std::string found =
       fmt::format("at {}: {}", r.place.empty() ? "the top" : r.place, r.message);

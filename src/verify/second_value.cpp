@@ -1,4 +1,4 @@
-#include "second_value.hpp"
+#include "polhode/verify/second_value.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/elliptic_functions.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 namespace {
 
 constexpr const char* what = "the value";
@@ -41,25 +41,25 @@ route_report judged(const finding<ball>& first, const finding<ball>& second, lon
   } else if (!(second.enclosure.radius() <= goal)) {
     result.obstacle = "its enclosure is wider than the digits that are asked for";
   } else {
-    result.enclosure = to_json(second.enclosure, digits);
+    result.enclosure = second.enclosure;
   }
   return result;
 }
 
 route_report in_complex_arithmetic(const expression& f, const finding<ball>& first, precision bits,
                                    long digits) {
-  const stopwatch time;
+  const auto start = detail::clock::now();
   const std::string route = fmt::format("complex arithmetic with {} bits", bits);
   const region value = f.evaluator<region>(bits)(region::in_balls(complex_ball(0, bits)));
   if (!value.is_analytic()) {
     route_report result;
     result.route = route;
-    result.seconds = time.seconds();
+    result.seconds = detail::seconds_since(start);
     result.obstacle = value.where().empty() ? "not analytic"
                                             : fmt::format("{} of complex numbers", value.where());
     return result;
   }
-  return judged(first, {route, value.to_complex_ball().re}, digits, time.seconds());
+  return judged(first, {route, value.to_complex_ball().re}, digits, detail::seconds_since(start));
 }
 
 }  // namespace
@@ -72,10 +72,10 @@ second_opinion in_other_arithmetic(const expression& f, const finding<ball>& kno
   second_opinion result;
   result.add(in_complex_arithmetic(f, known, more, digits));
   if (result.agrees()) return result;
-  const stopwatch time;
+  const auto start = detail::clock::now();
   const ball value = f.value(more);
   result.add(judged(known, {fmt::format("real arithmetic with {} bits", more), value}, digits,
-                    time.seconds()));
+                    detail::seconds_since(start)));
   return result;
 }
 
@@ -169,17 +169,18 @@ formula_of_variables with_numbers_as_variables(const std::string& formula) {
   return result;
 }
 
-second_opinion exact_value_again(const std::string& formula, const let_option& let,
+second_opinion exact_value_again(const std::string& formula,
+                                 const std::vector<formula_definition>& definitions,
                                  const rational& exact, long digits) {
   const precision bits = (2 * bits_for_digits(digits) + 256) | 1;
   const std::string route =
       fmt::format("real arithmetic with {} bits, without exact numbers", bits);
-  const stopwatch time;
+  const auto start = detail::clock::now();
   std::optional<ball> value;
   try {
     const formula_of_variables unfolded = with_numbers_as_variables(formula);
     if (!unfolded.names.empty()) {
-      const expression f(unfolded.text, {unfolded.names, let.value(), elliptic_functions()});
+      const expression f = parse(unfolded.text, unfolded.names, definitions);
       std::vector<ball> values;
       values.reserve(unfolded.values.size());
       for (const rational& q : unfolded.values) values.emplace_back(q, bits);
@@ -191,15 +192,15 @@ second_opinion exact_value_again(const std::string& formula, const let_option& l
   second_opinion result;
   if (value) {
     const finding<ball> known{"exact arithmetic of rational numbers", ball(exact, bits)};
-    result.add(judged(known, {route, *value}, digits, time.seconds()));
+    result.add(judged(known, {route, *value}, digits, detail::seconds_since(start)));
   } else {
     route_report none;
     none.route = route;
     none.obstacle = "the formula needs its numbers exactly";
-    none.seconds = time.seconds();
+    none.seconds = detail::seconds_since(start);
     result.add(none);
   }
   return result;
 }
 
-}  // namespace polhode::cli
+}  // namespace polhode

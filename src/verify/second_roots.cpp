@@ -1,20 +1,15 @@
-#include "second_roots.hpp"
+#include "polhode/verify/second_roots.hpp"
 
 #include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/function.hpp"
-#include "second_integral.hpp"
+#include "polhode/verify/second_integral.hpp"
 
-namespace polhode::cli {
-
-bool proved_roots::is_resolved() const {
-  return complete && std::all_of(roots.begin(), roots.end(),
-                                 [](const proved_root& r) { return r.is_resolved(); });
-}
+namespace polhode {
 
 // ---------------------------------------------------------------------------------------------
 // Two lists
@@ -173,23 +168,13 @@ search_result search_backwards(const expression& f, const end_point& lower, cons
   return result;
 }
 
-json enclosures_of(const proved_roots& list, long digits) {
-  json result = json::array();
-  for (const proved_root& r : list.roots) {
-    json entry = to_json(r.enclosure, digits);
-    entry["multiplicity"] = r.multiplicity;
-    result.push_back(std::move(entry));
-  }
-  return result;
-}
-
 }  // namespace
 
 second_opinion roots_again(const expression& f, const end_point& lower, const end_point& upper,
                            const proved_roots& first, const std::string& first_route, long digits,
                            int threads) {
   constexpr long more_digits = 5;
-  const stopwatch time;
+  const auto start = detail::clock::now();
   const std::optional<rational> cut = cut_of(f, lower, upper);
   const search_result found = search_backwards(f, lower, upper, cut, digits + more_digits, threads);
   route_report report;
@@ -197,18 +182,33 @@ second_opinion roots_again(const expression& f, const end_point& lower, const en
   if (cut) report.route += ", in two parts that meet at " + to_decimal(ball(*cut, 64), 6);
   report.work =
       fmt::format("{} boxes, {} evaluations", found.account.boxes, found.account.evaluations);
-  report.seconds = time.seconds();
+  report.seconds = detail::seconds_since(start);
   const auto obstacle = compare({first_route, first}, {report.route, found.list});
   if (obstacle) {
     report.obstacle = *obstacle;
   } else if (!found.has_digits) {
     report.obstacle = "it finds the roots to fewer digits";
   } else {
-    report.enclosure = enclosures_of(found.list, digits);
+    report.enclosure = found.list;
   }
   second_opinion result;
   result.add(std::move(report));
   return result;
 }
 
-}  // namespace polhode::cli
+second_opinion roots_again(const expression& f, const end_point& lower, const end_point& upper,
+                           const root_set& first, long digits, int threads) {
+  proved_roots list;
+  list.complete = first.complete;
+  list.identically_zero = first.identically_zero;
+  const std::vector<refined_root> fine = refine(first.regions, digits, threads);
+  for (std::size_t i = 0; i < first.regions.size(); ++i) {
+    const root_region& r = first.regions[i];
+    list.roots.push_back({r.verdict, r.multiplicity,
+                          r.multiplicity > 0 ? fine[i].enclosure : r.enclosure, r.may_lie_outside});
+  }
+  return roots_again(f, lower, upper, list,
+                     fmt::format("the search, {} boxes", first.account.boxes), digits, threads);
+}
+
+}  // namespace polhode

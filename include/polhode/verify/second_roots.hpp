@@ -1,36 +1,17 @@
 #pragma once
 
-// polhode roots --verify: all roots in an interval again, by a search that goes through it backwards and in other boxes.
+// All roots in an interval again, by a search that goes through it backwards and in other boxes, as `polhode roots --verify` finds them.
+//
+//   const second_opinion second = roots_again(f, 0, 1, isolate_roots(f, 0, 1), 30);
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "polhode/expression/expression.hpp"
 #include "polhode/roots/isolate.hpp"
-#include "second_opinion.hpp"
+#include "polhode/verify/second_opinion.hpp"
 
-namespace polhode::cli {
-
-/// What is proved of a root, as root_region has it.
-struct proved_root {
-  root_verdict verdict = root_verdict::unresolved;
-  long multiplicity = 0;
-  ball enclosure;
-  bool may_lie_outside = false;
-
-  /// One root of that multiplicity is in the enclosure and in the interval.
-  [[nodiscard]] bool is_resolved() const { return multiplicity > 0 && !may_lie_outside; }
-};
-
-/// Every root in the interval lies in one of the enclosures, which ascend.
-struct proved_roots {
-  bool complete = true;  // else roots may be missing
-  bool identically_zero = false;
-  std::vector<proved_root> roots;
-
-  [[nodiscard]] bool is_resolved() const;
-};
+namespace polhode {
 
 /// Nothing where the second list confirms the first, which is resolved; else why it does not. Throws contradiction_error where the lists exclude each
 /// other: a root of the one for which the other has no place; two resolved lists of different length; the k-th roots of two resolved lists of one
@@ -42,6 +23,12 @@ struct proved_roots {
 /// `first` is resolved, its enclosures as narrow as the digits that were asked for. Throws contradiction_error as compare does.
 [[nodiscard]] second_opinion roots_again(const expression& f, const end_point& lower,
                                          const end_point& upper, const proved_roots& first,
-                                         const std::string& first_route, long digits, int threads);
+                                         const std::string& first_route, long digits,
+                                         int threads = 1);
 
-}  // namespace polhode::cli
+/// The same for the answer of isolate_roots(f, lower, upper), whose roots are refined to so many digits first.
+[[nodiscard]] second_opinion roots_again(const expression& f, const end_point& lower,
+                                         const end_point& upper, const root_set& first, long digits,
+                                         int threads = 1);
+
+}  // namespace polhode

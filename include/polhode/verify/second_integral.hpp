@@ -1,15 +1,20 @@
 #pragma once
 
-// polhode integrate --verify: an integral again, by another rule and with other cuts.
+// An integral again, by another rule and with other cuts, as `polhode integrate --verify` finds it.
+//
+//   const integral first = integrate(f, 0, 1, {.digits = 30});
+//   const second_opinion second = integral_again(f, 0, 1, first, 30);
 
+#include <concepts>
 #include <optional>
+#include <string>
 
 #include "polhode/expression/expression.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
-#include "second_opinion.hpp"
+#include "polhode/verify/second_opinion.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 /// A rational number certainly between a and b, about 0.37 of the way; its denominator is 3 times a power of two, so that it is
 /// no point that halving the range leads to. Of an infinite range it is one that is not far from the finite end, or from 0. None where the ends
@@ -20,18 +25,31 @@ namespace polhode::cli {
 /// rules that are not among first's are tried one after the other until one confirms it. Where none does, first's own are tried: they
 /// confirm it only where none of the others is applicable, as up to infinity, and not where one of them failed.
 /// Throws contradiction_error where an enclosure of the sum has no number in common with first's, or where one of the two
-/// integrals is proved to diverge.
+/// integrals is proved to diverge; and std::invalid_argument where first is not certified, or digits < 1.
 [[nodiscard]] second_opinion integral_again(const detail::integrand& f, const end_point& a,
                                             const end_point& b, const integral& first, long digits,
-                                            int threads);
+                                            int threads = 1);
 
 /// The certified integral along a path again, backwards and with every piece cut. There is one rule for paths, and so it
-/// is the same. Throws contradiction_error as integral_again does.
+/// is the same. Throws as the first integral_again does.
 [[nodiscard]] second_opinion integral_again(const detail::complex_integrand& f, const path& along,
                                             const contour_integral& first, long digits,
-                                            int threads);
+                                            int threads = 1);
+
+/// The same for a generic function (integrate.hpp, contour.hpp), and for a formula (formulas/integrand.hpp).
+template <std::invocable<const ball&> F>
+[[nodiscard]] second_opinion integral_again(const F& f, const end_point& a, const end_point& b,
+                                            const integral& first, long digits, int threads = 1) {
+  return integral_again(detail::make_integrand(f), a, b, first, digits, threads);
+}
+[[nodiscard]] second_opinion integral_again(const expression& f, const end_point& a,
+                                            const end_point& b, const integral& first, long digits,
+                                            int threads = 1);
+[[nodiscard]] second_opinion integral_again(const expression& f, const path& along,
+                                            const contour_integral& first, long digits,
+                                            int threads = 1);
 
 /// "Taylor series, 33 panels": how an integral was found.
 [[nodiscard]] std::string route_text(const integral_account& account);
 
-}  // namespace polhode::cli
+}  // namespace polhode

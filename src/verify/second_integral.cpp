@@ -1,18 +1,21 @@
-#include "second_integral.hpp"
+#include "polhode/verify/second_integral.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "base/clock.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/formulas/integrand.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 // ---------------------------------------------------------------------------------------------
 // Cuts
@@ -176,6 +179,14 @@ std::vector<quadrature_rule> rules_by_independence(const std::vector<quadrature_
   return rules;
 }
 
+/// Throws std::invalid_argument where there is nothing to confirm.
+void expect_certified(status verdict, long digits) {
+  if (verdict != status::certified) {
+    throw std::invalid_argument("a second opinion is of a certified integral; this one is not");
+  }
+  if (digits < 1) throw std::invalid_argument("a second opinion is of one digit or more");
+}
+
 /// So many digits more than the first route's goal: another precision.
 constexpr long more_digits = 7;
 
@@ -188,6 +199,7 @@ std::string obstacle_text(reason why, const std::string& obstacle) {
 
 second_opinion integral_again(const detail::integrand& f, const end_point& a, const end_point& b,
                               const integral& first, long digits, int threads) {
+  expect_certified(first.verdict, digits);
   const std::string what = "the integral";
   const finding<ball> known{route_text(first.account), first.enclosure};
   const magnitude goal = confirming_radius(first.enclosure, digits);
@@ -197,7 +209,7 @@ second_opinion integral_again(const detail::integrand& f, const end_point& a, co
   second_opinion result;
   bool another_failed = false;
   for (const quadrature_rule& rule : rules_by_independence(first.account.rules)) {
-    const stopwatch time;
+    const auto start = detail::clock::now();
     integrate_options how;
     how.digits = digits + more_digits;
     how.rule = rule;
@@ -210,7 +222,7 @@ second_opinion integral_again(const detail::integrand& f, const end_point& a, co
     report.route = to_text(rule) + (own ? " again" : "");
     if (cut) report.route += ", the range cut at " + to_decimal(ball(*cut, 64), 6);
     report.work = work_text(sum.account);
-    report.seconds = time.seconds();
+    report.seconds = detail::seconds_since(start);
     // The double exponential rule says so of an upper bound of f's growth, which is no proof.
     const bool diverges =
         sum.why == reason::not_integrable && rule != quadrature_rule::double_exponential;
@@ -226,7 +238,7 @@ second_opinion integral_again(const detail::integrand& f, const end_point& a, co
     } else if (own && another_failed) {
       report.obstacle = "the same, but a rule that shares less with the first route fails";
     } else {
-      report.enclosure = to_json(sum.enclosure, digits);
+      report.enclosure = sum.enclosure;
     }
     result.add(report);
     if (report.agrees()) break;
@@ -260,6 +272,7 @@ path cut_piece(const arc_piece& arc, const rational& k) {
 
 second_opinion integral_again(const detail::complex_integrand& f, const path& along,
                               const contour_integral& first, long digits, int threads) {
+  expect_certified(first.verdict, digits);
   const std::string what = "the integral";
   const finding<complex_ball> known{route_text(first.account), first.enclosure};
   const rational share(10, 27);
@@ -267,7 +280,7 @@ second_opinion integral_again(const detail::complex_integrand& f, const path& al
   for (const path_piece& piece : along.pieces()) {
     cut = std::move(cut) + std::visit([&](const auto& p) { return cut_piece(p, share); }, piece);
   }
-  const stopwatch time;
+  const auto start = detail::clock::now();
   const magnitude goal = confirming_radius(first.enclosure, digits);
   integrate_options how;
   how.digits = digits + more_digits;
@@ -278,17 +291,28 @@ second_opinion integral_again(const detail::complex_integrand& f, const path& al
   route_report report;
   report.route = "Gauss-Legendre backwards, every piece cut at 10/27 of it";
   report.work = work_text(again.account);
-  report.seconds = time.seconds();
+  report.seconds = detail::seconds_since(start);
   expect_overlap(what, known, {report.route, enclosure});
   if (again.verdict != status::certified) {
     report.obstacle = obstacle_text(again.why, again.obstacle);
   } else {
-    report.enclosure =
-        json{{"real", to_json(enclosure.re, digits)}, {"imaginary", to_json(enclosure.im, digits)}};
+    report.enclosure = enclosure;
   }
   second_opinion result;
   result.add(std::move(report));
   return result;
 }
 
-}  // namespace polhode::cli
+// ---------------------------------------------------------------------------------------------
+// Of formulas
+
+second_opinion integral_again(const expression& f, const end_point& a, const end_point& b,
+                              const integral& first, long digits, int threads) {
+  return integral_again(integrand_of(f), a, b, first, digits, threads);
+}
+second_opinion integral_again(const expression& f, const path& along, const contour_integral& first,
+                              long digits, int threads) {
+  return integral_again(complex_integrand_of(f), along, first, digits, threads);
+}
+
+}  // namespace polhode

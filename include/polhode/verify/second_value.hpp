@@ -1,14 +1,15 @@
 #pragma once
 
-// polhode eval --verify: the value of a formula again, in complex arithmetic, with other bits, or without exact folding.
+// The value of a formula again, as `polhode eval --verify` finds it: in complex arithmetic, with other bits, or without exact folding.
 
 #include <string>
+#include <vector>
 
-#include "formula.hpp"
 #include "polhode/expression/expression.hpp"
-#include "second_opinion.hpp"
+#include "polhode/formulas/parse.hpp"
+#include "polhode/verify/second_opinion.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 /// The certified value `first` of f, found with so many bits, again: by regions, which are sets of complex numbers in balls, where f is analytic; and by real balls with an odd
 /// number of bits, beyond those to which the arithmetic has tables of its own. Throws contradiction_error where an enclosure has no
@@ -22,7 +23,8 @@ namespace polhode::cli {
 
 /// The value of a formula that was found to be the rational number `exact`, again in ball arithmetic: its numbers are given as
 /// values of variables, so that nothing is decided exactly when it is read. Throws contradiction_error as value_again does.
-[[nodiscard]] second_opinion exact_value_again(const std::string& formula, const let_option& let,
+[[nodiscard]] second_opinion exact_value_again(const std::string& formula,
+                                               const std::vector<formula_definition>& definitions,
                                                const rational& exact, long digits);
 
 /// A formula with its numbers as variables: "2*x + 1/3" as "number_1*x + number_2/number_3". Exponents, the numbers of
@@ -34,4 +36,4 @@ struct formula_of_variables {
 };
 [[nodiscard]] formula_of_variables with_numbers_as_variables(const std::string& formula);
 
-}  // namespace polhode::cli
+}  // namespace polhode
