@@ -366,10 +366,14 @@ void add_checkers_opinion(printed_opinion& result, const expression& f,
   result.add(checked_again("the integral", route_text(i.account), *certificate));
 }
 
-/// How often an integrand was called, by any thread.
+/// How often an integrand was called, by any thread, and where its sum is.
 struct counted_calls {
   std::atomic<long> over_regions = 0;
   std::atomic<long> at_nodes = 0;
+  // Of the sum that is being made:
+  std::atomic<long> panel = 0;  // from 1; 0 before there is one
+  std::atomic<long> panels = 0;
+  std::atomic<long> nodes = 0;
 };
 
 detail::integrand counted(detail::integrand f, const std::shared_ptr<counted_calls>& calls) {
@@ -387,11 +391,16 @@ detail::integrand counted(detail::integrand f, const std::shared_ptr<counted_cal
   return f;
 }
 
-/// "1200 evaluations, 340 over regions".
+/// "1200 evaluations, 340 over regions, panel 3 of 40 with 64 nodes".
 std::string counts_text(const counted_calls& calls) {
   const long nodes = calls.at_nodes.load();
   const long regions = calls.over_regions.load();
-  return nodes + regions == 0 ? "" : fmt::format("{} evaluations, {} over regions", nodes, regions);
+  if (nodes + regions == 0) return "";
+  const std::string result = fmt::format("{} evaluations, {} over regions", nodes, regions);
+  const long panel = calls.panel.load();
+  if (panel == 0) return result;
+  return fmt::format("{}, panel {} of {} with {} nodes", result, panel, calls.panels.load(),
+                     calls.nodes.load());
 }
 
 /// The integral of a polynomial over rational limits, unless a rule, a certificate or a second opinion is asked for.
@@ -430,8 +439,13 @@ exit_status integrate_real(integrate_command_options& options) {
   const end_point b = read_limit(*options.to, options.let);
   if (const auto value = known_integral(f, a, b, options)) return report_exact(f, options, *value);
   const auto calls = std::make_shared<counted_calls>();
-  const auto integrate_to = [g = counted(integrand_of(f), calls), a,
-                             b](const integrate_options& goal) {
+  const auto integrate_to = [g = counted(integrand_of(f), calls), a, b,
+                             calls](integrate_options goal) {
+    goal.progress = [calls](const integration_progress& p) {
+      calls->panel = p.panels_done + 1;
+      calls->panels = p.panels;
+      calls->nodes = p.nodes;
+    };
     return detail::integrate_function(g, a, b, goal);
   };
   const auto verify = [&](const integral& i) {

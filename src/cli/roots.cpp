@@ -141,8 +141,10 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
       ended_early = true;
       return false;
     }
-    line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done, p.boxes_waiting,
-                          p.roots));
+    const std::string share =
+        p.share_done ? fmt::format("{:.0f} % of the range done, ", 100 * *p.share_done) : "";
+    line.show(fmt::format("{}{} boxes examined, {} waiting, {} roots", share, p.boxes_done,
+                          p.boxes_waiting, p.roots));
     return true;
   };
   answer result;

@@ -71,14 +71,21 @@ TEST(CostCommand, NamesWhatWasLeftOutForWantOfTime) {
   std::istringstream lines(csv.out);
   std::string line;
   std::getline(lines, line);
-  const auto columns = std::count(line.begin(), line.end(), ',');
+  const auto commas = [](const std::string& row) {  // outside of quotes
+    bool quoted = false;
+    return std::count_if(row.begin(), row.end(), [&](char c) {
+      if (c == '"') quoted = !quoted;
+      return c == ',' && !quoted;
+    });
+  };
+  const auto columns = commas(line);
   int left_out = 0;
   while (std::getline(lines, line)) {
     if (line.find("left out for want of time") == std::string::npos) continue;
     ++left_out;
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), columns) << line;
+    EXPECT_EQ(commas(line), columns) << line;
   }
-  EXPECT_EQ(left_out, 4);  // two methods to 30 and 50 digits
+  EXPECT_EQ(left_out, 4);  // two methods, each to 30 and 50 digits
 }
 
 TEST(CostCommand, WritesTheFilesTogether) {

@@ -306,33 +306,13 @@ TEST(Numbers, GnuplotReadsEveryCsv) {
   }
 }
 
-/// Python's csv reads them, and pandas, where it is, gives each column of numbers the type of numbers.
-TEST(Numbers, PythonReadsEveryCsv) {
-  if (run_script("command -v python3 >&2").status != 0) GTEST_SKIP() << "no python3";
+/// Has Python check every CSV: check(name, columns) is called with the place of each column of numbers, its name and how many it has.
+void expect_python_reads_every_csv(std::string program) {
   const scratch_directory directory;
-  std::string program = R"(
-import csv
-try:
-    import pandas
-except ImportError:
-    pandas = None
-def check(name, columns):
-    with open(name, newline='') as file:
-        rows = list(csv.reader(file, strict=True))
-    for place, count in columns:
-        numbers = [float(row[place - 1]) for row in rows[1:] if row[place - 1] != '']
-        assert len(numbers) == count, (name, place, len(numbers), count)
-    if pandas:
-        table = pandas.read_csv(name)
-        for place, count in columns:
-            column = table.iloc[:, place - 1]
-            assert count == 0 or pandas.api.types.is_numeric_dtype(column), (name, column)
-            assert column.count() == count, (name, column)
-)";
   for (const std::string& name : write_all_csvs(directory)) {
     program += "check('" + name + "', [";
     for (const numeric_column& one : numeric_columns(contents(directory.path(name)))) {
-      program += "(" + std::to_string(one.place) + ", " +
+      program += "(" + std::to_string(one.place) + ", '" + one.name + "', " +
                  std::to_string(one.finite.size() + one.infinite) + "), ";
     }
     program += "])\n";
@@ -340,6 +320,38 @@ def check(name, columns):
   std::ofstream(directory.path("read.py")) << program;
   const outcome read = run_script("python3 read.py", directory.path(""));
   EXPECT_EQ(read.status, 0) << read.err;
+}
+
+TEST(Numbers, PythonReadsEveryCsv) {
+  if (run_script("command -v python3 >&2").status != 0) GTEST_SKIP() << "no python3";
+  expect_python_reads_every_csv(R"(
+import csv
+def check(name, columns):
+    with open(name, newline='') as file:
+        rows = list(csv.reader(file, strict=True))
+    for place, heading, count in columns:
+        assert rows[0][place - 1] == heading, (name, place, rows[0])
+        numbers = [float(row[place - 1]) for row in rows[1:] if row[place - 1] != '']
+        assert len(numbers) == count, (name, place, len(numbers), count)
+)");
+}
+
+/// pandas, with its default options, finds the columns by their names, each of numbers with the type of numbers and no number lost.
+TEST(Numbers, PandasReadsEveryCsv) {
+  if (run_script("python3 -c 'import pandas'").status != 0) {
+    GTEST_SKIP() << "no pandas (Debian's package python3-pandas)";
+  }
+  expect_python_reads_every_csv(R"(
+import pandas
+def check(name, columns):
+    table = pandas.read_csv(name)
+    assert not isinstance(table.index, pandas.MultiIndex) and table.index.equals(pandas.RangeIndex(len(table))), name
+    for place, heading, count in columns:
+        assert table.columns[place - 1] == heading, (name, table.columns)
+        column = table[heading]
+        assert count == 0 or pandas.api.types.is_numeric_dtype(column), (name, column)
+        assert column.count() == count, (name, column)
+)");
 }
 
 TEST(Numbers, TheTablesOfTheShippedScenes) {

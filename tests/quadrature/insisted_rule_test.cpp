@@ -1,5 +1,6 @@
 // Rules that are insisted on: the same values by each, or a refusal that says why.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,31 @@ TEST(InsistedRule, NamesAreAllDifferent) {
   EXPECT_EQ(to_text(quadrature_rule::clenshaw_curtis), "Clenshaw-Curtis");
   EXPECT_EQ(to_text(quadrature_rule::trapezoid), "trapezoid");
   EXPECT_EQ(to_text(quadrature_rule::double_exponential), "double exponential");
+}
+
+/// Every sum over panels, of which there may be several, tells of its panels in turn, by the number of the plan.
+TEST(InsistedRule, TellsOfItsPanels) {
+  std::vector<integration_progress> told;
+  integrate_options options = by(quadrature_rule::gauss_legendre);
+  options.progress = [&](const integration_progress& p) { told.push_back(p); };
+  const auto runge = [](const auto& x) { return 1 / (1 + 25 * square(x)); };
+  const integral i = integrate(runge, -1, 1, options);
+  ASSERT_EQ(i.verdict, status::certified);
+  ASSERT_GT(i.account.panels, 1);
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().panels, i.account.panels);
+  EXPECT_EQ(told.back().panels_done, i.account.panels - 1);
+  long most_nodes = 0;
+  for (std::size_t k = 0; k < told.size(); ++k) {
+    EXPECT_GT(told[k].nodes, 0);
+    EXPECT_LT(told[k].panels_done, told[k].panels);
+    if (k > 0 && told[k].panels_done != 0) {
+      EXPECT_EQ(told[k].panels_done, told[k - 1].panels_done + 1);
+      EXPECT_EQ(told[k].panels, told[k - 1].panels);
+    }
+    most_nodes = std::max(most_nodes, told[k].nodes);
+  }
+  EXPECT_EQ(most_nodes, i.account.most_nodes);
 }
 
 }  // namespace

@@ -440,6 +440,22 @@ TEST(IsolateRoots, LimitsAndProgress) {
   EXPECT_FALSE(t.complete);
 }
 
+TEST(IsolateRoots, ProgressIsAShareOfTheRange) {
+  const auto f = [](const auto& x) { return sin(square(x)); };
+  std::vector<double> shares;
+  isolate_options options;
+  options.progress = [&](const isolation_progress& p) {
+    shares.push_back(p.share_done.value());
+    return true;
+  };
+  (void)isolate_roots(f, 1, 60, options);
+  ASSERT_GT(shares.size(), 3U);
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.back(), 0.5);
+  EXPECT_LT(shares.back(), 1);
+}
+
 // ---------------------------------------------------------------------------------------------
 // What it costs
 

@@ -41,6 +41,13 @@
 
 namespace polhode {
 
+/// What of a sum over panels is done; there may be several sums, one after the other.
+struct integration_progress {
+  long panels_done = 0;
+  long panels = 0;  // of the plan
+  long nodes = 0;   // of the panel that is begun
+};
+
 struct integrate_options {
   /// The goal: a radius of at most 10^-digits of the value. Where the value is 0, or smaller than
   /// 10^-digits of the integral of |f|, that size stands for the value's.
@@ -62,6 +69,8 @@ struct integrate_options {
   /// most. The result is the same bit for bit. Unless it is 1, f is called by several threads at a time, and so are
   /// its member evaluator<ball>(p) and copies; but what evaluator made is called by one thread only.
   int threads = 1;
+  /// Called before the nodes of a panel are summed, by the thread that integrates; may be empty.
+  std::function<void(const integration_progress&)> progress = {};
 };
 
 /// What it cost.

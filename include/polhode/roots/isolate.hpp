@@ -90,6 +90,8 @@ struct isolation_progress {
   long boxes_done = 0;
   long boxes_waiting = 0;
   long roots = 0;
+  /// The fraction of the interval, as it was open when the run began, that is settled or given up; nothing where it is unbounded. To be shown.
+  std::optional<double> share_done = std::nullopt;
 };
 
 struct isolate_options {

@@ -105,6 +105,10 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
   const auto allowed = static_cast<double>(most_precision);
   const double goal = share - log2_scales_[p.segment] + static_cast<double>(p.level);
   p.nodes = nodes_of_panel(p, goal);
+  if (options_.progress) {
+    options_.progress(
+        {static_cast<long>(&p - panels_.data()), static_cast<long>(panels_.size()), p.nodes});
+  }
   result_.account.most_nodes = std::max(result_.account.most_nodes, p.nodes);
   note(p.strip ? quadrature_rule::trapezoid : quadrature_rule(*p.rule), result_.account.rules);
   const magnitude truncation = truncation_error(p);

@@ -37,6 +37,7 @@ class searcher {
   void search() {
     const auto start = std::chrono::steady_clock::now();
     s_.limit.clear();
+    const std::optional<double> whole = open_width();
     constexpr long between_looks = 64;
     for (long boxes = 0; !s_.pending.empty(); ++boxes) {
       if (boxes >= options_.most_boxes) {
@@ -53,7 +54,7 @@ class searcher {
       }
       if (options_.progress && boxes % between_looks == 0 &&
           !options_.progress({s_.account.boxes, static_cast<long>(s_.pending.size()),
-                              static_cast<long>(s_.found.size())})) {
+                              static_cast<long>(s_.found.size()), share_done(whole)})) {
         s_.limit = "a request to stop";
         return;
       }
@@ -66,6 +67,22 @@ class searcher {
     }
     if (!s_.concluded) conclude();
     s_.concluded = true;
+  }
+
+  /// About the sum of the widths of the boxes that are left; nothing where one is unbounded.
+  [[nodiscard]] std::optional<double> open_width() const {
+    if (!options_.progress) return std::nullopt;
+    double sum = 0;
+    for (const work_box& b : s_.pending) {
+      if (!b.x.is_bounded()) return std::nullopt;
+      sum += b.x.width().convert_to<double>();
+    }
+    return sum;
+  }
+  [[nodiscard]] std::optional<double> share_done(const std::optional<double>& whole) const {
+    const std::optional<double> left = open_width();
+    if (!whole || !left || !(*whole > 0)) return std::nullopt;
+    return std::clamp(1 - *left / *whole, 0.0, 1.0);
   }
 
   // -------------------------------------------------------------------------------------------
