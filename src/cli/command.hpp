@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "cli/output/errors.hpp"
 #include "cli_app.hpp"
-#include "errors.hpp"
 
 namespace polhode::cli {
 

@@ -15,10 +15,10 @@
 #include <boost/version.hpp>
 
 #include "base/nearest_name.hpp"
+#include "cli/options/formula.hpp"
+#include "cli/output/streams.hpp"
 #include "commands.hpp"
-#include "formula.hpp"
 #include "polhode/expression/expression.hpp"
-#include "streams.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "errors.hpp"
+#include "cli/output/errors.hpp"
 
 namespace polhode::cli {
 

@@ -17,8 +17,8 @@
 #include <string_view>
 #include <utility>
 
-#include "errors.hpp"
-#include "streams.hpp"
+#include "cli/output/errors.hpp"
+#include "cli/output/streams.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "errors.hpp"
+#include "cli/output/errors.hpp"
 
 namespace polhode::cli {
 

@@ -1,9 +1,9 @@
 // The program `polhode`.
 
+#include "cli/output/errors.hpp"
+#include "cli/output/streams.hpp"
 #include "command_line.hpp"
-#include "errors.hpp"
 #include "interruption.hpp"
-#include "streams.hpp"
 
 int main(int argc, char** argv) {
   using namespace polhode::cli;

@@ -1,6 +1,6 @@
 // What --verify prints of second opinions, and what the program does with a contradiction.
 
-#include "cli/second_opinion.hpp"
+#include "cli/options/second_opinion.hpp"
 
 #include <string>
 #include <variant>

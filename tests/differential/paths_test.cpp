@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "cli/path_option.hpp"
+#include "cli/options/path_option.hpp"
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/formulas/integrand.hpp"

@@ -33,7 +33,7 @@ if (page.split('%DATA%').length !== 2) throw new Error('page.html must have one 
 if (/<\/script|<!--/i.test(script) || page.includes(')' + delimiter + '"')) throw new Error('the bundle cannot be embedded');
 writeFileSync(process.argv[2], `// Made by src/cli/page/build.mjs.
 
-#include "cli/scene_page_template.hpp"
+#include "cli/page/scene_page_template.hpp"
 
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Woverlength-strings"

@@ -1,6 +1,6 @@
 // In the place of the page's template where there is no npm to bundle it.
 
-#include "cli/scene_page_template.hpp"
+#include "scene_page_template.hpp"
 
 namespace polhode::cli {
 

@@ -1,0 +1,235 @@
+// polhode body: what kind of body it is, and its two geometric constants.
+
+#include "polhode/rigid_body/body.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/options/body_option.hpp"
+#include "cli/options/memory_limit.hpp"
+#include "cli/options/options.hpp"
+#include "cli/output/exact_decimals.hpp"
+#include "cli/output/json_document.hpp"
+#include "cli/output/streams.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/arithmetic/verdict.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct body_options {
+  body_option which;
+  std::optional<std::string> sigma;
+  digits_option digits;
+  format_option format{{"text", "json"}};
+  memory_limit_option memory_limit;
+};
+
+constexpr std::array axis_names{"x", "y", "z"};
+constexpr std::array moment_names{"I_x", "I_y", "I_z"};
+
+/// One of the body's numbers: a rational, or an enclosure of it, or of its range where the moments have ranges.
+struct number {
+  const char* symbol;
+  const char* name;
+  std::optional<rational> exact;
+  ball enclosure;
+  bool is_range = false;
+};
+
+std::string as_text(const number& n, long digits) {
+  if (n.exact) {
+    return fmt::format("{} = {} exactly\n", n.symbol,
+                       is_short(*n.exact, digits) ? to_text(*n.exact)
+                                                  : with_dots(leading_digits_of(*n.exact, digits)));
+  }
+  if (!n.is_range) return fmt::format("{} = {}\n", n.symbol, to_decimal(n.enclosure, digits));
+  const decimal_enclosure d = to_decimal_enclosure(n.enclosure, digits);
+  return fmt::format("{} from {} to {}\n", n.symbol, d.lower, d.upper);
+}
+
+json as_json(const number& n, long digits) {
+  return n.exact ? exact_json(*n.exact, digits) : to_json(n.enclosure, digits);
+}
+
+/// Guard bits that suffice for I and J: their squares (that of J + 1) are quotients q/r of 3 size_in_bits(a) + 3 size_in_bits(b)
+/// bits at most and a few, and a decimal d of k digits that such a root is not differs from it by at least some 1/(r 100^k).
+precision sufficient_guard(const body& rigid, long digits) {
+  return 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b())) + 15 * bits_for_digits(digits) +
+         1024;
+}
+
+/// Either rational or enclosed to so many digits.
+number certain(const char* symbol, const char* name, std::optional<rational> exact,
+               const enclosing_function& f, long digits, precision most_guard) {
+  number result{symbol, name, std::move(exact), {}};
+  if (result.exact) return result;
+  result.enclosure = enclose_to_digits(f, digits, most_guard);
+  if (result.enclosure.is_undefined()) {
+    throw not_certified_error(
+        fmt::format("{} was not certified to {} digits (precision limit)", symbol, digits));
+  }
+  return result;
+}
+
+/// What is printed: the moments where they were given, the axes where they were reordered, the numbers.
+struct answer {
+  std::vector<number> moments;  // I_x, I_y, I_z, or none
+  std::array<int, 3> order{0, 1, 2};
+  bool has_order = false;  // of the moments given
+  bool is_ordered = true;
+  bool is_uncertain = false;
+  std::vector<number> numbers;
+  body_kind kind = body_kind::undecided;
+};
+
+answer answer_of(const body& rigid, long digits) {
+  answer result;
+  const precision guard = sufficient_guard(rigid, digits);
+  for (std::size_t i = 0; rigid.moments() && i < 3; ++i) {
+    result.moments.push_back({moment_names[i], axis_names[i], (*rigid.moments())[i], {}});
+  }
+  result.has_order = rigid.moments().has_value();
+  result.order = rigid.order();
+  result.kind = rigid.kind();
+  result.numbers = {{"a", "a", rigid.a(), {}}, {"b", "b", rigid.b(), {}}};
+  result.numbers.push_back(certain(
+      "I", "geometric_constant", rigid.exact_geometric_constant(),
+      [&](precision p) { return rigid.geometric_constant(p); }, digits, guard));
+  result.numbers.push_back(certain(
+      "J", "second_geometric_constant", rigid.exact_second_geometric_constant(),
+      [&](precision p) { return rigid.second_geometric_constant(p); }, digits, guard));
+  return result;
+}
+
+answer answer_of(const inertia_tensor& tensor, long digits) {
+  answer result;
+  // As for a body, with the moments instead of a and b.
+  const precision guard = 8 * tensor.lost_bits() + 15 * bits_for_digits(digits) + 1024;
+  result.kind = tensor.kind();
+  for (std::size_t i = 0; i < 3; ++i) {
+    result.moments.push_back(certain(
+        moment_names[i], axis_names[i], tensor.exact_moments()[i],
+        [&](precision p) { return tensor.moments(p)[i]; }, digits, guard));
+  }
+  const auto add = [&](const char* symbol, const char* name, std::optional<rational> exact,
+                       ball (inertia_tensor::*f)(precision) const) {
+    result.numbers.push_back(certain(
+        symbol, name, std::move(exact), [&](precision p) { return (tensor.*f)(p); }, digits,
+        guard));
+  };
+  const bool planar = result.kind == body_kind::planar;
+  add("a", "a", {}, &inertia_tensor::a);
+  add("b", "b", {}, &inertia_tensor::b);
+  add("I", "geometric_constant", planar ? std::optional<rational>(1) : std::nullopt,
+      &inertia_tensor::geometric_constant);
+  add("J", "second_geometric_constant", {}, &inertia_tensor::second_geometric_constant);
+  return result;
+}
+
+answer answer_of(const uncertain_body& rigid, long digits) {
+  const precision p = bits_for_digits(digits) + 32;
+  answer result;
+  result.has_order = true;
+  result.order = rigid.order();
+  result.is_ordered = rigid.is_ordered();
+  result.is_uncertain = true;
+  result.kind = rigid.kind();
+  if (!rigid.is_ordered()) return result;
+  result.numbers = {
+      {"a", "a", {}, rigid.a(p), true},
+      {"b", "b", {}, rigid.b(p), true},
+      {"I", "geometric_constant", {}, rigid.geometric_constant(p), true},
+      {"J", "second_geometric_constant", {}, rigid.second_geometric_constant(p), true}};
+  return result;
+}
+
+std::string text_of(const answer& a, long digits) {
+  std::string result;
+  for (const number& moment : a.moments) result += as_text(moment, digits);
+  if (!a.is_ordered) {
+    result += "the order of the axes is undecided, and so are a, b, I and J\n";
+  } else if (a.order != std::array<int, 3>{0, 1, 2}) {
+    constexpr std::array places{"1st", "2nd", "3rd"};
+    const auto place = [&](int axis) {
+      return places[static_cast<std::size_t>(a.order[static_cast<std::size_t>(axis)])];
+    };
+    result += fmt::format("reordered: I_x, I_y, I_z are the {}, {}, {} of the moments given\n",
+                          place(0), place(1), place(2));
+  }
+  for (const number& n : a.numbers) result += as_text(n, digits);
+  if (a.is_uncertain && a.kind != body_kind::undecided) {
+    return result + to_text(a.kind) + ": all within these ranges\n";
+  }
+  return result + described(a.kind) + '\n';
+}
+
+std::string json_of(const answer& a, long digits) {
+  const bool decided = a.kind != body_kind::undecided;
+  json result{{"kind", to_text(a.kind)},
+              {"verdict", to_text(decided ? status::certified : status::not_certified)}};
+  for (const number& moment : a.moments) result["moments"][moment.name] = as_json(moment, digits);
+  if (a.is_ordered && a.has_order) {
+    // Of I_x, I_y, I_z, which of the moments given it is.
+    for (const int given : a.order) result["order"].push_back(given + 1);
+  }
+  for (const number& n : a.numbers) result[n.name] = as_json(n, digits);
+  return json_document_text("body", result);
+}
+
+exit_status run(const body_options& options) {
+  const long digits = options.digits.value();
+  const bool json_wanted = options.format.value() == "json";
+  constexpr double bytes_per_digit = 20;
+  options.memory_limit.check(
+      {fmt::format("{} digits of I and J", digits), bytes_per_digit * static_cast<double>(digits)});
+  const auto uncertain = options.which.uncertain(options.sigma);
+  const auto tensor = options.which.irrational_tensor();
+  const answer a = uncertain ? answer_of(*uncertain, digits)
+                   : tensor  ? answer_of(*tensor, digits)
+                             : answer_of(options.which.value(), digits);
+  print(json_wanted ? json_of(a, digits) : text_of(a, digits));
+  return a.kind == body_kind::undecided ? exit_status::not_certified : exit_status::all_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<body_options>();
+  options->which.declare(app);
+  app.add_option("--sigma", options->sigma,
+                 "How far each moment may be from the one given with --moments")
+      ->type_name("SX,SY,SZ");
+  options->digits.declare(app);
+  options->format.declare(app);
+  options->memory_limit.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command body_command() {
+  return {
+      "body", "Say what kind of body it is: physical, planar or non-physical",
+      "  polhode body --ab 12.65,0.0629\n"
+      "  polhode body --moments 3,2,1\n"
+      "  polhode body --moments 3.01,2,1 --sigma 0.1,0.1,0.05\n\n"
+      "Numbers are decimals or quotients (629/10000), read exactly; the kind is decided without\n"
+      "rounding. I = (1-b)/sqrt(b(a+b)) and J = (a+1)/sqrt(a(a+b)) - 1 are the paper's geometric\n"
+      "constants. With --sigma every moment within value - sigma .. value + sigma is meant: the "
+      "kind\n"
+      "is that of all such bodies, or undecided (exit status 1). A tensor in a --body file may "
+      "have\n"
+      "irrational principal moments: they are enclosed, and the kind is decided all the same.\n",
+      declare};
+}
+
+}  // namespace polhode::cli

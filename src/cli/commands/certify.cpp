@@ -1,0 +1,349 @@
+// polhode certify: proves claims of the paper and writes down their certificates.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/options/memory_limit.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/time_limit.hpp"
+#include "cli/output/layout.hpp"
+#include "cli/output/output_directory.hpp"
+#include "cli/output/progress.hpp"
+#include "cli/output/streams.hpp"
+#include "proofs/claim.hpp"
+
+namespace polhode::cli {
+namespace {
+
+using proofs::claim;
+using proofs::request;
+
+struct certify_options {
+  std::vector<std::string> names;
+  bool list = false;
+  bool all = false;
+  digits_option digits;
+  std::optional<std::string> directory;
+  format_option format{{"text", "json", "markdown"}};
+  std::optional<std::string> ab;
+  std::optional<std::string> u;
+  memory_limit_option memory_limit;
+  time_limit_option time_limit;
+};
+
+std::vector<const claim*> selected_claims(const certify_options& options) {
+  const std::vector<std::string> all = names_of(proofs::all_claims());
+  std::vector<std::string> names =
+      known_names(options.names, all, "claim", "polhode certify --list");
+  if (names.empty() || options.all) names = all;
+  std::vector<const claim*> claims;
+  claims.reserve(names.size());
+  for (const std::string& name : names) claims.push_back(proofs::find_claim(name));
+  return claims;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The body and the motion
+
+/// Does it; what cannot be used is then said of that option.
+template <class F>
+void for_option(std::string_view option, const F& read) {
+  try {
+    read();
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+oscillating_motion selected_motion(const certify_options& options) {
+  oscillating_motion motion = request{}.motion;
+  if (options.ab) {
+    const std::string& text = *options.ab;
+    const auto comma = text.find(',');
+    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
+      throw usage_error(
+          fmt::format("--ab {}: it must be two numbers A,B such as 12.65,0.0629", in_quotes(text)));
+    }
+    for_option("--ab", [&] {
+      motion.a = parse_rational(text.substr(0, comma));
+      motion.b = parse_rational(text.substr(comma + 1));
+      check(motion);
+    });
+  }
+  if (options.u) {
+    for_option("--u", [&] {
+      motion.u = parse_rational(*options.u);
+      check(motion);
+    });
+  }
+  return motion;
+}
+
+/// Throws usage_error where a body or a motion is given and no chosen claim depends on it.
+void refuse_idle_motion(const certify_options& options, const std::vector<const claim*>& claims) {
+  const auto refuse_unless = [&](const char* option, proofs::claim_subject least) {
+    const auto depends = [least](const claim& c) { return c.subject >= least; };
+    if (std::any_of(claims.begin(), claims.end(), [&](const claim* c) { return depends(*c); })) {
+      return;
+    }
+    std::vector<std::string> dependent;
+    for (const claim& c : proofs::all_claims()) {
+      if (depends(c)) dependent.push_back(c.name);
+    }
+    throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
+                                  option, fmt::join(dependent, ", ")));
+  };
+  if (options.ab) refuse_unless("--ab", proofs::claim_subject::body);
+  if (options.u) refuse_unless("--u", proofs::claim_subject::motion);
+}
+
+// ---------------------------------------------------------------------------------------------
+// What it costs
+
+/// A claim about a constant needs what the constant needs. Where there is no such constant, the
+/// most that any of them needs is the guess.
+double memory_of_proof(const claim& c, long digits) {
+  if (const proofs::constant* same = proofs::find_constant(c.name); same != nullptr) {
+    return proofs::estimated_memory(*same, digits);
+  }
+  double most = 0;
+  for (const proofs::constant& other : proofs::all_constants()) {
+    most = std::max(most, proofs::estimated_memory(other, digits));
+  }
+  return most;
+}
+
+/// Claims are proved one after another; their certificates are kept.
+memory_estimate estimate(const std::vector<const claim*>& claims, long digits) {
+  // Measured: its decimals and its exact ends, as data and as text.
+  constexpr double bytes_kept_per_digit = 12;
+  double most = 0;
+  for (const claim* c : claims) most = std::max(most, memory_of_proof(*c, digits));
+  const std::size_t count = claims.size();
+  return {count == 1 ? fmt::format("{} digits of {}", digits, claims.front()->name)
+                     : fmt::format("{} digits of {} claims", digits, count),
+          most + bytes_kept_per_digit * static_cast<double>(digits) * static_cast<double>(count)};
+}
+
+// ---------------------------------------------------------------------------------------------
+// The work
+
+certificate prove(const claim& c, const request& wanted) {
+  try {
+    return c.prove(wanted);
+  } catch (const std::domain_error& error) {
+    throw not_certified_error(fmt::format("{} was not certified: {}", c.name, error.what()));
+  }
+}
+
+struct timed_certificate {
+  certificate result;
+  double seconds = 0;
+};
+
+std::vector<timed_certificate> prove_all(const std::vector<const claim*>& claims,
+                                         const request& wanted, const progress& line) {
+  using clock = std::chrono::steady_clock;
+  std::vector<timed_certificate> result;
+  result.reserve(claims.size());
+  for (const claim* c : claims) {
+    line.show(fmt::format("certifying {} ({}/{})", c->name, result.size() + 1, claims.size()));
+    const auto start = clock::now();
+    certificate proved = prove(*c, wanted);
+    const std::chrono::duration<double> time = clock::now() - start;
+    result.push_back({std::move(proved), time.count()});
+  }
+  return result;
+}
+
+std::string file_name(const std::string& claim_name) { return claim_name + ".json"; }
+
+std::string as_json_text(const json& value) { return value.dump(2) + '\n'; }
+
+void write_files(output_directory& directory, const std::vector<timed_certificate>& certificates) {
+  for (const auto& [c, seconds] : certificates) {
+    directory.write(file_name(c.claim), as_json_text(to_json(c)));
+  }
+  directory.publish();
+}
+
+// ---------------------------------------------------------------------------------------------
+// What is printed
+
+/// "4 claims: 2 certified, 1 argued, 1 refuted"
+std::string summary(const std::vector<timed_certificate>& certificates) {
+  std::size_t certified = 0;
+  std::size_t refuted = 0;
+  std::size_t argued = 0;
+  for (const auto& [c, seconds] : certificates) {
+    if (c.verdict == status::certified) {
+      ++(c.tier == proof_tier::by_argument ? argued : certified);
+    } else if (c.why == reason::refuted) {
+      ++refuted;
+    }
+  }
+  const std::size_t rest = certificates.size() - certified - argued - refuted;
+  std::string result = fmt::format("{} claim{}: {} certified", certificates.size(),
+                                   certificates.size() == 1 ? "" : "s", certified);
+  if (argued > 0) result += fmt::format(", {} argued", argued);
+  if (rest > 0) result += fmt::format(", {} not certified", rest);
+  if (refuted > 0) result += fmt::format(", {} refuted", refuted);
+  return result + '\n';
+}
+
+std::string certificates_as_text(const std::vector<timed_certificate>& certificates) {
+  std::string result;
+  for (const auto& [c, seconds] : certificates) result += to_text(c) + '\n';
+  return result + summary(certificates);
+}
+
+std::string certificates_as_json(const std::vector<timed_certificate>& certificates) {
+  json result = json::array();
+  for (const auto& [c, seconds] : certificates) result.push_back(to_json(c));
+  return as_json_text(result);
+}
+
+/// " by machine", of what is certified.
+std::string verdict_tail(const certificate& c) {
+  if (c.verdict_text() != to_text(status::certified)) return "";
+  return c.tier == proof_tier::by_machine ? " by machine" : " by machine, joined in words";
+}
+
+/// The table of proofs/README.md.
+std::string certificates_as_table(const std::vector<const claim*>& claims,
+                                  const std::vector<timed_certificate>& certificates) {
+  std::string result = proofs::table_heading();
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const auto& [c, seconds] = certificates[i];
+    result += fmt::format("{} {:.1f} ms | {} |\n", proofs::table_row(*claims[i]), 1000 * seconds,
+                          c.verdict_text() + verdict_tail(c));
+  }
+  return result;
+}
+
+std::string list_as_text(const std::vector<const claim*>& claims) {
+  constexpr std::size_t reference_width = 20;
+  constexpr std::size_t between = 2;
+  std::size_t name_width = 5;
+  for (const claim* c : claims) name_width = std::max(name_width, c->name.size());
+  const std::size_t rest = terminal_columns - name_width - reference_width - 3 * between;
+  std::vector<std::vector<std::string>> rows;
+  rows.reserve(claims.size());
+  for (const claim* c : claims) rows.push_back({c->name, c->reference, c->statement, c->method});
+  return table({{"CLAIM", name_width},
+                {"IN THE PAPER", reference_width},
+                {"STATEMENT", rest / 2},
+                {"METHOD", rest - rest / 2}},
+               rows);
+}
+
+std::string list_as_json(const std::vector<const claim*>& claims) {
+  json result = json::array();
+  for (const claim* c : claims) {
+    result.push_back(json{{"claim", c->name},
+                          {"reference", c->reference},
+                          {"statement", c->statement},
+                          {"method", c->method},
+                          {"tier", to_text(c->tier)},
+                          {"uses_body", c->subject >= proofs::claim_subject::body},
+                          {"uses_motion", c->subject == proofs::claim_subject::motion}});
+  }
+  return as_json_text(result);
+}
+
+exit_status run(const certify_options& options) {
+  const std::vector<const claim*> claims = selected_claims(options);
+  const request wanted{options.digits.value(), selected_motion(options)};
+  const bool as_json = options.format.value() == "json";
+  const bool as_table = options.format.value() == "markdown";
+  refuse_idle_motion(options, claims);
+  const memory_estimate memory = estimate(claims, wanted.digits);
+  options.memory_limit.check(memory);
+  if (options.list) {
+    if (as_table) throw usage_error("--format markdown: a list is text or json");
+    print(as_json ? list_as_json(claims) : list_as_text(claims));
+    return exit_status::all_certified;
+  }
+
+  std::optional<output_directory> directory;
+  if (options.directory) {
+    std::vector<std::string> names;
+    names.reserve(claims.size());
+    for (const claim* c : claims) names.push_back(file_name(c->name));
+    directory.emplace(*options.directory, names);
+  }
+  const std::vector<timed_certificate> certificates = [&] {
+    const progress line;
+    line.show("estimating");
+    std::vector<time_limit_option::work> works;
+    works.reserve(claims.size());
+    for (const claim* c : claims) {
+      works.emplace_back([&, c](long fewer) { (void)prove(*c, {fewer, wanted.motion}); });
+    }
+    line.expect(options.time_limit.check(memory.what, wanted.digits, works));
+    const time_watch watch(options.time_limit.limit(static_cast<double>(claims.size())));
+    return prove_all(claims, wanted, line);
+  }();
+  if (directory) write_files(*directory, certificates);
+  print(as_table  ? certificates_as_table(claims, certificates)
+        : as_json ? certificates_as_json(certificates)
+                  : certificates_as_text(certificates));
+  const bool certified = std::all_of(certificates.begin(), certificates.end(), [](const auto& c) {
+    return c.result.verdict == status::certified;
+  });
+  return certified ? exit_status::all_certified : exit_status::not_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<certify_options>();
+  const oscillating_motion usual = request{}.motion;
+  app.add_option("CLAIM", options->names, "Claims to prove, by name; without any, every claim")
+      ->type_name("");
+  app.add_flag("--list", options->list, "Show the claims instead of proving them");
+  app.add_flag("--all", options->all, "Prove every claim, whatever else is named");
+  options->digits.declare(app);
+  app.add_option("--out", options->directory,
+                 "Write each certificate to DIR/<claim>.json as well; DIR is\n"
+                 "created where it is missing; all files appear, or none")
+      ->type_name("DIR");
+  options->format.declare(app);
+  app.add_option("--ab", options->ab,
+                 fmt::format("The body's parameters a > 0 and 0 < b < 1, read exactly\n[{},{}]",
+                             to_text(usual.a), to_text(usual.b)))
+      ->type_name("A,B");
+  app.add_option(
+         "--u", options->u,
+         fmt::format("The motion's parameter, 0 < u <= 1, read exactly [{}]", to_text(usual.u)))
+      ->type_name("U");
+  options->memory_limit.declare(app);
+  options->time_limit.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command certify_command() {
+  return {
+      "certify", "Prove claims of the paper and write their certificates",
+      "  polhode certify\n"
+      "  polhode certify --list\n"
+      "  polhode certify beta --digits 1000 --out certificates\n"
+      "  polhode certify injectivity --ab 18.27,0.0629\n"
+      "  polhode certify errata\n"
+      "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
+      "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
+      "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
+      "statement without an argument of its own is argued, not certified (exit status 0).\n",
+      declare};
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,452 @@
+// polhode roots: all roots of a formula in an interval, each proved.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/options/certificate_option.hpp"
+#include "cli/options/count_option.hpp"
+#include "cli/options/formula.hpp"
+#include "cli/options/memory_limit.hpp"
+#include "cli/options/options.hpp"
+#include "cli/options/range_option.hpp"
+#include "cli/options/second_opinion.hpp"
+#include "cli/options/time_limit.hpp"
+#include "cli/output/duration.hpp"
+#include "cli/output/json_document.hpp"
+#include "cli/output/progress.hpp"
+#include "cli/output/streams.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/certificate.hpp"
+#include "polhode/formulas/certificates.hpp"
+#include "polhode/formulas/function.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "polhode/verify/second_roots.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct roots_options {
+  std::string formula;
+  range_option range;
+  std::string interval;  // as LO..HI
+  std::string variable = "x";
+  let_option let;
+  digits_option digits;
+  count_option threads{"--threads", 1, 0, most_threads};
+  format_option format{{"text", "csv", "json"}};
+  memory_limit_option memory_limit;
+  certificate_option certificate;
+  verify_option verify;
+  time_limit_option time_limit;
+};
+
+/// An end of the range, and its formula where it is finite.
+struct given_end {
+  end_point end;
+  std::optional<expression> formula;
+};
+
+/// An end as range_option::ends gives it: inf, -inf, or a formula without variables.
+given_end read_end(const std::string& text, const let_option& let) {
+  const int sign = infinite_sign_of(text);
+  if (sign > 0) return {end_point::infinity(), std::nullopt};
+  if (sign < 0) return {-end_point::infinity(), std::nullopt};
+  const expression f = read_formula(text, {}, let);
+  return {end_point_of(f), f};
+}
+
+using given_range = std::pair<given_end, given_end>;
+
+/// Throws usage_error where there is not exactly one, or it cannot be read.
+given_range read_range(roots_options& options) {
+  const range_option& range = options.range;
+  if (range.ways() != 1) {
+    throw usage_error(fmt::format(
+        "{}: give the ends, EXPR A B, or EXPR A..B, or --in A..B, or --from A --to B",
+        range.ways() == 0 ? "there is no interval to look in" : "there is more than one interval"));
+  }
+  const auto [lower, upper] = range.ends(options.let);
+  options.interval = lower + ".." + upper;
+  return {read_end(lower, options.let), read_end(upper, options.let)};
+}
+
+/// A region, with its root to the digits asked for where it is proved.
+struct listed_root {
+  root_region region;
+  ball enclosure;
+  std::optional<rational> exact;
+  bool has_digits = false;  // as many as were asked for, or all there are
+
+  /// Of a number with so many digits, or of two ends that show as many.
+  [[nodiscard]] bool is_certified() const {
+    return region.multiplicity > 0 && has_digits && !region.may_lie_outside;
+  }
+};
+
+/// The regions with their roots, whose enclosures show the digits where a few more let them.
+std::vector<listed_root> listed(const std::vector<root_region>& regions, long digits, int threads) {
+  std::vector<refined_root> roots = refine(regions, digits + 1, threads);
+  std::vector<listed_root> result;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const root_region& r = regions[i];
+    result.push_back({r, r.enclosure, r.exact, false});
+    if (r.multiplicity == 0) continue;
+    refined_root& root = roots[i];
+    const auto shows_digits = [&] {
+      return to_decimal_enclosure(root.enclosure, digits).has(digits);
+    };
+    if (root.verdict == status::certified && !shows_digits()) {
+      refined_root finer = refine(r, digits + 6);
+      if (finer.verdict == status::certified) root = std::move(finer);
+    }
+    result.back().enclosure = root.enclosure;
+    result.back().exact = root.exact;
+    result.back().has_digits = root.verdict == status::certified && shows_digits();
+  }
+  return result;
+}
+
+struct answer {
+  root_set roots;
+  std::optional<double> ended_after;  // seconds of the search, where the time limit ended it
+  std::vector<listed_root> list;
+
+  [[nodiscard]] bool is_certified() const {
+    return roots.complete && std::all_of(list.begin(), list.end(),
+                                         [](const listed_root& r) { return r.is_certified(); });
+  }
+};
+
+answer find_roots(const expression& f, const given_range& range, long digits, int threads,
+                  const time_limit_option& time_limit) {
+  const progress line;
+  line.show("looking for roots");
+  isolate_options options;
+  options.threads = threads;
+  // The search ends in time, with what it found; what it found is then refined in as much time again for each root.
+  const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(time_limit.limit());
+  bool ended_early = false;
+  options.progress = [&](const isolation_progress& p) {
+    if (std::chrono::steady_clock::now() >= end) {
+      ended_early = true;
+      return false;
+    }
+    const std::string share =
+        p.share_done ? fmt::format("{:.0f} % of the range done, ", 100 * *p.share_done) : "";
+    line.show(fmt::format("{}{} boxes examined, {} waiting, {} roots", share, p.boxes_done,
+                          p.boxes_waiting, p.roots));
+    return true;
+  };
+  answer result;
+  {
+    // For evaluations so long that the search does not come to look at the clock.
+    const time_watch watch(2 * time_limit.limit());
+    result.roots = isolate_roots(f, range.first.end, range.second.end, options);
+  }
+  if (ended_early) result.ended_after = time_limit.limit();
+  const std::vector<root_region>& regions = result.roots.regions;
+  if (!regions.empty()) {
+    line.expect(time_limit.check(
+        fmt::format("{} digits of {} root{}", digits, regions.size(),
+                    regions.size() == 1 ? "" : "s"),
+        digits, {[&](long fewer) { (void)listed({regions.front()}, fewer, threads); }},
+        static_cast<double>(regions.size())));
+  }
+  const time_watch watch(time_limit.limit(static_cast<double>(regions.size())));
+  const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
+  for (auto first = regions.begin(); first != regions.end();) {
+    const auto last = first + std::min(at_a_time, regions.end() - first);
+    line.show(fmt::format("root {} of {}", first - regions.begin() + 1, regions.size()));
+    for (listed_root& r : listed({first, last}, digits, threads)) {
+      result.list.push_back(std::move(r));
+    }
+    first = last;
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The formats
+
+std::string verdict_text(const listed_root& r) {
+  if (r.region.verdict == root_verdict::multiple) {
+    return fmt::format("multiple {}", r.region.multiplicity);
+  }
+  return to_text(r.region.verdict);
+}
+
+std::string remark_on(const listed_root& r) {
+  std::string result = r.region.remark;
+  const auto append = [&](const std::string& more) {
+    result += (result.empty() ? "" : "; ") + more;
+  };
+  if (r.region.complex_roots) {
+    append(fmt::format("{} complex roots near it, counted with multiplicities",
+                       *r.region.complex_roots));
+  }
+  if (r.region.may_lie_outside) append("at an end of the interval, inside or outside");
+  if (r.region.multiplicity > 0 && !r.has_digits) append("fewer digits than asked for");
+  return result;
+}
+
+/// Its digits; both ends where they share too few.
+std::string number_text(const listed_root& r, long digits) {
+  if (r.exact) return to_text(*r.exact) + " exactly";
+  if (!r.enclosure.is_bounded()) return fmt::format("{}", "unbounded");
+  constexpr long few = 12;
+  const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);
+  if (r.region.multiplicity > 0 && d.digits > 0) return to_text(d);
+  // A region that may hold a root, or may not, is no number.
+  const decimal_enclosure brief = to_decimal_enclosure(r.enclosure, std::min(digits, few));
+  return fmt::format("from {} to {}", brief.lower, brief.upper);
+}
+
+std::string bound_text(const ball& x) {
+  constexpr long few = 12;
+  if (x.is_bounded()) return to_decimal(x, few);
+  return x.is_undefined() || (!certainly_greater(x, 0) && !certainly_less(x, ball(0, 64)))
+             ? "the whole line"
+             : (certainly_greater(x, 0) ? "towards infinity" : "towards -infinity");
+}
+
+std::string counted(std::size_t n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string summary(const answer& a) {
+  const isolation_account& account = a.roots.account;
+  const std::string work =
+      fmt::format("{} boxes, {} evaluations", account.boxes, account.evaluations);
+  if (a.roots.identically_zero) return "certified: the formula is 0 everywhere\n";
+  if (a.is_certified()) {
+    if (a.list.empty()) return fmt::format("certified: no root ({})\n", work);
+    return fmt::format("certified: {}, all there are ({})\n", counted(a.list.size(), "root"), work);
+  }
+  const auto proved = static_cast<std::size_t>(std::count_if(
+      a.list.begin(), a.list.end(), [](const listed_root& r) { return r.is_certified(); }));
+  const std::string limit =
+      a.ended_after ? fmt::format("; the time limit of {} was reached, --time-limit raises it",
+                                  duration_text(*a.ended_after))
+                    : "";
+  return fmt::format("not certified: {} proved, {} left open ({}){}\n", counted(proved, "root"),
+                     counted(a.list.size() - proved, "region"), work, limit);
+}
+
+std::string as_text(const answer& a, long digits) {
+  std::string result;
+  for (const listed_root& r : a.list) {
+    const std::string remark = remark_on(r);
+    result += fmt::format(
+        "{}  {}{}\n", r.enclosure.is_bounded() ? number_text(r, digits) : bound_text(r.enclosure),
+        verdict_text(r), remark.empty() ? "" : " (" + remark + ")");
+  }
+  for (const singular_place& s : a.roots.singular) {
+    const std::string place = bound_text(s.place);
+    if (s.pole_order > 0) {
+      result += fmt::format("no root: a pole of order {} at {}\n", s.pole_order, place);
+    } else {
+      const bool is_direction = place.rfind("towards", 0) == 0;
+      result +=
+          fmt::format("no root: not defined everywhere {}{}\n", is_direction ? "" : "in ", place);
+    }
+  }
+  return result + summary(a);
+}
+
+std::string csv_cell(const std::string& text) {
+  return text.find_first_of(",\"") == std::string::npos ? text : '"' + text + '"';
+}
+
+std::string as_csv(const answer& a, long digits) {
+  std::string result = "verdict,multiplicity,value,radius,lower,upper,digits,exact,remark\n";
+  for (const listed_root& r : a.list) {
+    decimal_enclosure d;
+    if (r.enclosure.is_bounded()) d = to_decimal_enclosure(r.enclosure, digits);
+    result += fmt::format("{},{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
+                          r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "",
+                          d.value, d.radius, d.lower, d.upper, d.digits,
+                          r.exact ? to_text(*r.exact) : "", csv_cell(remark_on(r)));
+  }
+  return result;
+}
+
+json as_json(const expression& f, const roots_options& options, const answer& a, long digits) {
+  json result{{"function", f.to_text()},
+              {"variable", options.variable},
+              {"in", options.interval},
+              {"verdict", to_text(a.is_certified() ? status::certified : status::not_certified)},
+              {"identically_zero", a.roots.identically_zero},
+              {"complete", a.roots.complete}};
+  json list = json::array();
+  for (const listed_root& r : a.list) {
+    json entry{{"verdict", to_text(r.region.verdict)}};
+    if (r.region.multiplicity > 0) entry["multiplicity"] = r.region.multiplicity;
+    if (r.region.complex_roots) entry["complex_roots"] = *r.region.complex_roots;
+    const std::string remark = remark_on(r);
+    if (!remark.empty()) entry["remark"] = remark;
+    entry["number"] = to_json(r.enclosure, digits);
+    if (r.exact) entry["number"]["rational"] = to_text(*r.exact);
+    list.push_back(std::move(entry));
+  }
+  result["roots"] = std::move(list);
+  json places = json::array();
+  for (const singular_place& s : a.roots.singular) {
+    json entry{{"pole_order", s.pole_order}};
+    entry["place"] = to_json(s.place, 15);
+    places.push_back(std::move(entry));
+  }
+  result["singular"] = std::move(places);
+  result["account"] = {{"boxes", a.roots.account.boxes},
+                       {"evaluations", a.roots.account.evaluations},
+                       {"precision", a.roots.account.most_bits}};
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// The command
+
+/// What a certificate is of. Throws usage_error for an infinite range.
+formula_over_range checkable_range(const expression& f, const given_range& range) {
+  if (!range.first.formula || !range.second.formula) {
+    throw usage_error("--certificate: the range must be finite");
+  }
+  formula_over_range what{f, *range.first.formula, *range.second.formula};
+  expect_checkable(what);
+  return what;
+}
+
+/// Throws usage_error for an answer that no certificate can hold.
+json certificate_for_option(const formula_over_range& what, const answer& a, long digits) {
+  try {
+    expect_checkable(a.roots);
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("--certificate: {}", error.what()));
+  }
+  return certificate_of(what, a.roots, digits);
+}
+
+// ---------------------------------------------------------------------------------------------
+// The second opinion
+
+proved_roots as_proved(const answer& a) {
+  proved_roots result;
+  result.complete = a.roots.complete;
+  result.identically_zero = a.roots.identically_zero;
+  for (const listed_root& r : a.list) {
+    result.roots.push_back(
+        {r.region.verdict, r.region.multiplicity, r.enclosure, r.region.may_lie_outside});
+  }
+  return result;
+}
+
+/// The checker's opinion, where there is a certificate of the roots; of few digits, as its time grows with their square and more.
+void add_checkers_opinion(printed_opinion& result, const expression& f, const given_range& range,
+                          const answer& a, const std::string& first_route, long digits) {
+  constexpr long most_digits_for_checker = 1000;
+  if (digits > most_digits_for_checker) return;
+  std::optional<json> certificate;
+  try {
+    certificate = certificate_of(checkable_range(f, range), a.roots, digits);
+  } catch (const std::invalid_argument&) {
+    return;  // no certificate can hold it
+  }
+  result.add(checked_again("the roots", first_route, *certificate));
+}
+
+printed_opinion verify(const expression& f, const given_range& range, const answer& a, long digits,
+                       int threads) {
+  const progress line;
+  line.show("looking for a second opinion");
+  const std::string first_route = fmt::format("the search, {} boxes", a.roots.account.boxes);
+  printed_opinion result(
+      roots_again(f, range.first.end, range.second.end, as_proved(a), first_route, digits, threads),
+      digits);
+  add_checkers_opinion(result, f, range, a, first_route, digits);
+  return result;
+}
+
+exit_status run(roots_options& options) {
+  const long digits = options.digits.value();
+  const std::string format = options.format.value();
+  options.verify.expect_format(format);
+  const int threads = static_cast<int>(options.threads.value());
+  check_variable(options.variable);
+  const given_range range = read_range(options);
+  const expression f = read_formula(options.formula, {options.variable}, options.let);
+  constexpr double bytes_per_digit = 0.4153;
+  const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
+  options.memory_limit.check({fmt::format("roots to {} digits", digits),
+                              bytes_per_digit * numbers * static_cast<double>(digits)});
+  (void)options.time_limit.limit();
+  std::optional<formula_over_range> what;
+  if (options.certificate.is_given()) what = checkable_range(f, range);
+  options.certificate.prepare();
+  const answer a = find_roots(f, range, digits, threads, options.time_limit);
+  std::optional<printed_opinion> opinion;
+  if (options.verify.given && a.is_certified()) {
+    opinion = verify(f, range, a, digits, threads);
+  }
+  if (what && a.is_certified()) options.certificate.write(certificate_for_option(*what, a, digits));
+  if (format == "json") {
+    json result = as_json(f, options, a, digits);
+    if (opinion) result["second_opinion"] = opinion->as_json();
+    print(json_document_text("roots", result));
+  } else {
+    print((format == "csv" ? as_csv(a, digits) : as_text(a, digits)) +
+          (opinion ? opinion->as_text() : ""));
+  }
+  options.certificate.expect_certified(a.is_certified());
+  if (opinion) return opinion->status();
+  return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
+}
+
+std::function<exit_status()> declare(CLI::App& app) {
+  const auto options = std::make_shared<roots_options>();
+  app.add_option("EXPR", options->formula, "A formula in x")->type_name("")->required();
+  options->range.declare(app);
+  app.add_option("--variable", options->variable, "The variable's name, if it is not x")
+      ->type_name("NAME");
+  options->threads.declare(
+      app, "Search on so many threads; 0 for all processors. The digits are\nthe same");
+  options->let.declare(app);
+  options->digits.declare(app);
+  options->format.declare(app);
+  options->memory_limit.declare(app);
+  options->certificate.declare(app);
+  options->verify.declare(app);
+  options->time_limit.declare(app);
+  return [options] { return run(*options); };
+}
+
+}  // namespace
+
+command roots_command() {
+  return {
+      "roots", "Find all roots of a formula in an interval, with a proof",
+      "  polhode roots \"cos(x) - x\" 0..1 --digits 100\n"
+      "  polhode roots \"(x-1)*(x^2-2)^3\" -inf inf\n"
+      "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n"
+      "  polhode roots \"cos(x) - x\" --in 0..1 --certificate root.json && polhode check "
+      "root.json\n"
+      "  polhode roots \"sin(x^2)*(x^3-2)\" --in -5..5 --verify\n\n"
+      "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
+      "  unique         a simple root, the only one in its place\n"
+      "  multiple M     a root of multiplicity M, the only one in its place\n"
+      "  at least one   a root, perhaps with others beside it\n"
+      "  unresolved     perhaps a root, perhaps none; the remark says what is in the way\n"
+      "Poles, and places where the formula is not defined, are told apart. The status is 0 where\n"
+      "every root is unique or multiple.\n",
+      declare};
+}
+
+}  // namespace polhode::cli

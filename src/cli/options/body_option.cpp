@@ -1,0 +1,202 @@
+#include "body_option.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/output/errors.hpp"
+#include "formula.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
+#include "polhode/scene/body_file.hpp"
+
+namespace polhode::cli {
+namespace {
+
+/// Runs the reader; what it refuses becomes a usage error that begins with the option.
+template <class F>
+auto reading(const std::string& option, const std::string& text, const F& read) {
+  try {
+    return read();
+  } catch (const input_error& error) {
+    throw usage_error(fmt::format("{} {}: {}", option, in_quotes(text), error.what()));
+  }
+}
+
+std::string without_spaces_around(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+template <std::size_t Count>
+std::array<rational, Count> read_numbers(const std::string& option, const std::string& text,
+                                         const char* right) {
+  const std::vector<std::string> parts = parts_between_commas(text);
+  if (parts.size() != Count) {
+    throw usage_error(fmt::format("{} {}: it must be {} numbers between commas, such as {}", option,
+                                  in_quotes(text), Count, right));
+  }
+  std::array<rational, Count> result;
+  for (std::size_t i = 0; i < Count; ++i) {
+    result[i] =
+        reading(option, text, [&] { return parse_rational(without_spaces_around(parts[i])); });
+  }
+  return result;
+}
+
+std::array<rational, 3> read_triple(const std::string& option, const std::string& text) {
+  return read_numbers<3>(option, text, "3,2,1");
+}
+
+body body_by_ab(const std::string& text) {
+  const auto [a, b] = read_numbers<2>("--ab", text, "12.65,0.0629");
+  return reading("--ab", text, [&a = a, &b = b] { return body(a, b); });
+}
+body body_by_moments(const std::string& text) {
+  const auto moments = read_triple("--moments", text);
+  return reading("--moments", text, [&] { return body::from_moments(moments); });
+}
+body body_by_rotational_constants(const std::string& text) {
+  const auto constants = read_numbers<3>("--rotational", text, "27.88,14.52,9.28");
+  return reading("--rotational", text, [&] { return body::from_rotational_constants(constants); });
+}
+bool is_exact(const inertia_tensor& tensor) {
+  const auto& moments = tensor.exact_moments();
+  return std::all_of(moments.begin(), moments.end(), [](const auto& m) { return m.has_value(); });
+}
+
+body body_in(const body_file& file) {
+  if (file.sigma) {
+    throw input_error("it has a sigma, and this needs one body; ranges are for `polhode body`");
+  }
+  if (file.ab) return {(*file.ab)[0], (*file.ab)[1]};
+  if (file.moments) return body::from_moments(*file.moments);
+  if (file.rotational) return body::from_rotational_constants(*file.rotational);
+  if (!is_exact(inertia_tensor(*file.tensor))) {
+    throw input_error(
+        "the tensor's principal moments are not all rational numbers, and a motion is that of an "
+        "exact body: give moments as decimals (`polhode body` encloses those of the tensor)");
+  }
+  return body::from_inertia_tensor(*file.tensor);
+}
+body body_by_file(const std::string& path) {
+  return reading("--body", path, [&] { return body_in(read_body_file(path)); });
+}
+
+uncertain_body with_ranges(const std::array<rational, 3>& moments,
+                           const std::array<rational, 3>& sigma) {
+  return uncertain_body({{{moments[0], sigma[0]}, {moments[1], sigma[1]}, {moments[2], sigma[2]}}});
+}
+
+struct body_option_text {
+  const char* name;
+  const char* description;
+  const char* type;
+};
+constexpr std::array<body_option_text, 4> body_options{
+    {{"--ab", "The body by a = I_y/I_z - 1 > 0 and b = 1 - I_y/I_x in (0, 1)", "A,B"},
+     {"--moments", "The body by its principal moments of inertia, in any order and unit",
+      "IX,IY,IZ"},
+     {"--rotational",
+      "The body by its rotational constants, in any order and unit:\nmoments as 1/A, 1/B, 1/C",
+      "A,B,C"},
+     {"--body", "The body in a JSON file: ab, moments (and sigma), rotational or tensor", "FILE"}}};
+
+constexpr const char* no_body =
+    "there is no body; give --ab 12.65,0.0629 or --moments 3,2,1 or --rotational 27.88,14.52,9.28 "
+    "or --body FILE";
+
+template <class Texts>
+void declare_all(CLI::App& app, const std::array<Texts*, 4>& texts) {
+  for (std::size_t i = 0; i < body_options.size(); ++i) {
+    app.add_option(body_options[i].name, *texts[i], body_options[i].description)
+        ->type_name(body_options[i].type);
+  }
+}
+
+}  // namespace
+
+void body_option::declare(CLI::App& app) {
+  declare_all<std::optional<std::string>>(app, {&ab, &moments, &rotational, &file});
+}
+
+body body_option::value() const {
+  const int given = int{ab.has_value()} + int{moments.has_value()} + int{rotational.has_value()} +
+                    int{file.has_value()};
+  if (given == 0) throw usage_error(no_body);
+  if (given > 1) throw usage_error("--ab, --moments, --rotational, --body: give one of them");
+  if (ab) return body_by_ab(*ab);
+  if (moments) return body_by_moments(*moments);
+  if (rotational) return body_by_rotational_constants(*rotational);
+  return body_by_file(*file);
+}
+
+std::optional<uncertain_body> body_option::uncertain(
+    const std::optional<std::string>& sigma) const {
+  if (sigma) {
+    if (!moments || ab || rotational || file) throw usage_error("--sigma is for --moments");
+    const auto values = read_triple("--moments", *moments);
+    const auto widths = read_triple("--sigma", *sigma);
+    try {
+      return with_ranges(values, widths);
+    } catch (const input_error& error) {
+      throw usage_error(fmt::format("--moments {} --sigma {}: {}", in_quotes(*moments),
+                                    in_quotes(*sigma), error.what()));
+    }
+  }
+  if (!file || ab || moments || rotational) return std::nullopt;
+  return reading("--body", *file, [&]() -> std::optional<uncertain_body> {
+    const body_file read = read_body_file(*file);
+    if (!read.sigma) return std::nullopt;
+    return with_ranges(*read.moments, *read.sigma);
+  });
+}
+
+std::optional<inertia_tensor> body_option::irrational_tensor() const {
+  if (!file || ab || moments || rotational) return std::nullopt;
+  return reading("--body", *file, [&]() -> std::optional<inertia_tensor> {
+    const body_file read = read_body_file(*file);
+    if (!read.tensor) return std::nullopt;
+    inertia_tensor tensor(*read.tensor);
+    if (is_exact(tensor)) return std::nullopt;
+    return tensor;
+  });
+}
+
+void bodies_option::declare(CLI::App& app) {
+  declare_all<std::vector<std::string>>(app, {&ab, &moments, &rotational, &files});
+  for (const auto& option : body_options) app.get_option(option.name)->expected(1)->take_all();
+}
+
+std::vector<body> bodies_option::value() const {
+  std::vector<body> result;
+  result.reserve(ab.size() + moments.size() + rotational.size() + files.size());
+  for (const std::string& text : ab) result.push_back(body_by_ab(text));
+  for (const std::string& text : moments) result.push_back(body_by_moments(text));
+  for (const std::string& text : rotational) result.push_back(body_by_rotational_constants(text));
+  for (const std::string& path : files) result.push_back(body_by_file(path));
+  if (result.empty()) throw usage_error(no_body);
+  return result;
+}
+
+rational read_number(const std::string& option, const std::string& text) {
+  return reading(option, text, [&] { return parse_rational(text); });
+}
+
+std::string described(body_kind kind) {
+  switch (kind) {
+    case body_kind::physical:
+      return "physical (ab + 2b < 1)";
+    case body_kind::planar:
+      return "planar (ab + 2b = 1): physical, with all mass in a plane";
+    case body_kind::non_physical:
+      return "non-physical (ab + 2b > 1): no mass distribution has these moments";
+    case body_kind::undecided:
+      break;
+  }
+  return "undecided: within the ranges given there are physical bodies and others";
+}
+
+}  // namespace polhode::cli

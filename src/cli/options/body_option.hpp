@@ -1,0 +1,54 @@
+#pragma once
+
+// BODY: which rigid body a subcommand is about.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/cli_app.hpp"
+#include "polhode/rigid_body/body.hpp"
+
+namespace polhode {
+class inertia_tensor;
+}
+
+namespace polhode::cli {
+
+/// --ab A,B, --moments IX,IY,IZ, --rotational A,B,C or --body FILE
+struct body_option {
+  std::optional<std::string> ab;
+  std::optional<std::string> moments;
+  std::optional<std::string> rotational;
+  std::optional<std::string> file;
+
+  void declare(CLI::App& app);
+  /// Throws usage_error where not exactly one was given, where it cannot be read or is not a body, and for a file with sigma.
+  [[nodiscard]] body value() const;
+  /// A body with ranges: by --moments and this sigma, or by a file that has one. Nothing where there is no sigma.
+  [[nodiscard]] std::optional<uncertain_body> uncertain(
+      const std::optional<std::string>& sigma) const;
+  /// A tensor in a file whose principal moments are not all rational; nothing for any other body.
+  [[nodiscard]] std::optional<inertia_tensor> irrational_tensor() const;
+};
+
+/// The same options, each as often as wanted.
+struct bodies_option {
+  std::vector<std::string> ab;
+  std::vector<std::string> moments;
+  std::vector<std::string> rotational;
+  std::vector<std::string> files;
+
+  void declare(CLI::App& app);
+  /// Those by --ab first, then --moments, --rotational, --body. Throws usage_error where there is none.
+  [[nodiscard]] std::vector<body> value() const;
+};
+
+/// The number that is an option's value, exactly; throws usage_error.
+[[nodiscard]] rational read_number(const std::string& option, const std::string& text);
+
+/// "non-physical (ab + 2b > 1)"
+[[nodiscard]] std::string described(body_kind kind);
+
+}  // namespace polhode::cli

@@ -1,0 +1,55 @@
+#include "certificate_option.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/output/errors.hpp"
+
+namespace polhode::cli {
+
+namespace fs = std::filesystem;
+
+void certificate_option::declare(CLI::App& app) {
+  app.add_option("--certificate", path, "Write a certificate for `polhode check`")
+      ->type_name("FILE");
+}
+
+void certificate_option::prepare() {
+  if (!path) return;
+  const fs::path given(*path);
+  name_ = given.filename().string();
+  if (name_.empty() || name_ == "." || name_ == "..") {
+    throw usage_error(fmt::format("--certificate {}: give the name of a file", in_quotes(*path)));
+  }
+  std::error_code ignored;
+  const fs::file_status there = fs::status(given, ignored);
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    throw usage_error(
+        fmt::format("--certificate {}: it is {}; give the name of a file", in_quotes(*path),
+                    fs::is_directory(there) ? "a directory" : "a pipe, a socket or a device"));
+  }
+  const std::string parent = given.parent_path().string();
+  if (!parent.empty() && !fs::exists(fs::status(parent, ignored))) {
+    throw usage_error(fmt::format("--certificate {}: there is no directory {}; create it first",
+                                  in_quotes(*path), in_quotes(parent)));
+  }
+  directory_ = std::make_shared<output_directory>(parent.empty() ? "." : parent,
+                                                  std::vector<std::string>{name_}, "--certificate");
+}
+
+void certificate_option::write(const json& certificate) {
+  if (!path) return;
+  directory_->write(name_, certificate.dump(2) + '\n');
+  directory_->publish();
+}
+
+void certificate_option::expect_certified(bool certified) const {
+  if (path && !certified) {
+    throw not_certified_error(fmt::format(
+        "--certificate {}: not written, for the result is not certified", in_quotes(*path)));
+  }
+}
+
+}  // namespace polhode::cli
