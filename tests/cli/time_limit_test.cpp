@@ -111,12 +111,12 @@ TEST(TimeLimit, LeavesNoFileBehind) {
   EXPECT_FALSE(std::filesystem::exists(directory));
 }
 
-/// What has not ended in time ends with one line, and nothing on standard output. None of these ends by itself in minutes.
+/// What has not ended in time ends with one line, and nothing on standard output. None of these ends by itself nearly so soon.
 TEST(TimeLimit, EndsWhatTakesLonger) {
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
            {"integrate", "x^(-99999999/100000000)", "0", "1"},
-           {"integrate", "sqrt(x^2-2*x+1)", "0", "2", "--format", "json"},
-           {"integrate", "sin(1e30*x)", "0", "1"}}) {
+           {"integrate", "sin(x^2)", "0", "1e6", "--format", "json"},
+           {"integrate", "cos(1e30*sqrt(2)*x)", "0", "1"}}) {
     std::vector<std::string> limited = command;
     limited.insert(limited.end(), {"--time-limit", "1s"});
     const outcome result = run(limited);
@@ -130,7 +130,7 @@ TEST(TimeLimit, EndsWhatTakesLonger) {
 
 TEST(TimeLimit, LeavesNoTemporaryFileBehind) {
   const scratch_directory scratch;
-  const outcome result = run({"integrate", "sqrt(x^2-2*x+1)", "0", "2", "--certificate",
+  const outcome result = run({"integrate", "sin(x^2)", "0", "1e6", "--certificate",
                               scratch.path("c.json"), "--time-limit", "0.5s"});
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(names_in(scratch.path("")).empty());
@@ -145,7 +145,7 @@ TEST(TimeLimit, EndsASearchWithWhatItFound) {
 
 TEST(Progress, IsWrittenIntoLogs) {
   const outcome result = run_script(
-      "POLHODE_PROGRESS_SECONDS=0.2 polhode integrate 'sqrt(x^2-2*x+1)' 0 2 --time-limit 1s");
+      "POLHODE_PROGRESS_SECONDS=0.2 polhode integrate 'sin(x^2)' 0 1e6 --time-limit 1s");
   EXPECT_EQ(result.status, 1);
   const std::vector<std::string> lines = lines_of(result.err);
   ASSERT_GE(lines.size(), 2U) << result.err;
