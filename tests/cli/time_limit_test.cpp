@@ -144,8 +144,8 @@ TEST(TimeLimit, EndsASearchWithWhatItFound) {
 }
 
 TEST(Progress, IsWrittenIntoLogs) {
-  const outcome result = run_script(
-      "POLHODE_PROGRESS_SECONDS=0.2 polhode integrate 'sin(x^2)' 0 1e6 --time-limit 1s");
+  const outcome result =
+      run_script("POLHODE_PROGRESS_SECONDS=0.2 polhode integrate 'sin(x^2)' 0 1e6 --time-limit 1s");
   EXPECT_EQ(result.status, 1);
   const std::vector<std::string> lines = lines_of(result.err);
   ASSERT_GE(lines.size(), 2U) << result.err;
