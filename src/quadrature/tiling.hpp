@@ -58,8 +58,7 @@ struct closed_interval {
 /// Pieces of a range, which are to tile it.
 class range_tiling {
  public:
-  range_tiling(end_point lower, end_point upper)
-      : lower_(std::move(lower)), upper_(std::move(upper)) {}
+  range_tiling(const end_point& lower, const end_point& upper) : lower_(lower), upper_(upper) {}
 
   /// Notes a piece. Where it is not proved that both its ends lie in the interval that the rule was given, the range counts
   /// as not tiled.
