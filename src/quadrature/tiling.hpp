@@ -82,8 +82,8 @@ class range_tiling {
 template <class Value>
 class tiled_sum {
  public:
-  tiled_sum(end_point lower, end_point upper, Value zero)
-      : tiling_(std::move(lower), std::move(upper)), sum_(std::move(zero)) {}
+  tiled_sum(const end_point& lower, const end_point& upper, Value zero)
+      : tiling_(lower, upper), sum_(std::move(zero)) {}
 
   void add(const piece_done& done, const closed_interval& within, const Value& value) {
     tiling_.add(done, within);

@@ -18,8 +18,9 @@ ball value_of(const frequency& w, const recorded& y, precision p) {
 
 }  // namespace
 
-decomposition::decomposition(const integrand& f, end_point p, end_point s, bool infinite, int sign)
-    : f_(f.record), p_(std::move(p)), s_(std::move(s)), sign_(sign), theta_(infinite ? 1 : -1) {
+decomposition::decomposition(const integrand& f, const end_point& p, const end_point& s,
+                             bool infinite, int sign)
+    : f_(f.record), p_(p), s_(s), sign_(sign), theta_(infinite ? 1 : -1) {
   constexpr int most_attempts = 2;
   for (int k = 0; k < most_attempts; ++k) {
     const separated first = separate(f_, least_bits, p_, s_, theta_, sign_);

@@ -23,7 +23,8 @@ struct oscillation {
 class decomposition {
  public:
   /// f between x = p + s and p, or an infinity. The power theta of y is found: x = p + s y^theta.
-  decomposition(const integrand& f, end_point p, end_point s, bool infinite, int sign);
+  decomposition(const integrand& f, const end_point& p, const end_point& s, bool infinite,
+                int sign);
 
   /// It is a sum of oscillations, with frequencies that are certainly not 0.
   [[nodiscard]] bool is_found() const { return found_; }
