@@ -6,6 +6,7 @@
 #include "exact_value.hpp"
 #include "graph.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "symbol_graph.hpp"
 
 namespace polhode {
 
@@ -76,9 +77,24 @@ expression::expression(std::string_view text, const expression_names& names)
   }
   definitions.merge(variables);
   g->root = detail::read_expression(*g, text, definitions);
+  take(g);
+}
+
+expression::expression(const symbol& formula, const expression_names& names)
+    : variables_(names.variables) {
+  const auto g = std::make_shared<detail::graph>(names.further);
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    static_cast<void>(g->variable(static_cast<long>(i)));  // the first nodes, in their order
+  }
+  g->root = detail::node_of(*g, formula, variables_.size());
+  take(g);
+}
+
+/// The graph and what is made of it.
+void expression::take(std::shared_ptr<const detail::graph> g) {
   if (const rational* q = g->value(g->root)) exact_ = *q;
   program_ = std::make_shared<const detail::program>(detail::compile(*g, variables_.size()));
-  graph_ = g;
+  graph_ = std::move(g);
 }
 
 ball expression::value(precision p) const {

@@ -20,6 +20,7 @@
 #include <boost/spirit/home/x3.hpp>
 
 #include "base/nearest_name.hpp"
+#include "calls.hpp"
 #include "graph.hpp"
 
 namespace polhode::detail {
@@ -345,40 +346,6 @@ class reader {
     }
     return std::string(name) + what + usage;
   }
-  [[nodiscard]] static std::string brief(const pi_combination& x) {
-    if (x.r == 0) return detail::brief(x.q);
-    const std::string multiple = x.r == 1 ? "pi" : (x.r == -1 ? "-pi" : detail::brief(x.r) + "*pi");
-    return x.q == 0 ? multiple : detail::brief(x.q) + " + " + multiple;
-  }
-  /// "x", "y" of "x, y".
-  [[nodiscard]] static std::vector<std::string> names_between_commas(const std::string& list) {
-    std::vector<std::string> names(1);
-    for (const char c : list) {
-      if (c == ',') names.emplace_back();
-      if (c != ',' && c != ' ') names.back() += c;
-    }
-    return names;
-  }
-  /// What a simpler formula leaves out must be a rational number, for which the domain has been decided, or, as the first
-  /// argument, q + r pi: of another nobody would see that it is not in the domain, or not defined.
-  [[nodiscard]] static bool keeps(const std::string& formula, const std::vector<std::string>& names,
-                                  const std::vector<std::optional<pi_combination>>& known) {
-    const auto is_letter = [](char c) {
-      return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-    };
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (known[i] && (i == 0 || known[i]->is_rational())) continue;
-      bool occurs = false;
-      for (std::size_t at = formula.find(names[i]); at != std::string::npos && !occurs;
-           at = formula.find(names[i], at + 1)) {
-        const std::size_t end = at + names[i].size();
-        occurs = (at == 0 || !is_letter(formula[at - 1])) &&
-                 (end == formula.size() || !is_letter(formula[end]));
-      }
-      if (!occurs) return false;
-    }
-    return true;
-  }
   void end_call_of_further(const range& name, const std::vector<node_id>& arguments) {
     const further_function* function = find_further(further(), view(name), arguments.size());
     if (function == nullptr) {
@@ -387,27 +354,7 @@ class reader {
           further_usage(view(name), " does not take " + std::to_string(arguments.size()) +
                                         " arguments: write "));
     }
-    const std::vector<std::string> names = names_between_commas(function->what.arguments);
-    std::vector<std::optional<pi_combination>> known;
-    std::string text;
-    for (const node_id x : arguments) {
-      known.push_back(known_value(graph_, x));
-      text += (text.empty() ? "" : ", ") +
-              (known.back() ? brief(*known.back()) : names[known.size() - 1]);
-    }
-    if (function->may_be_defined && !function->may_be_defined(known)) {
-      throw expression_error(
-          column(name.begin()),
-          function->what.name + "(" + text + ") is not defined: it needs " + function->what.domain);
-    }
-    if (function->simpler) {
-      if (const auto formula = function->simpler(known); formula && keeps(*formula, names, known)) {
-        name_table by_name;
-        for (std::size_t i = 0; i < names.size(); ++i) by_name[names[i]] = arguments[i];
-        return push(read_expression(graph_, *formula, by_name));
-      }
-    }
-    push(graph_.call({function, arguments}));
+    push(made(name.begin(), [&] { return call_further(graph_, *function, arguments); }));
   }
 
   [[nodiscard]] std::vector<std::string> function_names() const {

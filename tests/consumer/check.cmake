@@ -45,6 +45,32 @@ if(NOT output STREQUAL "${VERSION} 0.373412066406213...\n0.246824132812427... 1\
   message(FATAL_ERROR "the consumer of all headers printed:\n${output}")
 endif()
 
+# The ports of Boost's examples: each ends with 0 where Polhode's answer is proved.
+set(ports "${CMAKE_CURRENT_LIST_DIR}/../../examples/boost")
+run("${CMAKE_COMMAND}" -S "${ports}" -B "${work}/ports" -G "${GENERATOR}"
+  "-DCMAKE_PREFIX_PATH=${prefix}"
+  "-DCMAKE_CXX_COMPILER=${COMPILER}"
+  "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
+  "-DCMAKE_CXX_FLAGS=${FLAGS} -Wall -Wextra")
+run("${CMAKE_COMMAND}" --build "${work}/ports")
+file(READ "${CMAKE_CURRENT_LIST_DIR}/../../docs/boost.md" page)
+file(GLOB programs "${ports}/*.cpp")
+list(LENGTH programs count)
+if(count LESS 10)
+  message(FATAL_ERROR "examples/boost has ${count} programs")
+endif()
+foreach(program IN LISTS programs)
+  get_filename_component(name "${program}" NAME_WE)
+  run("${work}/ports/${name}")
+  if(NOT output MATCHES "Boost .*Polhode ")
+    message(FATAL_ERROR "examples/boost/${name} printed:\n${output}")
+  endif()
+  string(FIND "${page}" "| `${name}` |" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "docs/boost.md does not list examples/boost/${name}.cpp")
+  endif()
+endforeach()
+
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" --target consumer_inexact
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
 string(REGEX MATCHALL " error: " errors "${output}")

@@ -26,7 +26,7 @@ FLOORS = [
     ["expression"],  # formulas as text, and their evaluation
     ["quadrature", "roots", "elliptic", "certificate"],
     ["rigid_body", "formulas"],  # formulas: what is integrated, searched for roots and certified of a formula
-    ["scene", "proofs", "verify"],  # verify: second opinions of integrals, roots and values
+    ["scene", "proofs", "verify", "real"],  # verify: second opinions of integrals, roots and values
     ["cost"],
     ["polhode.hpp", "cli"],  # polhode.hpp includes what a program needs most
 ]

@@ -86,6 +86,8 @@ inline constexpr long greatest_exponent_of_ten =
 /// Whether the text may be the name of a variable: a letter or _, then letters, digits and _.
 [[nodiscard]] bool is_identifier(std::string_view text);
 
+class symbol;  // symbol.hpp
+
 namespace detail {
 class graph;
 
@@ -159,6 +161,9 @@ class expression {
   /// Reads a formula. Throws expression_error where it cannot be read, or is certainly undefined,
   /// and input_error for names that may not be used (functions, constants, the same name twice).
   explicit expression(std::string_view text, const expression_names& names = {});
+  /// What a function of symbols returned (symbol.hpp); symbol::variable(i) is the i-th of the names' variables, and their
+  /// definitions are not looked at. Throws input_error where the formula is certainly undefined, or has a variable without a name.
+  explicit expression(const symbol& formula, const expression_names& names);
 
   /// The value at x, at the precision of x, for a formula of at most one variable. Converts the
   /// constants at every call: see evaluator.
@@ -221,6 +226,7 @@ class expression {
  private:
   template <class T>
   [[nodiscard]] static precision detail_precision_of(const T& x);
+  void take(std::shared_ptr<const detail::graph> g);
 
   std::vector<std::string> variables_;
   std::optional<rational> exact_;

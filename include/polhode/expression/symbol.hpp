@@ -1,0 +1,207 @@
+#pragma once
+
+// A formula made by calling a generic function once.
+//
+//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in formulas/is_symbol.hpp
+//
+// A symbol stands for a number that is not known yet. Operators and the functions of the table (function_table.hpp) applied to symbols
+// give symbols, until the function returns one; what it did is then an expression, with all that the library knows of those. Beside
+// symbols stand exact numbers: whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5), and
+// Boost's floating-point numbers, each as the exact number that it is. A double variable is refused when it is compiled.
+//
+// A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what to write.
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <boost/multiprecision/number.hpp>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/expression/exact_literal.hpp"
+#include "polhode/expression/function_table.hpp"
+
+namespace polhode {
+
+namespace detail {
+
+/// A number of Boost's with a floating point, whatever its backend.
+template <class N>
+concept boost_real = boost::multiprecision::is_number<N>::value &&
+                         boost::multiprecision::number_category<N>::value ==
+                         boost::multiprecision::number_kind_floating_point &&
+                     !boost::multiprecision::is_interval_number<N>::value;
+
+/// What an operator of Boost's numbers returns: an expression of references to its operands.
+template <class N>
+concept boost_expression = boost::multiprecision::is_number_expression<N>::value;
+
+template <class>
+inline constexpr bool never_true = false;
+
+struct symbol_node;
+
+}  // namespace detail
+
+class symbol {
+ public:
+  template <machine_integer N>
+  symbol(N n)  // NOLINT(google-explicit-constructor): exact
+      : symbol(rational(n)) {}
+  template <std::same_as<integer> N>
+  symbol(const N& n)  // NOLINT(google-explicit-constructor): exact
+      : symbol(rational(n)) {}
+  /// Of a rational alone: a double would become one in silence.
+  template <std::same_as<rational> Q>
+  symbol(const Q& q)  // NOLINT(google-explicit-constructor): exact
+      : symbol(of_number(q)) {}
+  symbol(const rational_literal& q)  // NOLINT(google-explicit-constructor): exact
+      : symbol(q.value()) {}
+  symbol(exact_double x)  // NOLINT(google-explicit-constructor): exact
+      : symbol(rational(x.value())) {}
+  /// The number that x is. Throws input_error where it is infinite or a NaN.
+  template <detail::boost_real N>
+  symbol(const N& x)  // NOLINT(google-explicit-constructor): exact
+      : symbol(exactly(x)) {}
+  template <detail::boost_expression N>
+  symbol(const N& x)  // NOLINT(google-explicit-constructor): exact
+      : symbol(typename N::result_type(x)) {}
+
+  /// The i-th variable, counted from 0.
+  [[nodiscard]] static symbol variable(std::size_t i);
+  /// A constant of formulas by its name: "pi", "e", "euler_gamma", "catalan".
+  [[nodiscard]] static symbol constant(std::string_view name);
+  /// A function of formulas by its name. The name has to live as long as the program: a literal.
+  [[nodiscard]] static symbol call(std::string_view function, std::vector<symbol> operands);
+
+  friend symbol operator-(const symbol& x) { return call("-", {x}); }
+  friend const symbol& operator+(const symbol& x) { return x; }
+  symbol& operator+=(const symbol& y) { return *this = call("+", {*this, y}); }
+  symbol& operator-=(const symbol& y) { return *this = call("-", {*this, y}); }
+  symbol& operator*=(const symbol& y) { return *this = call("*", {*this, y}); }
+  symbol& operator/=(const symbol& y) { return *this = call("/", {*this, y}); }
+
+  [[nodiscard]] const detail::symbol_node& node() const { return *node_; }
+
+ private:
+  friend struct detail::symbol_node;
+  explicit symbol(std::shared_ptr<detail::symbol_node> node) : node_(std::move(node)) {}
+  template <class N>
+  static rational exactly(const N& x) {
+    if (!(boost::multiprecision::isfinite)(x)) refuse_infinite();
+    return rational(x);
+  }
+  [[noreturn]] static void refuse_infinite();
+  static symbol of_number(const rational& q);
+
+  std::shared_ptr<detail::symbol_node> node_;
+};
+
+namespace detail {
+
+/// How a symbol came about: a number, a variable, or what `name` names (an operator, a function, a constant) of operands.
+struct symbol_node {
+  std::string_view name;  // empty for a number and a variable
+  rational number;
+  std::size_t variable = no_variable;
+  std::vector<symbol> operands;
+
+  static constexpr std::size_t no_variable = static_cast<std::size_t>(-1);
+  symbol_node() = default;
+  symbol_node(const symbol_node&) = delete;
+  symbol_node& operator=(const symbol_node&) = delete;
+  ~symbol_node();
+};
+
+template <class X>
+concept is_symbol = std::same_as<std::remove_cvref_t<X>, symbol>;
+
+/// What may stand beside a symbol, and is none.
+template <class N>
+concept beside_symbol =
+    machine_integer<N> || std::same_as<N, integer> || std::same_as<N, rational> ||
+    std::same_as<N, rational_literal> || boost_real<N> || boost_expression<N>;
+
+/// At least one of the arguments of a call is a symbol, and the others can stand beside it.
+template <class... X>
+concept call_of_symbols = (is_symbol<X> || ...) && (std::convertible_to<X, symbol> && ...);
+
+}  // namespace detail
+
+// The operators. A double literal comes as an exact_double: a parameter that the compiler converts to.
+#define POLHODE_SYMBOL_OPERATOR(op)                                           \
+  [[nodiscard]] inline symbol operator op(const symbol& x, const symbol& y) { \
+    return symbol::call(#op, {x, y});                                         \
+  }                                                                           \
+  template <detail::beside_symbol N>                                          \
+  [[nodiscard]] symbol operator op(const symbol& x, const N& y) {             \
+    return symbol::call(#op, {x, symbol(y)});                                 \
+  }                                                                           \
+  template <detail::beside_symbol N>                                          \
+  [[nodiscard]] symbol operator op(const N& x, const symbol& y) {             \
+    return symbol::call(#op, {symbol(x), y});                                 \
+  }                                                                           \
+  template <detail::is_symbol X>                                              \
+  [[nodiscard]] symbol operator op(const X& x, exact_double y) {              \
+    return symbol::call(#op, {x, symbol(y)});                                 \
+  }                                                                           \
+  template <detail::is_symbol Y>                                              \
+  [[nodiscard]] symbol operator op(exact_double x, const Y& y) {              \
+    return symbol::call(#op, {symbol(x), y});                                 \
+  }
+POLHODE_SYMBOL_OPERATOR(+)
+POLHODE_SYMBOL_OPERATOR(-)
+POLHODE_SYMBOL_OPERATOR(*)
+POLHODE_SYMBOL_OPERATOR(/)
+#undef POLHODE_SYMBOL_OPERATOR
+
+#define POLHODE_SYMBOL_COMPARISON(op)                                                           \
+  template <class X, class Y>                                                                   \
+  requires detail::is_symbol<X> || detail::is_symbol<Y>                                         \
+  bool operator op(const X&, const Y&) {                                                        \
+    static_assert(detail::never_true<X>,                                                        \
+                  "Polhode: a function that is to be proved cannot branch on its argument. "    \
+                  "Write it with abs, min, max, floor, ceil or sign, or split the range where " \
+                  "the formula changes");                                                       \
+    return false;                                                                               \
+  }
+POLHODE_SYMBOL_COMPARISON(<)
+POLHODE_SYMBOL_COMPARISON(>)
+POLHODE_SYMBOL_COMPARISON(<=)
+POLHODE_SYMBOL_COMPARISON(>=)
+POLHODE_SYMBOL_COMPARISON(==)
+POLHODE_SYMBOL_COMPARISON(!=)
+#undef POLHODE_SYMBOL_COMPARISON
+
+// The functions of the table, by their names.
+#define POLHODE_SYMBOL_FUNCTION(name, arguments, ...)                      \
+  template <class... X>                                                    \
+  requires detail::call_of_symbols<X...>                                   \
+  [[nodiscard]] symbol name(const X&... x) {                               \
+    constexpr std::string_view names(arguments);                           \
+    static_assert(sizeof...(X) == (names.find(',') == names.npos ? 1 : 2), \
+                  "Polhode: " #name " is a function of " arguments);       \
+    return symbol::call(#name, {symbol(x)...});                            \
+  }
+POLHODE_FUNCTION_TABLE(POLHODE_SYMBOL_FUNCTION, POLHODE_SYMBOL_FUNCTION, POLHODE_SYMBOL_FUNCTION,
+                       POLHODE_SYMBOL_FUNCTION)
+#undef POLHODE_SYMBOL_FUNCTION
+
+/// x^y for a double literal y, and its mirror image.
+[[nodiscard]] inline symbol pow(const symbol& x, exact_double y) {
+  return symbol::call("pow", {x, symbol(y)});
+}
+[[nodiscard]] inline symbol pow(exact_double x, const symbol& y) {
+  return symbol::call("pow", {symbol(x), y});
+}
+
+// As the standard library and Boost call them.
+[[nodiscard]] inline symbol square(const symbol& x) { return x * x; }
+[[nodiscard]] inline symbol fabs(const symbol& x) { return symbol::call("abs", {x}); }
+[[nodiscard]] inline symbol tgamma(const symbol& x) { return symbol::call("gamma", {x}); }
+
+}  // namespace polhode

@@ -1,0 +1,126 @@
+#include "polhode/expression/symbol.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+
+#include "polhode/formulas/parse.hpp"
+#include "polhode/formulas/symbolic.hpp"
+
+namespace polhode {
+namespace {
+
+using boost::multiprecision::cpp_bin_float_50;
+using boost::multiprecision::mpfr_float_50;
+
+template <class F>
+std::string text_of(const F& f) {
+  return formula_of(f).to_text();
+}
+
+TEST(Symbol, RecordsWhatAFunctionDoes) {
+  EXPECT_EQ(text_of([](auto x) { return exp(-x * x) / (1 + x / 3) - 2 * x + 1; }),
+            parse("exp(-x*x)/(1 + x/3) - 2*x + 1").to_text());
+  EXPECT_EQ(
+      text_of([](const auto& x) { return sin(x) * pow(x, 3) + root(x, 5) - atan2(x, 2 + x); }),
+      parse("sin(x)*x^3 + root(x, 5) - atan2(x, 2 + x)").to_text());
+  EXPECT_EQ(text_of([](auto x) {
+              auto s = x;
+              s += 2;
+              s *= x;
+              s -= 1;
+              s /= x + 1;
+              return +s;
+            }),
+            parse("((x+2)*x - 1)/(x+1)").to_text());
+}
+
+TEST(Symbol, EveryFunctionOfTheTableIsThere) {
+  const symbol x = symbol::variable(0);
+  std::size_t count = 0;
+#define POLHODE_TRY(f, arguments, ...)                                                \
+  ++count;                                                                            \
+  if constexpr (std::string_view(arguments).find(',') != std::string_view::npos) {    \
+    EXPECT_EQ(formula_of(f(x, 3), {"x"}).to_text(), parse(#f "(x, 3)").to_text());    \
+  } else if constexpr (std::string_view(#f) == "zeta") {                              \
+    EXPECT_EQ(formula_of(f(symbol(3)), {"x"}).to_text(), parse("zeta(3)").to_text()); \
+  } else {                                                                            \
+    EXPECT_EQ(formula_of(f(x), {"x"}).to_text(), parse(#f "(x)").to_text());          \
+  }
+  POLHODE_FUNCTION_TABLE(POLHODE_TRY, POLHODE_TRY, POLHODE_TRY, POLHODE_TRY)
+#undef POLHODE_TRY
+  EXPECT_EQ(count, expression_functions().size());
+}
+
+TEST(Symbol, NumbersBesideItAreExact) {
+  EXPECT_EQ(text_of([](auto x) { return 0.5 * x + x / 4.0 - pow(x, 0.25); }),
+            parse("1/2*x + x/4 - x^(1/4)").to_text());
+  EXPECT_EQ(text_of([](auto x) { return x * "0.1"_r + 0.3_r - "1/7"_r * x; }),
+            parse("x*0.1 + 3/10 - 1/7*x").to_text());
+  const rational third(1, 3);
+  EXPECT_EQ(text_of([&](auto x) { return third * x - integer(7); }), parse("1/3*x - 7").to_text());
+  // 0.1 as Boost's numbers have it is another number than 1/10, and is taken as what it is.
+  const mpfr_float_50 tenth("0.1");
+  EXPECT_EQ(text_of([&](auto x) { return tenth * x; }),
+            parse("k*x", {"x"}, {{"k", to_text(rational(tenth))}}).to_text());
+  const cpp_bin_float_50 eighth("0.125");
+  EXPECT_EQ(text_of([&](auto x) { return x - 2 * eighth; }), parse("x - 1/4").to_text());
+  EXPECT_EQ(text_of([](auto) { return 2.5; }), "5/2");
+  EXPECT_EQ(text_of([](auto) { return 3; }), "3");
+}
+
+TEST(Symbol, ADoubleThatIsNotItsDecimalIsRefused) {
+  EXPECT_TRUE(exact_double::is_exact(0.5));
+  EXPECT_TRUE(exact_double::is_exact(-1024.0));
+  EXPECT_TRUE(exact_double::is_exact(0x1p-1070));
+  EXPECT_TRUE(exact_double::is_exact(9007199254740991.0));
+  EXPECT_TRUE(exact_double::is_exact(1e10));
+  for (const double x : {0.1, 0.3, 1e-3, 3.14, 1e23, 0.7071067811865476, 1e300}) {
+    EXPECT_FALSE(exact_double::is_exact(x)) << x;
+  }
+  EXPECT_FALSE(exact_double::is_exact(std::numeric_limits<double>::infinity()));
+  EXPECT_FALSE(exact_double::is_exact(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_THROW(static_cast<void>(text_of([](auto) { return 0.1; })), input_error);
+  // All decimals of up to three places: exact are the eighths.
+  for (int n = 1; n < 1000; ++n) EXPECT_EQ(exact_double::is_exact(n / 1000.0), n % 125 == 0) << n;
+}
+
+TEST(Symbol, WhatIsNotDefinedIsSaid) {
+  const auto message = [](const auto& f) -> std::string {
+    try {
+      return formula_of(f).to_text();
+    } catch (const input_error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_NE(message([](auto x) { return x + log(symbol(-1)); }).find("log(-1)"), std::string::npos);
+  EXPECT_NE(message([](auto x) { return x / (symbol(1) - 1); }).find("in the function"),
+            std::string::npos);
+  EXPECT_NE(message([](auto x) {
+              return x * (mpfr_float_50(1) / std::numeric_limits<mpfr_float_50>::infinity()) +
+                     std::numeric_limits<mpfr_float_50>::infinity();
+            }).find("finite"),
+            std::string::npos);
+  EXPECT_THROW(static_cast<void>(formula_of(symbol::variable(1), {"x"})), input_error);
+  EXPECT_THROW(static_cast<void>(formula_of(symbol::call("no_such", {symbol(1)}), {"x"})),
+               input_error);
+}
+
+TEST(Symbol, LongChainsEndInTime) {
+  const expression f = formula_of([](auto x) {
+    auto sum = x;
+    for (int k = 1; k < 200000; ++k) sum = sum * x + k;
+    return sum;
+  });
+  EXPECT_GT(f.operation_count(), 300000U);
+}
+
+TEST(Symbol, SeveralVariables) {
+  const expression f = formula_of(symbol::variable(0) * symbol::variable(2), {"x", "y", "z"});
+  EXPECT_EQ(f.to_text(), "x*z");
+  EXPECT_EQ(f.used_variables(), (std::vector<std::string>{"x", "z"}));
+}
+
+}  // namespace
+}  // namespace polhode
