@@ -33,6 +33,27 @@ std::optional<ball> half_with_root(const real_function& f, const ball& enclosure
   return half.to_ball(std::max(p, enclosure.precision()));
 }
 
+/// A narrow ball, inside the enclosure, around the point at which Newton's method with few bits settles; it proves nothing. std::nullopt where it does not settle there.
+std::optional<ball> place_by_search(const real_function& f, const ball& enclosure) {
+  constexpr precision few_bits = 64;
+  constexpr long narrow = 40;  // 2^-40 of its size
+  constexpr int most_steps = 8;
+  const auto at = f.at(few_bits);
+  ball x = enclosure.with_precision(few_bits).middle();
+  for (int k = 0; k < most_steps && x.is_bounded(); ++k) {
+    const jet<ball, 1> y = at->slope(x);
+    const ball step = (y[0] / y[1]).middle();
+    x = (x - step).with_precision(few_bits).middle();
+    if (!x.is_bounded() || !contains(enclosure, x)) return std::nullopt;
+    const magnitude radius = scale(x.magnitude_lower(), -narrow);
+    if (step.magnitude_upper() <= radius) {
+      const ball place = x.enlarged(radius);
+      return contains(enclosure, place) ? std::optional(place) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 refined_root refine(const root_region& region, long digits) {
@@ -57,6 +78,10 @@ refined_root refine(const root_region& region, long digits) {
   const precision most = 8 * p + (1L << 14);
   constexpr int most_halvings = 60;
   int halvings = 0;
+  // Newton's steps over wide balls are dear. If a narrow place in the box is proved to hold a root, it is the one that the
+  // box holds.
+  std::optional<ball> place = place_by_search(f, result.enclosure);
+  if (place && !contains(region.box, *place)) place = std::nullopt;
   while (true) {
     const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };
     const auto value = [&](const ball& x) { return f.at(x.precision() + more)->value(raised(x)); };
@@ -67,7 +92,14 @@ refined_root refine(const root_region& region, long digits) {
     const ball known = result.enclosure;
     const magnitude before = known.radius();
     const ball room = intersection(known.enlarged(known.radius()), region.box);
-    const root_enclosure r = refine_root(value, slope, room.is_undefined() ? known : room, p);
+    root_enclosure r;
+    if (place) {
+      r = refine_root(value, slope, *place, p);
+      place = std::nullopt;
+      if (r.verdict != root_verdict::unique) continue;  // it may lie elsewhere
+    } else {
+      r = refine_root(value, slope, room.is_undefined() ? known : room, p);
+    }
     if (r.verdict == root_verdict::none) {
       throw std::logic_error("refine: the enclosures of f and its derivative contradict");
     }

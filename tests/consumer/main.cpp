@@ -1,6 +1,7 @@
 #include <iostream>
-#include <polhode/polhode.hpp>
+#include <polhode/real/integrate.hpp>
 int main() {
-  const auto f = [](const auto& x) { return exp(-x * x); };
-  std::cout << to_decimal(polhode::integrate(f, 0, 1, {.digits = 50}).enclosure, 50) << '\n';
+  using Real = boost::multiprecision::mpfr_float_50;
+  const auto i = polhode::integrate<Real>([](auto x) { return exp(-x * x); }, 0, 1);
+  std::cout << i.value.str(50) << " +- " << i.truncation_error.str(1) << '\n';
 }

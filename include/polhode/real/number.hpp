@@ -16,6 +16,7 @@
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/symbol.hpp"
 
 namespace polhode {
@@ -40,10 +41,7 @@ concept floating_real = std::same_as<R, double> || std::same_as<R, long double> 
 
 namespace detail {
 
-[[nodiscard]] inline precision bits_for_digits(unsigned digits10) {
-  constexpr double bits_per_digit = 3.3219281;
-  return static_cast<precision>(static_cast<double>(digits10) * bits_per_digit) + 1;
-}
+/// Whole decimal digits in so many bits; at least one.
 [[nodiscard]] inline long digits_in_bits(precision p) {
   constexpr double digits_per_bit = 0.30102999;
   return std::max(1L, static_cast<long>(static_cast<double>(p) * digits_per_bit));
@@ -55,7 +53,7 @@ namespace detail {
 template <floating_real R>
 [[nodiscard]] precision usual_bits() {
   if constexpr (detail::has_variable_precision<R>) {
-    return detail::bits_for_digits(R::thread_default_precision());
+    return bits_for_digits(R::thread_default_precision());
   } else {
     return std::numeric_limits<R>::digits;
   }

@@ -140,7 +140,7 @@ template <class Real>
                                      std::optional<long> digits) {
   constexpr precision guard = 16;
   if constexpr (std::same_as<Real, ball>) {
-    return bits_for_digits(static_cast<unsigned>(digits.value_or(15))) + guard;
+    return bits_for_digits(digits.value_or(15)) + guard;
   } else {
     return working_bits<Real>(a, b);
   }
@@ -234,8 +234,7 @@ template <class Real>
 [[nodiscard]] certified_root<Real> root_near(const expression& formula, const ball& x,
                                              const ball& interval, long digits, precision p) {
   certified_root<Real> result;
-  const root_enclosure proof =
-      proved_near(formula, x, interval, bits_for_digits(static_cast<unsigned>(digits)) + 16);
+  const root_enclosure proof = proved_near(formula, x, interval, bits_for_digits(digits) + 16);
   result.verdict = proof.verdict;
   set_bracket(result, proof.root, p);
   if (proof.verdict == root_verdict::unique) {
