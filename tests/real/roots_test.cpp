@@ -113,6 +113,26 @@ TEST(RealRoot, BoxesOfIterationsAreInside) {
   EXPECT_LT(r.upper, r.greatest);
 }
 
+TEST(RealRoot, EndsOfBoxesAreRoundedInward) {
+  const ball box = hull(ball(rational(1, 3), 200), ball(rational(2, 3), 200));
+  double lowest = 0;
+  double greatest = 0;
+  detail::set_box(lowest, greatest, box, 53);
+  EXPECT_TRUE(contains(box, ball_of(lowest)));
+  EXPECT_TRUE(contains(box, ball_of(greatest)));
+  EXPECT_NEAR(lowest, 1.0 / 3, 1e-16);
+  EXPECT_NEAR(greatest, 2.0 / 3, 2e-16);
+  ball least;
+  ball most;
+  detail::set_box(least, most,
+                  ball(rational(1, 3), 64).enlarged(magnitude::from_bits_up(1UL << 62, -500)), 53);
+  EXPECT_TRUE(
+      contains(ball(rational(1, 3), 64).enlarged(magnitude::from_bits_up(1UL << 62, -500)), least));
+  detail::set_box(lowest, greatest, hull(ball(0, 64), ball(1, 64)), 53);
+  EXPECT_EQ(lowest, 0);
+  EXPECT_EQ(greatest, 1);
+}
+
 TEST(RealSystem, SolutionsAreProved) {
   const auto f = [](const auto& x) {
     return std::vector{x[0] * x[0] + x[1] - 11, x[0] + x[1] * x[1] - 7};

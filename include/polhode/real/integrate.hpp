@@ -214,7 +214,7 @@ requires floating_real<Real>
 /// float has too few digits and exponents for any of this.
 template <class Real, class F, class... Rest>
 requires std::same_as<Real, float>
-void integrate(const F& f, const Rest&... rest) {
+void integrate(const F& /*f*/, const Rest&... /*rest*/) {
   static_assert(detail::never_true<F>,
                 "Polhode: a float has too few digits and exponents; write integrate<double>");
 }

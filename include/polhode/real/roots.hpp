@@ -24,6 +24,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/formulas/function.hpp"
 #include "polhode/real/function.hpp"
 #include "polhode/real/limit.hpp"
@@ -123,15 +124,22 @@ template <class Real>
 /// The ends of a box, rounded inward: what is unique in the box is unique between them.
 template <class Real>
 void set_box(Real& lowest, Real& greatest, const ball& box, precision p) {
+  constexpr precision enough = 128;
+  mpfr_float lower = zero_of_precision(std::max(p, box.precision()) + enough);
+  mpfr_float upper = lower;
+  box.lower(lower.backend().data());
+  box.upper(upper.backend().data());
+  const auto is_outside = [&](const mpfr_float& end) {
+    return mpfr_number_p(end.backend().data()) != 0 && !contains(box, ball(end));
+  };
+  if (is_outside(lower)) mpfr_nextabove(lower.backend().data());
+  if (is_outside(upper)) mpfr_nextbelow(upper.backend().data());
   if constexpr (std::same_as<Real, ball>) {
-    lowest = end_as<Real>(box, std::max(p, box.precision()) + 64, MPFR_RNDD);
-    greatest = end_as<Real>(box, std::max(p, box.precision()) + 64, MPFR_RNDU);
+    lowest = ball(lower);
+    greatest = ball(upper);
   } else {
-    mpfr_float end = zero_of_precision(std::max(p, box.precision()) + 128);
-    box.lower(end.backend().data());
-    lowest = rounded_to<Real>(end.backend().data(), p, MPFR_RNDU);
-    box.upper(end.backend().data());
-    greatest = rounded_to<Real>(end.backend().data(), p, MPFR_RNDD);
+    lowest = rounded_to<Real>(lower.backend().data(), p, MPFR_RNDU);
+    greatest = rounded_to<Real>(upper.backend().data(), p, MPFR_RNDD);
   }
 }
 
