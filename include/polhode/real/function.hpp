@@ -3,8 +3,11 @@
 // A person's generic function for the templates over Real: as a formula, for the proof; as itself, for the values.
 
 #include <functional>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
+
+#include <boost/math/policies/error_handling.hpp>
 
 #include "polhode/formulas/symbolic.hpp"
 #include "polhode/real/boost_math.hpp"
@@ -63,14 +66,23 @@ template <floating_real R, class F>
   }
 }
 
-/// The same as a function of balls: of the number in the middle of the argument, rounded to R.
+/// The same as a function of balls: of the number in the middle of the argument, rounded to R. Undefined where the function throws what Boost's
+/// functions throw beyond their domain or range, which a rounded argument may be.
 template <floating_real R, class F>
 [[nodiscard]] std::function<ball(const ball&)> values_as_balls(const F& f,
                                                                const expression& formula,
                                                                precision p) {
   if constexpr (returns_a_number<F, R> || !mpfr_like<R>) {
     return [g = values_in<R>(f, formula, p), p](const ball& x) {
-      return ball_of(g(nearest_as<R>(x, p)));
+      try {
+        return ball_of(g(nearest_as<R>(x, p)));
+      } catch (const std::domain_error&) {
+        return ball::undefined(p);
+      } catch (const std::overflow_error&) {
+        return ball::undefined(p);
+      } catch (const boost::math::evaluation_error&) {
+        return ball::undefined(p);
+      }
     };
   } else {
     return [g = formula.evaluator<mpfr_float>(p), p](const ball& x) {
