@@ -56,6 +56,21 @@ struct supplement<end_series> : series_supplement<end_series> {
 };
 
 template <>
+struct supplement<growth_bound> {
+  static growth_bound sinpi(const growth_bound& x) { return sin(x * x.constant_like(pi(128))); }
+  static growth_bound cospi(const growth_bound& x) { return cos(x * x.constant_like(pi(128))); }
+  static growth_bound expm1(const growth_bound& x) { return exp(x) - x.constant_like(rational(1)); }
+  static growth_bound log1p(const growth_bound& x) { return log(x + x.constant_like(rational(1))); }
+  static growth_bound hypot(const growth_bound& x, const growth_bound& y) {
+    return sqrt(x * x + y * y);
+  }
+  template <class F, class Range>
+  static growth_bound further(const F& f, const Range&) {
+    return growth_bound::blocked(name_of_function(f));
+  }
+};
+
+template <>
 struct supplement<symmetry> {
   static symmetry number(const rational& q) { return symmetry(q); }
   static symmetry constant(const instruction& i) {
@@ -215,6 +230,7 @@ template class compiled_expression<jet<region, 1>>;
 template class compiled_expression<angle>;
 template class compiled_expression<symmetry>;
 template class compiled_expression<end_series>;
+template class compiled_expression<growth_bound>;
 template class compiled_expression<tail_series>;
 template class compiled_expression<recorded>;
 
@@ -245,6 +261,7 @@ detail::integrand integrand_of(const expression& f) {
   };
   result.near_end = f.evaluator<end_series>(series_bits);
   result.near_infinity = f.evaluator<tail_series>(series_bits);
+  result.growth = f.evaluator<growth_bound>(series_bits);
   result.under = f.evaluator<symmetry>(series_bits);
   result.record = [f](const recorded& x, precision p) { return f.evaluator<recorded>(p)(x); };
   return result;

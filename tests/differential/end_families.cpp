@@ -299,6 +299,69 @@ integral_case extreme_sizes(maker& m) {
   return {f, a, scale * m.near(m.within(1.1, 4)), few_digits(m)};
 }
 
+/// An irrational exponent, at which x^e is integrable at 0.
+term irrational_exponent(maker& m) {
+  return m.any_of({"sqrt(2)", "pi", "sqrt(3)/2", "-1/sqrt(2)", "-1/sqrt(3)", "pi/5", "-pi/4", "e/3",
+                   "-log(2)", "-sqrt(8/9)", "sqrt(2)-1"});
+}
+
+/// No series at the end: irrational and variable exponents, logarithms of logarithms, at 0 and at infinity.
+integral_case growing_end(maker& m) {
+  term f = power(x, irrational_exponent(m)) * regular(m);
+  term to = m.near(m.scattered(0.1, 3));
+  switch (m.between(0, 6)) {
+    case 0:
+      f = f * logarithm_power(m, x);
+      break;
+    case 1:
+      f = power(x, m.one_in(2) ? x : -x) * regular(m);
+      break;
+    case 2:
+      f = call("cos", m.positive_rational() * call("log", x)) * f;
+      break;
+    case 3:
+      f = call("log", call("log", 1 / x)) * regular(m);
+      to = m.rational_near(m.within(0.05, 0.3));
+      break;
+    case 4:
+      f = 1 / (1 + power(x, m.any_of({"pi", "sqrt(2)", "sqrt(3)", "e/2", "sqrt(11)"})));
+      to = "inf";
+      break;
+    case 5:
+      f = f + power(x, irrational_exponent(m)) / (2 + power(x, "sqrt(5)"));
+      break;
+    default:
+      break;
+  }
+  return {f, 0, to, few_digits(m)};
+}
+
+/// Their twins that diverge.
+integral_case divergent_growth(maker& m) {
+  const term e = m.any_of({"-sqrt(2)", "-pi/3", "-sqrt(1+1e-8)", "-pi/2", "-log(3)", "-e/2"});
+  term f = power(x, e) * regular(m);
+  term to = m.near(m.scattered(1e-3, 2));
+  term from = 0;
+  switch (m.between(0, 3)) {
+    case 0:
+      f = f + power(x, irrational_exponent(m));
+      break;
+    case 1:
+      to = m.rational_near(m.within(0.1, 1));
+      f = power(x, e) / (2 + call("cos", call("log", x)));
+      break;
+    case 2:
+      f = 1 / (1 + power(x, m.any_of({"pi/4", "1/sqrt(2)", "sqrt(1-1e-8)", "e/3"})));
+      to = "inf";
+      break;
+    default:
+      break;
+  }
+  integral_case r{f, from, to, few_digits(m)};
+  r.diverges = true;
+  return r;
+}
+
 /// Of limits whose sizes have nothing in common.
 integral_case many_orders(maker& m) {
   const term low = m.decimal(m.scattered(1e-200, 1e-3));
@@ -321,6 +384,8 @@ std::vector<integral_family> end_families() {
           {"algebraic tail", 7, mostly_cheap(algebraic_tail)},
           {"exponential tail", 7, mostly_cheap(exponential_tail)},
           {"special tail", 6, mostly_cheap(special_tail)},
+          {"end without a series", 8, mostly_cheap(growing_end)},
+          {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"whole line", 7, mostly_cheap(whole_line)},
           {"extreme sizes", 7, mostly_cheap(extreme_sizes)},
           {"many orders of magnitude", 6, mostly_cheap(many_orders)}};

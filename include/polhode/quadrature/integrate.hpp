@@ -34,6 +34,7 @@
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
+#include "polhode/quadrature/growth_bound.hpp"
 #include "polhode/quadrature/recorded.hpp"
 #include "polhode/quadrature/rule.hpp"
 #include "polhode/quadrature/symmetry.hpp"
@@ -149,6 +150,8 @@ struct integrand {
   std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
   std::function<end_series(const end_series& x)> near_end;
   std::function<tail_series(const tail_series& x)> near_infinity;
+  /// How fast it grows at an end where it has no series. May be empty.
+  std::function<growth_bound(const growth_bound& x)> growth;
   /// May be empty: then no symmetry is known.
   std::function<symmetry(const symmetry& x)> under;
   /// Its operations, with constants to p bits; may be empty: then no breaks are looked for.

@@ -82,6 +82,30 @@ end_series series_at_end(const integrand& f, const end_of_range& end, long q, do
   return *found;
 }
 
+/// What the growth of f proves where it has no series: that it is integrable, and how small the part beside the end is.
+std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end) {
+  if (!f.growth) return std::nullopt;
+  // Beside another point regions of 1 - x, say, are found by halving alone, in a thousand panels.
+  const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;
+  if (!end.infinite && !is_at_0) return std::nullopt;
+  const long q = end.infinite ? -1 : 1;
+  for (const double r : {0x1p-2, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32}) {
+    const growth_bound g =
+        f.growth(growth_bound::argument(exactly(end.at), exactly(end.distance), q, r));
+    if (g.is_blocked() || g.factor().is_infinite() || g.oscillates()) continue;
+    end_plan plan;
+    plan.exponent = g.exponent() + (q - 1);
+    if (plan.exponent <= -1) continue;
+    plan.how = manner::exponential;
+    plan.q = q;
+    plan.r = r;
+    plan.bounds = {g.factor()};
+    plan.has_growth_only = true;
+    return plan;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 end_plan look_at_end(const integrand& f, const end_of_range& end) {
@@ -107,6 +131,9 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
     const bool helps = plan.how == manner::exponential && plan.bounds.size() == 1;
     if (!helps || whole <= root || whole > most_root) break;
     root = static_cast<long>(whole);
+  }
+  if (best.how == manner::unknown) {
+    if (const auto plan = plan_from_growth(f, end)) return *plan;
   }
   return best;
 }

@@ -47,6 +47,8 @@ struct end_plan {
   double r = 0;           // the series holds for |Re t|, |Im t| <= r
   rational exponent = 0;  // M: F(t) = t^M (G_0 + L G_1 + ...) with the substitution's factor in it
   std::vector<magnitude> bounds;  // of |G_k|
+  /// There is no series: |F(t)| <= t^M bounds[0] for 0 < t <= r, and nothing is known off the real line.
+  bool has_growth_only = false;
   std::string obstacle;
 };
 

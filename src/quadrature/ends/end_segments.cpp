@@ -144,7 +144,7 @@ segment exponential_segment(const integrand& f, const end_of_range& end, const e
     const precision bits = v.precision();
     return end.at.at(bits) + end.distance.at(bits) * pow(exp(v * minus_length) * first, q);
   };
-  result.known = bound_of_exponential(plan, r0, length);
+  if (!plan.has_growth_only) result.known = bound_of_exponential(plan, r0, length);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "polhode/quadrature/tail_series.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polhode {
 
@@ -137,7 +138,26 @@ tail_series pow(const tail_series& x, const rational& e) {
 }
 
 tail_series pow(const tail_series& x, long n) { return pow(x, rational(n)); }
-tail_series pow(const tail_series& x, const tail_series& y) { return exp(y * log(x)); }
+
+/// Where x >= 1 and y <= e: x^y = x^e U with U = x^(y - e) in (0, 1]; where 0 < x <= 1, so for y >= e. Else e^(y log x).
+tail_series pow(const tail_series& x, const tail_series& y) {
+  if (x.is_blocked() || y.is_blocked()) return exp(y * log(x));
+  const double_interval exponents = y.is_plain() ? y.h_.real_range() : double_interval::undefined();
+  if (exponents.is_undefined() || !x.is_plain() || x.h_.sign() <= 0) return exp(y * log(x));
+  constexpr double places = 1024;  // of e: it stays short
+  constexpr double most = 0x1p40;
+  if (!(exponents.upper() < most && exponents.lower() > -most)) return exp(y * log(x));
+  const auto to_power = [&](double e) {
+    return x.with(std::nullopt, pow(x.h_, rational(e)), double_interval(0.0, 1.0));
+  };
+  if ((x.one_ / x.h_).real_range().upper() <= 1) {
+    return to_power(std::ceil(exponents.upper() * places) / places);
+  }
+  if (x.h_.real_range().upper() <= 1) {
+    return to_power(std::floor(exponents.lower() * places) / places);
+  }
+  return exp(y * log(x));
+}
 
 tail_series exp(const tail_series& x) {
   if (x.is_blocked()) return x;

@@ -1,0 +1,101 @@
+#pragma once
+
+// How fast a function grows at an end of its range, where it has no series there: found by calling it with an growth_bound for its argument.
+//
+// An growth_bound is a real function v(t) for 0 < t <= r, r < 1, of which it knows that
+//
+//   c t^a <= |v(t)| <= C t^b,      c >= 0, a >= b,
+//
+// and its sign, where it has one; and where the function has an end_series, that too. So x^x, x^sqrt(2), log(log(1/x)) and 1/(1 + x^pi) are
+// known to be integrable beside 0, though none has the form t^m (G_0 + log(t) G_1 + ...). Nothing is said of functions off the real line: it is
+// bounds of regions that prove where the function is analytic.
+//
+// All bounds rest on 0 < t <= r < 1: t^e <= r^(e-f) t^f and t^f >= r^(f-e) t^e for e >= f; and on |log t| <= t^-d/(e d) for d > 0, since
+// t^d |log t| has its greatest value, 1/(e d), at t = e^(-1/d).
+
+#include <optional>
+#include <string_view>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/quadrature/end_series.hpp"
+
+namespace polhode {
+
+class growth_bound {
+ public:
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
+
+  /// Blocked.
+  growth_bound() = default;
+  /// p + s t^q for 0 < t <= r, a power of two below 1; for q < 0 and p = 0, an end at infinity.
+  [[nodiscard]] static growth_bound argument(const known_number& p, const known_number& s, long q,
+                                             double r);
+  [[nodiscard]] static growth_bound blocked(std::string_view where);
+  [[nodiscard]] bool is_blocked() const { return blocked_; }
+  /// The name of the function that could not be followed; empty where there is none.
+  [[nodiscard]] std::string_view where() const { return where_; }
+
+  /// b, and C.
+  [[nodiscard]] const rational& exponent() const { return upper_exponent_; }
+  [[nodiscard]] magnitude factor() const { return most_.magnitude_upper(); }
+  /// a, and c, which is 0 where no lower bound is known.
+  [[nodiscard]] const rational& least_exponent() const { return lower_exponent_; }
+  [[nodiscard]] magnitude least_factor() const { return least_.magnitude_lower(); }
+  /// 1 or -1 for all t; 0 where it is not known to be one.
+  [[nodiscard]] int sign() const { return sign_; }
+
+  /// A sine or cosine of what grows as a power is in it: regions will hardly follow its oscillations to t = 0.
+  [[nodiscard]] bool oscillates() const { return oscillates_; }
+
+  friend growth_bound operator+(const growth_bound& x) { return x; }
+  friend growth_bound operator-(const growth_bound& x);
+  friend growth_bound operator+(const growth_bound& x, const growth_bound& y);
+  friend growth_bound operator-(const growth_bound& x, const growth_bound& y) { return x + (-y); }
+  friend growth_bound operator*(const growth_bound& x, const growth_bound& y);
+  friend growth_bound operator/(const growth_bound& x, const growth_bound& y);
+  friend growth_bound pow(const growth_bound& x, long n);
+  /// x^y for a constant y; else exp(y log x).
+  friend growth_bound pow(const growth_bound& x, const growth_bound& y);
+  friend growth_bound sqrt(const growth_bound& x);
+  friend growth_bound root(const growth_bound& x, long n);
+  friend growth_bound exp(const growth_bound& x);
+  friend growth_bound log(const growth_bound& x);
+  friend growth_bound sin(const growth_bound& x);
+  friend growth_bound cos(const growth_bound& x);
+  friend growth_bound atan(const growth_bound& x);
+  friend growth_bound tanh(const growth_bound& x);
+  friend growth_bound erf(const growth_bound& x);
+  friend growth_bound abs(const growth_bound& x);
+
+  /// A constant beside this one.
+  [[nodiscard]] growth_bound constant_like(const rational& q) const;
+  [[nodiscard]] growth_bound constant_like(const ball& x) const;
+
+ private:
+  [[nodiscard]] growth_bound constant_of(const ball& x, end_series series) const;
+  /// With these bounds and this series, of which the better ones are kept. Blocked where the bounds are no numbers and the series is blocked.
+  [[nodiscard]] growth_bound made(std::string_view name, const ball& most, const rational& b,
+                                  const ball& least, const rational& a, int sign,
+                                  end_series series) const;
+  void improve_by_series();
+  /// r^e for e >= 0, upper and lower.
+  [[nodiscard]] ball power_of_r(const rational& e) const;
+  /// x^y for x > 0 and every y in the ball.
+  [[nodiscard]] growth_bound to_the(const ball& y, std::string_view name, end_series series) const;
+
+  double r_ = 0.5;
+  ball most_ = ball(0, 64);   // C
+  rational upper_exponent_;   // b
+  ball least_ = ball(0, 64);  // c
+  rational lower_exponent_;   // a
+  int sign_ = 0;
+  std::optional<ball> constant_;  // where it is one
+  end_series series_;             // blocked where there is none
+  end_series one_;                // the number 1, for constants
+  bool blocked_ = true;
+  bool oscillates_ = false;
+  std::string_view where_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,357 @@
+#include "polhode/quadrature/growth_bound.hpp"
+
+#include <algorithm>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/interval.hpp"
+
+namespace polhode {
+
+namespace {
+
+constexpr precision bits = 64;
+/// d in |log t| <= t^-d/(e d).
+const rational& log_share() {
+  static const rational d(1, 64);
+  return d;
+}
+
+/// The ends of a ball's set, as balls without width; undefined where there is none.
+ball upper_end(const ball& x) {
+  return x.is_bounded() ? ball(upper(x.with_precision(bits))) : ball::undefined(bits);
+}
+ball lower_end(const ball& x) {
+  return x.is_bounded() ? ball(lower(x.with_precision(bits))) : ball::undefined(bits);
+}
+ball not_negative(const ball& x) {
+  const ball low = lower_end(x);
+  return certainly_positive(low) ? low : ball(0, bits);
+}
+
+/// Exponents stay short: to a multiple of 2^-64 below (above) them.
+rational rounded(const rational& q, int direction) {
+  constexpr mp_bitcnt_t places = 64;
+  integer scaled = numerator(q) << places;
+  integer result;
+  if (direction < 0) {
+    mpz_fdiv_q(result.backend().data(), scaled.backend().data(), denominator(q).backend().data());
+  } else {
+    mpz_cdiv_q(result.backend().data(), scaled.backend().data(), denominator(q).backend().data());
+  }
+  return rational(result) / rational(integer(integer(1) << places));
+}
+
+rational lesser(const rational& x, const rational& y) { return x < y ? x : y; }
+rational greater(const rational& x, const rational& y) { return x > y ? x : y; }
+
+/// The ends of y, for exponents.
+struct exponent_range {
+  rational lower;
+  rational upper;
+};
+exponent_range range_of(const ball& y) { return {lower_rational(y), upper_rational(y)}; }
+
+/// 1/(e d): the greatest value of t^d |log t|.
+ball greatest_log() { return 1 / (exp(ball(1, bits)) * ball(log_share(), bits)); }
+
+}  // namespace
+
+growth_bound growth_bound::blocked(std::string_view where) {
+  growth_bound result;
+  result.where_ = where;
+  return result;
+}
+
+ball growth_bound::power_of_r(const rational& e) const {
+  return pow(ball::exactly(r_), ball(e, bits));
+}
+
+/// C t^b and c t^a from the series h = t^m (G_0 + ... + L^K G_K): |h| <= t^m sum of sup |G_k| |L|^k with |L|^k <= (1/(e d))^k t^(-k d); and for K = 0
+/// |h| >= t^m inf |G_0|. (On the square |Re t|, |Im t| <= r, which holds 0 < t <= r.)
+void growth_bound::improve_by_series() {
+  if (series_.is_blocked()) return;
+  const end_series h = series_.simplified();
+  if (h.is_blocked()) return;
+  const int degree = h.log_degree();
+  const rational b = h.exponent() - log_share() * degree;
+  ball sum(0, bits);
+  for (int k = 0; k <= degree; ++k) {
+    const ball bound = ball(0, bits).enlarged(h.supremum(k));
+    sum += upper_end(bound) * pow(greatest_log(), k) * power_of_r(log_share() * (degree - k));
+  }
+  const ball most = upper_end(sum);
+  if (most.is_bounded() && (blocked_ || b > upper_exponent_)) {
+    most_ = most;
+    upper_exponent_ = b;
+    blocked_ = false;
+  }
+  if (degree == 0 && !blocked_) {
+    const magnitude low = h.infimum();
+    const bool has_none = least_.magnitude_lower().is_zero();
+    if (!low.is_zero() && (has_none || h.exponent() < lower_exponent_)) {
+      least_ = not_negative(upper_end(ball(0, bits).enlarged(low)));
+      lower_exponent_ = h.exponent();
+    }
+  }
+  if (sign_ == 0) sign_ = h.sign();
+}
+
+growth_bound growth_bound::made(std::string_view name, const ball& most, const rational& b,
+                                const ball& least, const rational& a, int sign,
+                                end_series series) const {
+  growth_bound result;
+  result.r_ = r_;
+  result.one_ = one_;
+  result.oscillates_ = oscillates_;
+  result.series_ = std::move(series);
+  result.where_ = name;
+  result.most_ = upper_end(most);
+  result.upper_exponent_ = rounded(b, -1);
+  result.blocked_ = !result.most_.is_bounded();
+  result.least_ = least.is_bounded() ? not_negative(least) : ball(0, bits);
+  result.lower_exponent_ = greater(rounded(a, 1), result.upper_exponent_);
+  result.sign_ = sign;
+  result.improve_by_series();
+  if (result.lower_exponent_ < result.upper_exponent_)
+    result.lower_exponent_ = result.upper_exponent_;
+  return result;
+}
+
+growth_bound growth_bound::argument(const known_number& p, const known_number& s, long q,
+                                    double r) {
+  growth_bound like;
+  like.r_ = r;
+  like.one_ = end_series::argument(known_number(rational(1)), known_number(rational(0)), 1, r);
+  const end_series series = end_series::argument(p, s, q, r);
+  return like.made("x", ball::undefined(bits), 0, ball::undefined(bits), 0, 0, series);
+}
+
+growth_bound growth_bound::constant_of(const ball& x, end_series series) const {
+  const ball size = abs(x);
+  const int s = certainly_positive(x) ? 1 : (certainly_negative(x) ? -1 : 0);
+  growth_bound result = made("a constant", size, 0, size, 0, s, std::move(series));
+  result.constant_ = x;
+  return result;
+}
+growth_bound growth_bound::constant_like(const rational& q) const {
+  return constant_of(ball(q, 192), one_.constant_like(q));
+}
+growth_bound growth_bound::constant_like(const ball& x) const {
+  return constant_of(x, one_.constant_like(x));
+}
+
+growth_bound operator-(const growth_bound& x) {
+  if (x.blocked_) return x;
+  growth_bound result = x;
+  result.sign_ = -x.sign_;
+  result.series_ = -x.series_;
+  if (x.constant_) result.constant_ = -*x.constant_;
+  return result;
+}
+
+/// |x + y| <= (C_x r^(b_x - b) + C_y r^(b_y - b)) t^b with the lesser b. With one sign for both, the sum is at least as great as either; else as what is left of
+/// the one that is greater by its bounds: c t^a - C t^b >= (c - C r^(b-a)) t^a for b >= a.
+growth_bound operator+(const growth_bound& x, const growth_bound& y) {
+  if (x.blocked_) return x;
+  if (y.blocked_) return y;
+  const rational b = lesser(x.upper_exponent_, y.upper_exponent_);
+  const ball most =
+      x.most_ * x.power_of_r(x.upper_exponent_ - b) + y.most_ * x.power_of_r(y.upper_exponent_ - b);
+  ball least(0, bits);
+  rational a = b;
+  int sign = 0;
+  const auto has_least = [](const growth_bound& v) { return certainly_positive(v.least_); };
+  if (x.sign_ != 0 && x.sign_ == y.sign_) {
+    sign = x.sign_;
+    const bool first = has_least(x) && (!has_least(y) || x.lower_exponent_ <= y.lower_exponent_);
+    const growth_bound& greater_one = first ? x : y;
+    least = greater_one.least_;
+    a = greater_one.lower_exponent_;
+  } else {
+    for (const auto& [great, small] : {std::pair(&x, &y), std::pair(&y, &x)}) {
+      if (!has_least(*great) || small->upper_exponent_ < great->lower_exponent_) continue;
+      const ball left = great->least_ - small->most_ * x.power_of_r(small->upper_exponent_ -
+                                                                    great->lower_exponent_);
+      if (!certainly_positive(left)) continue;
+      least = left;
+      a = great->lower_exponent_;
+      sign = great->sign_;
+      break;
+    }
+  }
+  growth_bound result = x.made("a sum", most, b, least, a, sign, x.series_ + y.series_);
+  result.oscillates_ = x.oscillates_ || y.oscillates_;
+  if (x.constant_ && y.constant_) result.constant_ = *x.constant_ + *y.constant_;
+  return result;
+}
+
+growth_bound operator*(const growth_bound& x, const growth_bound& y) {
+  if (x.blocked_) return x;
+  if (y.blocked_) return y;
+  growth_bound result = x.made(
+      "a product", x.most_ * y.most_, x.upper_exponent_ + y.upper_exponent_, x.least_ * y.least_,
+      x.lower_exponent_ + y.lower_exponent_, x.sign_ * y.sign_, x.series_ * y.series_);
+  result.oscillates_ = x.oscillates_ || y.oscillates_;
+  if (x.constant_ && y.constant_) result.constant_ = *x.constant_ * *y.constant_;
+  return result;
+}
+
+growth_bound operator/(const growth_bound& x, const growth_bound& y) {
+  if (x.blocked_) return x;
+  if (y.blocked_) return y;
+  growth_bound result = x.made(
+      "a quotient", x.most_ / y.least_, x.upper_exponent_ - y.lower_exponent_, x.least_ / y.most_,
+      x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
+  result.oscillates_ = x.oscillates_ || y.oscillates_;
+  if (x.constant_ && y.constant_) result.constant_ = *x.constant_ / *y.constant_;
+  return result;
+}
+
+/// (C t^b)^y for y >= 0, and (c t^a)^y for y < 0; the lower bounds the other way round. Of all y in a ball that is not
+/// on both sides of 0.
+growth_bound growth_bound::to_the(const ball& y, std::string_view name, end_series series) const {
+  if (!y.is_bounded()) return blocked(name);
+  const exponent_range range = range_of(y);
+  const bool rises = range.lower >= 0;
+  if (!rises && range.upper > 0) return blocked(name);
+  const ball& above = rises ? most_ : least_;
+  const rational& above_exponent = rises ? upper_exponent_ : lower_exponent_;
+  const ball& below = rises ? least_ : most_;
+  const rational& below_exponent = rises ? lower_exponent_ : upper_exponent_;
+  const auto products = [&](const rational& e) {
+    const rational first = e * range.lower;
+    const rational second = e * range.upper;
+    return std::pair(lesser(first, second), greater(first, second));
+  };
+  const auto power = [&](const ball& base) {
+    // 0^y for y > 0 is 0, and for y < 0 no number.
+    if (certainly_positive(base)) return pow(base, y);
+    return range.lower > 0 ? ball(0, bits) : ball::undefined(bits);
+  };
+  return made(name, power(above), products(above_exponent).first, power(below),
+              products(below_exponent).second, 1, std::move(series));
+}
+
+growth_bound pow(const growth_bound& x, long n) {
+  if (x.blocked_) return x;
+  growth_bound result = x.to_the(ball(n, 64), "a power", pow(x.series_, n));
+  if (n % 2 != 0) result.sign_ = x.sign_;
+  if (n % 2 == 0 && x.sign_ == 0 && !certainly_positive(x.least_)) result.sign_ = 0;
+  if (n == 0) result.sign_ = 1;
+  if (x.constant_) result.constant_ = pow(*x.constant_, n);
+  return result;
+}
+
+growth_bound pow(const growth_bound& x, const growth_bound& y) {
+  if (x.blocked_) return x;
+  if (y.blocked_) return y;
+  if (!y.constant_) return exp(y * log(x));
+  if (x.sign_ <= 0) return growth_bound::blocked("a power of what may be negative");
+  end_series none = end_series::blocked("pow");
+  growth_bound result = x.to_the(*y.constant_, "a power", none);
+  if (x.constant_) result.constant_ = pow(*x.constant_, *y.constant_);
+  return result;
+}
+
+growth_bound sqrt(const growth_bound& x) {
+  if (x.blocked_) return x;
+  if (x.sign_ <= 0 && x.series_.is_blocked()) return growth_bound::blocked("sqrt");
+  const end_series series = sqrt(x.series_);
+  if (x.sign_ <= 0) {
+    if (series.is_blocked()) return growth_bound::blocked("sqrt");
+    return x.made("sqrt", ball::undefined(bits), 0, ball::undefined(bits), 0, 0, series);
+  }
+  return x.to_the(ball(rational(1, 2), 64), "sqrt", series);
+}
+
+growth_bound root(const growth_bound& x, long n) {
+  if (x.blocked_) return x;
+  if (x.sign_ < 0 && n % 2 != 0) return -root(-x, n);
+  if (x.sign_ <= 0) return growth_bound::blocked("root");
+  return x.to_the(ball(rational(1, n), 128), "root", pow(x.series_, rational(1, n)));
+}
+
+/// Where |x| <= C t^b with b >= 0: |x| <= C r^b, so that e^x lies between e^(-C r^b) and its inverse. Where x < 0: e^x <= 1.
+growth_bound exp(const growth_bound& x) {
+  if (x.blocked_) return x;
+  const end_series series = exp(x.series_);
+  if (x.upper_exponent_ >= 0) {
+    const ball size = upper_end(x.most_ * x.power_of_r(x.upper_exponent_));
+    return x.made("exp", exp(size), 0, exp(-size), 0, 1, series);
+  }
+  if (x.sign_ < 0) return x.made("exp", ball(1, bits), 0, ball(0, bits), 0, 1, series);
+  growth_bound result = growth_bound::blocked("exp");
+  if (!series.is_blocked()) {
+    result = x.made("exp", ball::undefined(bits), 0, ball::undefined(bits), 0, 1, series);
+  }
+  return result;
+}
+
+/// log x lies between log c + a log t and log C + b log t. Where b > 0 and C r^b < 1 it is negative, and |log x| >= |log(C r^b)|; where a < 0 and
+/// c r^a > 1 it is positive, and log x >= log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
+growth_bound log(const growth_bound& x) {
+  if (x.blocked_) return x;
+  if (x.sign_ <= 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
+  const ball log_most = log(x.most_);
+  const ball log_least = log(x.least_);
+  const ball a(x.lower_exponent_, bits);
+  const ball b(x.upper_exponent_, bits);
+  const ball log_r = log(ball::exactly(x.r_));
+  // On the whole of 0 < t <= r: the greatest of log C + b log t is at r for b >= 0, the least of log c + a log t for a <= 0.
+  const ball at_r_above = log_most + b * log_r;
+  const ball at_r_below = log_least + a * log_r;
+  int sign = 0;
+  ball least(0, bits);
+  if (x.upper_exponent_ >= 0 && certainly_negative(at_r_above)) {
+    sign = -1;
+    least = -at_r_above;
+  } else if (x.lower_exponent_ <= 0 && certainly_positive(at_r_below)) {
+    sign = 1;
+    least = at_r_below;
+  }
+  const rational zero(0);
+  const bool is_bounded = x.lower_exponent_ == 0 && x.upper_exponent_ == 0;
+  const rational d = is_bounded ? zero : log_share();
+  const ball share = is_bounded ? ball(0, bits) : greatest_log();
+  const auto size = [&](const ball& constant, const ball& slope) {
+    return abs(constant) * x.power_of_r(d) + abs(slope) * share;
+  };
+  const ball most = upper_end(size(log_most, b)) + upper_end(size(log_least, a));
+  const end_series series = log(x.series_);
+  return x.made("log", most, -d, least, 0, sign, series);
+}
+
+// |f| is at most the bound, and, where f is odd with |f'| <= 1, at most |v|.
+#define POLHODE_BOUNDED(f, bound, odd, periodic)                                               \
+  growth_bound f(const growth_bound& x) {                                                      \
+    if (x.blocked_) return x;                                                                  \
+    const bool by_itself = (odd) && x.upper_exponent_ > 0;                                     \
+    growth_bound result =                                                                      \
+        x.made(#f, by_itself ? x.most_ : (bound), by_itself ? x.upper_exponent_ : rational(0), \
+               ball(0, bits), 0, 0, f(x.series_));                                             \
+    if ((periodic) && 4 * x.upper_exponent_ < -1) result.oscillates_ = true;                   \
+    return result;                                                                             \
+  }
+POLHODE_BOUNDED(sin, ball(1, bits), true, true)
+POLHODE_BOUNDED(cos, ball(1, bits), false, true)
+POLHODE_BOUNDED(atan, pi(bits) / 2, true, false)
+POLHODE_BOUNDED(tanh, ball(1, bits), true, false)
+#undef POLHODE_BOUNDED
+
+growth_bound erf(const growth_bound& x) {
+  if (x.blocked_) return x;
+  return x.made("erf", ball(1, bits), 0, ball(0, bits), 0, x.sign_, end_series::blocked("erf"));
+}
+
+growth_bound abs(const growth_bound& x) {
+  if (x.blocked_) return x;
+  growth_bound result = x.sign_ < 0 ? -x : x;
+  if (x.sign_ == 0) {
+    result.series_ = end_series::blocked("abs");
+    result.sign_ = certainly_positive(x.least_) ? 1 : 0;
+    if (x.constant_) result.constant_ = abs(*x.constant_);
+  }
+  return result;
+}
+
+}  // namespace polhode

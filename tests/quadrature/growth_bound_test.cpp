@@ -1,0 +1,205 @@
+// What an end without a series is bounded by: c t^a <= |f(t)| <= C t^b against values of f, for t down to 2^-2000 and by bounds that are attained.
+
+#include "polhode/quadrature/growth_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include "polhode/formulas/integrand.hpp"
+#include "polhode/formulas/parse.hpp"
+#include "support/reference.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr precision p = 4000;
+
+struct looked_at {
+  growth_bound bound;
+  expression f;
+  double r;
+};
+
+looked_at look(const std::string& text, double r, long q = 1) {
+  const expression f = parse(text);
+  return {integrand_of(f).growth(
+              growth_bound::argument(known_number(rational(0)), known_number(rational(1)), q, r)),
+          f, r};
+}
+
+ball power_bound(const magnitude& factor, const rational& exponent, const ball& t) {
+  ball c = ball(0, 64).enlarged(factor);
+  mpfr_float end = zero_of_precision(64);
+  c.upper(end.backend().data());
+  return ball(end) * pow(t, ball(exponent, p));
+}
+
+/// At t = r 2^-k for k = 0, 1, ... and between.
+void expect_bounds(const std::string& text, double r, long q = 1) {
+  const auto [g, f, reach] = look(text, r, q);
+  ASSERT_FALSE(g.is_blocked()) << text << ": " << g.where();
+  ASSERT_FALSE(g.factor().is_infinite()) << text;
+  const auto at = f.evaluator<ball>(p);
+  for (const long k : {0L, 1L, 2L, 3L, 5L, 8L, 20L, 60L, 64L, 92L, 100L, 300L, 1000L}) {
+    for (const long n : {16L, 13L, 11L, 9L}) {
+      const ball t = scale(ball::exactly(r) * ball(rational(n, 16), p), -k);
+      const ball value = at(q > 0 ? t : 1 / t);
+      ASSERT_TRUE(value.is_bounded()) << text << " at " << t;
+      EXPECT_FALSE(certainly_less(power_bound(g.factor(), g.exponent(), t), abs(value)))
+          << text << " at " << t << ": " << value;
+      if (!g.least_factor().is_zero()) {
+        EXPECT_FALSE(
+            certainly_less(abs(value), power_bound(g.least_factor(), g.least_exponent(), t)))
+            << text << " at " << t << ": " << value;
+      }
+      const bool contradicts = (g.sign() > 0 && certainly_negative(value)) ||
+                               (g.sign() < 0 && certainly_positive(value));
+      EXPECT_FALSE(contradicts) << text << " at " << t;
+    }
+  }
+}
+
+TEST(GrowthBound, HoldsTheFunction) {
+  for (const double r : {0.25, 0x1p-8}) {
+    for (const char* text : {"x^sqrt(2)",
+                             "x^(-1/sqrt(2))",
+                             "x^pi + 3*x^sqrt(2)",
+                             "x^pi - 3*x^sqrt(2)",
+                             "2 + x^sqrt(2)",
+                             "1 - x^sqrt(2)",
+                             "x^sqrt(2)*x^(-pi)",
+                             "x^sqrt(2)/(1+x^pi)",
+                             "1/(1+x^pi)",
+                             "x^x",
+                             "x^(-x)",
+                             "x^sin(x)",
+                             "x^(x^x)",
+                             "log(log(1/x))",
+                             "1/sqrt(-log(x))",
+                             "cos(log(x))",
+                             "sin(x^sqrt(2))",
+                             "atan(x^(-pi))",
+                             "tanh(log(x))",
+                             "exp(x^sqrt(2))",
+                             "exp(-x^(-sqrt(2)))",
+                             "log(x^sqrt(2))",
+                             "log(2+x^pi)",
+                             "log(x)^3*x^(1/pi)",
+                             "abs(log(x))^pi",
+                             "sqrt(x^sqrt(2)+x^pi)",
+                             "root(x^sqrt(2), 3)",
+                             "(x^sqrt(2))^3",
+                             "(x^sqrt(2))^(-2)",
+                             "erf(x^(-pi))",
+                             "hypot(x^sqrt(2), x)",
+                             "expm1(x^sqrt(2))",
+                             "log1p(x^sqrt(2))",
+                             "(-x^sqrt(2))^3",
+                             "abs(-x^sqrt(2))",
+                             "log(x^pi)/log(x^sqrt(2))",
+                             "x^pi/(x^sqrt(2)-x^pi)",
+                             "(x-1)/log(x)",
+                             "sinpi(x^sqrt(2))",
+                             "(2+cos(log(x)))*x^(-1/pi)",
+                             "log(1/2-x^pi)"}) {
+      expect_bounds(text, r);
+    }
+    for (const char* text : {"1/(1+x^pi)", "x^(-sqrt(2))", "x^sqrt(2)/(1+x^pi)", "1/(1+x^100)",
+                             "log(x)/x^pi", "atan(x^pi)/x^sqrt(3)"}) {
+      expect_bounds(text, r, -1);
+    }
+  }
+}
+
+/// The greatest quotient of the value and the upper bound at t = r 2^-k; and of the lower bound and the value.
+void expect_attained(const std::string& text, double r, const rational& upper,
+                     const rational& lower) {
+  const auto [g, f, reach] = look(text, r);
+  ASSERT_FALSE(g.is_blocked()) << text;
+  const auto at = f.evaluator<ball>(p);
+  bool is_near_upper = false;
+  bool is_near_lower = lower == 0;
+  for (long k = 0; k < 200; ++k) {
+    const ball t = scale(ball::exactly(r) * ball(1, p), -k);
+    const ball value = abs(at(t));
+    if (certainly_less(power_bound(g.factor(), g.exponent(), t) * upper, value))
+      is_near_upper = true;
+    if (lower != 0 &&
+        certainly_less(value * lower, power_bound(g.least_factor(), g.least_exponent(), t)))
+      is_near_lower = true;
+  }
+  EXPECT_TRUE(is_near_upper) << text;
+  EXPECT_TRUE(is_near_lower) << text;
+}
+
+TEST(GrowthBound, IsNearlyAttained) {
+  const rational nearly(99, 100);
+  expect_attained("x^sqrt(2)", 0.25, nearly, nearly);
+  expect_attained("5*x^sqrt(2)*x^pi", 0.25, nearly, nearly);
+  expect_attained("3/x^sqrt(2)", 0.25, nearly, nearly);
+  expect_attained("x^sqrt(2) + x^pi", 0.25, nearly, nearly);
+  expect_attained("x^sqrt(2) - x^pi", 0.25, rational(3, 4), nearly);
+  expect_attained("x^pi - x^sqrt(2)", 0.25, rational(3, 4), nearly);
+  expect_attained("(2*x^sqrt(2))^3", 0.25, nearly, nearly);
+  expect_attained("sqrt(3*x^sqrt(2))", 0.25, nearly, nearly);
+  expect_attained("root(3*x^sqrt(2), 3)", 0.25, nearly, nearly);
+  expect_attained("(3*x^sqrt(2))^(-1/sqrt(3))", 0.25, nearly, nearly);
+  expect_attained("exp(x^sqrt(2))", 0.25, nearly, rational(3, 4));
+  expect_attained("exp(-x^sqrt(2))", 0.25, rational(3, 4), nearly);
+  expect_attained("exp(-x^(-sqrt(2)))+1", 0x1p-8, rational(2, 5), nearly);
+  expect_attained("log(x^pi)", 0.25, rational(2, 5), nearly);
+  expect_attained("log(3*x^(-pi))", 0.25, rational(2, 5), nearly);
+  expect_attained("log(2+x^pi)", 0.25, rational(2, 5), rational(9, 10));
+  expect_attained("cos(x^pi)", 0.25, nearly, 0);
+  expect_attained("sin(x^pi)", 0.25, nearly, 0);
+  expect_attained("atan(x^(-pi))", 0x1p-4, nearly, 0);
+  expect_attained("tanh(x^(-pi))", 0x1p-4, nearly, 0);
+  expect_attained("erf(x^(-pi))", 0x1p-4, nearly, 0);
+}
+
+TEST(GrowthBound, WhatIsNotFollowedIsBlocked) {
+  for (const char* text : {"gamma(x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))",
+                           "1/cos(log(x))", "ellipticK(x)^sqrt(2)"}) {
+    EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
+  }
+  EXPECT_TRUE(look("cos(x^(-pi))*x^sqrt(2)", 0.25).bound.oscillates());
+  EXPECT_FALSE(look("cos(log(x))", 0.25).bound.oscillates());
+}
+
+TEST(GrowthBound, IntegralsOfItAreKnown) {
+  const auto check = [](const char* text, const end_point& b, const std::string& value) {
+    const integral i = integrate(parse(text), 0, b, {.digits = 25});
+    EXPECT_EQ(i.verdict, status::certified) << text << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(value, {}).value(200))) << text;
+  };
+  check("x^(sqrt(2)-1)", 1, "1/sqrt(2)");
+  check("x^(pi-4)", 1, "1/(pi-3)");
+  check("x^(pi-4)*log(x)^2", 1, "2/(pi-3)^3");
+  check("1/(1+x^pi)", end_point::infinity(), "1/sin(1)");
+  check("x^(sqrt(2)-1)*exp(-x)", end_point::infinity(), "gamma(sqrt(2))");
+  check("abs(log(x))^pi", 1, "gamma(pi+1)");
+  check("cos(log(x))", 1, "1/2");
+  check("(x-1)/log(x)", 1, "log(2)");
+  check("log(log(1/x))", rational(1, 3), "0.21776067270380014874046904785");
+  check("x^x", 1, "0.783430510712134407059264386526975469407681990146930958255417822");
+  check("x^(-x)", 1, "1.29128599706266354040728259059560054149861936827452231731000244");
+}
+
+TEST(GrowthBound, DivergentIntegralsAreRefused) {
+  for (const char* text : {"x^(-sqrt(2))", "x^(-pi/3)", "x^(-sqrt(1+1e-8))", "1/(x*log(x))",
+                           "1/(x^sqrt(2)*(2+cos(log(x))))", "x^(-1-x)", "log(log(1/x))/x"}) {
+    EXPECT_NE(integrate(parse(text), 0, rational(1, 4), {.digits = 10, .most_evaluations = 20000})
+                  .verdict,
+              status::certified)
+        << text;
+  }
+  for (const char* text : {"1/(1+x^(pi/4))", "x^(-1/sqrt(2))", "1/log(2+x^pi)"}) {
+    EXPECT_NE(
+        integrate(parse(text), 1, end_point::infinity(), {.digits = 10, .most_evaluations = 20000})
+            .verdict,
+        status::certified)
+        << text;
+  }
+}
+
+}  // namespace
+}  // namespace polhode
