@@ -219,12 +219,17 @@ TEST(Power, OverASetOfBasesAndExponentsHoldsItsMembers) {
 // -1/8 that of the logarithm.
 TEST(Power, OverWideBallsHoldsItsEnds) {
   for (const rational& y : {rational(17, 2), rational(-1, 8), rational(-17, 2), rational(1, 8)}) {
-    for (const long width : {14L, 18L, 22L, 30L}) {
+    for (const long width : {14L, 20L, 22L, 23L, 24L, 25L, 30L}) {
       const magnitude radius = magnitude::power_of_two(-width);
       const ball power = pow(ball(3, 120).enlarged(radius), ball(y, 120));
       for (const long side : {-1L, 1L}) {
         const rational end = 3 + side * support::power_of_two(-width);
         EXPECT_TRUE(contains(power, pow(ball(end, 300), ball(y, 300)))) << y << " " << width;
+        // The exponent's ends.
+        const ball of_exponent = pow(ball(3, 120), ball(y, 120).enlarged(radius));
+        const rational exponent = y + side * support::power_of_two(-width);
+        EXPECT_TRUE(contains(of_exponent, pow(ball(3, 300), ball(exponent, 300))))
+            << y << " " << width;
       }
     }
   }

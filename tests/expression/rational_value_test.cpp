@@ -321,6 +321,18 @@ TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
   }
 }
 
+// The primitive roots of unity of twice an odd order: their cosines are not those of the order, but for the sign.
+TEST(RationalValue, DecidesCosinesOfOddMultiplesByRootsOfUnity) {
+  for (const auto& [n, mu] :
+       {std::pair{7L, -1L}, {9L, 0L}, {11L, -1L}, {21L, 1L}, {27L, 0L}, {35L, 1L}}) {
+    std::string sum = "0";
+    for (long k = 1; k < 2 * n; k += 2) {
+      if (std::gcd(k, n) == 1) sum += "+cospi(" + std::to_string(k) + "/" + std::to_string(n) + ")";
+    }
+    EXPECT_EQ(expression(sum).rational_value(), rational(-mu)) << n;
+  }
+}
+
 TEST(RationalValue, UndoesWhatWasDoneInSquareRoots) {
   support::random_source random(17);
   for (support::repeat trial(300); trial.again();) {
