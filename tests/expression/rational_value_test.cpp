@@ -321,15 +321,15 @@ TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
   }
 }
 
-// The primitive roots of unity of twice an odd order: their cosines are not those of the order, but for the sign.
-TEST(RationalValue, DecidesCosinesOfOddMultiplesByRootsOfUnity) {
-  for (const auto& [n, mu] :
-       {std::pair{7L, -1L}, {9L, 0L}, {11L, -1L}, {21L, 1L}, {27L, 0L}, {35L, 1L}}) {
-    std::string sum = "0";
-    for (long k = 1; k < 2 * n; k += 2) {
-      if (std::gcd(k, n) == 1) sum += "+cospi(" + std::to_string(k) + "/" + std::to_string(n) + ")";
+// The product of cos(pi k/n) over 0 < k < n/2, n odd, is 2^-((n-1)/2); at 25 and 45 no other rule shows it, and a prime divides n twice.
+TEST(RationalValue, DecidesProductsOfCosinesByRootsOfUnity) {
+  for (const long n : {7L, 9L, 15L, 25L, 45L}) {
+    std::string product = "1";
+    for (long k = 1; 2 * k < n; ++k) {
+      product += "*cospi(" + std::to_string(k) + "/" + std::to_string(n) + ")";
     }
-    EXPECT_EQ(expression(sum).rational_value(), rational(-mu)) << n;
+    EXPECT_EQ(expression(product).rational_value(), rational(1, integer(1) << ((n - 1) / 2))) << n;
+    EXPECT_FALSE(expression(product + "*cospi(1/" + std::to_string(n) + ")").rational_value()) << n;
   }
 }
 
