@@ -5,16 +5,9 @@
 #include <vector>
 
 namespace polhode::checker {
-namespace {
 
-/// The sums of Bartky's transformation (DLMF 19.8.6 to 19.8.8, 19.22.9): with p_0 = Q_0 = 1,
-///   p' = (p^2 + A g)/(2p),  e = (p^2 - A g)/(p^2 + A g),  Q' = Q e/2,  (A, g) <- the mean and the root of the product.
-/// As p, A, g > 0 always |e| < 1: the Q at least halve, and what is left after Q_n is at most 2 |Q_(n+1)| <= |Q_n|.
-struct bartky_sums {
-  interval mean;  // of A and g
-  interval sum;   // of the Q
-};
-bartky_sums bartky(interval A, interval g) {
+// As p, A, g > 0 always |e| < 1: the Q at least halve, and what is left after Q_n is at most 2 |Q_(n+1)| <= |Q_n|.
+mean_and_sum bartky_sums(interval A, interval g) {
   const precision bits = A.bits();
   const long most_steps = 2 * bits;
   const integer close = 64;  // units, beyond which steps gain nothing
@@ -38,6 +31,8 @@ bartky_sums bartky(interval A, interval g) {
   // The mean lies between A and g at every step.
   return {hull(A, g), sum.widened(Q.magnitude())};
 }
+
+namespace {
 
 interval number(const rational& q, precision bits) { return {q, bits}; }
 
@@ -93,8 +88,8 @@ interval half_phase_slope(const rational& a, const rational& b, const rational& 
 interval half_phase(const rational& a, const rational& b, const rational& u, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(u));
   const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(u));
-  const bartky_sums s =
-      bartky(sqrt(number(rational((a + b * u) / (a + b)), w)), sqrt(number(u, w)));
+  const mean_and_sum s =
+      bartky_sums(sqrt(number(rational((a + b * u) / (a + b)), w)), sqrt(number(u, w)));
   const interval bracket =
       number(rational(1 - b), w) + number(rational(b * (1 - u) / 2), w) * s.sum;
   return (pi(w) * bracket / (sqrt(number(rational(b * (a + b)), w)) * s.mean)).with_bits(bits);
@@ -104,8 +99,8 @@ interval half_phase(const rational& a, const rational& b, const rational& u, pre
 interval rotating_phase(const rational& a, const rational& b, const rational& c, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(c));
   const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(c));
-  const bartky_sums s =
-      bartky(sqrt(number(rational(a / (a + b)), w)), sqrt(number(rational(c / (b + c)), w)));
+  const mean_and_sum s =
+      bartky_sums(sqrt(number(rational(a / (a + b)), w)), sqrt(number(rational(c / (b + c)), w)));
   const interval bracket = number(rational(1 - b), w) + number(rational(b / 2), w) * s.sum;
   return (pi(w) * bracket / (sqrt(number(rational((a + b) * (b + c)), w)) * s.mean))
       .with_bits(bits);

@@ -17,6 +17,10 @@ struct mean_and_sum {
 };
 [[nodiscard]] mean_and_sum agm_with_sum(const interval& A, const interval& g);
 
+/// The mean of A, g > 0 and the sum of the Q of Bartky's transformation (DLMF 19.8.6 to 19.8.8, 19.22.9): with p_0 = Q_0 = 1,
+///   p' = (p^2 + A g)/(2p),  e = (p^2 - A g)/(p^2 + A g),  Q' = Q e/2,  (A, g) <- the mean and the root of the product.
+[[nodiscard]] mean_and_sum bartky_sums(interval A, interval g);
+
 /// dG/du at 0 < u <= 1.
 [[nodiscard]] interval half_phase_slope(const rational& a, const rational& b, const rational& u,
                                         precision bits);

@@ -297,12 +297,15 @@ class system_searcher {
     return halved(x);
   }
 
-  /// Bits that tell the ends apart, twice over: f may cancel.
+  /// Bits that tell the ends apart, twice over: f may cancel. Of a side that is narrower than those that are left unresolved, as many as
+  /// these have: steps of Newton's method that make one side ever narrower, while the others stay, would double them without end.
   [[nodiscard]] precision bits_for(const vector& x) const {
+    constexpr long spare = 4;
     precision bits = 64;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const magnitude radius = x[i].radius();
-      if (radius.is_zero()) continue;
+      const magnitude narrowest = scale(whole_[i].radius(), -options_.most_halvings - spare);
+      const magnitude radius = max(x[i].radius(), narrowest);
+      if (x[i].radius().is_zero()) continue;
       const magnitude size = max(x[i].magnitude_upper(), whole_[i].radius());
       bits = std::max<precision>(bits, 64 + 2 * (size.log2_floor() - radius.log2_floor()));
     }

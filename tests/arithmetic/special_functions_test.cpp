@@ -147,6 +147,29 @@ TEST(Gamma, OverWideSetsHoldsItsMinimum) {
   EXPECT_FALSE(contains(gamma(set("1", "2")), parse_rational("1.0000000001")));
 }
 
+// The minimum is looked for by halving the set: the longer it is the less near, and with few bits on a coarse grid.
+TEST(Gamma, OverSetsOfAllLengthsHoldsItsMinimum) {
+  const ball at_least =
+      gamma(parse_ball("1.46163214496836234126265954232572132846819620400644", 300));
+  const ball logarithm = log(at_least);
+  for (const precision p : {53L, 64L, 128L}) {
+    const ball x = hull(ball(1, p), ball(1L << 20, p));
+    EXPECT_TRUE(contains(gamma(x), at_least)) << p;
+    EXPECT_TRUE(contains(log_gamma(x), logarithm)) << p;
+  }
+  for (precision p = 2; p <= 30; ++p) {
+    for (long i = 0; i < 10; ++i) {
+      const ball low(rational(100 + 4 * i + (i * i) % 7, 100), 60);
+      for (long k = 5; k <= 29; k += 3) {
+        const ball high(parse_rational("1.46163214496836234127") + support::power_of_two(-k), 100);
+        const ball x = hull(low, high).with_precision(p);
+        EXPECT_TRUE(contains(gamma(x), at_least)) << p << " " << i << " " << k;
+        EXPECT_TRUE(contains(log_gamma(x), logarithm)) << p << " " << i << " " << k;
+      }
+    }
+  }
+}
+
 TEST(Gamma, IsUndefinedAcrossAPole) {
   for (const ball& x : {ball(0, bits), ball(-1, bits), ball(-20, bits), set("-1/2", "1/2"),
                         set("-1.5", "-0.5"), set("0", "1"), set("-1", "-1/2")}) {
@@ -187,6 +210,26 @@ TEST(Power, OverASetOfBasesAndExponentsHoldsItsMembers) {
       for (int j = 0; j <= 3; ++j) {
         EXPECT_TRUE(overlaps(range, pow(ball(rational(base + width * i / 3), 250),
                                         ball(rational(exponent + width * j / 3), 250))));
+      }
+    }
+  }
+}
+
+// Balls that are so wide that the square of the change is seen, and exponents for which that counts: for 17/2 that of the power, for
+// -1/8 that of the logarithm.
+TEST(Power, OverWideBallsHoldsItsEnds) {
+  for (const rational& y : {rational(17, 2), rational(-1, 8), rational(-17, 2), rational(1, 8)}) {
+    for (const long width : {14L, 20L, 22L, 23L, 24L, 25L, 30L}) {
+      const magnitude radius = magnitude::power_of_two(-width);
+      const ball power = pow(ball(3, 120).enlarged(radius), ball(y, 120));
+      for (const long side : {-1L, 1L}) {
+        const rational end = 3 + side * support::power_of_two(-width);
+        EXPECT_TRUE(contains(power, pow(ball(end, 300), ball(y, 300)))) << y << " " << width;
+        // The exponent's ends.
+        const ball of_exponent = pow(ball(3, 120), ball(y, 120).enlarged(radius));
+        const rational exponent = y + side * support::power_of_two(-width);
+        EXPECT_TRUE(contains(of_exponent, pow(ball(3, 300), ball(exponent, 300))))
+            << y << " " << width;
       }
     }
   }

@@ -163,6 +163,72 @@ TEST_P(TabulatedFunctions, Atan) {
   expect_near_the_bound();
 }
 
+// The parts of an error are added up where each is the greatest: the numbers that were off by most are changed in their last bits, and
+// so the entries of the tables are kept. More than half of the bound of the logarithm comes about.
+TEST_P(TabulatedFunctions, Log1pIsOffByMoreThanHalfItsBound) {
+  const long w = GetParam();
+  const auto top = static_cast<std::size_t>(w);
+  random_source random(95);
+  number worst{};
+  double greatest = 0;
+  for (int trial = 0; trial < 6000; ++trial) {
+    number f = any_fraction(random, w);
+    // Entries of both tables are told by the first 14 bits.
+    if (trial > 3000) {
+      const mp_limb_t mask = ~mp_limb_t{0} << 48;
+      f[top - 1] = (worst[top - 1] & mask) | (f[top - 1] & ~mask);
+    }
+    number l{};
+    const std::optional<std::uint64_t> units = tabulated_log1p(l.data(), f.data(), w);
+    ASSERT_TRUE(units);
+    const bool negative = (l[top] >> 63) != 0;
+    if (negative) mpn_neg(l.data(), l.data(), w + 1);
+    real got = value_of(l, w);
+    if (negative) mpfr_neg(got, got, MPFR_RNDN);
+    real wanted(700);
+    mpfr_log1p(wanted, value_of(f, w), MPFR_RNDN);
+    const double error = std::abs(error_in_units(got, wanted, w));
+    ASSERT_LT(error, static_cast<double>(*units));
+    if (error > greatest) {
+      greatest = error;
+      worst = f;
+    }
+  }
+  // With fewer limbs no two entries of the tables are cut off so far.
+  if (w >= 5) {
+    EXPECT_GT(greatest, 3);
+  }
+}
+
+// Why no test fails where half of the arc tangent's bound is taken, 3 units: tan(first + second) is q/p exactly, and then only the entries
+// are wrong, which no two of are by as much as 1.999 units together. The quotient and its series are not wrong in one direction
+// by more than 1.0002 besides.
+TEST_P(TabulatedFunctions, EntriesOfArcTangentsAreOffByLessThanTwo) {
+  const long w = GetParam();
+  const auto top = static_cast<std::size_t>(w);
+  for (long j = 0; j <= 128; ++j) {
+    for (long i = -64; i <= 64; i += support::effort() < 1 ? 8 : 1) {
+      const long p = (1L << 21) - i * j;
+      const long q = (j << 14) + i * 128;
+      // Others are approached with the next j.
+      const bool is_chosen = std::abs(i) * (16'384 + j * j) <= 63 * 16'384;
+      if (q < 0 || q > p || !is_chosen) continue;
+      const auto number_of = [&](long n) {  // n / 2^22
+        number x{};
+        x[top - 1] = static_cast<mp_limb_t>(n) << 42;
+        return x;
+      };
+      const number a = number_of(q);
+      const number b = number_of(p);
+      number t{};
+      ASSERT_TRUE(tabulated_atan(t.data(), a.data(), b.data(), w));
+      real wanted(640);
+      mpfr_atan2(wanted, value_of(a, w), value_of(b, w), MPFR_RNDN);
+      ASSERT_LT(std::abs(error_in_units(value_of(t, w), wanted, w)), 1.999) << i << " " << j;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Limbs, TabulatedFunctions, ::testing::Range(2L, most_tabulated_limbs + 1));
 
 }  // namespace

@@ -191,6 +191,30 @@ TEST(FormulaCertificates, TheRulesErrorIsCounted) {
   expect_refused(c, "/numbers/integral/dyadic", "the rule's value is not the integral");
 }
 
+// Two nodes take 2 x^2/L^2 - 1 over [-L, L] for 0, and its integral is -2 L/3. On a wide ellipse the bound is 4 (2 M/rho^2) L, and that
+// it has the power rho^(1-n) and the factor L is all that keeps 0 from being shown.
+TEST(FormulaCertificates, TheRulesErrorHasItsPowerAndItsLength) {
+  const ball near_zero =
+      hull(ball(polhode::rational(-1, 2), 64), ball(polhode::rational(1, 2), 64));
+  json c = integral_certificate({test::read("2*x^2-1", "x"), test::read("-1"), test::read("1")},
+                                near_zero, 1);
+  c["witness"]["pieces"] =
+      json::array({{{"end", "1"}, {"rho", "10"}, {"supremum", "80"}, {"nodes", 2}}});
+  expect_refused(c, "/numbers/integral/dyadic", "two powers are missing");
+  c = integral_certificate({test::read("x^2/5000-1", "x"), test::read("-100"), test::read("100")},
+                           near_zero * 20, 1);
+  c["witness"]["pieces"] =
+      json::array({{{"end", "1"}, {"rho", "1000"}, {"supremum", "800000"}, {"nodes", 2}}});
+  expect_refused(c, "/numbers/integral/dyadic", "the length is missing");
+}
+
+// |f| is up to 5.25 on this ellipse, but neither part of f is above 4.72.
+TEST(FormulaCertificates, BothPartsOfAValueCount) {
+  const json pieces = json::array({{{"end", "1"}, {"rho", "4"}, {"supremum", "5"}, {"nodes", 96}}});
+  expect_refused(with_pieces("(x+1)*exp(-x^2/4)", "-1", "1", pieces), "/witness/pieces/0",
+                 "a false supremum");
+}
+
 TEST(FormulaCertificates, PiecesMustCoverTheRange) {
   const json good = some_integral();
   const auto with = [&](const char* key, const json& value) {

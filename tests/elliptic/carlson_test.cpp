@@ -275,6 +275,33 @@ TEST(Carlson, HoldsEveryMemberOfABox) {
   EXPECT_TRUE(carlson_rf(hull(ball(0, 60), ball(1, 60)), ball(1, 60), ball(2, 60)).is_bounded());
 }
 
+// All arguments times 1 +- r: the widest sets for which one value serves, with 12 bits, where r^2 is seen beside the rounding.
+TEST(Carlson, HoldsBothEndsOfAWidelyScaledBox) {
+  for (const precision p : {12L, 13L, 60L}) {
+    // 2^(10 - p) is allowed at most, and 1/4.
+    const magnitude r = magnitude::power_of_two(10 - p);
+    const auto around = [&](long m) {
+      return ball(m, p).enlarged(
+          multiply_up(r, magnitude::from_integer_up(static_cast<std::uint64_t>(m))));
+    };
+    const rational width = power_of_two(10 - p);
+    for (const rational& factor : {rational(1 - width), rational(1 + width)}) {
+      const ball x(factor, 200);
+      const ball y(rational(2 * factor), 200);
+      const ball z(rational(4 * factor), 200);
+      const auto [rf, rj] = carlson_rf_rj(around(1), around(2), around(4), around(2));
+      EXPECT_TRUE(contains(carlson_rf(around(1), around(2), around(4)), carlson_rf(x, y, z))) << p;
+      EXPECT_TRUE(
+          contains(carlson_rj(around(1), around(2), around(4), around(2)), carlson_rj(x, y, z, y)))
+          << p;
+      EXPECT_TRUE(contains(carlson_rd(around(1), around(2), around(4)), carlson_rd(x, y, z))) << p;
+      EXPECT_TRUE(contains(carlson_rg(around(1), around(2), around(4)), carlson_rg(x, y, z))) << p;
+      EXPECT_TRUE(contains(rf, carlson_rf(x, y, z))) << p;
+      EXPECT_TRUE(contains(rj, carlson_rj(x, y, z, y))) << p;
+    }
+  }
+}
+
 TEST(Carlson, HasItsDerivatives) {
   // A difference quotient is a value of the derivative between.
   const precision p = 300;

@@ -6,6 +6,7 @@
 
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
+#include "elliptic/jacobi_points.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/scalar.hpp"
 #include "polhode/elliptic/legendre.hpp"
@@ -50,6 +51,18 @@ constexpr reference references[] = {
      "-0.517141184360270066029374942157980880423540687",
      "0.671249769773634354321930113559385485521169554"},
 };
+
+// With few bits the means are still far apart where the steps end.
+TEST(Jacobi, HasAMeanBetweenTheLastOnes) {
+  for (const precision p : {20L, 30L, 41L, 60L}) {
+    for (long k = 1; k < 200; ++k) {
+      const rational m1(k, 200);
+      const auto ladder = detail::ladder_of(ball(m1, p), p);
+      ASSERT_TRUE(ladder) << m1;
+      EXPECT_TRUE(contains(ladder->mean, agm(ball(1, 200), sqrt(ball(m1, 200))))) << m1 << " " << p;
+    }
+  }
+}
 
 TEST(Jacobi, HasTheValuesOfMpmath) {
   for (const reference& r : references) {

@@ -321,6 +321,18 @@ TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
   }
 }
 
+// The product of cos(pi k/n) over 0 < k < n/2, n odd, is 2^-((n-1)/2); at 25 and 45 no other rule shows it, and a prime divides n twice.
+TEST(RationalValue, DecidesProductsOfCosinesByRootsOfUnity) {
+  for (const long n : {7L, 9L, 15L, 25L, 45L}) {
+    std::string product = "1";
+    for (long k = 1; 2 * k < n; ++k) {
+      product += "*cospi(" + std::to_string(k) + "/" + std::to_string(n) + ")";
+    }
+    EXPECT_EQ(expression(product).rational_value(), rational(1, integer(1) << ((n - 1) / 2))) << n;
+    EXPECT_FALSE(expression(product + "*cospi(1/" + std::to_string(n) + ")").rational_value()) << n;
+  }
+}
+
 TEST(RationalValue, UndoesWhatWasDoneInSquareRoots) {
   support::random_source random(17);
   for (support::repeat trial(300); trial.again();) {

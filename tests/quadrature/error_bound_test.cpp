@@ -4,6 +4,8 @@
 
 #include "polhode/quadrature/error_bounds.hpp"
 #include "quadrature/integrands.hpp"
+#include "quadrature/rules/periodic.hpp"
+#include "quadrature/rules/rules.hpp"
 #include "support/exact_set.hpp"
 #include "support/random.hpp"
 
@@ -52,6 +54,50 @@ TEST(MeanTrapezoidError, IsNearlyAttainedByACosineOfTheRulesOwnFrequency) {
   }
   EXPECT_TRUE(mean_trapezoid_error({ball(0, 64), ball(1, 64)}, 5).is_infinite());
   EXPECT_TRUE(mean_trapezoid_error({ball(1, 64), ball(1, 64)}, 0).is_infinite());
+}
+
+// The rule with n nodes, n odd, takes T_(n+1) for T_(n-3).
+TEST(ClenshawCurtisOnPanels, IsNearlyOffByItsBound) {
+  for (const long n : {3L, 5L, 9L, 33L}) {
+    const auto rule = detail::clenshaw_curtis_panels().nodes(n, 200);
+    const auto chebyshev = [](const ball& x, long k) {
+      ball before(1, 200);
+      ball value = x;
+      for (long j = 1; j < k; ++j) {
+        ball next = 2 * x * value - before;
+        before = value;
+        value = next;
+      }
+      return value;
+    };
+    ball sum(0, 200);
+    for (std::size_t k = 0; k < rule->nodes.size(); ++k) {
+      const ball term = rule->weights[k] * chebyshev(rule->nodes[k], n + 1);
+      sum += k == 0 ? term : scale(term, 1);  // 0 is the first of the nodes
+    }
+    const ball error = abs(sum - rational(2, 1 - (n + 1) * (n + 1)));
+    const ball rho(1000, 200);
+    const ball supremum = scale(pow(rho, n + 1) + pow(rho, -n - 1), -1);
+    const magnitude bound =
+        detail::clenshaw_curtis_panels().truncation_error(n, rho, supremum.magnitude_upper());
+    EXPECT_TRUE(error.magnitude_lower() <= bound) << n;
+    // But for what the errors of T_k fall with k, from 2 on.
+    EXPECT_TRUE(bound <= (error * (n * n * n)).magnitude_upper()) << n;
+  }
+}
+
+TEST(SupremumAlongAStrip, CountsEveryPiece) {
+  for (const bool rising : {false, true}) {
+    detail::segment s;
+    s.over = [rising](const region& t) { return exp(rising ? 9 * t : -9 * t); };
+    for (const long pieces : {1L, 8L, 100L}) {
+      long evaluations = 0;
+      const magnitude supremum = detail::supremum_along(s, 0.125, pieces, evaluations);
+      EXPECT_EQ(evaluations, pieces);
+      const ball greatest = exp(ball(rising ? 9 : 0, 100));
+      EXPECT_TRUE(greatest.magnitude_lower() <= supremum) << pieces;
+    }
+  }
 }
 
 TEST(PeriodicTrapezoidError, IsAboveTheTrueErrorAndWithinAFactorOfIt) {

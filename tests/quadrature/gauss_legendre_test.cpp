@@ -28,6 +28,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
+#include "quadrature/rules/legendre_zeros.hpp"
 #include "support/exact_set.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
@@ -351,6 +352,48 @@ TEST(GaussLegendre, BoundsWhatATaylorPolynomialLeavesOut) {
       }
     }
   }
+}
+
+// For n odd and large the terms are the largest at y = 0, where q = P_n(x)/x is about n times as large as at 1.
+TEST(GaussLegendre, BoundsWhatATaylorPolynomialOfAnOddOneLeavesOut) {
+  for (const long n : {251L, 401L, 1001L}) {
+    // The coefficient of x^3: that of x is (-1)^m (2m+1) C(2m, m) / 4^m, n = 2m + 1, and of q(y) = c_0 + c_1 y + ...
+    // 6 c_1 = -(n(n+1) - 2) c_0, by Legendre's equation.
+    const auto m = static_cast<unsigned long>(n / 2);
+    integer binomial;
+    mpz_bin_uiui(binomial.backend().data(), 2 * m, m);
+    const rational first = rational(integer(n * binomial)) * power_of_two(1 - n);
+    const rational second = first * rational(n * (n + 1) - 2, 6);
+    const rational third = second * rational(n * (n + 1) - 12, 20);
+    const rational h = power_of_two(-60);
+    // The rest falls as the terms do, and is alternating for h > 0.
+    const auto bound = detail::legendre_taylor_remainder(n, 1, magnitude::power_of_two(-60));
+    EXPECT_LE((second - third * h) * h, exactly(bound.of_value)) << n;
+    EXPECT_LE(second - 2 * third * h, exactly(bound.of_slope)) << n;
+    EXPECT_GE(second * n, exactly(bound.of_slope)) << n;
+  }
+}
+
+TEST(GaussLegendre, GivesNodesNoRadiusThatIsTooSmall) {
+  const auto with = [](const rational& radius, bool relative) {
+    const magnitude size = scale(ball(radius, 64).magnitude_upper(), -128);
+    const ball x = ball(rational(3, 16), 200).enlarged(size);
+    return detail::with_radius(x, 128, relative);
+  };
+  const auto is_set = [](const std::optional<ball>& x, long exponent) {
+    return x && x->radius() == magnitude::power_of_two(exponent) && contains(*x, rational(3, 16));
+  };
+  EXPECT_TRUE(is_set(with(0, false), -128));
+  EXPECT_TRUE(is_set(with(rational(9, 10), false), -128));
+  EXPECT_FALSE(with(rational(11, 10), false));
+  EXPECT_FALSE(with(rational(19, 10), false));
+  EXPECT_FALSE(with(1000, false));
+  // 3/16 is below 1/4.
+  EXPECT_TRUE(is_set(with(rational(9, 40), true), -130));
+  EXPECT_FALSE(with(rational(11, 40), true));
+  EXPECT_FALSE(with(rational(19, 40), true));
+  EXPECT_FALSE(detail::with_radius(ball::undefined(200), 128, false));
+  EXPECT_FALSE(detail::with_radius(ball(0, 200), 128, true));
 }
 
 TEST(GaussLegendre, RefusesWhatIsNoRule) {

@@ -119,6 +119,127 @@ TEST(LegendreZeros, AreEnclosedInSetsThatAreHardlyTooLarge) {
   EXPECT_GT(greatest_of_slope, 0.05);
 }
 
+// Why no test fails without E_0 and E_1, the errors of Horner's scheme (see "How generous that is" in legendre_zeros.cpp): at
+// the zeros of every q they are less than what the other counts have to spare. With an effort of 10 for all n.
+TEST(LegendreZeros, HideTheErrorsOfHornersScheme) {
+  support::random_source random(16);
+  detail::mpfr_cell cell(64);
+  const auto to_double = [&](const ball& x) {
+    x.midpoint(cell.get());
+    return mpfr_get_d(cell.get(), MPFR_RNDN);
+  };
+  for (long n = 2; n <= few_limbed_zeros::greatest_n; ++n) {
+    if (n > 60 && n != 130 && support::effort() < 10 && !random.one_in(50)) continue;
+    const legendre_shape s(n);
+    const gauss_legendre_rule rule = make_gauss_legendre(n, 64);
+    const auto degree = static_cast<double>(n);
+    const auto e = static_cast<double>(s.odd);
+    const double c = n <= 128 ? 1 : 2;  // F is at least 128
+    for (std::size_t i = rule.n % 2 != 0 ? 1 : 0; i < rule.nodes.size(); ++i) {
+      const double x = to_double(rule.nodes[i]);
+      const double y = x * x;
+      // 1 / (2 y (1 - y) weight), and for odd n divided by y
+      double slope = 1 / std::sqrt(2 * (1 - y) * to_double(rule.weights[i])) / x;
+      if (s.odd != 0) slope /= x;
+      double of_value = c - 1;
+      double of_slope = 0;
+      for (long j = s.degree - 1; j >= 0; --j) {
+        of_slope = of_slope * y + of_value + (j == s.degree - 1 ? 0 : 1);
+        of_value = of_value * y + c;
+      }
+      EXPECT_LT((of_value - 1.98) / slope, 0.95 * (1 - 1 / degree)) << n << " " << y;
+      const double bend = std::abs(2 + 4 * e - (6 + 4 * e) * y) / degree;
+      const auto counted = static_cast<double>(2 * (s.degree + 1));
+      EXPECT_LT(of_slope * 4 * y * (1 - y) / degree + 1 / degree,
+                0.9 + (counted + 1.98 - of_value) * bend)
+          << n << " " << y;
+    }
+  }
+}
+
+// With rounded coefficients and next to y = 1, where no error is made smaller by the steps after it, Horner's scheme is off by half of
+// its bounds on average: so where these are halved they are exceeded every other time. Near the last place where q' = 0 both numbers
+// are below 1, so that balls add no roundings of their own.
+TEST(LegendreZeros, HaveValuesAndSlopesThatAreOffByMoreThanHalfTheirBounds) {
+  support::random_source random(17);
+  double greatest_of_value = 0;
+  double greatest_of_slope = 0;
+  for (support::repeat trial(60); trial.again();) {
+    const long n = random.between(40, 160);
+    const legendre_shape s(n);
+    const auto degree = static_cast<double>(n);
+    const double angle = 3.8317059702 / (degree + 0.5);  // the zero of the Bessel function J_1
+    const double y = std::cos(angle) * std::cos(angle);
+    std::vector<std::uint64_t> starts;
+    for (int k = 0; k < 12; ++k) {
+      const double offset = static_cast<double>(random.between(-1000, 1000)) / 100;
+      starts.push_back(static_cast<std::uint64_t>(
+          std::ldexp(y + offset / (degree * degree * degree * degree), 64)));
+    }
+    // The coefficients have about n bits behind the point.
+    const precision few = random.between(n / 2, n - 12);
+    const auto rough = detail::legendre_values(s, few).at(starts);
+    const auto exact = detail::legendre_values(s, n + 64 * (s.degree + 1)).at(starts);
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      EXPECT_TRUE(contains(rough[i].value, exact[i].value)) << n << " " << few << " " << starts[i];
+      EXPECT_TRUE(contains(rough[i].slope, exact[i].slope)) << n << " " << few << " " << starts[i];
+      greatest_of_value =
+          std::max(greatest_of_value, share_of_radius(rough[i].value, exact[i].value));
+      greatest_of_slope =
+          std::max(greatest_of_slope, share_of_radius(rough[i].slope, exact[i].slope));
+    }
+  }
+  EXPECT_GT(greatest_of_value, 0.5);
+  EXPECT_GT(greatest_of_slope, 0.5);
+}
+
+// Of Taylor polynomials with too few terms what they leave out is the greatest error: the zero is enclosed all the same, or not found.
+TEST(LegendreZeros, AreEnclosedByTaylorPolynomialsOfLowOrder) {
+  support::random_source random(18);
+  long found_few = 0;
+  long refused_few = 0;
+  double greatest_of_square = 0;
+  double greatest_of_slope = 0;
+  for (const long n : {8L, 13L, 40L, 61L}) {
+    const std::vector<known_zero> zeros = known_zeros(n);
+    const legendre_shape shape(n);
+    for (long order = 1; order <= 3; ++order) {
+      for (const precision bits : {128L, 192L}) {
+        const few_limbed_zeros finder(shape, bits, order);
+        // With balls, as many terms as a zero that is so near would need.
+        const detail::legendre_values values(shape, bits);
+        const double log2_reach = -static_cast<double>(bits + 100) / static_cast<double>(order);
+        for (const known_zero& known : zeros) {
+          const std::uint64_t offset = (random.bits() | 1) >> random.between(36, 63);
+          const std::uint64_t start = known.rounded + offset;
+          const auto check = [&](const detail::legendre_zero& zero, const char* how) {
+            EXPECT_TRUE(contains(zero.square, known.square))
+                << how << n << " " << order << " " << offset;
+            EXPECT_TRUE(contains(abs(zero.slope / zero.scale), known.size_of_slope))
+                << how << n << " " << order << " " << offset;
+          };
+          const auto by_integers = finder.near(start);
+          if (by_integers) check(*by_integers, "in integers ");
+          ++(by_integers ? found_few : refused_few);
+          const auto by_balls =
+              detail::zero_by_taylor(shape, start, values.at({start}).front(), log2_reach, bits);
+          if (!by_balls) continue;
+          check(*by_balls, "in balls ");
+          greatest_of_square =
+              std::max(greatest_of_square, share_of_radius(by_balls->square, known.square));
+          greatest_of_slope = std::max(
+              greatest_of_slope,
+              share_of_radius(abs(by_balls->slope), known.size_of_slope * by_balls->scale));
+        }
+      }
+    }
+  }
+  EXPECT_GT(found_few, 50);
+  EXPECT_GT(refused_few, 50);
+  EXPECT_GT(greatest_of_square, 0.02);
+  EXPECT_GT(greatest_of_slope, 0.02);
+}
+
 TEST(LegendreZeros, CoefficientsAreRoundedDownwardAndHaveRoom) {
   // From P_n(x) = 2^-n sum of (-1)^k C(n, k) C(2n - 2k, n) x^(n-2k), each by itself.
   support::random_source random(14);

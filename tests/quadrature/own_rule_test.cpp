@@ -51,6 +51,50 @@ class too_few final : public panel_rule {
   }
 };
 
+/// One node, and a weight that is too great by just as much as the bound says: 2^-60.
+class off_by_its_bound final : public panel_rule {
+ public:
+  [[nodiscard]] std::string_view name() const override { return "off by its bound"; }
+  [[nodiscard]] std::string_view purpose() const override { return "for constants"; }
+  [[nodiscard]] long nodes_for(double, double, double) const override { return 1; }
+  [[nodiscard]] magnitude truncation_error(long, const ball&,
+                                           const magnitude& supremum) const override {
+    return scale(supremum, -60);
+  }
+  [[nodiscard]] std::shared_ptr<const symmetric_nodes> nodes(long n, precision p) const override {
+    symmetric_nodes one;
+    one.n = n;
+    one.bits = std::max<precision>(p, 100);
+    one.nodes = {ball(0, one.bits)};
+    one.weights = {2 + scale(ball(1, one.bits), -60)};
+    return std::make_shared<const symmetric_nodes>(std::move(one));
+  }
+};
+
+// On whatever panels: the enclosure ends at the integral.
+TEST(OwnRule, CountsTheWholeBoundOfEachPanel) {
+  const off_by_its_bound own;
+  for (const long length : {1L, 3L, 64L}) {
+    const integral i =
+        integrate([](const auto& x) { return 0 * x + 1; }, 0, length, {.digits = 10, .rule = own});
+    EXPECT_EQ(i.verdict, status::certified) << i.obstacle;
+    EXPECT_TRUE(contains(i.enclosure, length)) << length;
+    EXPECT_FALSE(contains(i.enclosure, length * (1 - support::power_of_two(-58)))) << length;
+  }
+}
+
+// With too little memory for one node a panel is bounded by its supremum, which is all of the integral of a constant.
+TEST(OwnRule, CountsAPanelThatIsNotSummed) {
+  const off_by_its_bound own;
+  for (const long length : {1L, 3L}) {
+    const integral i = integrate([](const auto& x) { return 0 * x + 1; }, 0, length,
+                                 {.digits = 10, .most_memory = 1.0, .rule = own});
+    EXPECT_NE(i.verdict, status::certified);
+    EXPECT_TRUE(contains(i.enclosure, length)) << length;
+    EXPECT_TRUE(contains(i.enclosure, 0)) << length;
+  }
+}
+
 TEST(OwnRule, IntegratesAsTheLibrarysDo) {
   for (const bool is_odd : {false, true}) {
     const fejer own(is_odd);

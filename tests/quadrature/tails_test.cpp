@@ -207,6 +207,27 @@ TEST(Tails, OfOscillationsAreBounded) {
   expect_bound(found->rest, rest.enclosure, rational(19, 10), "sin(x - 2)/x^(1/10)");
 }
 
+// What is beyond the line's end belongs to the integral's remainder.
+TEST(Tails, OfOscillationsAreAdded) {
+  const auto f = [](const auto& x) { return sin(x - 2) / pow(x, rational(1, 10)); };
+  const auto prepared =
+      detail::prepare(detail::make_integrand(f), end_point(1), end_point::infinity(), {}, 1);
+  ASSERT_TRUE(prepared.why == reason::none && prepared.has_tail);
+  // e^-t over the line, of a length below 200.
+  EXPECT_TRUE(exp(ball(-200, p)).magnitude_upper() <= prepared.remainder.magnitude_upper());
+}
+
+// e^(x (sin x - 2)) is between e^(-3x) and e^(-x), and above e^(-2.4) from 2 to 2.1.
+TEST(Tails, OfExponentialsOfWavesAreBounded) {
+  const ball part = exp(ball(rational(-24, 10), p)) / 10;
+  for (const magnitude& bound :
+       {beyond_two([](const auto& x) { return exp(x * (sin(x) - 2)); }),
+        beyond_two([](const auto& x) { return exp(-x * (2 - sin(x))); })}) {
+    EXPECT_TRUE(part.magnitude_lower() <= bound);
+    EXPECT_TRUE(bound <= (exp(ball(-2, p)) * rational(101, 100)).magnitude_upper());
+  }
+}
+
 // With (log x)^2 the amplitude is greater far from the axis than where the line begins.
 TEST(Tails, OfOscillationsWithLogarithmsAreBounded) {
   const auto f = [](const auto& x) {

@@ -64,5 +64,29 @@ TEST(RotorSeries, TruncationStaysWithinItsBounds) {
   }
 }
 
+// What the series beyond N terms are at w = 0, where the terms of theta_3 add up, and U_n = 2n + 1.
+TEST(RotorSeries, TailsAreAtLeastWhatIsLeftOutAtZero) {
+  const rational a(5, 3);
+  const rational b(1, 3);
+  const rational c(-a * b / (2 * a + b) * rational(1001, 1000));
+  const initial_state state = initial_state::at_middle_of_twist(body(a, b), c);
+  const precision bits = 400;
+  const rotor_tables many(state, bits);
+  ASSERT_FALSE(many.series.hyperbolic);
+  for (const std::size_t terms : {2UL, 3UL, 4UL}) {
+    const rotor_tables few(state, bits, terms);
+    ball odd(0, bits);
+    ball even(0, bits);
+    for (std::size_t n = terms; n < many.series.odd.size(); ++n) {
+      odd += many.series.odd[n] * static_cast<long>(2 * n + 1);
+      even += 2 * many.series.even[n];
+    }
+    EXPECT_TRUE(odd.magnitude_lower() <= few.series.odd_tail) << terms;
+    EXPECT_TRUE(even.magnitude_lower() <= few.series.even_tail) << terms;
+    EXPECT_TRUE(few.series.odd_tail <= scale(odd.magnitude_upper(), 2)) << terms;
+    EXPECT_TRUE(few.series.even_tail <= scale(even.magnitude_upper(), 2)) << terms;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

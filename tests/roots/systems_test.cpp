@@ -236,6 +236,16 @@ TEST(SolveSystem, BadInput) {
   EXPECT_THROW(static_cast<void>(solve_system(f, ends(1, {0, 1}))), input_error);
 }
 
+// Each step makes x_0 twice as exact, while x_1 is at a double root and stays: that ends with the boxes that are left unresolved.
+TEST(SolveSystem, TakesNoMoreBitsThanItsBoxesHave) {
+  const auto f = [](const auto& x) { return std::vector{exp(x[0]) - 2, square(x[1] - x[0])}; };
+  const system_root_set s = solve_system(f, {{0, 1}, {0, 1}}, {.most_boxes = 2'000});
+  EXPECT_FALSE(s.is_resolved());
+  EXPECT_FALSE(s.regions.empty());
+  EXPECT_LT(s.account.most_bits, 400);
+  for (const system_region& r : s.regions) EXPECT_EQ(r.verdict, root_verdict::unresolved);
+}
+
 TEST(Krawczyk, ProvesNothingWhereTheFunctionJumps) {
   // f' is 1 and f has no root: floor is not defined to have a derivative at 1.
   const auto f = [](const auto& x) { return std::vector{x[0] + floor(x[0]) - rational(3, 2)}; };

@@ -34,6 +34,7 @@ namespace {
 static_assert(GMP_NUMB_BITS == 64, "limbs of 64 bits without nails");
 
 using detail::legendre_shape;
+using detail::legendre_values;
 using detail::legendre_zero;
 
 // ---------------------------------------------------------------------------------------------
@@ -159,33 +160,12 @@ std::vector<std::uint64_t> roughly_estimated_squares(const legendre_shape& s) {
 // ---------------------------------------------------------------------------------------------
 // 2. Values at numbers of one limb.
 
-/// q and q' at Y/2^64, in fixed point: with Horner's scheme as in legendre_zeros.cpp, whose errors are counted there.
-class fixed_point_polynomial {
- public:
-  fixed_point_polynomial(const legendre_shape& s, precision fraction_bits)
-      : degree_(s.degree), coefficients_(s, fraction_bits) {}
-
-  struct values {
-    ball value;
-    ball slope;
-  };
-  /// For each Y, an enclosure of q and q' with `fraction_bits` bits. The coefficients are read once for a
-  /// few Y together.
-  [[nodiscard]] std::vector<values> at(const std::vector<std::uint64_t>& arguments) const;
-
- private:
-  using limbs = std::vector<mp_limb_t>;
-
-  void evaluate(const std::uint64_t* arguments, std::size_t count,
-                std::vector<values>& results) const;
-
-  long degree_;
-  detail::legendre_coefficients coefficients_;
-};
+}  // namespace
 
 /// At `count` arguments; a number is kept with a limb below it, into which the product's lowest limb goes.
-void fixed_point_polynomial::evaluate(const std::uint64_t* arguments, std::size_t count,
-                                      std::vector<values>& results) const {
+void detail::legendre_values::evaluate(const std::uint64_t* arguments, std::size_t count,
+                                       std::vector<pair>& results) const {
+  using limbs = std::vector<mp_limb_t>;
   const mp_size_t limbs_of_one = coefficients_.size;
   const auto size = static_cast<std::size_t>(limbs_of_one);
   const std::size_t room = size + 1;
@@ -227,10 +207,10 @@ void fixed_point_polynomial::evaluate(const std::uint64_t* arguments, std::size_
   }
 }
 
-std::vector<fixed_point_polynomial::values> fixed_point_polynomial::at(
+std::vector<detail::legendre_values::pair> detail::legendre_values::at(
     const std::vector<std::uint64_t>& arguments) const {
   constexpr std::size_t together = 8;
-  std::vector<values> results;
+  std::vector<pair> results;
   results.reserve(arguments.size());
   for (std::size_t first = 0; first < arguments.size(); first += together) {
     evaluate(arguments.data() + first, std::min(together, arguments.size() - first), results);
@@ -240,6 +220,8 @@ std::vector<fixed_point_polynomial::values> fixed_point_polynomial::at(
 
 // ---------------------------------------------------------------------------------------------
 // 3. Taylor polynomials.
+
+namespace {
 
 constexpr precision least_bits = 64;
 
@@ -270,8 +252,8 @@ struct local_series {
 /// how many bits they have (a term of order k matters only down to 2^-bits reach^-(k-1)), not what is true.
 /// Nothing where reach is too great.
 std::optional<local_series> make_series(const legendre_shape& s, std::uint64_t argument,
-                                        const fixed_point_polynomial::values& start,
-                                        double log2_reach, precision bits) {
+                                        const legendre_values::pair& start, double log2_reach,
+                                        precision bits) {
   constexpr precision bits_of_constants = 192;  // enough to have them exactly, for all n allowed
   local_series series;
   // Bits of the k-th term, by the bound of detail::legendre_taylor_remainder; its slope's, in fact, which needs one reach less.
@@ -442,7 +424,7 @@ std::optional<legendre_zero> proved_zero(const legendre_shape& s, const local_se
 }
 
 /// A better start by a step of Newton's method, in units of 2^-64; the old one where that leaves (0, 1).
-std::uint64_t improved(std::uint64_t argument, const fixed_point_polynomial::values& at) {
+std::uint64_t improved(std::uint64_t argument, const legendre_values::pair& at) {
   constexpr precision p = 128;
   const ball step = scale(at.value.with_precision(p) / at.slope.with_precision(p), 64);
   const ball target = ball(argument, p) - step.middle();
@@ -454,9 +436,17 @@ std::uint64_t improved(std::uint64_t argument, const fixed_point_polynomial::val
   return usable ? mpfr_get_ui(cell.get(), MPFR_RNDD) : argument;
 }
 
-/// x with `bits` bits and a radius of 2^-bits, or of 2^-bits times the power of two above x: nothing where that is
-/// no enclosure. All that distinguishes the balls of a rule is then their midpoints.
-std::optional<ball> with_radius(const ball& x, precision bits, bool relative) {
+}  // namespace
+
+std::optional<legendre_zero> detail::zero_by_taylor(const legendre_shape& s, std::uint64_t start,
+                                                    const legendre_values::pair& at,
+                                                    double log2_reach, precision bits) {
+  const auto series = make_series(s, start, at, log2_reach, bits);
+  if (!series) return std::nullopt;
+  return proved_zero(s, *series, bits);
+}
+
+std::optional<ball> detail::with_radius(const ball& x, precision bits, bool relative) {
   if (!x.is_bounded()) return std::nullopt;
   const ball shorter = x.with_precision(bits);
   detail::mpfr_cell cell(bits);
@@ -467,6 +457,8 @@ std::optional<ball> with_radius(const ball& x, precision bits, bool relative) {
   if (shorter.radius() > radius) return std::nullopt;
   return ball::from_midpoint_radius(cell.get(), radius);
 }
+
+namespace {
 
 /// The zeros of q near the starts, or better ones.
 class zero_finder {
@@ -484,16 +476,16 @@ class zero_finder {
 
  private:
   [[nodiscard]] std::optional<legendre_zero> found(std::uint64_t start,
-                                                   fixed_point_polynomial::values at) const;
+                                                   legendre_values::pair at) const;
 
   legendre_shape shape_;
   precision bits_at_work_;
   std::optional<detail::few_limbed_zeros> few_limbed_;
-  std::optional<fixed_point_polynomial> polynomial_;
+  std::optional<legendre_values> polynomial_;
 };
 
 std::optional<legendre_zero> zero_finder::found(std::uint64_t start,
-                                                fixed_point_polynomial::values at) const {
+                                                legendre_values::pair at) const {
   for (int attempt = 0; attempt < 12; ++attempt) {
     if (attempt > 0) {
       start = improved(start, at);
@@ -502,9 +494,9 @@ std::optional<legendre_zero> zero_finder::found(std::uint64_t start,
     // A start that hits the zero tells nothing of its distance: a unit of y_0 at least.
     const double log2_reach = std::max(
         estimated_log2(divide_up(at.value.magnitude_upper(), at.slope.magnitude_lower())), -70.0);
-    const auto series = make_series(shape_, start, at, log2_reach + 1, bits_at_work_);
-    if (!series) continue;
-    if (auto zero = proved_zero(shape_, *series, bits_at_work_)) return zero;
+    if (auto zero = detail::zero_by_taylor(shape_, start, at, log2_reach + 1, bits_at_work_)) {
+      return zero;
+    }
   }
   return std::nullopt;
 }
@@ -519,7 +511,7 @@ std::vector<std::optional<legendre_zero>> zero_finder::near(
   }
   if (left.empty()) return zeros;
   polynomial_.emplace(shape_, bits_at_work_);
-  const std::vector<fixed_point_polynomial::values> at = polynomial_->at(left);
+  const std::vector<legendre_values::pair> at = polynomial_->at(left);
   std::size_t next = 0;
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (zeros[i]) continue;
@@ -541,8 +533,8 @@ std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision b
   rule.nodes.reserve(starts.size() + 1);
   rule.weights.reserve(starts.size() + 1);
   const auto append = [&](const ball& node, const ball& weight) {
-    auto x = with_radius(node, bits, false);
-    auto w = with_radius(weight, bits, true);
+    auto x = detail::with_radius(node, bits, false);
+    auto w = detail::with_radius(weight, bits, true);
     if (!x || !w) return false;
     rule.nodes.push_back(std::move(*x));
     rule.weights.push_back(std::move(*w));
@@ -554,7 +546,7 @@ std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision b
     mpz_bin_uiui(a.backend().data(), static_cast<unsigned long>(n),
                  static_cast<unsigned long>(s.degree));
     const ball slope = scale(ball(a, bits_at_work) * (n + 1), -n);
-    auto w = with_radius(2 / square(slope), bits, true);
+    auto w = detail::with_radius(2 / square(slope), bits, true);
     if (!w) return std::nullopt;
     rule.nodes.emplace_back(0, bits);
     rule.weights.push_back(std::move(*w));
@@ -593,6 +585,15 @@ std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision b
 ///   sum over k >= j of M t^k = M t^j / (1 - t),
 ///   sum over k >= j of k M t^(k-1) / r = (M/r) t^(j-1) (j - (j-1) t) / (1-t)^2 <= (M t^j / h) j / (1-t)^2.
 /// With s = 2j/n, the best choice for even n: M t^j = (e n / (2j))^(2j) h^j, times n / (2j) for odd n.
+///
+/// How generous that is: half of it would do for all n, j, h and y_0. q(y) is a Jacobi polynomial in 2y - 1, P_m^(0, -1/2) or
+/// P_m^(0, 1/2), and so are its derivatives but for a factor; they are the largest at y = 1 for even n, at y = 0 for odd n (Szegő, Orthogonal
+/// Polynomials, theorem 7.32.1). With N = n/2 that gives, for all y_0 in [0, 1],
+///   |c_k| <= product over i < k of (m - i)(m + 1/2 + i) / k!^2 <= e^(1/2) N^(2k) / k!^2 for even n,
+///   |c_k| <= Gamma(N + k + 1) / (Gamma(N - k + 1/2) Gamma(k + 3/2) k!) <= 2 e n^(2k) sqrt(N/pi) / (2k+1)! for odd n,
+/// as k <= m: the first product's factors are at most m^2 but for (1 + 1/(2m)), and Gamma(N + k + 1) / Gamma(N - k + 1/2) is at most
+/// (N^2 + N)^k sqrt(N). By Stirling's formula the k-th term e^(2k) (n/(2k))^(2k), times N/k for odd n, is at least 2 pi k e^(-1/2) > 3
+/// and 2 pi sqrt(k N) / e > 2.8 times that; and M t^k is not less than it for any k >= j.
 detail::taylor_remainder detail::legendre_taylor_remainder(long n, long j, const magnitude& h) {
   const auto order = static_cast<std::uint64_t>(j);
   const magnitude inverse_s = divide_up(magnitude::from_integer_up(static_cast<std::uint64_t>(n)),

@@ -29,11 +29,17 @@
 // by, in units, that is E_(k+2) <= (4k+6)/((k+2) n) E_(k+1) + (n+1)/(n (k+1)(k+2)) E_k + 3, where n >= 2k + 4: the two factors are at most
 // 3/4 and 5/8 for k = 0, and together at most 3/4 for k > 0. So E_k <= max(1.4 max(E_0, E_1) + 3, 12), which is below 2^12 for n <= 1024.
 //
-// How generous that is. E_0 and E_1 leave out that a step's error is multiplied by y_0 in all steps after it: b_0 is off by less than
-// 2/(1 - y_0), s_0 by less than 2/(1 - y_0)^2 + 1/(1 - y_0). Times s/(n |T'|) and s/n, which are small where y_0 is near 1, that is at
-// most a few units in y and in e_1 for every n. No zero and no start comes near the bounds E_0 and E_1, and without them the units
-// that are counted beside them in `proved` would suffice. They stay, as the sharper ones would need y_0 in every count; the tests reach
-// the radius where the search ends early, and the three units of y where it ends at the last bit.
+// How generous that is. E_0 and E_1 leave out that a step's error is multiplied by y_0 in all steps after it, that no coefficient is
+// rounded where n <= F, and that the first product of each is 0. Counted so, b_0 and s_0 are off by at most e and d: with c = 1 where
+// n <= F and 2 elsewhere, b_m is by c - 1, b_j by y_0 times that of b_(j+1) and c, s_m by 0, s_(m-1) by that of b_m, and s_j by y_0 times
+// that of s_(j+1), that of b_(j+1) and 1. And `proved` has something to spare beside them:
+//   In units of y: T(g) is off by less than e + 1.02, and what T leaves out is at most 1, where without E_0 4 would be counted; s g/n is
+//   cut off by less than 1 + 1/n, where 2 are counted. So E_0 is not missed where (e - 1.98) / |q'| <= 1 - 1/n.
+//   In units of T': e_1 is off by d s/n + 1 + 1/n, and T'(g) by 1.02 more, where 3 would be counted; but the count for |T''| r has
+//   (E_0 + 1.98 - e) |A_0|/n to spare, as r contains E_0 for e, and |2 e_2/e_1| is |A_0|/n within 2^-30.
+// Both suffice at the zeros of all q, n <= 1024 (LegendreZeros.HideTheErrorsOfHornersScheme): no zero and no start comes near E_0 and E_1.
+// They stay, as the sharper ones would need y_0 in every count; the tests reach the radius where the search ends early, and the three
+// units of y where it ends at the last bit.
 
 #include <algorithm>
 #include <bit>
@@ -53,7 +59,7 @@ using limb = mp_limb_t;
 __extension__ using uint128 = unsigned __int128;
 
 constexpr long most_limbs = few_limbed_zeros::most_bits / 64;
-constexpr long greatest_order = 40;
+constexpr long greatest_order = few_limbed_zeros::greatest_order;
 // |g| < 2^-least_gap, |e_k| < 2^6: what the counts of errors below rest on.
 constexpr long least_gap = 32;
 constexpr limb least_too_large = 64;
@@ -458,14 +464,14 @@ std::optional<legendre_zero> neighbourhood::proved() {
 
 }  // namespace
 
-few_limbed_zeros::few_limbed_zeros(const legendre_shape& s, precision bits)
+few_limbed_zeros::few_limbed_zeros(const legendre_shape& s, precision bits, long most)
     : shape_(s),
       bits_(bits),
       polynomial_(s, std::max((bits + 63) / 64 * 64, precision{128})),
       limbs_(polynomial_.fraction_bits / 64) {
   const auto n = static_cast<std::uint64_t>(s.n);
   const auto m = static_cast<std::uint64_t>(s.degree);
-  const long last = std::min(greatest_order, s.degree);
+  const long last = std::min(most, s.degree);
   log2_terms_ = {0, 0};
   errors_ = {2 * (m + 1), (m * (m + 2) + 1) / n + 2};
   for (long order = 2; order <= last; ++order) {

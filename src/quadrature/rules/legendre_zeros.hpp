@@ -1,7 +1,8 @@
 #pragma once
 
 // The zeros of a Legendre polynomial of which a start of 64 bits is known, in fixed point with few limbs: what most
-// integrals take their Gauss and Legendre rules from. With many limbs, or from bad starts, gauss_legendre.cpp does without.
+// integrals take their Gauss and Legendre rules from (legendre_zeros.cpp). With many limbs, or from bad starts, balls are
+// taken instead (gauss_legendre.cpp).
 
 #include <cstdint>
 #include <optional>
@@ -41,15 +42,18 @@ struct legendre_zero {
   ball scale;
 };
 
-/// Proves zeros of q near given numbers.
+/// Proves zeros of q near given numbers, with few limbs.
 class few_limbed_zeros {
  public:
   /// Of greater degree n, or with more bits, there is none.
   static constexpr long greatest_n = 1024;
   static constexpr precision most_bits = 1024;
+  /// The greatest order of a Taylor polynomial.
+  static constexpr long greatest_order = 40;
 
-  /// q with at least so many bits behind the point, 2 <= n <= greatest_n, 1 <= bits <= most_bits.
-  few_limbed_zeros(const legendre_shape& s, precision bits);
+  /// q with at least so many bits behind the point, 2 <= n <= greatest_n, 1 <= bits <= most_bits. Taylor polynomials have at most
+  /// the order `most`, 1 <= most <= greatest_order: with a smaller one only starts that are very near find their zeros.
+  few_limbed_zeros(const legendre_shape& s, precision bits, long most = greatest_order);
 
   /// A zero near Y/2^64, Y > 0, enclosed; nothing where the start is too far from one.
   [[nodiscard]] std::optional<legendre_zero> near(std::uint64_t start) const;
@@ -62,5 +66,39 @@ class few_limbed_zeros {
   std::vector<double> log2_terms_;  // of the bound of the k-th term but for the power of |y - y_0|
   std::vector<std::uint64_t> errors_;  // of e_k, in units
 };
+
+/// q and q' at Y/2^64, in fixed point with any number of limbs: by Horner's scheme as in legendre_zeros.cpp, where its errors are
+/// counted.
+class legendre_values {
+ public:
+  legendre_values(const legendre_shape& s, precision fraction_bits)
+      : degree_(s.degree), coefficients_(s, fraction_bits) {}
+
+  struct pair {
+    ball value;
+    ball slope;
+  };
+  /// For each Y, an enclosure of q and q' with `fraction_bits` bits. The coefficients are read once for a
+  /// few Y together.
+  [[nodiscard]] std::vector<pair> at(const std::vector<std::uint64_t>& arguments) const;
+
+ private:
+  void evaluate(const std::uint64_t* arguments, std::size_t count,
+                std::vector<pair>& results) const;
+
+  long degree_;
+  legendre_coefficients coefficients_;
+};
+
+/// A zero of q near y_0 = Y/2^64, Y = `start`, enclosed by a Taylor polynomial of balls with about so many bits; `at` are q and q' there.
+/// Nothing where no zero is found. It should be within 2^log2_reach of y_0: that decides how many terms the polynomial has, not
+/// what is true.
+std::optional<legendre_zero> zero_by_taylor(const legendre_shape& s, std::uint64_t start,
+                                            const legendre_values::pair& at, double log2_reach,
+                                            precision bits);
+
+/// x with `bits` bits and a radius of 2^-bits, or of 2^-bits times the power of two above x: nothing where that is
+/// no enclosure. All that distinguishes the balls of a rule is then their midpoints.
+std::optional<ball> with_radius(const ball& x, precision bits, bool relative);
 
 }  // namespace polhode::detail

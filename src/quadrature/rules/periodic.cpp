@@ -8,9 +8,6 @@
 
 namespace polhode::detail {
 
-namespace {
-
-/// An upper bound of |F| on Im t = h, 0 <= Re t <= 1, from so many pieces.
 magnitude supremum_along(const segment& s, double h, long pieces, long& evaluations) {
   magnitude supremum;
   double left = 0;
@@ -24,6 +21,8 @@ magnitude supremum_along(const segment& s, double h, long pieces, long& evaluati
   }
   return supremum;
 }
+
+namespace {
 
 /// The search for the strip that takes the fewest nodes.
 class strip_search {

@@ -29,6 +29,9 @@ struct periodic_strip {
   double nodes = 0;  // for the goal it was looked for with
 };
 
+/// An upper bound of |F| on Im t = h, 0 <= Re t <= 1, from so many pieces.
+[[nodiscard]] magnitude supremum_along(const segment& s, double h, long pieces, long& evaluations);
+
 /// About how many nodes such a strip takes for an error of the mean of F of 2^log2_goal.
 [[nodiscard]] double nodes_in_strip(double half_width, const magnitude& supremum, double log2_goal);
 
