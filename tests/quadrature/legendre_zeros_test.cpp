@@ -1,7 +1,7 @@
 // The zeros of Legendre polynomials in fixed point with few limbs, against rules with so many bits that they are made in
-// another way (gauss_legendre.cpp): that the sets hold the zeros, and that they are not much larger than they have to be.
+// another way (proved_zero.cpp): that the sets hold the zeros, and that they are not much larger than they have to be.
 
-#include "quadrature/rules/legendre_zeros.hpp"
+#include "quadrature/rules/gauss_legendre/few_limbs/few_limbed_zeros.hpp"
 
 #include <gtest/gtest.h>
 
