@@ -42,7 +42,7 @@ bool real_set<ball>::not_negative(const ball& x) {
 bool real_set<ball>::is_narrow(const ball& x) { return ball_access::is_midpoint_radius(x); }
 
 namespace {
-// The ends of a narrow ball are computed to so many bits more: see guard_bits in elementary.cpp.
+// The ends of a narrow ball are computed to so many bits more: see guard_bits in functions/elementary/carrying.hpp.
 constexpr precision end_bits = 64;
 
 /// An end as a point; the numbers beyond the greatest finite one where it is infinite.
