@@ -1,7 +1,8 @@
 #pragma once
 
-// How the radius of a ball is carried through a function: a thin ball's by a bound of first order around the value at its midpoint, a wide ball's by the values
-// at its ends. And the bounds of magnitudes that the functions' first-order bounds are put together from.
+// How the radius of a ball is carried through a function: a thin ball's by a bound of first order around the value at its
+// midpoint, a wide ball's by the values at its ends. The bounds of first order are put together from those of magnitudes
+// at the end of this file.
 
 #include <utility>
 

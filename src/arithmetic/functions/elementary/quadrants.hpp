@@ -1,6 +1,7 @@
 #pragma once
 
-// Where on the circle a wide argument of a circular function lies: which quarter turns it passes, where sine and cosine turn and the tangent has its poles.
+// Which quarter turns a wide argument of a circular function passes: there sine and cosine turn, and the tangent has its
+// poles.
 
 #include <mpfr.h>
 

@@ -1,8 +1,9 @@
 #pragma once
 
-// How log and atan are computed with many limbs: a value of one limb, whose exp or whose sine and cosine are computed, is corrected by the
-// logarithm or the arc tangent of a number that is nearly 1 or nearly 0 (this is R. P. Brent's use of an
-// inverse function, 1976, with a step of higher order than Newton's). The first values are integers, so that they are the same on every machine.
+// How log and atan are computed with many limbs: a value of one limb, whose exp or whose sine and cosine are computed, is
+// corrected by the logarithm or the arc tangent of a number that is nearly 1 or nearly 0 (this is R. P. Brent's use of an
+// inverse function, 1976, with a step of higher order than Newton's). The first values are integers, so that they are the
+// same on every machine.
 
 #include <cstdint>
 
@@ -26,7 +27,7 @@ namespace polhode::detail::fixed_point {
 
 // First values, of one limb. Nothing is claimed of them: a bad one would be found out by the size of its correction.
 
-/// log(1 + f), about, for a fraction f of one limb: not above log 2.
+/// log(1 + f), about, for a fraction f of one limb: below log 2.
 [[nodiscard]] limb first_logarithm(limb f);
 
 /// atan(f), about.

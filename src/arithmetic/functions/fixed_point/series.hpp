@@ -1,7 +1,7 @@
 #pragma once
 
-// The two series that exp, sin and cos are computed by, that of e^z and that of 1 - cos(sqrt(z)), which halving the argument makes short; and the powers
-// that they and the arc tangent's series are summed with.
+// The two series that exp, sin and cos are computed by, that of e^z and that of 1 - cos(sqrt(z)), which halving the argument
+// makes short; and the powers that they and the arc tangent's series are summed with.
 
 #include <cstdint>
 
