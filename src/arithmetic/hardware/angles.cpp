@@ -1,4 +1,5 @@
-// The angle of a point of the plane, and the inverse circular functions that are such angles, at a point with proofs and of intervals.
+// The angle of a point of the plane, and the inverse circular functions that are such angles, at a point with proofs and of
+// intervals.
 
 #include <algorithm>
 #include <cmath>

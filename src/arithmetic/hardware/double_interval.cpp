@@ -1,4 +1,4 @@
-// Intervals of doubles from numbers and balls, and back, and as text; and whether this processor rounds as they need it.
+// Intervals of doubles from numbers and balls, and back, and as text; and whether this processor rounds as they need.
 
 #include "polhode/arithmetic/double_interval.hpp"
 
