@@ -11,6 +11,8 @@
 // they do not decide. So no theorem of transcendence is needed, and what is missing among the rules costs answers, never
 // their truth.
 //
+// Its rules are in exact/, a file to each thought; generators.cpp is the one to begin with.
+//
 // All of it is bounded: in terms, bits, and steps in all. Beyond, not_decided is thrown, for the caller to catch.
 
 #include <cstdint>
@@ -106,6 +108,8 @@ class exact_field {
     }
   };
 
+  static constexpr int deepest_root = 3;  // roots taken to find a root
+
   void spend(std::size_t steps);
   void check_size(const exact_number& x) const;
   void add_to(exact_number& x, const monomial& m, const rational& c);
@@ -125,10 +129,22 @@ class exact_field {
                                                                            generator_id g);
   [[nodiscard]] std::vector<generator_id> square_roots_in(const exact_number& x) const;
   [[nodiscard]] exact_number rationalised_reciprocal(exact_number x);
+  [[nodiscard]] std::optional<exact_number> times_known_root(const exact_number& x,
+                                                             const exact_number& v);
   [[nodiscard]] std::optional<exact_number> denested_root(const exact_number& x, int depth);
   [[nodiscard]] std::optional<exact_number> plain_root(const exact_number& x, int depth);
+  [[nodiscard]] std::optional<rational> rational_by_common_denominator(const exact_number& x);
   [[nodiscard]] std::optional<rational> rational_by_roots_of_unity(const exact_number& x);
+  [[nodiscard]] std::optional<long> common_order_of_cosines(const exact_number& x) const;
+  [[nodiscard]] std::optional<exact_number> cospi_of_few_roots(const rational& angle);
+  [[nodiscard]] std::pair<exact_number, exact_number> turned_by_arcs(
+      std::pair<exact_number, exact_number> x, const exact_number& tangent, long n);
+  [[nodiscard]] std::pair<exact_number, exact_number> cos_and_sin_of_sum(
+      const std::pair<exact_number, exact_number>& x,
+      const std::pair<exact_number, exact_number>& y);
   [[nodiscard]] exact_number arctan_of_rational(const rational& t);
+  [[nodiscard]] std::optional<exact_number> arctan_by_gaussian_factors(const rational& t);
+  [[nodiscard]] exact_number generated_arctan(const rational& t);
 
   [[nodiscard]] std::pair<exact_number, exact_number> generated_cos_and_sin(const exact_number& x);
   /// How many factors of m are cosines of multiples of pi, and how many cosines and sines of other angles; the other kinds count nowhere.

@@ -28,7 +28,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
-#include "quadrature/rules/legendre_zeros.hpp"
+#include "quadrature/rules/gauss_legendre/nodes_and_weights.hpp"
 #include "support/exact_set.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
@@ -378,7 +378,7 @@ TEST(GaussLegendre, GivesNodesNoRadiusThatIsTooSmall) {
   const auto with = [](const rational& radius, bool relative) {
     const magnitude size = scale(ball(radius, 64).magnitude_upper(), -128);
     const ball x = ball(rational(3, 16), 200).enlarged(size);
-    return detail::with_radius(x, 128, relative);
+    return detail::legendre::with_radius(x, 128, relative);
   };
   const auto is_set = [](const std::optional<ball>& x, long exponent) {
     return x && x->radius() == magnitude::power_of_two(exponent) && contains(*x, rational(3, 16));
@@ -392,8 +392,8 @@ TEST(GaussLegendre, GivesNodesNoRadiusThatIsTooSmall) {
   EXPECT_TRUE(is_set(with(rational(9, 40), true), -130));
   EXPECT_FALSE(with(rational(11, 40), true));
   EXPECT_FALSE(with(rational(19, 40), true));
-  EXPECT_FALSE(detail::with_radius(ball::undefined(200), 128, false));
-  EXPECT_FALSE(detail::with_radius(ball(0, 200), 128, true));
+  EXPECT_FALSE(detail::legendre::with_radius(ball::undefined(200), 128, false));
+  EXPECT_FALSE(detail::legendre::with_radius(ball(0, 200), 128, true));
 }
 
 TEST(GaussLegendre, RefusesWhatIsNoRule) {

@@ -1,7 +1,7 @@
 // The zeros of Legendre polynomials in fixed point with few limbs, against rules with so many bits that they are made in
-// another way (gauss_legendre.cpp): that the sets hold the zeros, and that they are not much larger than they have to be.
+// another way (proved_zero.cpp): that the sets hold the zeros, and that they are not much larger than they have to be.
 
-#include "quadrature/rules/legendre_zeros.hpp"
+#include "quadrature/rules/gauss_legendre/few_limbs/few_limbed_zeros.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +14,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
+#include "quadrature/rules/gauss_legendre/proved_zero.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -43,6 +44,14 @@ std::vector<known_zero> known_zeros(long n) {
     zeros.push_back({y, sqrt(square_of_slope), mpfr_get_ui(cell.get(), MPFR_RNDD)});
   }
   return zeros;
+}
+
+/// A zero of q near Y/2^64 by a Taylor polynomial of balls, with terms for a zero within 2^log2_reach; `at` are q and q' there.
+std::optional<detail::legendre_zero> zero_by_taylor(
+    const legendre_shape& s, std::uint64_t start,
+    const detail::legendre::fixed_point_polynomial::values& at, double log2_reach, precision bits) {
+  const auto series = detail::legendre::make_series(s, start, at, log2_reach, bits);
+  return series ? detail::legendre::proved_zero(s, *series, bits) : std::nullopt;
 }
 
 /// |middle of x - y| / radius of x.
@@ -119,7 +128,7 @@ TEST(LegendreZeros, AreEnclosedInSetsThatAreHardlyTooLarge) {
   EXPECT_GT(greatest_of_slope, 0.05);
 }
 
-// Why no test fails without E_0 and E_1, the errors of Horner's scheme (see "How generous that is" in legendre_zeros.cpp): at
+// Why no test fails without E_0 and E_1, the errors of Horner's scheme (see "How generous that is" in few_limbed_zeros.cpp): at
 // the zeros of every q they are less than what the other counts have to spare. With an effort of 10 for all n.
 TEST(LegendreZeros, HideTheErrorsOfHornersScheme) {
   support::random_source random(16);
@@ -178,8 +187,9 @@ TEST(LegendreZeros, HaveValuesAndSlopesThatAreOffByMoreThanHalfTheirBounds) {
     }
     // The coefficients have about n bits behind the point.
     const precision few = random.between(n / 2, n - 12);
-    const auto rough = detail::legendre_values(s, few).at(starts);
-    const auto exact = detail::legendre_values(s, n + 64 * (s.degree + 1)).at(starts);
+    const auto rough = detail::legendre::fixed_point_polynomial(s, few).at(starts);
+    const auto exact =
+        detail::legendre::fixed_point_polynomial(s, n + 64 * (s.degree + 1)).at(starts);
     for (std::size_t i = 0; i < starts.size(); ++i) {
       EXPECT_TRUE(contains(rough[i].value, exact[i].value)) << n << " " << few << " " << starts[i];
       EXPECT_TRUE(contains(rough[i].slope, exact[i].slope)) << n << " " << few << " " << starts[i];
@@ -207,7 +217,7 @@ TEST(LegendreZeros, AreEnclosedByTaylorPolynomialsOfLowOrder) {
       for (const precision bits : {128L, 192L}) {
         const few_limbed_zeros finder(shape, bits, order);
         // With balls, as many terms as a zero that is so near would need.
-        const detail::legendre_values values(shape, bits);
+        const detail::legendre::fixed_point_polynomial values(shape, bits);
         const double log2_reach = -static_cast<double>(bits + 100) / static_cast<double>(order);
         for (const known_zero& known : zeros) {
           const std::uint64_t offset = (random.bits() | 1) >> random.between(36, 63);
@@ -222,7 +232,7 @@ TEST(LegendreZeros, AreEnclosedByTaylorPolynomialsOfLowOrder) {
           if (by_integers) check(*by_integers, "in integers ");
           ++(by_integers ? found_few : refused_few);
           const auto by_balls =
-              detail::zero_by_taylor(shape, start, values.at({start}).front(), log2_reach, bits);
+              zero_by_taylor(shape, start, values.at({start}).front(), log2_reach, bits);
           if (!by_balls) continue;
           check(*by_balls, "in balls ");
           greatest_of_square =

@@ -1,0 +1,113 @@
+#include "arithmetic/functions/fixed_point/circular.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "arithmetic/functions/fixed_point/series.hpp"
+#include "arithmetic/functions/fixed_point_functions.hpp"
+
+namespace polhode::detail::fixed_point {
+
+std::uint64_t versine_of_fraction(fraction& v, const limb* t, long w) {
+  const long zeros = leading_zeros(t, w);
+  const long r = std::max(std::min(integer_sqrt(64 * w) / 3 + 1, 18L) - zeros, 1L);
+  fraction y;
+  fraction z;
+  mpn_rshift(y.data(), t, w, static_cast<unsigned>(r));
+  square(z.data(), y.data(), w);
+  number sum;
+  const long small = std::min(2 * (r + zeros), 32 * w);
+  sum_series(sum, series::circular, z.data(), w, terms_needed(series::circular, small, w));
+  if (is_negative(sum, w)) mpn_zero(sum.data(), w + 1);  // nearer to v >= 0
+  mpn_copyi(v.data(), sum.data(), w);
+  for (long i = 0; i < r; ++i) {
+    fraction v2;
+    square(v2.data(), v.data(), w);
+    mpn_lshift(v.data(), v.data(), w, 2);
+    mpn_submul_1(v.data(), v2.data(), w, 2);
+  }
+  return std::uint64_t{37} << (2 * r);
+}
+
+std::uint64_t sine_from_versine(limb* s, const fraction& v, std::uint64_t units, long zeros,
+                                long w) {
+  double_fraction square_of_s;
+  fraction v2;
+  square(v2.data(), v.data(), w);
+  mpn_zero(square_of_s.data(), w);
+  limb* const top = square_of_s.data() + w;
+  mpn_lshift(top, v.data(), w, 1);
+  mpn_sub_n(top, top, v2.data(), w);
+  mpn_sqrtrem(s, nullptr, square_of_s.data(), 2 * w);
+  return (units + 1) << (zeros + 2);
+}
+
+}  // namespace polhode::detail::fixed_point
+
+namespace polhode::detail {
+
+using namespace fixed_point;
+
+near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude& sine_error,
+                       magnitude& cosine_error) {
+  near_pair found{false, false};
+  const mpfr_ptr either = sine != nullptr ? sine : cosine;
+  if (mpfr_regular_p(x) == 0 || mpfr_get_exp(x) > range_log2 || mpfr_get_exp(x) < -range_log2 ||
+      !has_wide_range()) {
+    return found;
+  }
+  const long small = std::max<long>(-mpfr_get_exp(x), 0);
+  // With more limbs the two series by tables take longer than one by halving and a square root.
+  constexpr long most_limbs_by_tables = 3;
+  long w = limbs_for_tables(mpfr_get_prec(either), small + bits_of_turns(x));
+  const bool tabulated = w <= most_limbs_by_tables;
+  if (!tabulated) w = limbs_for_halving(mpfr_get_prec(either), 2 * small);
+  if (w > most_limbs) return found;
+  // |x| = n pi/4 + t, cut off by one unit, with an error of n units.
+  number t;
+  load(t, x, mpfr_get_exp(x), w);
+  const quarter_pi eighth(w);
+  const std::uint64_t n = reduce(t, eighth, w);
+  // |x| = quarters * pi/2 + t, or - t.
+  const std::uint64_t quarters = (n + 1) / 2;
+  const bool minus = n % 2 != 0;
+  if (minus) mpn_sub_n(t.data(), eighth.data(), t.data(), w);
+  number sine_of_t;
+  number cosine_of_t;
+  fraction v;
+  const std::uint64_t first_units =
+      tabulated ? tabulated_sin_cos(sine_of_t.data(), cosine_of_t.data(), t.data(), w)
+                : versine_of_fraction(v, t.data(), w);
+  // By the quadrant: sin, cos, -sin, -cos (of t, or of -t) for the sine of |x|, and one on for the cosine.
+  const auto set = [&](mpfr_ptr r, std::uint64_t quadrant, bool negated, magnitude& error) {
+    std::uint64_t units = first_units;
+    bool negative = negated != (quadrant % 4 >= 2);
+    const bool by_sine = quadrant % 2 == 0;
+    number& value = by_sine ? sine_of_t : cosine_of_t;
+    if (by_sine) {
+      if (!tabulated) {
+        const long zeros = leading_zeros(t.data(), w);
+        if (zeros > range_log2) return false;
+        units = sine_from_versine(value.data(), v, first_units, zeros, w);
+      }
+      value[w] = 0;
+      negative = negative != minus;
+    } else if (!tabulated) {
+      mpn_zero(value.data(), w);
+      value[w] = 1 - mpn_sub_n(value.data(), value.data(), v.data(), w);
+    }
+    return store(r, value, w, negative ? -1 : 1, 0, units + n + 2, error);
+  };
+  if (sine != nullptr) found.sine = set(sine, quarters, mpfr_sgn(x) < 0, sine_error);
+  if (cosine != nullptr) found.cosine = set(cosine, quarters + 1, false, cosine_error);
+  return found;
+}
+
+bool near_sin(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
+  return near_sin_cos(r, nullptr, x, error, error).sine;
+}
+bool near_cos(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
+  return near_sin_cos(nullptr, r, x, error, error).cosine;
+}
+
+}  // namespace polhode::detail
