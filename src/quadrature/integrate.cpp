@@ -4,14 +4,13 @@
 #include "polhode/quadrature/integrate.hpp"
 
 #include <stdexcept>
-#include <utility>
 
 #include "polhode/quadrature/rule.hpp"
 
 namespace polhode::detail {
 
-affine_map::affine_map(end_point a, end_point b)
-    : a_(std::move(a)), b_(std::move(b)), a_hardware_(a_.at(64)), length_hardware_(length(128)) {}
+affine_map::affine_map(const end_point& a, const end_point& b)
+    : a_(a), b_(b), a_hardware_(a_.at(64)), length_hardware_(length(128)) {}
 
 region affine_map::operator()(const region& t) const {
   if (t.is_in_hardware()) return a_hardware_ + length_hardware_ * t;

@@ -184,7 +184,7 @@ template <class F>
 /// x = a + (b - a) t, in the region's own arithmetic.
 class affine_map {
  public:
-  affine_map(end_point a, end_point b);
+  affine_map(const end_point& a, const end_point& b);
   [[nodiscard]] region operator()(const region& t) const;
   [[nodiscard]] ball operator()(const ball& t) const;
   [[nodiscard]] ball start(precision p) const { return a_.at(p); }

@@ -197,6 +197,7 @@ box_integral integrate_function_over_box(const parametric_integrand& f, const en
     parts.push_back(work.enclose(right));
   }
   std::vector<const parameter_box*> boxes;
+  boxes.reserve(parts.size());
   for (const bounds& p : parts) boxes.push_back(&p.over);
   expect_box_tiling(box, boxes);
   box_integral result;
