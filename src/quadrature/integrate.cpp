@@ -4,7 +4,6 @@
 #include "polhode/quadrature/integrate.hpp"
 
 #include <stdexcept>
-#include <utility>
 
 #include "polhode/quadrature/rule.hpp"
 
