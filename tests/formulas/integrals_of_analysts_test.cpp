@@ -154,5 +154,22 @@ TEST(IntegralsOfAnalysts, OscillationWithRoots) {
   EXPECT_TRUE(overlaps(whole.enclosure, parts));
 }
 
+TEST(IntegralsOfAnalysts, PowersThatAreIrrationalOrVary) {
+  expect_known(
+      {
+          {"x^x", "0", "1", "0.7834305107121344070592643865269754694077"},
+          {"x^(-x)", "0", "1", "1.291285997062663540407282590595600541499"},
+          {"x^(sqrt(2)-1)*exp(-x)", "0", "inf", "gamma(sqrt(2))"},
+          {"x^(pi-4)", "0", "1", "1/(pi-3)"},
+          {"1/(1+x^pi)", "0", "inf", "1/sin(1)"},
+          {"1/(1+x^100)", "0", "inf", "pi/100/sin(pi/100)"},
+          {"x^(-pi)", "1", "inf", "1/(pi-1)"},
+          {"log(log(1/x))", "0", "1/3", "0.2177606727038001487404690478505903463969"},
+          {"(x-1)/log(x)", "0", "1", "log(2)"},
+          {"cos(log(x))", "0", "1", "1/2"},
+      },
+      9000);
+}
+
 }  // namespace
 }  // namespace polhode::test
