@@ -20,7 +20,7 @@ root_enclosure proved_near(const expression& formula, const ball& x, const ball&
     const ball around = x.enlarged(radius < width ? radius : width);
     const ball box = bits > 0 ? intersection(around, interval) : interval;
     if (box.is_undefined()) return result;
-    const root_enclosure proof = refine_root(value, slope, box, p);
+    root_enclosure proof = refine_root(value, slope, box, p);
     if (proof.verdict == root_verdict::unique) return proof;
     if (bits <= 0) return result;
   }

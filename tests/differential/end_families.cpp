@@ -302,7 +302,7 @@ integral_case extreme_sizes(maker& m) {
 /// An irrational exponent, at which x^e is integrable at 0.
 term irrational_exponent(maker& m) {
   return m.any_of({"sqrt(2)", "pi", "sqrt(3)/2", "-1/sqrt(2)", "-1/sqrt(3)", "pi/5", "-pi/4", "e/3",
-                   "-log(2)", "-sqrt(8/9)", "sqrt(2)-1"});
+                   "-log(2)", "-sqrt(8/9)", "(sqrt(2)-1)"});
 }
 
 /// No series at the end: irrational and variable exponents, logarithms of logarithms, at 0 and at infinity.

@@ -195,7 +195,7 @@ std::optional<route> route_of(const integral_case& c, way w, std::uint64_t seed)
     case kind::exponential: {
       const int a = sign(c.from);
       const int b = sign(c.to);
-      if (a == 2 || b == 2 || a < 0 || b < 0) return std::nullopt;
+      if (a == 2 || b == 2 || a < 0 || b < 0 || (a == 0 && b == 0)) return std::nullopt;
       const auto logarithm = [](const term& y) {
         if (is_infinite(y)) return y;
         return y.is("0") ? term("-inf") : call("log", y);

@@ -56,7 +56,9 @@ class rational_literal {
   [[nodiscard]] const rational::backend_type& backend() const { return value_.backend(); }
   operator rational() const { return value_; }  // NOLINT(google-explicit-constructor): the same
 
-  friend rational_literal operator-(const rational_literal& x) { return rational_literal(rational(-x.value_)); }
+  friend rational_literal operator-(const rational_literal& x) {
+    return rational_literal(rational(-x.value_));
+  }
   friend rational_literal operator+(const rational_literal& x, const rational_literal& y) {
     return rational_literal(rational(x.value_ + y.value_));
   }

@@ -27,8 +27,8 @@ namespace boost::math::constants::detail {
       using polhode::symbol;                                                                      \
       using polhode::cbrt, polhode::cos, polhode::cosh, polhode::exp, polhode::log, polhode::pow; \
       using polhode::sin, polhode::sinh, polhode::sqrt, polhode::zeta;                            \
-      [[maybe_unused]] const auto pi = symbol::constant("pi");                                    \
-      [[maybe_unused]] const auto e = symbol::constant("e");                                      \
+      [[maybe_unused]] auto pi = symbol::constant("pi");                                          \
+      [[maybe_unused]] auto e = symbol::constant("e");                                            \
       [[maybe_unused]] const auto number = [](long n) { return symbol(n); };                      \
       return formula;                                                                             \
     }                                                                                             \

@@ -7,9 +7,7 @@
 
 #include "polhode/arithmetic/region.hpp"
 
-namespace polhode {
-
-namespace detail::regions {
+namespace polhode::detail::regions {
 
 constexpr precision ball_bits = 64;  // of a set that only left the hardware's range
 
@@ -60,6 +58,4 @@ using hardware_rectangle = rectangle<double_interval>;
           high == 0 ? 0 : detail::next_up(high)};
 }
 
-}  // namespace detail::regions
-
-}  // namespace polhode
+}  // namespace polhode::detail::regions

@@ -44,7 +44,7 @@ std::pair<integer, integer> squares_of_sum(const integer& p) {
 
 /// The one integer in an enclosure.
 integer integer_in(const ball& x) {
-  const integer k = floor_of(upper_rational(x));
+  integer k = floor_of(upper_rational(x));
   if (rational(k) < lower_rational(x) || rational(k - 1) >= lower_rational(x)) throw not_decided();
   return k;
 }
