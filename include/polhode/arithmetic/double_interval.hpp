@@ -10,7 +10,7 @@
 // Rounding is outward and never touches the rounding mode. A sum's end is the tightest double, by
 // its exact error; any other end is rounded to nearest and moved one step outward, but a 0 that is
 // exact stays 0. The functions in the second half come from approximations in plain double
-// arithmetic, widened by a bound that is proved in double_interval.cpp. The bounds below are
+// arithmetic, widened by a bound that is proved in src/arithmetic/hardware/. The bounds below are
 // relative to the value at an end; an end of the result is at most 2 bound + 2^-51 of its size
 // away from the range's, and at 0, or where the result is subnormal, a few steps of 2^-1074.
 //
