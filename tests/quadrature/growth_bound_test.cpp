@@ -100,7 +100,9 @@ TEST(GrowthBound, HoldsTheFunction) {
                              "(x-1)/log(x)",
                              "sinpi(x^sqrt(2))",
                              "(2+cos(log(x)))*x^(-1/pi)",
-                             "log(1/2-x^pi)"}) {
+                             "log(1/2-x^pi)",
+                             "cos(x^sqrt(2))",
+                             "log(x)*(1/x) - log(x)*(1/x - x)"}) {
       expect_bounds(text, r);
     }
     for (const char* text : {"1/(1+x^pi)", "x^(-sqrt(2))", "x^sqrt(2)/(1+x^pi)", "1/(1+x^100)",
