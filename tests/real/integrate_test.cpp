@@ -337,37 +337,69 @@ TEST(BoostMath, ConstantsAreBoosts) {
   EXPECT_LT(                                                                                       \
       error_in(constants::name<Real>(), formula_of(constants::name<symbol>(), {}).value(300), 48), \
       10)                                                                                          \
-      << #name;
-  POLHODE_SAME(half)
-  POLHODE_SAME(third)
-  POLHODE_SAME(two_thirds)
-  POLHODE_SAME(sixth)
-  POLHODE_SAME(three_quarters)
-  POLHODE_SAME(root_two)
-  POLHODE_SAME(root_three) POLHODE_SAME(half_root_two) POLHODE_SAME(one_div_root_two) POLHODE_SAME(
-      ln_two) POLHODE_SAME(ln_ten) POLHODE_SAME(ln_ln_two) POLHODE_SAME(root_ln_four)
-      POLHODE_SAME(log2_e) POLHODE_SAME(log10_e) POLHODE_SAME(one_div_log10_e) POLHODE_SAME(
-          pi) POLHODE_SAME(half_pi) POLHODE_SAME(third_pi) POLHODE_SAME(quarter_pi)
-          POLHODE_SAME(sixth_pi) POLHODE_SAME(two_pi) POLHODE_SAME(two_thirds_pi) POLHODE_SAME(
-              three_quarters_pi) POLHODE_SAME(four_thirds_pi) POLHODE_SAME(pi_minus_three)
-              POLHODE_SAME(four_minus_pi) POLHODE_SAME(one_div_pi) POLHODE_SAME(two_div_pi)
-                  POLHODE_SAME(one_div_two_pi) POLHODE_SAME(root_pi) POLHODE_SAME(root_half_pi)
-                      POLHODE_SAME(root_two_pi) POLHODE_SAME(log_root_two_pi)
-                          POLHODE_SAME(one_div_root_pi) POLHODE_SAME(root_one_div_pi) POLHODE_SAME(
-                              one_div_root_two_pi) POLHODE_SAME(two_div_root_pi)
-                              POLHODE_SAME(root_two_div_pi) POLHODE_SAME(pi_sqr) POLHODE_SAME(
-                                  pi_sqr_div_six) POLHODE_SAME(pi_cubed) POLHODE_SAME(cbrt_pi)
-                                  POLHODE_SAME(one_div_cbrt_pi) POLHODE_SAME(pi_pow_e)
-                                      POLHODE_SAME(e) POLHODE_SAME(e_pow_pi) POLHODE_SAME(root_e)
-                                          POLHODE_SAME(exp_minus_half) POLHODE_SAME(exp_minus_one)
-                                              POLHODE_SAME(degree) POLHODE_SAME(radian)
-                                                  POLHODE_SAME(sin_one) POLHODE_SAME(cos_one)
-                                                      POLHODE_SAME(sinh_one) POLHODE_SAME(cosh_one)
-                                                          POLHODE_SAME(phi) POLHODE_SAME(ln_phi)
-                                                              POLHODE_SAME(euler)
-                                                                  POLHODE_SAME(catalan)
-                                                                      POLHODE_SAME(zeta_two)
-                                                                          POLHODE_SAME(zeta_three)
+      << #name
+  POLHODE_SAME(half);
+  POLHODE_SAME(third);
+  POLHODE_SAME(two_thirds);
+  POLHODE_SAME(sixth);
+  POLHODE_SAME(three_quarters);
+  POLHODE_SAME(root_two);
+  POLHODE_SAME(root_three);
+  POLHODE_SAME(half_root_two);
+  POLHODE_SAME(one_div_root_two);
+  POLHODE_SAME(ln_two);
+  POLHODE_SAME(ln_ten);
+  POLHODE_SAME(ln_ln_two);
+  POLHODE_SAME(root_ln_four);
+  POLHODE_SAME(log2_e);
+  POLHODE_SAME(log10_e);
+  POLHODE_SAME(one_div_log10_e);
+  POLHODE_SAME(pi);
+  POLHODE_SAME(half_pi);
+  POLHODE_SAME(third_pi);
+  POLHODE_SAME(quarter_pi);
+  POLHODE_SAME(sixth_pi);
+  POLHODE_SAME(two_pi);
+  POLHODE_SAME(two_thirds_pi);
+  POLHODE_SAME(three_quarters_pi);
+  POLHODE_SAME(four_thirds_pi);
+  POLHODE_SAME(pi_minus_three);
+  POLHODE_SAME(four_minus_pi);
+  POLHODE_SAME(one_div_pi);
+  POLHODE_SAME(two_div_pi);
+  POLHODE_SAME(one_div_two_pi);
+  POLHODE_SAME(root_pi);
+  POLHODE_SAME(root_half_pi);
+  POLHODE_SAME(root_two_pi);
+  POLHODE_SAME(log_root_two_pi);
+  POLHODE_SAME(one_div_root_pi);
+  POLHODE_SAME(root_one_div_pi);
+  POLHODE_SAME(one_div_root_two_pi);
+  POLHODE_SAME(two_div_root_pi);
+  POLHODE_SAME(root_two_div_pi);
+  POLHODE_SAME(pi_sqr);
+  POLHODE_SAME(pi_sqr_div_six);
+  POLHODE_SAME(pi_cubed);
+  POLHODE_SAME(cbrt_pi);
+  POLHODE_SAME(one_div_cbrt_pi);
+  POLHODE_SAME(pi_pow_e);
+  POLHODE_SAME(e);
+  POLHODE_SAME(e_pow_pi);
+  POLHODE_SAME(root_e);
+  POLHODE_SAME(exp_minus_half);
+  POLHODE_SAME(exp_minus_one);
+  POLHODE_SAME(degree);
+  POLHODE_SAME(radian);
+  POLHODE_SAME(sin_one);
+  POLHODE_SAME(cos_one);
+  POLHODE_SAME(sinh_one);
+  POLHODE_SAME(cosh_one);
+  POLHODE_SAME(phi);
+  POLHODE_SAME(ln_phi);
+  POLHODE_SAME(euler);
+  POLHODE_SAME(catalan);
+  POLHODE_SAME(zeta_two);
+  POLHODE_SAME(zeta_three);
 #undef POLHODE_SAME
 }
 
