@@ -21,6 +21,9 @@ void expect_checkable(const root_set& found) {
   }
   for (const root_region& r : found.regions) {
     if (r.multiplicity > 1) throw input_error("there is a multiple root; it must be simple");
+    if (r.verdict == root_verdict::isolated) {
+      throw input_error("there is a root at a kink or branch point; it must be simple");
+    }
   }
   if (!found.is_resolved() || !found.complete) {
     throw input_error("not every place is proved to hold one root; a certificate has no open ones");

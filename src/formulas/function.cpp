@@ -10,6 +10,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/formulas/integrand.hpp"
+#include "polhode/quadrature/growth_bound.hpp"
 
 namespace polhode {
 
@@ -76,7 +77,15 @@ real_function function_of(const expression& f) {
         fmt::format("the variables of the formula are {}; roots are found of a function of one",
                     fmt::join(f.variables(), ", ")));
   }
-  return {f};
+  real_function result(f);
+  // |f(at + 4 width t)| >= c t^a with c > 0 on 0 < t <= 1/4, or f is defined nowhere there.
+  result.prove_beside([g = f.evaluator<growth_bound>(192)](const rational& at,
+                                                           const rational& width) {
+    const growth_bound bound =
+        g(growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
+    return bound.is_nowhere_defined() || (!bound.is_blocked() && !bound.least_factor().is_zero());
+  });
+  return result;
 }
 
 root_set isolate_roots(const expression& f, const end_point& lower, const end_point& upper,

@@ -15,8 +15,6 @@ namespace polhode {
 
 namespace detail {
 
-namespace {
-
 /// What both kinds of series make of what they have; what they have not is blocked.
 template <class Series>
 struct series_supplement {
@@ -29,6 +27,8 @@ struct series_supplement {
     return pow(x, rational(1, n));
   }
 };
+
+namespace {
 
 /// What every arithmetic answers of a function that it has not.
 constexpr auto not_available = [](const auto& v, const auto&, long) {
@@ -65,7 +65,10 @@ struct supplement<growth_bound> {
     return sqrt(x * x + y * y);
   }
   template <class F, class Range>
-  static growth_bound further(const F& f, const Range&) {
+  static growth_bound further(const F& f, const Range& x) {
+    for (const growth_bound& v : x) {
+      if (v.is_nowhere_defined()) return v;
+    }
     return growth_bound::blocked(name_of_function(f));
   }
 };

@@ -15,19 +15,20 @@ std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
   return natural_domain::pow(x, y);
 }
 
-using product = function_structure::product;
-using factor = function_structure::factor;
-
 namespace {
+
+using structure_product = function_structure::product;
+using structure_factor = function_structure::factor;
 
 // Beyond these a polynomial is dropped: exact arithmetic would cost more than it helps.
 constexpr long most_degree = 128;
 constexpr std::size_t most_height = 1U << 15;
 
-void multiply_factors(std::vector<factor>& factors, const std::vector<factor>& more) {
-  for (const factor& g : more) {
-    const auto same =
-        std::find_if(factors.begin(), factors.end(), [&](const factor& h) { return h.id == g.id; });
+void multiply_factors(std::vector<structure_factor>& factors,
+                      const std::vector<structure_factor>& more) {
+  for (const structure_factor& g : more) {
+    const auto same = std::find_if(factors.begin(), factors.end(),
+                                   [&](const structure_factor& h) { return h.id == g.id; });
     if (same == factors.end()) {
       factors.push_back(g);
     } else {
@@ -36,8 +37,8 @@ void multiply_factors(std::vector<factor>& factors, const std::vector<factor>& m
   }
 }
 
-product multiplied(const product& x, const product& y, long id) {
-  product r{id, x.factors, x.over * y.over, x.at_point * y.at_point};
+structure_product multiplied(const structure_product& x, const structure_product& y, long id) {
+  structure_product r{id, x.factors, x.over * y.over, x.at_point * y.at_point};
   multiply_factors(r.factors, y.factors);
   return r;
 }
@@ -132,7 +133,7 @@ function_structure operator+(const function_structure& x, const function_structu
   // n/d + m/d = (n + m)/d, n/d + m/e = (ne + md)/(de).
   jet<ball, 1> over = x.numerator_.over;
   ball at_point = x.numerator_.at_point;
-  std::optional<product> denominator = x.denominator_;
+  std::optional<structure_product> denominator = x.denominator_;
   if (x.denominator_ && y.denominator_ && x.denominator_->id == y.denominator_->id) {
     over += y.numerator_.over;
     at_point += y.numerator_.at_point;
@@ -192,7 +193,7 @@ function_structure operator*(const function_structure& x, const function_structu
 function_structure operator/(const function_structure& x, const function_structure& y) {
   function_structure r;
   r.ids_ = x.ids_;
-  const product& divisor = y.numerator_;
+  const structure_product& divisor = y.numerator_;
   // (n/d) / (m/e) = (n e) / (d m). The e is one more condition: y is not defined where it vanishes.
   r.numerator_ =
       y.denominator_ ? multiplied(x.numerator_, *y.denominator_, ++*x.ids_) : x.numerator_;
@@ -224,15 +225,16 @@ function_structure pow(const function_structure& x, long n) {
   const auto bits = static_cast<unsigned long>(n);
   const auto m = static_cast<long>(
       std::min(n < 0 ? 0UL - bits : bits, static_cast<unsigned long>(most_power) + 1));
-  const auto raised = [&](const product& g) {
-    product r{++*x.ids_, g.factors, pow(g.over, m), pow(g.at_point, m)};
+  const auto raised = [&](const structure_product& g) {
+    structure_product r{++*x.ids_, g.factors, pow(g.over, m), pow(g.at_point, m)};
     r.over[0] = pow(g.over[0], m);
-    for (factor& h : r.factors) h.power *= m;
+    for (structure_factor& h : r.factors) h.power *= m;
     return r;
   };
-  const auto too_high = [&](const std::vector<factor>& factors) {
-    return m > most_power || std::any_of(factors.begin(), factors.end(),
-                                         [](const factor& h) { return h.power > (1L << 20); });
+  const auto too_high = [&](const std::vector<structure_factor>& factors) {
+    return m > most_power ||
+           std::any_of(factors.begin(), factors.end(),
+                       [](const structure_factor& h) { return h.power > (1L << 20); });
   };
   function_structure r;
   if (too_high(x.numerator_.factors) ||
@@ -243,7 +245,7 @@ function_structure pow(const function_structure& x, long n) {
     r.numerator_ = raised(x.numerator_);
     if (x.denominator_) r.denominator_ = raised(*x.denominator_);
     if (n < 0) {
-      const product top =
+      const structure_product top =
           r.denominator_ ? *r.denominator_ : x.constant_like(rational(1)).numerator_;
       r.denominator_ = r.numerator_;
       r.numerator_ = top;

@@ -1,6 +1,7 @@
 #include "polhode/roots/isolate.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "search/answer.hpp"
 #include "search/range.hpp"
@@ -9,6 +10,35 @@
 #include "thread_count.hpp"
 
 namespace polhode {
+
+namespace {
+
+/// The parts of a bounded range in which numbers are of about one size, the rightmost first: halving a range of 10^300 takes a
+/// thousand steps to what is about 1.
+std::vector<detail::exact_box> by_scale(const detail::exact_box& range) {
+  if (!range.is_bounded()) return {range};
+  const rational growth(integer(1) << 24U);
+  std::vector<rational> cuts;
+  const auto add_cuts = [&](const rational& end, const rational& other) {
+    for (rational cut = growth; cut < abs(end); cut *= growth) {
+      const rational at = end < 0 ? rational(-cut) : cut;
+      if (end < 0 ? at < other : at > other) cuts.push_back(at);
+    }
+  };
+  add_cuts(*range.lower, *range.upper);
+  add_cuts(*range.upper, *range.lower);
+  std::sort(cuts.begin(), cuts.end(), std::greater<>());
+  std::vector<detail::exact_box> result;
+  rational upper = *range.upper;
+  for (const rational& cut : cuts) {
+    result.push_back({cut, upper});
+    upper = cut;
+  }
+  result.push_back({*range.lower, upper});
+  return result;
+}
+
+}  // namespace
 
 root_search::root_search(const real_function& f, const end_point& lower, const end_point& upper) {
   auto s = std::make_shared<state>();
@@ -25,7 +55,9 @@ root_search::root_search(const real_function& f, const end_point& lower, const e
   if (!p) {
     s->problems.push_back({s->f, 1, false});
     s->settled.emplace_back(range);
-    s->pending.push_back({range, 0, detail::first_bits, 0, {}});
+    for (detail::exact_box& part : by_scale(range)) {
+      s->pending.push_back({std::move(part), 0, detail::first_bits, 0, {}});
+    }
   } else if (p->is_zero()) {
     s->identically_zero = true;
   } else {
@@ -71,8 +103,7 @@ bool root_search::is_finished() const { return state_->pending.empty() && state_
 
 bool root_set::is_resolved() const {
   return complete && std::all_of(regions.begin(), regions.end(), [](const root_region& r) {
-           return (r.verdict == root_verdict::unique || r.verdict == root_verdict::multiple) &&
-                  !r.may_lie_outside;
+           return is_one_root(r.verdict) && !r.may_lie_outside;
          });
 }
 

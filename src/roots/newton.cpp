@@ -10,6 +10,8 @@ std::string to_text(root_verdict v) {
       return "unique";
     case root_verdict::multiple:
       return "multiple";
+    case root_verdict::isolated:
+      return "isolated";
     case root_verdict::at_least_one:
       return "at least one";
     case root_verdict::none:

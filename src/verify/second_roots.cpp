@@ -146,7 +146,7 @@ void search(const real_function& g, const end_point& lower, const end_point& upp
   const std::vector<refined_root> fine = refine(found.regions, digits, threads);
   for (std::size_t i = 0; i < found.regions.size(); ++i) {
     const root_region& r = found.regions[i];
-    const bool proved = r.multiplicity > 0;
+    const bool proved = is_one_root(r.verdict);
     result.has_digits = result.has_digits && (!proved || fine[i].verdict == status::certified);
     result.list.roots.push_back({r.verdict, r.multiplicity,
                                  -(proved ? fine[i].enclosure : r.enclosure), r.may_lie_outside});
@@ -205,7 +205,8 @@ second_opinion roots_again(const expression& f, const end_point& lower, const en
   for (std::size_t i = 0; i < first.regions.size(); ++i) {
     const root_region& r = first.regions[i];
     list.roots.push_back({r.verdict, r.multiplicity,
-                          r.multiplicity > 0 ? fine[i].enclosure : r.enclosure, r.may_lie_outside});
+                          is_one_root(r.verdict) ? fine[i].enclosure : r.enclosure,
+                          r.may_lie_outside});
   }
   return roots_again(f, lower, upper, list,
                      fmt::format("the search, {} boxes", first.account.boxes), digits, threads);

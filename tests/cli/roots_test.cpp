@@ -12,7 +12,7 @@
 #include "program.hpp"
 
 namespace polhode::test {
-namespace {
+namespace roots_test {
 
 outcome roots(const std::string& formula, const std::string& range,
               const std::vector<std::string>& more = {}) {
@@ -78,7 +78,7 @@ TEST(Roots, VerdictsOfEveryKind) {
             "-1..1",
             0,
             {"1/4 exactly  unique", "not defined everywhere in [-1, 0]"}},
-           {"abs(x)", "-1..1", 1, {"0 exactly  at least one (the kink of abs)", "not certified"}},
+           {"abs(x)", "-1..1", 0, {"0 exactly  isolated", "certified: 1 root"}},
            {"floor(x)-1/2", "0..2", 1, {"unresolved (the jump of floor)"}},
            {"1-cos(x)", "6..7", 1, {"unresolved", "2 complex roots near it"}},
            {"sin(x)", "0..2*pi", 0, {"certified: 3 roots"}},
@@ -91,7 +91,8 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"x-1e300", "-inf..inf", 0, {"000 exactly  unique"}},
            {"exp(x)-1e-300", "-inf..inf", 0, {"-690.77552789821"}},
            {"log1p(x)*expm1(x)", "-1/2..1", 0, {"0 exactly  multiple 2"}},
-           {"cbrt(x)", "-1..1", 1, {"0 exactly  at least one"}},
+           {"cbrt(x)", "-1..1", 0, {"0 exactly  isolated"}},
+           {"abs(x)+x", "-1..1", 1, {"from -1 to 1  unresolved", "not certified"}},
            {"2^x-8", "-inf..inf", 0, {"unique\ncertified: 1 root, all there are"}},
            {"x^x-2", "0..2", 0, {"1.5596104694623693499703887"}},
            {"gamma(x)-2", "5/2..7/2", 1, {"unresolved"}}}) {
@@ -175,5 +176,5 @@ TEST(Roots, JsonHasTheEnclosuresAndTheVerdict) {
   EXPECT_EQ(left.at("roots")[0].at("complex_roots"), 2);
 }
 
-}  // namespace
+}  // namespace roots_test
 }  // namespace polhode::test

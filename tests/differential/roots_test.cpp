@@ -20,7 +20,7 @@
 #include "term.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace roots_test {
 
 const term x = "x";
 
@@ -108,6 +108,10 @@ std::optional<std::string> error_in(const known_case& k, const root_set& s) {
   }
   for (std::size_t i = 0; i < s.regions.size(); ++i) {
     const root_region& region = s.regions[i];
+    if (region.verdict == root_verdict::isolated && claimed[i] != 1) {
+      return fmt::format("there are {} roots in {}, not 1", claimed[i],
+                         to_decimal(region.enclosure, 20));
+    }
     if (region.multiplicity == 0) continue;
     if (claimed[i] > region.multiplicity) {
       return fmt::format("there are {} roots in {}, not {}", claimed[i],
@@ -273,6 +277,55 @@ known_case many_roots(maker& m) {
   return k;
 }
 
+/// A root at a kink or branch point, and others beside it at any scale. A root at a kink counts once.
+known_case kinks_at_all_scales(maker& m) {
+  known_case k;
+  const auto scale = [&](long least, long most) {
+    return term(fmt::format("1e{}", m.between(least, most)));
+  };
+  const term c = m.one_in(3) ? term(0) : m.rational_near(m.within(-4, 4));
+  const term t = c.is("0") ? x : x - c;
+  term f = 0;
+  if (m.one_in(2)) {
+    const std::vector<term> kinks{call("sqrt", t),
+                                  call("abs", t),
+                                  call("cbrt", t),
+                                  t * call("abs", t),
+                                  call("sqrt", call("abs", t)),
+                                  call("abs", t) * call("exp", t),
+                                  call("abs", call("sin", t)) + power(t, 2)};
+    const auto kind = static_cast<std::size_t>(m.between(0, static_cast<long>(kinks.size()) - 1));
+    f = kinks[kind];
+    const bool on_the_right = kind == 0;
+    if (kind != 5 && kind != 6) {  // else it is wanted alone
+      for (long n = m.between(1, 2); n > 0; --n) {
+        const term r = scale(-100, 100);
+        const bool left = !on_the_right && m.one_in(2);
+        f = f * (left ? t + r : t - r);
+        k.roots.push_back({left ? c - r : c + r, 1});
+      }
+    }
+  } else {  // of two terms of different powers
+    const long e = m.between(-50, 50);
+    const term slope = term(fmt::format("1e{}", e));
+    if (m.one_in(2)) {
+      f = call("sqrt", t) - slope * t;
+      k.roots.push_back({c + term(fmt::format("1e{}", -2 * e)), 1});
+    } else {
+      const long even = e - e % 2;
+      f = call("cbrt", t) - term(fmt::format("1e{}", even)) * t;
+      const term r = term(fmt::format("1e{}", -3 * even / 2));
+      k.roots.push_back({c + r, 1});
+      k.roots.push_back({c - r, 1});
+    }
+  }
+  if (!all_differ(k.roots)) return kinks_at_all_scales(m);
+  k.roots.push_back({c, 1});
+  const term reach = scale(101, 300);
+  k.c = {f, -reach, reach};
+  return k;
+}
+
 struct known_family {
   std::string name;
   long at_effort_one;
@@ -338,7 +391,8 @@ INSTANTIATE_TEST_SUITE_P(
     family, known_roots,
     ::testing::Values(known_family{"products of known factors", 250, product_of_factors},
                       known_family{"polynomials multiplied out", 250, expanded_polynomial},
-                      known_family{"roots at equal distances", 150, many_roots}),
+                      known_family{"roots at equal distances", 150, many_roots},
+                      known_family{"kinks at all scales", 150, kinks_at_all_scales}),
     [](const auto& drawn) {
       std::string name = drawn.param.name;
       std::replace(name.begin(), name.end(), ' ', '_');
@@ -423,5 +477,5 @@ TEST(unknown_roots, are_the_same_in_parts_mirrored_and_moved) {
   });
 }
 
-}  // namespace
+}  // namespace roots_test
 }  // namespace polhode::differential

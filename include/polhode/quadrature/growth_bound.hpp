@@ -33,6 +33,9 @@ class growth_bound {
                                              double r);
   [[nodiscard]] static growth_bound blocked(std::string_view where);
   [[nodiscard]] bool is_blocked() const { return blocked_; }
+  /// v(t) is defined for no 0 < t <= r: a square root of a negative number, say, is a part of it. Then it
+  /// is blocked, too.
+  [[nodiscard]] bool is_nowhere_defined() const { return nowhere_defined_; }
   /// The name of the function that could not be followed; empty where there is none.
   [[nodiscard]] std::string_view where() const { return where_; }
 
@@ -73,6 +76,10 @@ class growth_bound {
   [[nodiscard]] growth_bound constant_like(const ball& x) const;
 
  private:
+  [[nodiscard]] static growth_bound undefined(std::string_view where);
+  /// Of two of which one is blocked: the one that is nowhere defined, if one is.
+  [[nodiscard]] static const growth_bound& blocked_one(const growth_bound& x,
+                                                       const growth_bound& y);
   [[nodiscard]] growth_bound constant_of(const ball& x, end_series series) const;
   /// With these bounds and this series, of which the better ones are kept. Blocked where the bounds are no numbers and the series is blocked.
   [[nodiscard]] growth_bound made(std::string_view name, const ball& most, const rational& b,
@@ -94,6 +101,7 @@ class growth_bound {
   end_series series_;             // blocked where there is none
   end_series one_;                // the number 1, for constants
   bool blocked_ = true;
+  bool nowhere_defined_ = false;
   bool oscillates_ = false;
   std::string_view where_;
 };

@@ -70,17 +70,18 @@ template <class Real>
 struct certified_root {
   /// Near the middle of the bracket; a NaN (an undefined ball) where there is no root to show.
   Real value = detail::no_number<Real>();
-  /// lower <= root <= upper.
+  /// lower <= root <= upper; every root of the region lies between them where the verdict is not that of one root.
   Real lower = detail::no_number<Real>();
   Real upper = detail::no_number<Real>();
   /// What is proved of the roots in the interval; by an iteration of Boost's, of those in [lowest, greatest].
   root_verdict verdict = root_verdict::unresolved;
-  /// No other root lies between these.
+  /// No other root lies between these. NaNs (undefined balls) where that is not proved, or no number of
+  /// type Real is in the box of the proof.
   Real lowest = detail::no_number<Real>();
   Real greatest = detail::no_number<Real>();
   /// Where it is proved; else 0.
   long multiplicity = 0;
-  /// The root, where it is known to be this rational number.
+  /// The root, or one of them, where it is known to be this rational number.
   std::optional<rational> exact;
   /// The radius is at most 10^-digits of the root's size (of the interval's, where the root may be 0).
   bool reached = false;
@@ -94,7 +95,7 @@ template <class Real>
 struct certified_roots {
   /// In ascending order.
   std::vector<certified_root<Real>> roots;
-  /// The whole interval was searched, every root is unique or multiple, and there is no other.
+  /// The whole interval was searched, every root is proved to be one (is_one_root), and there is no other.
   bool resolved = false;
   /// f is 0 everywhere; there are no roots in the list then.
   bool identically_zero = false;
@@ -140,6 +141,7 @@ void set_box(Real& lowest, Real& greatest, const ball& box, precision p) {
   } else {
     lowest = rounded_to<Real>(lower.backend().data(), p, MPFR_RNDU);
     greatest = rounded_to<Real>(upper.backend().data(), p, MPFR_RNDD);
+    if (lowest > greatest) lowest = greatest = no_number<Real>();
   }
 }
 
@@ -178,13 +180,16 @@ template <class Real>
   certified_root<Real> result;
   const refined_root refined = refine(region, digits);
   result.exact = refined.exact;
+  const bool is_one = is_one_root(region.verdict);
   set_bracket(result,
-              refined.exact ? ball(*refined.exact, std::max<precision>(p, 64)) : refined.enclosure,
+              !is_one         ? region.box
+              : refined.exact ? ball(*refined.exact, std::max<precision>(p, 64))
+                              : refined.enclosure,
               p);
   result.verdict = region.verdict;
   result.multiplicity = region.multiplicity;
-  set_box(result.lowest, result.greatest, region.box, p);
-  result.reached = refined.exact || refined.verdict == status::certified;
+  if (is_one) set_box(result.lowest, result.greatest, region.box, p);
+  result.reached = is_one && (refined.exact || refined.verdict == status::certified);
   result.remark = region.remark;
   return result;
 }
@@ -260,14 +265,14 @@ template <class Real>
 /// All roots of a generic function f with lower <= x <= upper, each with its bracket. Real: a floating_real, or ball. Throws input_error for an
 /// interval that is none and digits below 1.
 template <class Real, class F>
-requires(floating_real<Real> || std::same_as<Real, ball>)
-    [[nodiscard]] certified_roots<Real> isolate_roots(const F& f, const range_limit<Real>& lower,
-                                                      const range_limit<Real>& upper,
-                                                      const real_root_options& options = {}) {
+requires real_or_ball<Real>
+[[nodiscard]] certified_roots<Real> isolate_roots(const F& f, const range_limit<Real>& lower,
+                                                  const range_limit<Real>& upper,
+                                                  const real_root_options& options = {}) {
   const precision p = detail::bits_between<Real>(lower, upper, options.digits);
   const long digits = detail::root_digits<Real, answer_by_verdict>(options, p);
-  const root_set found =
-      isolate_roots(formula_of(f), lower.point(), upper.point(), options.isolation);
+  const root_set found = isolate_roots(formula_of<detail::symbol_of_real<Real>>(f), lower.point(),
+                                       upper.point(), options.isolation);
   certified_roots<Real> result;
   result.resolved = found.complete && found.is_resolved();
   result.identically_zero = found.identically_zero;
@@ -283,17 +288,17 @@ requires(floating_real<Real> || std::same_as<Real, ball>)
 /// in [lowest, greatest]. Real: a floating_real; or ball, by isolation.
 /// Without a policy of Boost's, the verdict says what is not proved; with one, its evaluation_error decides where there is no proved root.
 template <class Real, class F, class Policy = answer_by_verdict>
-requires(floating_real<Real> || std::same_as<Real, ball>)
-    [[nodiscard]] certified_root<Real> find_root(const F& f, const range_limit<Real>& lower,
-                                                 const range_limit<Real>& upper,
-                                                 const real_root_options& options = {},
-                                                 const Policy& policy = {}) {
+requires real_or_ball<Real>
+[[nodiscard]] certified_root<Real> find_root(const F& f, const range_limit<Real>& lower,
+                                             const range_limit<Real>& upper,
+                                             const real_root_options& options = {},
+                                             const Policy& policy = {}) {
   constexpr const char* function = "polhode::find_root<%1%>(f, lower, upper)";
   certified_root<Real> result;
   try {
     const precision p = detail::bits_between<Real>(lower, upper, options.digits);
     const long digits = detail::root_digits<Real, Policy>(options, p);
-    const expression formula = formula_of(f);
+    const expression formula = formula_of<detail::symbol_of_real<Real>>(f);
     if (options.engine == root_engine::isolation) {
       const root_set found =
           isolate_roots(formula, lower.point(), upper.point(), options.isolation);
@@ -339,12 +344,25 @@ requires(floating_real<Real> || std::same_as<Real, ball>)
   } catch (const boost::math::evaluation_error& error) {
     result.remark = std::string("the iteration gave up: ") + error.what();
   }
-  const bool proved =
-      result.verdict == root_verdict::unique || result.verdict == root_verdict::multiple;
+  const bool proved = is_one_root(result.verdict);
   if constexpr (floating_real<Real>) {
     if (!proved) result.value = detail::not_proved(function, result.remark, result.value, policy);
   }
   return result;
+}
+
+/// Refuses any other Real.
+template <class Real, class F, class... Rest>
+requires(!real_or_ball<Real> && std::is_class_v<F>) void isolate_roots(const F& /*f*/,
+                                                                       const Rest&... /*rest*/) {
+  static_assert(detail::real_needed<Real>::reported);
+}
+
+/// Refuses any other Real.
+template <class Real, class F, class... Rest>
+requires(!real_or_ball<Real> && std::is_class_v<F>) void find_root(const F& /*f*/,
+                                                                   const Rest&... /*rest*/) {
+  static_assert(detail::real_needed<Real>::reported);
 }
 
 }  // namespace polhode

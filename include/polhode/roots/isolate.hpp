@@ -19,6 +19,8 @@
 //   a factor g^m, g with one simple root in the box and the other factors without one: multiplicity m;
 //   f, f', ..., f^(m-1) exactly 0 at a rational point and f^(m) not 0 over the box: that point, m times, and by
 //     Rolle's theorem no other;
+//   f exactly 0 at a rational point c, and |f(c +- t)| >= k t^a with k > 0 on either side (growth_bound.hpp), or f
+//     not defined there: c, and no other; c may be a kink or a branch point;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does.
 // What an examination of a box has proved, it says of pieces, and the search proves in exact arithmetic that the pieces make up
 // the box; the result is made only where all pieces, settled and open, are proved to make up the interval, each point
@@ -44,7 +46,7 @@ struct root_region {
   root_verdict verdict = root_verdict::unresolved;
   ball box;        // what the verdict is about; unbounded towards infinity
   ball enclosure;  // holds every root of f in the box
-  /// Of the root, where the verdict is unique (then 1) or multiple; else 0.
+  /// Of the root, where the verdict is unique (then 1) or multiple; else 0. An isolated root has none.
   long multiplicity = 0;
   /// The root, where it is known to be this rational number.
   std::optional<rational> exact;
@@ -82,7 +84,7 @@ struct root_set {
   bool complete = true;
   isolation_account account;
 
-  /// Every region has the verdict unique or multiple, and none may lie outside.
+  /// Every region has one root (is_one_root), and none may lie outside.
   [[nodiscard]] bool is_resolved() const;
 };
 
@@ -101,7 +103,8 @@ struct isolate_options {
   long most_unresolved = 2'000;
   /// The time that one run may take.
   std::optional<std::chrono::milliseconds> most_time = std::nullopt;
-  /// How often a box may be halved before it is left unresolved.
+  /// How often a box may be halved before it is left unresolved; twelve times as often where f is
+  /// exactly 0 at a short rational number in the box, beside which there may be roots at any scale.
   int most_halvings = 200;
   /// Bits that cancellation may raise the working precision to.
   precision most_precision = 1L << 14;

@@ -17,12 +17,17 @@ namespace polhode {
 enum class root_verdict {
   unique,        // there is exactly one, it is simple, and the enclosure holds it
   multiple,      // there is exactly one, and its multiplicity is proved to be 2 or more
+  isolated,      // there is exactly one, where f has no multiplicity: at a kink or branch point
   at_least_one,  // there is one; that it is the only one is not proved
   none,          // there is none
   unresolved     // nothing is proved: none, one or more
 };
 
 [[nodiscard]] std::string to_text(root_verdict v);
+/// There is exactly one root.
+[[nodiscard]] constexpr bool is_one_root(root_verdict v) {
+  return v == root_verdict::unique || v == root_verdict::multiple || v == root_verdict::isolated;
+}
 
 /// A root and the parts of its proof.
 struct root_enclosure {

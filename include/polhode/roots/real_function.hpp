@@ -67,6 +67,14 @@ class real_function {
   [[nodiscard]] region over(const region& x) const {
     return over_ ? over_(x) : region::blocked(obstacle::unknown, "this function");
   }
+  /// Proved: f has no root x with at < x <= at + width, or at + width <= x < at where width is negative.
+  [[nodiscard]] bool has_no_root_beside(const rational& at, const rational& width) const {
+    return no_root_beside_ && no_root_beside_(at, width);
+  }
+  /// Sets the proof that has_no_root_beside asks for.
+  void prove_beside(std::function<bool(const rational& at, const rational& width)> proof) {
+    no_root_beside_ = std::move(proof);
+  }
   /// std::nullopt where it is not available.
   [[nodiscard]] std::optional<function_structure> structure(const function_structure& x) const {
     if (!structure_) return std::nullopt;
@@ -80,6 +88,7 @@ class real_function {
   std::shared_ptr<const function_evaluator> for_all_;  // where it is the same for all precisions
   std::function<region(const region&)> over_;
   std::function<function_structure(const function_structure&)> structure_;
+  std::function<bool(const rational&, const rational&)> no_root_beside_;
   int most_order_ = 64;
   int best_order_ = 2;
 };

@@ -59,8 +59,8 @@ struct proved_root {
   ball enclosure;
   bool may_lie_outside = false;
 
-  /// One root of that multiplicity is in the enclosure and in the interval.
-  [[nodiscard]] bool is_resolved() const { return multiplicity > 0 && !may_lie_outside; }
+  /// One root of that multiplicity, if it has one, is in the enclosure and in the interval.
+  [[nodiscard]] bool is_resolved() const { return is_one_root(verdict) && !may_lie_outside; }
 };
 
 /// Every root in the interval lies in one of the enclosures, which ascend.

@@ -32,6 +32,7 @@
 #include "polhode/verify/second_roots.hpp"
 
 namespace polhode::cli {
+namespace roots_impl {
 namespace {
 
 struct roots_options {
@@ -88,7 +89,7 @@ struct listed_root {
 
   /// Of a number with so many digits, or of two ends that show as many.
   [[nodiscard]] bool is_certified() const {
-    return region.multiplicity > 0 && has_digits && !region.may_lie_outside;
+    return is_one_root(region.verdict) && has_digits && !region.may_lie_outside;
   }
 };
 
@@ -98,8 +99,8 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, long di
   std::vector<listed_root> result;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const root_region& r = regions[i];
-    result.push_back({r, r.enclosure, r.exact, false});
-    if (r.multiplicity == 0) continue;
+    result.push_back({r, r.enclosure, std::nullopt, false});
+    if (!is_one_root(r.verdict)) continue;
     refined_root& root = roots[i];
     const auto shows_digits = [&] {
       return to_decimal_enclosure(root.enclosure, digits).has(digits);
@@ -195,7 +196,10 @@ std::string remark_on(const listed_root& r) {
                        *r.region.complex_roots));
   }
   if (r.region.may_lie_outside) append("at an end of the interval, inside or outside");
-  if (r.region.multiplicity > 0 && !r.has_digits) append("fewer digits than asked for");
+  if (!is_one_root(r.region.verdict) && r.region.exact) {
+    append("a root is " + to_text(*r.region.exact) + ", exactly");
+  }
+  if (is_one_root(r.region.verdict) && !r.has_digits) append("fewer digits than asked for");
   return result;
 }
 
@@ -205,7 +209,7 @@ std::string number_text(const listed_root& r, long digits) {
   if (!r.enclosure.is_bounded()) return fmt::format("{}", "unbounded");
   constexpr long few = 12;
   const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);
-  if (r.region.multiplicity > 0 && d.digits > 0) return to_text(d);
+  if (is_one_root(r.region.verdict) && d.digits > 0) return to_text(d);
   // A region that may hold a root, or may not, is no number.
   const decimal_enclosure brief = to_decimal_enclosure(r.enclosure, std::min(digits, few));
   return fmt::format("from {} to {}", brief.lower, brief.upper);
@@ -429,6 +433,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace roots_impl
 
 command roots_command() {
   return {
@@ -442,11 +447,12 @@ command roots_command() {
       "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
       "  unique         a simple root, the only one in its place\n"
       "  multiple M     a root of multiplicity M, the only one in its place\n"
+      "  isolated       a root, the only one in its place, at a kink or branch point\n"
       "  at least one   a root, perhaps with others beside it\n"
       "  unresolved     perhaps a root, perhaps none; the remark says what is in the way\n"
       "Poles, and places where the formula is not defined, are told apart. The status is 0 where\n"
-      "every root is unique or multiple.\n",
-      declare};
+      "every root is unique, multiple or isolated.\n",
+      roots_impl::declare};
 }
 
 }  // namespace polhode::cli

@@ -51,6 +51,16 @@ struct exponent_range {
 };
 exponent_range range_of(const ball& y) { return {lower_rational(y), upper_rational(y)}; }
 
+bool is_certainly_not_whole(const ball& y) {
+  if (!y.is_bounded()) return false;
+  const rational low = lower_rational(y);
+  const rational high = upper_rational(y);
+  integer next;  // the least whole number that is not below the set
+  mpz_cdiv_q(next.backend().data(), numerator(low).backend().data(),
+             denominator(low).backend().data());
+  return rational(next) > high;
+}
+
 /// 1/(e d): the greatest value of t^d |log t|.
 ball greatest_log() { return 1 / (exp(ball(1, bits)) * ball(log_share(), bits)); }
 
@@ -60,6 +70,18 @@ growth_bound growth_bound::blocked(std::string_view where) {
   growth_bound result;
   result.where_ = where;
   return result;
+}
+
+growth_bound growth_bound::undefined(std::string_view where) {
+  growth_bound result = blocked(where);
+  result.nowhere_defined_ = true;
+  return result;
+}
+
+const growth_bound& growth_bound::blocked_one(const growth_bound& x, const growth_bound& y) {
+  if (x.nowhere_defined_) return x;
+  if (y.nowhere_defined_) return y;
+  return x.blocked_ ? x : y;
 }
 
 ball growth_bound::power_of_r(const rational& e) const {
@@ -152,8 +174,7 @@ growth_bound operator-(const growth_bound& x) {
 /// |x + y| <= (C_x r^(b_x - b) + C_y r^(b_y - b)) t^b with the lesser b. With one sign for both, the sum is at least as great as either; else as what is left of
 /// the one that is greater by its bounds: c t^a - C t^b >= (c - C r^(b-a)) t^a for b >= a.
 growth_bound operator+(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_) return x;
-  if (y.blocked_) return y;
+  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
   const rational b = lesser(x.upper_exponent_, y.upper_exponent_);
   const ball most =
       x.most_ * x.power_of_r(x.upper_exponent_ - b) + y.most_ * x.power_of_r(y.upper_exponent_ - b);
@@ -186,8 +207,7 @@ growth_bound operator+(const growth_bound& x, const growth_bound& y) {
 }
 
 growth_bound operator*(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_) return x;
-  if (y.blocked_) return y;
+  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
   growth_bound result = x.made(
       "a product", x.most_ * y.most_, x.upper_exponent_ + y.upper_exponent_, x.least_ * y.least_,
       x.lower_exponent_ + y.lower_exponent_, x.sign_ * y.sign_, x.series_ * y.series_);
@@ -197,8 +217,7 @@ growth_bound operator*(const growth_bound& x, const growth_bound& y) {
 }
 
 growth_bound operator/(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_) return x;
-  if (y.blocked_) return y;
+  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
   growth_bound result = x.made(
       "a quotient", x.most_ / y.least_, x.upper_exponent_ - y.lower_exponent_, x.least_ / y.most_,
       x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
@@ -243,9 +262,13 @@ growth_bound pow(const growth_bound& x, long n) {
 }
 
 growth_bound pow(const growth_bound& x, const growth_bound& y) {
-  if (x.blocked_) return x;
-  if (y.blocked_) return y;
+  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  // For x < 0 it is defined where y happens to be whole.
+  if (!y.constant_ && x.sign_ < 0) return growth_bound::blocked("a power of what is negative");
   if (!y.constant_) return exp(y * log(x));
+  // x^y is defined for x < 0 where y is whole.
+  if (x.sign_ < 0 && is_certainly_not_whole(*y.constant_))
+    return growth_bound::undefined("a power");
   if (x.sign_ <= 0) return growth_bound::blocked("a power of what may be negative");
   end_series none = end_series::blocked("pow");
   growth_bound result = x.to_the(*y.constant_, "a power", none);
@@ -255,6 +278,7 @@ growth_bound pow(const growth_bound& x, const growth_bound& y) {
 
 growth_bound sqrt(const growth_bound& x) {
   if (x.blocked_) return x;
+  if (x.sign_ < 0) return growth_bound::undefined("sqrt");
   if (x.sign_ <= 0 && x.series_.is_blocked()) return growth_bound::blocked("sqrt");
   const end_series series = sqrt(x.series_);
   if (x.sign_ <= 0) {
@@ -267,6 +291,7 @@ growth_bound sqrt(const growth_bound& x) {
 growth_bound root(const growth_bound& x, long n) {
   if (x.blocked_) return x;
   if (x.sign_ < 0 && n % 2 != 0) return -root(-x, n);
+  if (x.sign_ < 0) return growth_bound::undefined("root");
   if (x.sign_ <= 0) return growth_bound::blocked("root");
   return x.to_the(ball(rational(1, n), 128), "root", pow(x.series_, rational(1, n)));
 }
@@ -291,7 +316,8 @@ growth_bound exp(const growth_bound& x) {
 /// c r^a > 1 it is positive, and log x >= log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
 growth_bound log(const growth_bound& x) {
   if (x.blocked_) return x;
-  if (x.sign_ <= 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
+  if (x.sign_ < 0) return growth_bound::undefined("log");
+  if (x.sign_ == 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
   const ball log_most = log(x.most_);
   const ball log_least = log(x.least_);
   const ball a(x.lower_exponent_, bits);

@@ -27,7 +27,7 @@ void keep_apart(std::vector<root_region>& regions) {
   for (std::size_t i = 1; i < regions.size(); ++i) {
     root_region& x = regions[i - 1];
     root_region& y = regions[i];
-    if (x.multiplicity == 0 || y.multiplicity == 0) continue;
+    if (!is_one_root(x.verdict) || !is_one_root(y.verdict)) continue;
     for (long digits = 15; overlaps(x.enclosure, y.enclosure) && digits < most_digits;
          digits *= 2) {
       x.enclosure = refine(x, digits).enclosure;

@@ -151,7 +151,9 @@ class examination {
 
   static bool is_turn_for_structure(int halvings) {
     constexpr std::array turns = {8, 12, 16, 24, 32, 48, 64, 96, 128, 160, 192};
-    return std::find(turns.begin(), turns.end(), halvings) != turns.end();
+    constexpr int later = 16;
+    return std::find(turns.begin(), turns.end(), halvings) != turns.end() ||
+           (halvings > turns.back() && halvings % later == 0);
   }
 
   /// True where the box is settled: it has no root, its root was found, or a narrower box takes its place.
@@ -199,7 +201,11 @@ class examination {
   }
 
   void halve(work_box b) {
-    if (b.halvings >= options_.most_halvings || b.x.width() == 0) {
+    constexpr int times_around_zero = 12;
+    const auto zero = b.halvings >= halvings_beside_zero ? kink_in(b) : std::nullopt;
+    const bool goes_on = b.halvings < options_.most_halvings ||
+                         (zero && b.halvings < times_around_zero * options_.most_halvings);
+    if (!goes_on || b.x.width() == 0) {
       b.remark = "not resolved by " + std::to_string(b.halvings) + " halvings";
       result_.stuck.push_back(std::move(b));
       return;
@@ -208,6 +214,9 @@ class examination {
     work_box right = b;
     right.x.lower = b.x.middle();
     b.x.upper = right.x.lower;
+    // A part beside an exact zero is at a scale of its own.
+    if (zero && *zero < *right.x.lower) right.halvings = halvings_beside_zero;
+    if (zero && *zero > *b.x.upper) b.halvings = halvings_beside_zero;
     result_.rest.push_back(std::move(right));
     result_.rest.push_back(std::move(b));
   }
@@ -296,7 +305,8 @@ class examination {
         return true;
       }
     }
-    return by_exact_point(b, wide, x);
+    const auto zero = exact_zero_in(b);
+    return zero && (by_exact_point(b, wide, x, *zero) || by_growth(b, wide, x, *zero));
   }
 
   /// The only root of g in the box, to the digits that a place is worth.
@@ -316,9 +326,9 @@ class examination {
     rational at;
     long multiplicity = 0;  // 0 where it was not found
   };
+  static constexpr std::size_t simple_height = 200;
   std::optional<exact_zero> exact_zero_in(const work_box& b) {
     exact_zero r{simplest_between(*b.x.lower, *b.x.upper), 0};
-    constexpr std::size_t simple_height = 200;
     if (height(r.at) > simple_height) return std::nullopt;
     for (const int order : {1, 8, 40}) {
       const auto s = structure(problem(b), function_structure::variable_at(r.at, order, b.bits));
@@ -334,19 +344,42 @@ class examination {
     return r;
   }
 
+  /// The simplest rational number in the box, where f is exactly 0 there and has no known derivative.
+  std::optional<rational> kink_in(const work_box& b) {
+    const rational at = simplest_between(*b.x.lower, *b.x.upper);
+    if (height(at) > simple_height) return std::nullopt;
+    const auto s = structure(problem(b), function_structure::variable_at(at, 1, b.bits));
+    if (!s || !s->series()) return std::nullopt;
+    const auto& t = *s->series();
+    const bool is_kink = t[0].is_exactly(0) && t[1].enclosure().is_undefined();
+    return is_kink ? std::optional(at) : std::nullopt;
+  }
+
   /// f, ..., f^(m-1) are exactly 0 at c in x, and f^(m) has no zero in x: then c is the only root in x, m
   /// times, since m + 1 roots, counted with their multiplicities, would give f^(m) a zero (Rolle).
-  bool by_exact_point(const work_box& b, const exact_box& wide, const ball& x) {
-    const auto zero = exact_zero_in(b);
-    if (!zero || zero->multiplicity == 0) return false;
-    const auto m = static_cast<int>(zero->multiplicity);
+  bool by_exact_point(const work_box& b, const exact_box& wide, const ball& x,
+                      const exact_zero& zero) {
+    if (zero.multiplicity == 0) return false;
+    const auto m = static_cast<int>(zero.multiplicity);
     if (m > problem(b).g->most_order()) return false;
     const series_type over = series(b, x, m);
     for (int k = 0; k <= m; ++k) {
       if (over[k].is_undefined()) return false;
     }
     if (contains_zero(over[m])) return false;
-    add(b, wide, x, ball(zero->at, b.bits), m, zero->at, problem(b).g);
+    add(b, wide, x, ball(zero.at, b.bits), m, zero.at, problem(b).g);
+    return true;
+  }
+
+  /// f is 0 at c in x, and its growth on both sides of c proves that x has no other root.
+  bool by_growth(const work_box& b, const exact_box& wide, const ball& x, const exact_zero& zero) {
+    const real_function& f = *problem(b).g;
+    const exact_box whole = exact_ends(x);
+    if (!f.has_no_root_beside(zero.at, *whole.upper - zero.at) ||
+        !f.has_no_root_beside(zero.at, *whole.lower - zero.at)) {
+      return false;
+    }
+    add(b, wide, x, ball(zero.at, b.bits), 0, zero.at, problem(b).g);
     return true;
   }
 
@@ -427,12 +460,14 @@ class examination {
     add(b, done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
   }
 
-  /// The only root of the problem in the box; `done`, which lies in the box, need not be searched any more.
+  /// The only root of the problem in the box, of multiplicity 0 where it has none; `done`, which lies in the box, need not be searched any more.
   void add(const work_box& b, const exact_box& done, const ball& box, const ball& enclosure,
            long multiplicity, std::optional<rational> exact,
            std::shared_ptr<const real_function> simple) {
     root_region r;
-    r.verdict = multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
+    r.verdict = multiplicity == 0   ? root_verdict::isolated
+                : multiplicity == 1 ? root_verdict::unique
+                                    : root_verdict::multiple;
     r.box = box;
     r.enclosure = intersection(enclosure, box);
     r.multiplicity = multiplicity;

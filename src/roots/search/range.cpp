@@ -55,8 +55,7 @@ exact_interval range_around(const end_point& lower, const end_point& upper) {
 side side_of(const root_region& given, const end_point& end, bool is_lower, const real_function& f,
              root_region& sharper) {
   if (end.infinite_sign() != 0) return side::inside;
-  const bool is_proved =
-      given.verdict == root_verdict::unique || given.verdict == root_verdict::multiple;
+  const bool is_proved = is_one_root(given.verdict);
   for (const long digits : {0L, 40L, 300L}) {
     if (digits > 0 && !is_proved) break;
     if (digits > 0) {

@@ -170,9 +170,13 @@ class searcher {
       }
       return;
     }
+    std::optional<rational> isolated_at;
+    if (o.known->region && o.known->region->verdict == root_verdict::isolated) {
+      isolated_at = o.known->region->exact;
+    }
     const auto settle_all = [&](const auto& add_piece) {
       for (const exact_box* x : parts) add_piece(*x);
-      take_out(b.problem, o.known->done, add_piece);
+      take_out(b.problem, o.known->done, isolated_at, add_piece);
     };
     if (!o.known->region) {
       settle_all([&](const exact_box& x) { settled.add_without_root(x); });
@@ -187,7 +191,7 @@ class searcher {
     const auto about = double_interval::from_ball(r.box);
     for (std::size_t i = 0; i < s_.found.size(); ++i) {
       found_root& known = s_.found[i];
-      if (r.multiplicity > 0 && known.problem == problem && overlaps(known.about, about) &&
+      if (is_one_root(r.verdict) && known.problem == problem && overlaps(known.about, about) &&
           is_the_same(known.region, r)) {
         known.about = double_interval::from_ball(known.region.box);
         return i;
@@ -199,7 +203,7 @@ class searcher {
 
   /// Whether the roots of the two regions are one. Each is the only one in its box.
   static bool is_the_same(root_region& known, root_region& more) {
-    if (known.multiplicity == 0 || !overlaps(known.box, more.box)) return false;
+    if (!is_one_root(known.verdict) || !overlaps(known.box, more.box)) return false;
     for (long digits = 15; digits <= 15L << 8; digits *= 2) {
       if (contains(known.box, more.enclosure) || contains(more.box, known.enclosure)) return true;
       if (!overlaps(known.enclosure, more.enclosure)) return false;
@@ -215,9 +219,36 @@ class searcher {
     return true;
   }
 
-  /// Settles `done`, in which all roots of the problem are known. Gives what it takes out to add_piece.
+  /// Appends the box to a stack: beside an isolated root at c, in pieces whose distances from c grow by a constant factor, as
+  /// there may be roots at any scale. Rightward: c is on the left.
+  static void append_in_shells(std::vector<work_box>& stack, work_box b,
+                               const std::optional<rational>& c, bool rightward) {
+    if (!c) {
+      stack.push_back(std::move(b));
+      return;
+    }
+    constexpr long growth = 1L << 10;
+    std::vector<work_box> shells;  // the nearest to c first
+    const std::optional<rational>& last = rightward ? b.x.upper : b.x.lower;
+    while (true) {
+      const rational cut = *c + growth * ((rightward ? *b.x.lower : *b.x.upper) - *c);
+      if (cut == *c || (last && (rightward ? cut >= *last : cut <= *last))) break;
+      if (!last && abs(cut) > 1) break;  // the rest is a tail
+      shells.push_back(b);
+      (rightward ? shells.back().x.upper : shells.back().x.lower) = cut;
+      (rightward ? b.x.lower : b.x.upper) = cut;
+    }
+    shells.push_back(std::move(b));
+    if (rightward) std::reverse(shells.begin(), shells.end());
+    stack.insert(stack.end(), std::make_move_iterator(shells.begin()),
+                 std::make_move_iterator(shells.end()));
+  }
+
+  /// Settles `done`, in which all roots of the problem are known, and perhaps an isolated one. Gives what it takes out to
+  /// add_piece.
   template <class AddPiece>
-  void take_out(std::size_t problem, const exact_box& done, const AddPiece& add_piece) {
+  void take_out(std::size_t problem, const exact_box& done,
+                const std::optional<rational>& isolated_at, const AddPiece& add_piece) {
     for (auto* boxes : {&s_.pending, &s_.stuck}) {
       std::vector<work_box> left;
       left.reserve(boxes->size());
@@ -236,17 +267,19 @@ class searcher {
           continue;
         }
         forget_ahead(b);
+        b.halvings = std::min(b.halvings, halvings_beside_zero);
         add_piece(
             {!b.x.lower || (done.lower && *b.x.lower < *done.lower) ? done.lower : b.x.lower,
              !b.x.upper || (done.upper && *b.x.upper > *done.upper) ? done.upper : b.x.upper});
         // The right part first: the leftmost box is on top.
         if (!b.x.upper || *b.x.upper > *done.upper) {
-          left.push_back(b);
-          left.back().x.lower = done.upper;
+          work_box right = b;
+          right.x.lower = done.upper;
+          append_in_shells(left, std::move(right), isolated_at, true);
         }
         if (!b.x.lower || *b.x.lower < *done.lower) {
-          left.push_back(std::move(b));
-          left.back().x.upper = done.lower;
+          b.x.upper = done.lower;
+          append_in_shells(left, std::move(b), isolated_at, false);
         }
       }
       *boxes = std::move(left);

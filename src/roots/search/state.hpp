@@ -20,6 +20,9 @@ using exact_box = exact_interval;
 
 constexpr precision first_bits = 64;
 
+/// What counts, at most, as the halvings of a box beside one with an exact zero, or beside a root that was found.
+constexpr int halvings_beside_zero = 64;
+
 struct outcome;
 
 struct work_box {
