@@ -1,11 +1,13 @@
 #include "polhode/expression/symbol.hpp"
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <unordered_map>
 
 #include "calls.hpp"
+#include "polhode/arithmetic/mpfr_cell.hpp"
 #include "symbol_graph.hpp"
 
 namespace polhode {
@@ -38,6 +40,18 @@ symbol symbol::call(std::string_view function, std::vector<symbol> operands) {
 void symbol::refuse_infinite() {
   throw input_error("a number in the function is infinite or a NaN; it must be finite");
 }
+
+template <std::floating_point R>
+symbol machine_symbol<R>::exactly_of(R x) {
+  if (!(x - x == 0)) refuse_infinite();
+  detail::mpfr_cell exact(std::numeric_limits<R>::digits);
+  rational q;
+  mpfr_set_ld(exact.get(), static_cast<long double>(x), MPFR_RNDN);
+  mpfr_get_q(q.backend().data(), exact.get());
+  return q;
+}
+template class machine_symbol<double>;
+template class machine_symbol<long double>;
 
 namespace detail {
 

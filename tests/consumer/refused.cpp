@@ -1,11 +1,14 @@
 // Each must not compile, by one sentence: check.cmake has them, in this order.
 
+#include <boost/multiprecision/cpp_dec_float.hpp>
+
 #include <polhode/real/integrate.hpp>
+#include <polhode/real/roots.hpp>
 
 int main() {
   using polhode::integrate;
 #if REFUSED == 1
-  return integrate<double>([](auto x) { return 0.1 * x; }, 0, 1).value > 0;
+  return integrate<polhode::mpfr_float>([](auto x) { return 0.1 * x; }, 0, 1).value > 0;
 #elif REFUSED == 2
   return integrate<double>([](double x) { return x; }, 0, 1).value > 0;
 #elif REFUSED == 3
@@ -16,5 +19,17 @@ int main() {
   integrate<float>([](auto x) { return x; }, 0, 1);
 #elif REFUSED == 6
   return integrate<double>([](auto x) { return sin(x, x); }, 0, 1).value > 0;
+#elif REFUSED == 7
+  using Real = boost::multiprecision::cpp_dec_float_50;
+  integrate<Real>([](auto x) { return x; }, 0, 1);
+#elif REFUSED == 8
+  using Real = boost::multiprecision::cpp_dec_float_50;
+  polhode::find_root<Real>([](auto x) { return x; }, 0, 1);
+#elif REFUSED == 9
+  using Real = polhode::mpfr_float;
+  return integrate<Real>([](auto x) { return decltype(x)(0.1) * x; }, 0, 1).value > 0;
+#elif REFUSED == 10
+  const double k = 0.3;
+  return integrate<polhode::mpfr_float>([k](auto x) { return k * x; }, 0, 1).value > 0;
 #endif
 }

@@ -51,6 +51,8 @@ class end_point {
   /// A double is a decimal only by accident: see ball.
   template <std::floating_point N>
   end_point(N) = delete;
+  template <no_number_at_all N>
+  end_point(N) = delete;
 
   [[nodiscard]] static end_point infinity() { return {1, infinite{}}; }
   friend end_point operator-(const end_point& x) {

@@ -39,6 +39,14 @@ inline constexpr long greatest_decimal_exponent = 200'000;
 /// The rational as text: "629/10000", or "3" where it is an integer.
 [[nodiscard]] std::string to_text(const rational& q);
 
+/// A type that Boost converts to a rational in silence, and that is no number.
+template <class N>
+concept no_number_at_all = std::is_enum_v<N> || std::same_as<N, bool>;
+
+/// An enumerator is no number: of one without a text of its own there is none.
+template <no_number_at_all N>
+std::string to_text(N) = delete;
+
 /// The end points of a bounded ball as rationals: both are dyadic numbers, so nothing is lost (but
 /// that a radius below 2^-64 of the midpoint's last place counts as so much, outward).
 /// Throws std::domain_error where the ball is not bounded.

@@ -2,12 +2,13 @@
 
 // A formula made by calling a generic function once.
 //
-//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in formulas/is_symbol.hpp
+//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in formulas/symbolic.hpp
 //
 // A symbol stands for a number that is not known yet. Operators and the functions of the table (function_table.hpp) applied to symbols
 // give symbols, until the function returns one; what it did is then an expression, with all that the library knows of those. Beside
 // symbols stand exact numbers: whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5), and
-// Boost's floating-point numbers, each as the exact number that it is. A double variable is refused when it is compiled.
+// Boost's floating-point numbers, each as the exact number that it is. A double variable is refused when it is compiled, but beside a
+// machine_symbol<double>, which integrate<double> and its like call the function with.
 //
 // A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what to write.
 
@@ -87,6 +88,9 @@ class symbol {
 
   [[nodiscard]] const detail::symbol_node& node() const { return *node_; }
 
+ protected:
+  [[noreturn]] static void refuse_infinite();
+
  private:
   friend struct detail::symbol_node;
   explicit symbol(std::shared_ptr<detail::symbol_node> node) : node_(std::move(node)) {}
@@ -95,7 +99,6 @@ class symbol {
     if (!(boost::multiprecision::isfinite)(x)) refuse_infinite();
     return rational(x);
   }
-  [[noreturn]] static void refuse_infinite();
   static symbol of_number(const rational& q);
 
   std::shared_ptr<detail::symbol_node> node_;
@@ -120,15 +123,71 @@ struct symbol_node {
 template <class X>
 concept is_symbol = std::same_as<std::remove_cvref_t<X>, symbol>;
 
+}  // namespace detail
+
+/// A symbol beside which a variable of type R stands for the number that it is: for R = double or long double, whose
+/// functions hold numbers of type R.
+template <std::floating_point R>
+class machine_symbol : public symbol {
+ public:
+  using symbol::symbol;
+  machine_symbol(const symbol& x)  // NOLINT(google-explicit-constructor): the same
+      : symbol(x) {}
+  /// Throws input_error where it is infinite or a NaN.
+  template <std::same_as<R> N>
+  machine_symbol(N x)  // NOLINT(google-explicit-constructor): exact
+      : symbol(exactly_of(x)) {}
+  machine_symbol& operator+=(const machine_symbol& y) { return *this = call("+", {*this, y}); }
+  machine_symbol& operator-=(const machine_symbol& y) { return *this = call("-", {*this, y}); }
+  machine_symbol& operator*=(const machine_symbol& y) { return *this = call("*", {*this, y}); }
+  machine_symbol& operator/=(const machine_symbol& y) { return *this = call("/", {*this, y}); }
+  friend machine_symbol operator-(const machine_symbol& x) { return call("-", {x}); }
+  friend const machine_symbol& operator+(const machine_symbol& x) { return x; }
+
+ private:
+  static symbol exactly_of(R x);
+};
+
+extern template class machine_symbol<double>;
+extern template class machine_symbol<long double>;
+
+namespace detail {
+
+template <class X>
+inline constexpr bool is_machine_symbol_v = false;
+template <class R>
+inline constexpr bool is_machine_symbol_v<machine_symbol<R>> = true;
+template <class X>
+concept is_machine_symbol = is_machine_symbol_v<std::remove_cvref_t<X>>;
+
 /// What may stand beside a symbol, and is none.
 template <class N>
 concept beside_symbol =
     machine_integer<N> || std::same_as<N, integer> || std::same_as<N, rational> ||
     std::same_as<N, rational_literal> || boost_real<N> || boost_expression<N>;
 
+/// What stands beside a machine_symbol<R>, and is none.
+template <class N, class R>
+concept beside_machine_symbol = beside_symbol<N> || std::same_as<N, R> || std::same_as<N, symbol>;
+
+/// What a function of these arguments returns: a machine_symbol where one is among them.
+template <class... X>
+struct symbol_of_call {
+  using type = symbol;
+};
+template <class R, class... X>
+struct symbol_of_call<machine_symbol<R>, X...> {
+  using type = machine_symbol<R>;
+};
+template <class Y, class... X>
+struct symbol_of_call<Y, X...> : symbol_of_call<X...> {};
+template <class... X>
+using symbol_for = typename symbol_of_call<std::remove_cvref_t<X>...>::type;
+
 /// At least one of the arguments of a call is a symbol, and the others can stand beside it.
 template <class... X>
-concept call_of_symbols = (is_symbol<X> || ...) && (std::convertible_to<X, symbol> && ...);
+concept call_of_symbols = ((is_symbol<X> || is_machine_symbol<X>) || ...) &&
+                          (std::convertible_to<X, symbol_for<X...>> && ...);
 
 }  // namespace detail
 
@@ -161,8 +220,9 @@ POLHODE_SYMBOL_OPERATOR(/)
 
 #define POLHODE_SYMBOL_COMPARISON(op)                                                           \
   template <class X, class Y>                                                                   \
-  requires detail::is_symbol<X> || detail::is_symbol<Y>                                         \
-  bool operator op(const X&, const Y&) {                                                        \
+  requires(detail::is_symbol<X> || detail::is_symbol<Y> || detail::is_machine_symbol<X> ||      \
+           detail::is_machine_symbol<Y>) bool                                                   \
+  operator op(const X&, const Y&) {                                                             \
     static_assert(detail::never_true<X>,                                                        \
                   "Polhode: a function that is to be proved cannot branch on its argument. "    \
                   "Write it with abs, min, max, floor, ceil or sign, or split the range where " \
@@ -181,11 +241,11 @@ POLHODE_SYMBOL_COMPARISON(!=)
 #define POLHODE_SYMBOL_FUNCTION(name, arguments, ...)                      \
   template <class... X>                                                    \
   requires detail::call_of_symbols<X...>                                   \
-  [[nodiscard]] symbol name(const X&... x) {                               \
+  [[nodiscard]] detail::symbol_for<X...> name(const X&... x) {             \
     constexpr std::string_view names(arguments);                           \
     static_assert(sizeof...(X) == (names.find(',') == names.npos ? 1 : 2), \
                   "Polhode: " #name " is a function of " arguments);       \
-    return symbol::call(#name, {symbol(x)...});                            \
+    return symbol::call(#name, {detail::symbol_for<X...>(x)...});          \
   }
 POLHODE_FUNCTION_TABLE(POLHODE_SYMBOL_FUNCTION, POLHODE_SYMBOL_FUNCTION, POLHODE_SYMBOL_FUNCTION,
                        POLHODE_SYMBOL_FUNCTION)
@@ -203,5 +263,48 @@ POLHODE_FUNCTION_TABLE(POLHODE_SYMBOL_FUNCTION, POLHODE_SYMBOL_FUNCTION, POLHODE
 [[nodiscard]] inline symbol square(const symbol& x) { return x * x; }
 [[nodiscard]] inline symbol fabs(const symbol& x) { return symbol::call("abs", {x}); }
 [[nodiscard]] inline symbol tgamma(const symbol& x) { return symbol::call("gamma", {x}); }
+
+#define POLHODE_MACHINE_SYMBOL_OPERATOR(op)                                                        \
+  template <class R>                                                                               \
+  [[nodiscard]] machine_symbol<R> operator op(const machine_symbol<R>& x,                          \
+                                              const machine_symbol<R>& y) {                        \
+    return symbol::call(#op, {x, y});                                                              \
+  }                                                                                                \
+  template <class R, detail::beside_machine_symbol<R> N>                                           \
+  [[nodiscard]] machine_symbol<R> operator op(const machine_symbol<R>& x, const N& y) {            \
+    return symbol::call(#op, {x, machine_symbol<R>(y)});                                           \
+  }                                                                                                \
+  template <class R, detail::beside_machine_symbol<R> N>                                           \
+  [[nodiscard]] machine_symbol<R> operator op(const N& x, const machine_symbol<R>& y) {            \
+    return symbol::call(#op, {machine_symbol<R>(x), y});                                           \
+  }                                                                                                \
+  template <detail::is_machine_symbol X>                                                           \
+  requires(!std::same_as<X, machine_symbol<double>>) [[nodiscard]] X operator op(const X& x,       \
+                                                                                 exact_double y) { \
+    return symbol::call(#op, {x, symbol(y)});                                                      \
+  }                                                                                                \
+  template <detail::is_machine_symbol Y>                                                           \
+  requires(!std::same_as<Y, machine_symbol<double>>) [[nodiscard]] Y operator op(exact_double x,   \
+                                                                                 const Y& y) {     \
+    return symbol::call(#op, {symbol(x), y});                                                      \
+  }
+POLHODE_MACHINE_SYMBOL_OPERATOR(+)
+POLHODE_MACHINE_SYMBOL_OPERATOR(-)
+POLHODE_MACHINE_SYMBOL_OPERATOR(*)
+POLHODE_MACHINE_SYMBOL_OPERATOR(/)
+#undef POLHODE_MACHINE_SYMBOL_OPERATOR
+
+template <class R>
+[[nodiscard]] machine_symbol<R> square(const machine_symbol<R>& x) {
+  return x * x;
+}
+template <class R>
+[[nodiscard]] machine_symbol<R> fabs(const machine_symbol<R>& x) {
+  return symbol::call("abs", {x});
+}
+template <class R>
+[[nodiscard]] machine_symbol<R> tgamma(const machine_symbol<R>& x) {
+  return symbol::call("gamma", {x});
+}
 
 }  // namespace polhode

@@ -32,6 +32,13 @@ namespace boost::math::constants::detail {
       [[maybe_unused]] const auto number = [](long n) { return symbol(n); };                      \
       return formula;                                                                             \
     }                                                                                             \
+  };                                                                                              \
+  template <class R>                                                                              \
+  struct constant_##name<polhode::machine_symbol<R>> {                                            \
+    template <class Tag>                                                                          \
+    [[nodiscard]] static polhode::machine_symbol<R> get(const Tag& of) {                          \
+      return constant_##name<polhode::symbol>::get(of);                                           \
+    }                                                                                             \
   };
 POLHODE_BOOST_CONSTANT(half, number(1) / 2)
 POLHODE_BOOST_CONSTANT(third, number(1) / 3)
@@ -111,6 +118,14 @@ namespace boost::math {
   [[nodiscard]] inline polhode::symbol name(const polhode::symbol& x) { \
     using polhode::symbol;                                              \
     return formula;                                                     \
+  }                                                                     \
+  [[nodiscard]] inline polhode::machine_symbol<double> name(            \
+      const polhode::machine_symbol<double>& x) {                       \
+    return boost::math::name(static_cast<const polhode::symbol&>(x));   \
+  }                                                                     \
+  [[nodiscard]] inline polhode::machine_symbol<long double> name(       \
+      const polhode::machine_symbol<long double>& x) {                  \
+    return boost::math::name(static_cast<const polhode::symbol&>(x));   \
   }
 POLHODE_BOOST_OF_ONE(tgamma, gamma(x))
 POLHODE_BOOST_OF_ONE(lgamma, log_gamma(x))
@@ -131,14 +146,15 @@ POLHODE_BOOST_OF_ONE(ellint_2, symbol::call("ellipticE", {x * x}))
 POLHODE_BOOST_OF_ONE(ellint_d, symbol::call("ellipticD", {x * x}))
 #undef POLHODE_BOOST_OF_ONE
 
-#define POLHODE_BOOST_OF_TWO(name, formula)               \
-  template <class A, class B>                             \
-  requires polhode::detail::call_of_symbols<A, B>         \
-  [[nodiscard]] polhode::symbol name(A first, B second) { \
-    using polhode::symbol;                                \
-    const symbol x(first);                                \
-    const symbol y(second);                               \
-    return formula;                                       \
+#define POLHODE_BOOST_OF_TWO(name, formula)                                 \
+  template <class A, class B>                                               \
+  requires polhode::detail::call_of_symbols<A, B>                           \
+  [[nodiscard]] polhode::detail::symbol_for<A, B> name(A first, B second) { \
+    using polhode::symbol;                                                  \
+    using S = polhode::detail::symbol_for<A, B>;                            \
+    const symbol x = S(first);                                              \
+    const symbol y = S(second);                                             \
+    return S(formula);                                                      \
   }
 POLHODE_BOOST_OF_TWO(hypot, symbol::call("hypot", {x, y}))
 POLHODE_BOOST_OF_TWO(ellint_1, symbol::call("ellipticF", {y, x* x}))
@@ -153,34 +169,34 @@ POLHODE_BOOST_OF_TWO(jacobi_dn, symbol::call("jacobiDN", {y, x* x}))
 
 template <class A, class B, class C>
 requires polhode::detail::call_of_symbols<A, B, C>
-[[nodiscard]] polhode::symbol ellint_3(A k, B n, C phi) {
-  const polhode::symbol modulus(k);
-  return polhode::symbol::call("ellipticPi",
-                               {polhode::symbol(n), polhode::symbol(phi), modulus * modulus});
+[[nodiscard]] polhode::detail::symbol_for<A, B, C> ellint_3(A k, B n, C phi) {
+  using S = polhode::detail::symbol_for<A, B, C>;
+  const S modulus(k);
+  return polhode::symbol::call("ellipticPi", {S(n), S(phi), modulus * modulus});
 }
 template <class A, class B, class C>
 requires polhode::detail::call_of_symbols<A, B, C>
-[[nodiscard]] polhode::symbol ellint_rf(A x, B y, C z) {
-  return polhode::symbol::call("carlsonRF",
-                               {polhode::symbol(x), polhode::symbol(y), polhode::symbol(z)});
+[[nodiscard]] polhode::detail::symbol_for<A, B, C> ellint_rf(A x, B y, C z) {
+  using S = polhode::detail::symbol_for<A, B, C>;
+  return polhode::symbol::call("carlsonRF", {S(x), S(y), S(z)});
 }
 template <class A, class B, class C>
 requires polhode::detail::call_of_symbols<A, B, C>
-[[nodiscard]] polhode::symbol ellint_rd(A x, B y, C z) {
-  return polhode::symbol::call("carlsonRD",
-                               {polhode::symbol(x), polhode::symbol(y), polhode::symbol(z)});
+[[nodiscard]] polhode::detail::symbol_for<A, B, C> ellint_rd(A x, B y, C z) {
+  using S = polhode::detail::symbol_for<A, B, C>;
+  return polhode::symbol::call("carlsonRD", {S(x), S(y), S(z)});
 }
 template <class A, class B, class C>
 requires polhode::detail::call_of_symbols<A, B, C>
-[[nodiscard]] polhode::symbol ellint_rg(A x, B y, C z) {
-  return polhode::symbol::call("carlsonRG",
-                               {polhode::symbol(x), polhode::symbol(y), polhode::symbol(z)});
+[[nodiscard]] polhode::detail::symbol_for<A, B, C> ellint_rg(A x, B y, C z) {
+  using S = polhode::detail::symbol_for<A, B, C>;
+  return polhode::symbol::call("carlsonRG", {S(x), S(y), S(z)});
 }
 template <class A, class B, class C, class D>
 requires polhode::detail::call_of_symbols<A, B, C, D>
-[[nodiscard]] polhode::symbol ellint_rj(A x, B y, C z, D p) {
-  return polhode::symbol::call("carlsonRJ", {polhode::symbol(x), polhode::symbol(y),
-                                             polhode::symbol(z), polhode::symbol(p)});
+[[nodiscard]] polhode::detail::symbol_for<A, B, C, D> ellint_rj(A x, B y, C z, D p) {
+  using S = polhode::detail::symbol_for<A, B, C, D>;
+  return polhode::symbol::call("carlsonRJ", {S(x), S(y), S(z), S(p)});
 }
 
 }  // namespace boost::math

@@ -48,7 +48,7 @@ template <class Real, class F>
 requires std::same_as<Real, ball>
 [[nodiscard]] contour_integral integrate_along(const F& f, const path& along,
                                                const integrate_options& options = {}) {
-  return integrate_along(formula_of(f), along, options);
+  return integrate_along(formula_of<detail::symbol_of_real<Real>>(f), along, options);
 }
 
 /// The same with parts in Real, certified, rounding included. Policies as in real/integrate.hpp.
@@ -63,8 +63,8 @@ requires floating_real<Real>
     const precision bits = usual_bits<Real>();
     const long digits = options.digits.value_or(detail::digits_wanted<Real, Policy>(bits));
     detail::expect_digits(digits);
-    const contour_integral found =
-        integrate_along(formula_of(f), along, detail::options_for(options, digits));
+    const contour_integral found = integrate_along(formula_of<detail::symbol_of_real<Real>>(f),
+                                                   along, detail::options_for(options, digits));
     detail::set_number_and_error(found.enclosure.re, bits, result.re, result.re_error);
     detail::set_number_and_error(found.enclosure.im, bits, result.im, result.im_error);
     result.verdict = found.verdict;
@@ -80,6 +80,13 @@ requires floating_real<Real>
     result.re = detail::not_proved(function, result.obstacle, result.re, policy);
   }
   return result;
+}
+
+/// Refuses any other Real.
+template <class Real, class F, class... Rest>
+requires(!real_or_ball<Real> && std::is_class_v<F>) void integrate_along(const F& /*f*/,
+                                                                         const Rest&... /*rest*/) {
+  static_assert(detail::real_needed<Real>::reported);
 }
 
 }  // namespace polhode

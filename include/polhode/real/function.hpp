@@ -15,6 +15,19 @@
 
 namespace polhode::detail {
 
+/// What a function for a template over Real is called with to record it. Numbers of type double or long double stand
+/// beside their own symbols; those of Boost's, and exact numbers, beside all.
+template <class Real>
+struct recording_symbol {
+  using type = symbol;
+};
+template <std::floating_point Real>
+struct recording_symbol<Real> {
+  using type = machine_symbol<Real>;
+};
+template <class Real>
+using symbol_of_real = typename recording_symbol<Real>::type;
+
 /// While it lives, new numbers of type mpfr_float have p bits, or a few more, on this thread; for other types, nothing.
 template <floating_real R>
 class thread_precision {

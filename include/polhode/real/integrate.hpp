@@ -63,6 +63,8 @@ enum class truncation_verdict {
   not_proved  // it is not, and `obstacle` says why
 };
 
+[[nodiscard]] std::string to_text(truncation_verdict v);
+
 /// An integral whose truncation error is proved, and whose rounding errors are not.
 template <floating_real R>
 struct rounded_integral {
@@ -155,7 +157,7 @@ template <class Real, class F>
 requires std::same_as<Real, ball>
 [[nodiscard]] integral integrate(const F& f, const range_limit<ball>& a, const range_limit<ball>& b,
                                  const integrate_options& options = {}) {
-  return integrate(formula_of(f), a.point(), b.point(), options);
+  return integrate(formula_of<detail::symbol_of_real<Real>>(f), a.point(), b.point(), options);
 }
 
 /// The integral of a generic function f from a to b, summed in Real. The order of the ends, infinite ends and ends where f is singular are as in
@@ -173,7 +175,7 @@ requires floating_real<Real>
     const precision bits = detail::working_bits<Real>(a, b);
     const long digits = options.digits.value_or(detail::digits_wanted<Real, Policy>(bits));
     detail::expect_digits(digits);
-    const expression formula = formula_of(f);
+    const expression formula = formula_of<detail::symbol_of_real<Real>>(f);
     const integrate_options goal = detail::options_for(options, digits);
     const detail::integrand certified = integrand_of(formula);
     const detail::integrand rounded = detail::with_values(
@@ -211,12 +213,11 @@ requires floating_real<Real>
   return result;
 }
 
-/// float has too few digits and exponents for any of this.
+/// Refuses any other Real.
 template <class Real, class F, class... Rest>
-requires std::same_as<Real, float>
-void integrate(const F& /*f*/, const Rest&... /*rest*/) {
-  static_assert(detail::never_true<F>,
-                "Polhode: a float has too few digits and exponents; write integrate<double>");
+requires(!real_or_ball<Real> && std::is_class_v<F>) void integrate(const F& /*f*/,
+                                                                   const Rest&... /*rest*/) {
+  static_assert(detail::real_needed<Real>::reported);
 }
 
 }  // namespace polhode

@@ -21,6 +21,8 @@ class range_limit {
   template <machine_integer N>
   range_limit(N n)  // NOLINT(google-explicit-constructor): exact
       : point_(n) {}
+  template <no_number_at_all N>
+  range_limit(N) = delete;
   range_limit(const rational& q)  // NOLINT(google-explicit-constructor): exact
       : point_(q) {}
   range_limit(const rational_literal& q)  // NOLINT(google-explicit-constructor): exact

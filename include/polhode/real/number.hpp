@@ -33,13 +33,39 @@ inline constexpr bool has_variable_precision = [] {
 }();
 }  // namespace detail
 
-/// A floating-point type without enclosures: double, long double, and the numbers of Boost.Multiprecision: mpfr_float (with the precision of
-/// its arguments), mpfr_float_50, ..., cpp_bin_float_50, ..., with expression templates or without.
+namespace detail {
+/// A cpp_bin_float of Boost's: its backend says how many binary digits it has.
+template <class R>
+concept binary_boost_real = boost_real<R> && std::numeric_limits<R>::radix == 2 && requires {
+  requires R::backend_type::bit_count == std::numeric_limits<R>::digits;
+};
+}  // namespace detail
+
+/// A floating-point type without enclosures: double, long double, and the numbers of Boost.Multiprecision
+/// with a binary floating point and correct rounding: mpfr_float (with the precision of its arguments),
+/// mpfr_float_50, ..., cpp_bin_float_50, ..., with expression templates or without.
 template <class R>
 concept floating_real = std::same_as<R, double> || std::same_as<R, long double> ||
-    (detail::boost_real<R> && (mpfr_like<R> || !detail::has_variable_precision<R>));
+                        (detail::boost_real<R>&& mpfr_like<R>) ||
+                        detail::binary_boost_real<R>;
+
+/// What a template over Real takes.
+template <class R>
+concept real_or_ball = floating_real<R> || std::same_as<R, ball>;
 
 namespace detail {
+
+/// Made into a type where Real is none of these: one sentence.
+template <class Real>
+struct real_needed {
+  static_assert(
+      real_or_ball<Real>,
+      "Polhode: Real is double, long double, mpfr_float, mpfr_float_50 (or another number "
+      "of digits), cpp_bin_float_50 (or another), or polhode::ball. A float has too few "
+      "digits; the numbers of cpp_dec_float, gmp_float, mpfi and rationals are not rounded "
+      "in binary, as the proofs need it");
+  static constexpr bool reported = true;
+};
 
 /// Whole decimal digits in so many bits; at least one.
 [[nodiscard]] inline long digits_in_bits(precision p) {

@@ -53,14 +53,15 @@ namespace detail {
 [[nodiscard]] std::vector<std::string> numbered_names(std::size_t count);
 }  // namespace detail
 
-/// What a generic function of a vector does, a formula a component, in x1, x2, ... It is called once.
-template <class F>
+/// What a generic function of a vector does, a formula a component, in x1, x2, ... It is called once, with symbols of that
+/// type (formula_of).
+template <class Symbol = symbol, class F>
 [[nodiscard]] std::vector<expression> formulas_of(const F& f, std::size_t variables) {
-  using arguments = std::vector<symbol>;
+  using arguments = std::vector<Symbol>;
   std::vector<expression> result;
   if constexpr (detail::expect_generic<F, arguments>()) {
     arguments x;
-    for (std::size_t i = 0; i < variables; ++i) x.push_back(symbol::variable(i));
+    for (std::size_t i = 0; i < variables; ++i) x.emplace_back(symbol::variable(i));
     const auto values = f(std::as_const(x));
     const std::vector<std::string> names = detail::numbered_names(variables);
     for (const auto& value : values) result.push_back(formula_of(detail::symbol_of(value), names));
@@ -70,10 +71,10 @@ template <class F>
 
 /// The solutions of f(x) = 0 in a box, faces included. Real: a floating_real, or ball. Throws input_error for a box that is none.
 template <class Real, class F>
-requires(floating_real<Real> || std::same_as<Real, ball>)
-    [[nodiscard]] certified_solutions<Real> solve_system(
-        const F& f, const std::vector<std::pair<range_limit<Real>, range_limit<Real>>>& box,
-        const real_system_options& options = {}) {
+requires real_or_ball<Real>
+[[nodiscard]] certified_solutions<Real> solve_system(
+    const F& f, const std::vector<std::pair<range_limit<Real>, range_limit<Real>>>& box,
+    const real_system_options& options = {}) {
   std::vector<std::pair<rational, rational>> sides;
   precision p = 0;
   for (const auto& [lower, upper] : box) {
@@ -86,7 +87,7 @@ requires(floating_real<Real> || std::same_as<Real, ball>)
   real_root_options digits_of;
   digits_of.digits = options.digits;
   const long digits = detail::root_digits<Real, answer_by_verdict>(digits_of, p);
-  const real_system system = system_of(formulas_of(f, box.size()));
+  const real_system system = system_of(formulas_of<detail::symbol_of_real<Real>>(f, box.size()));
   const system_root_set found = solve_system(system, sides, options.search);
   certified_solutions<Real> result;
   result.resolved = found.complete && found.is_resolved();
@@ -109,6 +110,13 @@ requires(floating_real<Real> || std::same_as<Real, ball>)
     result.solutions.push_back(std::move(one));
   }
   return result;
+}
+
+/// Refuses any other Real.
+template <class Real, class F, class... Rest>
+requires(!real_or_ball<Real> && std::is_class_v<F>) void solve_system(const F& /*f*/,
+                                                                      const Rest&... /*rest*/) {
+  static_assert(detail::real_needed<Real>::reported);
 }
 
 }  // namespace polhode
