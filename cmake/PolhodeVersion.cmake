@@ -1,4 +1,4 @@
-# Sets polhode_version to what include/polhode/version.hpp says.
+# Sets polhode_version and polhode_version_suffix to what include/polhode/version.hpp says.
 file(READ "${CMAKE_CURRENT_LIST_DIR}/../include/polhode/version.hpp" polhode_version_header)
 set(polhode_version "")
 foreach(part IN ITEMS MAJOR MINOR PATCH)
@@ -8,3 +8,5 @@ foreach(part IN ITEMS MAJOR MINOR PATCH)
   list(APPEND polhode_version "${CMAKE_MATCH_1}")
 endforeach()
 list(JOIN polhode_version "." polhode_version)
+string(REGEX MATCH "#define POLHODE_VERSION_SUFFIX \"([^\"]*)\"" _ "${polhode_version_header}")
+set(polhode_version_suffix "${CMAKE_MATCH_1}")

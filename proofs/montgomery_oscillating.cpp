@@ -7,7 +7,7 @@
 namespace polhode::proofs {
 namespace {
 
-void add_body(certificate& c, const request& wanted) {
+void add_oscillating_body(certificate& c, const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_number(
       c, "greatest_lower_bound",
@@ -37,7 +37,7 @@ certificate prove_oscillating(const request& wanted) {
       "claim physical it is at least pi exactly for physical bodies. Computed: the polynomial "
       "steps; the rest is monotonicity of the integral.";
   add_steps(c, half_phase_steps());
-  add_body(c, wanted);
+  add_oscillating_body(c, wanted);
   c.conclude();
   return c;
 }

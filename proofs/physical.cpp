@@ -16,7 +16,7 @@ namespace {
 
 int sign_of_rational(const rational& q) { return q > 0 ? 1 : q < 0 ? -1 : 0; }
 
-void add_body(certificate& c, const request& wanted) {
+void add_physical_body(certificate& c, const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
   const rational& a = rigid.a();
@@ -50,7 +50,7 @@ certificate prove_physical(const request& wanted) {
              identity("(1-b)^2 - b*(a+b)", "1 - 2*b - a*b", "and that of 1 - 2b - ab"),
              positive("x+z-y", "z + p", "z > 0, p = x-y > 0", "I_x + I_z > I_y always"),
              positive("x+y-z", "x + p", "x > 0, p = y-z > 0", "I_x + I_y > I_z always")});
-  add_body(c, wanted);
+  add_physical_body(c, wanted);
   c.conclude();
   return c;
 }

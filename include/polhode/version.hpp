@@ -3,8 +3,17 @@
 // The version of the library. The build reads it here.
 
 #define POLHODE_VERSION_MAJOR 0
-#define POLHODE_VERSION_MINOR 1
-#define POLHODE_VERSION_PATCH 1
+#define POLHODE_VERSION_MINOR 2
+#define POLHODE_VERSION_PATCH 0
+/// "-dev" between releases: a version that is not yet made.
+#define POLHODE_VERSION_SUFFIX "-dev"
+
+#define POLHODE_TEXT_OF(x) #x
+#define POLHODE_VERSION_TEXT(major, minor, patch) \
+  POLHODE_TEXT_OF(major) "." POLHODE_TEXT_OF(minor) "." POLHODE_TEXT_OF(patch)
+#define POLHODE_VERSION                                                                     \
+  POLHODE_VERSION_TEXT(POLHODE_VERSION_MAJOR, POLHODE_VERSION_MINOR, POLHODE_VERSION_PATCH) \
+  POLHODE_VERSION_SUFFIX
 
 namespace polhode {
 

@@ -11,6 +11,7 @@
 #include "base/sha256.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/digest.hpp"
+#include "polhode/version.hpp"
 
 namespace polhode {
 namespace {

@@ -19,6 +19,7 @@
 #include "cli/output/streams.hpp"
 #include "commands.hpp"
 #include "polhode/expression/expression.hpp"
+#include "polhode/version.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -188,8 +189,8 @@ exit_status print_help(const CLI::App& app, const std::vector<std::string>& argu
 exit_status run_command_line(int argc, const char* const* argv) {
   refuse_brackets(argc, argv);
   CLI::App app(
-      "Certified numbers, and the free rotation of rigid bodies: every number that is printed\n"
-      "is proved to be right in all its digits.\n",
+      "Certified numbers, and the free rotation of rigid bodies: digits before dots are digits of\n"
+      "the true value; value ± radius holds it.\n",
       "polhode");
   set_up(app, fmt::format("Examples:\n"
                           "  polhode certify                      prove every claim\n"

@@ -150,13 +150,13 @@ ball carlson_rg(const ball& x, const ball& y, const ball& z) {
 
 namespace {
 
-constexpr precision guard_bits = 48;
+constexpr precision carlson_guard_bits = 48;
 
 /// f at the numbers with guard bits, rounded to the greatest precision among them.
 template <class F, class... Numbers>
 mpfr_float rounded(const F& f, const Numbers&... x) {
   const precision p = greatest_precision_of(x...);
-  return detail::raised(f(detail::raised(x, p + guard_bits)..., p + guard_bits), p);
+  return detail::raised(f(detail::raised(x, p + carlson_guard_bits)..., p + carlson_guard_bits), p);
 }
 template <class F, class... Numbers>
 double in_long_double(const F& f, Numbers... x) {

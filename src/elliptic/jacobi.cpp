@@ -1,29 +1,21 @@
 #include "polhode/elliptic/jacobi.hpp"
 
 #include "elliptic/enclose.hpp"
+#include "elliptic/given_modulus.hpp"
 #include "elliptic/jacobi_points.hpp"
 #include "polhode/elliptic/legendre.hpp"
 
 namespace polhode {
 namespace {
 
-using parameter = elliptic_parameter<ball>;
-
-precision precision_for(const ball& u, const parameter& m) {
-  return std::max(u.precision(), m.given().precision());
-}
-ball raised(const ball& x, precision q) { return x.with_precision(std::max(q, x.precision())); }
-detail::modulus<ball> modulus_at(const ball& given, const parameter& m, precision q) {
-  return detail::modulus_of(given, m.is_complement(), std::max(q, given.precision()));
-}
-
 /// f of sn, cn, dn: at numbers to full accuracy, else from the range of am.
 template <class F>
-ball of_triple(const ball& u, const parameter& m, const F& f) {
-  const precision p = precision_for(u, m);
+ball of_triple(const ball& u, const detail::ball_parameter& m, const F& f) {
+  const precision p = detail::precision_for(u, m);
   if (u.is_exact() && m.given().is_exact()) {
     return detail::to_accuracy(p, [&](precision q) {
-      const jacobi_values<ball> w = detail::jacobi_at(raised(u, q), modulus_at(m.given(), m, q), q);
+      const jacobi_values<ball> w =
+          detail::jacobi_at(detail::raised_ball(u, q), detail::modulus_at(m.given(), m, q), q);
       return f(w.sn, w.cn, w.dn);
     });
   }
@@ -33,11 +25,12 @@ ball of_triple(const ball& u, const parameter& m, const F& f) {
 
 }  // namespace
 
-ball jacobi_am(const ball& u, const parameter& m) {
-  const precision p = precision_for(u, m);
+ball jacobi_am(const ball& u, const detail::ball_parameter& m) {
+  const precision p = detail::precision_for(u, m);
   const auto value = [&](const ball& at, const ball& given) {
-    return detail::to_accuracy(
-        p, [&](precision q) { return detail::am_at(raised(at, q), modulus_at(given, m, q), q); });
+    return detail::to_accuracy(p, [&](precision q) {
+      return detail::am_at(detail::raised_ball(at, q), detail::modulus_at(given, m, q), q);
+    });
   };
   if (u.is_exact() && m.given().is_exact()) return value(u, m.given());
   if (!u.is_bounded() || !m.given().is_bounded()) return ball::undefined(p);
@@ -55,15 +48,15 @@ ball jacobi_am(const ball& u, const parameter& m) {
   return hull(low, high);
 }
 
-jacobi_values<ball> jacobi_elliptic(const ball& u, const parameter& m) {
-  const precision p = precision_for(u, m);
+jacobi_values<ball> jacobi_elliptic(const ball& u, const detail::ball_parameter& m) {
+  const precision p = detail::precision_for(u, m);
   if (u.is_exact() && m.given().is_exact()) {
     return {jacobi_sn(u, m), jacobi_cn(u, m), jacobi_dn(u, m)};
   }
   if (certainly_negative(m.m1())) {  // as in jacobi_at
     const ball root = sqrt(m.m());
     const jacobi_values<ball> w =
-        jacobi_elliptic(root * u, parameter::with_complement(-m.m1() / m.m()));
+        jacobi_elliptic(root * u, detail::ball_parameter::with_complement(-m.m1() / m.m()));
     return {w.sn / root, w.dn, w.cn};
   }
   const ball phi = jacobi_am(u, m);
@@ -73,7 +66,7 @@ jacobi_values<ball> jacobi_elliptic(const ball& u, const parameter& m) {
 }
 
 #define POLHODE_JACOBI_QUOTIENT(name, value)                                                      \
-  ball name(const ball& u, const parameter& m) {                                                  \
+  ball name(const ball& u, const detail::ball_parameter& m) {                                     \
     return of_triple(u, m, [](const auto& sn, const auto& cn, const auto& dn) {                   \
       static_cast<void>(sn), static_cast<void>(cn), static_cast<void>(dn);                        \
       return ball(value);                                                                         \
@@ -92,11 +85,11 @@ jacobi_values<ball> jacobi_elliptic(const ball& u, const parameter& m) {
 
 namespace {
 
-constexpr precision guard_bits = 64;
+constexpr precision jacobi_guard_bits = 64;
 
 jacobi_values<mpfr_float> with_guard_bits(const mpfr_float& u,
                                           const elliptic_parameter<mpfr_float>& m) {
-  const precision q = std::max(precision_of(u), precision_of(m.given())) + guard_bits;
+  const precision q = std::max(precision_of(u), precision_of(m.given())) + jacobi_guard_bits;
   return detail::jacobi_at(detail::raised(u, q),
                            detail::modulus_of(m.given(), m.is_complement(), q), q);
 }
@@ -108,10 +101,10 @@ jacobi_values<long double> in_long_double(double u, const elliptic_parameter<dou
     if (!std::isfinite(u) || !std::isfinite(m.given())) {
       return detail::undefined_values<long double>(detail::long_double_bits);
     }
-    const jacobi_values<ball> w =
-        jacobi_elliptic(ball::exactly(u, 80),
-                        m.is_complement() ? parameter::with_complement(ball::exactly(m.given(), 80))
-                                          : parameter(ball::exactly(m.given(), 80)));
+    const jacobi_values<ball> w = jacobi_elliptic(
+        ball::exactly(u, 80),
+        m.is_complement() ? detail::ball_parameter::with_complement(ball::exactly(m.given(), 80))
+                          : detail::ball_parameter(ball::exactly(m.given(), 80)));
     const auto number = [](const ball& x) {
       return mpfr_get_ld(midpoint(x).backend().data(), MPFR_RNDN);
     };
@@ -150,7 +143,7 @@ jacobi_values<double> jacobi_elliptic(const double& u, const elliptic_parameter<
 }
 mpfr_float jacobi_am(const mpfr_float& u, const elliptic_parameter<mpfr_float>& m) {
   const precision p = std::max(precision_of(u), precision_of(m.given()));
-  const precision q = p + guard_bits;
+  const precision q = p + jacobi_guard_bits;
   return detail::raised(
       detail::am_at(detail::raised(u, q), detail::modulus_of(m.given(), m.is_complement(), q), q),
       p);
@@ -172,14 +165,15 @@ namespace {
 /// f(x, m, m1) at numbers to full accuracy, over other balls as it stands. The part of u in [0, K] for x >= 0;
 /// `reflected`: 2K minus that of -x for x < 0; odd functions need nothing.
 template <class F>
-ball inverse(const ball& x, const parameter& m, bool reflected, const F& f) {
-  const precision p = precision_for(x, m);
+ball inverse(const ball& x, const detail::ball_parameter& m, bool reflected, const F& f) {
+  const precision p = detail::precision_for(x, m);
   if (!detail::not_negative(m.m()) || !detail::not_negative(m.m1())) return ball::undefined(p);
   const auto value = [&](precision q) {
-    const auto [k, k1] = modulus_at(m.given(), m, q);
-    const ball at = raised(x, q);
+    const auto [k, k1] = detail::modulus_at(m.given(), m, q);
+    const ball at = detail::raised_ball(x, q);
     if (!reflected || !certainly_negative(at)) return ball(f(at, k, k1));
-    return 2 * elliptic_k(m.is_complement() ? parameter::with_complement(k1) : parameter(k)) -
+    return 2 * elliptic_k(m.is_complement() ? detail::ball_parameter::with_complement(k1)
+                                            : detail::ball_parameter(k)) -
            f(-at, k, k1);
   };
   if (reflected && sign_of(x) == sign::unknown) return ball::undefined(p);
@@ -190,72 +184,72 @@ ball one_of(const ball& x) { return {1, x.precision()}; }
 
 }  // namespace
 
-ball jacobi_arcsn(const ball& x, const parameter& m) {
+ball jacobi_arcsn(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball&, const ball& m1) {
     const ball rest = (1 - t) * (1 + t);
     return t * carlson_rf(rest, rest + m1 * square(t), one_of(t));
   });
 }
-ball jacobi_arccn(const ball& x, const parameter& m) {
+ball jacobi_arccn(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, true, [](const ball& t, const ball&, const ball& m1) {
     const ball rest = (1 - t) * (1 + t);
     return sqrt(rest) * carlson_rf(square(t), square(t) + m1 * rest, one_of(t));
   });
 }
-ball jacobi_arcdn(const ball& x, const parameter& m) {
+ball jacobi_arcdn(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball& k, const ball& m1) {
     if (!certainly_positive(t)) return ball::undefined(t.precision());
     return sqrt((1 - t) * (1 + t)) * carlson_rf(square(t) - m1, k * square(t), k);
   });
 }
-ball jacobi_arcns(const ball& x, const parameter& m) {
+ball jacobi_arcns(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball&, const ball& m1) {
     const ball rest = (t - 1) * (t + 1);
     if (!certainly_positive(t)) return ball::undefined(t.precision());
     return carlson_rf(rest, rest + m1, square(t));
   });
 }
-ball jacobi_arcnc(const ball& x, const parameter& m) {
+ball jacobi_arcnc(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball&, const ball& m1) {
     const ball rest = (t - 1) * (t + 1);
     if (!certainly_positive(t)) return ball::undefined(t.precision());
     return sqrt(rest) * carlson_rf(one_of(t), 1 + m1 * rest, square(t));
   });
 }
-ball jacobi_arcnd(const ball& x, const parameter& m) {
+ball jacobi_arcnd(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball& k, const ball& m1) {
     if (!certainly_positive(t)) return ball::undefined(t.precision());
     return sqrt((t - 1) * (t + 1)) * carlson_rf(1 - m1 * square(t), k, k * square(t));
   });
 }
-ball jacobi_arcsc(const ball& x, const parameter& m) {
+ball jacobi_arcsc(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball&, const ball& m1) {
     return t * carlson_rf(one_of(t), 1 + m1 * square(t), 1 + square(t));
   });
 }
-ball jacobi_arcsd(const ball& x, const parameter& m) {
+ball jacobi_arcsd(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball& k, const ball& m1) {
     return t * carlson_rf(1 - m1 * square(t), one_of(t), 1 + k * square(t));
   });
 }
-ball jacobi_arccs(const ball& x, const parameter& m) {
+ball jacobi_arccs(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, true, [](const ball& t, const ball&, const ball& m1) {
     return carlson_rf(square(t), square(t) + m1, square(t) + 1);
   });
 }
-ball jacobi_arccd(const ball& x, const parameter& m) {
+ball jacobi_arccd(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, true, [](const ball& t, const ball&, const ball& m1) {
     const ball rest = (1 - t) * (1 + t);
     return sqrt(rest) * carlson_rf(m1 * square(t), m1, rest + m1 * square(t));
   });
 }
-ball jacobi_arcds(const ball& x, const parameter& m) {
+ball jacobi_arcds(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball& k, const ball& m1) {
     if (!certainly_positive(t)) return ball::undefined(t.precision());
     return carlson_rf(square(t) - m1, square(t), square(t) + k);
   });
 }
-ball jacobi_arcdc(const ball& x, const parameter& m) {
+ball jacobi_arcdc(const ball& x, const detail::ball_parameter& m) {
   return inverse(x, m, false, [](const ball& t, const ball&, const ball& m1) {
     const ball rest = (t - 1) * (t + 1);
     if (!certainly_positive(t)) return ball::undefined(t.precision());
@@ -264,12 +258,12 @@ ball jacobi_arcdc(const ball& x, const parameter& m) {
 }
 
 // K(1-m)/K(m) = M(1, sqrt m1)/M(1, sqrt m).
-ball elliptic_nome(const parameter& m) {
+ball elliptic_nome(const detail::ball_parameter& m) {
   const precision p = m.given().precision();
   return detail::monotone_range<1>({m.given()}, {m.is_complement() ? -1 : 1}, p,
                                    [&](const std::array<ball, 1>& x) {
                                      return detail::to_accuracy(p, [&](precision q) {
-                                       const auto [k, m1] = modulus_at(x[0], m, q);
+                                       const auto [k, m1] = detail::modulus_at(x[0], m, q);
                                        ball one(1, q);
                                        if (certainly_negative(k) || certainly_negative(m1))
                                          return ball::undefined(q);
@@ -280,7 +274,7 @@ ball elliptic_nome(const parameter& m) {
                                    });
 }
 
-jacobi_gradient_values jacobi_gradient(const ball& u, const parameter& m) {
+jacobi_gradient_values jacobi_gradient(const ball& u, const detail::ball_parameter& m) {
   const ball phi = jacobi_am(u, m);
   const auto [sn, cn, dn] = jacobi_elliptic(u, m);
   const ball am_in_m = -dn * elliptic_f_gradient(phi, m)[1];

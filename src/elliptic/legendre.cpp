@@ -1,28 +1,25 @@
 #include "polhode/elliptic/legendre.hpp"
 
 #include "elliptic/enclose.hpp"
+#include "elliptic/given_modulus.hpp"
 #include "elliptic/legendre_points.hpp"
 
 namespace polhode {
 namespace {
 
-using parameter = elliptic_parameter<ball>;
-
 /// 1 where f increases with m, written for what is given: m or m1.
-int direction_in(const parameter& m, int in_m) { return m.is_complement() ? -in_m : in_m; }
-
-detail::modulus<ball> modulus_at(const ball& given, const parameter& m, precision q) {
-  return detail::modulus_of(given, m.is_complement(), std::max(q, given.precision()));
+int direction_in(const detail::ball_parameter& m, int in_m) {
+  return m.is_complement() ? -in_m : in_m;
 }
-ball raised(const ball& x, precision q) { return x.with_precision(std::max(q, x.precision())); }
 
 /// f(modulus, q), monotone in m.
 template <class F>
-ball complete(const parameter& m, int in_m, const F& f) {
+ball complete(const detail::ball_parameter& m, int in_m, const F& f) {
   const precision p = m.given().precision();
   return detail::monotone_range<1>(
       {m.given()}, {direction_in(m, in_m)}, p, [&](const std::array<ball, 1>& x) {
-        return detail::to_accuracy(p, [&](precision q) { return f(modulus_at(x[0], m, q), q); });
+        return detail::to_accuracy(
+            p, [&](precision q) { return f(detail::modulus_at(x[0], m, q), q); });
       });
 }
 
@@ -32,7 +29,8 @@ template <std::size_t Count, class F>
 ball incomplete(const ball& phi, const std::array<ball, Count>& others,
                 const std::array<int, Count>& direction, precision p, const F& f) {
   const auto value = [&](const ball& at, const std::array<ball, Count>& corner) {
-    return detail::to_accuracy(p, [&](precision q) { return f(raised(at, q), corner, q); });
+    return detail::to_accuracy(
+        p, [&](precision q) { return f(detail::raised_ball(at, q), corner, q); });
   };
   bool exact = phi.is_exact();
   for (const ball& x : others) exact = exact && x.is_exact();
@@ -53,16 +51,12 @@ ball incomplete(const ball& phi, const std::array<ball, Count>& others,
   return hull(low, high);
 }
 
-precision precision_for(const ball& phi, const parameter& m) {
-  return std::max(phi.precision(), m.given().precision());
-}
-
 /// f(phi, modulus, q) over balls.
 template <class F>
-ball of_amplitude(const ball& phi, const parameter& m, int in_m, const F& f) {
-  return incomplete<1>(phi, {m.given()}, {direction_in(m, in_m)}, precision_for(phi, m),
+ball of_amplitude(const ball& phi, const detail::ball_parameter& m, int in_m, const F& f) {
+  return incomplete<1>(phi, {m.given()}, {direction_in(m, in_m)}, detail::precision_for(phi, m),
                        [&](const ball& at, const std::array<ball, 1>& corner, precision q) {
-                         return f(at, modulus_at(corner[0], m, q), q);
+                         return f(at, detail::modulus_at(corner[0], m, q), q);
                        });
 }
 
@@ -73,59 +67,62 @@ bool within_quarter(const ball& phi) {
 
 }  // namespace
 
-ball elliptic_k(const parameter& m) {
+ball elliptic_k(const detail::ball_parameter& m) {
   return complete(m, 1, [](const auto& k, precision q) { return detail::k_at(k, q); });
 }
-ball elliptic_e(const parameter& m) {
+ball elliptic_e(const detail::ball_parameter& m) {
   return complete(m, -1, [](const auto& k, precision q) { return detail::e_at(k, q); });
 }
-ball elliptic_d(const parameter& m) {
+ball elliptic_d(const detail::ball_parameter& m) {
   return complete(m, 1, [](const auto& k, precision q) { return detail::d_at(k, q); });
 }
-ball elliptic_f(const ball& phi, const parameter& m) {
+ball elliptic_f(const ball& phi, const detail::ball_parameter& m) {
   return of_amplitude(
       phi, m, 1, [](const ball& at, const auto& k, precision q) { return detail::f_at(at, k, q); });
 }
-ball elliptic_e(const ball& phi, const parameter& m) {
+ball elliptic_e(const ball& phi, const detail::ball_parameter& m) {
   if (!phi.is_exact() || !m.given().is_exact()) {
     // It decreases in m: what is least and greatest is not where the domain, m sin^2 <= 1 up to phi, ends first.
     const ball greatest_m =
         m.is_complement() ? detail::lower_end(m.given()) : detail::upper_end(m.given());
-    const precision q = precision_for(phi, m) + 64;
+    const precision q = detail::precision_for(phi, m) + 64;
     for (const ball& end : {detail::lower_end(phi), detail::upper_end(phi)}) {
       const bool is_defined =
           end.is_bounded() && greatest_m.is_bounded() &&
-          !detail::e_at(raised(end, q), modulus_at(greatest_m, m, q), q).is_undefined();
-      if (!is_defined) return ball::undefined(precision_for(phi, m));
+          !detail::e_at(detail::raised_ball(end, q), detail::modulus_at(greatest_m, m, q), q)
+               .is_undefined();
+      if (!is_defined) return ball::undefined(detail::precision_for(phi, m));
     }
   }
   return of_amplitude(phi, m, -1, [](const ball& at, const auto& k, precision q) {
     return detail::e_at(at, k, q);
   });
 }
-ball elliptic_d(const ball& phi, const parameter& m) {
+ball elliptic_d(const ball& phi, const detail::ball_parameter& m) {
   return of_amplitude(
       phi, m, 1, [](const ball& at, const auto& k, precision q) { return detail::d_at(at, k, q); });
 }
 
-ball elliptic_pi(const ball& n, const parameter& m) {
+ball elliptic_pi(const ball& n, const detail::ball_parameter& m) {
   const precision p = std::max(n.precision(), m.given().precision());
   const auto of_numbers = [&](const std::array<ball, 2>& x) {
-    return detail::to_accuracy(
-        p, [&](precision q) { return detail::pi_at(raised(x[0], q), modulus_at(x[1], m, q), q); });
+    return detail::to_accuracy(p, [&](precision q) {
+      return detail::pi_at(detail::raised_ball(x[0], q), detail::modulus_at(x[1], m, q), q);
+    });
   };
   if (certainly_less(n, 1)) {
     return detail::monotone_range<2>({n, m.given()}, {1, direction_in(m, 1)}, p, of_numbers);
   }
   if (!certainly_greater(n, 1)) return ball::undefined(p);
   if (n.is_exact() && m.given().is_exact()) return of_numbers({n, m.given()});
-  return detail::pi_at(n, modulus_at(m.given(), m, p), p);
+  return detail::pi_at(n, detail::modulus_at(m.given(), m, p), p);
 }
 
-ball elliptic_pi(const ball& n, const ball& phi, const parameter& m) {
-  const precision p = std::max(n.precision(), precision_for(phi, m));
+ball elliptic_pi(const ball& n, const ball& phi, const detail::ball_parameter& m) {
+  const precision p = std::max(n.precision(), detail::precision_for(phi, m));
   const auto of_numbers = [&](const ball& at, const std::array<ball, 2>& corner, precision q) {
-    return detail::pi_at(raised(corner[0], q), at, modulus_at(corner[1], m, q), q);
+    return detail::pi_at(detail::raised_ball(corner[0], q), at, detail::modulus_at(corner[1], m, q),
+                         q);
   };
   const bool regular =
       certainly_less(n, 1) || (within_quarter(phi) && certainly_less(n * square(sin(phi)), 1));
@@ -133,14 +130,15 @@ ball elliptic_pi(const ball& n, const ball& phi, const parameter& m) {
   if (regular || exact) {
     return incomplete<2>(phi, {n, m.given()}, {1, direction_in(m, 1)}, p, of_numbers);
   }
-  return of_numbers(raised(phi, p), {n, m.given()}, p);
+  return of_numbers(detail::raised_ball(phi, p), {n, m.given()}, p);
 }
 
 ball bulirsch_cel(const ball& kc, const ball& p, const ball& a, const ball& b) {
   const precision bits = std::max({kc.precision(), p.precision(), a.precision(), b.precision()});
   if (contains_zero(kc)) return ball::undefined(bits);
   const auto value = [&](precision q) {
-    return detail::cel_at(square(raised(kc, q)), raised(p, q), raised(a, q), raised(b, q), q);
+    return detail::cel_at(square(detail::raised_ball(kc, q)), detail::raised_ball(p, q),
+                          detail::raised_ball(a, q), detail::raised_ball(b, q), q);
   };
   const bool exact = kc.is_exact() && p.is_exact() && a.is_exact() && b.is_exact();
   return exact ? detail::to_accuracy(bits, value) : value(bits + 16).with_precision(bits);
@@ -151,12 +149,12 @@ ball bulirsch_cel(const ball& kc, const ball& p, const ball& a, const ball& b) {
 
 namespace {
 
-constexpr precision guard_bits = 48;
+constexpr precision legendre_guard_bits = 48;
 
 template <class F, class... Numbers>
 mpfr_float rounded(const F& f, const elliptic_parameter<mpfr_float>& m, const Numbers&... x) {
   const precision p = std::max({precision_of(m.given()), precision_of(x)...});
-  const precision q = p + guard_bits;
+  const precision q = p + legendre_guard_bits;
   return detail::raised(
       f(detail::raised(x, q)..., detail::modulus_of(m.given(), m.is_complement(), q), q), p);
 }
@@ -210,7 +208,7 @@ mpfr_float bulirsch_cel(const mpfr_float& kc, const mpfr_float& p, const mpfr_fl
                         const mpfr_float& b) {
   const precision bits =
       std::max({precision_of(kc), precision_of(p), precision_of(a), precision_of(b)});
-  const precision q = bits + guard_bits;
+  const precision q = bits + legendre_guard_bits;
   return detail::raised(
       detail::cel_at(detail::square_of(detail::raised(kc, q)), detail::raised(p, q),
                      detail::raised(a, q), detail::raised(b, q), q),
@@ -227,11 +225,11 @@ double bulirsch_cel(const double& kc, const double& p, const double& a, const do
 // Derivatives.
 
 // K' = int sin^2/(2 Delta^3) = B/(2 m1), B = int cos^2/Delta = K - D (DLMF 19.4.1).
-ball elliptic_k_derivative(const parameter& m) {
+ball elliptic_k_derivative(const detail::ball_parameter& m) {
   return (elliptic_k(m) - elliptic_d(m)) / (2 * m.m1());
 }
 // E' = (E - K)/(2m) = -D/2.
-ball elliptic_e_derivative(const parameter& m) { return -elliptic_d(m) / 2; }
+ball elliptic_e_derivative(const detail::ball_parameter& m) { return -elliptic_d(m) / 2; }
 
 namespace {
 
@@ -239,7 +237,7 @@ struct slope_parts {
   ball s, c, delta, ss;
 };
 /// sin phi, cos phi and Delta(phi), for every phi.
-slope_parts slope_parts_of(const ball& phi, const parameter& m) {
+slope_parts slope_parts_of(const ball& phi, const detail::ball_parameter& m) {
   const auto [s, c] = sin_cos(phi.with_precision(phi.precision() + 16));
   const ball ss = square(s);
   return {s, c, sqrt(square(c) + m.m1() * ss), ss};
@@ -248,18 +246,18 @@ slope_parts slope_parts_of(const ball& phi, const parameter& m) {
 }  // namespace
 
 // In m: from F = s R_F(X, Y, 1), dY/dm = -s^2, and 2 k K; undefined over sets that hold an odd multiple of pi/2.
-std::array<ball, 2> elliptic_f_gradient(const ball& phi, const parameter& m) {
+std::array<ball, 2> elliptic_f_gradient(const ball& phi, const detail::ball_parameter& m) {
   const detail::amplitude<ball> w = detail::amplitude_of(phi, phi.precision() + 16);
   const ball ss = square(w.s);
   ball in_m = w.s * ss * carlson_rd(w.X, ball(1, phi.precision()), w.X + m.m1() * ss) / 6;
   if (sign_of(w.turns) != sign::zero) in_m += 2 * w.turns * elliptic_k_derivative(m);
   return {1 / slope_parts_of(phi, m).delta, in_m};
 }
-std::array<ball, 2> elliptic_e_gradient(const ball& phi, const parameter& m) {
+std::array<ball, 2> elliptic_e_gradient(const ball& phi, const detail::ball_parameter& m) {
   return {slope_parts_of(phi, m).delta, -elliptic_d(phi, m) / 2};
 }
 // DLMF 19.4.4 and 19.4.7 and their like in the parameter m.
-std::array<ball, 2> elliptic_pi_gradient(const ball& n, const parameter& m) {
+std::array<ball, 2> elliptic_pi_gradient(const ball& n, const detail::ball_parameter& m) {
   const ball k = elliptic_k(m);
   const ball e = elliptic_e(m);
   const ball value = elliptic_pi(n, m);
@@ -267,7 +265,8 @@ std::array<ball, 2> elliptic_pi_gradient(const ball& n, const parameter& m) {
   return {(e + difference * k / n + (square(n) - m.m()) * value / n) / (2 * difference * (n - 1)),
           (e / m.m1() - value) / (2 * difference)};
 }
-std::array<ball, 3> elliptic_pi_gradient(const ball& n, const ball& phi, const parameter& m) {
+std::array<ball, 3> elliptic_pi_gradient(const ball& n, const ball& phi,
+                                         const detail::ball_parameter& m) {
   const auto [s, c, delta, ss] = slope_parts_of(phi, m);
   const ball f = elliptic_f(phi, m);
   const ball e = elliptic_e(phi, m);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "exact/rationals.hpp"
+
 namespace polhode::detail {
 namespace {
 
@@ -19,16 +21,17 @@ bool commutes(operation what) {
   }
 }
 
-long bits_of(const integer& n) {
+long length_of(const integer& n) {
   return n == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
 }
-long bits_of(const rational& q) { return std::max(bits_of(numerator(q)), bits_of(denominator(q))); }
-bool is_short(const rational& q) { return bits_of(q) <= most_folded_bits; }
+long length_of(const rational& q) {
+  return std::max(length_of(numerator(q)), length_of(denominator(q)));
+}
+bool is_short(const rational& q) { return length_of(q) <= most_folded_bits; }
 
-bool is_integer(const rational& q) { return denominator(q) == 1; }
 std::optional<long> as_long(const rational& q) {
   const integer n = numerator(q);
-  if (!is_integer(q) || mpz_fits_slong_p(n.backend().data()) == 0) return std::nullopt;
+  if (!exact_parts::is_integer(q) || mpz_fits_slong_p(n.backend().data()) == 0) return std::nullopt;
   return mpz_get_si(n.backend().data());
 }
 
@@ -86,7 +89,7 @@ node_id power_to_long(graph& g, node_id x, long n) {
   if (*q == -1) return g.number(odd ? -1 : 1);
   const unsigned long size =
       n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
-  if (size > static_cast<unsigned long>(most_folded_bits / bits_of(*q))) {
+  if (size > static_cast<unsigned long>(most_folded_bits / length_of(*q))) {
     return g.make(operation::power_integer, x, 0, n);
   }
   const rational result = integer_power(*q, size);
@@ -131,7 +134,7 @@ std::optional<rational> exact_root(const rational& q, unsigned long n) {
 
 std::string brief(const rational& q) {
   constexpr std::size_t most = 40;
-  if (bits_of(q) > 8 * static_cast<long>(most)) return "a number of many digits";
+  if (length_of(q) > 8 * static_cast<long>(most)) return "a number of many digits";
   std::string text = polhode::to_text(q);
   if (text.size() > most) return text.substr(0, most) + "...";
   return text;
@@ -253,8 +256,9 @@ node_id power(graph& g, node_id x, node_id y) {
   if (const std::optional<long> n = as_long(*exponent)) return power_to_long(g, x, *n);
   if (is_e(g, x)) return g.make(operation::exp, y);
   if (const rational* base = g.value(x)) {
-    const auto exact = is_integer(*exponent) ? power_to_great_integer(g, *base, *exponent)
-                                             : power_to_fraction(g, *base, *exponent);
+    const auto exact = exact_parts::is_integer(*exponent)
+                           ? power_to_great_integer(g, *base, *exponent)
+                           : power_to_fraction(g, *base, *exponent);
     if (exact) return *exact;
   }
   const std::optional<long> twice = as_long(rational(*exponent * 2));
@@ -264,7 +268,7 @@ node_id power(graph& g, node_id x, node_id y) {
 
 node_id factorial(graph& g, node_id x) {
   const rational* q = g.value(x);
-  if (q == nullptr || !is_integer(*q) || *q < 0) {
+  if (q == nullptr || !exact_parts::is_integer(*q) || *q < 0) {
     throw undefined_operation(
         "the factorial is of whole numbers from 0; gamma(x + 1) is of others");
   }
@@ -278,7 +282,7 @@ node_id factorial(graph& g, node_id x) {
 
 node_id double_factorial(graph& g, node_id x) {
   const rational* q = g.value(x);
-  if (q == nullptr || !is_integer(*q) || *q < 0) {
+  if (q == nullptr || !exact_parts::is_integer(*q) || *q < 0) {
     throw undefined_operation("the double factorial, n!!, is of whole numbers from 0");
   }
   constexpr long most = 10'000;  // of 59,335 bits

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/rationals.hpp"
 #include "graph.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
 
@@ -21,11 +22,6 @@ constexpr std::size_t most_bits = 1U << 14;   // of a coefficient
 
 using terms = std::map<long, rational>;  // the coefficients that are not 0, by degree
 using maybe_terms = std::optional<terms>;
-
-std::size_t bits_of(const rational& q) {
-  return std::max(mpz_sizeinbase(mpq_numref(q.backend().data()), 2),
-                  mpz_sizeinbase(mpq_denref(q.backend().data()), 2));
-}
 
 class expansion {
  public:
@@ -48,7 +44,7 @@ class expansion {
     if (c == 0) return true;
     const auto [place, is_new] = p.emplace(n, c);
     if (!is_new) place->second += c;
-    const std::size_t bits = bits_of(place->second);
+    const std::size_t bits = detail::exact_parts::bits_of(place->second);
     steps_ += bits / 1024;  // long numbers take longer
     if (bits > most_bits) return false;
     if (place->second == 0) p.erase(place);

@@ -138,12 +138,11 @@ std::string to_text(const graph& g, const std::vector<std::string>& variables) {
     }
     const auto [id, least] = std::get<operand_place>(next);
     std::vector<piece> pieces = pieces_of(g, id, variables);
-    if (binding_of(g, id) < least) {
-      pieces.insert(pieces.begin(), std::string("("));
-      pieces.emplace_back(std::string(")"));
-    }
+    const bool in_parentheses = binding_of(g, id) < least;
+    if (in_parentheses) rest.emplace_back(std::string(")"));
     rest.insert(rest.end(), std::make_move_iterator(pieces.rbegin()),
                 std::make_move_iterator(pieces.rend()));
+    if (in_parentheses) rest.emplace_back(std::string("("));
   }
   return result;
 }

@@ -16,7 +16,7 @@
 namespace polhode {
 namespace {
 
-using json = nlohmann::json;
+using file_json = nlohmann::json;
 
 constexpr const char* right =
     R"(it must be one of {"ab": [a, b]}, {"moments": [Ix, Iy, Iz]}, {"rotational": [A, B, C]}, )"
@@ -24,9 +24,9 @@ constexpr const char* right =
 
 /// Builds the value with every number as the text that it has in the file.
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
-class exact_reader : public nlohmann::json_sax<json> {
+class exact_reader : public nlohmann::json_sax<file_json> {
  public:
-  json result;
+  file_json result;
   std::string error;
 
   bool null() override { return add(nullptr); }
@@ -36,8 +36,8 @@ class exact_reader : public nlohmann::json_sax<json> {
   bool number_float(number_float_t, const string_t& text) override { return add(text); }
   bool string(string_t& value) override { return add(value); }
   bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return open(json::object()); }
-  bool start_array(std::size_t) override { return open(json::array()); }
+  bool start_object(std::size_t) override { return open(file_json::object()); }
+  bool start_array(std::size_t) override { return open(file_json::array()); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& name) override {
@@ -58,20 +58,20 @@ class exact_reader : public nlohmann::json_sax<json> {
   }
 
  private:
-  json* place(json value) {
+  file_json* place(file_json value) {
     if (open_.empty()) return &(result = std::move(value));
-    json& parent = *open_.back();
+    file_json& parent = *open_.back();
     if (parent.is_array()) {
       parent.push_back(std::move(value));
       return &parent.back();
     }
     return &(parent[key_] = std::move(value));
   }
-  bool add(json value) {
+  bool add(file_json value) {
     place(std::move(value));
     return true;
   }
-  bool open(json value) {
+  bool open(file_json value) {
     constexpr std::size_t most_nested = 8;
     if (open_.size() >= most_nested) {
       error = "it is nested too deeply";
@@ -85,19 +85,19 @@ class exact_reader : public nlohmann::json_sax<json> {
     return true;
   }
 
-  std::vector<json*> open_;
+  std::vector<file_json*> open_;
   std::string key_;
 };
 
 [[noreturn]] void refuse(const std::string& what) { throw input_error(what + "; " + right); }
 
-rational number_in(const json& value, const std::string& name) {
+rational number_in(const file_json& value, const std::string& name) {
   if (!value.is_string()) refuse(fmt::format("\"{}\" must hold numbers", name));
   return parse_rational(value.get_ref<const std::string&>());
 }
 
 template <std::size_t Count>
-std::array<rational, Count> numbers_in(const json& value, const std::string& name) {
+std::array<rational, Count> numbers_in(const file_json& value, const std::string& name) {
   if (!value.is_array() || value.size() != Count) {
     refuse(fmt::format("\"{}\" must be an array of {} numbers", name, Count));
   }
@@ -106,7 +106,7 @@ std::array<rational, Count> numbers_in(const json& value, const std::string& nam
   return result;
 }
 
-std::array<rational, 6> tensor_in(const json& value) {
+std::array<rational, 6> tensor_in(const file_json& value) {
   if (!value.is_array() || value.size() != 3) refuse(R"("tensor" must be an array of 3 rows)");
   std::array<std::array<rational, 3>, 3> rows;
   for (std::size_t i = 0; i < 3; ++i) rows[i] = numbers_in<3>(value[i], "tensor");
@@ -148,7 +148,7 @@ body_file read_body_file(const std::string& path) { return parse_body_file(read_
 
 body_file parse_body_file(const std::string& text) {
   exact_reader reader;
-  if (!json::sax_parse(text, &reader)) refuse(reader.error);
+  if (!file_json::sax_parse(text, &reader)) refuse(reader.error);
   if (!reader.result.is_object()) refuse("it is no JSON object");
   body_file result;
   int bodies = 0;

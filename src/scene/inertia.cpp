@@ -3,13 +3,15 @@
 #include <algorithm>
 
 namespace polhode::detail {
+
+rational dot(const rational_vector& x, const rational_vector& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
 namespace {
 
 rational_vector cross(const rational_vector& x, const rational_vector& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
-}
-rational dot(const rational_vector& x, const rational_vector& y) {
-  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
 rational_vector negative(const rational_vector& x) { return {-x[0], -x[1], -x[2]}; }
 

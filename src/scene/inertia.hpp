@@ -6,6 +6,8 @@
 
 namespace polhode::detail {
 
+[[nodiscard]] rational dot(const rational_vector& x, const rational_vector& y);
+
 /// xx, yy, zz, xy, xz, yz.
 using tensor_entries = std::array<rational, 6>;
 

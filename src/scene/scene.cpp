@@ -16,10 +16,6 @@ namespace polhode {
 namespace detail {
 namespace {
 
-rational dot(const rational_vector& x, const rational_vector& y) {
-  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-}
-
 std::string time_of(const std::string& angular_velocity) {
   if (angular_velocity == "rpm") return "min";
   return angular_velocity.substr(angular_velocity.find('/') + 1);

@@ -24,7 +24,7 @@
 #include "support/real.hpp"
 
 namespace polhode {
-namespace {
+namespace bad_input_test {
 
 using support::real;
 
@@ -206,5 +206,5 @@ TEST(BadInput, Digits) {
   }
 }
 
-}  // namespace
+}  // namespace bad_input_test
 }  // namespace polhode

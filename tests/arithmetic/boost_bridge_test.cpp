@@ -14,7 +14,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace boost_bridge_test {
 
 using support::described;
 using support::exact;
@@ -107,5 +107,5 @@ TEST(BoostBridge, DefaultsOfTheThreadDoNotMatter) {
   EXPECT_THROW((void)zero_of_precision(-5), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace boost_bridge_test
 }  // namespace polhode

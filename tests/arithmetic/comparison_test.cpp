@@ -8,7 +8,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace comparison_test {
 
 using support::described;
 using support::exact;
@@ -126,5 +126,5 @@ TEST(Comparison, OfTheAlmostEqual) {
   EXPECT_TRUE(overlaps(one, one));
 }
 
-}  // namespace
+}  // namespace comparison_test
 }  // namespace polhode

@@ -23,7 +23,7 @@
 #endif
 
 namespace polhode {
-namespace {
+namespace complex_ball_test {
 
 using support::exact;
 using support::exact_real;
@@ -1138,5 +1138,5 @@ TEST(ComplexBall, Text) {
   EXPECT_EQ(out.str(), "0.5403... + 0.8414...*I");
 }
 
-}  // namespace
+}  // namespace complex_ball_test
 }  // namespace polhode

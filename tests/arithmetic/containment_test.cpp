@@ -16,7 +16,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace containment_test {
 
 using support::described;
 using support::exact;
@@ -372,5 +372,5 @@ TEST(Containment, SquareRootAndHypotThroughSquares) {
   }
 }
 
-}  // namespace
+}  // namespace containment_test
 }  // namespace polhode

@@ -21,7 +21,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace corners_test {
 
 using support::described;
 using support::exact;
@@ -659,5 +659,5 @@ TEST(Corners, RadiiSaturate) {
   EXPECT_FALSE(x.is_bounded());
 }
 
-}  // namespace
+}  // namespace corners_test
 }  // namespace polhode

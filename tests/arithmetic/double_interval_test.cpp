@@ -25,7 +25,7 @@
 #include "support/real.hpp"
 
 namespace polhode {
-namespace {
+namespace double_interval_test {
 
 namespace point = detail::approximation;
 using detail::infinity;
@@ -1297,5 +1297,5 @@ TEST(DoubleIntervalConversions, PrintsAnEnclosure) {
   EXPECT_EQ(text(double_interval::undefined()), "undefined");
 }
 
-}  // namespace
+}  // namespace double_interval_test
 }  // namespace polhode

@@ -14,7 +14,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace elementary_test {
 
 using support::described;
 using support::elementary_function;
@@ -259,5 +259,5 @@ TEST(Elementary, Identities) {
   }
 }
 
-}  // namespace
+}  // namespace elementary_test
 }  // namespace polhode

@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace exact_test {
 
 using support::described;
 using support::exact;
@@ -163,5 +163,5 @@ TEST(EndsAsRationals, WithARadiusFarBelowTheLastPlace) {
   }
 }
 
-}  // namespace
+}  // namespace exact_test
 }  // namespace polhode

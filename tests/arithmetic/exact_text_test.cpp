@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace exact_text_test {
 
 TEST(ExactText, ReadsBackEveryBall) {
   support::random_source random(11);
@@ -89,5 +89,5 @@ TEST(NumericLimits, ClaimNothingOfABall) {
   EXPECT_FALSE(std::numeric_limits<ball>::is_specialized);
 }
 
-}  // namespace
+}  // namespace exact_text_test
 }  // namespace polhode

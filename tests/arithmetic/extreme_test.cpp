@@ -25,7 +25,7 @@
 #endif
 
 namespace polhode {
-namespace {
+namespace extreme_test {
 
 using support::described;
 using support::random_source;
@@ -731,5 +731,5 @@ INSTANTIATE_TEST_SUITE_P(Operations, ExtremeComplex, ::testing::ValuesIn(complex
 
 #endif  // POLHODE_HAVE_ARB
 
-}  // namespace
+}  // namespace extreme_test
 }  // namespace polhode

@@ -12,7 +12,7 @@
 #include "support/real.hpp"
 
 namespace polhode {
-namespace {
+namespace fixed_point_functions_test {
 
 using support::random_source;
 using support::real;
@@ -192,5 +192,5 @@ TEST(FixedPointErrors, AreCountedWhereTheResultIsRoundedTheWrongWay) {
   }
 }
 
-}  // namespace
+}  // namespace fixed_point_functions_test
 }  // namespace polhode

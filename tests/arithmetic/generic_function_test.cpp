@@ -8,7 +8,7 @@
 #include "polhode/arithmetic/interval.hpp"
 
 namespace polhode::detail {
-namespace {
+namespace generic_function_test {
 
 struct with_evaluator {
   template <class T>
@@ -51,5 +51,5 @@ TEST(GenericFunctions, GiveTheirOwnValueOtherwise) {
   EXPECT_EQ(value_as<ball>(x, ball(0, 500)).precision(), 64);
 }
 
-}  // namespace
+}  // namespace generic_function_test
 }  // namespace polhode::detail

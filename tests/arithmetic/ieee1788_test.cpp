@@ -27,7 +27,7 @@
 #include "support/real.hpp"
 
 namespace polhode {
-namespace {
+namespace ieee1788_test {
 
 using support::described;
 using support::kind;
@@ -792,5 +792,5 @@ TEST(NaturalDomain, HoldsTheValuesAtMembers) {
   }
 }
 
-}  // namespace
+}  // namespace ieee1788_test
 }  // namespace polhode

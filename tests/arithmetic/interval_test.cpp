@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace interval_test {
 
 using support::described;
 using support::exact;
@@ -324,5 +324,5 @@ TEST(Overflow, KeepsTheSign) {
   EXPECT_TRUE(mpfr_sgn(lower.get()) > 0);
 }
 
-}  // namespace
+}  // namespace interval_test
 }  // namespace polhode

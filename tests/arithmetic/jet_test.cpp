@@ -12,7 +12,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace jet_test {
 
 constexpr precision bits = 200;
 using jet5 = jet<ball, 5>;
@@ -228,5 +228,5 @@ TEST(Jet, OrdersThatDiffer) {
   EXPECT_THROW(static_cast<void>(jet5::variable(number("1"), 4)), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace jet_test
 }  // namespace polhode

@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace magnitude_test {
 
 using support::random_source;
 using support::real;
@@ -257,5 +257,5 @@ TEST(Magnitude, ZeroAndInfinity) {
   EXPECT_EQ(sqrt_down(magnitude::power_of_two(8)), magnitude::power_of_two(4));
 }
 
-}  // namespace
+}  // namespace magnitude_test
 }  // namespace polhode

@@ -14,7 +14,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace monotonicity_test {
 
 using support::described;
 using support::exact;
@@ -88,5 +88,5 @@ TEST(Monotonicity, OfOperationsOnTwoSets) {
   }
 }
 
-}  // namespace
+}  // namespace monotonicity_test
 }  // namespace polhode

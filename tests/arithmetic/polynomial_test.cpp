@@ -9,7 +9,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace polynomial_test {
 
 using support::random_source;
 using support::repeat;
@@ -116,5 +116,5 @@ TEST(SimplestBetween, IsTheLeastDenominator) {
   }
 }
 
-}  // namespace
+}  // namespace polynomial_test
 }  // namespace polhode

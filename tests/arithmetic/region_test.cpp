@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace region_test {
 
 region box(double re_low, double re_high, double im_low, double im_high) {
   return {double_interval(re_low, re_high), double_interval(im_low, im_high)};
@@ -287,5 +287,5 @@ TEST(Region, TakesBallsOfAnySize) {
   EXPECT_TRUE(region(ball(2, 100)).is_in_hardware());
 }
 
-}  // namespace
+}  // namespace region_test
 }  // namespace polhode

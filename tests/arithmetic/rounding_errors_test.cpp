@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace rounding_errors_test {
 
 using support::random_source;
 using support::repeat;
@@ -145,5 +145,5 @@ TEST(RoundingErrors, OfComplexProductsHoldTheCorners) {
   }
 }
 
-}  // namespace
+}  // namespace rounding_errors_test
 }  // namespace polhode

@@ -14,7 +14,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace sets_test {
 
 using support::described;
 using support::exact;
@@ -361,5 +361,5 @@ TEST(Sets, UndefinedSpreadsAndAnswersPossibly) {
   EXPECT_EQ(sign_of(u), sign::unknown);
 }
 
-}  // namespace
+}  // namespace sets_test
 }  // namespace polhode

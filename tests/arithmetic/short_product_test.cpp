@@ -10,7 +10,7 @@
 #include "support/real.hpp"
 
 namespace polhode {
-namespace {
+namespace short_product_test {
 
 using support::random_source;
 using support::real;
@@ -113,5 +113,5 @@ TEST(ShortProduct, FusedWithASumIsThatOfMpfr) {
   }
 }
 
-}  // namespace
+}  // namespace short_product_test
 }  // namespace polhode

@@ -14,7 +14,7 @@
 #include "support/real.hpp"
 
 namespace polhode {
-namespace {
+namespace special_functions_test {
 
 constexpr precision bits = 128;
 
@@ -292,5 +292,5 @@ TEST(SpecialFunctions, BesidePolesAsNarrowAsTheOperandAllows) {
   }
 }
 
-}  // namespace
+}  // namespace special_functions_test
 }  // namespace polhode

@@ -15,7 +15,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace storage_test {
 
 using support::exact;
 using support::exact_set;
@@ -232,5 +232,5 @@ TEST(Storage, Cells) {
   EXPECT_TRUE(d.is_empty());
 }
 
-}  // namespace
+}  // namespace storage_test
 }  // namespace polhode

@@ -15,7 +15,7 @@
 #include "support/real.hpp"
 
 namespace polhode::detail {
-namespace {
+namespace tabulated_functions_test {
 
 using support::random_source;
 using support::real;
@@ -231,5 +231,5 @@ TEST_P(TabulatedFunctions, EntriesOfArcTangentsAreOffByLessThanTwo) {
 
 INSTANTIATE_TEST_SUITE_P(Limbs, TabulatedFunctions, ::testing::Range(2L, most_tabulated_limbs + 1));
 
-}  // namespace
+}  // namespace tabulated_functions_test
 }  // namespace polhode::detail

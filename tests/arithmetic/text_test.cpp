@@ -19,7 +19,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace text_test {
 
 using support::described;
 using support::exact;
@@ -319,5 +319,5 @@ TEST(Text, BitsForDigits) {
   EXPECT_THROW((void)bits_for_digits(std::numeric_limits<long>::max()), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace polhode

@@ -16,7 +16,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace tightness_test {
 
 using support::described;
 using support::elementary_function;
@@ -308,5 +308,5 @@ TEST(TightnessOfArithmetic, SineAndCosineStayInTheUnitInterval) {
   }
 }
 
-}  // namespace
+}  // namespace tightness_test
 }  // namespace polhode

@@ -20,7 +20,7 @@
 #include "base/worker_threads.hpp"
 
 namespace polhode {
-namespace {
+namespace base_test {
 
 std::string hexadecimal_digest(std::string_view text) {
   std::string result;
@@ -99,5 +99,5 @@ TEST(Clock, CountsSeconds) {
   EXPECT_GE(detail::processor_seconds(), before);
 }
 
-}  // namespace
+}  // namespace base_test
 }  // namespace polhode

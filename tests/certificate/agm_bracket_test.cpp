@@ -7,7 +7,7 @@
 #include "polhode/certificate/agm_bracket.hpp"
 
 namespace polhode {
-namespace {
+namespace agm_bracket_test {
 
 const char* const beta_floor = "0.0289732280378394600896939267034134383";
 
@@ -59,5 +59,5 @@ TEST(AgmBracket, IsNoneWhereBetaIsNot) {
   EXPECT_FALSE(agm_bracket_witness(decimal_end(60, -2), decimal_end(60, -1)));
 }
 
-}  // namespace
+}  // namespace agm_bracket_test
 }  // namespace polhode

@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace certificate_test {
 
 rational from_dyadic(const json& end) {
   return rational(integer(end.at("mantissa").get<std::string>())) *
@@ -297,5 +297,5 @@ TEST(CertificateText, KeepsALongWordWhole) {
   EXPECT_EQ(text.substr(0, text.find('\n')), "example: certified by machine");
 }
 
-}  // namespace
+}  // namespace certificate_test
 }  // namespace polhode

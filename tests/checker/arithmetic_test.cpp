@@ -16,7 +16,7 @@
 #include "support/random.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace arithmetic_test {
 
 using support::repeat;
 
@@ -248,5 +248,5 @@ TEST(Decimals, AreCutOffAndRoundedOutward) {
   }
 }
 
-}  // namespace
+}  // namespace arithmetic_test
 }  // namespace polhode::checker

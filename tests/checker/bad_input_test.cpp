@@ -8,7 +8,7 @@
 #include "proofs/claim.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace bad_input_test {
 
 json certificate_of(const char* claim) {
   proofs::request wanted;
@@ -113,5 +113,5 @@ TEST(BadInput, WrongTypesAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace bad_input_test
 }  // namespace polhode::checker

@@ -10,7 +10,7 @@
 #include "support/random.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace bounds_test {
 
 bool holds(const interval& x, const interval& finer) {
   return x.lower() <= finer.lower() && finer.upper() <= x.upper();
@@ -62,5 +62,5 @@ TEST(CheckerBounds, TheTrapezoidalRuleIsOffByAsMuchAsItsBound) {
   }
 }
 
-}  // namespace
+}  // namespace bounds_test
 }  // namespace polhode::checker

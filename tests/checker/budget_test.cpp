@@ -11,7 +11,7 @@
 #include "polhode/checker/check.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace budget_test {
 
 using test::integral_json;
 using test::make_digest_right;
@@ -201,5 +201,5 @@ TEST(Budget, MemoryIsCharged) {
   EXPECT_NE(full.message.find("--memory"), std::string::npos) << full.message;
 }
 
-}  // namespace
+}  // namespace budget_test
 }  // namespace polhode::checker

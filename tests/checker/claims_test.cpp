@@ -10,7 +10,7 @@
 #include "proofs/claim.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace claims_test {
 
 report checked(const char* claim, const proofs::request& wanted) {
   return check(to_json(proofs::find_claim(claim)->prove(wanted)).dump(2));
@@ -115,5 +115,5 @@ TEST(NotCertified, IsNotCheckable) {
   EXPECT_EQ(r.place, "/verdict");
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace polhode::checker

@@ -6,9 +6,7 @@ file=$(mktemp)
 trap 'rm -f "$file"' EXIT
 allowed='Reals\.sig_dec|Classical\.classic'
 good='Axioms:
-Reals.sig_dec
-  : forall P : nat -> Prop,
-    P 0
+Reals.sig_dec : forall P : nat -> Prop, P 0
 Classical.classic : forall P : Prop, P \/ ~ P'
 
 takes() {
@@ -36,6 +34,12 @@ done
 must_refuse 1 'Axioms:
   : False'
 must_refuse 1 'cheat : False'
+# A type on lines of its own may hide another axiom.
+must_refuse 1 "$good
+  cheat : False"
+must_refuse 1 'Axioms:
+Reals.sig_dec
+  : forall P : nat -> Prop, P 0'
 : >"$file"
 ! expect_axioms "$file" 1 "$allowed" >/dev/null || { echo "an empty file is taken" && exit 1; }
 ! expect_axioms "$file.none" 1 "$allowed" >/dev/null 2>&1 || { echo "a missing file is taken" && exit 1; }

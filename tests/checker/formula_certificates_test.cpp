@@ -7,7 +7,7 @@
 #include "polhode/checker/check.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace formula_certificates_test {
 
 using test::integral_json;
 using test::make_digest_right;
@@ -395,5 +395,5 @@ TEST(FormulaCertificates, WrongShapesAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace formula_certificates_test
 }  // namespace polhode::checker

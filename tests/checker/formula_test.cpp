@@ -13,7 +13,7 @@
 #include "support/random.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace formula_test {
 
 using support::repeat;
 using test::read;
@@ -254,5 +254,5 @@ TEST(Formula, WhatIsNoneIsRefused) {
   EXPECT_TRUE(formula::is_variable("x_1"));
 }
 
-}  // namespace
+}  // namespace formula_test
 }  // namespace polhode::checker

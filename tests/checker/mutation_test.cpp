@@ -18,7 +18,7 @@
 #include "support/random.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace mutation_test {
 
 using test::make_digest_right;
 using pointer = json::json_pointer;
@@ -311,5 +311,5 @@ TEST(Mutation, AnInputTooManyIsRefused) {
   EXPECT_EQ(check(c.dump()).place, "/inputs/u");
 }
 
-}  // namespace
+}  // namespace mutation_test
 }  // namespace polhode::checker

@@ -8,7 +8,7 @@
 #include "proofs/claim.hpp"
 
 namespace polhode::checker {
-namespace {
+namespace statement_test {
 
 using test::integral_json;
 using test::make_digest_right;
@@ -167,5 +167,5 @@ TEST(Paths, CannotFakeALine) {
   EXPECT_EQ(printable(""), "\"\"");
 }
 
-}  // namespace
+}  // namespace statement_test
 }  // namespace polhode::checker

@@ -9,7 +9,7 @@
 #include "program.hpp"
 
 namespace polhode::test {
-namespace {
+namespace bad_input_test {
 
 void expect_one_error_line(const outcome& result) {
   EXPECT_EQ(result.status, 2);
@@ -160,5 +160,5 @@ TEST(BadInput, WantOfMemoryIsOneLine) {
       run_script("ulimit -v 60000; exec polhode constants epsilon0_min --digits 20000000"));
 }
 
-}  // namespace
+}  // namespace bad_input_test
 }  // namespace polhode::test

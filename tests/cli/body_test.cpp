@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace body_test {
 
 TEST(BodyCommand, PrintsKindAndConstants) {
   EXPECT_EQ(certified({"body", "--ab", "12.65,0.0629", "--digits", "12"}),
@@ -222,5 +222,5 @@ TEST(PhaseCommand, RefusesBadInput) {
   expect_refused({"phase", "--ab", "2,1/4", "--c", "1", "--digits", "1000000000"}, {"memory"});
 }
 
-}  // namespace
+}  // namespace body_test
 }  // namespace polhode::test

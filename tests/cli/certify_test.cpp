@@ -7,11 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "enclosure.hpp"
+#include "polhode/version.hpp"
 #include "program.hpp"
 #include "proofs/claim.hpp"
 
 namespace polhode::test {
-namespace {
+namespace certify_test {
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
@@ -164,5 +165,5 @@ TEST(Version, NamesTheLibraries) {
   EXPECT_EQ(lines[3].rfind("Boost ", 0), 0U);
 }
 
-}  // namespace
+}  // namespace certify_test
 }  // namespace polhode::test

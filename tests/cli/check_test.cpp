@@ -13,7 +13,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace check_test {
 
 using json = nlohmann::ordered_json;
 
@@ -318,5 +318,5 @@ TEST(CertificateOption, TheFileMustBeOne) {
   refused("/dev/null/c.json", {"--certificate", "is a file"});
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace polhode::test

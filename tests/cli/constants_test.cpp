@@ -10,7 +10,7 @@
 #include "proofs/claim.hpp"
 
 namespace polhode::test {
-namespace {
+namespace constants_test {
 
 /// Leading digits known from elsewhere.
 struct known_constant {
@@ -140,5 +140,5 @@ TEST(Constants, PrintingDoesNotDependOnTheLocale) {
   EXPECT_EQ(other.out, run({"constants", "--digits", "2000", "--format", "json"}).out);
 }
 
-}  // namespace
+}  // namespace constants_test
 }  // namespace polhode::test

@@ -15,7 +15,7 @@
 #include "support/scratch_directory.hpp"
 
 namespace polhode::test {
-namespace {
+namespace cost_test {
 
 TEST(CostCommand, ListsQuantitiesWithTheirMethods) {
   const outcome result = run({"cost", "--list"});
@@ -128,5 +128,5 @@ TEST(CostCommand, Refusals) {
   expect_refused({"cost", "--list", "--out", "x"}, {"--out"});
 }
 
-}  // namespace
+}  // namespace cost_test
 }  // namespace polhode::test

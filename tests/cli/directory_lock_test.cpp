@@ -15,7 +15,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace directory_lock_test {
 
 TEST(DirectoryLock, ASecondRunSaysThatItWaitsAndWaits) {
   const scratch_directory scratch;
@@ -81,5 +81,5 @@ TEST(TemporaryFiles, OfKilledRunsAreSwept) {
   EXPECT_TRUE(std::filesystem::exists(out + "/.d.json." + nobody + ".0.tmp"));
 }
 
-}  // namespace
+}  // namespace directory_lock_test
 }  // namespace polhode::test

@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace door_test {
 
 using nlohmann::json;
 using words = std::vector<std::string>;
@@ -235,5 +235,5 @@ TEST(Check, ReportsEachFaultOnce) {
   EXPECT_EQ(lines[1].rfind("polhode: " + empty + ": malformed: at ", 0), 0U);
 }
 
-}  // namespace
+}  // namespace door_test
 }  // namespace polhode::test

@@ -13,7 +13,7 @@
 #include "program.hpp"
 
 namespace polhode::test {
-namespace {
+namespace elliptic_test {
 
 std::string value(const std::string& formula) {
   const outcome result = run({"eval", "--digits", "12", "--", formula});
@@ -196,5 +196,5 @@ TEST(Elliptic, IsListedWithItsDomainsInTheManual) {
   EXPECT_EQ(functions, 48);
 }
 
-}  // namespace
+}  // namespace elliptic_test
 }  // namespace polhode::test

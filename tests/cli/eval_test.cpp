@@ -11,7 +11,7 @@
 #include "program.hpp"
 
 namespace polhode::test {
-namespace {
+namespace eval_test {
 
 outcome eval(const std::string& formula, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments{"eval"};
@@ -238,5 +238,5 @@ TEST(Eval, ListsItsFunctions) {
   for (const std::string& line : lines_of(list.out + help)) EXPECT_LE(line.size(), 100U) << line;
 }
 
-}  // namespace
+}  // namespace eval_test
 }  // namespace polhode::test

@@ -15,7 +15,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace figures_test {
 
 // ---------------------------------------------------------------------------------------------
 // The data, as read from the files
@@ -403,5 +403,5 @@ TEST(FiguresCommand, RefusesBadInput) {
   EXPECT_EQ(names_in(out), std::vector<std::string>{"limit.csv"});
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace polhode::test

@@ -10,7 +10,7 @@
 #include "program.hpp"
 
 namespace polhode::test {
-namespace {
+namespace integrate_test {
 
 outcome integrate(const std::string& formula, const std::string& from, const std::string& to,
                   const std::vector<std::string>& more = {}) {
@@ -374,5 +374,5 @@ TEST(IntegrateAlong, BadInputIsOneLineThatSaysWhatWouldBeRight) {
   expect_refusal(run({"eval", "a", "--let", "a=[1, 2]"}), "in the value of a");
 }
 
-}  // namespace
+}  // namespace integrate_test
 }  // namespace polhode::test

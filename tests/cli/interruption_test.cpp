@@ -9,7 +9,7 @@
 #include "program.hpp"
 
 namespace polhode::test {
-namespace {
+namespace interruption_test {
 
 TEST(Interruption, EndsByTheSignalAndPrintsNothing) {
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
@@ -54,5 +54,5 @@ TEST(Interruption, AReaderThatStopsReadingEndsItQuietly) {
   }
 }
 
-}  // namespace
+}  // namespace interruption_test
 }  // namespace polhode::test

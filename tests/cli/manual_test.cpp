@@ -12,7 +12,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace manual_test {
 
 namespace fs = std::filesystem;
 
@@ -166,5 +166,5 @@ TEST(Help, HasExamplesThatRun) {
   }
 }
 
-}  // namespace
+}  // namespace manual_test
 }  // namespace polhode::test

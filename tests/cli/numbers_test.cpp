@@ -18,7 +18,7 @@
 #include "polhode/arithmetic/exact.hpp"
 
 namespace polhode::test {
-namespace {
+namespace numbers_test {
 
 using nlohmann::json;
 
@@ -421,5 +421,5 @@ TEST(Numbers, QuaternionsAreContinuousInSign) {
   EXPECT_EQ(series, 2);  // a sweep of two points
 }
 
-}  // namespace
+}  // namespace numbers_test
 }  // namespace polhode::test

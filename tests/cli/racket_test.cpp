@@ -10,7 +10,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace racket_test {
 
 TEST(RacketCommand, PrintsTheTwists) {
   EXPECT_EQ(certified({"racket", "--ab", "39.95,0.0629", "--digits", "12", "--c", "-0.03"}),
@@ -230,5 +230,5 @@ TEST(TableCommand, RefusesBadInput) {
   expect_refused({"table", "c0", "--ab", "2,1/4", "--ab", "1,1"}, {"b = 1"});
 }
 
-}  // namespace
+}  // namespace racket_test
 }  // namespace polhode::test

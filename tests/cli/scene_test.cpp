@@ -13,7 +13,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace scene_test {
 
 const std::string scenes = POLHODE_SCENES_DIR;
 
@@ -372,5 +372,5 @@ TEST(SceneCommand, ListsTheEffects) {
   }
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace polhode::test

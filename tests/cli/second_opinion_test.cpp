@@ -12,7 +12,7 @@
 #include "polhode/certificate/formula_certificates.hpp"
 
 namespace polhode::test {
-namespace {
+namespace second_opinion_test {
 
 /// What the contradiction says.
 template <class Contradicts>
@@ -88,5 +88,5 @@ TEST(SecondOpinion, WhatTheCheckerRefutesIsAContradiction) {
   expect_words(text, {"a route", "the independent checker", "refuted", "/numbers/integral"});
 }
 
-}  // namespace
+}  // namespace second_opinion_test
 }  // namespace polhode::test

@@ -11,7 +11,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace time_limit_test {
 
 TEST(TimeLimit, IsRead) {
   for (const char* bad : {"x", "0", "-1", "inf", "", "90", "0s", "-1h", "s", "1w", "10 minutes"}) {
@@ -178,5 +178,5 @@ TEST(Table, IsTheSameOnAnyNumberOfThreads) {
   expect_refused({"table", "c0", "--ab", "12.65,0.0629", "--threads", "-1"}, {"--threads"});
 }
 
-}  // namespace
+}  // namespace time_limit_test
 }  // namespace polhode::test

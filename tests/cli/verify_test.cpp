@@ -12,7 +12,7 @@
 #include "refusal.hpp"
 
 namespace polhode::test {
-namespace {
+namespace verify_test {
 
 using words = std::vector<std::string>;
 
@@ -232,5 +232,5 @@ TEST(Verify, AContradictionLeavesNoCertificate) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-}  // namespace
+}  // namespace verify_test
 }  // namespace polhode::test

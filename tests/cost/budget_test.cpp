@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace budget_test {
 
 using namespace polhode::cost;
 
@@ -117,4 +117,4 @@ TEST(TimeBudget, SharesWhatIsLeft) {
   EXPECT_FALSE(all.share(2).allows(0));
 }
 
-}  // namespace
+}  // namespace budget_test

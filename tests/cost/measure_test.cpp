@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace measure_test {
 
 using namespace polhode;
 using namespace polhode::cost;
@@ -227,4 +227,4 @@ TEST(Cost, EstimatesAreOfKnownQuantities) {
   EXPECT_GT(estimate_cost("epsilon0_min", 1000), 0);
 }
 
-}  // namespace
+}  // namespace measure_test

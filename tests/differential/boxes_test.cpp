@@ -13,7 +13,7 @@
 #include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace boxes_test {
 
 const term x = "x";
 const term a = "a";
@@ -128,5 +128,5 @@ TEST(boxes, hold_the_integral_at_their_points) {
   });
 }
 
-}  // namespace
+}  // namespace boxes_test
 }  // namespace polhode::differential

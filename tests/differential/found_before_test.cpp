@@ -9,7 +9,7 @@
 #include "support/reference.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace found_before_test {
 
 struct known_integral {
   std::string name;
@@ -66,5 +66,5 @@ TEST(found_before, a_negligible_panel_at_an_inexact_end) {
   }
 }
 
-}  // namespace
+}  // namespace found_before_test
 }  // namespace polhode::differential

@@ -10,7 +10,7 @@
 #include "integrals.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace integrals_test {
 
 std::vector<integral_family> every_family() {
   std::vector<integral_family> result;
@@ -39,5 +39,5 @@ TEST_P(integrals, agree_by_every_route) {
 INSTANTIATE_TEST_SUITE_P(family, integrals, ::testing::ValuesIn(every_family()),
                          [](const auto& drawn) { return test_name(drawn.param.name); });
 
-}  // namespace
+}  // namespace integrals_test
 }  // namespace polhode::differential

@@ -9,7 +9,7 @@
 #include "values.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace machine_test {
 
 const term x = "x";
 
@@ -90,5 +90,5 @@ TEST(machine, takes_many_routes) {
   EXPECT_GE(tally.checks, 50);
 }
 
-}  // namespace
+}  // namespace machine_test
 }  // namespace polhode::differential

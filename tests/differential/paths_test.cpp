@@ -19,7 +19,7 @@
 #include "term.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace paths_test {
 
 const term z = "z";
 const term i = "i";
@@ -261,5 +261,5 @@ TEST(paths, cuts_are_not_crossed) {
   });
 }
 
-}  // namespace
+}  // namespace paths_test
 }  // namespace polhode::differential

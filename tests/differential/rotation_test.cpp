@@ -12,7 +12,7 @@
 #include "polhode/rigid_body/rotor.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace rotation_test {
 
 const term x = "x";
 
@@ -161,5 +161,5 @@ TEST(rotation, momentum_by_jacobis_functions) {
   });
 }
 
-}  // namespace
+}  // namespace rotation_test
 }  // namespace polhode::differential

@@ -19,7 +19,7 @@
 #include "tally.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace systems_test {
 
 using point = std::vector<rational>;
 using square_matrix = std::vector<point>;
@@ -424,5 +424,5 @@ TEST(systems, signs_tell_roots_from_other_points) {
   EXPECT_EQ(by_signs(f, near(1, 2)), shown::no_root);
 }
 
-}  // namespace
+}  // namespace systems_test
 }  // namespace polhode::differential

@@ -10,7 +10,7 @@
 #include "values.hpp"
 
 namespace polhode::differential {
-namespace {
+namespace values_test {
 
 std::vector<value_family> every_family() {
   std::vector<value_family> result = formula_families();
@@ -37,5 +37,5 @@ INSTANTIATE_TEST_SUITE_P(family, values, ::testing::ValuesIn(every_family()),
                            return name;
                          });
 
-}  // namespace
+}  // namespace values_test
 }  // namespace polhode::differential

@@ -21,7 +21,7 @@
 #endif
 
 namespace polhode {
-namespace {
+namespace carlson_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -455,5 +455,5 @@ TEST(Carlson, IsUndefinedOutsideItsDomain) {
   EXPECT_TRUE(std::isnan(carlson_rd(1.0, 1.0, 0.0)));
 }
 
-}  // namespace
+}  // namespace carlson_test
 }  // namespace polhode

@@ -15,7 +15,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace complete_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -421,5 +421,5 @@ TEST(CompleteRd, IsUndefinedOutsideItsHypotheses) {
   EXPECT_TRUE(complete_rd(ball(2, 64), one, ball(rational(1, 3), 64)).is_undefined());
 }
 
-}  // namespace
+}  // namespace complete_test
 }  // namespace polhode

@@ -18,7 +18,7 @@
 #endif
 
 namespace polhode {
-namespace {
+namespace complex_test {
 
 using support::agrees;
 using support::meet;
@@ -420,5 +420,5 @@ TEST(ComplexElliptic, RefusesCutsAndWhatItHasNot) {
   EXPECT_TRUE(elliptic_k(complex_ball::undefined(90)).is_undefined());
 }
 
-}  // namespace
+}  // namespace complex_test
 }  // namespace polhode

@@ -16,7 +16,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace jacobi_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -472,5 +472,5 @@ TEST(Jacobi, IsUndefinedOutsideItsDomain) {
   EXPECT_TRUE(elliptic_nome(ball(-1, 64)).is_undefined());
 }
 
-}  // namespace
+}  // namespace jacobi_test
 }  // namespace polhode

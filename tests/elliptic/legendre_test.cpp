@@ -20,7 +20,7 @@
 #endif
 
 namespace polhode {
-namespace {
+namespace legendre_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -413,5 +413,5 @@ TEST(Legendre, IsUndefinedOutsideItsDomain) {
   EXPECT_TRUE(std::isnan(elliptic_f(HUGE_VAL, 0.5)));
 }
 
-}  // namespace
+}  // namespace legendre_test
 }  // namespace polhode

@@ -9,7 +9,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace truncation_test {
 
 using support::meet;
 
@@ -94,5 +94,5 @@ TEST(Truncation, IsBoundedInBothSeriesOfThetaFunctions) {
   }
 }
 
-}  // namespace
+}  // namespace truncation_test
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include "polhode/expression/functions.hpp"
 
 namespace polhode {
-namespace {
+namespace documentation_test {
 
 /// As it may stand in a cell of a table: a bar is a letter there.
 std::string cell(const std::string& text) {
@@ -66,5 +66,5 @@ TEST(Documentation, EveryFunctionCanBeCalledAsItsTableSays) {
   }
 }
 
-}  // namespace
+}  // namespace documentation_test
 }  // namespace polhode

@@ -17,7 +17,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace evaluation_test {
 
 using support::random_source;
 using support::repeat;
@@ -597,5 +597,5 @@ TEST(Compiled, MayBeCalledFromSeveralThreads) {
   EXPECT_EQ(wrong, std::vector<int>(4, 0));
 }
 
-}  // namespace
+}  // namespace evaluation_test
 }  // namespace polhode

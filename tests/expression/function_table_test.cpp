@@ -12,7 +12,7 @@
 #include "polhode/expression/function_table.hpp"
 
 namespace polhode {
-namespace {
+namespace function_table_test {
 
 using detail::named;
 using detail::operation;
@@ -150,5 +150,5 @@ TEST(FunctionTable, AnArithmeticWithoutFunctionsRefusesEachByItsName) {
 #undef POLHODE_ROW_OF_TWO
 }
 
-}  // namespace
+}  // namespace function_table_test
 }  // namespace polhode

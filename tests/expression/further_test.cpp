@@ -9,7 +9,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace further_test {
 
 using support::meet;
 
@@ -79,5 +79,5 @@ TEST(FurtherFunctions, AreRefusedWhereTheyAreNotDefined) {
   EXPECT_THROW(static_cast<void>(expression("1", names({"volume"}))), input_error);
 }
 
-}  // namespace
+}  // namespace further_test
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace grammar_test {
 
 using support::random_source;
 using support::repeat;
@@ -548,5 +548,5 @@ TEST(Graph, KnowsItsVariables) {
   EXPECT_TRUE(contains(expression("2/3", {{"x"}, {}}).value(64), rational(2, 3)));
 }
 
-}  // namespace
+}  // namespace grammar_test
 }  // namespace polhode

@@ -10,7 +10,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace polynomial_test {
 
 std::optional<rational_polynomial> polynomial_of(const std::string& text) {
   return expression(text, {{"x"}, {}, nullptr}).polynomial();
@@ -63,5 +63,5 @@ TEST(PolynomialIntegral, IsAdditiveAndHasItsDerivative) {
   EXPECT_FALSE(exact_integral(*polynomial_of("x^10000"), 0, rational(1) / (integer(1) << 200)));
 }
 
-}  // namespace
+}  // namespace polynomial_test
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace random_formulas_test {
 
 /// One formula twice: with its numbers, and with n pi/pi in the place of each number n, so that it is evaluated in balls.
 struct formula {
@@ -132,5 +132,5 @@ TEST(RandomFormulas, ThatAreExactHaveTheValueThatBallsEnclose) {
   EXPECT_GT(bounded, 200 * std::min(1.0, support::effort()));
 }
 
-}  // namespace
+}  // namespace random_formulas_test
 }  // namespace polhode

@@ -12,7 +12,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace rational_value_test {
 
 void expect_value(const std::string& formula, const std::string& value) {
   const auto q = expression(formula).rational_value();
@@ -408,5 +408,5 @@ TEST(RationalValue, GivesUpOnGreatFormulas) {
   expect_value("(" + roots + ") - (" + roots + ")", "0");
 }
 
-}  // namespace
+}  // namespace rational_value_test
 }  // namespace polhode

@@ -9,7 +9,7 @@
 #include "polhode/formulas/symbolic.hpp"
 
 namespace polhode {
-namespace {
+namespace symbol_test {
 
 using boost::multiprecision::cpp_bin_float_50;
 using boost::multiprecision::mpfr_float_50;
@@ -122,5 +122,5 @@ TEST(Symbol, SeveralVariables) {
   EXPECT_EQ(f.used_variables(), (std::vector<std::string>{"x", "z"}));
 }
 
-}  // namespace
+}  // namespace symbol_test
 }  // namespace polhode

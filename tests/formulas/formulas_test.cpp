@@ -13,7 +13,7 @@
 #include "polhode/formulas/parse.hpp"
 
 namespace polhode::test {
-namespace {
+namespace formulas_test {
 
 /// The enclosure holds the number, and is narrow.
 void expect_number(const ball& found, const ball& known, long digits) {
@@ -154,5 +154,5 @@ TEST(FormulaCertificate, RootsThatNoneCanHoldAreRefused) {
   EXPECT_NE(refusal(range("x^2-2", "-2", "2"), open).find("not every place"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace formulas_test
 }  // namespace polhode::test

@@ -11,7 +11,7 @@
 #include "polhode/formulas/parse.hpp"
 
 namespace polhode::test {
-namespace {
+namespace integrals_of_analysts_test {
 
 struct known_to_digits {
   std::string formula;
@@ -171,5 +171,5 @@ TEST(IntegralsOfAnalysts, PowersThatAreIrrationalOrVary) {
       9000);
 }
 
-}  // namespace
+}  // namespace integrals_of_analysts_test
 }  // namespace polhode::test

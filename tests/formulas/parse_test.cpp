@@ -8,7 +8,7 @@
 #include "polhode/arithmetic/exact.hpp"
 
 namespace polhode::test {
-namespace {
+namespace parse_test {
 
 TEST(Parse, DefinitionsMayStandInAnyOrder) {
   const expression f = parse("a*x", {"x"}, {{"a", "b + c"}, {"b", "2*c"}, {"c", "1/3"}});
@@ -54,5 +54,5 @@ TEST(Parse, WhatCannotBeReadSaysWhere) {
   EXPECT_THROW((void)parse("1", {"sin"}), input_error);
 }
 
-}  // namespace
+}  // namespace parse_test
 }  // namespace polhode::test

@@ -23,7 +23,7 @@
 #include "support/reference.hpp"
 
 namespace polhode::proofs {
-namespace {
+namespace bodies_test {
 
 certificate prove(const std::string& name, const body& rigid, long digits = 15) {
   request wanted;
@@ -392,5 +392,5 @@ TEST(LimitFormula, EnclosesTheTwistOfEveryBody) {
   }
 }
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace polhode::proofs

@@ -14,7 +14,7 @@
 #include "support/thousand_digits.hpp"
 
 namespace polhode::proofs {
-namespace {
+namespace claims_test {
 
 certificate prove(const std::string& name, long digits) {
   request wanted;
@@ -242,5 +242,5 @@ TEST(SignOfSlope, RestsOnAllItsParts) {
   }
 }
 
-}  // namespace
+}  // namespace claims_test
 }  // namespace polhode::proofs

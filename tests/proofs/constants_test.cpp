@@ -22,7 +22,7 @@
 #endif
 
 namespace polhode::proofs {
-namespace {
+namespace constants_test {
 
 using support::meet;
 
@@ -251,5 +251,5 @@ TEST(Constants, AreArbsToTenThousandDigits) {
 }
 #endif
 
-}  // namespace
+}  // namespace constants_test
 }  // namespace polhode::proofs

@@ -7,7 +7,7 @@
 #include "proofs/derivative_identity.hpp"
 
 namespace polhode::proofs {
-namespace {
+namespace identity_test {
 
 TEST(DerivativeIdentity, HoldsOnTheWholeGrid) {
   const identity_check check = check_derivative_identity();
@@ -71,5 +71,5 @@ TEST(Numerator, IsPositiveByItsCoefficients) {
       numerator_is_positive([](const q& a, const q& b, const q& x) { return 1 - a * b * x; }));
 }
 
-}  // namespace
+}  // namespace identity_test
 }  // namespace polhode::proofs

@@ -9,7 +9,7 @@
 #include "proofs/exact_polynomial.hpp"
 
 namespace polhode::proofs {
-namespace {
+namespace polynomial_test {
 
 exact_polynomial parse(const char* text) { return exact_polynomial::parse(text); }
 
@@ -162,5 +162,5 @@ TEST(PolynomialStep, OfEveryClaimIsRefusedWhenOneSignOrNumberOfItIsWrong) {
   EXPECT_GT(mutants, 500);
 }
 
-}  // namespace
+}  // namespace polynomial_test
 }  // namespace polhode::proofs

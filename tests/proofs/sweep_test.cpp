@@ -9,7 +9,7 @@
 #include "support/reference.hpp"
 
 namespace polhode::proofs {
-namespace {
+namespace sweep_test {
 
 using support::meet;
 
@@ -104,5 +104,5 @@ TEST(Sweep, DoesNotProveWhatIsFalse) {
   EXPECT_TRUE(sweep_slope(3000, rational(0)).holds);
 }
 
-}  // namespace
+}  // namespace sweep_test
 }  // namespace polhode::proofs

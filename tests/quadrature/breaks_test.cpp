@@ -7,7 +7,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace breaks_test {
 
 using support::holds;
 using support::known;
@@ -297,5 +297,5 @@ TEST(Breaks, OfConstantsInBalls) {
   EXPECT_TRUE(holds(fine, value));
 }
 
-}  // namespace
+}  // namespace breaks_test
 }  // namespace polhode

@@ -9,7 +9,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace closed_forms_test {
 
 using support::known;
 using support::known_integral;
@@ -733,5 +733,5 @@ TEST(Integrate, StopsAtTheLimits) {
   EXPECT_EQ(integrate(f, 0, 1, options).verdict, status::certified);
 }
 
-}  // namespace
+}  // namespace closed_forms_test
 }  // namespace polhode

@@ -8,7 +8,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace contour_test {
 
 using support::power_of_ten;
 using support::to_rational;
@@ -432,5 +432,5 @@ TEST(Contour, TheCostIsKnown) {
   EXPECT_LE(i.account.region_evaluations, 1500);
 }
 
-}  // namespace
+}  // namespace contour_test
 }  // namespace polhode

@@ -8,7 +8,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace end_series_test {
 
 constexpr precision working = 600;
 
@@ -267,5 +267,5 @@ TEST(TailSeries, HasNoBoundWithoutDecayOrBelowItsStart) {
   EXPECT_TRUE((exp(-near) * log(near)).integral_beyond(ball(rational(1, 2), 64)).is_infinite());
 }
 
-}  // namespace
+}  // namespace end_series_test
 }  // namespace polhode

@@ -10,7 +10,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace error_bound_test {
 
 using support::poisson_kernel;
 
@@ -158,5 +158,5 @@ TEST(PeriodicTrapezoidError, RefusesWhatHasNoStrip) {
   EXPECT_FALSE(periodic_trapezoid_error({one, ball::entire(p)}, 4).is_bounded());
 }
 
-}  // namespace
+}  // namespace error_bound_test
 }  // namespace polhode

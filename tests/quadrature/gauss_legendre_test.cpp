@@ -39,7 +39,7 @@
 #endif
 
 namespace polhode {
-namespace {
+namespace gauss_legendre_test {
 
 namespace fs = std::filesystem;
 using support::exact;
@@ -928,5 +928,5 @@ TEST(NodeCache, OfTheProcessIsAMemo) {
   EXPECT_TRUE(same(*rule, make_gauss_legendre(11, 128)));
 }
 
-}  // namespace
+}  // namespace gauss_legendre_test
 }  // namespace polhode

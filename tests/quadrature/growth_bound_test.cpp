@@ -9,7 +9,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace growth_bound_test {
 
 constexpr precision p = 4000;
 
@@ -203,5 +203,5 @@ TEST(GrowthBound, DivergentIntegralsAreRefused) {
   }
 }
 
-}  // namespace
+}  // namespace growth_bound_test
 }  // namespace polhode

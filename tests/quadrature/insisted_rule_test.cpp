@@ -9,7 +9,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace insisted_rule_test {
 
 using support::holds;
 
@@ -145,5 +145,5 @@ TEST(InsistedRule, TellsOfItsPanels) {
   EXPECT_EQ(most_nodes, i.account.most_nodes);
 }
 
-}  // namespace
+}  // namespace insisted_rule_test
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include "support/thousand_digits.hpp"
 
 namespace polhode {
-namespace {
+namespace integral_test {
 
 using support::agrees;
 using support::constant_integrand;
@@ -297,5 +297,5 @@ TEST(PeriodicPlan, ProvesWhatItPromises) {
   }
 }
 
-}  // namespace
+}  // namespace integral_test
 }  // namespace polhode

@@ -10,7 +10,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace integrate_box_test {
 
 using support::described;
 using support::power_of_ten;
@@ -307,5 +307,5 @@ TEST(IntegrateBox, MisuseThrows) {
   EXPECT_EQ(from_ball.upper(), rational(9, 8));
 }
 
-}  // namespace
+}  // namespace integrate_box_test
 }  // namespace polhode

@@ -5,7 +5,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace integrate_property_test {
 
 using support::holds;
 using support::meet;
@@ -139,5 +139,5 @@ TEST(IntegrateProperty, DoesNotMindScalingAndReflection) {
   }
 }
 
-}  // namespace
+}  // namespace integrate_property_test
 }  // namespace polhode

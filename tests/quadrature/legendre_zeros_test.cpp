@@ -18,7 +18,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace legendre_zeros_test {
 
 using detail::few_limbed_zeros;
 using detail::legendre_shape;
@@ -332,5 +332,5 @@ TEST(LegendreZeros, AreNotInventedFromBadStarts) {
   }
 }
 
-}  // namespace
+}  // namespace legendre_zeros_test
 }  // namespace polhode

@@ -10,7 +10,7 @@
 #include "support/exact_set.hpp"
 
 namespace polhode {
-namespace {
+namespace oscillation_test {
 
 using support::known;
 using support::known_integral;
@@ -219,5 +219,5 @@ TEST(Oscillation, IsTheSameOnThreads) {
   EXPECT_TRUE(support::identical(one.enclosure, two.enclosure));
 }
 
-}  // namespace
+}  // namespace oscillation_test
 }  // namespace polhode

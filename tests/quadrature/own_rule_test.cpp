@@ -11,7 +11,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace own_rule_test {
 
 /// Fejer's first rule, with n nodes: even or odd.
 class fejer final : public panel_rule {
@@ -137,5 +137,5 @@ TEST(OwnRule, WithTooFewNodesIsNotCertified) {
   EXPECT_TRUE(support::meet(i.enclosure, exp(ball(1, 300)) - 1));
 }
 
-}  // namespace
+}  // namespace own_rule_test
 }  // namespace polhode

@@ -17,7 +17,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace panel_integral_test {
 
 using detail::panel_integral;
 using detail::panel_value;
@@ -288,5 +288,5 @@ TEST(TaylorRanges, WhatIsLeftOutIsBounded) {
   EXPECT_GT(share_of_radius(above.value, exp(-from)), 0.45);
 }
 
-}  // namespace
+}  // namespace panel_integral_test
 }  // namespace polhode

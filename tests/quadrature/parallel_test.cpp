@@ -14,7 +14,7 @@
 #include "support/exact_set.hpp"
 
 namespace polhode {
-namespace {
+namespace parallel_test {
 
 TEST(ParallelIntegral, HasTheSameBitsOnAnyNumberOfThreads) {
   const auto check = [](const std::string& name, const auto& f, const end_point& a,
@@ -96,5 +96,5 @@ TEST(ParallelIntegral, RefusesANegativeNumberOfThreads) {
   EXPECT_THROW((void)integrate(f, 0, 1, {.threads = -1}), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace polhode

@@ -14,7 +14,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace path_pieces_test {
 
 using support::power_of_ten;
 
@@ -382,5 +382,5 @@ TEST(RandomPaths, GoAroundPolesAndEssentialSingularities) {
   }
 }
 
-}  // namespace
+}  // namespace path_pieces_test
 }  // namespace polhode

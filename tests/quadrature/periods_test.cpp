@@ -10,7 +10,7 @@
 #include "quadrature/formula/recorded_formula.hpp"
 
 namespace polhode {
-namespace {
+namespace periods_test {
 
 template <class F>
 std::optional<detail::whole_periods> periods_of(const F& f, const end_point& a,
@@ -85,5 +85,5 @@ TEST(Periods, PolesInThemAreRefused) {
   EXPECT_EQ(integrate(f, 1, 2, {.digits = 20}).verdict, status::certified);
 }
 
-}  // namespace
+}  // namespace periods_test
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace rule_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -113,5 +113,5 @@ TEST(PeriodicTrapezoidSum, IsUndefinedWhereANodeIs) {
   EXPECT_TRUE(periodic_trapezoid_sum<ball>(half_phase_integrand(motion), 1000, 4).is_undefined());
 }
 
-}  // namespace
+}  // namespace rule_test
 }  // namespace polhode

@@ -17,7 +17,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace rules_test {
 
 using support::as_narrow_as;
 using support::meet;
@@ -772,5 +772,5 @@ TEST(DoubleExponentialProblem, BoundsTheIntegralAlongBothHorizontalSides) {
   EXPECT_FALSE(problem.rectangle(4, 6, evaluations).has_value());
 }
 
-}  // namespace
+}  // namespace rules_test
 }  // namespace polhode

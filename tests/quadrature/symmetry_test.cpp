@@ -10,7 +10,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace symmetry_test {
 
 using support::holds;
 
@@ -428,5 +428,5 @@ TEST(Limit, OfMultiplesOfPi) {
   EXPECT_FALSE(end_point([](precision p) { return pi(p); }).form());
 }
 
-}  // namespace
+}  // namespace symmetry_test
 }  // namespace polhode

@@ -9,7 +9,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace tails_test {
 
 constexpr precision p = 200;
 
@@ -251,5 +251,5 @@ TEST(Tails, OfOscillationsWithLogarithmsAreBounded) {
   EXPECT_TRUE(rest.enclosure.magnitude_lower() <= found->rest);
 }
 
-}  // namespace
+}  // namespace tails_test
 }  // namespace polhode

@@ -12,7 +12,7 @@
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
-namespace {
+namespace taylor_series_test {
 
 using support::holds;
 using support::known;
@@ -627,5 +627,5 @@ TEST(TaylorSeries, AgreeWithGaussLegendre) {
   EXPECT_GE(compared, rounds * 9 / 10);
 }
 
-}  // namespace
+}  // namespace taylor_series_test
 }  // namespace polhode

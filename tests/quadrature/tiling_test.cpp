@@ -8,7 +8,7 @@
 #include "quadrature/ends/segments.hpp"
 
 namespace polhode::detail {
-namespace {
+namespace tiling_test {
 
 /// sqrt(2), to any precision.
 end_point root_of_2() {
@@ -132,5 +132,5 @@ TEST(Tiling, OfPartsBetweenLimits) {
   EXPECT_FALSE(is_tiled({}, a, a));
 }
 
-}  // namespace
+}  // namespace tiling_test
 }  // namespace polhode::detail

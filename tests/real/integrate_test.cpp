@@ -17,7 +17,7 @@
 #include "polhode/real/estimate.hpp"
 
 // The functions are a person's, outside the library's namespace.
-namespace {
+namespace integrate_test {
 
 using namespace polhode;
 
@@ -403,4 +403,4 @@ TEST(BoostMath, ConstantsAreBoosts) {
 #undef POLHODE_SAME
 }
 
-}  // namespace
+}  // namespace integrate_test

@@ -14,7 +14,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace number_test {
 
 namespace mp = boost::multiprecision;
 using et_off_50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
@@ -106,5 +106,5 @@ TEST(BallTraits, EqualSetsHaveEqualHashes) {
   EXPECT_EQ(fmt::format("{:.5}", ball(rational(1, 3), 64)), "0.33333...");
 }
 
-}  // namespace
+}  // namespace number_test
 }  // namespace polhode

@@ -7,7 +7,7 @@
 #include "polhode/real/systems.hpp"
 
 // The functions are a person's, outside the library's namespace.
-namespace {
+namespace roots_test {
 
 using namespace polhode;
 
@@ -156,4 +156,4 @@ TEST(RealSystem, SolutionsAreProved) {
   EXPECT_THROW(static_cast<void>(solve_system<Real>(f, {{0, 1}, {0, 1}, {0, 1}})), input_error);
 }
 
-}  // namespace
+}  // namespace roots_test

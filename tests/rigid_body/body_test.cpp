@@ -16,7 +16,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace body_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -242,5 +242,5 @@ TEST(Regime, IsDecidedExactly) {
   EXPECT_EQ(to_text(regime::oscillating), "oscillating");
 }
 
-}  // namespace
+}  // namespace body_test
 }  // namespace polhode

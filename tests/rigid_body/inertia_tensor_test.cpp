@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace inertia_tensor_test {
 
 using support::as_narrow_as;
 using support::meet;
@@ -156,5 +156,5 @@ TEST(InertiaTensor, Refuses) {
   EXPECT_THROW(body::from_inertia_tensor({2, 3, 6, 1, 0, 0}), input_error);  // irrational
 }
 
-}  // namespace
+}  // namespace inertia_tensor_test
 }  // namespace polhode

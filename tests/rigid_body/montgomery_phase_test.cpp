@@ -17,7 +17,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace montgomery_phase_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -251,5 +251,5 @@ TEST(PhaseIntegral, RefusesWhatIsOutsideItsDomain) {
   EXPECT_NO_THROW((void)phase_integral(rigid, 2, rational(1, 2), 64));
 }
 
-}  // namespace
+}  // namespace montgomery_phase_test
 }  // namespace polhode

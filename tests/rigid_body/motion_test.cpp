@@ -14,7 +14,7 @@
 #include "rigid_body/rotor_states.hpp"
 
 namespace polhode {
-namespace {
+namespace motion_test {
 
 using support::any_small;
 using support::meet;
@@ -225,5 +225,5 @@ TEST(JacobiStart, IsAPointOfTheFunctions) {
   }
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace polhode

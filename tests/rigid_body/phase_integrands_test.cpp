@@ -13,7 +13,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace phase_integrands_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -278,5 +278,5 @@ TEST(BoundOnStrip, RefusesAnEmptyStrip) {
   }
 }
 
-}  // namespace
+}  // namespace phase_integrands_test
 }  // namespace polhode

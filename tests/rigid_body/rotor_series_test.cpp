@@ -6,7 +6,7 @@
 #include "rigid_body/rotor_tables.hpp"
 
 namespace polhode {
-namespace {
+namespace rotor_series_test {
 
 using detail::rotor_tables;
 using detail::theta_point;
@@ -88,5 +88,5 @@ TEST(RotorSeries, TailsAreAtLeastWhatIsLeftOutAtZero) {
   }
 }
 
-}  // namespace
+}  // namespace rotor_series_test
 }  // namespace polhode

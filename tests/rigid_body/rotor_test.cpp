@@ -16,7 +16,7 @@
 #include "rigid_body/rotor_states.hpp"
 
 namespace polhode {
-namespace {
+namespace rotor_test {
 
 using support::agrees;
 using support::any_state;
@@ -718,5 +718,5 @@ TEST(Rotor, ManyThreadsMayAskOne) {
   for (const std::string& text : found) EXPECT_EQ(text, expected);
 }
 
-}  // namespace
+}  // namespace rotor_test
 }  // namespace polhode

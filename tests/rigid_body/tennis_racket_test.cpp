@@ -15,7 +15,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace tennis_racket_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -398,5 +398,5 @@ TEST(TwistCurve, IsCertifiedInEveryCorner) {
   }
 }
 
-}  // namespace
+}  // namespace tennis_racket_test
 }  // namespace polhode

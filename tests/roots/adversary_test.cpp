@@ -19,7 +19,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace adversary_test {
 
 using support::random_source;
 using support::repeat;
@@ -533,5 +533,5 @@ TEST(RootAdversary, ACurveOfSolutionsIsLeftOpenAsAWhole) {
   }
 }
 
-}  // namespace
+}  // namespace adversary_test
 }  // namespace polhode

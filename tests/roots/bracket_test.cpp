@@ -7,7 +7,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace bracket_test {
 
 ball box_of(const rational& low, const rational& high) {
   return hull(ball(low, 64), ball(high, 64));
@@ -120,5 +120,5 @@ TEST(RootVerdict, HasAName) {
   EXPECT_EQ(to_text(root_verdict::unresolved), "unresolved");
 }
 
-}  // namespace
+}  // namespace bracket_test
 }  // namespace polhode

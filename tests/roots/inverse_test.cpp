@@ -8,7 +8,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace inverse_test {
 
 using support::as_narrow_as;
 
@@ -60,5 +60,5 @@ TEST(SolveOnLogScale, SaysWhatItDoesNotFind) {
                input_error);
 }
 
-}  // namespace
+}  // namespace inverse_test
 }  // namespace polhode

@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace isolate_test {
 
 using support::agrees;
 using support::random_source;
@@ -624,5 +624,5 @@ TEST(FunctionStructure, SeriesAreExactAtMultiplesOfPi) {
   EXPECT_EQ(f[2].exact(), rational(1, 2));
 }
 
-}  // namespace
+}  // namespace isolate_test
 }  // namespace polhode

@@ -12,7 +12,7 @@
 #include "support/reference.hpp"
 
 namespace polhode {
-namespace {
+namespace newton_test {
 
 using support::agrees;
 using support::as_narrow_as;
@@ -334,5 +334,5 @@ TEST(Newton, UncertifiedAgreesWithCertified) {
   EXPECT_EQ(newton(f, derivative, start, 100, 60), start);
 }
 
-}  // namespace
+}  // namespace newton_test
 }  // namespace polhode

@@ -13,7 +13,7 @@
 #include "support/exact_set.hpp"
 
 namespace polhode {
-namespace {
+namespace parallel_test {
 
 using support::identical;
 
@@ -179,5 +179,5 @@ TEST(ParallelRoots, RefuseANegativeNumberOfThreads) {
   EXPECT_THROW((void)refine(std::vector<root_region>{}, 10, -1), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace parallel_test
 }  // namespace polhode

@@ -7,7 +7,7 @@
 #include "roots/search/taylor_bounds.hpp"
 
 namespace polhode {
-namespace {
+namespace search_bounds_test {
 
 // Of x^4 the polynomial about 1 of degree 2, and what is left out with it: at 3/2 that is most of f'.
 TEST(TaylorBounds, HoldTheSlopesOfTheEnds) {
@@ -33,5 +33,5 @@ TEST(CountZeros, CountsWhatItsCoefficientsDoNotShow) {
   EXPECT_TRUE(count_zeros(f, 0, rational(1, 100), 80));
 }
 
-}  // namespace
+}  // namespace search_bounds_test
 }  // namespace polhode

@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace systems_test {
 
 using support::random_source;
 using support::repeat;
@@ -253,5 +253,5 @@ TEST(Krawczyk, ProvesNothingWhereTheFunctionJumps) {
   for (const system_region& r : s.regions) EXPECT_EQ(r.verdict, root_verdict::unresolved);
 }
 
-}  // namespace
+}  // namespace systems_test
 }  // namespace polhode

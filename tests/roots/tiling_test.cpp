@@ -11,7 +11,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace tiling_test {
 
 using detail::exact_interval;
 using detail::holds;
@@ -195,5 +195,5 @@ TEST(BoxShares, ACutThatLeavesSomethingOutIsRefused) {
   EXPECT_FALSE(is_cut({}, {}));
 }
 
-}  // namespace
+}  // namespace tiling_test
 }  // namespace polhode

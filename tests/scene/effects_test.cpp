@@ -19,7 +19,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace effects_test {
 
 std::string wanting(const std::vector<std::string>& want) {
   std::string result;
@@ -680,5 +680,5 @@ TEST(Scenes, THandleNeverFlipsAndFlips) {
   EXPECT_TRUE(certainly_positive(number(beside, "flips", "flip_1")));
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace polhode

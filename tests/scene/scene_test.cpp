@@ -12,7 +12,7 @@
 #include "support/scratch_directory.hpp"
 
 namespace polhode {
-namespace {
+namespace scene_test {
 
 scene read(const std::string& text) { return read_scene(text, "."); }
 
@@ -349,5 +349,5 @@ TEST(SceneSweep, ReplacesAnyNumber) {
   EXPECT_NE(refusal(text, {{"body.moments[2]", -1}}).find("-1 is not positive"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scene_test
 }  // namespace polhode

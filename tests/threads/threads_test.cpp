@@ -21,7 +21,7 @@
 #include "support/random.hpp"
 
 namespace polhode {
-namespace {
+namespace threads_test {
 
 using support::identical;
 using support::random_source;
@@ -182,5 +182,5 @@ TEST(Threads, IntegralsAreTheSameInside) {
   for (const record& r : records) expect_same(expected, r);
 }
 
-}  // namespace
+}  // namespace threads_test
 }  // namespace polhode

@@ -19,7 +19,7 @@
 #include "polhode/verify/second_value.hpp"
 
 namespace polhode::test {
-namespace {
+namespace second_opinion_test {
 
 ball from(const char* lower, const char* upper) {
   return hull(ball(parse_rational(lower), 200), ball(parse_rational(upper), 200));
@@ -349,5 +349,5 @@ TEST(SecondOpinion, OfWhatIsNotCertifiedIsRefused) {
                std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace second_opinion_test
 }  // namespace polhode::test

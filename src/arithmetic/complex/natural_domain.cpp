@@ -12,7 +12,7 @@ using detail::mpfr_cell;
 
 namespace {
 
-constexpr precision guard_bits = 64;
+constexpr precision natural_guard_bits = 64;
 
 using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 using ball_function = ball (*)(const ball&);
@@ -48,7 +48,7 @@ std::optional<ball> range(const monotone_function& g, const ball& x) {
   if (x.is_undefined()) return x;
   if (ball whole = g.defined(x); !whole.is_undefined()) return whole;
   const precision p = x.precision();
-  const end_points e(x, p + guard_bits);
+  const end_points e(x, p + natural_guard_bits);
   mpfr_cell low(mpfr_get_prec(e.lower()));
   mpfr_cell high(mpfr_get_prec(e.upper()));
   mpfr_set(low.get(), e.lower(), MPFR_RNDD);
@@ -116,8 +116,8 @@ std::optional<ball> divide(const ball& x, const ball& y) {
   const precision p = std::max(x.precision(), y.precision());
   if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
   if (ball whole = x / y; !whole.is_undefined()) return whole;
-  const end_points ex(x, p + guard_bits);
-  const end_points ey(y, p + guard_bits);
+  const end_points ex(x, p + natural_guard_bits);
+  const end_points ey(y, p + natural_guard_bits);
   const bool from_zero = mpfr_zero_p(ey.lower()) != 0;
   const bool to_zero = mpfr_zero_p(ey.upper()) != 0;
   if (from_zero && to_zero) return std::nullopt;
@@ -147,7 +147,7 @@ std::optional<ball> pow(const ball& x, long n) {
   // n < 0, and 0 is in x. For even n a power of |x|.
   const precision p = x.precision();
   const ball base = n % 2 == 0 ? polhode::abs(x) : x;
-  const end_points e(base, p + guard_bits);
+  const end_points e(base, p + natural_guard_bits);
   const bool below = mpfr_sgn(e.lower()) < 0;
   const bool above = mpfr_sgn(e.upper()) > 0;
   if (!below && !above) return std::nullopt;
@@ -171,8 +171,8 @@ std::optional<ball> pow(const ball& x, const ball& y) {
   if (certainly_positive(x)) {
     if (ball whole = polhode::pow(x, y); !whole.is_undefined()) return whole;
   }
-  const end_points ex(x, p + guard_bits);
-  const end_points ey(y, p + guard_bits);
+  const end_points ex(x, p + natural_guard_bits);
+  const end_points ey(y, p + natural_guard_bits);
   const int sign_of_greatest = mpfr_sgn(ex.upper());
   if (sign_of_greatest < 0) return std::nullopt;
   if (sign_of_greatest == 0) {  // only x = 0
@@ -209,7 +209,7 @@ std::optional<ball> root(const ball& x, unsigned long n) {
   if (ball whole = polhode::root(x, n); !whole.is_undefined()) return whole;
   // n is even.
   const precision p = x.precision();
-  const end_points e(x, p + guard_bits);
+  const end_points e(x, p + natural_guard_bits);
   if (mpfr_sgn(e.upper()) < 0) return std::nullopt;
   mpfr_cell lower(p);
   mpfr_cell upper(p);
@@ -221,8 +221,8 @@ std::optional<ball> atan2(const ball& y, const ball& x) {
   const precision p = std::max(x.precision(), y.precision());
   if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
   if (ball whole = polhode::atan2(y, x); !whole.is_undefined()) return whole;
-  const end_points ex(x, p + guard_bits);
-  const end_points ey(y, p + guard_bits);
+  const end_points ex(x, p + natural_guard_bits);
+  const end_points ey(y, p + natural_guard_bits);
   const auto is_zero = [](const end_points& e) {
     return mpfr_zero_p(e.lower()) != 0 && mpfr_zero_p(e.upper()) != 0;
   };

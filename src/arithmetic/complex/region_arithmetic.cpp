@@ -19,7 +19,7 @@ namespace {
 
 bool is_real(const hardware_rectangle& z) { return z.im.lower() == 0 && z.im.upper() == 0; }
 
-hardware_rectangle product(const hardware_rectangle& z, const hardware_rectangle& w) {
+hardware_rectangle rectangle_product(const hardware_rectangle& z, const hardware_rectangle& w) {
   const double_interval re = times(z.re, w.re);
   if (is_real(z)) return {re, is_real(w) ? w.im : times(z.re, w.im)};
   if (is_real(w)) return {re, times(z.im, w.re)};
@@ -62,7 +62,8 @@ double_interval real_part_of_inverse(double_interval x, double_interval y) {
 /// For w without 0.
 hardware_rectangle quotient(const hardware_rectangle& z, const hardware_rectangle& w) {
   if (is_real(w)) return {z.re / w.re, z.im / w.re};
-  return product(z, {real_part_of_inverse(w.re, w.im), -real_part_of_inverse(w.im, w.re)});
+  return rectangle_product(z,
+                           {real_part_of_inverse(w.re, w.im), -real_part_of_inverse(w.im, w.re)});
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ region operator-(const region& z, const region& w) {
 }
 region operator*(const region& z, const region& w) {
   region quick;
-  if (!region::functions::quick(quick, z, w, product)) {
+  if (!region::functions::quick(quick, z, w, rectangle_product)) {
     const auto f = [](const auto& x, const auto& y) { return x * y; };
     quick = region::combined(z, w, f, f, region::scaled::product);
   }

@@ -13,7 +13,7 @@ using detail::mpfr_cell;
 
 namespace {
 
-constexpr precision guard_bits = 64;
+constexpr precision atan2_guard_bits = 64;
 
 /// The angle of the corner (x, y), where at least one is not 0 and at most one is infinite.
 void corner(mpfr_ptr r, mpfr_srcptr y, mpfr_srcptr x, mpfr_rnd_t rounding) {
@@ -100,8 +100,8 @@ ball atan2(const ball& y, const ball& x) {
     });
     return r;
   }
-  const end_points ex(x, p + guard_bits);
-  const end_points ey(y, p + guard_bits);
+  const end_points ex(x, p + atan2_guard_bits);
+  const end_points ey(y, p + atan2_guard_bits);
   // A radius below the least positive number is rounded up to it: an end may come to 0 only here.
   const auto has_zero = [](const end_points& e) {
     return mpfr_sgn(e.lower()) <= 0 && mpfr_sgn(e.upper()) >= 0;

@@ -14,7 +14,7 @@ using detail::mpfr_cell;
 namespace {
 
 // The ends of a thin ball, computed, must not add to its width.
-constexpr precision guard_bits = 64;
+constexpr precision special_guard_bits = 64;
 
 /// A monotone function on R: thin balls by the values at their ends too, for these functions' slopes
 /// would cost as much as a second value.
@@ -27,7 +27,7 @@ ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)
         r, p, {}, [&](mpfr_ptr value) { return f(value, ball_access::first(x), MPFR_RNDN); });
     return r;
   }
-  const end_points e(x, p + guard_bits);
+  const end_points e(x, p + special_guard_bits);
   mpfr_cell lower(p);
   mpfr_cell upper(p);
   f(lower.get(), increasing ? e.lower() : e.upper(), MPFR_RNDD);
@@ -43,10 +43,10 @@ ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)
 precision precision_of_ends(const ball& x) {
   const precision p = x.precision();
   if (!ball_access::is_midpoint_radius(x) || ball_access::radius(x).is_zero())
-    return p + guard_bits;
+    return p + special_guard_bits;
   const mpfr_srcptr m = ball_access::first(x);
   const std::int64_t exactly = mpfr_get_exp(m) - ball_access::radius(x).exponent() + 2;
-  return std::clamp<std::int64_t>(exactly, p + guard_bits, 3 * p + 1024);
+  return std::clamp<std::int64_t>(exactly, p + special_guard_bits, 3 * p + 1024);
 }
 
 /// |Gamma| or log|Gamma|, which is convex between poles.

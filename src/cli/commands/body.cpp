@@ -25,6 +25,7 @@
 #include "polhode/rigid_body/inertia_tensor.hpp"
 
 namespace polhode::cli {
+namespace body_impl {
 namespace {
 
 struct body_options {
@@ -215,6 +216,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace body_impl
 
 command body_command() {
   return {
@@ -229,7 +231,7 @@ command body_command() {
       "is that of all such bodies, or undecided (exit status 1). A tensor in a --body file may "
       "have\n"
       "irrational principal moments: they are enclosed, and the kind is decided all the same.\n",
-      declare};
+      body_impl::declare};
 }
 
 }  // namespace polhode::cli

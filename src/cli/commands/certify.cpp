@@ -22,6 +22,7 @@
 #include "proofs/claim.hpp"
 
 namespace polhode::cli {
+namespace certify_impl {
 namespace {
 
 using proofs::claim;
@@ -330,6 +331,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace certify_impl
 
 command certify_command() {
   return {
@@ -343,7 +345,7 @@ command certify_command() {
       "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
       "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
       "statement without an argument of its own is argued, not certified (exit status 0).\n",
-      declare};
+      certify_impl::declare};
 }
 
 }  // namespace polhode::cli

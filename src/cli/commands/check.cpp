@@ -17,6 +17,7 @@
 #include "polhode/checker/files.hpp"
 
 namespace polhode::cli {
+namespace check_impl {
 namespace {
 
 constexpr long million = 1'000'000;
@@ -85,12 +86,13 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace check_impl
 
 command check_command() {
   return {"check", "Check certificates with an independent checker",
           "  polhode certify --out certificates && polhode check certificates\n"
           "  polhode check certificates/beta.json --verbose\n",
-          declare};
+          check_impl::declare};
 }
 
 }  // namespace polhode::cli

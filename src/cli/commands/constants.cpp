@@ -22,9 +22,11 @@
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/verify/second_opinion.hpp"
+#include "polhode/version.hpp"
 #include "proofs/claim.hpp"
 
 namespace polhode::cli {
+namespace constants_impl {
 namespace {
 
 using proofs::constant;
@@ -306,6 +308,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace constants_impl
 
 command constants_command() {
   return {
@@ -318,7 +321,7 @@ command constants_command() {
       "The decimals printed are the first N significant digits of the true value, cut off, never\n"
       "rounded: all of them are digits of its expansion. In csv and json, lower and upper are\n"
       "decimals rounded outward: the true value is proved to lie between them.\n",
-      declare};
+      constants_impl::declare};
 }
 
 }  // namespace polhode::cli

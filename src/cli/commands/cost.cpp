@@ -26,6 +26,7 @@
 #include "polhode/arithmetic/exact.hpp"
 
 namespace polhode::cli {
+namespace cost_impl {
 namespace {
 
 using cost::measurement;
@@ -320,6 +321,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace cost_impl
 
 command cost_command() {
   return {"cost", "Measure what accuracy costs in time, by every method there is",
@@ -330,7 +332,7 @@ command cost_command() {
           "Certified methods are measured by their radius, the others by their distance from the "
           "certified\n"
           "value. docs/cost.md says how to read it.\n",
-          declare};
+          cost_impl::declare};
 }
 
 }  // namespace polhode::cli

@@ -29,6 +29,7 @@
 #include "polhode/rigid_body/tennis_racket.hpp"
 
 namespace polhode::cli {
+namespace curve_impl {
 namespace {
 
 struct curve_options {
@@ -195,6 +196,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace curve_impl
 
 command curve_command() {
   return {
@@ -204,7 +206,7 @@ command curve_command() {
       "  polhode curve --moments 3,2,1 --c -0.1..0.1 --format json\n\n"
       "Every epsilon is certified. S is the curve of the turning points, c = -b sin^2 epsilon,\n"
       "where c <= 0. gnuplot draws the picture.\n",
-      declare};
+      curve_impl::declare};
 }
 
 }  // namespace polhode::cli

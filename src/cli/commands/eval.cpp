@@ -26,6 +26,7 @@
 #include "polhode/verify/second_value.hpp"
 
 namespace polhode::cli {
+namespace eval_impl {
 namespace {
 
 struct eval_options {
@@ -268,6 +269,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace eval_impl
 
 command eval_command() {
   return {
@@ -282,14 +284,16 @@ command eval_command() {
           names_of_functions() +
           "\nThe precision is raised until the digits are certain: they are the first N of the "
           "true\n"
-          "value, cut off, never rounded. A value that exact rules show to be rational (sin(pi),\n"
+          "value, cut off, never rounded, or value ± radius where they are not decided (2 ± "
+          "1e-52).\n"
+          "A value that exact rules show to be rational (sin(pi),\n"
           "sqrt(2)^2, log(8)/log(2)) is given exactly. Where neither they nor precision decide, "
           "the\n"
           "enclosure reached is printed as not certified, with exit status 1, as is a formula not "
           "proved\n"
           "to be defined (log(-pi)); one that is certainly not (log(-1), 1/0) is bad input, status "
           "2.\n",
-      declare};
+      eval_impl::declare};
 }
 
 }  // namespace polhode::cli

@@ -21,6 +21,7 @@
 #include "cli/output/streams.hpp"
 
 namespace polhode::cli {
+namespace figures_impl {
 namespace {
 
 struct figures_options {
@@ -154,6 +155,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace figures_impl
 
 command figures_command() {
   return {"figures", "Draw the figures of the paper from certified values",
@@ -166,7 +168,7 @@ command figures_command() {
           "points is; the\n"
           "CSV file has them all: the certain digits of each coordinate, and its ends rounded "
           "outward.\n",
-          declare};
+          figures_impl::declare};
 }
 
 }  // namespace polhode::cli

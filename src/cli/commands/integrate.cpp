@@ -38,6 +38,7 @@
 #include "polhode/verify/second_integral.hpp"
 
 namespace polhode::cli {
+namespace integrate_impl {
 namespace {
 
 constexpr long greatest_boxes = 100'000;
@@ -553,6 +554,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace integrate_impl
 
 command integrate_command() {
   return {
@@ -577,8 +579,9 @@ command integrate_command() {
       "refused. Of a polynomial with rational coefficients, between rational limits, the answer is "
       "the\n"
       "rational number, unless --rule, --certificate or --verify asks for more.\n"
-      "Digits are cut off, never rounded. Exit status 1 where nothing is certified.\n",
-      declare};
+      "Digits before dots are cut off, never rounded; where they are not decided, the answer is\n"
+      "value ± radius, as in 2 ± 1e-52. Exit status 1 where nothing is certified.\n",
+      integrate_impl::declare};
 }
 
 }  // namespace polhode::cli

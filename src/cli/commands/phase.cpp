@@ -21,6 +21,7 @@
 #include "polhode/rigid_body/montgomery_phase.hpp"
 
 namespace polhode::cli {
+namespace phase_impl {
 namespace {
 
 struct phase_options {
@@ -157,6 +158,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace phase_impl
 
 command phase_command() {
   return {
@@ -171,7 +173,7 @@ command phase_command() {
       "over all c is 2 pi I where the body oscillates and 2 pi J where it rotates (see `polhode "
       "body`).\n"
       "On the separatrix, c = 0, it is infinite.\n",
-      declare};
+      phase_impl::declare};
 }
 
 }  // namespace polhode::cli

@@ -27,6 +27,7 @@
 #include "polhode/rigid_body/twist_curve.hpp"
 
 namespace polhode::cli {
+namespace racket_impl {
 namespace {
 
 struct racket_options {
@@ -317,6 +318,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace racket_impl
 
 command racket_command() {
   return {
@@ -333,7 +335,7 @@ command racket_command() {
       "where C meets S: c = -b sin^2 epsilon. What exists, and how often, is decided exactly. "
       "Where a\n"
       "number cannot be certified the others are printed all the same (exit status 1).\n",
-      declare};
+      racket_impl::declare};
 }
 
 }  // namespace polhode::cli

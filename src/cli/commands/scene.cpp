@@ -24,8 +24,10 @@
 #include "cli/output/streams.hpp"
 #include "cli/page/scene_page.hpp"
 #include "polhode/scene/body_file.hpp"
+#include "polhode/version.hpp"
 
 namespace polhode::cli {
+namespace scene_impl {
 namespace {
 
 namespace fs = std::filesystem;
@@ -346,6 +348,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace scene_impl
 
 command scene_command() {
   return {"scene", "Compute the effects that a scene file asks for, and no others",
@@ -357,7 +360,7 @@ command scene_command() {
           "read exactly; every number printed is certified. A run with --out that was interrupted "
           "goes on\n"
           "where it stopped: what was computed of the same scene is kept.\n",
-          declare};
+          scene_impl::declare};
 }
 
 }  // namespace polhode::cli

@@ -27,8 +27,10 @@
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
+#include "polhode/version.hpp"
 
 namespace polhode::cli {
+namespace table_impl {
 namespace {
 
 struct quantity {
@@ -340,6 +342,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 }
 
 }  // namespace
+}  // namespace table_impl
 
 command table_command() {
   return {
@@ -352,7 +355,7 @@ command table_command() {
       "the separatrix, c0 the motion of the perfect twist. The numbers of --c are formed exactly. "
       "Either\n"
       "every number is certified, or nothing is printed.\n",
-      declare};
+      table_impl::declare};
 }
 
 }  // namespace polhode::cli

@@ -13,7 +13,7 @@ namespace polhode::cli {
 namespace {
 
 using cost::measurement;
-using nlohmann::json;
+using cost_json = nlohmann::json;
 
 std::string seconds_text(double seconds) {
   // To three digits 0.9996 s is 1 s.
@@ -172,9 +172,11 @@ std::string text_of(const measured_family& f) {
   return result + '\n';
 }
 
-json number_or_null(const std::optional<double>& x) { return x ? json(*x) : json(nullptr); }
+cost_json number_or_null(const std::optional<double>& x) {
+  return x ? cost_json(*x) : cost_json(nullptr);
+}
 
-json json_of(const measurement& m) {
+cost_json json_of(const measurement& m) {
   return {{"digits", m.digits},
           {"seconds", m.seconds},
           {"cold_seconds", number_or_null(m.cold_seconds)},
@@ -439,12 +441,13 @@ std::string as_csv(const cost_report& report) {
 }
 
 std::string as_json(const cost_report& report) {
-  json result{{"quantities", json::array()}, {"hard", json::array()}};
+  cost_json result{{"quantities", cost_json::array()}, {"hard", cost_json::array()}};
   for (const measured_quantity& q : report.quantities) {
-    json one{
-        {"name", q.what->name}, {"description", q.what->description}, {"methods", json::array()}};
+    cost_json one{{"name", q.what->name},
+                  {"description", q.what->description},
+                  {"methods", cost_json::array()}};
     for (const measured_method& m : q.methods) {
-      json points = json::array();
+      cost_json points = cost_json::array();
       for (const measurement& x : m.points) points.push_back(json_of(x));
       one["methods"].push_back(
           {{"name", m.what->name},
@@ -457,12 +460,13 @@ std::string as_json(const cost_report& report) {
     result["quantities"].push_back(std::move(one));
   }
   for (const measured_family& f : report.families) {
-    json one{
-        {"name", f.what->name}, {"description", f.what->description}, {"methods", json::array()}};
+    cost_json one{{"name", f.what->name},
+                  {"description", f.what->description},
+                  {"methods", cost_json::array()}};
     for (const auto& m : f.methods) {
-      json points = json::array();
+      cost_json points = cost_json::array();
       for (const auto& [k, x] : m.points) {
-        json point = json_of(x);
+        cost_json point = json_of(x);
         point["k"] = k;
         points.push_back(std::move(point));
       }

@@ -9,6 +9,7 @@
 #include "layout.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/version.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -9,9 +9,9 @@
 namespace polhode {
 namespace {
 
-constexpr precision bound_precision = 64;
+constexpr precision period_precision = 64;
 
-ball from_estimate(double x) { return ball::exactly(x, bound_precision); }
+ball from_estimate(double x) { return ball::exactly(x, period_precision); }
 
 /// A strip and an estimate of the nodes it asks for.
 struct candidate {
@@ -25,7 +25,7 @@ periodic_plan plan_periodic_trapezoid(
     const std::function<std::optional<strip_bound>(const ball& half_width)>& bound_on_strip,
     long bits, long most_nodes) {
   periodic_plan plan;
-  plan.truncation_error = ball::undefined(bound_precision);
+  plan.truncation_error = ball::undefined(period_precision);
 
   // Search. The bound 2 pi M / (e^(2 n H) - 1) falls below 2^-bits at about
   // n = (bits + log2(2 pi M)) log 2 / (2 H).

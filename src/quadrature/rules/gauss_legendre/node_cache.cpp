@@ -3,6 +3,7 @@
 #include <unistd.h>
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstddef>
 #include <cstdlib>
@@ -19,6 +20,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
+#include "polhode/version.hpp"
 
 namespace polhode {
 namespace {
@@ -175,7 +177,22 @@ std::optional<gauss_legendre_rule> believed(const bytes& content, long n, precis
 // ---------------------------------------------------------------------------------------------
 // Files. Every failure is silent: the rule is made again.
 
+/// Gives errno back as it was: a caller whose policy answers by errno sees nothing of the files.
+class errno_kept {
+ public:
+  errno_kept() = default;
+  ~errno_kept() { errno = before_; }
+  errno_kept(const errno_kept&) = delete;
+  errno_kept& operator=(const errno_kept&) = delete;
+  errno_kept(errno_kept&&) = delete;
+  errno_kept& operator=(errno_kept&&) = delete;
+
+ private:
+  int before_ = errno;
+};
+
 std::optional<bytes> content_of(const fs::path& path, std::size_t expected_size) {
+  const errno_kept kept;
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) return std::nullopt;  // opening a pipe would wait
   std::ifstream in(path, std::ios::binary);
@@ -199,6 +216,7 @@ bool write_all(int file, const bytes& content) {
 
 /// Puts the file in its place, whole, or does nothing. Two that do so at once write the same bytes.
 bool put(const fs::path& directory, const std::string& name, const bytes& content) {
+  const errno_kept kept;
   std::error_code failure;
   fs::create_directories(directory, failure);
   if (failure) return false;
@@ -217,6 +235,7 @@ bool put(const fs::path& directory, const std::string& name, const bytes& conten
 
 /// Deletes what a process left that ended while it wrote, and the oldest rules beyond the total.
 void prune(const fs::path& directory, std::uintmax_t most_bytes) {
+  const errno_kept kept;
   struct found {
     fs::path path;
     fs::file_time_type time;
