@@ -75,6 +75,25 @@ void add_number_or_note(certificate& c, const std::string& name, const enclosing
   }
 }
 
+void part_last_numbers(certificate& c, const std::string& f_name, const enclosing_function& f,
+                       const std::string& g_name, const enclosing_function& g) {
+  if (c.numbers.size() < 2) return;
+  enclosed_number& first = c.numbers[c.numbers.size() - 2];
+  enclosed_number& second = c.numbers[c.numbers.size() - 1];
+  if (first.name != f_name || second.name != g_name) return;
+  for (const precision p : precisions) {
+    if (!overlaps(first.enclosure, second.enclosure)) return;
+    const ball x = f(p);
+    const ball y = g(p);
+    if (!x.is_bounded() || !y.is_bounded()) continue;
+    const ball narrower = intersection(x, first.enclosure);
+    const ball other = intersection(y, second.enclosure);
+    if (narrower.is_undefined() || other.is_undefined()) return;
+    first.enclosure = narrower;
+    second.enclosure = other;
+  }
+}
+
 void add_geometric_constant(certificate& c, const body& rigid, long digits) {
   const rational& a = rigid.a();
   const rational& b = rigid.b();

@@ -55,6 +55,12 @@ void note_missing_witness(certificate& c, const std::string& what);
 void add_number_or_note(certificate& c, const std::string& name, const enclosing_function& f,
                         long digits, const body& rigid);
 
+/// Encloses the certificate's last two numbers, f and g, with more bits until they are apart: the checker compares what the
+/// certificate holds. Does nothing where it has not both, and leaves them as they are where no number of bits that the checker
+/// takes is enough.
+void part_last_numbers(certificate& c, const std::string& f_name, const enclosing_function& f,
+                       const std::string& g_name, const enclosing_function& g);
+
 /// less < greater, as enclosures.
 struct comparison {
   ball less;

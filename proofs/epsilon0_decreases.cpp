@@ -24,6 +24,9 @@ certificate prove_epsilon0(const request& wanted) {
   add_number_or_note(
       c, "epsilon0 for 2a", [&](precision p) { return separatrix_defect(other, p); }, wanted.digits,
       other);
+  part_last_numbers(
+      c, "epsilon0", [&](precision p) { return separatrix_defect(rigid, p); }, "epsilon0 for 2a",
+      [&](precision p) { return separatrix_defect(other, p); });
   add_comparisons(
       c,
       "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the "

@@ -110,23 +110,32 @@ void add_chain(certificate& c, const body& rigid) {
          false, step_kind::enclosed});
     return;
   }
-  if (points->size() < 3) {
+  // As the certificate has them: the decimals of neighbouring points, and of pi/2, must be apart, too.
+  json chain = json::array();
+  std::optional<rational> before;
+  for (const curve_point& point : *points) {
+    constexpr long digits = 12;
+    const decimal_enclosure epsilon = to_decimal_enclosure(point.epsilon, digits);
+    const rational upper = parse_rational(epsilon.upper);
+    constexpr precision enough = 128;
+    const bool is_below = certainly_less(ball(upper, enough), scale(pi(enough), -1));
+    if (!is_below || (before && parse_rational(epsilon.lower) <= *before)) continue;
+    before = upper;
+    chain.push_back(
+        json{{"c", to_text(point.c)}, {"lower", epsilon.lower}, {"upper", epsilon.upper}});
+  }
+  if (chain.size() < 3) {
     c.witness["chain"] = nullptr;
     note_missing_witness(c, "a chain of points with certainly different epsilon");
     return;
   }
   c.facts.push_back(
       {"at the given a, b: epsilon(c) increases as c goes down a chain of " +
-           std::to_string(points->size()) +
+           std::to_string(chain.size()) +
            " points towards -b, and is below pi/2, its limit there; as it is monotone by the "
            "proof, the boxes between neighbouring points cover the curve between them",
        true, step_kind::enclosed});
-  json& chain = c.witness["chain"];
-  for (const curve_point& point : *points) {
-    const decimal_enclosure epsilon = to_decimal_enclosure(point.epsilon, 9);
-    chain.push_back(
-        json{{"c", to_text(point.c)}, {"lower", epsilon.lower}, {"upper", epsilon.upper}});
-  }
+  c.witness["chain"] = std::move(chain);
 }
 
 // ---------------------------------------------------------------------------------------------

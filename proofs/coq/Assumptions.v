@@ -1,4 +1,5 @@
 (** What the theorems rest on: the axioms of the standard reals. *)
+Set Printing Width 1000000.
 From Polhode Require GaussIntegral AgmLimit Beta Physical HalfPhase BetaDigits.
 Print Assumptions GaussIntegral.gauss_invariance.
 Print Assumptions AgmLimit.agm_limit.

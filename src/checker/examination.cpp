@@ -102,12 +102,15 @@ void expect_inside(const place& where, const range& r, long bits,
   where.not_checkable("the checker did not find the true value closely enough");
 }
 
-void expect_near(const place& number, const range& exact, const rational& width) {
+void expect_near(const place& number, const range& exact, long digits) {
   const rational lower = number["lower"].decimal_value();
   const rational upper = number["upper"].decimal_value();
   const budget::at here = number.working();
   number.work().rationals(
       6, bit_length(exact.lower) + bit_length(exact.upper) + bit_length(lower) + bit_length(upper));
+  // The prover writes three digits more than it was asked for, rounded outward.
+  const rational size = std::max(abs(exact.lower), abs(exact.upper));
+  const rational width(exact.upper - exact.lower + size * power_of_ten(-digits - 2));
   if (lower > exact.lower) number["lower"].refute("it excludes the exact lower end");
   if (upper < exact.upper) number["upper"].refute("it excludes the exact upper end");
   if (lower < exact.lower - width) number["lower"].refute("it is far below the exact lower end");
@@ -371,7 +374,7 @@ examination::ends examination::next_number(const std::string& name) {
   const rational width(exact.upper - exact.lower);
   if (rounded) {
     expect_rounded_digits(where, digits);
-    expect_near(where, exact, width);
+    expect_near(where, exact, digits);
   } else {
     expect_shared(where["value"], exact, digits);
     expect_outward(where["lower"], exact.lower, digits + 3, rounding::down);

@@ -27,8 +27,9 @@ struct range {
 [[nodiscard]] long bits_for_digits(long digits);
 /// That `where` is a decimal of at most `digits` significant digits within two units of the last of them from the end, outward.
 void expect_outward(const place& where, const rational& end, long digits, rounding way);
-/// That the decimals `lower` and `upper` are outward of the exact ends, by no more than these are apart.
-void expect_near(const place& number, const range& exact, const rational& width);
+/// That the decimals `lower` and `upper` are outward of the exact ends, by no more than these are apart and a unit of the third
+/// digit beyond those asked for.
+void expect_near(const place& number, const range& exact, long digits);
 /// That value - radius <= lower and upper <= value + radius, exactly, of the decimals at `where`, and that the radius is not twice what
 /// it must be.
 void expect_radius(const place& where);

@@ -49,8 +49,8 @@ number_ends read_number(const place& number) {
     }
     number["value"].expect_text(low);
   }
-  // The decimals are outward, and by no more than the ends are apart.
-  expect_near(number, exact, width);
+  // The decimals are outward, and about as near as the ends are to each other.
+  expect_near(number, exact, asked);
   expect_radius(number);
   if (rounded) expect_rounded_digits(number, digits);
   return {exact, bits, digits};

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
+#include "polhode/checker/check.hpp"
 #include "proofs/claim.hpp"
 
 namespace polhode::cli {
@@ -170,9 +172,28 @@ std::string file_name(const std::string& claim_name) { return claim_name + ".jso
 
 std::string as_json_text(const json& value) { return value.dump(2) + '\n'; }
 
+/// What the checker says of a certificate, before it is written. A refutation is a fault of the program: it ends the run.
+void expect_checkable(const certificate& c, const std::string& text) {
+  if (c.verdict != status::certified) return;
+  checker::limits few;
+  few.work = 2'000'000'000;
+  const checker::report found = checker::check(text, few);
+  if (found.is_verified()) return;
+  if (found.result == checker::outcome::not_checkable) {
+    print_error(fmt::format(
+        "note: polhode check cannot check the certificate of {} within {} steps: at {}: {}\n",
+        c.claim, few.work, found.place, found.message));
+    return;
+  }
+  throw std::logic_error(fmt::format("{}: polhode check finds its certificate {}, at {}: {}",
+                                     c.claim, to_text(found.result), found.place, found.message));
+}
+
 void write_files(output_directory& directory, const std::vector<timed_certificate>& certificates) {
   for (const auto& [c, seconds] : certificates) {
-    directory.write(file_name(c.claim), as_json_text(to_json(c)));
+    const std::string text = as_json_text(to_json(c));
+    expect_checkable(c, text);
+    directory.write(file_name(c.claim), text);
   }
   directory.publish();
 }
