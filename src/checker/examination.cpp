@@ -23,7 +23,10 @@ rational dyadic(const place& where) {
   constexpr long most_exponent = 4'000'000;
   where.expect_keys({"mantissa", "exponent"});
   const integer mantissa = where["mantissa"].big();
-  const long exponent = where["exponent"].whole(-most_exponent, most_exponent);
+  const long exponent = where["exponent"].whole(-(1L << 40U), 1L << 40U);
+  if (std::abs(exponent) > most_exponent) {
+    where["exponent"].not_checkable("it is beyond " + std::to_string(most_exponent) + " in size");
+  }
   if (mantissa == 0 ? exponent != 0 : mantissa % 2 == 0) {
     where["mantissa"].malformed("it is even; mantissa and exponent must be in lowest form");
   }

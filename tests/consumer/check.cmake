@@ -90,8 +90,7 @@ set(sentences
   "sin is a function of x"
   "Real is double, long double"
   "Real is double, long double"
-  "this double is not the decimal it looks like"
-  "exact_double")
+  "this double is not the decimal it looks like")
 set(number 0)
 foreach(sentence IN LISTS sentences)
   math(EXPR number "${number} + 1")

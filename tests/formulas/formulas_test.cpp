@@ -154,5 +154,48 @@ TEST(FormulaCertificate, RootsThatNoneCanHoldAreRefused) {
   EXPECT_NE(refusal(range("x^2-2", "-2", "2"), open).find("not every place"), std::string::npos);
 }
 
+TEST(FormalZero, IsShownByExpansion) {
+  for (const char* f :
+       {"x-x", "sin(x)-sin(x)", "x*sin(x)-sin(x)*x", "(1+exp(x))^2-1-2*exp(x)-exp(x)^2",
+        "sqrt(x)-sqrt(x)", "-(cos(x)-2)+cos(x)-2", "(x+sin(x))*(x-sin(x))-x^2+sin(x)^2",
+        "(sin(x)+log(x))^3-sin(x)^3-3*sin(x)^2*log(x)-3*sin(x)*log(x)^2-log(x)^3", "0*sin(x)"}) {
+    EXPECT_TRUE(parse(f).is_formally_zero()) << f;
+  }
+  for (const char* f : {"sin(x)-sin(2*x)", "sin(x)^2+cos(x)^2-1", "x", "1", "x-x+1e-300",
+                        "sin(x)-cos(x)", "x*sin(x)-sin(x)", "exp(x)^2-exp(2*x)",
+                        "(1+exp(x))^2-1-2*exp(x)-exp(x)^3", "sqrt(x)*sqrt(x)-x"}) {
+    EXPECT_FALSE(parse(f).is_formally_zero()) << f;
+  }
+}
+
+TEST(FormalZero, IntegralsAreZeroWhereTheFunctionIsDefined) {
+  const integral zero = integrate(parse("sin(x)-sin(x)"), 0, 1, {.digits = 30});
+  EXPECT_EQ(zero.verdict, status::certified);
+  EXPECT_TRUE(zero.enclosure.is_exact() && contains_zero(zero.enclosure));
+  EXPECT_EQ(integrate(parse("sqrt(x)-sqrt(x)"), -1, 1, {.digits = 30}).verdict,
+            status::not_certified);
+  EXPECT_EQ(integrate(parse("log(x)-log(x)"), -2, -1, {.digits = 30}).verdict,
+            status::not_certified);
+  const integral small = integrate(parse("sin(x)-sin(x)+1e-60"), 0, 1, {.digits = 30});
+  EXPECT_EQ(small.verdict, status::certified);
+  EXPECT_TRUE(certainly_positive(small.enclosure));
+}
+
+/// A value that cannot be told from 0: 10^-digits of the integral of |f| counts.
+TEST(IntegralsOfZero, AreCertifiedRelativeToTheIntegralOfTheSize) {
+  for (const char* end : {"2*pi", "6*pi", "20*pi", "64*pi"}) {
+    for (const long digits : {5L, 30L, 100L}) {
+      const integral i =
+          integrate(parse("sin(x)*cos(2*x)"), 0, end_point_of(parse(end, {})), {.digits = digits});
+      EXPECT_EQ(i.verdict, status::certified) << end << ", " << digits;
+      EXPECT_TRUE(contains_zero(i.enclosure));
+      // The integral of |f| over a period is above 1.
+      EXPECT_LE(i.enclosure.radius(), scale(pow(ball(10, 64), -digits).magnitude_upper(), 7));
+    }
+  }
+  EXPECT_EQ(integrate(parse("sin(x)^2+cos(x)^2-1"), 0, 1, {.digits = 30}).verdict,
+            status::not_certified);
+}
+
 }  // namespace formulas_test
 }  // namespace polhode::test

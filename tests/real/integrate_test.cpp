@@ -15,6 +15,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/real/contour.hpp"
 #include "polhode/real/estimate.hpp"
+#include "polhode/real/roots.hpp"
 
 // The functions are a person's, outside the library's namespace.
 namespace integrate_test {
@@ -222,6 +223,33 @@ TEST(RealIntegral, NotProvedIsSaid) {
   EXPECT_EQ(i.why, reason::not_integrable);
   EXPECT_NE(i.obstacle, "");
   EXPECT_NE(i.value, i.value);
+}
+
+/// A double beside the variable is the number that it is, in integrate<double> and its like; a long double in those of long double.
+TEST(RealIntegral, NumbersOfTheTypeStandBesideTheVariable) {
+  const double k = 0.3;
+  const auto i = integrate<double>([k](auto x) { return k * x + 0.1 * exp(k * x); }, 0, 1);
+  EXPECT_EQ(i.verdict, truncation_verdict::proved);
+  EXPECT_EQ(to_text(i.verdict), "proved");
+  const ball exact = integrate<ball>(
+                         [k](auto x) {
+                           const rational q(k);
+                           return q * x + rational(0.1) * exp(q * x);
+                         },
+                         0, 1, {.digits = 30})
+                         .enclosure;
+  EXPECT_LE(std::abs(i.value - nearest_as<double>(exact)), 1e-15);
+  const long double half = 0.3L;
+  const auto j = integrate<long double>([half](auto x) { return half * x; }, 0, 2);
+  EXPECT_LE(std::abs(j.value - 2 * half), 1e-18L);
+  const auto r = find_root<double>([k](auto x) { return x - k; }, 0, 1);
+  EXPECT_EQ(r.value, k);
+  EXPECT_TRUE(r.exact == rational(k));
+  mpfr_float::thread_default_precision(40);
+  const auto m = integrate<mpfr_float>([k](auto x) { return mpfr_float(k) * x; }, 0, 2);
+  EXPECT_EQ(m.verdict, truncation_verdict::proved);
+  const auto p = [](auto x) { return boost::math::constants::pi<decltype(x)>() * x; };
+  EXPECT_LE(std::abs(integrate<double>(p, 0, 2).value - 2 * 3.14159265358979323846), 1e-15);
 }
 
 TEST(RealIntegral, PoliciesDecide) {

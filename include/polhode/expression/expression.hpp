@@ -206,6 +206,9 @@ class expression {
   /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, 65,536
   /// products of coefficients).
   [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
+  /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
+  /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.
+  [[nodiscard]] bool is_formally_zero() const;
   /// The base and the exponent where the value is a power of a rational number that is too long to be
   /// worked out (1e1000000).
   [[nodiscard]] std::optional<std::pair<rational, long>> exact_power() const;

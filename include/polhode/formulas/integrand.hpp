@@ -22,6 +22,10 @@ namespace polhode {
 /// f in the arithmetics of quadrature. f must have one variable, or none; else input_error is thrown.
 [[nodiscard]] detail::integrand integrand_of(const expression& f);
 
+/// An integral of f that is not certified for want of digits, because it is 0: where f is 0 wherever it is defined
+/// (is_formally_zero), and the enclosure, which is bounded, shows that it is defined almost everywhere, the integral is 0 exactly.
+[[nodiscard]] integral settled_zero(const expression& f, integral found);
+
 /// f in the arithmetics of integrals along paths. Its first variable is the argument; where it has a second one, that is the
 /// imaginary unit. Throws input_error where it has more.
 [[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);

@@ -139,7 +139,13 @@ template <class Integral>
 std::string as_text(const Integral& i, long digits) {
   const bool certified = i.verdict == status::certified;
   const std::string number = number_text(i.enclosure, digits);
-  if (certified) return number + fmt::format("certified: {}\n", account_text(i.account));
+  if (certified) {
+    // A value that cannot be told from 0 has no digits of its own.
+    const bool has_digits = goal{digits}.is_met_by(i.enclosure);
+    return number + fmt::format("certified{}: {}\n",
+                                has_digits ? "" : " (relative to the integral of |f|)",
+                                account_text(i.account));
+  }
   std::string result = number + fmt::format("not certified: {}", to_text(i.why));
   if (!i.obstacle.empty()) result += fmt::format(" ({})", i.obstacle);
   return result + '\n';
@@ -440,14 +446,14 @@ exit_status integrate_real(integrate_command_options& options) {
   const end_point b = read_limit(*options.to, options.let);
   if (const auto value = known_integral(f, a, b, options)) return report_exact(f, options, *value);
   const auto calls = std::make_shared<counted_calls>();
-  const auto integrate_to = [g = counted(integrand_of(f), calls), a, b,
+  const auto integrate_to = [f, g = counted(integrand_of(f), calls), a, b,
                              calls](integrate_options goal) {
     goal.progress = [calls](const integration_progress& p) {
       calls->panel = p.panels_done + 1;
       calls->panels = p.panels;
       calls->nodes = p.nodes;
     };
-    return detail::integrate_function(g, a, b, goal);
+    return settled_zero(f, detail::integrate_function(g, a, b, goal));
   };
   const auto verify = [&](const integral& i) {
     const long digits = options.digits.value();

@@ -29,6 +29,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
     return is_in_range(x) ? pole_in(f, x) : std::nullopt;
   };
   constexpr std::size_t most_points = 2000;
+  bool counts_as_zero = false;
   for (int attempts = 0; attempts < 3;) {
     const preparation prepared = prepare(f, a, b, cuts, bits);
     if (prepared.why != reason::none) {
@@ -39,6 +40,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
     integrator work(prepared, options, known, pole_in_range);
     const contour_integral found = work.run();
     result = real_part(found);
+    counts_as_zero = work.counts_as_zero();
     if (!work.points_of_interest().empty() && known.size() < most_points) {
       for (const rational& q : work.points_of_interest()) {
         if (std::find(known.begin(), known.end(), q) != known.end()) continue;
@@ -53,6 +55,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
     bits *= 2;
     ++attempts;
   }
+  if (counts_as_zero) settle_as_zero(result);
   return result;
 }
 

@@ -10,9 +10,19 @@
 
 namespace polhode::detail {
 
-/// A lower bound of the integral of |f|: from the ranges of F over pieces of the panels.
+/// A lower bound of the integral of |f|: from the ranges of F over pieces of the panels, which are shorter where longer ones all
+/// hold a zero of F.
 magnitude integrator::least_size() const {
-  constexpr long log2_pieces = 4;
+  constexpr std::size_t most_pieces = 1U << 16;
+  for (const long log2_pieces : {4L, 8L, 12L}) {
+    if (log2_pieces > 4 && panels_.size() << log2_pieces > most_pieces) break;
+    const magnitude size = least_size_by(log2_pieces);
+    if (!size.is_zero()) return size;
+  }
+  return {};
+}
+
+magnitude integrator::least_size_by(long log2_pieces) const {
   magnitude size;
   for (const panel& p : panels_) {
     const segment& s = segments_[p.segment];
@@ -108,8 +118,19 @@ contour_integral integrator::run() {
   return result_;
 }
 
+/// A value that cannot be told from 0 has no digits of its own: 10^-digits of the integral of |f| counts in its place.
+bool integrator::counts_as_zero() const {
+  const complex_ball& value = result_.enclosure;
+  if (result_.why != reason::precision_limit || value.is_undefined()) return false;
+  if (!contains_zero(value.re) || !contains_zero(value.im)) return false;
+  return goal{options_.digits}.is_met(radius_of(value), scale(least_size(), -log2_periods_));
+}
+
 contour_integral integrate_segments(const preparation& prepared, const integrate_options& options) {
-  return integrator(prepared, options, {}).run();
+  integrator work(prepared, options, {});
+  contour_integral result = work.run();
+  if (work.counts_as_zero()) settle_as_zero(result);
+  return result;
 }
 
 }  // namespace polhode::detail

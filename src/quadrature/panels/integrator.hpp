@@ -42,6 +42,8 @@ class integrator {
   /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting the range
   /// there may help.
   [[nodiscard]] const std::vector<rational>& points_of_interest() const { return points_; }
+  /// run() has come to its precision's limit, and 0 is a value within 10^-digits of the integral of |f|.
+  [[nodiscard]] bool counts_as_zero() const;
 
  private:
   enum class outcome {
@@ -80,6 +82,7 @@ class integrator {
   [[nodiscard]] double log2_of_samples(std::size_t index) const;
   void estimate_size();
   [[nodiscard]] magnitude least_size() const;
+  [[nodiscard]] magnitude least_size_by(long log2_pieces) const;
 
   const std::vector<segment>& segments_;
   const ball& remainder_;
@@ -107,5 +110,12 @@ class integrator {
   precision result_bits_ = 64;  // of sums of panels
   contour_integral result_;
 };
+
+/// Certifies an integral that counts as 0.
+template <class Integral>
+void settle_as_zero(Integral& of) {
+  of.verdict = status::certified;
+  of.why = reason::none;
+}
 
 }  // namespace polhode::detail

@@ -1,0 +1,117 @@
+// Formulas that are 0 wherever they are defined, as their expansion shows.
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact/rationals.hpp"
+#include "graph.hpp"
+
+namespace polhode {
+namespace formal_zero_impl {
+namespace {
+
+using detail::node_id;
+using detail::operation;
+
+/// A product of powers of atoms: nodes that are no sums, products or whole powers. Atoms are told apart by their nodes, of which
+/// equal subexpressions are one.
+using monomial = std::vector<std::pair<node_id, long>>;
+using terms = std::map<monomial, rational>;  // the coefficients that are not 0
+
+constexpr std::size_t most_terms = 200;
+constexpr long most_exponent = 64;
+constexpr std::size_t most_bits = 4096;
+
+monomial product(const monomial& x, const monomial& y) {
+  std::map<node_id, long> powers(x.begin(), x.end());
+  for (const auto& [atom, exponent] : y) powers[atom] += exponent;
+  return {powers.begin(), powers.end()};
+}
+
+/// Nothing where the expansion is too long.
+using maybe_terms = std::optional<terms>;
+
+maybe_terms add(terms x, const terms& y, const rational& factor) {
+  for (const auto& [m, c] : y) {
+    rational& sum = x[m];
+    sum += factor * c;
+    if (sum == 0) {
+      x.erase(m);
+    } else if (detail::exact_parts::bits_of(sum) > most_bits) {
+      return std::nullopt;
+    }
+  }
+  if (x.size() > most_terms) return std::nullopt;
+  return x;
+}
+
+maybe_terms multiply(const terms& x, const terms& y) {
+  maybe_terms result = terms{};
+  for (const auto& [m, c] : x) {
+    terms row;
+    for (const auto& [n, d] : y) row.emplace(product(m, n), c * d);
+    result = add(std::move(*result), row, 1);
+    if (!result) return result;
+  }
+  return result;
+}
+
+class expansion {
+ public:
+  explicit expansion(const detail::graph& g) : g_(g) {}
+
+  maybe_terms of(node_id i) {
+    const auto known = known_.find(i);
+    if (known != known_.end()) return known->second;
+    return known_[i] = made(i);
+  }
+
+ private:
+  maybe_terms made(node_id i) {
+    const detail::node& n = g_[i];
+    if (const rational* q = g_.value(i)) return *q == 0 ? terms{} : terms{{{}, *q}};
+    const auto of_two = [&](const auto& f) -> maybe_terms {
+      const maybe_terms x = of(n.left);
+      const maybe_terms y = of(n.right);
+      return x && y ? f(*x, *y) : std::nullopt;
+    };
+    switch (n.what) {
+      case operation::add:
+        return of_two([](const terms& x, const terms& y) { return add(x, y, 1); });
+      case operation::subtract:
+        return of_two([](const terms& x, const terms& y) { return add(x, y, -1); });
+      case operation::multiply:
+        return of_two([](const terms& x, const terms& y) { return multiply(x, y); });
+      case operation::negate: {
+        const maybe_terms x = of(n.left);
+        return x ? add({}, *x, -1) : std::nullopt;
+      }
+      case operation::power_integer: {
+        const maybe_terms x = of(n.left);
+        if (!x || n.number < 1 || n.number > most_exponent) break;
+        maybe_terms result = x;
+        for (long k = 1; k < n.number && result; ++k) result = multiply(*result, *x);
+        return result;
+      }
+      default:
+        break;
+    }
+    return terms{{{{i, 1}}, rational(1)}};
+  }
+
+  const detail::graph& g_;
+  std::map<node_id, maybe_terms> known_;
+};
+
+}  // namespace
+}  // namespace formal_zero_impl
+
+bool expression::is_formally_zero() const {
+  const auto found = formal_zero_impl::expansion(*graph_).of(graph_->root);
+  return found && found->empty();
+}
+
+}  // namespace polhode
