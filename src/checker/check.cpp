@@ -92,6 +92,7 @@ report check(std::string_view certificate, const limits& most) {
     result.statement.clear();
     result.grounds.clear();
     result.argued = false;
+    result.tier.clear();
   }
   result.work = work.spent();
   result.memory = work.most_held();

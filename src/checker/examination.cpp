@@ -485,6 +485,7 @@ void examination::finish() {
   expect_grounds(root_, text_.tier, text_.argument);
   report_.grounds = grounds_of(root_);
   report_.argued = text_.tier == by_argument;
+  report_.tier = text_.tier;
   const place facts = root_["facts"];
   if (facts.size() > facts_) facts.at(facts_).malformed("this claim has no such fact");
   const place numbers = root_["numbers"];

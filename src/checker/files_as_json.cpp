@@ -31,6 +31,7 @@ std::string json_text(const files_report& all, bool verbose) {
       if (!r.claim.empty()) entry["claim"] = r.claim;
       if (r.is_verified()) {
         entry["subject"] = r.subject;
+        if (!r.tier.empty()) entry["tier"] = r.tier;
         entry["statement"] = r.statement;
         entry["left_out"] = r.left_out;
         entry["rests_on"] = r.checks;

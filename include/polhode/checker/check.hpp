@@ -39,6 +39,8 @@ struct report {
   std::vector<std::string> statement;
   /// Of a verified one: the kinds of its steps, "decided exactly, enclosed, argued in words, cited".
   std::string grounds;
+  /// Of a verified claim: how much of its proof a machine decides, "by machine", "by machine, joined in words", "by argument".
+  std::string tier;
   /// Of a verified one: its statement follows from an argument in words, of which a program decides some steps only.
   bool argued = false;
   std::vector<std::string> checks;  // what was shown again on the way, in words
