@@ -180,14 +180,19 @@ files_report check_files(
   std::size_t verified = 0;
   std::size_t in_part = 0;
   std::size_t argued = 0;
+  // The work that is left is shared equally by the files that are left: a hostile file takes nothing from the others.
+  limits share = request.most;
+  long left = request.most.work;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string path = printable(files[i].path);
     begins(path, i + 1, files.size());
     file_report file;
     file.path = files[i].path;
     try {
-      file.result = check(contents_of(files[i]), request.most);
+      share.work = left / static_cast<long>(files.size() - i);
+      file.result = check(contents_of(files[i]), share);
       file.was_read = true;
+      left -= std::min(left, file.result.work);
     } catch (const not_read& problem) {
       file.not_read = problem.what();
     }

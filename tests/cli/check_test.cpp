@@ -196,6 +196,21 @@ TEST(Check, HasABudget) {
   expect_refused({"check", directory, "--memory", "much"}, {"--memory", "whole number"});
 }
 
+/// The budget is that of the call: each file has an equal share of what is left.
+TEST(Check, SharesItsBudget) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("out");
+  certified({"certify", "beta", "--digits", "300", "--out", directory});
+  const std::string text = contents(directory + "/beta.json");
+  for (int i = 0; i < 9; ++i) write(directory + "/b" + std::to_string(i) + ".json", text);
+  // One of them costs about twelve million operations: enough for one, and too little for ten.
+  EXPECT_EQ(run({"check", directory + "/beta.json", "--budget", "13"}).status, 0);
+  const outcome all = run({"check", directory, "--budget", "13"});
+  EXPECT_EQ(all.status, 1);
+  EXPECT_NE(all.out.find("not checkable"), std::string::npos) << all.out;
+  EXPECT_EQ(run({"check", directory, "--budget", "130"}).status, 0);
+}
+
 /// The program of its own prints the same, with the same status.
 TEST(Check, IsAProgramOfItsOwn) {
   const scratch_directory scratch;

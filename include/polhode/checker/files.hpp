@@ -14,7 +14,7 @@ struct files_request {
   std::vector<std::string>
       paths;             // of certificates, or of directories of which every .json file is one
   bool verbose = false;  // every fact and number that was shown again, and what the check cost
-  limits most;           // of each certificate
+  limits most;           // the work of all certificates together; the memory of each
 };
 
 /// What became of one file.

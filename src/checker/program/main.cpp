@@ -24,7 +24,8 @@ Checks certificates that Polhode wrote, with nothing of the programs that wrote 
   PATH         A certificate, or a directory of which every .json file is one
   --verbose    Print every fact and number that was shown again, and what it cost
   --format F   text or json: the document of `polhode check --format json` [text]
-  --budget N   What one certificate may cost, in millions of operations [)" +
+  --budget N   What all of them may cost together, in millions of operations;
+               the rest is shared by the files that are left [)" +
          std::to_string(most.work / million) + R"(]
   --memory N   What it may hold in memory, in MB [)" +
          std::to_string(most.memory / megabyte) + R"(]

@@ -75,7 +75,8 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_flag("--verbose", options->request.verbose,
                "Print every fact and number that was shown again,\nand what it cost");
   app.add_option("--budget", options->budget,
-                 fmt::format("What one certificate may cost, in millions of operations [{}]",
+                 fmt::format("What all of them may cost together, in millions of operations;\nthe "
+                             "rest is shared by the files that are left [{}]",
                              options->budget))
       ->type_name("N");
   app.add_option("--memory", options->memory,
