@@ -403,7 +403,7 @@ std::string counts_text(const counted_calls& calls) {
   const long nodes = calls.at_nodes.load();
   const long regions = calls.over_regions.load();
   if (nodes + regions == 0) return "";
-  const std::string result = fmt::format("{} evaluations, {} over regions", nodes, regions);
+  std::string result = fmt::format("{} evaluations, {} over regions", nodes, regions);
   const long panel = calls.panel.load();
   if (panel == 0) return result;
   return fmt::format("{}, panel {} of {} with {} nodes", result, panel, calls.panels.load(),
