@@ -78,11 +78,11 @@ real_function function_of(const expression& f) {
                     fmt::join(f.variables(), ", ")));
   }
   real_function result(f);
-  // |f(at + 4 width t)| >= c t^a with c > 0 on 0 < t <= 1/4, or f is defined nowhere there.
-  result.prove_beside([g = f.evaluator<growth_bound>(192)](const rational& at,
-                                                           const rational& width) {
-    const growth_bound bound =
-        g(growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
+  // |f(at + 4 width t)| >= c t^a with c > 0 on 0 < t <= 1/4, or f is defined nowhere there. An evaluator of its own for each
+  // call, as several threads may ask at a time.
+  result.prove_beside([f](const rational& at, const rational& width) {
+    const growth_bound bound = f.evaluator<growth_bound>(192)(
+        growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
     return bound.is_nowhere_defined() || (!bound.is_blocked() && !bound.least_factor().is_zero());
   });
   return result;
