@@ -1,8 +1,12 @@
 # polhode_batch(TARGET): with POLHODE_BATCHES, compiles the target's sources in batches. A batch is
 # one directory, or a part of one of up to batch_bytes. Most of what a source costs is in the headers
-# that it reads; a batch reads them once.
+# that it reads; a batch reads them once. A source with the property SKIP_UNITY_BUILD_INCLUSION, or
+# with include directories of its own, is compiled alone; set these before the call.
 #
-# Sources of one directory therefore share their unnamed namespaces: give helpers names of their own.
+# CMake's unity builds write absolute paths into their sources, so that ccache finds nothing in
+# another checkout. These batches include their sources by relative paths.
+#
+# Sources of one directory share their unnamed namespaces: give helpers names of their own.
 # The presets without POLHODE_BATCHES compile each source alone, which shows a missing #include.
 set(batch_bytes 65000)
 
@@ -10,9 +14,15 @@ function(polhode_batch target)
   if(NOT POLHODE_BATCHES)
     return()
   endif()
+  set(batches "${PROJECT_BINARY_DIR}/batches/${target}")
   get_target_property(sources ${target} SOURCES)
+  set(kept)
+  set(names)
   foreach(source IN LISTS sources)
-    if(NOT source MATCHES "\\.cpp$" OR source MATCHES "\\$<" OR NOT EXISTS "${source}")
+    get_source_file_property(alone "${source}" SKIP_UNITY_BUILD_INCLUSION)
+    get_source_file_property(directories "${source}" INCLUDE_DIRECTORIES)
+    if(alone OR directories OR NOT source MATCHES "\\.cpp$" OR source MATCHES "\\$<" OR NOT EXISTS "${source}")
+      list(APPEND kept "${source}")
       continue()
     endif()
     get_filename_component(directory "${source}" DIRECTORY)
@@ -28,7 +38,15 @@ function(polhode_batch target)
       math(EXPR part_${name} "${part_${name}} + 1")
       set(filled_${name} ${bytes})
     endif()
-    set_property(SOURCE "${source}" PROPERTY UNITY_GROUP "${name}_${part_${name}}")
+    set(name "${name}_${part_${name}}")
+    list(APPEND names ${name})
+    file(RELATIVE_PATH included "${batches}" "${source}")
+    string(APPEND content_${name} "#include \"${included}\"\n")
   endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  list(REMOVE_DUPLICATES names)
+  foreach(name IN LISTS names)
+    file(CONFIGURE OUTPUT "${batches}/${name}.cpp" CONTENT "${content_${name}}" @ONLY)
+    list(APPEND kept "${batches}/${name}.cpp")
+  endforeach()
+  set_property(TARGET ${target} PROPERTY SOURCES ${kept})
 endfunction()
