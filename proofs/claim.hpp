@@ -31,6 +31,11 @@ struct claim {
   claim_subject subject = claim_subject::none;
 };
 
+// The formulas behind enclosures, as several claims cite them.
+[[nodiscard]] stated_step bartky_transformation();
+[[nodiscard]] stated_step gauss_mean();
+[[nodiscard]] stated_step gudermannian();
+
 /// All claims, in the order of the paper.
 [[nodiscard]] const std::vector<claim>& all_claims();
 

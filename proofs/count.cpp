@@ -62,7 +62,8 @@ claim count_claim() {
            {step_kind::cited, "The intermediate value theorem."},
            {step_kind::cited,
             "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) "
-            "and depend continuously on their data."}}};
+            "and depend continuously on their data."},
+           bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

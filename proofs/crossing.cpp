@@ -58,7 +58,8 @@ claim crossing_claim() {
        {step_kind::cited, "The intermediate value theorem."},
        {step_kind::cited,
         "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
-        "depend continuously on their data."}}};
+        "depend continuously on their data."},
+       bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

@@ -48,7 +48,7 @@ claim epsilon0_min_claim() {
       "ball arithmetic; interval Newton on log tan as a second route",
       prove_epsilon0_min,
       proof_tier::by_machine,
-      {{step_kind::cited, "am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i))."}}};
+      {gudermannian()}};
 }
 
 }  // namespace polhode::proofs

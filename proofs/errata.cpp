@@ -172,7 +172,8 @@ claim errata_claim() {
       proof_tier::with_words,
       {{step_kind::argued,
         "A statement that is not right in general is refuted by one body; what the facts say of "
-        "all bodies is that of the claims that they name."}}};
+        "all bodies is that of the claims that they name."},
+       bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

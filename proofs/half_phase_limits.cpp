@@ -37,7 +37,8 @@ claim half_phase_limits_claim() {
           proof_tier::with_words,
           {{step_kind::argued,
             "As u tends to 1 both bounds tend to pi I; as u tends to 0 the lower one grows without "
-            "bound."}}};
+            "bound."},
+           bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

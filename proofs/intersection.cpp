@@ -54,7 +54,8 @@ claim intersection_claim() {
        {step_kind::argued,
         "On the part of C of the first implicit equation C meets S where pi is the time from psi = "
         "0 to the turning point, G = 2 pi."},
-       {step_kind::cited, "The intermediate value theorem."}}};
+       {step_kind::cited, "The intermediate value theorem."},
+       bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

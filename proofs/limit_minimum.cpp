@@ -113,7 +113,9 @@ claim limit_minimum_claim() {
            {step_kind::argued,
             "Before the first turning point the limit's integral is greater for beta < 0 than for "
             "beta = 0 at every psi, and its value pi sqrt(chi) is at most pi: psi is below that of "
-            "beta = 0, chi = 1."}}};
+            "beta = 0, chi = 1."},
+           gauss_mean(),
+           bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

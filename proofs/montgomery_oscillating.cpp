@@ -56,7 +56,8 @@ claim montgomery_oscillating_claim() {
             "1) every value above pi I, once, and no other."},
            {step_kind::argued,
             "As u tends to 1 both bounds tend to pi I, so that this is the greatest lower bound, "
-            "and it is not attained."}}};
+            "and it is not attained."},
+           bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

@@ -44,7 +44,8 @@ claim montgomery_rotating_claim() {
             "every point of the range."},
            {step_kind::argued,
             "As c tends to a both bounds tend to P, which is pi J by the antiderivative: this is "
-            "the greatest lower bound, and it is not attained."}}};
+            "the greatest lower bound, and it is not attained."},
+           bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

@@ -84,7 +84,8 @@ claim perfect_twist_claim() {
         "point of the range."},
        {step_kind::argued,
         "By its two bounds F(c,0) takes on (0, a) every value above pi J, and no other."},
-       {step_kind::cited, "The intermediate value theorem."}}};
+       {step_kind::cited, "The intermediate value theorem."},
+       bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

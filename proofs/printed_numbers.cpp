@@ -25,7 +25,10 @@ claim printed_numbers_claim() {
   return {"figs. 6, 7, eqs. (39), (40), section 8",
           "The numbers in the captions, in section 7 and in the conclusion are those of their "
           "formulas, to the last digit printed, but for those in errata.",
-          "enclosures against the printed decimals", prove_printed_numbers, proof_tier::by_machine};
+          "enclosures against the printed decimals",
+          prove_printed_numbers,
+          proof_tier::by_machine,
+          {gauss_mean(), gudermannian()}};
 }
 
 }  // namespace polhode::proofs

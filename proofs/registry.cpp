@@ -25,6 +25,17 @@ std::string command_of(const claim& c) {
 
 }  // namespace
 
+stated_step bartky_transformation() {
+  return {step_kind::cited,
+          "Bartky's transformation of complete elliptic integrals (DLMF 19.8(i), 19.22(i))."};
+}
+stated_step gauss_mean() {
+  return {step_kind::cited, "K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i))."};
+}
+stated_step gudermannian() {
+  return {step_kind::cited, "am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i))."};
+}
+
 const std::vector<claim>& all_claims() {
   static const std::vector<claim> claims = [] {
     std::vector<claim> list;

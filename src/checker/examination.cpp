@@ -197,12 +197,10 @@ void expect_grounds(const place& certificate, std::string_view tier,
   }
 }
 
-std::string grounds_of(const place& certificate) {
+std::vector<std::string> grounds_of(const place& certificate) {
   const place kinds = certificate["rests_on"];
-  std::string result;
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    result += (result.empty() ? "" : ", ") + kinds.at(i).text();
-  }
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < kinds.size(); ++i) result.push_back(kinds.at(i).text());
   return result;
 }
 

@@ -52,8 +52,8 @@ inline constexpr const char* enclosed = "enclosed";
 /// cited.
 void expect_grounds(const place& certificate, std::string_view tier,
                     const std::vector<stated_text>& argument);
-/// "decided exactly, enclosed, cited": what a certificate whose grounds were expected rests on.
-[[nodiscard]] std::string grounds_of(const place& certificate);
+/// The kinds of steps that a certificate rests on, after expect_grounds.
+[[nodiscard]] std::vector<std::string> grounds_of(const place& certificate);
 
 class examination {
  public:

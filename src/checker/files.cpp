@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "claim.hpp"
+
 namespace polhode::checker {
 namespace {
 
@@ -145,10 +147,12 @@ std::string problem_of(const report& r) {
 std::string text_of(const report& r, bool verbose) {
   std::string result;
   if (r.is_verified()) {
-    result = r.argued ? "steps verified, the rest argued" : "verified";
+    result = r.argued               ? "steps verified, the rest argued"
+             : r.tier == with_words ? "steps verified, joined in words"
+                                    : "verified";
     if (!r.left_out.empty()) result += ", without " + joined(r.left_out);
     result += ": " + r.subject + ", " + std::to_string(r.checks.size()) +
-              " facts and numbers shown again; it rests on: " + r.grounds + '\n';
+              " facts and numbers shown again; it rests on: " + joined(r.grounds) + '\n';
     for (const std::string& sentence : r.statement) result += "  " + sentence + '\n';
   } else {
     result = to_text(r.result) + ": " + problem_of(r) + '\n';

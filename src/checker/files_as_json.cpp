@@ -34,7 +34,8 @@ std::string json_text(const files_report& all, bool verbose) {
         if (!r.tier.empty()) entry["tier"] = r.tier;
         entry["statement"] = r.statement;
         entry["left_out"] = r.left_out;
-        entry["rests_on"] = r.checks;
+        entry["rests_on"] = r.grounds;
+        entry["facts"] = r.checks;
       } else {
         entry["place"] = r.place;
         entry["reason"] = r.message;

@@ -109,18 +109,18 @@ TEST(Emptied, ACertificateIsVerifiedOnlyInPart) {
 
 TEST(Grounds, AreSaidAndCannotBeChanged) {
   const report beta = checked(certificate_of("beta"));
-  EXPECT_EQ(beta.grounds, "enclosed, cited");
+  EXPECT_EQ(beta.grounds, (std::vector<std::string>{"enclosed", "cited"}));
   EXPECT_FALSE(beta.argued);
   const report limit = checked(certificate_of("limit_formula"));
   EXPECT_EQ(limit.result, outcome::verified) << limit.place << limit.message;
   EXPECT_TRUE(limit.argued);
-  EXPECT_NE(limit.grounds.find("argued in words"), std::string::npos);
+  EXPECT_NE(std::ranges::find(limit.grounds, "argued in words"), limit.grounds.end());
   const auto refused_at = [](const char* claim, const char* pointer, const json& value) {
     json c = certificate_of(claim);
     c[json::json_pointer(pointer)] = value;
     const report r = checked(c);
     EXPECT_FALSE(r.is_verified()) << pointer;
-    EXPECT_EQ(r.grounds, "");
+    EXPECT_TRUE(r.grounds.empty());
     return r.place;
   };
   // What is argued cannot pass for what is decided.

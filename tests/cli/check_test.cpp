@@ -36,10 +36,12 @@ TEST(Check, VerifiesWhatCertifyWrote) {
   const auto lines = unindented(out);
   ASSERT_EQ(lines.size(), 3U) << out;
   EXPECT_EQ(lines[0].rfind(directory + "/beta.json: verified: claim \"beta\", ", 0), 0U) << out;
-  EXPECT_EQ(lines[1].rfind(directory + "/physical.json: verified: claim \"physical\" for the "
-                                       "physical body a = 253/20, b = 629/10000, ",
-                           0),
-            0U)
+  EXPECT_EQ(
+      lines[1].rfind(
+          directory + "/physical.json: steps verified, joined in words: claim \"physical\" for the "
+                      "physical body a = 253/20, b = 629/10000, ",
+          0),
+      0U)
       << out;
   EXPECT_EQ(lines[2], "2 certificates: 2 verified");
   EXPECT_NE(out.find("\n  beta is between 0.0289732280"), std::string::npos) << out;
@@ -82,7 +84,7 @@ TEST(Check, WhatCannotBeReadCostsOnlyItsOwnLine) {
     EXPECT_EQ(result.status, 2) << path;
     const auto lines = unindented(result.out);
     ASSERT_EQ(lines.size(), 2U) << result.out;
-    EXPECT_NE(lines[0].find("physical.json: verified"), std::string::npos);
+    EXPECT_NE(lines[0].find("physical.json: steps verified"), std::string::npos);
     EXPECT_EQ(lines[1], "2 certificates: 1 verified");
     EXPECT_EQ(result.err, "polhode: " + path + ": not read: " + why + "\n");
   };
@@ -119,7 +121,9 @@ TEST(Check, NamesWhatIsNoFileInADirectory) {
   EXPECT_EQ(result.status, 2);
   const auto lines = unindented(result.out);
   ASSERT_EQ(lines.size(), 2U) << result.out;
-  EXPECT_NE(lines[0].find("/physical.json: verified: claim \"physical\" for "), std::string::npos);
+  EXPECT_NE(
+      lines[0].find("/physical.json: steps verified, joined in words: claim \"physical\" for "),
+      std::string::npos);
   EXPECT_EQ(lines[1], "4 certificates: 1 verified");
   const auto faults = lines_of(result.err);
   ASSERT_EQ(faults.size(), 3U) << result.err;
@@ -160,7 +164,8 @@ TEST(Check, AnEmptiedCertificateIsNotVerified) {
   write(directory + "/separatrix_twist.json", c.dump());
   const outcome result = run({"check", directory});
   EXPECT_EQ(result.status, 1);
-  EXPECT_NE(result.out.find(": verified, without an enclosure of epsilon0: claim "),
+  EXPECT_NE(result.out.find(
+                ": steps verified, joined in words, without an enclosure of epsilon0: claim "),
             std::string::npos)
       << result.out;
   EXPECT_NE(result.out.find("1 certificate: 0 verified, 1 without a part\n"), std::string::npos);

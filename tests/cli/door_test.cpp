@@ -209,7 +209,8 @@ TEST(CheckAsJson, SaysWhatBecameOfEachFile) {
   EXPECT_EQ(first["verdict"], "verified");
   EXPECT_EQ(first["subject"], "integral");
   EXPECT_EQ(first["statement"][0], "the integral of 4/(1 + x^2) over x from 0 to 1");
-  EXPECT_FALSE(first["rests_on"].empty());
+  EXPECT_EQ(first["rests_on"][0], "enclosed");
+  EXPECT_FALSE(first["facts"].empty());
   const json& second = all["files"][1];
   EXPECT_EQ(second["verdict"], "refuted");
   EXPECT_FALSE(second["place"].get<std::string>().empty());

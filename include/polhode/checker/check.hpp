@@ -37,8 +37,9 @@ struct report {
   std::string subject;
   /// Of a verified one: what was shown, a sentence a line, with all inputs and all numbers, in the checker's own words.
   std::vector<std::string> statement;
-  /// Of a verified one: the kinds of its steps, "decided exactly, enclosed, argued in words, cited".
-  std::string grounds;
+  /// Of a verified one: the kinds of its steps, each of "decided exactly", "enclosed", "argued in
+  /// words" and "cited" that occurs, in this order.
+  std::vector<std::string> grounds;
   /// Of a verified claim: how much of its proof a machine decides, "by machine", "by machine, joined in words", "by argument".
   std::string tier;
   /// Of a verified one: its statement follows from an argument in words, of which a program decides some steps only.

@@ -50,7 +50,7 @@ claim count_claim() {
           {facts::half_phase_takes_each_value_once, facts::symmetries,
            argued(
                "psi_c(pi) is a turning point exactly where pi = (k - 1/2) G for a whole k >= 1."),
-           facts::intermediate_values, facts::solutions_are_unique},
+           facts::intermediate_values, facts::solutions_are_unique, facts::bartky_transformation},
       .check = check_count};
 }
 

@@ -44,7 +44,8 @@ claim crossing_claim() {
           .tier = with_words,
           .argument = {facts::half_phase_takes_each_value_once, facts::symmetries,
                        argued("psi_c(pi) = 0 exactly where pi = k G for a whole k >= 1."),
-                       facts::intermediate_values, facts::solutions_are_unique},
+                       facts::intermediate_values, facts::solutions_are_unique,
+                       facts::bartky_transformation},
           .check = check_crossing};
 }
 

@@ -158,7 +158,8 @@ claim errata_claim() {
                          "is pi: d epsilon/dc < 0 throughout")},
       .tier = with_words,
       .argument = {argued("A statement that is not right in general is refuted by one body; what "
-                          "the facts say of all bodies is that of the claims that they name.")},
+                          "the facts say of all bodies is that of the claims that they name."),
+                   facts::bartky_transformation},
       .check = check_errata};
 }
 

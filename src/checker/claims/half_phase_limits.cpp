@@ -29,7 +29,8 @@ claim half_phase_limits_claim() {
           .steps = facts::with_more(facts::half_phase_steps),
           .tier = with_words,
           .argument = {argued("As u tends to 1 both bounds tend to pi I; as u tends to 0 the lower "
-                              "one grows without bound.")},
+                              "one grows without bound."),
+                       facts::bartky_transformation},
           .check = check_half_phase_limits};
 }
 

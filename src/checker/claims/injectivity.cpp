@@ -163,7 +163,7 @@ claim injectivity_claim() {
                "every psi increases: psi_c(pi) decreases, before the turning point and after it."),
            argued("Where I < 1, epsilon is pi/2 at some c and tends to pi/2 as c tends to -b: a "
                   "continuous injective function would have different limits."),
-           facts::intermediate_values, facts::solutions_are_unique},
+           facts::intermediate_values, facts::solutions_are_unique, facts::bartky_transformation},
       .check = check_injectivity};
 }
 

@@ -44,7 +44,7 @@ claim intersection_claim() {
       .argument = {facts::half_phase_takes_each_value_once,
                    argued("On the part of C of the first implicit equation C meets S where pi is "
                           "the time from psi = 0 to the turning point, G = 2 pi."),
-                   facts::intermediate_values},
+                   facts::intermediate_values, facts::bartky_transformation},
       .check = check_intersection};
 }
 

@@ -86,7 +86,8 @@ claim limit_minimum_claim() {
                    argued("Planar bodies approach both limits, by the claim limit_formula."),
                    argued("Before the first turning point the limit's integral is greater for beta "
                           "< 0 than for beta = 0 at every psi, and its value pi sqrt(chi) is at "
-                          "most pi: psi is below that of beta = 0, chi = 1.")},
+                          "most pi: psi is below that of beta = 0, chi = 1."),
+                   facts::gauss_mean, facts::bartky_transformation},
       .check = check_limit_minimum};
 }
 

@@ -45,7 +45,8 @@ claim montgomery_oscillating_claim() {
       .tier = with_words,
       .argument = {facts::half_phase_takes_each_value_once,
                    argued("As u tends to 1 both bounds tend to pi I, so that this is the greatest "
-                          "lower bound, and it is not attained.")},
+                          "lower bound, and it is not attained."),
+                   facts::bartky_transformation},
       .check = check_montgomery_oscillating};
 }
 

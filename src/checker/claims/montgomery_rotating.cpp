@@ -52,7 +52,8 @@ claim montgomery_rotating_claim() {
           .argument =
               {facts::integral_decreases_with_integrand,
                argued("As c tends to a both bounds tend to P, which is pi J by the antiderivative: "
-                      "this is the greatest lower bound, and it is not attained.")},
+                      "this is the greatest lower bound, and it is not attained."),
+               facts::bartky_transformation},
           .check = check_montgomery_rotating};
 }
 

@@ -75,7 +75,7 @@ claim perfect_twist_claim() {
       .argument =
           {facts::integral_decreases_with_integrand,
            argued("By its two bounds F(c,0) takes on (0, a) every value above pi J, and no other."),
-           facts::intermediate_values},
+           facts::intermediate_values, facts::bartky_transformation},
       .check = check_perfect_twist};
 }
 

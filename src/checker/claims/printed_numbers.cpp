@@ -40,7 +40,7 @@ claim printed_numbers_claim() {
               "wrong are in the claim errata.",
           .steps = {},
           .tier = by_machine,
-          .argument = {},
+          .argument = {facts::gauss_mean, facts::gudermannian},
           .check = check_printed_numbers};
 }
 
