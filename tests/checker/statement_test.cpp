@@ -1,5 +1,9 @@
 // "Verified" says what: a report names the claim with its inputs and numbers, and a certificate that leaves out a part is not verified.
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "formulas.hpp"
