@@ -55,7 +55,7 @@ claim implicit_equations_claim() {
       "by the parity of n and the side of pi/2 on which epsilon is.",
       "symmetries of the motion; sums of the sweeps",
       prove_equations,
-      proof_tier::with_words,
+      proof_tier::by_argument,
       {{step_kind::argued,
         "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
         "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},

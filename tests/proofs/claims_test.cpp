@@ -86,7 +86,8 @@ TEST(Claims, SayWhatTheyRestOn) {
   }
   EXPECT_EQ(by_machine,
             (std::vector<std::string>{"epsilon0_min", "delta_psi_max", "beta", "printed_numbers"}));
-  EXPECT_EQ(by_argument, (std::vector<std::string>{"limit_formula", "limit_minimum"}));
+  EXPECT_EQ(by_argument,
+            (std::vector<std::string>{"limit_formula", "limit_minimum", "implicit_equations"}));
 }
 
 TEST(Claims, AreNotCertifiedWithoutAnyOneOfTheirParts) {

@@ -1,5 +1,5 @@
-// The parts of a range that the segments leave out, with few bits and with functions that nearly
-// attain the bounds of these parts: without a term of a bound the enclosure would be wrong.
+// The parts of a range that the segments leave out, with few bits: the enclosures hold the exact
+// integrals, and the remainder of a whole is not smaller than those of its parts.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace remainders_test {
 constexpr precision p = 400;
 constexpr long few_bits = 1;
 
-/// The radius, rounded down where it is not exact.
+/// Half the width.
 rational radius_of(const ball& x) { return (upper_rational(x) - lower_rational(x)) / 2; }
 
 /// All of x lies in the set.
@@ -58,14 +58,14 @@ TEST(Remainders, OfWhatIsLeftBesidePeriodsAreAdded) {
   EXPECT_GE(radius_of(all.remainder), 64 * radius_of(one.remainder) + radius_of(rest.remainder));
 }
 
-/// -1 between q and q + d, 1 elsewhere, and the range of the product is [-1, 1]: where the two jumps
-/// are in one piece that is left out, the integral of 1 over it is too great by 2 d.
+/// -1 between q and q + d, 1 elsewhere. Where the two jumps are in one piece that is left out, the
+/// integral of 1 over it is too great by 2 d.
 std::string pulse(const rational& q, const rational& d) {
   const auto sign_at = [](const rational& at) { return "(1+2*floor(x-(" + to_text(at) + ")))"; };
   return sign_at(q) + "*" + sign_at(rational(q + d));
 }
 
-TEST(Remainders, OfBreaksThatCannotBeToldApartHoldBothFunctions) {
+TEST(Remainders, OfBreaksThatCannotBeToldApartHoldThePulse) {
   support::random_source random(71);
   int left_out = 0;
   for (support::repeat trial(400); trial.again();) {

@@ -33,7 +33,7 @@ claim implicit_equations_claim() {
                 identity("2*(2*1-1)*g + 2*(g-f)", "2*(2*g - f)",
                          "n = 1: the second equation, eq. (28)"),
                 identity("2*(2*1-1)*g + 2*(g+f)", "2*(2*g + f)", "n = 1: eq. (29)")},
-      .tier = with_words,
+      .tier = by_argument,
       .argument = {facts::symmetries,
                    argued("With pi = nG + r, |r| <= G/2: psi_c(pi) = (-1)^n psi_c(r), |r| = "
                           "F(c,u')/2, and the four cases are those of the signs of (-1)^n and r."),
