@@ -58,7 +58,8 @@ claim c0_decreases_claim() {
             "An integral over a fixed range decreases in a quantity where its integrand does at "
             "every point of the range."},
            {step_kind::argued,
-            "So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller."}}};
+            "So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller."},
+           bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

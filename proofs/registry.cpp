@@ -30,7 +30,7 @@ stated_step bartky_transformation() {
           "Bartky's transformation of complete elliptic integrals (DLMF 19.8(i), 19.22(i))."};
 }
 stated_step gauss_mean() {
-  return {step_kind::cited, "K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i))."};
+  return {step_kind::cited, "K and E by the arithmetic-geometric mean (Gauss; DLMF 19.8(i))."};
 }
 stated_step gudermannian() {
   return {step_kind::cited, "am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i))."};

@@ -136,7 +136,8 @@ claim sign_dF_du_claim() {
       {{step_kind::argued,
         "Differentiation under the integral: the integrand and its derivative in u are continuous "
         "on [0, pi/2] x [u_0, 1] for every u_0 > 0. An integral of what is negative is "
-        "negative."}}};
+        "negative."},
+       gauss_mean()}};
 }
 
 }  // namespace polhode::proofs

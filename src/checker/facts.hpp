@@ -82,7 +82,7 @@ inline constexpr stated_text integral_decreases_with_integrand = argued(
 inline constexpr stated_text bartky_transformation =
     cited("Bartky's transformation of complete elliptic integrals (DLMF 19.8(i), 19.22(i)).");
 inline constexpr stated_text gauss_mean =
-    cited("K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i)).");
+    cited("K and E by the arithmetic-geometric mean (Gauss; DLMF 19.8(i)).");
 inline constexpr stated_text gudermannian =
     cited("am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i)).");
 

@@ -48,7 +48,8 @@ claim c0_decreases_claim() {
       .tier = with_words,
       .argument =
           {facts::integral_decreases_with_integrand,
-           argued("So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller.")},
+           argued("So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller."),
+           facts::bartky_transformation},
       .check = check_c0_decreases};
 }
 

@@ -160,7 +160,8 @@ claim sign_dF_du_claim() {
       .tier = with_words,
       .argument = {argued("Differentiation under the integral: the integrand and its derivative in "
                           "u are continuous on [0, pi/2] x [u_0, 1] for every u_0 > 0. An integral "
-                          "of what is negative is negative.")},
+                          "of what is negative is negative."),
+                   facts::gauss_mean},
       .check = check_sign_dF_du};
 }
 
