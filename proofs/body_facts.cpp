@@ -138,7 +138,7 @@ rational between(const rational& lower, const rational& upper) {
 std::optional<root_bracket> bracket_root(
     const std::function<ball(const rational& s, precision p)>& f,
     const std::function<ball(precision p)>& target, int bits) {
-  constexpr long most_halvings = 4096;
+  constexpr long most_halvings = 1L << 14;
   std::optional<rational> lower;
   std::optional<rational> upper;
   for (long k = 1; k <= most_halvings && !(lower && upper); k *= 2) {

@@ -2,6 +2,8 @@
 
 // The version of the library. The build reads it here.
 
+#include "polhode/language.hpp"
+
 #define POLHODE_VERSION_MAJOR 0
 #define POLHODE_VERSION_MINOR 2
 #define POLHODE_VERSION_PATCH 0

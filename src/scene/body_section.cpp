@@ -92,7 +92,8 @@ scene_body of_json(const std::string& text) {
                       : of_measured(measured(*file.rotational), sigma, true);
 }
 
-scene_body of_file(section& from, const std::filesystem::path& directory, text_files& files) {
+scene_body of_file(section& from, const std::filesystem::path& directory, text_files& files,
+                   std::vector<std::string>& remarks) {
   const std::filesystem::path given = from.text("file");
   const std::string path = (given.is_absolute() ? given : directory / given).string();
   const std::optional<std::string> link = from.optional_text("link");
@@ -110,6 +111,11 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
   }
   const imported_inertia imported = import_inertia(files[path], link);
   scene_body result = body_of_tensor(imported.tensor);
+  if (imported.is_turned) {
+    remarks.emplace_back(
+        "the inertia's frame in the file is turned by at most 1e-12 against the link's axes: that is "
+        "taken as 0");
+  }
   result.name = imported.name;
   result.has_unit = true;  // all three formats are in kg m^2
   result.file = path;
@@ -210,7 +216,7 @@ scene_body read_body(section body, const std::filesystem::path& directory, text_
     result.solids = whole.solids;
     result.has_unit = true;
   } else {
-    result = at_key(body, way, [&] { return of_file(body, directory, files); });
+    result = at_key(body, way, [&] { return of_file(body, directory, files, remarks); });
   }
   if (name) result.name = *name;
   if (source) result.source = *source;

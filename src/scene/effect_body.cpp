@@ -36,11 +36,19 @@ effect_result planarity(const effect_context& x) {
   }
   if (of.ranges) return result;
   if (of.margin) {
-    add_exact(result, "margin", *of.margin);
+    if (!of.has_unit) {
+      add_exact(result, "margin", *of.margin);
+    } else if (of.size.power == 0) {
+      add_exact(result, "margin", *of.margin * of.size.factor, "kg m^2");
+    } else {
+      const precision p = bits_for_digits(x.working_digits()) + 64;
+      add(result, "margin", of.size.at(p) * *of.margin, "kg m^2");
+    }
     add_exact(result, "relative_margin", *of.margin / (*of.moments)[0]);
     result.remarks.emplace_back(
-        "margin = I_y + I_z - I_x in the units given, negative where the triangle inequality is "
-        "violated");
+        "margin = I_y + I_z - I_x" +
+        std::string(of.has_unit ? "" : ", in the unit of the moments") +
+        ", negative where the triangle inequality is violated");
   }
   return result;
 }

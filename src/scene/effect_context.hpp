@@ -32,7 +32,8 @@ struct effect_context {
 
 void add(effect_result& to, const std::string& name, const ball& value,
          const std::string& unit = "");
-void add_exact(effect_result& to, const std::string& name, const rational& value);
+void add_exact(effect_result& to, const std::string& name, const rational& value,
+               const std::string& unit = "");
 /// Makes the result not certified where this number is not; else adds it. Its work is counted in either case.
 void add(effect_result& to, const std::string& name, const certain_number& value,
          const std::string& unit = "");

@@ -1,5 +1,6 @@
 // Effects of a motion c: regime, period, Montgomery phase; and the curves over c.
 
+#include <array>
 #include <optional>
 
 #include "polhode/arithmetic/certain_digits.hpp"
@@ -106,6 +107,21 @@ effect_result montgomery_phase_effect(const effect_context& x) {
   return result;
 }
 
+/// The mean rates at which the three axes turn about the angular momentum J, and the wobble, which is
+/// that of the axis around which J goes.
+///
+/// Over one period T of J in the body the body turns about J by the phase P, and the azimuth of each of
+/// its axes about J advances by P and a whole number of turns. phi is the azimuth of the least axis z,
+/// up to a constant: P = phi(T) - phi(0) without a turn more. The difference of the azimuths of two axes
+/// is a function of J's place in the body, continuous where J lies on neither of the two lines. Along
+/// J's closed path around one of these lines and not the other it changes by one turn, along a path
+/// around neither by none. J goes around x (the greatest axis) where the motion is oscillating, and
+/// around z where it is rotating; so the axis that J goes around and the two others differ by a turn a
+/// period, and the two others agree. Its sign is the same for all bodies and motions of a regime, by
+/// continuity. Near the steady rotation about x of a body with I_y = I_z, x turns at the rate |J|/I_y
+/// and the body at |J|/I_x, with 2 pi/T = |J|/I_y - |J|/I_x: the azimuth of x advances by P + 2 pi. Near
+/// that about z with I_x = I_y, z turns at |J|/I_y and the body at |J|/I_z > |J|/I_y, with
+/// 2 pi/T = |J|/I_z - |J|/I_y: the azimuths of x and y advance by P + 2 pi.
 effect_result mean_precession(const effect_context& x) {
   effect_result result;
   const regime motion = x.regime();
@@ -113,25 +129,42 @@ effect_result mean_precession(const effect_context& x) {
       x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad per " + x.what.time_unit.name;
   const precision p = bits_for_digits(x.working_digits()) + 64;
   const ball unit_of_time = natural_time(x.what, p);
-  ball rate;
+  constexpr std::array<const char*, 3> names{"greatest_axis", "middle_axis", "least_axis"};
   if (is_periodic(motion)) {
-    rate = x.number("montgomery_phase", "phase") /
-           (x.number("period", "natural_period") * unit_of_time);
-  } else {
-    // dphi/dt = 1 - b cos^2 psi with cos^2 psi = J_x^2/(J_x^2 + J_y^2): I_y/I_x = 1 - b about x. About z the angles phi and psi are not
-    // told apart, and the body turns at the rate I_y/I_z = 1 + a; on the separatrix the motion stays, but for a finite time, by the
-    // intermediate axis, where the rate is 1.
-    const rational natural(motion == regime::equilibrium_x   ? 1 - x.rigid().b()
-                           : motion == regime::equilibrium_z ? 1 + x.rigid().a()
-                                                             : rational(1));
-    rate = ball(natural, p) / unit_of_time;
-    result.remarks.push_back(
-        is_on_middle_axis(x)           ? std::string(middle_axis) + ": the rate of rotation"
-        : motion == regime::separatrix ? "on the separatrix: the limit for long times"
-                                       : to_text(motion) + ": the rate of rotation");
+    const ball phase = x.number("montgomery_phase", "phase");
+    const ball time = x.number("period", "natural_period") * unit_of_time;
+    const std::size_t around = motion == regime::oscillating ? 0 : 2;
+    const auto rate_of = [&](std::size_t axis) {
+      const bool has_turn_more = motion == regime::oscillating ? axis == 0 : axis != 2;
+      return ball((has_turn_more ? phase + 2 * pi(p) : phase) / time);
+    };
+    const ball wobble = rate_of(around);
+    add(result, "wobble", wobble, per_time);
+    add(result, "wobble_period", 2 * pi(p) / wobble, x.what.time_unit.name);
+    for (std::size_t axis = 0; axis < names.size(); ++axis)
+      add(result, names[axis], rate_of(axis), per_time);
+    result.remarks.push_back(std::string("the wobble is the mean rate of the ") +
+                             (around == 0 ? "greatest" : "least") +
+                             " axis, around which the angular momentum goes; the others turn with "
+                             "the body");
+    return result;
   }
-  add(result, "rate", rate, per_time);
-  add(result, "precession_period", 2 * pi(p) / rate, x.what.time_unit.name);
+  // The body turns about the axis along J, at I_y/I_x = 1 - b, 1 or I_y/I_z = 1 + a in |J|/I_y. On the
+  // separatrix the motion stays, but for a finite time, by the intermediate axis, where the rate is 1.
+  const std::size_t along = motion == regime::equilibrium_x   ? 0
+                            : motion == regime::equilibrium_z ? 2
+                                                              : 1;
+  const rational natural(along == 0   ? 1 - x.rigid().b()
+                         : along == 2 ? 1 + x.rigid().a()
+                                      : rational(1));
+  const ball rate = ball(natural, p) / unit_of_time;
+  for (std::size_t axis = 0; axis < names.size(); ++axis)
+    if (axis != along) add(result, names[axis], rate, per_time);
+  add(result, "turn_period", 2 * pi(p) / rate, x.what.time_unit.name);
+  result.remarks.push_back(
+      is_on_middle_axis(x)           ? std::string(middle_axis) + ": the rate of rotation"
+      : motion == regime::separatrix ? "on the separatrix: the limit for long times"
+                                     : to_text(motion) + ": the rate of rotation");
   return result;
 }
 

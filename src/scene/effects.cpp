@@ -42,7 +42,7 @@ const std::vector<effect>& registry() {
         {"regime", "period"}},
        detail::montgomery_phase_effect},
       {{"mean_precession",
-        "mean rate and period of the turning about the angular momentum",
+        "the wobble, and the mean rates of the three axes about the angular momentum",
         motion,
         {"regime", "period", "montgomery_phase"}},
        detail::mean_precession},
@@ -206,8 +206,9 @@ ball natural_time(const scene& what, precision p) {
 void add(effect_result& to, const std::string& name, const ball& value, const std::string& unit) {
   to.numbers.push_back({name, value, {}, unit});
 }
-void add_exact(effect_result& to, const std::string& name, const rational& value) {
-  to.numbers.push_back({name, {}, value, ""});
+void add_exact(effect_result& to, const std::string& name, const rational& value,
+               const std::string& unit) {
+  to.numbers.push_back({name, {}, value, unit});
 }
 void add(effect_result& to, const std::string& name, const certain_number& value,
          const std::string& unit) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include <pugixml.hpp>
 
@@ -14,6 +15,7 @@ namespace {
 struct found_inertia {
   std::string name;
   tensor_entries tensor;
+  bool is_turned = false;
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
@@ -23,7 +25,7 @@ class reader : public pugi::xml_tree_walker {
 
   bool for_each(pugi::xml_node& node) override {
     const std::string name = node.name();
-    if (name == "inertial") refuse_turned_frame(node);
+    is_turned_ = name == "inertial" && refuse_turned_frame(node);
     if (name == "inertial" && (node.attribute("diaginertia") || node.attribute("fullinertia"))) {
       add(node, from_mujoco(node));
     } else if (const pugi::xml_node inertia = node.child("inertia");
@@ -53,42 +55,66 @@ class reader : public pugi::xml_tree_walker {
       refuse(node, error.what());
     }
   }
-  /// The entries are about the axes of a frame of their own: only where these are the link's are they taken. Its place, the centre of
-  /// mass, is of no matter.
-  void refuse_turned_frame(const pugi::xml_node& node) const {
+  /// The entries are about the axes of a frame of their own: only where these are the link's are they taken, or
+  /// where they are turned by no more than `least_turn`, which is remembered. Its place, the centre of mass, is
+  /// of no matter. Returns whether the frame is turned at all.
+  bool refuse_turned_frame(const pugi::xml_node& node) const {
+    bool is_turned = false;
     const auto numbers = [&](const pugi::xml_node& at, const std::string& text) {
       std::vector<rational> result;
       std::istringstream words(text);
       for (std::string word; words >> word;) result.push_back(number(at, word));
       return result;
     };
-    const auto refuse_unless_zero = [&](const pugi::xml_node& at, const std::string& text,
-                                        std::size_t from) {
-      const std::vector<rational> all = numbers(at, text);
+    // Angles, in radians or degrees.
+    const auto check_angles = [&](const pugi::xml_node& at, const std::vector<rational>& all,
+                                  std::size_t from) {
       for (std::size_t i = from; i < all.size(); ++i) {
-        if (all[i] != 0) refuse(at, turned);
+        if (all[i] == 0) continue;
+        if (abs(all[i]) > least_turn()) refuse(at, turned);
+        is_turned = true;
+      }
+    };
+    // A quaternion from numbers[from] on, with the real part at `real`: the angle is at most 2 |v|/|w|.
+    const auto check_quaternion = [&](const pugi::xml_node& at, const std::vector<rational>& all,
+                                      std::size_t from, std::size_t real) {
+      constexpr std::size_t places = 4;
+      if (all.size() != from + places) refuse(at, "a quaternion must be 4 numbers");
+      const rational size(abs(all[real]) * least_turn() / 4);
+      if (size == 0) refuse(at, turned);
+      for (std::size_t i = from; i < all.size(); ++i) {
+        if (i == real || all[i] == 0) continue;
+        if (abs(all[i]) * 2 > size) refuse(at, turned);
+        is_turned = true;
       }
     };
     if (const pugi::xml_node origin = node.child("origin")) {  // URDF
-      refuse_unless_zero(origin, origin.attribute("rpy").value(), 0);
+      check_angles(origin, numbers(origin, origin.attribute("rpy").value()), 0);
     }
-    if (const pugi::xml_node pose = node.child("pose")) {  // SDF: x y z roll pitch yaw
+    if (const pugi::xml_node pose = node.child("pose")) {  // SDF: x y z, and roll pitch yaw or a quaternion
       constexpr std::size_t places = 3;
-      refuse_unless_zero(pose, pose.text().get(), places);
+      const std::vector<rational> all = numbers(pose, pose.text().get());
+      if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {
+        check_quaternion(pose, all, places, all.size() - 1);
+      } else {
+        check_angles(pose, all, places);
+      }
     }
-    const std::vector<rational> quaternion = numbers(node, node.attribute("quat").value());
-    for (std::size_t i = 1; i < quaternion.size(); ++i) {
-      if (quaternion[i] != 0) refuse(node, turned);
+    if (const pugi::xml_attribute quaternion = node.attribute("quat")) {  // MuJoCo: w x y z
+      check_quaternion(node, numbers(node, quaternion.value()), 0, 0);
     }
     for (const char* key : {"euler", "axisangle", "xyaxes", "zaxis"}) {  // MuJoCo
       if (node.attribute(key)) refuse(node, turned);
     }
+    return is_turned;
   }
+  /// What a program for drawing leaves of an angle of 0, and far below what is measured.
+  static rational least_turn() { return {1, 1'000'000'000'000}; }
   static constexpr const char* turned =
       "its frame is turned against the link's; give the inertia about the link's own axes";
   void add(const pugi::xml_node& node, tensor_entries tensor) {
     const std::string name = node.parent().attribute("name").value();
-    found.push_back({name, std::move(tensor)});
+    found.push_back({name, std::move(tensor), is_turned_});
   }
   /// URDF has attributes, SDF elements.
   tensor_entries from_entries(const pugi::xml_node& node) const {
@@ -128,6 +154,7 @@ class reader : public pugi::xml_tree_walker {
   }
 
   const std::string* text_;
+  bool is_turned_ = false;
 };
 
 }  // namespace
@@ -165,7 +192,7 @@ imported_inertia import_inertia(const std::string& text, const std::optional<std
         "there are " + std::to_string(chosen.size()) + " inertias" +
         (link ? " of " + detail::quoted(*link) : "; choose one by \"link\": " + names));
   }
-  return {chosen.front().name, chosen.front().tensor};
+  return {chosen.front().name, chosen.front().tensor, chosen.front().is_turned};
 }
 
 }  // namespace polhode::detail

@@ -33,6 +33,8 @@ struct composed {
 struct imported_inertia {
   std::string name;
   tensor_entries tensor;
+  /// Its frame is turned against the link's, by so little that it is taken as not turned.
+  bool is_turned = false;
 };
 [[nodiscard]] imported_inertia import_inertia(const std::string& text,
                                               const std::optional<std::string>& link);

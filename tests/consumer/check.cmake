@@ -90,7 +90,11 @@ set(sentences
   "sin is a function of x"
   "Real is double, long double"
   "Real is double, long double"
-  "this double is not the decimal it looks like")
+  "this double is not the decimal it looks like"
+  "Write sin(x) for std::sin(x)"
+  "this function takes numbers of one type only"
+  "this function takes numbers of one type only"
+  "a double, float or mpfr_float in a formula is not an exact number")
 set(number 0)
 foreach(sentence IN LISTS sentences)
   math(EXPR number "${number} + 1")
@@ -102,6 +106,18 @@ foreach(sentence IN LISTS sentences)
   list(LENGTH errors count)
   if(status EQUAL 0 OR place EQUAL -1 OR count GREATER 2)
     message(FATAL_ERROR "refused.cpp with REFUSED=${number} is to be refused by \"${sentence}\", and was:\n${output}")
+  endif()
+endforeach()
+
+# An older standard of C++: one line, whichever header comes first.
+foreach(header IN ITEMS version.hpp polhode.hpp real/roots.hpp arithmetic/magnitude.hpp)
+  file(WRITE "${work}/older.cpp" "#include <polhode/${header}>\n")
+  execute_process(COMMAND "${COMPILER}" -std=c++17 -fsyntax-only "-I${prefix}/include" "${work}/older.cpp"
+    RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  string(REGEX MATCHALL "error: " errors "${output}")
+  list(LENGTH errors count)
+  if(status EQUAL 0 OR NOT count EQUAL 1 OR NOT output MATCHES "Polhode needs C\\+\\+20")
+    message(FATAL_ERROR "${header} with -std=c++17 is to be refused in one line, and was:\n${output}")
   endif()
 endforeach()
 

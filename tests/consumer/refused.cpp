@@ -2,6 +2,8 @@
 
 #include <boost/multiprecision/cpp_dec_float.hpp>
 
+#include <cmath>
+
 #include <polhode/real/integrate.hpp>
 #include <polhode/real/roots.hpp>
 
@@ -28,5 +30,13 @@ int main() {
 #elif REFUSED == 9
   using Real = polhode::mpfr_float;
   return integrate<Real>([](auto x) { return decltype(x)(0.1) * x; }, 0, 1).value > 0;
+#elif REFUSED == 10
+  return integrate<double>([](auto x) { return std::sin(x); }, 0, 1).value > 0;
+#elif REFUSED == 11
+  return integrate([](double x) { return x; }, 0, 1).account.panels > 0;
+#elif REFUSED == 12
+  return polhode::isolate_roots([](double x) { return x; }, 0, 1).regions.empty();
+#elif REFUSED == 13
+  return polhode::isolate_roots([](auto x) { return x * x - 0.3; }, 0, 1).regions.empty();
 #endif
 }

@@ -51,7 +51,7 @@ def room_of(path):
     if parts[0] == "proofs":
         return "proofs"
     room = parts[2] if parts[0] == "include" else parts[1]
-    return "base" if room == "version.hpp" else room
+    return "base" if room in ("version.hpp", "language.hpp") else room
 
 
 def is_public(path):

@@ -49,6 +49,72 @@ TYPED_TEST(RealNumbers, BoundsOfABallHoldIt) {
   }
 }
 
+// In exact rationals: lower_as(x) <= x <= upper_as(x) for random balls x, with and without width, whose
+// exponents go far beyond the type's own range; and where they lie within it, each bound is within two
+// units in the last place of the ball's.
+TYPED_TEST(RealNumbers, BoundsHoldForExponentsUpToAMillion) {
+  using Real = TypeParam;
+  using limits = std::numeric_limits<Real>;
+  constexpr long most_exponent = 1'000'000;
+  constexpr int count = 400;
+  support::random_source random(20);
+  const precision bits = usual_bits<Real>();
+  const auto power = [](long e) {
+    rational q = 1;
+    if (e < 0) mpq_div_2exp(q.backend().data(), q.backend().data(), static_cast<mp_bitcnt_t>(-e));
+    if (e >= 0) mpq_mul_2exp(q.backend().data(), q.backend().data(), static_cast<mp_bitcnt_t>(e));
+    return q;
+  };
+  const auto is_finite = [](const Real& y) { return (y - y) == 0; };
+  int inside = 0;
+  for (int i = 0; i < count; ++i) {
+    // A third near 1, a third over the range of a double, a third over all exponents.
+    const long span = i % 3 == 0 ? 70 : i % 3 == 1 ? 1'100 : most_exponent;
+    const long exponent = random.between(-span, span);
+    const rational mantissa(random.between(-(1L << 60), 1L << 60), 1L << 60);
+    const rational middle = mantissa * power(exponent);
+    ball x(middle, 40 + random.between(0, 300));
+    if (random.between(0, 1) == 1) {
+      const long width = -random.between(0, 400);
+      x = x.enlarged(scale(x.magnitude_upper(), width));
+    }
+    const support::exact_set ends = support::exact(x);
+    const rational least = ends.lower.value();
+    const rational most = ends.upper.value();
+    const Real lower = lower_as<Real>(x);
+    const Real upper = upper_as<Real>(x);
+    ASSERT_FALSE(lower != lower || upper != upper) << i;
+    ASSERT_LE(lower, upper) << i;
+    if (is_finite(lower)) {
+      ASSERT_LE(lower_rational(ball_of(lower)), least) << i;
+    } else {
+      ASSERT_LT(lower, 0) << i;
+    }
+    if (is_finite(upper)) {
+      ASSERT_GE(lower_rational(ball_of(upper)), most) << i;
+    } else {
+      ASSERT_GT(upper, 0) << i;
+    }
+    // As close as the type can have it.
+    constexpr int margin = 4;
+    const auto is_inside = [&](const rational& q) {
+      const rational size = q < 0 ? rational(-q) : q;
+      return size > power(limits::min_exponent + margin + bits) &&
+             size < power(limits::max_exponent - margin);
+    };
+    if constexpr (limits::max_exponent < 2 * most_exponent) {
+      if (!is_inside(least) || !is_inside(most)) continue;
+    }
+    ++inside;
+    const auto unit = [&](const rational& q) {
+      return rational((q < 0 ? rational(-q) : q) * power(2 - bits));
+    };
+    ASSERT_LE(rational(least - lower_rational(ball_of(lower))), unit(least)) << i;
+    ASSERT_LE(rational(lower_rational(ball_of(upper)) - most), unit(most)) << i;
+  }
+  EXPECT_GT(inside, count / 3);
+}
+
 TYPED_TEST(RealNumbers, AreBallsWithoutWidth) {
   using Real = TypeParam;
   const Real x = Real(5) / 3;

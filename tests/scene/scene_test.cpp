@@ -183,6 +183,37 @@ TEST(SceneBody, Imports) {
   refused("file = \"a.stl\"", {".urdf"});
   write("f.sdf", "<sdf><a>");
   refused("file = \"f.sdf\"", {"no XML"});
+  // Frames that are not turned, and some that are turned by what is left of an angle of 0.
+  const auto posed = [](const std::string& pose) {
+    return "<sdf><model><link name='l'><inertial>" + pose +
+           "<inertia><ixx>3</ixx><iyy>2</iyy><izz>1</izz></inertia></inertial></link></model></sdf>";
+  };
+  const auto remarks_with = [&](const std::string& name, const std::string& text) {
+    write(name, text);
+    const scene s = from("file = \"" + name + "\"");
+    EXPECT_EQ(*s.body.moments, (rational_vector{3, 2, 1})) << text;
+    return s.remarks.size();
+  };
+  const std::string frame = "<pose rotation_format='quat_xyzw'>";
+  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 0 0 0 1</pose>")), 0U);
+  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 0 0 0 -2</pose>")), 0U);
+  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 1e-16 0 0 1</pose>")), 1U);
+  EXPECT_EQ(remarks_with("i.sdf", posed("<pose>1 2 3 0 -1e-16 0</pose>")), 1U);
+  EXPECT_EQ(remarks_with("i.urdf",
+                         "<robot><link><inertial><origin rpy='0 0 1e-12'/><inertia ixx='3' "
+                         "iyy='2' izz='1'/></inertial></link></robot>"),
+            1U);
+  EXPECT_EQ(remarks_with("i.xml",
+                         "<mujoco><body><inertial quat='1 0 -1e-17 0' mass='1' "
+                         "diaginertia='3 2 1'/></body></mujoco>"),
+            1U);
+  for (const std::string& turned :
+       {frame + "1 2 3 0 0 1 0</pose>", frame + "1 2 3 1e-12 0 0 1</pose>",
+        frame + "1 2 3 0 0 0</pose>", frame + "0 0 0 0 0 0 0</pose>",
+        std::string("<pose>1 2 3 0 1e-11 0</pose>")}) {
+    write("j.sdf", posed(turned));
+    refused("file = \"j.sdf\"", {"line 1", turned.find("3 0 0 0</") != std::string::npos ? "4 numbers" : "turned"});
+  }
   write("g.urdf", std::string(100'000, '<') + "a");
   refused("file = \"g.urdf\"", {"no XML"});
   std::string deep;

@@ -17,6 +17,8 @@
 
 #include <mpfr.h>
 
+#include "polhode/language.hpp"
+
 namespace polhode {
 
 class magnitude {

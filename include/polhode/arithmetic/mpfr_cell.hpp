@@ -5,6 +5,8 @@
 
 #include <mpfr.h>
 
+#include "polhode/language.hpp"
+
 namespace polhode {
 
 /// Bits of a significand. Precision belongs to values: nothing in Polhode reads or sets a default.

@@ -38,6 +38,8 @@
 // Whether f is analytic on a neighbourhood of the operand is another question than where its values
 // lie, and has its own answer: possibly_singular::f(z), at the end of this file.
 
+#include "polhode/language.hpp"
+
 #include <algorithm>
 #include <utility>
 

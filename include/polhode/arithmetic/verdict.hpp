@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "polhode/language.hpp"
+
 namespace polhode {
 
 /// Whether what was asked is proved. Anything short of a proof is not_certified.

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "polhode/language.hpp"
+
 namespace polhode {
 
 /// "sha256:…" of the text: of a certificate's JSON form without this member (docs/certificates.md).

@@ -20,6 +20,8 @@
 // The rows are in the order of the tables that people see. `reader` is a name in src/expression/functions.cpp: a domain, bool(const rational&),
 // which refuses a number outside; or a function that makes the node of a call.
 
+#include "polhode/language.hpp"
+
 namespace polhode::detail {
 
 /// What is known of a named function beside its values: how dear it is, and whether it is made of several analytic functions.

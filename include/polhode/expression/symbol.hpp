@@ -137,6 +137,15 @@ class machine_symbol : public symbol {
   template <std::same_as<R> N>
   machine_symbol(N x)  // NOLINT(google-explicit-constructor): exact
       : symbol(exactly_of(x)) {}
+  /// What a function of machine numbers asks for: refused where it is used, in one sentence.
+  template <std::same_as<R> N>
+  operator N() const {  // NOLINT(google-explicit-constructor): so that std::sin(x) comes here
+    static_assert(detail::never_true<N>,
+                  "Polhode: the argument is handed to a function of one type of numbers, as "
+                  "std::sin is, so that what it does cannot be seen and nothing can be proved. "
+                  "Write sin(x) for std::sin(x)");
+    return N(0);
+  }
   machine_symbol& operator+=(const machine_symbol& y) { return *this = call("+", {*this, y}); }
   machine_symbol& operator-=(const machine_symbol& y) { return *this = call("-", {*this, y}); }
   machine_symbol& operator*=(const machine_symbol& y) { return *this = call("*", {*this, y}); }

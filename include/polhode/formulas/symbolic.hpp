@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/symbol.hpp"
 
@@ -21,33 +22,6 @@ namespace polhode {
 [[nodiscard]] expression formula_of(const symbol& s, const std::vector<std::string>& variables);
 
 namespace detail {
-
-/// A function object of one signature: its operator() is no template and not overloaded.
-template <class F>
-concept of_one_signature = requires {
-  &F::operator();
-};
-
-/// Refuses, when it is compiled, what is no generic function of one number. Where the body of a generic function does not
-/// compile, the compiler has said so.
-template <class F, class Argument>
-constexpr bool expect_generic() {
-  if constexpr (of_one_signature<F> || std::is_function_v<std::remove_pointer_t<F>>) {
-    static_assert(
-        std::is_invocable_v<F&, const Argument&>,
-        "Polhode: this function takes numbers of one type only, so that what it does with "
-        "them cannot be seen and nothing can be proved. Write [](auto x) { ... }; or call "
-        "estimate(f, a, b), which proves nothing");
-    return std::is_invocable_v<const F&, const Argument&>;
-  } else {
-    constexpr bool is_const = std::is_invocable_v<const F&, const Argument&>;
-    static_assert(is_const || !std::is_invocable_v<F&, const Argument&>,
-                  "Polhode: this function changes when it is called (a mutable lambda). A function "
-                  "to be proved gives the "
-                  "same value for the same argument: leave out mutable");
-    return is_const;
-  }
-}
 
 /// What a function of symbols returned: where it is a constant, a number. Throws input_error for a double that is not the decimal it looks like.
 template <class V>
@@ -72,7 +46,7 @@ template <class V>
 template <class Symbol = symbol, class F>
 requires std::derived_from<Symbol, symbol>
 [[nodiscard]] expression formula_of(const F& f) {
-  if constexpr (detail::expect_generic<F, Symbol>()) {
+  if constexpr (detail::expect_generic<F, Symbol, symbol>()) {
     return formula_of(detail::symbol_of(f(Symbol(symbol::variable(0)))), {"x"});
   } else {
     throw input_error("not a generic function");  // refused above, or by the compiler in its body

@@ -212,7 +212,11 @@ class affine_map {
 template <class F>
 [[nodiscard]] integral integrate(const F& f, const end_point& a, const end_point& b,
                                  const integrate_options& options = {}) {
-  return detail::integrate_function(detail::make_integrand(f), a, b, options);
+  if constexpr (detail::expect_generic<F, region>()) {
+    return detail::integrate_function(detail::make_integrand(f), a, b, options);
+  } else {
+    return {};  // refused above, or by the compiler in the body of f
+  }
 }
 
 }  // namespace polhode

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "polhode/language.hpp"
+
 namespace polhode {
 
 /// What a computation has cost, whatever the machine. It is a value, passed along: nothing counts behind the caller's back.

@@ -14,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/arithmetic/inexact_operand.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/known_number.hpp"
 #include "polhode/arithmetic/natural_domain.hpp"
@@ -24,6 +25,9 @@ namespace polhode {
 class function_structure {
  public:
   using exact_series = jet<known_number, dynamic_order>;
+
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  static constexpr bool takes_exact_numbers = true;
 
   /// g^power, with g and g' over the box, and g at the point in it.
   struct factor {

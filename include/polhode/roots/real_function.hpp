@@ -95,34 +95,36 @@ class real_function {
 
 template <class F>
 requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::real_function(F f) {
-  using detail::evaluator_of;
-  using detail::value_as;
-  using slope_type = jet<ball, 1>;
-  using series_type = jet<ball, dynamic_order>;
-  at_ = [f](precision p) {
-    function_evaluator e;
-    e.value = [g = evaluator_of<ball>(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
-    e.slope = [g = evaluator_of<slope_type>(f, p)](const ball& x) {
-      const auto t = slope_type::variable(x);
-      return value_as<slope_type>(g(t), t);
+  if constexpr (detail::expect_generic<F, ball>()) {
+    using detail::evaluator_of;
+    using detail::value_as;
+    using slope_type = jet<ball, 1>;
+    using series_type = jet<ball, dynamic_order>;
+    at_ = [f](precision p) {
+      function_evaluator e;
+      e.value = [g = evaluator_of<ball>(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
+      e.slope = [g = evaluator_of<slope_type>(f, p)](const ball& x) {
+        const auto t = slope_type::variable(x);
+        return value_as<slope_type>(g(t), t);
+      };
+      e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
+      e.series = [g = evaluator_of<series_type>(f, p)](const ball& x, int n) {
+        const auto t = series_type::variable(x, n);
+        return value_as<series_type>(g(t), t);
+      };
+      return e;
     };
-    e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
-    e.series = [g = evaluator_of<series_type>(f, p)](const ball& x, int n) {
-      const auto t = series_type::variable(x, n);
-      return value_as<series_type>(g(t), t);
+    if constexpr (!requires { f.template evaluator<ball>(precision{64}); }) {
+      for_all_ = std::make_shared<const function_evaluator>(at_(64));
+    }
+    over_ = [f](const region& x) {
+      return value_as<region>(evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x), x);
     };
-    return e;
-  };
-  if constexpr (!requires { f.template evaluator<ball>(precision{64}); }) {
-    for_all_ = std::make_shared<const function_evaluator>(at_(64));
-  }
-  over_ = [f](const region& x) {
-    return value_as<region>(evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x), x);
-  };
-  structure_ = [f](const function_structure& x) {
-    return value_as<function_structure>(
-        evaluator_of<function_structure>(f, x.numerator().at_point.precision())(x), x);
-  };
+    structure_ = [f](const function_structure& x) {
+      return value_as<function_structure>(
+          evaluator_of<function_structure>(f, x.numerator().at_point.precision())(x), x);
+    };
+  }  // else refused there, or by the compiler in the body of f
 }
 
 template <class F, class Derivative>

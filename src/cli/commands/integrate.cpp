@@ -312,8 +312,8 @@ json as_json(const expression& f, const integrate_command_options& options, cons
     result["parameters"][name] = interval;
   }
   if (i.enclosure.is_bounded()) {
-    const auto [lower, upper] = decimal_ends(i.enclosure, digits);
-    result["range"] = {{"lower", lower}, {"upper", upper}, {"attained", i.attained}};
+    result["range"] = to_json(i.enclosure, digits);
+    result["range"]["attained"] = i.attained;
   }
   result["account"] = {{"boxes", i.boxes}, {"integrals", i.integrals}};
   return result;

@@ -25,6 +25,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "polhode/rigid_body/twist_curve.hpp"
+#include "proofs/claim.hpp"
 
 namespace polhode::cli {
 namespace racket_impl {
@@ -250,6 +251,7 @@ exit_status run_limit(const racket_options& options) {
     line.expect(options.time_limit.check(
         what, digits, {[&](long fewer) { (void)limit_defect_to_digits(at.chi, at.beta, fewer); }}));
     line.show("computing epsilon");
+    const time_watch watch(options.time_limit.limit());
     return limit_defect_to_digits(at.chi, at.beta, digits);
   }();
   const bool certified = epsilon.verdict == status::certified;
@@ -258,10 +260,14 @@ exit_status run_limit(const racket_options& options) {
         "racket", {{"chi", exact_json(at.chi, digits)},
                    {"beta", exact_json(at.beta, digits)},
                    {"verdict", to_text(epsilon.verdict)},
+                   {"tier", to_text(proof_tier::by_argument)},
                    {"epsilon", certified ? to_json(epsilon.enclosure, digits) : json(nullptr)}}));
   } else if (certified) {
-    print(fmt::format("limit a -> infinity, b -> 0 with ab -> {}, c/b = {}\nepsilon = {}\n",
-                      to_text(at.chi), to_text(at.beta), to_decimal(epsilon.enclosure, digits)));
+    print(
+        fmt::format("limit a -> infinity, b -> 0 with ab -> {}, c/b = {}\nepsilon = {}\n"
+                    "(the formula of the limit is argued, polhode certify limit_formula; its value "
+                    "is\nenclosed)\n",
+                    to_text(at.chi), to_text(at.beta), to_decimal(epsilon.enclosure, digits)));
   } else {
     print(fmt::format("not certified to {} digits: epsilon in the limit\n  ({})\n", digits,
                       to_text(epsilon.why)));

@@ -86,6 +86,8 @@ struct listed_root {
   ball enclosure;
   std::optional<rational> exact;
   bool has_digits = false;  // as many as were asked for, or all there are
+  /// It cannot be told from 0, and is known to the digits of the interval's size: it has no digits of its own.
+  bool is_small = false;
 
   /// Of a number with so many digits, or of two ends that show as many.
   [[nodiscard]] bool is_certified() const {
@@ -93,13 +95,26 @@ struct listed_root {
   }
 };
 
+/// The size that stands for a root's own where the root may be 0: the greatest number of the interval, at
+/// most 1.
+magnitude size_of(const given_range& range) {
+  const auto of = [](const end_point& x) {
+    const ball at = x.at(64);
+    return at.is_bounded() ? at.magnitude_upper() : magnitude::power_of_two(0);
+  };
+  return min(max(of(range.first.end), of(range.second.end)), magnitude::power_of_two(0));
+}
+
 /// The regions with their roots, whose enclosures show the digits where a few more let them.
-std::vector<listed_root> listed(const std::vector<root_region>& regions, long digits, int threads) {
+std::vector<listed_root> listed(const std::vector<root_region>& regions, const magnitude& size,
+                                long digits, int threads) {
+  // 10^-digits, or less.
+  const magnitude goal = scale(size, -static_cast<std::int64_t>(bits_for_digits(digits)));
   std::vector<refined_root> roots = refine(regions, digits + 1, threads);
   std::vector<listed_root> result;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const root_region& r = regions[i];
-    result.push_back({r, r.enclosure, std::nullopt, false});
+    result.push_back({r, r.enclosure, std::nullopt, false, false});
     if (!is_one_root(r.verdict)) continue;
     refined_root& root = roots[i];
     const auto shows_digits = [&] {
@@ -112,13 +127,17 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, long di
     result.back().enclosure = root.enclosure;
     result.back().exact = root.exact;
     result.back().has_digits = root.verdict == status::certified && shows_digits();
+    if (!result.back().has_digits && contains_zero(root.enclosure) &&
+        root.enclosure.magnitude_upper() <= goal) {
+      result.back().has_digits = result.back().is_small = true;
+    }
   }
   return result;
 }
 
 struct answer {
   root_set roots;
-  std::optional<double> ended_after;  // seconds of the search, where the time limit ended it
+  std::optional<double> ended_after;  // seconds, where the time limit ended the search or the digits
   std::vector<listed_root> list;
 
   [[nodiscard]] bool is_certified() const {
@@ -133,7 +152,8 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   line.show("looking for roots");
   isolate_options options;
   options.threads = threads;
-  // The search ends in time, with what it found; what it found is then refined in as much time again for each root.
+  // The search ends in time, with what it found; the digits of what it found may take as much time again for
+  // each root; roots for which it does not suffice are shown as the search found them.
   const auto end =
       std::chrono::steady_clock::now() + std::chrono::duration<double>(time_limit.limit());
   bool ended_early = false;
@@ -156,19 +176,31 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   }
   if (ended_early) result.ended_after = time_limit.limit();
   const std::vector<root_region>& regions = result.roots.regions;
+  const magnitude size = size_of(range);
   if (!regions.empty()) {
     line.expect(time_limit.check(
         fmt::format("{} digits of {} root{}", digits, regions.size(),
                     regions.size() == 1 ? "" : "s"),
-        digits, {[&](long fewer) { (void)listed({regions.front()}, fewer, threads); }},
+        digits, {[&](long fewer) { (void)listed({regions.front()}, size, fewer, threads); }},
         static_cast<double>(regions.size())));
   }
-  const time_watch watch(time_limit.limit(static_cast<double>(regions.size())));
+  const double most_seconds = time_limit.limit(static_cast<double>(regions.size()));
+  const auto end_of_digits =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(most_seconds);
+  const time_watch watch(2 * most_seconds);  // for one root that takes that long
   const std::ptrdiff_t at_a_time = threads == 1 ? 1 : 64;
   for (auto first = regions.begin(); first != regions.end();) {
+    if (std::chrono::steady_clock::now() >= end_of_digits) {  // the others as the search found them
+      if (!result.ended_after) result.ended_after = most_seconds;
+      for (; first != regions.end(); ++first) {
+        result.list.push_back({*first, first->enclosure, std::nullopt, false, false});
+      }
+      break;
+    }
     const auto last = first + std::min(at_a_time, regions.end() - first);
-    line.show(fmt::format("root {} of {}", first - regions.begin() + 1, regions.size()));
-    for (listed_root& r : listed({first, last}, digits, threads)) {
+    line.show(fmt::format("computing the digits of root {} of {}", first - regions.begin() + 1,
+                          regions.size()));
+    for (listed_root& r : listed({first, last}, size, digits, threads)) {
       result.list.push_back(std::move(r));
     }
     first = last;
@@ -200,6 +232,7 @@ std::string remark_on(const listed_root& r) {
     append("a root is " + to_text(*r.region.exact) + ", exactly");
   }
   if (is_one_root(r.region.verdict) && !r.has_digits) append("fewer digits than asked for");
+  if (r.is_small) append("it may be 0: no digits of its own, but those of the interval's size");
   return result;
 }
 
