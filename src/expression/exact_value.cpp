@@ -1,5 +1,7 @@
 #include "exact_value.hpp"
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "exact_number.hpp"
@@ -41,16 +43,17 @@ class evaluation {
     }
   }
 
-  std::optional<rational> root() {
-    for (node_id i = 0; i <= g_.root; ++i) {
-      if (used_[i] == 0) continue;
+  /// Of a node by the rules, after all before it.
+  std::optional<rational> at(node_id i) {
+    for (; done_ <= i; ++done_) {
+      if (used_[done_] == 0) continue;
       try {
-        values_[i] = by_rules(i);
+        values_[done_] = by_rules(done_);
       } catch (const not_decided&) {
-        values_[i] = std::nullopt;
+        values_[done_] = std::nullopt;
       }
     }
-    const auto& result = values_[g_.root];
+    const auto& result = values_[i];
     return result ? field_.as_rational(*result) : std::nullopt;
   }
 
@@ -244,6 +247,7 @@ class evaluation {
   std::vector<char> used_;
   exact_field field_;
   std::vector<std::optional<exact_number>> values_;
+  node_id done_ = 0;  // the first node that is not evaluated
   std::vector<std::size_t> places_;  // among the instructions without variables
   std::map<node_id, ball> numbers_;  // those that are too long for the rules
   std::optional<std::vector<ball>> enclosures_;
@@ -257,12 +261,117 @@ std::optional<rational> rational_value(const graph& g, const program& f) {
   // The further rules take their own budget: where they reach its end, nothing is lost that the others decide.
   for (const bool further : {false, true}) {
     try {
-      if (auto q = evaluation(g, f, further).root()) return q;
+      if (auto q = evaluation(g, f, further).at(g.root)) return q;
     } catch (const not_decided&) {
       continue;
     }
   }
   return std::nullopt;
+}
+
+namespace {
+
+/// Those of the nodes in `wanted`, by number, where the rules show them.
+std::vector<std::optional<rational>> rational_values(const graph& g, const program& f,
+                                                     const std::vector<node_id>& wanted) {
+  std::vector<std::optional<rational>> result(g.size());
+  if (g.root >= most_nodes) return result;
+  for (const bool further : {false, true}) {
+    try {
+      evaluation values(g, f, further);
+      for (const node_id i : wanted) {
+        if (!result[i]) result[i] = values.at(i);
+      }
+    } catch (const not_decided&) {
+      continue;
+    }
+  }
+  return result;
+}
+
+/// f's graph with a formula without variables in the place of its variable.
+class substituted {
+ public:
+  substituted(const graph& f, const graph& x) : result_(f.further()) {
+    const std::vector<node_id> of_x = copied(x, nullptr);
+    const node_id place = of_x[x.root];
+    places_ = copied(f, &place);
+    result_.root = places_[f.root];
+  }
+  [[nodiscard]] const graph& result() const { return result_; }
+  /// Where a node of f is in it.
+  [[nodiscard]] node_id place_of(node_id of_f) const { return places_[of_f]; }
+
+ private:
+  /// The places of g's nodes; of its variable, the one given. Nothing is simplified: each node stays one.
+  std::vector<node_id> copied(const graph& g, const node_id* variable) {
+    const std::vector<char> used = reachable(g);
+    std::vector<node_id> places(g.size(), 0);
+    for (node_id i = 0; i <= g.root; ++i) {
+      if (used[i] == 0) continue;
+      const node& n = g[i];
+      if (n.what == operation::number) {
+        places[i] = result_.number(g.number_at(n.number));
+      } else if (n.what == operation::variable) {
+        if (variable == nullptr) throw std::invalid_argument("a number with a variable in it");
+        places[i] = *variable;
+      } else if (n.what == operation::further) {
+        further_call call = g.call_at(i);
+        for (node_id& operand : call.operands) operand = places[operand];
+        places[i] = result_.call(call);
+      } else {
+        const int operands = operands_of(n.what);
+        places[i] = result_.make(n.what, operands > 0 ? places[n.left] : 0,
+                                 operands > 1 ? places[n.right] : 0, n.number);
+      }
+    }
+    return places;
+  }
+
+  graph result_;
+  std::vector<node_id> places_;
+};
+
+/// Whether the rules' value of the operation is the limit at every point of what the operation is nearby, as one of its
+/// operands.
+bool is_continuous(operation what) {
+  switch (what) {
+    case operation::floor:
+    case operation::ceil:
+    case operation::atan2:
+    case operation::further:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+std::vector<std::optional<rational>> rational_values_at(const graph& f, const graph& x) {
+  const substituted both(f, x);
+  const std::vector<char> used = reachable(f);
+  const std::vector<char> varies = varying(f);
+  std::vector<char> continuous(f.size(), 1);
+  std::vector<node_id> operations;  // as compile() has them
+  std::vector<node_id> wanted;
+  for (node_id i = 0; i <= f.root; ++i) {
+    if (used[i] == 0 || varies[i] == 0 || f[i].what == operation::variable) continue;
+    operations.push_back(i);
+    const std::vector<node_id> operands = operands_at(f, i);
+    continuous[i] = static_cast<char>(
+        is_continuous(f[i].what) && std::all_of(operands.begin(), operands.end(),
+                                                [&](node_id k) { return continuous[k] != 0; }));
+    if (continuous[i] != 0) wanted.push_back(both.place_of(i));
+  }
+  const std::vector<std::optional<rational>> values =
+      rational_values(both.result(), compile(both.result(), 0), wanted);
+  std::vector<std::optional<rational>> result;
+  result.reserve(operations.size());
+  for (const node_id i : operations) {
+    result.push_back(continuous[i] != 0 ? values[both.place_of(i)] : std::nullopt);
+  }
+  return result;
 }
 
 }  // namespace polhode::detail

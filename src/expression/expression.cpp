@@ -130,6 +130,13 @@ std::optional<rational> expression::rational_value() const {
   return detail::rational_value(*graph_, *program_);
 }
 
+std::vector<std::optional<rational>> expression::rational_values_at(const expression& x) const {
+  if (variables_.size() != 1 || !x.used_variables().empty()) {
+    throw std::invalid_argument("the values of a formula of one variable at a number are asked for");
+  }
+  return detail::rational_values_at(*graph_, *x.graph_);
+}
+
 std::optional<std::pair<rational, long>> expression::exact_power() const {
   const detail::node& root = (*graph_)[graph_->root];
   if (root.what != operation::power_integer) return std::nullopt;

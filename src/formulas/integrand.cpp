@@ -1,8 +1,12 @@
 #include "polhode/formulas/integrand.hpp"
 
+#include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,6 +14,7 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/symbol.hpp"
 
 namespace polhode {
 
@@ -263,6 +268,29 @@ detail::integrand integrand_of(const expression& f) {
     return [g = f.evaluator<angle>(p)](const angle& x) { return g(x).value(); };
   };
   result.near_end = f.evaluator<end_series>(series_bits);
+  result.near_known_end =
+      [f, series = f.evaluator<end_series>(series_bits)](
+          const end_point& end) -> std::function<end_series(const end_series&)> {
+    const std::optional<expression> x = formula_of(end);
+    if (!x || f.variables().size() != 1) return nullptr;
+    std::vector<std::optional<rational>> known = f.rational_values_at(*x);
+    if (std::none_of(known.begin(), known.end(), [](const auto& q) { return q.has_value(); })) {
+      return nullptr;
+    }
+    return [series, known = std::move(known)](const end_series& at) {
+      return series.with_each(at, [&](std::size_t i, end_series& value) {
+        if (known[i]) value = value.with_value_at_0(*known[i]);
+      });
+    };
+  };
+  result.candidates = [f] {
+    std::vector<end_point> points;
+    if (f.variables().size() != 1) return points;
+    for (const expression& x : f.divisor_zeros()) {
+      if (x.value(series_bits).is_bounded()) points.push_back(end_point_of(x));
+    }
+    return points;
+  };
   result.near_infinity = f.evaluator<tail_series>(series_bits);
   result.growth = f.evaluator<growth_bound>(series_bits);
   result.under = f.evaluator<symmetry>(series_bits);
@@ -270,12 +298,31 @@ detail::integrand integrand_of(const expression& f) {
   return result;
 }
 
+namespace {
+/// A number that was given by a formula.
+class defined_by_formula : public number_definition {
+ public:
+  explicit defined_by_formula(expression f) : formula(std::move(f)) {}
+  expression formula;
+};
+}  // namespace
+
 end_point end_point_of(const expression& f) {
   expect_variables(f, 0, "an end of a range has none");
   if (f.exact_value()) return end_point(*f.exact_value());
   const symmetry value = f.evaluator<symmetry>(64)(symmetry());
   if (value.value()) return end_point(*value.value());
-  return end_point([f](precision p) { return f.value(p); });
+  return end_point([f](precision p) { return f.value(p); },
+                   std::make_shared<const defined_by_formula>(f));
+}
+
+std::optional<expression> formula_of(const end_point& x) {
+  if (const auto& form = x.form()) {
+    return expression(symbol(form->q) + symbol(form->r) * symbol::constant("pi"), {});
+  }
+  const auto* known = dynamic_cast<const defined_by_formula*>(x.definition().get());
+  if (known == nullptr) return std::nullopt;
+  return known->formula;
 }
 
 detail::complex_integrand complex_integrand_of(const expression& f) {

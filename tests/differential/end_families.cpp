@@ -299,6 +299,88 @@ integral_case extreme_sizes(maker& m) {
   return {f, a, scale * m.near(m.within(1.1, 4)), few_digits(m)};
 }
 
+/// An increasing function, analytic with a slope above 0 for 0 < x < 3, and a number there, as it may be written.
+struct turning_point {
+  term g;
+  term g_at_c;  // g at c, written in the same way or another
+  term c;
+};
+turning_point turning_point_of(maker& m) {
+  const term c = m.one_in(3) ? m.irrational() : m.near(m.within(0.3, 2.5));
+  const term k = m.quotient(m.within(0.3, 1));
+  term g = 0;
+  switch (m.between(0, 7)) {
+    case 0:
+      g = -call("cos", k * x);
+      break;
+    case 1:
+      g = call("exp", k * x);
+      break;
+    case 2:
+      g = power(x, m.between(2, 5));
+      break;
+    case 3:
+      g = call("log", 1 + k * x);
+      break;
+    case 4:
+      g = call("sqrt", 1 + x);
+      break;
+    case 5:
+      g = call("sinh", k * x);
+      break;
+    case 6:
+      g = call("atan", k * x);
+      break;
+    default:
+      g = k * x;
+  }
+  return {g, substituted(g, "x", c), c};
+}
+
+/// What stands under a root or a logarithm vanishes at an end that is no rational number as a rule; a divergent twin in one
+/// case of four. Where g' is a factor the integral is known.
+integral_case turning_end(maker& m) {
+  const auto [g, g_at_c, c] = turning_point_of(m);
+  const double end = approximately(c);
+  if (!(end > 0.01 && end < 3)) return turning_end(m);
+  const term w = m.one_in(4) ? -(g - g_at_c) : g_at_c - g;
+  term from = m.one_in(2) ? term(0) : m.rational_near(m.within(0.05, 0.9) * end);
+  if (approximately(from) > 0.97 * end) from = 0;
+  const bool diverges = m.one_in(4);
+  const term e = diverges ? divergent_exponent(m) : integrable_exponent(m);
+  integral_case r{power(w, e), from, c, few_digits(m)};
+  const bool has_logarithm = !diverges && m.one_in(5);
+  if (has_logarithm) r.integrand = logarithm_power(m, w) * power(w, m.between(0, 2));
+  if (diverges || has_logarithm || m.one_in(2)) {
+    r.integrand = r.integrand * (m.one_in(2) ? regular(m) : term(1));
+  } else {
+    r.integrand = derivative(g) * r.integrand;
+    r.value = power(g_at_c - substituted(g, "x", from), e + 1) / (e + 1);
+  }
+  r.diverges = diverges;
+  return r;
+}
+
+/// 0/0 by constants that cancel, at an end or between the limits; a divergent twin in one case of four.
+integral_case removable(maker& m) {
+  const auto [g, g_at_c, c] = turning_point_of(m);
+  const double at = approximately(c);
+  if (!(at > 0.01 && at < 3)) return removable(m);
+  const bool diverges = m.one_in(4);
+  const term f = (g - g_at_c) / power(x - c, diverges ? 2 : 1);
+  const bool is_end = m.one_in(2);
+  integral_case r{f * (m.one_in(2) ? regular(m) : term(1)),
+                  m.rational_near(m.within(0, 0.9) * at), is_end ? c : c + m.positive_rational(),
+                  few_digits(m)};
+  if (approximately(r.from) > 0.97 * at) r.from = 0;
+  if (!is_end && m.one_in(3)) {
+    const term to = m.rational_near(at + m.within(0.1, 1));
+    if (approximately(to) > 1.03 * at) r.to = to;
+  }
+  r.diverges = diverges;
+  return r;
+}
+
 /// An irrational exponent, at which x^e is integrable at 0.
 term irrational_exponent(maker& m) {
   return m.any_of({"sqrt(2)", "pi", "sqrt(3)/2", "-1/sqrt(2)", "-1/sqrt(3)", "pi/5", "-pi/4", "e/3",
@@ -384,6 +466,8 @@ std::vector<integral_family> end_families() {
           {"algebraic tail", 7, mostly_cheap(algebraic_tail)},
           {"exponential tail", 7, mostly_cheap(exponential_tail)},
           {"special tail", 6, mostly_cheap(special_tail)},
+          {"turning point at an end", 12, mostly_cheap(turning_end)},
+          {"removable", 10, mostly_cheap(removable)},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"whole line", 7, mostly_cheap(whole_line)},

@@ -20,7 +20,7 @@ struct step {
   rational constant;
 };
 using program = std::vector<step>;
-constexpr long functions = 24;
+constexpr long functions = 26;
 
 template <class T>
 T value_of_step(const step& s, const T& x, const T& y) {
@@ -69,6 +69,10 @@ T value_of_step(const step& s, const T& x, const T& y) {
       return acos(x);
     case 22:
       return floor(x);
+    case 23:
+      return erf(x);
+    case 24:
+      return erfc(x);
     default:
       return square(x);
   }

@@ -12,6 +12,16 @@
 
 namespace polhode {
 
+/// How a number was given, for a room above that can read it: a formula, say, of which more can be decided
+/// than of enclosures.
+class number_definition {
+ public:
+  number_definition() = default;
+  number_definition(const number_definition&) = delete;
+  number_definition& operator=(const number_definition&) = delete;
+  virtual ~number_definition() = default;
+};
+
 /// A number that can be enclosed to any precision, exactly where it is known so, or an infinity:
 ///
 ///   end_point(1)   end_point(rational(1, 3))   end_point::pi(rational(1, 2))   -end_point::infinity()
@@ -38,10 +48,12 @@ class end_point {
   [[nodiscard]] static end_point pi(const rational& r = 1) {
     return end_point(pi_combination{0, r});
   }
-  /// A number that at(p) encloses with p bits.
-  explicit end_point(std::function<ball(precision)> at) {
+  /// A number that at(p) encloses with p bits; with its definition, where it has one.
+  explicit end_point(std::function<ball(precision)> at,
+                     std::shared_ptr<const number_definition> definition = nullptr) {
     knowledge known;
     known.at = std::move(at);
+    known.definition = std::move(definition);
     known_ = std::make_shared<const knowledge>(std::move(known));
   }
   // Copies only: what was moved from stays a number.
@@ -68,6 +80,10 @@ class end_point {
   [[nodiscard]] const std::optional<rational>& exact() const { return known_->exact; }
   /// The number q + r pi that it is known to be.
   [[nodiscard]] const std::optional<pi_combination>& form() const { return known_->form; }
+  /// How it was given, where it was given so and has no form; else empty.
+  [[nodiscard]] const std::shared_ptr<const number_definition>& definition() const {
+    return known_->definition;
+  }
   /// An enclosure with p bits; undefined for an infinity.
   [[nodiscard]] ball at(precision p) const {
     if (is_infinite()) return ball::undefined(p);
@@ -92,6 +108,7 @@ class end_point {
     std::optional<rational> exact;
     std::optional<pi_combination> form;
     std::function<ball(precision)> at;  // where it has no form, and is finite
+    std::shared_ptr<const number_definition> definition;
     int infinite_sign = 0;
   };
   std::shared_ptr<const knowledge> known_;  // shared by copies, which are made often

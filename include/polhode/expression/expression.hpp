@@ -144,6 +144,12 @@ class compiled_expression {
       throw std::invalid_argument("an expression needs a value for each variable");
     return evaluate(values, values.front());
   }
+  /// The value at x of a formula of one variable, where each(i, y) may put what it knows of the value y of the i-th operation of
+  /// the variable (expression::rational_values_at) in y's place.
+  template <class Each>
+  [[nodiscard]] T with_each(const T& x, const Each& each) const {
+    return evaluate({&x, 1}, x, each);
+  }
 
  private:
   friend class expression;
@@ -151,6 +157,8 @@ class compiled_expression {
 
   compiled_expression(std::shared_ptr<const detail::program> program, precision p);
   [[nodiscard]] T evaluate(std::span<const T> values, const T& like) const;
+  template <class Each>
+  [[nodiscard]] T evaluate(std::span<const T> values, const T& like, const Each& each) const;
 
   std::shared_ptr<const detail::program> program_;
   std::shared_ptr<const std::vector<constant>> constants_;
@@ -202,6 +210,16 @@ class expression {
   /// ("cos(pi/3)", "log(8)/log(2)", "sqrt(3 + 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is
   /// left open, never denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
+  /// The values of the operations of the variable, in the order in which with_each (below) has them, at the number that the
+  /// formula x without variables is; where the rules of rational_value() show that one is a rational number, and the
+  /// operation is continuous there, as a function of the variable, wherever it is defined. Of an operation that is made of
+  /// floor, ceil, atan2 or a function beyond the table none is said. Throws std::invalid_argument unless the formula has one
+  /// variable and x none.
+  [[nodiscard]] std::vector<std::optional<rational>> rational_values_at(const expression& x) const;
+  /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or what stands under a root or
+  /// a logarithm, may be 0: candidates, found by inverting one operation after the other ("cos(x) - cos(1)": 1 and -1), at
+  /// most 32. There may be others, and a candidate may be undefined.
+  [[nodiscard]] std::vector<expression> divisor_zeros() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
   /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, 65,536
   /// products of coefficients).

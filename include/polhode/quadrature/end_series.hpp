@@ -105,6 +105,8 @@ class end_series {
   friend end_series asinh(const end_series& x);
   friend end_series acosh(const end_series& x);
   friend end_series atanh(const end_series& x);
+  friend end_series erf(const end_series& x);
+  friend end_series erfc(const end_series& x);
   friend end_series abs(const end_series& x);
   friend end_series min(const end_series& x, const end_series& y);
   friend end_series max(const end_series& x, const end_series& y);

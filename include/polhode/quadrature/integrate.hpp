@@ -149,6 +149,12 @@ struct integrand {
   /// The same of equidistant arguments. May be empty.
   std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
   std::function<end_series(const end_series& x)> near_end;
+  /// near_end with the values at a finite end that are known exactly there, though not from a series of balls: cos(x) - cos(1) is 0
+  /// at 1. Empty for an end of which nothing of the kind is known; may be empty itself.
+  std::function<std::function<end_series(const end_series& x)>(const end_point& end)>
+      near_known_end;
+  /// Numbers at which it may be of interest to cut a range: candidates, of which near_known_end may know more. May be empty.
+  std::function<std::vector<end_point>()> candidates;
   std::function<tail_series(const tail_series& x)> near_infinity;
   /// How fast it grows at an end where it has no series. May be empty.
   std::function<growth_bound(const growth_bound& x)> growth;

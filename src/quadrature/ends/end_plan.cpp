@@ -39,9 +39,11 @@ end_plan plan_from_series(const end_series& series, long q, double r) {
   return plan;
 }
 
+using series_function = std::function<end_series(const end_series& x)>;
+
 /// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which its series is
 /// known; with few orders first, which cost less and mostly suffice.
-end_series series_at_end(const integrand& f, const end_of_range& end, long q, double& r) {
+end_series series_at_end(const series_function& f, const end_of_range& end, long q, double& r) {
   constexpr std::array<double, 6> sizes{0.5, 0.25, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32};
   using remedy = end_series::remedy;
   const known_number p = exactly(end.at);
@@ -52,7 +54,7 @@ end_series series_at_end(const integrand& f, const end_of_range& end, long q, do
   int orders = 2;
   for (std::size_t k = 0; k < sizes.size();) {
     r = sizes.at(k);
-    end_series h = f.near_end(end_series::argument(p, s, q, r, orders));
+    end_series h = f(end_series::argument(p, s, q, r, orders));
     const bool few_orders = orders < end_series::most_orders;
     const remedy help = h.what_may_help();
     if (h.is_blocked()) {
@@ -106,9 +108,8 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
   return std::nullopt;
 }
 
-}  // namespace
-
-end_plan look_at_end(const integrand& f, const end_of_range& end) {
+/// Tries substitutions x = p + s t^q for small q.
+end_plan plan_from_series_of(const series_function& f, const end_of_range& end) {
   using remedy = end_series::remedy;
   constexpr long most_root = 6;
   end_plan best;
@@ -131,6 +132,19 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
     const bool helps = plan.how == manner::exponential && plan.bounds.size() == 1;
     if (!helps || whole <= root || whole > most_root) break;
     root = static_cast<long>(whole);
+  }
+  return best;
+}
+
+}  // namespace
+
+end_plan look_at_end(const integrand& f, const end_of_range& end) {
+  end_plan best = plan_from_series_of(f.near_end, end);
+  if (best.how == manner::unknown && !end.infinite && f.near_known_end) {
+    if (const series_function known = f.near_known_end(end.at)) {
+      const end_plan plan = plan_from_series_of(known, end);
+      if (plan.how != manner::unknown) return plan;
+    }
   }
   if (best.how == manner::unknown) {
     if (const auto plan = plan_from_growth(f, end)) return *plan;

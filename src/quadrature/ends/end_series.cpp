@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "polhode/arithmetic/special_functions.hpp"
+#include "polhode/expression/evaluation.hpp"
 
 namespace polhode {
 
@@ -361,6 +362,38 @@ POLHODE_REGULAR(sinh)
 POLHODE_REGULAR(cosh)
 POLHODE_REGULAR(tanh)
 #undef POLHODE_REGULAR
+
+namespace {
+
+/// erf of a jet, of which the value is given: erf(x)' = (2/sqrt(pi)) e^(-x^2) x', so that
+/// k erf(x)_k = (2/sqrt(pi)) times the sum of j x_j (e^(-x^2))_(k-j) over 1 <= j <= k.
+template <class T>
+jet<T, dynamic_order> erf_of(const jet<T, dynamic_order>& x, const T& value, const T& factor) {
+  const jet<T, dynamic_order> bell = exp(-(x * x));
+  jet<T, dynamic_order> result = x;
+  result[0] = value;
+  for (int k = 1; k <= x.order(); ++k) {
+    T sum = x[1] * bell[k - 1];
+    for (int j = 2; j <= k; ++j) sum = sum + x[j] * bell[k - j] * static_cast<long>(j);
+    result[k] = sum * factor / static_cast<long>(k);
+  }
+  return result;
+}
+
+}  // namespace
+
+end_series erf(const end_series& x) {
+  const ball factor = 2 / sqrt(pi(end_series::bits));
+  end_series r = x.plain("erf");
+  if (r.blocked_) return r;
+  auto& g = r.terms_.front();
+  const known_number& c = g.at_0[0];
+  const known_number value = c.is_zero() ? c : known_number(erf(c.enclosure()));
+  g.at_0 = erf_of(g.at_0, value, known_number(factor));
+  g.over = erf_of(g.over, detail::named<detail::operation::erf>::over(g.over[0]), region(factor));
+  return r.checked("erf");
+}
+end_series erfc(const end_series& x) { return x.is_blocked() ? x : 1 - erf(x); }
 
 /// Also at a pole, by the quotient.
 end_series tan(const end_series& x) {

@@ -235,16 +235,15 @@ void add_between(preparation& result, const end_point& left, const integrand& at
 
 /// The finite range, cut at the breaks of f and at the given points.
 void add_finite_range(preparation& result, const integrand& f, const end_point& left,
-                      const end_point& right, const std::vector<rational>& cuts, long bits) {
+                      const end_point& right, const std::vector<end_point>& cuts, long bits) {
   const pieces_of_range parts = analytic_pieces(f, left, right, bits);
   result.remainder += parts.remainder;
   result.has_tail = result.has_tail || parts.has_remainder;
   for (const piece& p : parts.pieces) {
     end_point start = p.left;
     const integrand* at_start = &p.at_left;
-    for (const rational& q : cuts) {
-      if (!is_inside(q, p.left, p.right)) continue;
-      const end_point cut(q);
+    for (const end_point& cut : cuts) {
+      if (!is_inside(cut, p.left, p.right)) continue;
       add_between(result, start, *at_start, cut, p.f, bits);
       start = cut;
       at_start = &p.f;
@@ -256,9 +255,9 @@ void add_finite_range(preparation& result, const integrand& f, const end_point& 
 /// The part from sign * infinity to sign * 2^e, beyond the start, every cut and, if that can be, every break: f is asked for nothing
 /// on the other side of the start. Returns that point.
 end_point add_infinite_part(preparation& result, const integrand& f, const end_point& start,
-                            int sign, const std::vector<rational>& cuts, long bits) {
+                            int sign, const std::vector<end_point>& cuts, long bits) {
   magnitude reach = start.at(64).magnitude_upper();
-  for (const rational& q : cuts) reach = max(reach, ball(q, 64).magnitude_upper());
+  for (const end_point& q : cuts) reach = max(reach, q.at(64).magnitude_upper());
   const auto least = static_cast<unsigned long>(
       reach.is_zero() ? 0 : std::max(reach.log2_floor() + 1, std::int64_t{0}));
   integer c;
@@ -284,20 +283,20 @@ bool is_tiled(const std::vector<part_done>& parts, const end_point& a, const end
 }
 
 /// a < q < b, certainly: what is proved of f at q is said of the integral.
-bool is_inside(const rational& q, const end_point& a, const end_point& b) {
+bool is_inside(const end_point& q, const end_point& a, const end_point& b) {
   const precision p = 192;
-  const ball x(q, p);
+  const ball x = q.at(p);
   return (a.infinite_sign() < 0 || certainly_less(a.at(p), x)) &&
          (b.infinite_sign() > 0 || certainly_less(x, b.at(p)));
 }
 
-bool can_cut_at(const integrand& f, const rational& q) {
+bool can_cut_at(const integrand& f, const end_point& q) {
   for (const long side : {-1L, 1L}) {
-    if (look_at_end(f, end_of_range::finite(end_point(q), end_point(q + side))).how !=
+    if (look_at_end(f, end_of_range::finite(q, sum_of(q, end_point(side), 1))).how !=
         manner::unknown)
       continue;
     const tail_series near = f.near_infinity(
-        tail_series::argument(known_number(q), known_number(rational(side)), 0x1p-8));
+        tail_series::argument(exactly(q), known_number(rational(side)), 0x1p-8));
     if (near.is_blocked() || near.integral_before(ball(1L << 20, 64)).is_infinite()) return false;
   }
   return true;
@@ -307,7 +306,7 @@ namespace {
 
 /// That of one period, times their count, and that of the rest.
 preparation prepare_periods(const integrand& f, const end_point& a, const whole_periods& periods,
-                            const std::vector<rational>& cuts, long bits) {
+                            const std::vector<end_point>& cuts, long bits) {
   preparation result = prepare(f, a, periods.first_end, cuts, bits);
   for (segment& s : result.segments) {
     s.scale = [scale = s.scale, count = periods.count](precision p) { return scale(p) * count; };
@@ -327,7 +326,7 @@ preparation prepare_periods(const integrand& f, const end_point& a, const whole_
 }  // namespace
 
 preparation prepare(const integrand& f, const end_point& a, const end_point& b,
-                    const std::vector<rational>& cuts, long bits) {
+                    const std::vector<end_point>& cuts, long bits) {
   if (f.record && !a.is_infinite() && !b.is_infinite()) {
     if (const auto periods = whole_periods_of(f, formula(f.record), a, b)) {
       preparation result = prepare_periods(f, a, *periods, cuts, bits);

@@ -37,13 +37,13 @@ struct preparation {
 /// neither is infinite. The tails, where there are any, are made smaller than about 2^-bits of the rest.
 /// Throws std::logic_error where the parts do not tile the range, whatever they say.
 [[nodiscard]] preparation prepare(const integrand& f, const end_point& a, const end_point& b,
-                                  const std::vector<rational>& cuts, long bits);
+                                  const std::vector<end_point>& cuts, long bits);
 
 /// a < q < b, certainly: what is proved of f at q is said of the integral.
-[[nodiscard]] bool is_inside(const rational& q, const end_point& a, const end_point& b);
+[[nodiscard]] bool is_inside(const end_point& q, const end_point& a, const end_point& b);
 
 /// On both sides of q, f is known by a series, or is known to grow too fast there.
-[[nodiscard]] bool can_cut_at(const integrand& f, const rational& q);
+[[nodiscard]] bool can_cut_at(const integrand& f, const end_point& q);
 
 /// The sum of the integrals of the segments, and the remainder.
 [[nodiscard]] contour_integral integrate_segments(const preparation& prepared,

@@ -9,11 +9,31 @@
 
 namespace polhode::detail {
 
+namespace {
+
+/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is understood on both of its sides.
+void add_cut(std::vector<end_point>& cuts, const integrand& f, const end_point& x,
+             const end_point& a, const end_point& b) {
+  constexpr precision p = 192;
+  const ball at = x.at(p);
+  const auto is_apart = [&](const end_point& c) {
+    return certainly_less(c.at(p), at) || certainly_less(at, c.at(p));
+  };
+  if (!is_inside(x, a, b) || !std::all_of(cuts.begin(), cuts.end(), is_apart) || !can_cut_at(f, x))
+    return;
+  const auto place = std::find_if(cuts.begin(), cuts.end(), [&](const end_point& c) {
+    return certainly_less(at, c.at(p));
+  });
+  cuts.insert(place, x);
+}
+
+}  // namespace
+
 integral integrate_on_panels(const integrand& f, const end_point& a, const end_point& b,
                              const integrate_options& options) {
   integral result;
   long bits = bits_for_digits(options.digits);
-  std::vector<rational> cuts;   // where the range is cut, in order
+  std::vector<end_point> cuts;  // where the range is cut, in order
   std::vector<rational> known;  // these, the limits, and points where cutting does not help
   for (const end_point& end : {a, b}) {
     if (end.exact()) known.push_back(*end.exact());
@@ -30,6 +50,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
   };
   constexpr std::size_t most_points = 2000;
   bool counts_as_zero = false;
+  bool tried_candidates = false;
   for (int attempts = 0; attempts < 3;) {
     const preparation prepared = prepare(f, a, b, cuts, bits);
     if (prepared.why != reason::none) {
@@ -45,10 +66,15 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
       for (const rational& q : work.points_of_interest()) {
         if (std::find(known.begin(), known.end(), q) != known.end()) continue;
         known.push_back(q);
-        if (is_inside(q, a, b) && can_cut_at(f, q)) cuts.push_back(q);
+        add_cut(cuts, f, end_point(q), a, b);
       }
-      std::sort(cuts.begin(), cuts.end());
       continue;
+    }
+    if (result.why == reason::not_analytic && !tried_candidates && f.candidates) {
+      tried_candidates = true;
+      const std::size_t before = cuts.size();
+      for (const end_point& x : f.candidates()) add_cut(cuts, f, x, a, b);
+      if (cuts.size() > before) continue;
     }
     const bool tail_too_large = prepared.has_tail && result.why == reason::precision_limit;
     if (result.verdict == status::certified || !tail_too_large) break;

@@ -1,0 +1,185 @@
+// Where divisors of a formula, and what stands under its roots and logarithms, vanish: found by inverting
+// one operation after the other.
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "graph.hpp"
+
+namespace polhode {
+namespace divisor_zeros_impl {
+namespace {
+
+using detail::node_id;
+using detail::operation;
+
+constexpr std::size_t most_found = 32;
+constexpr int most_steps = 64;     // from an operation to the variable
+constexpr long most_exponent = 64;  // of a power that is inverted
+
+class search {
+ public:
+  explicit search(const detail::graph& f)
+      : g_(f), used_(detail::reachable(f)), varies_(detail::varying(f)), size_(f.size()) {}
+
+  [[nodiscard]] std::vector<node_id> found() {
+    for (node_id i = 0; i < size_; ++i) {
+      if (used_[i] == 0 || varies_[i] == 0) continue;
+      const detail::node n = g_[i];
+      switch (n.what) {
+        case operation::divide:
+          vanish(n.right);
+          break;
+        case operation::power_integer:
+          if (n.number < 0) vanish(n.left);
+          break;
+        case operation::power:
+        case operation::root:
+        case operation::sqrt:
+        case operation::log:
+          vanish(n.left);
+          break;
+        default:
+          break;
+      }
+    }
+    return std::move(found_);
+  }
+  [[nodiscard]] const detail::graph& graph() const { return g_; }
+
+ private:
+  void vanish(node_id i) { solve(i, g_.number(0), most_steps); }
+
+  node_id of(const char* function, node_id x) {
+    return detail::find_function(function)->build(g_, {x});
+  }
+  [[nodiscard]] bool is_zero(node_id i) const {
+    const rational* q = g_.value(i);
+    return q != nullptr && *q == 0;
+  }
+  /// Whether a node is of the formula, and of its variable.
+  [[nodiscard]] bool varies(node_id i) const { return i < size_ && varies_[i] != 0; }
+
+  /// Adds numbers at which node i may have the value of a node without variables; what cannot be
+  /// inverted is left out.
+  void solve(node_id i, node_id value, int steps) {
+    if (!varies(i) || steps == 0 || found_.size() >= most_found) return;
+    try {
+      invert(g_[i], value, steps - 1);
+    } catch (const detail::undefined_operation&) {
+      return;  // no number has this value: the logarithm of a negative one, say
+    }
+  }
+  /// A copy of the node: the graph grows.
+  void invert(const detail::node n, node_id value, int steps) {
+    const bool of_left = varies(n.left);
+    const bool of_right = varies(n.right);
+    switch (n.what) {
+      case operation::variable:
+        if (std::find(found_.begin(), found_.end(), value) == found_.end()) {
+          found_.push_back(value);
+        }
+        return;
+      case operation::negate:
+        return solve(n.left, negate(g_, value), steps);
+      case operation::add:
+        if (of_left && !of_right) return solve(n.left, subtract(g_, value, n.right), steps);
+        if (of_right && !of_left) return solve(n.right, subtract(g_, value, n.left), steps);
+        return;
+      case operation::subtract:
+        if (of_left && !of_right) return solve(n.left, add(g_, value, n.right), steps);
+        if (of_right && !of_left) return solve(n.right, subtract(g_, n.left, value), steps);
+        return;
+      case operation::multiply:
+        if (of_left && of_right) {
+          if (!is_zero(value)) return;
+          solve(n.left, value, steps);
+          return solve(n.right, value, steps);
+        }
+        return of_left ? solve(n.left, divide(g_, value, n.right), steps)
+                       : solve(n.right, divide(g_, value, n.left), steps);
+      case operation::divide:
+        if (is_zero(value)) return solve(n.left, value, steps);
+        if (of_left && !of_right) return solve(n.left, multiply(g_, value, n.right), steps);
+        if (of_right && !of_left) return solve(n.right, divide(g_, n.left, value), steps);
+        return;
+      case operation::power_integer:
+        return invert_power(n, value, steps);
+      case operation::root:
+        return solve(n.left, power(g_, value, g_.number(n.number)), steps);
+      case operation::sqrt:
+        return solve(n.left, power(g_, value, g_.number(2)), steps);
+      case operation::exp:
+        return solve(n.left, of("log", value), steps);
+      case operation::expm1:
+        return solve(n.left, of("log1p", value), steps);
+      case operation::log:
+        return solve(n.left, of("exp", value), steps);
+      case operation::log1p:
+        return solve(n.left, of("expm1", value), steps);
+      case operation::sin: {
+        const node_id angle = of("asin", value);
+        solve(n.left, angle, steps);
+        return solve(n.left, subtract(g_, g_.make(operation::pi), angle), steps);
+      }
+      case operation::cos: {
+        const node_id angle = of("acos", value);
+        solve(n.left, angle, steps);
+        return solve(n.left, negate(g_, angle), steps);
+      }
+      case operation::tan:
+        return solve(n.left, of("atan", value), steps);
+      case operation::sinh:
+        return solve(n.left, of("asinh", value), steps);
+      case operation::cosh: {
+        const node_id x = of("acosh", value);
+        solve(n.left, x, steps);
+        return solve(n.left, negate(g_, x), steps);
+      }
+      case operation::tanh:
+        return solve(n.left, of("atanh", value), steps);
+      default:
+        return;
+    }
+  }
+  void invert_power(const detail::node& n, node_id value, int steps) {
+    const long exponent = n.number < 0 ? -n.number : n.number;
+    if (exponent == 0 || exponent > most_exponent) return;
+    if (n.number < 0) value = divide(g_, g_.number(1), value);
+    const node_id x =
+        exponent == 1 ? value
+        : exponent == 2
+            ? of("sqrt", value)
+            : detail::find_function("root")->build(g_, {value, g_.number(exponent)});
+    solve(n.left, x, steps);
+    if (exponent % 2 == 0) solve(n.left, negate(g_, x), steps);
+  }
+
+  detail::graph g_;
+  std::vector<char> used_;
+  std::vector<char> varies_;
+  node_id size_;
+  std::vector<node_id> found_;
+};
+
+}  // namespace
+}  // namespace divisor_zeros_impl
+
+std::vector<expression> expression::divisor_zeros() const {
+  divisor_zeros_impl::search all(*graph_);
+  std::vector<expression> result;
+  for (const detail::node_id root : all.found()) {
+    auto g = std::make_shared<detail::graph>(all.graph());
+    g->root = root;
+    expression x(*this);
+    x.variables_.clear();
+    x.exact_.reset();
+    x.take(std::move(g));
+    result.push_back(std::move(x));
+  }
+  return result;
+}
+
+}  // namespace polhode

@@ -1,0 +1,119 @@
+// Integrals up to a point where what stands under a root, a logarithm or a divisor vanishes, and
+// 0/0 by constants that cancel: where the point, or a value there, is no rational number.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/formulas/integrand.hpp"
+#include "polhode/formulas/parse.hpp"
+
+namespace polhode {
+namespace turning_points_test {
+
+end_point number(const std::string& text) { return end_point_of(parse(text, {})); }
+
+integral of(const std::string& f, const std::string& a, const std::string& b, long digits = 30) {
+  return integrate(parse(f), number(a), number(b), {.digits = digits});
+}
+
+struct known {
+  std::string f;
+  std::string from;
+  std::string to;
+  std::string value;
+};
+
+TEST(TurningPoints, HaveTheKnownValues) {
+  const std::vector<known> all{
+      {"1/sqrt(cos(x)-cos(1))", "0", "1", "sqrt(2)*ellipticK(sin(1/2)^2)"},
+      {"sqrt(cos(x)-cos(1))", "0", "1",
+       "2*sqrt(2)*(ellipticE(sin(1/2)^2) - cos(1/2)^2*ellipticK(sin(1/2)^2))"},
+      {"sqrt(2-x^2)", "0", "sqrt(2)", "pi/2"},
+      {"sqrt(2-x^2)", "-sqrt(2)", "sqrt(2)", "pi"},
+      {"1/sqrt(2-x^2)", "-sqrt(2)", "1", "3*pi/4"},
+      {"1/sqrt(pi-x)", "0", "pi", "2*sqrt(pi)"},
+      {"1/sqrt(e-exp(x))", "0", "1", "2/sqrt(e)*atanh(sqrt(1-1/e))"},
+      {"log(2-x^2)", "0", "sqrt(2)", "2*sqrt(2)*(log(2*sqrt(2))-1)"},
+      {"(log(2)-log(x))^(1/3)/x", "1", "2", "3/4*log(2)^(4/3)"},
+      {"cos(x)/sqrt(sin(2)-sin(x))", "0", "pi-2", "2*sqrt(sin(2))"},
+      {"exp(x)*(exp(sqrt(3))-exp(x))^(-3/4)", "0", "sqrt(3)", "4*(exp(sqrt(3))-1)^(1/4)"},
+      {"1/(sqrt(1-x^2)*sqrt(acos(x)-acos(1/3)))", "0", "1/3", "2*sqrt(pi/2-acos(1/3))"},
+      // 0/0, at an end and between the limits.
+      {"(x^2-2)/(x-sqrt(2))", "0", "2", "2+2*sqrt(2)"},
+      {"(x^3-5)/(x-cbrt(5))", "1", "cbrt(5)", "(5-1)/3+cbrt(5)/2*(cbrt(5)^2-1)+cbrt(5)^2*(cbrt(5)-1)"},
+      {"(x-log(3))/(exp(x)-3)*exp(x)*(exp(x)-3)/(x-log(3))", "0", "2", "exp(2)-1"},
+      {"sin(x-pi/3)/(x-pi/3)*(x-pi/3)", "0", "pi", "cos(pi/3)-cos(2*pi/3)"},
+  };
+  for (const known& k : all) {
+    const integral i = of(k.f, k.from, k.to);
+    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
+  }
+}
+
+TEST(TurningPoints, AgreeWithTheSameWithoutCancellation) {
+  struct pair {
+    std::string f;
+    std::string same;
+    std::string from;
+    std::string to;
+  };
+  for (const pair& p : std::vector<pair>{
+           {"(exp(1-x)-exp(1))/x", "exp(1)*expm1(-x)/x", "0", "1"},
+           {"(cos(1+x)-cos(1))/x", "-2*sin(1+x/2)*sin(x/2)/x", "0", "1"},
+           {"(exp(x)-exp(1))/(x-1)", "exp(1)*expm1(x-1)/(x-1)", "0", "2"},
+           {"sin(pi*x)/(x-1)", "-sin(pi*(x-1))/(x-1)", "0", "2"},
+           {"(1-erfc(x))/x", "erf(x)/x", "0", "1"}}) {
+    const integral i = of(p.f, p.from, p.to);
+    const integral j = of(p.same, p.from, p.to);
+    EXPECT_EQ(i.verdict, status::certified) << p.f << ": " << i.obstacle;
+    EXPECT_EQ(j.verdict, status::certified) << p.same << ": " << j.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, j.enclosure)) << p.f;
+  }
+  // 2/sqrt(pi) times the sum of (-1)^n / (n! (2n + 1)^2).
+  ball sum(0, 200);
+  rational factorial = 1;
+  for (long n = 0; n < 40; ++n) {
+    if (n > 0) factorial *= n;
+    sum += rational(n % 2 == 0 ? 1 : -1) / (factorial * ((2 * n + 1) * (2 * n + 1)));
+  }
+  // The rest of an alternating series is less than its first term.
+  sum = sum.enlarged(magnitude::power_of_two(-140));
+  EXPECT_TRUE(overlaps(of("erf(x)/x", "0", "1").enclosure, 2 / sqrt(pi(200)) * sum));
+}
+
+TEST(TurningPoints, DivergentTwinsAreNotCertified) {
+  for (const known& k : std::vector<known>{{"1/(2-x^2)", "0", "sqrt(2)", ""},
+                                           {"1/(cos(x)-cos(1))", "0", "1", ""},
+                                           {"(2-x^2)^(-3/2)", "1", "sqrt(2)", ""},
+                                           {"(exp(x)-exp(1))/(x-1)^2", "0", "2", ""},
+                                           {"(exp(x)-exp(1))/(x-1)^2", "0", "1", ""},
+                                           {"(x^2-2)/(x-sqrt(2))^2", "0", "2", ""},
+                                           {"1/((pi-x)*sqrt(pi-x))", "0", "pi", ""},
+                                           {"sin(x)/(x-pi)^2", "0", "pi", ""},
+                                           {"(exp(1-x)-exp(1))/x^2", "0", "1", ""}}) {
+    const integral i = of(k.f, k.from, k.to, 10);
+    EXPECT_EQ(i.verdict, status::not_certified) << k.f;
+    EXPECT_EQ(i.why, reason::not_integrable) << k.f << ": " << i.obstacle;
+  }
+}
+
+// A step at the end: the value of floor there is not its limit, so what is made of it is not known.
+TEST(TurningPoints, StepsHaveNoKnownValuesAtAnEnd) {
+  // On (0, 1) floor(x) = 0: 1/sqrt(1 - x).
+  const integral i = of("1/sqrt(1-x-sin(pi*floor(x))+floor(x)*0)", "0", "1", 15);
+  if (i.verdict == status::certified) {
+    EXPECT_TRUE(contains(i.enclosure, rational(2)));
+  }
+  // (1 - floor(x)) x is x there, not 0: 1/x from 1/2 to 1 has no singularity at 1.
+  const integral j = of("1/((1-floor(x))*x)", "1/2", "1", 15);
+  if (j.enclosure.is_bounded()) {
+    EXPECT_TRUE(overlaps(j.enclosure, log(ball(2, 128))));
+  }
+  EXPECT_NE(j.why, reason::not_integrable);
+}
+
+}  // namespace turning_points_test
+}  // namespace polhode
