@@ -254,8 +254,10 @@ void expect_variables(const expression& f, std::size_t most, const char* what) {
 
 }  // namespace
 
-detail::integrand integrand_of(const expression& f) {
-  expect_variables(f, 1, "an integrand has one, its argument");
+namespace {
+
+/// With so many changes of the variable to an exponential, one after the other, at most.
+detail::integrand integrand_with_changes(const expression& f, int changes) {
   constexpr precision series_bits = 192;
   detail::integrand result;
   result.over = [f, in_hardware = f.evaluator<region>(64)](const region& x) {
@@ -283,6 +285,16 @@ detail::integrand integrand_of(const expression& f) {
       });
     };
   };
+  if (changes > 0) {
+    result.in_exponential = [f, changes](const end_point& end,
+                                         int side) -> std::optional<detail::integrand> {
+      std::optional<expression> x;
+      if (!end.is_infinite() && !(x = formula_of(end))) return std::nullopt;
+      const std::optional<expression> g = f.in_exponential(x ? &*x : nullptr, side);
+      if (!g) return std::nullopt;
+      return integrand_with_changes(*g, changes - 1);
+    };
+  }
   result.candidates = [f] {
     std::vector<end_point> points;
     if (f.variables().size() != 1) return points;
@@ -296,6 +308,14 @@ detail::integrand integrand_of(const expression& f) {
   result.under = f.evaluator<symmetry>(series_bits);
   result.record = [f](const recorded& x, precision p) { return f.evaluator<recorded>(p)(x); };
   return result;
+}
+
+}  // namespace
+
+detail::integrand integrand_of(const expression& f) {
+  expect_variables(f, 1, "an integrand has one, its argument");
+  constexpr int most_changes = 2;  // log(log(x)) is an exponential's exponent then
+  return integrand_with_changes(f, most_changes);
 }
 
 namespace {

@@ -381,6 +381,74 @@ integral_case removable(maker& m) {
   return r;
 }
 
+/// Powers of logarithms, powers of the distance from any end with any exponent, exponentials of powers and of powers of
+/// logarithms: what is known by a change of the variable to an exponential. A divergent twin in one case of four.
+integral_case by_exponential(maker& m) {
+  const bool diverges = m.one_in(4);
+  const term a = m.near(m.within(1.5, 4));
+  const term k = m.positive_rational();
+  integral_case r{0, a, "inf", few_digits(m)};
+  r.diverges = diverges;
+  switch (m.between(0, diverges ? 2 : 4)) {
+    case 0: {  // 1/(x log(x)^p)
+      const term p = diverges ? (m.one_in(2) ? term(1) : m.quotient(m.within(-1, 0.95)))
+                              : (m.one_in(3) ? term("sqrt(2)") : m.quotient(m.within(1.1, 4)));
+      r.integrand = 1 / (x * power(call("log", x), p));
+      if (!diverges) r.value = power(call("log", a), 1 - p) / (p - 1);
+      if (m.one_in(2)) {  // at 0, from 1/a on
+        r.integrand = 1 / (x * power(-call("log", x), p));
+        r.from = 0;
+        r.to = 1 / a;
+      }
+      break;
+    }
+    case 1: {  // |x - c|^e
+      const term c = m.one_in(2) ? m.irrational() : m.near(m.within(0.3, 3));
+      const term e = diverges ? term(m.any_of({"-sqrt(2)", "-pi/3", "-1", "-1-1e-9", "-e/2"}))
+                              : term(m.any_of({"-1/sqrt(2)", "-1+1e-9", "-log(2)", "pi/5", "sqrt(2)",
+                                               "-0.999", "-pi/4"}));
+      const bool is_lower = m.one_in(2);
+      const term w = is_lower ? x - c : c - x;
+      const term length = m.near(m.scattered(0.01, 3));
+      r.integrand = power(w, e);
+      r.from = is_lower ? c : c - length;
+      r.to = is_lower ? c + length : c;
+      if (diverges || m.one_in(2)) {
+        r.integrand = r.integrand * (2 + call("cos", x));
+      } else {
+        r.value = power(length, e + 1) / (e + 1);
+      }
+      break;
+    }
+    case 2:  // x^(-1 -+ d) log(x)^j
+      if (diverges) {
+        r.integrand = power(x, m.any_of({"-1", "-1+1e-9", "-1/sqrt(2)", "0"})) *
+                      power(call("log", x), m.between(0, 2)) / (2 + call("sin", 1 / x));
+      } else {
+        const term d = m.decimal(m.scattered(1e-9, 0.5));
+        r.integrand = power(x, -1 - d);
+        r.value = power(a, -d) / d;
+      }
+      break;
+    case 3: {  // exp(-x^p), the whole half line: Gamma(1 + 1/p)
+      const term p = m.one_in(2) ? m.quotient(m.within(0.2, 5))
+                                 : term(m.any_of({"pi", "sqrt(2)", "1/sqrt(3)", "e/4"}));
+      r.integrand = call("exp", -power(x, p));
+      r.from = 0;
+      r.value = call("gamma", 1 + 1 / p);
+      break;
+    }
+    default: {  // exp(-k log(x)^2) x^j, the whole half line: sqrt(pi/k) exp((j + 1)^2/(4k))
+      const term j = m.quotient(m.within(-3, 2));
+      r.integrand = call("exp", -(k * power(call("log", x), 2))) * power(x, j);
+      r.from = 0;
+      r.value = call("sqrt", term("pi") / k) * call("exp", power(j + 1, 2) / (4 * k));
+      break;
+    }
+  }
+  return r;
+}
+
 /// An irrational exponent, at which x^e is integrable at 0.
 term irrational_exponent(maker& m) {
   return m.any_of({"sqrt(2)", "pi", "sqrt(3)/2", "-1/sqrt(2)", "-1/sqrt(3)", "pi/5", "-pi/4", "e/3",
@@ -468,6 +536,7 @@ std::vector<integral_family> end_families() {
           {"special tail", 6, mostly_cheap(special_tail)},
           {"turning point at an end", 12, mostly_cheap(turning_end)},
           {"removable", 10, mostly_cheap(removable)},
+          {"by an exponential", 14, mostly_cheap(by_exponential)},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"whole line", 7, mostly_cheap(whole_line)},

@@ -53,6 +53,59 @@ TEST(TurningPoints, HaveTheKnownValues) {
   }
 }
 
+// What no series in powers of the distance, or of 1/x, describes: by a change of the variable to an exponential.
+TEST(ByAnExponential, HaveTheKnownValues) {
+  const std::vector<known> all{
+      {"(1-x)^(-1/sqrt(2))", "0", "1", "1/(1-1/sqrt(2))"},
+      {"sin(x)^pi", "0", "pi", "sqrt(pi)*gamma((pi+1)/2)/gamma(pi/2+1)"},
+      {"x^(1/sqrt(2)-1)*(1-x)^(1/sqrt(3)-1)", "0", "1",
+       "gamma(1/sqrt(2))*gamma(1/sqrt(3))/gamma(1/sqrt(2)+1/sqrt(3))"},
+      {"x^(-1+1e-8)", "0", "1", "1e8"},
+      {"x^(-99999999/100000000)", "0", "1", "1e8"},
+      {"(1-x)^(-1+1e-8)", "0", "1", "1e8"},
+      {"1/(x*log(x)^2)", "2", "inf", "1/log(2)"},
+      {"1/(x*log(x)^2)", "0", "1/2", "1/log(2)"},
+      {"1/(x*log(x)*log(log(x))^2)", "3", "inf", "1/log(log(3))"},
+      {"1/((2-x)*log(2-x)^2)", "3/2", "2", "1/log(2)"},
+      {"x^(-1-1e-8)", "1", "inf", "1e8"},
+      {"exp(-log(x)^2)", "0", "inf", "sqrt(pi)*exp(1/4)"},
+      {"exp(-log(x)^2/2)/x", "0", "inf", "sqrt(2*pi)"},
+      {"exp(-sqrt(log(x)))/x", "1", "inf", "2"},
+      {"exp(-x^(1/3))", "0", "inf", "6"},
+      {"exp(-x^pi)", "0", "inf", "gamma(1+1/pi)"},
+      {"x*exp(-x)/tanh(x)", "0", "inf", "pi^2/4-1"},
+      {"(exp(-x)-1/(1+x))/x", "0", "inf", "-euler_gamma"},
+      {"exp(-(-x)^pi)", "-inf", "0", "gamma(1+1/pi)"},
+      {"1/(x*(1+log(x)^2))", "0", "inf", "pi"},
+  };
+  for (const known& k : all) {
+    const auto end = [](const std::string& text) {
+      return text == "inf"    ? end_point::infinity()
+             : text == "-inf" ? -end_point::infinity()
+                              : number(text);
+    };
+    const integral i = integrate(parse(k.f), end(k.from), end(k.to), {.digits = 25});
+    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
+  }
+}
+
+TEST(ByAnExponential, DivergentTwinsAreNotCertified) {
+  for (const known& k : std::vector<known>{{"1/(x*log(x))", "2", "inf", ""},
+                                           {"1/(x*log(x)*log(log(x)))", "3", "inf", ""},
+                                           {"1/(x*abs(log(x)))", "0", "1/2", ""},
+                                           {"x^(-1+1e-8)/log(x)^2", "2", "inf", ""},
+                                           {"exp(sqrt(log(x)))/x", "1", "inf", ""},
+                                           {"(2-x)^(-sqrt(2))", "0", "2", ""},
+                                           {"exp(-1/x^pi)", "1", "inf", ""},
+                                           {"sin(x)^(-pi/3)", "0", "1", ""}}) {
+    const integral i =
+        integrate(parse(k.f), number(k.from),
+                  k.to == "inf" ? end_point::infinity() : number(k.to), {.digits = 10});
+    EXPECT_EQ(i.verdict, status::not_certified) << k.f;
+  }
+}
+
 TEST(TurningPoints, AgreeWithTheSameWithoutCancellation) {
   struct pair {
     std::string f;

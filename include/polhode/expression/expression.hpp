@@ -220,6 +220,11 @@ class expression {
   /// a logarithm, may be 0: candidates, found by inverting one operation after the other ("cos(x) - cos(1)": 1 and -1), at
   /// most 32. There may be others, and a candidate may be undefined.
   [[nodiscard]] std::vector<expression> divisor_zeros() const;
+  /// f(x) |dx/ds| as a formula in s, for a formula f of one variable: with x = e + side e^-s for a finite end, a formula e without
+  /// variables, and with x = side e^s where `end` is nullptr; side is 1 or -1. Powers, roots and logarithms of what grows or
+  /// vanishes as an exponential are worked out ("1/(x*log(x)^2)" is "1/s^2"). Wherever f(x) is defined for a real s, the formula has
+  /// the same value. None where the formula is long, or has no value anywhere.
+  [[nodiscard]] std::optional<expression> in_exponential(const expression* end, int side) const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
   /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, 65,536
   /// products of coefficients).

@@ -155,6 +155,9 @@ struct integrand {
       near_known_end;
   /// Numbers at which it may be of interest to cut a range: candidates, of which near_known_end may know more. May be empty.
   std::function<std::vector<end_point>()> candidates;
+  /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in which what is a power of the
+  /// distance or of x is an exponential. Nothing where that is not available; may be empty.
+  std::function<std::optional<integrand>(const end_point& end, int side)> in_exponential;
   std::function<tail_series(const tail_series& x)> near_infinity;
   /// How fast it grows at an end where it has no series. May be empty.
   std::function<growth_bound(const growth_bound& x)> growth;

@@ -65,7 +65,7 @@ class tail_series {
   friend tail_series pow(const tail_series& x, const tail_series& y);
   friend tail_series exp(const tail_series& x);
   friend tail_series log(const tail_series& x);
-  /// Of what decays, like x itself: (e^v - 1)/v and log(1 + v)/v increase and decrease from 0.78... to
+  /// Of what decays, like x itself, as sin, tan, asin, atan, sinh, tanh, asinh, atanh and erf: (e^v - 1)/v and log(1 + v)/v increase and decrease from 0.78... to
   /// 1.29... and from 1.38... to 0.81... over -1/2 <= v <= 1/2.
   friend tail_series expm1(const tail_series& x);
   friend tail_series log1p(const tail_series& x);
@@ -125,6 +125,8 @@ class tail_series {
   }
   template <class F>
   [[nodiscard]] tail_series regular(std::string_view name, F&& f) const;
+  template <class F>
+  [[nodiscard]] double_interval beyond(F&& f, double limit) const;
   template <class F>
   [[nodiscard]] tail_series nearly_itself(double_interval range, F&& f) const;
   /// f of a real number, of which only |f| <= bound is known.

@@ -48,6 +48,7 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   // f's symmetries are not those of one of its pieces, continued: |sin| is even about 0.
   result.under = nullptr;
   result.near_known_end = nullptr;
+  result.in_exponential = nullptr;
   result.angle_evaluator = nullptr;
   result.over = [f, chosen](const region& x) {
     return evaluate(*f, x.precision(), x, *chosen, f->result())[f->result()];

@@ -153,6 +153,46 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   return true;
 }
 
+/// With x = p + sigma e^-s, at infinity x = sigma e^s, in which the end is at s = infinity: over s >= s0 the integral of f is that of
+/// g(s) = f(x) |dx/ds|. dx/ds has one sign, so that both converge or neither does.
+bool add_in_exponential(preparation& result, const integrand& f, const end_of_range& end,
+                        int direction, const std::string& place, long bits) {
+  if (!f.in_exponential) return false;
+  const ball distance = end.distance.at(64);
+  if (!certainly_positive(distance) && !certainly_negative(distance)) return false;
+  const int side = certainly_positive(distance) ? 1 : -1;
+  const std::optional<integrand> g = f.in_exponential(end.end, side);
+  if (!g) return false;
+  // e^-s0 below the distance, or e^s0 above the start.
+  const ball logarithm = log(abs(distance));
+  constexpr double most = 1e15;
+  const double least = double_interval::from_ball(end.infinite ? logarithm : -logarithm).upper();
+  if (!(least < most)) return false;
+  const long s0 = std::max(1L, static_cast<long>(std::floor(least)) + 2);
+  const end_point start(s0);
+  preparation near;
+  add_part(near, *g, end_of_range::infinity(1, start), 1, bits);
+  if (near.why == reason::not_integrable) {
+    result.why = near.why;
+    result.obstacle = "the integrand grows too fast at " + place;
+    return true;
+  }
+  if (near.why != reason::none) return false;
+  require_tiled(near.parts, start, end_point::infinity());
+  result.segments.insert(result.segments.end(), near.segments.begin(), near.segments.end());
+  result.remainder += near.remainder;
+  result.has_tail = result.has_tail || near.has_tail;
+  const bool to_infinity = end.infinite;
+  const end_point far([at = end.at, side, s0, to_infinity](precision p) {
+    const ball step = exp(ball(to_infinity ? s0 : -s0, p)) * side;
+    return to_infinity ? step : at.at(p) + step;
+  });
+  result.parts.push_back(end.part(end.end, far, direction));
+  const part_done rest_of_it = end.part(far, end.start, direction);
+  add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);
+  return true;
+}
+
 /// A segment that stands for what lies between two points, of which the first is nearer to the end.
 void add_segment(preparation& result, segment s, const end_of_range& end, const end_point& near,
                  const end_point& far, int direction) {
@@ -193,6 +233,11 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       add_segment(result, power_segment(f, end, plan), end, end.end, end.start, direction);
       return;
     case manner::exponential:
+      // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very many bits only.
+      if (plan.exponent < rational(-63, 64) &&
+          add_in_exponential(result, f, end, direction, place, bits)) {
+        return;
+      }
       add_exponential_part(result, f, end, plan, direction, bits);
       return;
     case manner::divergent:
@@ -204,6 +249,7 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
   }
   if (add_decaying_part(result, f, end, direction, bits)) return;
   if (add_oscillating_part(result, f, end, direction, place, bits)) return;
+  if (add_in_exponential(result, f, end, direction, place, bits)) return;
   if (end.infinite) {
     result.why = reason::not_analytic;
     result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";

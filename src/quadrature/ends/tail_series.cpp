@@ -219,27 +219,11 @@ tail_series tail_series::bounded(F&& f, double_interval range) const {
   tail_series f(const tail_series& x) {                       \
     return x.regular(#f, [](const auto& h) { return f(h); }); \
   }
-POLHODE_REGULAR(tan)
-POLHODE_REGULAR(asin)
 POLHODE_REGULAR(acos)
-POLHODE_REGULAR(asinh)
 POLHODE_REGULAR(acosh)
-POLHODE_REGULAR(atanh)
 POLHODE_REGULAR(floor)
 POLHODE_REGULAR(ceil)
 #undef POLHODE_REGULAR
-#define POLHODE_BOUNDED(f, low, high)                                                     \
-  tail_series f(const tail_series& x) {                                                   \
-    return x.bounded([](const auto& h) { return f(h); }, double_interval((low), (high))); \
-  }
-POLHODE_BOUNDED(sin, -1.0, 1.0)
-POLHODE_BOUNDED(cos, -1.0, 1.0)
-POLHODE_BOUNDED(atan, -1.6, 1.6)
-POLHODE_BOUNDED(tanh, -1.0, 1.0)
-#undef POLHODE_BOUNDED
-
-tail_series sinh(const tail_series& x) { return (exp(x) - exp(-x)) / 2; }
-tail_series cosh(const tail_series& x) { return (exp(x) + exp(-x)) / 2; }
 
 tail_series abs(const tail_series& x) {
   if (x.is_blocked()) return x;
@@ -270,11 +254,59 @@ bool tail_series::is_small() const {
   return size.magnitude() <= 0.5;
 }
 
+/// The range of an odd, increasing f with |f| <= limit over this series: where it is plain and |h| >= m > 0 of one sign, f is at
+/// least f(m) in size.
+template <class F>
+double_interval tail_series::beyond(F&& f, double limit) const {
+  const int sign = is_plain() ? h_.sign() : 0;
+  const double_interval inverse =
+      sign != 0 ? (one_ / h_).real_range() : double_interval::undefined();
+  if (inverse.is_undefined()) return {-limit, limit};
+  const ball least = f(1 / abs(to_ball(double_interval(inverse.magnitude()), 64)));
+  const double_interval size(double_interval::from_ball(least).lower(), limit);
+  if (!(size.lower() > 0)) return {-limit, limit};
+  return sign > 0 ? size : -size;
+}
+
 /// x times something in `range`, where it is small; f(x) else.
 template <class F>
 tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
   return is_small() ? with(phi_, h_, u_ * range) : f(*this);
 }
+// For |v| <= 1/2 and an odd f that is convex or concave for v > 0, f(v)/v lies between its values at 0 and 1/2:
+// sin(1/2) = 0.4794..., tan 0.5463..., asin 0.5235..., atan 0.4636..., sinh 0.5210..., tanh 0.4621..., asinh 0.4812...,
+// atanh 0.5493..., and with 2/sqrt(pi) = 1.1283..., erf(1/2) = 0.5204....
+#define POLHODE_ODD(f, low, high)                                                                \
+  tail_series f(const tail_series& x) {                                                          \
+    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) {                   \
+      return v.regular(#f, [](const auto& h) { return f(h); });                                  \
+    });                                                                                          \
+  }
+POLHODE_ODD(tan, 1.0, 1.0927)
+POLHODE_ODD(asin, 1.0, 1.0472)
+POLHODE_ODD(asinh, 0.9624, 1.0)
+POLHODE_ODD(atanh, 1.0, 1.0987)
+#undef POLHODE_ODD
+// And where only their range is known, that.
+#define POLHODE_ODD_BOUNDED(f, low, high, range)                                  \
+  tail_series f(const tail_series& x) {                                           \
+    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) {    \
+      return v.bounded([](const auto& h) { return f(h); }, range);                \
+    });                                                                           \
+  }
+POLHODE_ODD_BOUNDED(sin, 0.9588, 1.0, double_interval(-1.0, 1.0))
+POLHODE_ODD_BOUNDED(atan, 0.9272, 1.0, (v.beyond([](const ball& y) { return atan(y); }, 1.6)))
+POLHODE_ODD_BOUNDED(tanh, 0.9242, 1.0, (v.beyond([](const ball& y) { return tanh(y); }, 1.0)))
+#undef POLHODE_ODD_BOUNDED
+tail_series cos(const tail_series& x) {
+  return x.bounded([](const auto& h) { return cos(h); }, double_interval(-1.0, 1.0));
+}
+tail_series sinh(const tail_series& x) {
+  return x.nearly_itself(double_interval(1.0, 1.0422),
+                         [](const auto& v) { return (exp(v) - exp(-v)) / 2; });
+}
+tail_series cosh(const tail_series& x) { return (exp(x) + exp(-x)) / 2; }
+
 tail_series expm1(const tail_series& x) {
   return x.nearly_itself(double_interval(0.78, 1.3), [](const auto& v) { return exp(v) - 1; });
 }
@@ -284,6 +316,7 @@ tail_series log1p(const tail_series& x) {
 
 tail_series erf(const tail_series& x) {
   if (x.is_blocked()) return x;
+  if (x.is_small()) return x.with(x.phi_, x.h_, x.u_ * double_interval(1.0409, 1.1284));
   const int sign = x.sign();
   return x.with(std::nullopt, x.one_, double_interval(sign > 0 ? 0.0 : -1.0, sign < 0 ? 0.0 : 1.0));
 }

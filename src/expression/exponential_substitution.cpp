@@ -1,0 +1,344 @@
+// A formula in s in place of x = e + sigma exp(-s), or x = sigma exp(s), with the factor |dx/ds|.
+//
+// Every operation of f is written as exp(kappa s + v) rest, kappa a constant, so that powers, roots and
+// logarithms of it take the exponent out: what decays or grows as a power of the distance, or of x,
+// becomes an exponential of s. Each step is an identity of real numbers wherever the operation of f is
+// defined:
+//   exp(a) p * exp(b) q = exp(a + b) p q,  (exp(a) p)^y = exp(a y) p^y for p > 0 (whole y: for all p),
+//   (exp(a) p)^(1/n) = exp(a/n) p^(1/n),  log(exp(a) p) = a + log p,  |exp(a) p| = exp(a) |p|,
+//   alpha + beta exp(w) = beta exp(w) where the exact rules show that alpha = 0,
+//   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "exact_value.hpp"
+#include "graph.hpp"
+
+namespace polhode {
+namespace exponential_substitution_impl {
+namespace {
+
+using detail::node;
+using detail::node_id;
+using detail::operation;
+
+constexpr node_id most_nodes = 500;
+
+/// exp(kappa s + v) rest; and where it is linear in x, alpha + beta exp(+-s).
+struct value {
+  node_id kappa;
+  node_id v;
+  node_id rest;
+  struct linear {
+    node_id alpha;
+    node_id beta;
+  };
+  std::optional<linear> in_x;
+};
+
+class substitution {
+ public:
+  /// end: that of the finite e, none for an infinity.
+  substitution(const detail::graph& f, const detail::graph* end, int side)
+      : f_(f), g_(f.further()), s_(g_.variable(0)), zero_(g_.number(0)), one_(g_.number(1)) {
+    const node_id sigma = g_.number(side);
+    growth_ = g_.number(end == nullptr ? 1 : -1);
+    x_ = linear(end == nullptr ? zero_ : copied(*end), sigma);
+  }
+
+  detail::graph result() {
+    const std::vector<char> used = detail::reachable(f_);
+    varies_ = detail::varying(f_);
+    values_.resize(f_.size());
+    for (node_id i = 0; i <= f_.root; ++i) {
+      if (used[i] != 0) values_[i] = made(i);
+    }
+    value f = *values_[f_.root];
+    f.kappa = add(g_, f.kappa, growth_);
+    g_.root = plain(f);
+    return std::move(g_);
+  }
+
+ private:
+  // -------------------------------------------------------------------------------------------
+  // Values
+
+  [[nodiscard]] value as_it_is(node_id rest) const { return {zero_, zero_, rest, std::nullopt}; }
+  [[nodiscard]] value constant(node_id c) const {
+    return {zero_, zero_, c, value::linear{c, zero_}};
+  }
+  /// alpha + beta exp(+-s), with the exponential taken out where alpha is shown to be 0.
+  value linear(node_id alpha, node_id beta) {
+    if (beta == zero_) return constant(alpha);
+    if (!is_zero(alpha)) {
+      const node_id moving = multiply(g_, beta, exp_of(multiply(g_, growth_, s_)));
+      return {zero_, zero_, add(g_, alpha, moving), value::linear{alpha, beta}};
+    }
+    return {growth_, zero_, beta, value::linear{zero_, beta}};
+  }
+  node_id call(const char* function, const std::vector<node_id>& x) {
+    return detail::find_function(function)->build(g_, x);
+  }
+  node_id exp_of(node_id x) { return x == zero_ ? one_ : call("exp", {x}); }
+  node_id exponent(const value& x) {
+    return x.kappa == zero_ ? x.v : add(g_, multiply(g_, x.kappa, s_), x.v);
+  }
+  node_id plain(const value& x) { return multiply(g_, exp_of(exponent(x)), x.rest); }
+
+  /// Whether the rules show that a node without variables is 0.
+  [[nodiscard]] bool is_zero(node_id c) { return is_rational(c, 0); }
+  [[nodiscard]] bool is_rational(node_id c, const rational& q) {
+    const auto found = rational_value_of(c);
+    return found && *found == q;
+  }
+  [[nodiscard]] std::optional<rational> rational_value_of(node_id c) {
+    if (const rational* q = g_.value(c)) return *q;
+    detail::graph alone = g_;
+    alone.root = c;
+    return detail::rational_value(alone, detail::compile(alone, 0));
+  }
+  /// w = kappa s + v, as far as it is a sum of multiples of s and others.
+  std::pair<node_id, node_id> split(node_id w) {
+    if (w == s_) return {one_, zero_};
+    const node n = g_[w];
+    switch (n.what) {
+      case operation::negate: {
+        const auto [kappa, v] = split(n.left);
+        return {negate(g_, kappa), negate(g_, v)};
+      }
+      case operation::add:
+      case operation::subtract: {
+        const auto [kappa, v] = split(n.left);
+        const auto [more, rest] = split(n.right);
+        if (n.what == operation::add) return {add(g_, kappa, more), add(g_, v, rest)};
+        return {subtract(g_, kappa, more), subtract(g_, v, rest)};
+      }
+      case operation::multiply: {
+        if (is_constant(n.left)) {
+          const auto [kappa, v] = split(n.right);
+          return {multiply(g_, n.left, kappa), times(n.left, v)};
+        }
+        if (is_constant(n.right)) {
+          const auto [kappa, v] = split(n.left);
+          return {multiply(g_, kappa, n.right), times(v, n.right)};
+        }
+        return {zero_, w};
+      }
+      case operation::divide: {
+        if (!is_constant(n.right)) return {zero_, w};
+        const auto [kappa, v] = split(n.left);
+        return {divide(g_, kappa, n.right), v == zero_ ? v : divide(g_, v, n.right)};
+      }
+      default:
+        return {zero_, w};
+    }
+  }
+  node_id times(node_id x, node_id y) {
+    return x == zero_ || y == zero_ ? zero_ : multiply(g_, x, y);
+  }
+  /// Of g_: it does not depend on s.
+  [[nodiscard]] bool is_constant(node_id i) {
+    if (i == s_) return false;
+    while (constant_.size() < g_.size()) {
+      const auto k = static_cast<node_id>(constant_.size());
+      bool all = k != s_;
+      for (const node_id x : detail::operands_at(g_, k)) all = all && constant_[x] != 0;
+      constant_.push_back(static_cast<char>(all));
+    }
+    return constant_[i] != 0;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Operations
+
+  value made(node_id i) {
+    const node n = f_[i];
+    if (n.what == operation::variable) return x_;
+    if (varies_[i] == 0) {
+      if (n.what == operation::number) return constant(g_.number(f_.number_at(n.number)));
+      return constant(copy_of(n, i, [&](node_id k) { return values_[k]->rest; }));
+    }
+    switch (n.what) {
+      case operation::negate: {
+        value x = *values_[n.left];
+        if (x.in_x) return linear(negate(g_, x.in_x->alpha), negate(g_, x.in_x->beta));
+        x.rest = negate(g_, x.rest);
+        return x;
+      }
+      case operation::add:
+      case operation::subtract:
+        return sum(*values_[n.left], *values_[n.right], n.what == operation::subtract);
+      case operation::multiply:
+        return product(*values_[n.left], *values_[n.right]);
+      case operation::divide:
+        return quotient(*values_[n.left], *values_[n.right]);
+      case operation::power_integer:
+        return to_power(*values_[n.left], g_.number(n.number));
+      case operation::power:
+        return to_power(*values_[n.left], plain(*values_[n.right]));
+      case operation::sqrt: {
+        const value& x = *values_[n.left];
+        const node_id half = g_.number(rational(1, 2));
+        return scaled(x, half, call("sqrt", {x.rest}));
+      }
+      case operation::root: {
+        const value& x = *values_[n.left];
+        const node_id part = g_.number(rational(1, n.number));
+        return scaled(x, part, call("root", {x.rest, g_.number(n.number)}));
+      }
+      case operation::exp: {
+        const auto [kappa, v] = split(plain(*values_[n.left]));
+        return {kappa, v, one_, std::nullopt};
+      }
+      case operation::log: {
+        const value& x = *values_[n.left];
+        return as_it_is(add(g_, exponent(x), x.rest == one_ ? zero_ : call("log", {x.rest})));
+      }
+      case operation::abs: {
+        const value& x = *values_[n.left];
+        return {x.kappa, x.v, call("abs", {x.rest}), std::nullopt};
+      }
+      case operation::sin:
+      case operation::cos:
+        if (auto moved = by_quarter_turns(n)) return *moved;
+        break;
+      default:
+        break;
+    }
+    return as_it_is(copy_of(n, i, [&](node_id k) { return plain(*values_[k]); }));
+  }
+  /// The operation as it stands, of other operands.
+  template <class Operand>
+  node_id copy_of(const node& n, node_id i, const Operand& operand) {
+    if (n.what == operation::further) {
+      detail::further_call call = f_.call_at(i);
+      for (node_id& x : call.operands) x = operand(x);
+      return g_.call(call);
+    }
+    const int operands = detail::operands_of(n.what);
+    const node_id left = operands > 0 ? operand(n.left) : 0;
+    const node_id right = operands > 1 ? operand(n.right) : 0;
+    return g_.make(n.what, left, right, n.number);
+  }
+  value sum(const value& x, const value& y, bool minus) {
+    const auto of = [&](node_id p, node_id q) {
+      return minus ? subtract(g_, p, q) : add(g_, p, q);
+    };
+    if (x.in_x && y.in_x) {
+      return linear(of(x.in_x->alpha, y.in_x->alpha), of(x.in_x->beta, y.in_x->beta));
+    }
+    if (x.kappa == y.kappa && x.v == y.v) {
+      return {x.kappa, x.v, of(x.rest, y.rest), std::nullopt};
+    }
+    return as_it_is(of(plain(x), plain(y)));
+  }
+  value product(const value& x, const value& y) {
+    const auto is_constant_in_x = [&](const value& z) {
+      return z.in_x && z.in_x->beta == zero_;
+    };
+    if (x.in_x && is_constant_in_x(y)) {
+      return linear(multiply(g_, x.in_x->alpha, y.rest), times(x.in_x->beta, y.rest));
+    }
+    if (y.in_x && is_constant_in_x(x)) return product(y, x);
+    return {add(g_, x.kappa, y.kappa), add(g_, x.v, y.v), multiply(g_, x.rest, y.rest),
+            std::nullopt};
+  }
+  value quotient(const value& x, const value& y) {
+    if (x.in_x && y.in_x && y.in_x->beta == zero_) {
+      return linear(divide(g_, x.in_x->alpha, y.rest),
+                    x.in_x->beta == zero_ ? zero_ : divide(g_, x.in_x->beta, y.rest));
+    }
+    return {subtract(g_, x.kappa, y.kappa), subtract(g_, x.v, y.v), divide(g_, x.rest, y.rest),
+            std::nullopt};
+  }
+  /// (exp(kappa s + v) rest)^y.
+  value to_power(const value& x, node_id y) {
+    if (x.kappa == zero_ && x.v == zero_) return as_it_is(power(g_, x.rest, y));
+    const node_id rest = x.rest == one_ ? one_ : power(g_, x.rest, y);  // y is in the exponent
+    if (is_constant(y)) return scaled(x, y, rest);
+    const auto [kappa, v] = split(multiply(g_, exponent(x), y));
+    return {kappa, v, rest, std::nullopt};
+  }
+  value scaled(const value& x, node_id y, node_id rest) {
+    return {times(x.kappa, y), times(x.v, y), rest, std::nullopt};
+  }
+  /// sin and cos of alpha + w where alpha is shown to be a whole number of quarter turns.
+  std::optional<value> by_quarter_turns(const node& n) {
+    const value& x = *values_[n.left];
+    if (!x.in_x || x.in_x->alpha == zero_) return std::nullopt;
+    const node_id quarters =
+        divide(g_, multiply(g_, g_.number(2), x.in_x->alpha), g_.make(operation::pi));
+    const auto found = rational_value_of(quarters);
+    if (!found || denominator(*found) != 1) return std::nullopt;
+    const integer k = numerator(*found);
+    const long turns = static_cast<long>(mpz_fdiv_ui(k.backend().data(), 4));
+    const node_id w = plain(linear(zero_, x.in_x->beta));
+    // The quarter turns that take sin w there: cos w = sin(w + pi/2).
+    const long quarter = (turns + (n.what == operation::cos ? 1 : 0)) % 4;
+    node_id result = call(quarter % 2 == 0 ? "sin" : "cos", {w});
+    if (quarter >= 2) result = negate(g_, result);
+    return as_it_is(result);
+  }
+
+  node_id copied(const detail::graph& number) {
+    if (number.further() != nullptr && number.further() != g_.further()) {
+      throw detail::undefined_operation("functions of another list");  // which g_ would not keep
+    }
+    const std::vector<char> used = detail::reachable(number);
+    std::vector<node_id> places(number.size(), 0);
+    for (node_id i = 0; i <= number.root; ++i) {
+      if (used[i] == 0) continue;
+      const node n = number[i];
+      if (n.what == operation::number) {
+        places[i] = g_.number(number.number_at(n.number));
+      } else if (n.what == operation::further) {
+        detail::further_call call = number.call_at(i);
+        for (node_id& x : call.operands) x = places[x];
+        places[i] = g_.call(call);
+      } else {
+        const int operands = detail::operands_of(n.what);
+        places[i] = g_.make(n.what, operands > 0 ? places[n.left] : 0,
+                            operands > 1 ? places[n.right] : 0, n.number);
+      }
+    }
+    return places[number.root];
+  }
+
+  const detail::graph& f_;
+  detail::graph g_;
+  node_id s_;
+  node_id zero_;
+  node_id one_;
+  node_id growth_ = 0;  // 1 or -1
+  value x_{};
+  std::vector<char> varies_;
+  std::vector<std::optional<value>> values_;
+  std::vector<char> constant_;
+};
+
+}  // namespace
+}  // namespace exponential_substitution_impl
+
+std::optional<expression> expression::in_exponential(const expression* end, int side) const {
+  using exponential_substitution_impl::substitution;
+  if (variables_.size() != 1 || graph_->root >= exponential_substitution_impl::most_nodes ||
+      (end != nullptr && !end->used_variables().empty())) {
+    return std::nullopt;
+  }
+  try {
+    substitution s(*graph_, end == nullptr ? nullptr : end->graph_.get(), side);
+    expression result(*this);
+    result.variables_ = {"s"};
+    result.exact_.reset();
+    result.take(std::make_shared<detail::graph>(s.result()));
+    return result;
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+}  // namespace polhode
