@@ -119,6 +119,57 @@ TEST(Tails, OfFunctionsNearZeroAreBounded) {
                                              rational(sign(k), k));
                            }),
                rational(3, 2), "log1p(w) - 1.39 w");
+  // Odd functions: those that are convex for w > 0 pass w, and w passes the others.
+  const auto odd = [](std::vector<rational> coefficients, bool alternating) {
+    return [coefficients = std::move(coefficients), alternating](long k) {
+      const auto n = static_cast<std::size_t>(k / 2);
+      if (k % 2 == 0 || n >= coefficients.size()) return rational(0);
+      return rational(alternating && n % 2 == 1 ? rational(-coefficients[n]) : coefficients[n]);
+    };
+  };
+  const std::vector<rational> of_tan{1, {1, 3}, {2, 15}, {17, 315}, {62, 2835}};
+  const std::vector<rational> of_atanh{1, {1, 3}, {1, 5}, {1, 7}, {1, 9}};
+  const std::vector<rational> of_sinh{1, {1, 6}, {1, 120}, {1, 5040}};
+  const std::vector<rational> of_asin{1, {1, 6}, {3, 40}, {15, 336}, {105, 3456}};
+  const auto convex = [&](const char* name, const auto& f, const std::vector<rational>& all) {
+    expect_bound(beyond_two([&](const auto& x) { return f(c * exp(-x)); }),
+                 integral_of(c, odd(all, false)), little, name);
+  };
+  convex("tan(w)", [](const auto& w) { return tan(w); }, of_tan);
+  convex("asin(w)", [](const auto& w) { return asin(w); }, of_asin);
+  convex("sinh(w)", [](const auto& w) { return sinh(w); }, of_sinh);
+  convex("atanh(w)", [](const auto& w) { return atanh(w); }, of_atanh);
+  const auto concave = [&](const char* name, const auto& f, const std::vector<rational>& all) {
+    std::vector<rational> rest = all;
+    rest[0] = 0;
+    const ball missing = -integral_of(c, odd(rest, true));
+    const magnitude bound = beyond_two([&](const auto& x) {
+      const auto w = c * exp(-x);
+      return f(w) - w;
+    });
+    EXPECT_TRUE(missing.magnitude_lower() <= bound) << name << ' ' << missing;
+  };
+  concave("w - sin(w)", [](const auto& w) { return sin(w); }, of_sinh);
+  concave("w - atan(w)", [](const auto& w) { return atan(w); }, of_atanh);
+  concave("w - tanh(w)", [](const auto& w) { return tanh(w); }, of_tan);
+  concave("w - asinh(w)", [](const auto& w) { return asinh(w); }, of_asin);
+  // erf(w) = (2/sqrt(pi)) (w - w^3/3 + w^5/10 - w^7/42 + w^9/216 - ...), between 1.0409 w and 1.1284 w.
+  const std::vector<rational> of_erf{1, {1, 3}, {1, 10}, {1, 42}, {1, 216}};
+  const ball factor = 2 / sqrt(pi(p));
+  const ball of_w = c * exp(ball(-2, p));
+  const ball area = factor * integral_of(c, odd(of_erf, true));
+  expect_bound(beyond_two([&](const auto& x) { return erf(c * exp(-x)); }), area, little, "erf(w)");
+  expect_bound(beyond_two([&](const auto& x) {
+                 const auto w = c * exp(-x);
+                 return erf(w) - rational(11284, 10000) * w;
+               }),
+               rational(11284, 10000) * of_w - area, rational(5), "1.1284 w - erf(w)");
+  // x/tanh(x) and 1/atan(x) are bounded by what tanh and atan are at 2.
+  expect_bound(beyond_two([](const auto& x) { return exp(-x) / tanh(x); }),
+               log((1 + exp(ball(-2, p))) / (1 - exp(ball(-2, p)))) - exp(ball(-2, p)),
+               rational(11, 10), "exp(-x)/tanh(x)");
+  expect_bound(beyond_two([](const auto& x) { return exp(-x) / atan(x); }),
+               exp(ball(-2, p)) / rational(16, 10), rational(2), "exp(-x)/atan(x)");
   // Beyond 1/2 nothing is said of expm1 w.
   const magnitude great = beyond_two([](const auto& x) { return expm1(12 * exp(-x)); });
   EXPECT_TRUE(integral_of(12, inverse_factorial).magnitude_lower() <= great);
