@@ -108,6 +108,21 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
   return std::nullopt;
 }
 
+/// The plan for x = p + s tau^(q d) of one without logarithms for x = p + s t^q, where d (M + 1) is whole: with t = tau^d,
+/// F_qd(tau) = d tau^(d-1) F_q(tau^d) = d tau^(d (M+1) - 1) G(tau^d) / ..., and |tau| < r^(1/d) is |t| < r, where G is analytic.
+end_plan with_root(end_plan plan, long d) {
+  const double whole = plan.r;
+  plan.r = std::pow(whole, 1.0 / static_cast<double>(d));
+  while (!(pow(double_interval(plan.r), d).upper() <= whole)) plan.r = std::nextafter(plan.r, 0.0);
+  plan.q *= d;
+  plan.exponent = d * (plan.exponent + 1) - 1;
+  for (magnitude& bound : plan.bounds) {
+    bound = multiply_up(bound, magnitude::from_integer_up(static_cast<std::uint64_t>(d)));
+  }
+  plan.how = manner::power;
+  return plan;
+}
+
 /// Tries substitutions x = p + s t^q for small q.
 end_plan plan_from_series_of(const series_function& f, const end_of_range& end) {
   using remedy = end_series::remedy;
@@ -131,7 +146,7 @@ end_plan plan_from_series_of(const series_function& f, const end_of_range& end) 
     const integer whole = denominator(plan.exponent) * root;
     const bool helps = plan.how == manner::exponential && plan.bounds.size() == 1;
     if (!helps || whole <= root || whole > most_root) break;
-    root = static_cast<long>(whole);
+    return with_root(plan, static_cast<long>(whole) / root);
   }
   return best;
 }

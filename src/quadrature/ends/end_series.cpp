@@ -45,6 +45,7 @@ end_series end_series::with_any_remedy() const {
 }
 
 end_series end_series::constant(const known_number& at_0, const region& over) const {
+  if (blocked_) return *this;  // it has no order to be like
   end_series r;
   r.blocked_ = false;
   r.r_ = r_;

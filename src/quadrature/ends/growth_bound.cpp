@@ -156,9 +156,11 @@ growth_bound growth_bound::constant_of(const ball& x, end_series series) const {
   return result;
 }
 growth_bound growth_bound::constant_like(const rational& q) const {
+  if (blocked_) return *this;
   return constant_of(ball(q, 192), one_.constant_like(q));
 }
 growth_bound growth_bound::constant_like(const ball& x) const {
+  if (blocked_) return *this;
   return constant_of(x, one_.constant_like(x));
 }
 

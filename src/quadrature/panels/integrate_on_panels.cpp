@@ -5,6 +5,7 @@
 
 #include "integrator.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "quadrature/ends/end_plan.hpp"
 #include "quadrature/formula/poles.hpp"
 
 namespace polhode::detail {
@@ -50,7 +51,14 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
   };
   constexpr std::size_t most_points = 2000;
   bool counts_as_zero = false;
-  bool tried_candidates = false;
+  if (f.candidates) {
+    for (const end_point& x : f.candidates()) {
+      // Where f is not analytic around the point, whatever its values there.
+      if (!is_inside(x, a, b)) continue;
+      const end_point beyond = ends::sum_of(x, end_point(1), 1);
+      if (!ends::is_regular(f, ends::end_of_range::finite(x, beyond))) add_cut(cuts, f, x, a, b);
+    }
+  }
   for (int attempts = 0; attempts < 3;) {
     const preparation prepared = prepare(f, a, b, cuts, bits);
     if (prepared.why != reason::none) {
@@ -69,12 +77,6 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
         add_cut(cuts, f, end_point(q), a, b);
       }
       continue;
-    }
-    if (result.why == reason::not_analytic && !tried_candidates && f.candidates) {
-      tried_candidates = true;
-      const std::size_t before = cuts.size();
-      for (const end_point& x : f.candidates()) add_cut(cuts, f, x, a, b);
-      if (cuts.size() > before) continue;
     }
     const bool tail_too_large = prepared.has_tail && result.why == reason::precision_limit;
     if (result.verdict == status::certified || !tail_too_large) break;
