@@ -114,7 +114,6 @@ TEST(TimeLimit, LeavesNoFileBehind) {
 /// What has not ended in time ends with one line, and nothing on standard output. None of these ends by itself nearly so soon.
 TEST(TimeLimit, EndsWhatTakesLonger) {
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
-           {"integrate", "x^(-99999999/100000000)", "0", "1"},
            {"integrate", "sin(x^2)", "0", "1e6", "--format", "json"},
            {"integrate", "cos(1e30*sqrt(2)*x)", "0", "1"}}) {
     std::vector<std::string> limited = command;

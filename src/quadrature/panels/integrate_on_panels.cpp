@@ -51,10 +51,12 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
   };
   constexpr std::size_t most_points = 2000;
   bool counts_as_zero = false;
+  long spent = 0;  // evaluations, by all attempts
   if (f.candidates) {
     for (const end_point& x : f.candidates()) {
       // Where f is not analytic around the point, whatever its values there.
       if (!is_inside(x, a, b)) continue;
+      if (x.exact()) known.push_back(*x.exact());
       const end_point beyond = ends::sum_of(x, end_point(1), 1);
       if (!ends::is_regular(f, ends::end_of_range::finite(x, beyond))) add_cut(cuts, f, x, a, b);
     }
@@ -70,13 +72,15 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
     const contour_integral found = work.run();
     result = real_part(found);
     counts_as_zero = work.counts_as_zero();
-    if (!work.points_of_interest().empty() && known.size() < most_points) {
+    spent += result.account.evaluations + result.account.region_evaluations;
+    if (known.size() < most_points && spent < options.most_evaluations) {
+      const std::size_t before = known.size();
       for (const rational& q : work.points_of_interest()) {
         if (std::find(known.begin(), known.end(), q) != known.end()) continue;
         known.push_back(q);
         add_cut(cuts, f, end_point(q), a, b);
       }
-      continue;
+      if (known.size() > before) continue;
     }
     const bool tail_too_large = prepared.has_tail && result.why == reason::precision_limit;
     if (result.verdict == status::certified || !tail_too_large) break;
