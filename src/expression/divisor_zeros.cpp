@@ -16,7 +16,7 @@ using detail::node_id;
 using detail::operation;
 
 constexpr std::size_t most_found = 32;
-constexpr int most_steps = 64;     // from an operation to the variable
+constexpr int most_steps = 64;      // from an operation to the variable
 constexpr long most_exponent = 64;  // of a power that is inverted
 
 class search {
@@ -148,11 +148,10 @@ class search {
     const long exponent = n.number < 0 ? -n.number : n.number;
     if (exponent == 0 || exponent > most_exponent) return;
     if (n.number < 0) value = divide(g_, g_.number(1), value);
-    const node_id x =
-        exponent == 1 ? value
-        : exponent == 2
-            ? of("sqrt", value)
-            : detail::find_function("root")->build(g_, {value, g_.number(exponent)});
+    const node_id x = exponent == 1 ? value
+                      : exponent == 2
+                          ? of("sqrt", value)
+                          : detail::find_function("root")->build(g_, {value, g_.number(exponent)});
     solve(n.left, x, steps);
     if (exponent % 2 == 0) solve(n.left, negate(g_, x), steps);
   }

@@ -247,7 +247,7 @@ class evaluation {
   std::vector<char> used_;
   exact_field field_;
   std::vector<std::optional<exact_number>> values_;
-  node_id done_ = 0;  // the first node that is not evaluated
+  node_id done_ = 0;                 // the first node that is not evaluated
   std::vector<std::size_t> places_;  // among the instructions without variables
   std::map<node_id, ball> numbers_;  // those that are too long for the rules
   std::optional<std::vector<ball>> enclosures_;
@@ -359,9 +359,9 @@ std::vector<std::optional<rational>> rational_values_at(const graph& f, const gr
     if (used[i] == 0 || varies[i] == 0 || f[i].what == operation::variable) continue;
     operations.push_back(i);
     const std::vector<node_id> operands = operands_at(f, i);
-    continuous[i] = static_cast<char>(
-        is_continuous(f[i].what) && std::all_of(operands.begin(), operands.end(),
-                                                [&](node_id k) { return continuous[k] != 0; }));
+    continuous[i] = static_cast<char>(is_continuous(f[i].what) &&
+                                      std::all_of(operands.begin(), operands.end(),
+                                                  [&](node_id k) { return continuous[k] != 0; }));
     if (continuous[i] != 0) wanted.push_back(both.place_of(i));
   }
   const std::vector<std::optional<rational>> values =

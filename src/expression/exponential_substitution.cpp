@@ -237,9 +237,7 @@ class substitution {
     return as_it_is(of(plain(x), plain(y)));
   }
   value product(const value& x, const value& y) {
-    const auto is_constant_in_x = [&](const value& z) {
-      return z.in_x && z.in_x->beta == zero_;
-    };
+    const auto is_constant_in_x = [&](const value& z) { return z.in_x && z.in_x->beta == zero_; };
     if (x.in_x && is_constant_in_x(y)) {
       return linear(multiply(g_, x.in_x->alpha, y.rest), times(x.in_x->beta, y.rest));
     }

@@ -132,7 +132,8 @@ std::optional<rational> expression::rational_value() const {
 
 std::vector<std::optional<rational>> expression::rational_values_at(const expression& x) const {
   if (variables_.size() != 1 || !x.used_variables().empty()) {
-    throw std::invalid_argument("the values of a formula of one variable at a number are asked for");
+    throw std::invalid_argument(
+        "the values of a formula of one variable at a number are asked for");
   }
   return detail::rational_values_at(*graph_, *x.graph_);
 }

@@ -113,7 +113,8 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
   scene_body result = body_of_tensor(imported.tensor);
   if (imported.is_turned) {
     remarks.emplace_back(
-        "the inertia's frame in the file is turned by at most 1e-12 against the link's axes: that is "
+        "the inertia's frame in the file is turned by at most 1e-12 against the link's axes: that "
+        "is "
         "taken as 0");
   }
   result.name = imported.name;

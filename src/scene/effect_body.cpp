@@ -45,10 +45,9 @@ effect_result planarity(const effect_context& x) {
       add(result, "margin", of.size.at(p) * *of.margin, "kg m^2");
     }
     add_exact(result, "relative_margin", *of.margin / (*of.moments)[0]);
-    result.remarks.emplace_back(
-        "margin = I_y + I_z - I_x" +
-        std::string(of.has_unit ? "" : ", in the unit of the moments") +
-        ", negative where the triangle inequality is violated");
+    result.remarks.emplace_back("margin = I_y + I_z - I_x" +
+                                std::string(of.has_unit ? "" : ", in the unit of the moments") +
+                                ", negative where the triangle inequality is violated");
   }
   return result;
 }

@@ -91,7 +91,8 @@ class reader : public pugi::xml_tree_walker {
     if (const pugi::xml_node origin = node.child("origin")) {  // URDF
       check_angles(origin, numbers(origin, origin.attribute("rpy").value()), 0);
     }
-    if (const pugi::xml_node pose = node.child("pose")) {  // SDF: x y z, and roll pitch yaw or a quaternion
+    if (const pugi::xml_node pose =
+            node.child("pose")) {  // SDF: x y z, and roll pitch yaw or a quaternion
       constexpr std::size_t places = 3;
       const std::vector<rational> all = numbers(pose, pose.text().get());
       if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {

@@ -152,8 +152,7 @@ TEST(Roots, CertifiesOnlyWhatHasTheDigitsAskedFor) {
     EXPECT_EQ(small.status, 0) << small.out;
     EXPECT_NE(small.out.find("unique (it may be 0"), std::string::npos) << small.out;
   }
-  const outcome result =
-      roots("x-sin(pi/7)+sin(pi/7)", "-1e-25000..1e-25000", {"--digits", "20"});
+  const outcome result = roots("x-sin(pi/7)+sin(pi/7)", "-1e-25000..1e-25000", {"--digits", "20"});
   EXPECT_NE(result.status, 0) << result.out;
   EXPECT_NE(result.out.find("fewer digits than asked for"), std::string::npos) << result.out;
   const outcome far = roots("(x-1e300)*(x+1e-300)", "-inf..inf", {"--digits", "20"});

@@ -369,9 +369,8 @@ integral_case removable(maker& m) {
   const bool diverges = m.one_in(4);
   const term f = (g - g_at_c) / power(x - c, diverges ? 2 : 1);
   const bool is_end = m.one_in(2);
-  integral_case r{f * (m.one_in(2) ? regular(m) : term(1)),
-                  m.rational_near(m.within(0, 0.9) * at), is_end ? c : c + m.positive_rational(),
-                  few_digits(m)};
+  integral_case r{f * (m.one_in(2) ? regular(m) : term(1)), m.rational_near(m.within(0, 0.9) * at),
+                  is_end ? c : c + m.positive_rational(), few_digits(m)};
   if (approximately(r.from) > 0.97 * at) r.from = 0;
   if (!is_end && m.one_in(3)) {
     const term to = m.rational_near(at + m.within(0.1, 1));
@@ -405,8 +404,8 @@ integral_case by_exponential(maker& m) {
     case 1: {  // |x - c|^e
       const term c = m.one_in(2) ? m.irrational() : m.near(m.within(0.3, 3));
       const term e = diverges ? term(m.any_of({"-sqrt(2)", "-pi/3", "-1", "-1-1e-9", "-e/2"}))
-                              : term(m.any_of({"-1/sqrt(2)", "-1+1e-9", "-log(2)", "pi/5", "sqrt(2)",
-                                               "-0.999", "-pi/4"}));
+                              : term(m.any_of({"-1/sqrt(2)", "-1+1e-9", "-log(2)", "pi/5",
+                                               "sqrt(2)", "-0.999", "-pi/4"}));
       const bool is_lower = m.one_in(2);
       const term w = is_lower ? x - c : c - x;
       const term length = m.near(m.scattered(0.01, 3));

@@ -77,9 +77,8 @@ TEST(ExponentialSubstitution, HasTheValuesOfRandomFormulas) {
   support::random_source random(37);
   long compared = 0;
   long undefined = 0;
-  static constexpr std::array ends{"0",     "1",      "sqrt(2)", "pi", "-pi/2",
-                                   "-1/3",  "inf",    "inf",     "e",  "log(5)",
-                                   "2*pi/3"};
+  static constexpr std::array ends{"0",   "1",   "sqrt(2)", "pi",     "-pi/2", "-1/3",
+                                   "inf", "inf", "e",       "log(5)", "2*pi/3"};
   for (support::repeat trial(4000); trial.again();) {
     const std::string end = random.choose(ends);
     const int side = random.one_in(2) ? 1 : -1;
@@ -96,7 +95,7 @@ TEST(ExponentialSubstitution, HasTheValuesOfRandomFormulas) {
     const ball s(rational(random.between(1, 40), random.between(1, 7)), bits);
     const ball step = exp(is_infinite ? s : -s);
     const ball x = is_infinite ? ball(step * side) : ball(e.value(bits) + step * side);
-    const ball expected = (*f)(x) * step;
+    const ball expected = (*f)(x)*step;
     // A ball of some width may be undefined where the number is not.
     const mpfr_float number = (*f)(midpoint(x));
     const bool is_undefined = !expected.is_bounded() && mpfr_nan_p(number.backend().data()) != 0;
@@ -111,8 +110,8 @@ TEST(ExponentialSubstitution, HasTheValuesOfRandomFormulas) {
           << text << " at " << end << ", side " << side << ": " << g->to_text();
       ++compared;
     } else if (is_undefined) {
-      EXPECT_FALSE(found.is_bounded()) << text << " at " << end << ", side " << side << ": "
-                                       << g->to_text();
+      EXPECT_FALSE(found.is_bounded())
+          << text << " at " << end << ", side " << side << ": " << g->to_text();
       ++undefined;
     }
   }

@@ -419,8 +419,7 @@ TEST(RationalValuesAt, AreThoseOfTheOperations) {
   EXPECT_EQ(at("cos(x)-cos(1)", "1"), (values{{}, rational(0)}));
   EXPECT_EQ(at("cos(x)-cos(1)", "1/2"), (values{{}, {}}));
   EXPECT_EQ(at("exp(x)-5", "log(5)"), (values{rational(5), rational(0)}));
-  EXPECT_EQ(at("sin(x)+sin(2*x)", "pi/6"),
-            (values{rational(1, 2), {}, {}, {}}));
+  EXPECT_EQ(at("sin(x)+sin(2*x)", "pi/6"), (values{rational(1, 2), {}, {}, {}}));
   EXPECT_EQ(at("x", "1"), values{});
   // A step, an angle with a cut, and what is made of them, have values that are not their limits.
   EXPECT_EQ(at("floor(x)", "1"), (values{{}}));
@@ -432,14 +431,16 @@ TEST(RationalValuesAt, AreThoseOfTheOperations) {
   EXPECT_EQ(at("1/(x-pi)", "pi"), (values{rational(0), {}}));
   EXPECT_EQ(at("log(x-pi)", "pi"), (values{rational(0), {}}));
   EXPECT_THROW(at("x", "1+x"), std::exception);
-  EXPECT_THROW((void)expression("x*y", {.variables = {"x", "y"}, .definitions = {}}).rational_values_at(expression("1")),
+  EXPECT_THROW((void)expression("x*y", {.variables = {"x", "y"}, .definitions = {}})
+                   .rational_values_at(expression("1")),
                std::invalid_argument);
 }
 
 TEST(DivisorZeros, AreCandidates) {
   const auto of = [](const std::string& f) {
     std::vector<std::string> texts;
-    for (const expression& x : expression(f, {.variables = {"x"}, .definitions = {}}).divisor_zeros()) {
+    for (const expression& x :
+         expression(f, {.variables = {"x"}, .definitions = {}}).divisor_zeros()) {
       texts.push_back(x.to_text());
     }
     return texts;

@@ -135,10 +135,14 @@ TEST(Tails, OfFunctionsNearZeroAreBounded) {
     expect_bound(beyond_two([&](const auto& x) { return f(c * exp(-x)); }),
                  integral_of(c, odd(all, false)), little, name);
   };
-  convex("tan(w)", [](const auto& w) { return tan(w); }, of_tan);
-  convex("asin(w)", [](const auto& w) { return asin(w); }, of_asin);
-  convex("sinh(w)", [](const auto& w) { return sinh(w); }, of_sinh);
-  convex("atanh(w)", [](const auto& w) { return atanh(w); }, of_atanh);
+  convex(
+      "tan(w)", [](const auto& w) { return tan(w); }, of_tan);
+  convex(
+      "asin(w)", [](const auto& w) { return asin(w); }, of_asin);
+  convex(
+      "sinh(w)", [](const auto& w) { return sinh(w); }, of_sinh);
+  convex(
+      "atanh(w)", [](const auto& w) { return atanh(w); }, of_atanh);
   const auto concave = [&](const char* name, const auto& f, const std::vector<rational>& all) {
     std::vector<rational> rest = all;
     rest[0] = 0;
@@ -149,10 +153,14 @@ TEST(Tails, OfFunctionsNearZeroAreBounded) {
     });
     EXPECT_TRUE(missing.magnitude_lower() <= bound) << name << ' ' << missing;
   };
-  concave("w - sin(w)", [](const auto& w) { return sin(w); }, of_sinh);
-  concave("w - atan(w)", [](const auto& w) { return atan(w); }, of_atanh);
-  concave("w - tanh(w)", [](const auto& w) { return tanh(w); }, of_tan);
-  concave("w - asinh(w)", [](const auto& w) { return asinh(w); }, of_asin);
+  concave(
+      "w - sin(w)", [](const auto& w) { return sin(w); }, of_sinh);
+  concave(
+      "w - atan(w)", [](const auto& w) { return atan(w); }, of_atanh);
+  concave(
+      "w - tanh(w)", [](const auto& w) { return tanh(w); }, of_tan);
+  concave(
+      "w - asinh(w)", [](const auto& w) { return asinh(w); }, of_asin);
   // erf(w) = (2/sqrt(pi)) (w - w^3/3 + w^5/10 - w^7/42 + w^9/216 - ...), between 1.0409 w and 1.1284 w.
   const std::vector<rational> of_erf{1, {1, 3}, {1, 10}, {1, 42}, {1, 216}};
   const ball factor = 2 / sqrt(pi(p));

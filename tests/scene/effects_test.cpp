@@ -225,8 +225,8 @@ TEST(Effects, RegimesWithoutAPeriod) {
   EXPECT_EQ(word(on, "regime"), "separatrix");
   EXPECT_NE(on.find("flips"), nullptr);
   // The body turned about its axes has its own rates.
-  EXPECT_TRUE(
-      overlaps(number(report("omega = [0, 0, -5]"), "mean_precession", "middle_axis"), ball(5, 64)));
+  EXPECT_TRUE(overlaps(number(report("omega = [0, 0, -5]"), "mean_precession", "middle_axis"),
+                       ball(5, 64)));
   EXPECT_TRUE(
       overlaps(number(report("omega = [5, 0, 0]"), "mean_precession", "least_axis"), ball(5, 64)));
   EXPECT_TRUE(
@@ -238,8 +238,9 @@ TEST(Effects, RegimesWithoutAPeriod) {
 // rod spun about its length; and the two regimes against each other, where the axes change places.
 TEST(Effects, MeanRatesOfTheAxes) {
   const auto rates = [](const std::string& moments, const std::string& omega) {
-    const scene_report r = report_of("[body]\nmoments = " + moments + "\n[state]\nomega = " + omega + "\n",
-                                     {"mean_precession", "period"});
+    const scene_report r =
+        report_of("[body]\nmoments = " + moments + "\n[state]\nomega = " + omega + "\n",
+                  {"mean_precession", "period"});
     EXPECT_EQ(r.verdict, status::certified);
     return r;
   };

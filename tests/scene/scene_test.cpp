@@ -186,7 +186,8 @@ TEST(SceneBody, Imports) {
   // Frames that are not turned, and some that are turned by what is left of an angle of 0.
   const auto posed = [](const std::string& pose) {
     return "<sdf><model><link name='l'><inertial>" + pose +
-           "<inertia><ixx>3</ixx><iyy>2</iyy><izz>1</izz></inertia></inertial></link></model></sdf>";
+           "<inertia><ixx>3</ixx><iyy>2</iyy><izz>1</izz></inertia></inertial></link></model></"
+           "sdf>";
   };
   const auto remarks_with = [&](const std::string& name, const std::string& text) {
     write(name, text);
@@ -212,7 +213,8 @@ TEST(SceneBody, Imports) {
         frame + "1 2 3 0 0 0</pose>", frame + "0 0 0 0 0 0 0</pose>",
         std::string("<pose>1 2 3 0 1e-11 0</pose>")}) {
     write("j.sdf", posed(turned));
-    refused("file = \"j.sdf\"", {"line 1", turned.find("3 0 0 0</") != std::string::npos ? "4 numbers" : "turned"});
+    refused("file = \"j.sdf\"",
+            {"line 1", turned.find("3 0 0 0</") != std::string::npos ? "4 numbers" : "turned"});
   }
   write("g.urdf", std::string(100'000, '<') + "a");
   refused("file = \"g.urdf\"", {"no XML"});

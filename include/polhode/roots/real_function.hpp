@@ -118,7 +118,8 @@ requires(!std::same_as<std::remove_cvref_t<F>, real_function>) real_function::re
       for_all_ = std::make_shared<const function_evaluator>(at_(64));
     }
     over_ = [f](const region& x) {
-      return value_as<region>(evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x), x);
+      return value_as<region>(evaluator_of<region>(f, std::max<precision>(x.precision(), 64))(x),
+                              x);
     };
     structure_ = [f](const function_structure& x) {
       return value_as<function_structure>(

@@ -137,7 +137,8 @@ std::vector<listed_root> listed(const std::vector<root_region>& regions, const m
 
 struct answer {
   root_set roots;
-  std::optional<double> ended_after;  // seconds, where the time limit ended the search or the digits
+  std::optional<double>
+      ended_after;  // seconds, where the time limit ended the search or the digits
   std::vector<listed_root> list;
 
   [[nodiscard]] bool is_certified() const {

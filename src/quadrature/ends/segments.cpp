@@ -341,8 +341,8 @@ bool can_cut_at(const integrand& f, const end_point& q) {
     if (look_at_end(f, end_of_range::finite(q, sum_of(q, end_point(side), 1))).how !=
         manner::unknown)
       continue;
-    const tail_series near = f.near_infinity(
-        tail_series::argument(exactly(q), known_number(rational(side)), 0x1p-8));
+    const tail_series near =
+        f.near_infinity(tail_series::argument(exactly(q), known_number(rational(side)), 0x1p-8));
     if (near.is_blocked() || near.integral_before(ball(1L << 20, 64)).is_infinite()) return false;
   }
   return true;

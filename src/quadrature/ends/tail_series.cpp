@@ -276,11 +276,11 @@ tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
 // For |v| <= 1/2 and an odd f that is convex or concave for v > 0, f(v)/v lies between its values at 0 and 1/2:
 // sin(1/2) = 0.4794..., tan 0.5463..., asin 0.5235..., atan 0.4636..., sinh 0.5210..., tanh 0.4621..., asinh 0.4812...,
 // atanh 0.5493..., and with 2/sqrt(pi) = 1.1283..., erf(1/2) = 0.5204....
-#define POLHODE_ODD(f, low, high)                                                                \
-  tail_series f(const tail_series& x) {                                                          \
-    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) {                   \
-      return v.regular(#f, [](const auto& h) { return f(h); });                                  \
-    });                                                                                          \
+#define POLHODE_ODD(f, low, high)                                              \
+  tail_series f(const tail_series& x) {                                        \
+    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) { \
+      return v.regular(#f, [](const auto& h) { return f(h); });                \
+    });                                                                        \
   }
 POLHODE_ODD(tan, 1.0, 1.0927)
 POLHODE_ODD(asin, 1.0, 1.0472)
@@ -288,11 +288,11 @@ POLHODE_ODD(asinh, 0.9624, 1.0)
 POLHODE_ODD(atanh, 1.0, 1.0987)
 #undef POLHODE_ODD
 // And where only their range is known, that.
-#define POLHODE_ODD_BOUNDED(f, low, high, range)                                  \
-  tail_series f(const tail_series& x) {                                           \
-    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) {    \
-      return v.bounded([](const auto& h) { return f(h); }, range);                \
-    });                                                                           \
+#define POLHODE_ODD_BOUNDED(f, low, high, range)                               \
+  tail_series f(const tail_series& x) {                                        \
+    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) { \
+      return v.bounded([](const auto& h) { return f(h); }, range);             \
+    });                                                                        \
   }
 POLHODE_ODD_BOUNDED(sin, 0.9588, 1.0, double_interval(-1.0, 1.0))
 POLHODE_ODD_BOUNDED(atan, 0.9272, 1.0, (v.beyond([](const ball& y) { return atan(y); }, 1.6)))

@@ -22,9 +22,8 @@ void add_cut(std::vector<end_point>& cuts, const integrand& f, const end_point& 
   };
   if (!is_inside(x, a, b) || !std::all_of(cuts.begin(), cuts.end(), is_apart) || !can_cut_at(f, x))
     return;
-  const auto place = std::find_if(cuts.begin(), cuts.end(), [&](const end_point& c) {
-    return certainly_less(at, c.at(p));
-  });
+  const auto place = std::find_if(cuts.begin(), cuts.end(),
+                                  [&](const end_point& c) { return certainly_less(at, c.at(p)); });
   cuts.insert(place, x);
 }
 
