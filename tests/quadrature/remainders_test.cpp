@@ -83,7 +83,8 @@ TEST(Remainders, OfBreaksThatCannotBeToldApartHoldThePulse) {
 
 /// f is at least `least` on what is left out at the end 0.
 void expect_growth_to_hold(const std::string& f, const rational& least) {
-  const detail::integrand g = integrand_of(parse(f));
+  detail::integrand g = integrand_of(parse(f));
+  g.in_exponential = nullptr;  // which would be preferred
   const detail::ends::end_plan plan = detail::ends::look_at_end(
       g, detail::ends::end_of_range::finite(end_point(0), end_point(rational(1, 2))));
   ASSERT_TRUE(plan.has_growth_only) << f;

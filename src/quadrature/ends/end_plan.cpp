@@ -157,7 +157,7 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
   end_plan best = plan_from_series_of(f.near_end, end);
   if (best.how == manner::unknown && !end.infinite && f.near_known_end) {
     if (const series_function known = f.near_known_end(end.at)) {
-      const end_plan plan = plan_from_series_of(known, end);
+      end_plan plan = plan_from_series_of(known, end);
       if (plan.how != manner::unknown) return plan;
     }
   }

@@ -233,8 +233,9 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       add_segment(result, power_segment(f, end, plan), end, end.end, end.start, direction);
       return;
     case manner::exponential:
-      // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very many bits only.
-      if (plan.exponent < rational(-63, 64) &&
+      // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very many bits only. And where
+      // only the growth is known, the formula in s has its powers worked out, and larger panels.
+      if ((plan.has_growth_only || plan.exponent < rational(-63, 64)) &&
           add_in_exponential(result, f, end, direction, place, bits)) {
         return;
       }
