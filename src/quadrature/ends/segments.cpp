@@ -221,6 +221,19 @@ void add_exponential_part(preparation& result, const integrand& f, const end_of_
   add_segment(result, segment_beyond(r0, f, end, plan), end, at_0, end.start, direction);
 }
 
+/// Whether f has a tail in x with an exponential.
+bool decays_exponentially(const integrand& f, const end_of_range& end) {
+  for (const double r : {0x1p-8, 0x1p-20, 0x1p-40}) {
+    const tail_series tail = f.near_infinity(
+        end.infinite ? tail_series::argument(exactly(end.distance), r)
+                     : tail_series::argument(exactly(end.at), exactly(end.distance), r));
+    const ball y = ball::exactly(2 / r, 64);
+    const magnitude rest = end.infinite ? tail.integral_beyond(y) : tail.integral_before(y);
+    if (!rest.is_infinite()) return true;
+  }
+  return false;
+}
+
 /// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away from the end
 /// as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
@@ -234,8 +247,10 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       return;
     case manner::exponential:
       // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very many bits only. And where
-      // only the growth is known, the formula in s has its powers worked out, and larger panels.
-      if ((plan.has_growth_only || plan.exponent < rational(-63, 64)) &&
+      // only the growth is known, as of x^x, the formula in s has its powers worked out, and larger panels; but what decays as
+      // exp(-x^2) does has narrow peaks in s.
+      if ((plan.exponent < rational(-63, 64) ||
+           (plan.has_growth_only && !decays_exponentially(f, end))) &&
           add_in_exponential(result, f, end, direction, place, bits)) {
         return;
       }
