@@ -114,8 +114,9 @@ void require_tiled(const std::vector<part_done>& parts, const end_point& a, cons
   }
 }
 
+/// prefers_exponential: the change of the variable to an exponential may come before what would do as well.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
-              long bits);
+              long bits, bool prefers_exponential = true);
 
 /// A function that oscillates ever faster towards a finite end, or without an end up to infinity.
 bool add_oscillating_part(preparation& result, const integrand& f, const end_of_range& end,
@@ -161,6 +162,12 @@ bool add_in_exponential(preparation& result, const integrand& f, const end_of_ra
   const ball distance = end.distance.at(64);
   if (!certainly_positive(distance) && !certainly_negative(distance)) return false;
   const int side = certainly_positive(distance) ? 1 : -1;
+  if (f.growth) {
+    // The oscillations of a power of the distance would be followed as far as the exponential takes them.
+    const growth_bound seen = f.growth(growth_bound::argument(
+        exactly(end.at), exactly(end.distance), end.infinite ? -1 : 1, 0x1p-8));
+    if (seen.oscillates()) return false;
+  }
   const std::optional<integrand> g = f.in_exponential(end.end, side);
   if (!g) return false;
   // e^-s0 below the distance, or e^s0 above the start.
@@ -171,7 +178,8 @@ bool add_in_exponential(preparation& result, const integrand& f, const end_of_ra
   const long s0 = std::max(1L, static_cast<long>(std::floor(least)) + 2);
   const end_point start(s0);
   preparation near;
-  add_part(near, *g, end_of_range::infinity(1, start), 1, bits);
+  // A second change only where nothing else will do: its range would be far greater.
+  add_part(near, *g, end_of_range::infinity(1, start), 1, bits, false);
   if (near.why == reason::not_integrable) {
     result.why = near.why;
     result.obstacle = "the integrand grows too fast at " + place;
@@ -237,7 +245,7 @@ bool decays_exponentially(const integrand& f, const end_of_range& end) {
 /// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away from the end
 /// as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
-              long bits) {
+              long bits, bool prefers_exponential) {
   const end_plan plan = look_at_end(f, end);
   const std::string place =
       end.infinite ? std::string("infinity") : "x = " + to_decimal(end.at.at(96), 20);
@@ -249,7 +257,8 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very many bits only. And where
       // only the growth is known, as of x^x, the formula in s has its powers worked out, and larger panels; but what decays as
       // exp(-x^2) does has narrow peaks in s.
-      if ((plan.exponent < rational(-63, 64) ||
+      if (prefers_exponential &&
+          (plan.exponent < rational(-63, 64) ||
            (plan.has_growth_only && !decays_exponentially(f, end))) &&
           add_in_exponential(result, f, end, direction, place, bits)) {
         return;
