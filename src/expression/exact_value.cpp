@@ -359,7 +359,9 @@ std::vector<std::optional<rational>> rational_values_at(const graph& f, const gr
     if (used[i] == 0 || varies[i] == 0 || f[i].what == operation::variable) continue;
     operations.push_back(i);
     const std::vector<node_id> operands = operands_at(f, i);
-    continuous[i] = static_cast<char>(is_continuous(f[i].what) &&
+    // x^y is not continuous where both tend to 0.
+    const bool is_free_power = f[i].what == operation::power && varies[f[i].right] != 0;
+    continuous[i] = static_cast<char>(is_continuous(f[i].what) && !is_free_power &&
                                       std::all_of(operands.begin(), operands.end(),
                                                   [&](node_id k) { return continuous[k] != 0; }));
     if (continuous[i] != 0) wanted.push_back(both.place_of(i));

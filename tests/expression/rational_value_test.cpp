@@ -427,6 +427,7 @@ TEST(RationalValuesAt, AreThoseOfTheOperations) {
   EXPECT_EQ(at("sin(pi*floor(x))", "1"), (values{{}, {}, {}}));
   EXPECT_EQ(at("atan2(x-1, -1)", "1"), (values{rational(0), {}}));
   EXPECT_EQ(at("x*floor(2) - 2", "1"), (values{rational(2), rational(0)}));
+  EXPECT_EQ(at("x*x^x", "0"), (values{{}, {}}));  // x^y near (0, 0)
   // Where an operation is not defined, or its value is not rational, nothing is said.
   EXPECT_EQ(at("1/(x-pi)", "pi"), (values{rational(0), {}}));
   EXPECT_EQ(at("log(x-pi)", "pi"), (values{rational(0), {}}));

@@ -8,6 +8,7 @@
 
 #include "polhode/formulas/integrand.hpp"
 #include "polhode/formulas/parse.hpp"
+#include "quadrature/ends/end_plan.hpp"
 
 namespace polhode {
 namespace turning_points_test {
@@ -51,6 +52,23 @@ TEST(TurningPoints, HaveTheKnownValues) {
     const integral i = of(k.f, k.from, k.to);
     EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
     EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
+  }
+}
+
+// sqrt(x) c is c t^(1/2): with x = tau^2 the integrand is 2 c tau^2, and with a cube root 3 c tau^3.
+TEST(TurningPoints, ARootOfASeriesHasItsBounds) {
+  const auto plan_of = [](const char* f) {
+    return detail::ends::look_at_end(
+        integrand_of(parse(f)), detail::ends::end_of_range::finite(end_point(0), end_point(1)));
+  };
+  for (const long d : {2L, 3L}) {
+    const detail::ends::end_plan plan = plan_of(d == 2 ? "5*sqrt(x)" : "5*x^(1/3)");
+    EXPECT_EQ(plan.how, detail::ends::manner::power);
+    EXPECT_EQ(plan.q, d);
+    EXPECT_EQ(plan.exponent, d);
+    ASSERT_EQ(plan.bounds.size(), 1U);
+    EXPECT_GE(plan.bounds[0], magnitude::from_integer_down(static_cast<std::uint64_t>(5 * d)));
+    EXPECT_LE(pow(double_interval(plan.r), d).upper(), 0.5);
   }
 }
 
