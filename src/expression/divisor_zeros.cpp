@@ -1,5 +1,5 @@
-// Where divisors of a formula, and what stands under its roots and logarithms, vanish: found by inverting
-// one operation after the other.
+// Where divisors of a formula, and what stands under its roots and logarithms, vanish: found by
+// inverting one operation after the other.
 
 #include <algorithm>
 #include <memory>

@@ -289,51 +289,8 @@ std::vector<std::optional<rational>> rational_values(const graph& g, const progr
   return result;
 }
 
-/// f's graph with a formula without variables in the place of its variable.
-class substituted {
- public:
-  substituted(const graph& f, const graph& x) : result_(f.further()) {
-    const std::vector<node_id> of_x = copied(x, nullptr);
-    const node_id place = of_x[x.root];
-    places_ = copied(f, &place);
-    result_.root = places_[f.root];
-  }
-  [[nodiscard]] const graph& result() const { return result_; }
-  /// Where a node of f is in it.
-  [[nodiscard]] node_id place_of(node_id of_f) const { return places_[of_f]; }
-
- private:
-  /// The places of g's nodes; of its variable, the one given. Nothing is simplified: each node stays one.
-  std::vector<node_id> copied(const graph& g, const node_id* variable) {
-    const std::vector<char> used = reachable(g);
-    std::vector<node_id> places(g.size(), 0);
-    for (node_id i = 0; i <= g.root; ++i) {
-      if (used[i] == 0) continue;
-      const node& n = g[i];
-      if (n.what == operation::number) {
-        places[i] = result_.number(g.number_at(n.number));
-      } else if (n.what == operation::variable) {
-        if (variable == nullptr) throw std::invalid_argument("a number with a variable in it");
-        places[i] = *variable;
-      } else if (n.what == operation::further) {
-        further_call call = g.call_at(i);
-        for (node_id& operand : call.operands) operand = places[operand];
-        places[i] = result_.call(call);
-      } else {
-        const int operands = operands_of(n.what);
-        places[i] = result_.make(n.what, operands > 0 ? places[n.left] : 0,
-                                 operands > 1 ? places[n.right] : 0, n.number);
-      }
-    }
-    return places;
-  }
-
-  graph result_;
-  std::vector<node_id> places_;
-};
-
-/// Whether the rules' value of the operation is the limit at every point of what the operation is nearby, as one of its
-/// operands.
+/// Whether the operation is a continuous function of its operands wherever the rules give it a
+/// value.
 bool is_continuous(operation what) {
   switch (what) {
     case operation::floor:
@@ -349,7 +306,10 @@ bool is_continuous(operation what) {
 }  // namespace
 
 std::vector<std::optional<rational>> rational_values_at(const graph& f, const graph& x) {
-  const substituted both(f, x);
+  graph both(f.further());
+  const node_id number = copied_into(both, x, std::nullopt)[x.root];
+  const std::vector<node_id> places = copied_into(both, f, number);
+  both.root = places[f.root];
   const std::vector<char> used = reachable(f);
   const std::vector<char> varies = varying(f);
   std::vector<char> continuous(f.size(), 1);
@@ -364,14 +324,14 @@ std::vector<std::optional<rational>> rational_values_at(const graph& f, const gr
     continuous[i] = static_cast<char>(is_continuous(f[i].what) && !is_free_power &&
                                       std::all_of(operands.begin(), operands.end(),
                                                   [&](node_id k) { return continuous[k] != 0; }));
-    if (continuous[i] != 0) wanted.push_back(both.place_of(i));
+    if (continuous[i] != 0) wanted.push_back(places[i]);
   }
   const std::vector<std::optional<rational>> values =
-      rational_values(both.result(), compile(both.result(), 0), wanted);
+      rational_values(both, compile(both, 0), wanted);
   std::vector<std::optional<rational>> result;
   result.reserve(operations.size());
   for (const node_id i : operations) {
-    result.push_back(continuous[i] != 0 ? values[both.place_of(i)] : std::nullopt);
+    result.push_back(continuous[i] != 0 ? values[places[i]] : std::nullopt);
   }
   return result;
 }

@@ -16,8 +16,8 @@ namespace polhode::detail {
 /// they do not, in a time that is bounded but for one evaluation with exact_field::bits.
 [[nodiscard]] std::optional<rational> rational_value(const graph& g, const program& f);
 
-/// The values of f's operations of its variable, in the order in which compile() has them, at the number that x is
-/// (expression::rational_values_at).
+/// The values of f's operations of its variable, in the order in which compile() has them, at the
+/// number that x is (expression::rational_values_at).
 [[nodiscard]] std::vector<std::optional<rational>> rational_values_at(const graph& f,
                                                                       const graph& x);
 

@@ -1,10 +1,11 @@
 // A formula in s in place of x = e + sigma exp(-s), or x = sigma exp(s), with the factor |dx/ds|.
 //
-// Every operation of f is written as exp(kappa s + v) rest, kappa a constant, so that powers, roots and
-// logarithms of it take the exponent out: what decays or grows as a power of the distance, or of x,
-// becomes an exponential of s. Each step is an identity of real numbers wherever the operation of f is
-// defined:
-//   exp(a) p * exp(b) q = exp(a + b) p q,  (exp(a) p)^y = exp(a y) p^y for p > 0 (whole y: for all p),
+// Every operation of f is written as exp(kappa s + v) rest, kappa a constant, so that powers, roots
+// and logarithms of it take the exponent out: what decays or grows as a power of the distance, or
+// of x, becomes an exponential of s. Each step is an identity of real numbers wherever the
+// operation of f is defined:
+//   exp(a) p * exp(b) q = exp(a + b) p q,
+//   (exp(a) p)^y = exp(a y) p^y for p > 0, and for all p where y is a whole number,
 //   (exp(a) p)^(1/n) = exp(a/n) p^(1/n),  log(exp(a) p) = a + log p,  |exp(a) p| = exp(a) |p|,
 //   alpha + beta exp(w) = beta exp(w) where the exact rules show that alpha = 0,
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
@@ -286,24 +287,7 @@ class substitution {
     if (number.further() != nullptr && number.further() != g_.further()) {
       throw detail::undefined_operation("functions of another list");  // which g_ would not keep
     }
-    const std::vector<char> used = detail::reachable(number);
-    std::vector<node_id> places(number.size(), 0);
-    for (node_id i = 0; i <= number.root; ++i) {
-      if (used[i] == 0) continue;
-      const node n = number[i];
-      if (n.what == operation::number) {
-        places[i] = g_.number(number.number_at(n.number));
-      } else if (n.what == operation::further) {
-        detail::further_call call = number.call_at(i);
-        for (node_id& x : call.operands) x = places[x];
-        places[i] = g_.call(call);
-      } else {
-        const int operands = detail::operands_of(n.what);
-        places[i] = g_.make(n.what, operands > 0 ? places[n.left] : 0,
-                            operands > 1 ? places[n.right] : 0, n.number);
-      }
-    }
-    return places[number.root];
+    return detail::copied_into(g_, number, std::nullopt)[number.root];
   }
 
   const detail::graph& f_;

@@ -412,6 +412,30 @@ tape assemble(const graph& g, const std::vector<node_id>& code, const std::vecto
 
 }  // namespace
 
+std::vector<node_id> copied_into(graph& to, const graph& from, std::optional<node_id> variable) {
+  const std::vector<char> used = reachable(from);
+  std::vector<node_id> places(from.size(), 0);
+  for (node_id i = 0; i <= from.root; ++i) {
+    if (used[i] == 0) continue;
+    const node& n = from[i];
+    if (n.what == operation::number) {
+      places[i] = to.number(from.number_at(n.number));
+    } else if (n.what == operation::variable) {
+      if (!variable) throw std::invalid_argument("a number with a variable in it");
+      places[i] = *variable;
+    } else if (n.what == operation::further) {
+      further_call call = from.call_at(i);
+      for (node_id& operand : call.operands) operand = places[operand];
+      places[i] = to.call(call);
+    } else {
+      const int operands = operands_of(n.what);
+      places[i] = to.make(n.what, operands > 0 ? places[n.left] : 0,
+                          operands > 1 ? places[n.right] : 0, n.number);
+    }
+  }
+  return places;
+}
+
 program compile(const graph& g, std::size_t variables) {
   program result;
   result.further = g.further();

@@ -124,6 +124,12 @@ node_id double_factorial(graph& g, node_id x);
 /// Those of them that depend on a variable.
 [[nodiscard]] std::vector<char> varying(const graph& g);
 
+/// Copies what the root of `from` is made of into `to`, as it stands, with a node of `to` in the
+/// place of its variable. Returns where each node of `from` is in `to`. Throws
+/// std::invalid_argument where there is a variable, and nothing in its place.
+[[nodiscard]] std::vector<node_id> copied_into(graph& to, const graph& from,
+                                               std::optional<node_id> variable);
+
 /// The graph's root in instructions.
 [[nodiscard]] program compile(const graph& g, std::size_t variables);
 [[nodiscard]] std::string to_text(const graph& g, const std::vector<std::string>& variables);

@@ -107,21 +107,22 @@ effect_result montgomery_phase_effect(const effect_context& x) {
   return result;
 }
 
-/// The mean rates at which the three axes turn about the angular momentum J, and the wobble, which is
-/// that of the axis around which J goes.
+/// The mean rates at which the three axes turn about the angular momentum J, and the wobble, which
+/// is that of the axis around which J goes.
 ///
-/// Over one period T of J in the body the body turns about J by the phase P, and the azimuth of each of
-/// its axes about J advances by P and a whole number of turns. phi is the azimuth of the least axis z,
-/// up to a constant: P = phi(T) - phi(0) without a turn more. The difference of the azimuths of two axes
-/// is a function of J's place in the body, continuous where J lies on neither of the two lines. Along
-/// J's closed path around one of these lines and not the other it changes by one turn, along a path
-/// around neither by none. J goes around x (the greatest axis) where the motion is oscillating, and
-/// around z where it is rotating; so the axis that J goes around and the two others differ by a turn a
-/// period, and the two others agree. Its sign is the same for all bodies and motions of a regime, by
-/// continuity. Near the steady rotation about x of a body with I_y = I_z, x turns at the rate |J|/I_y
-/// and the body at |J|/I_x, with 2 pi/T = |J|/I_y - |J|/I_x: the azimuth of x advances by P + 2 pi. Near
-/// that about z with I_x = I_y, z turns at |J|/I_y and the body at |J|/I_z > |J|/I_y, with
-/// 2 pi/T = |J|/I_z - |J|/I_y: the azimuths of x and y advance by P + 2 pi.
+/// Over one period T of J in the body the body turns about J by the phase P, and the azimuth of
+/// each of its axes about J advances by P and a whole number of turns. phi is the azimuth of the
+/// least axis z, up to a constant: P = phi(T) - phi(0) without a turn more. The difference of the
+/// azimuths of two axes is a function of J's place in the body, continuous where J lies on neither
+/// of the two lines. Along J's closed path around one of these lines and not the other it changes
+/// by one turn, along a path around neither by none. J goes around x (the greatest axis) where the
+/// motion is oscillating, and around z where it is rotating; so the axis that J goes around and the
+/// two others differ by a turn a period, and the two others agree. Its sign is the same for all
+/// bodies and motions of a regime, by continuity. Near the steady rotation about x of a body with
+/// I_y = I_z, x turns at the rate |J|/I_y and the body at |J|/I_x, with 2 pi/T = |J|/I_y - |J|/I_x:
+/// the azimuth of x advances by P + 2 pi. Near that about z with I_x = I_y, z turns at |J|/I_y and
+/// the body at |J|/I_z > |J|/I_y, with 2 pi/T = |J|/I_z - |J|/I_y: the azimuths of x and y advance
+/// by P + 2 pi.
 effect_result mean_precession(const effect_context& x) {
   effect_result result;
   const regime motion = x.regime();
@@ -149,8 +150,9 @@ effect_result mean_precession(const effect_context& x) {
                              "the body");
     return result;
   }
-  // The body turns about the axis along J, at I_y/I_x = 1 - b, 1 or I_y/I_z = 1 + a in |J|/I_y. On the
-  // separatrix the motion stays, but for a finite time, by the intermediate axis, where the rate is 1.
+  // The body turns about the axis along J, at I_y/I_x = 1 - b, 1 or I_y/I_z = 1 + a in |J|/I_y. On
+  // the separatrix the motion stays, but for a finite time, by the intermediate axis, where the
+  // rate is 1.
   const std::size_t along = motion == regime::equilibrium_x   ? 0
                             : motion == regime::equilibrium_z ? 2
                                                               : 1;

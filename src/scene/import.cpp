@@ -55,9 +55,9 @@ class reader : public pugi::xml_tree_walker {
       refuse(node, error.what());
     }
   }
-  /// The entries are about the axes of a frame of their own: only where these are the link's are they taken, or
-  /// where they are turned by no more than `least_turn`, which is remembered. Its place, the centre of mass, is
-  /// of no matter. Returns whether the frame is turned at all.
+  /// The entries are about the axes of a frame of their own: only where these are the link's are
+  /// they taken, or where they are turned by no more than `least_turn`, which is remembered. Its
+  /// place, the centre of mass, is of no matter. Returns whether the frame is turned at all.
   bool refuse_turned_frame(const pugi::xml_node& node) const {
     bool is_turned = false;
     const auto numbers = [&](const pugi::xml_node& at, const std::string& text) {
@@ -75,7 +75,8 @@ class reader : public pugi::xml_tree_walker {
         is_turned = true;
       }
     };
-    // A quaternion from numbers[from] on, with the real part at `real`: the angle is at most 2 |v|/|w|.
+    // A quaternion from numbers[from] on, with the real part at `real`: the angle is at most 2
+    // |v|/|w|.
     const auto check_quaternion = [&](const pugi::xml_node& at, const std::vector<rational>& all,
                                       std::size_t from, std::size_t real) {
       constexpr std::size_t places = 4;

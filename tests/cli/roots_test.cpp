@@ -146,7 +146,8 @@ TEST(Roots, CsvHasALineForEveryRoot) {
 }
 
 TEST(Roots, CertifiesOnlyWhatHasTheDigitsAskedFor) {
-  // Roots that cannot be told from 0 have the digits of the interval's size; without such a size they have none.
+  // Roots that cannot be told from 0 have the digits of the interval's size; without such a size
+  // they have none.
   for (const char* formula : {"log(1+x)-1e-30000", "x-sin(pi/7)+sin(pi/7)"}) {
     const outcome small = roots(formula, "-1/2..1", {"--digits", "20"});
     EXPECT_EQ(small.status, 0) << small.out;

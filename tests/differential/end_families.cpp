@@ -299,7 +299,8 @@ integral_case extreme_sizes(maker& m) {
   return {f, a, scale * m.near(m.within(1.1, 4)), few_digits(m)};
 }
 
-/// An increasing function, analytic with a slope above 0 for 0 < x < 3, and a number there, as it may be written.
+/// An increasing function, analytic with a slope above 0 for 0 < x < 3, and a number there, as it
+/// may be written.
 struct turning_point {
   term g;
   term g_at_c;  // g at c, written in the same way or another
@@ -337,8 +338,8 @@ turning_point turning_point_of(maker& m) {
   return {g, substituted(g, "x", c), c};
 }
 
-/// What stands under a root or a logarithm vanishes at an end that is no rational number as a rule; a divergent twin in one
-/// case of four. Where g' is a factor the integral is known.
+/// What stands under a root or a logarithm vanishes at an end that is no rational number as a rule;
+/// a divergent twin in one case of four. Where g' is a factor the integral is known.
 integral_case turning_end(maker& m) {
   const auto [g, g_at_c, c] = turning_point_of(m);
   const double end = approximately(c);
@@ -361,7 +362,8 @@ integral_case turning_end(maker& m) {
   return r;
 }
 
-/// 0/0 by constants that cancel, at an end or between the limits; a divergent twin in one case of four.
+/// 0/0 by constants that cancel, at an end or between the limits; a divergent twin in one case of
+/// four.
 integral_case removable(maker& m) {
   const auto [g, g_at_c, c] = turning_point_of(m);
   const double at = approximately(c);
@@ -380,8 +382,9 @@ integral_case removable(maker& m) {
   return r;
 }
 
-/// Powers of logarithms, powers of the distance from any end with any exponent, exponentials of powers and of powers of
-/// logarithms: what is known by a change of the variable to an exponential. A divergent twin in one case of four.
+/// Powers of logarithms, powers of the distance from any end with any exponent, exponentials of
+/// powers and of powers of logarithms: what is known by a change of the variable to an exponential.
+/// A divergent twin in one case of four.
 integral_case by_exponential(maker& m) {
   const bool diverges = m.one_in(4);
   const term a = m.near(m.within(1.5, 4));

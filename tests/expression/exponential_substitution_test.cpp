@@ -1,5 +1,5 @@
-// A formula in s in place of x = e + sigma exp(-s), or sigma exp(s): known texts, and random formulas against
-// their values at x.
+// A formula in s in place of x = e + sigma exp(-s), or sigma exp(s): known texts, and random
+// formulas against their values at x.
 
 #include <array>
 #include <string>
@@ -105,7 +105,8 @@ TEST(ExponentialSubstitution, HasTheValuesOfRandomFormulas) {
     }
     const ball found = (*g)(s);
     if (expected.is_bounded()) {
-      // What the formula decides by an enclosure alone, the substitution may leave open at a step, and only there.
+      // What the formula decides by an enclosure alone, the substitution may leave open at a step,
+      // and only there.
       EXPECT_TRUE(overlaps(found, expected) || found.is_undefined())
           << text << " at " << end << ", side " << side << ": " << g->to_text();
       ++compared;

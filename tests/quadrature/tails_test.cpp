@@ -161,7 +161,8 @@ TEST(Tails, OfFunctionsNearZeroAreBounded) {
       "w - tanh(w)", [](const auto& w) { return tanh(w); }, of_tan);
   concave(
       "w - asinh(w)", [](const auto& w) { return asinh(w); }, of_asin);
-  // erf(w) = (2/sqrt(pi)) (w - w^3/3 + w^5/10 - w^7/42 + w^9/216 - ...), between 1.0409 w and 1.1284 w.
+  // erf(w) = (2/sqrt(pi)) (w - w^3/3 + w^5/10 - w^7/42 + w^9/216 - ...), between 1.0409 w and
+  // 1.1284 w.
   const std::vector<rational> of_erf{1, {1, 3}, {1, 10}, {1, 42}, {1, 216}};
   const ball factor = 2 / sqrt(pi(p));
   const ball of_w = c * exp(ball(-2, p));

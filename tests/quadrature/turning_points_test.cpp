@@ -55,7 +55,8 @@ TEST(TurningPoints, HaveTheKnownValues) {
   }
 }
 
-// sqrt(x) c is c t^(1/2): with x = tau^2 the integrand is 2 c tau^2, and with a cube root 3 c tau^3.
+// sqrt(x) c is c t^(1/2): with x = tau^2 the integrand is 2 c tau^2, and with a cube root 3 c
+// tau^3.
 TEST(TurningPoints, ARootOfASeriesHasItsBounds) {
   const auto plan_of = [](const char* f) {
     return detail::ends::look_at_end(
@@ -72,7 +73,8 @@ TEST(TurningPoints, ARootOfASeriesHasItsBounds) {
   }
 }
 
-// What no series in powers of the distance, or of 1/x, describes: by a change of the variable to an exponential.
+// What no series in powers of the distance, or of 1/x, describes: by a change of the variable to an
+// exponential.
 TEST(ByAnExponential, HaveTheKnownValues) {
   const std::vector<known> all{
       {"(1-x)^(-1/sqrt(2))", "0", "1", "1/(1-1/sqrt(2))"},

@@ -49,9 +49,9 @@ TYPED_TEST(RealNumbers, BoundsOfABallHoldIt) {
   }
 }
 
-// In exact rationals: lower_as(x) <= x <= upper_as(x) for random balls x, with and without width, whose
-// exponents go far beyond the type's own range; and where they lie within it, each bound is within two
-// units in the last place of the ball's.
+// In exact rationals: lower_as(x) <= x <= upper_as(x) for random balls x, with and without width,
+// whose exponents go far beyond the type's own range; and where they lie within it, each bound is
+// within two units in the last place of the ball's.
 TYPED_TEST(RealNumbers, BoundsHoldForExponentsUpToAMillion) {
   using Real = TypeParam;
   using limits = std::numeric_limits<Real>;

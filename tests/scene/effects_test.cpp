@@ -233,9 +233,10 @@ TEST(Effects, RegimesWithoutAPeriod) {
       overlaps(number(report("omega = [0, 5, 0]"), "mean_precession", "least_axis"), ball(5, 64)));
 }
 
-// Feynman's plate: a disc thrown flat wobbles at twice the rate of its spin. Rates of the axes about J
-// against those of a symmetric top, to the first order of what the body differs from it: a disc, and a
-// rod spun about its length; and the two regimes against each other, where the axes change places.
+// Feynman's plate: a disc thrown flat wobbles at twice the rate of its spin. Rates of the axes
+// about J against those of a symmetric top, to the first order of what the body differs from it: a
+// disc, and a rod spun about its length; and the two regimes against each other, where the axes
+// change places.
 TEST(Effects, MeanRatesOfTheAxes) {
   const auto rates = [](const std::string& moments, const std::string& omega) {
     const scene_report r =

@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// How a number was given, for a room above that can read it: a formula, say, of which more can be decided
-/// than of enclosures.
+/// How a number was given, for a room above that can read it: a formula, say, of which more can be
+/// decided than of enclosures.
 class number_definition {
  public:
   number_definition() = default;

@@ -30,9 +30,9 @@ concept of_one_signature = requires {
   &F::operator();
 };
 
-/// Refuses, when it is compiled, what is no generic function of one number. Returns whether f can be
-/// called with an Argument; where the body of a generic function does not compile, the compiler has
-/// said so. Base is what Argument stands for, where it also converts to machine numbers.
+/// Refuses, when it is compiled, what is no generic function of one number. Returns whether f can
+/// be called with an Argument; where the body of a generic function does not compile, the compiler
+/// has said so. Base is what Argument stands for, where it also converts to machine numbers.
 template <class F, class Argument, class Base = Argument>
 constexpr bool expect_generic() {
   if constexpr (requires(const F& f) { f.template evaluator<Argument>(precision{64}); }) {

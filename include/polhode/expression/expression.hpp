@@ -144,8 +144,8 @@ class compiled_expression {
       throw std::invalid_argument("an expression needs a value for each variable");
     return evaluate(values, values.front());
   }
-  /// The value at x of a formula of one variable, where each(i, y) may put what it knows of the value y of the i-th operation of
-  /// the variable (expression::rational_values_at) in y's place.
+  /// The value at x of a formula of one variable, where each(i, y) may put what it knows of the
+  /// value y of the i-th operation of the variable (expression::rational_values_at) in y's place.
   template <class Each>
   [[nodiscard]] T with_each(const T& x, const Each& each) const {
     return evaluate({&x, 1}, x, each);
@@ -210,20 +210,23 @@ class expression {
   /// ("cos(pi/3)", "log(8)/log(2)", "sqrt(3 + 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is
   /// left open, never denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
-  /// The values of the operations of the variable, in the order in which with_each (below) has them, at the number that the
-  /// formula x without variables is; where the rules of rational_value() show that one is a rational number, and the
-  /// operation is continuous there, as a function of the variable, wherever it is defined. Of an operation that is made of
-  /// floor, ceil, atan2 or a function beyond the table none is said. Throws std::invalid_argument unless the formula has one
-  /// variable and x none.
+  /// The values of the operations of the variable, at the number that the formula x is, in the
+  /// order of compiled_expression::with_each. A value is there where the rules of rational_value()
+  /// show that it is rational, and where it is the limit of the operation at that number. An
+  /// operation that is made of floor, ceil, atan2, a power with the variable in its exponent or a
+  /// function beyond the table has none. Throws std::invalid_argument unless the formula has one
+  /// variable and x has none.
   [[nodiscard]] std::vector<std::optional<rational>> rational_values_at(const expression& x) const;
-  /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or what stands under a root or
-  /// a logarithm, may be 0: candidates, found by inverting one operation after the other ("cos(x) - cos(1)": 1 and -1), at
-  /// most 32. There may be others, and a candidate may be undefined.
+  /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or
+  /// what stands under a root or a logarithm, may be 0: candidates, found by inverting one
+  /// operation after the other ("cos(x) - cos(1)": 1 and -1), at most 32. There may be others, and
+  /// a candidate may be undefined.
   [[nodiscard]] std::vector<expression> divisor_zeros() const;
-  /// f(x) |dx/ds| as a formula in s, for a formula f of one variable: with x = e + side e^-s for a finite end, a formula e without
-  /// variables, and with x = side e^s where `end` is nullptr; side is 1 or -1. Powers, roots and logarithms of what grows or
-  /// vanishes as an exponential are worked out ("1/(x*log(x)^2)" is "1/s^2"). Wherever f(x) is defined for a real s, the formula has
-  /// the same value. None where the formula is long, or has no value anywhere.
+  /// f(x) |dx/ds| as a formula in s, for a formula f of one variable: with x = e + side e^-s for a
+  /// finite end, a formula e without variables, and with x = side e^s where `end` is nullptr; side
+  /// is 1 or -1. Powers, roots and logarithms of what grows or vanishes as an exponential are
+  /// worked out ("1/(x*log(x)^2)" is "1/s^2"). Wherever f(x) is defined for a real s, the formula
+  /// has the same value. None where the formula is long, or has no value anywhere.
   [[nodiscard]] std::optional<expression> in_exponential(const expression* end, int side) const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
   /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, 65,536

@@ -11,8 +11,8 @@ namespace polhode {
 /// input_error where it has a variable.
 [[nodiscard]] end_point end_point_of(const expression& f);
 
-/// A formula without variables of the number that x is: of q + r pi, or the one that end_point_of was given. None for
-/// an infinity, and for a number of which enclosures alone are known.
+/// A formula without variables of the number that x is: of q + r pi, or the one that end_point_of
+/// was given. None for an infinity, and for a number of which enclosures alone are known.
 [[nodiscard]] std::optional<expression> formula_of(const end_point& x);
 
 }  // namespace polhode

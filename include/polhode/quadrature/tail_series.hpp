@@ -65,8 +65,9 @@ class tail_series {
   friend tail_series pow(const tail_series& x, const tail_series& y);
   friend tail_series exp(const tail_series& x);
   friend tail_series log(const tail_series& x);
-  /// Of what decays, like x itself, as sin, tan, asin, atan, sinh, tanh, asinh, atanh and erf: (e^v - 1)/v and log(1 + v)/v increase and decrease from 0.78... to
-  /// 1.29... and from 1.38... to 0.81... over -1/2 <= v <= 1/2.
+  /// Of what decays, x times a number in a range: (e^v - 1)/v increases from 0.78... to 1.29... and
+  /// log(1 + v)/v decreases from 1.38... to 0.81... over -1/2 <= v <= 1/2. The functions sin, tan,
+  /// asin, atan, sinh, tanh, asinh, atanh and erf do the same, each with its own range.
   friend tail_series expm1(const tail_series& x);
   friend tail_series log1p(const tail_series& x);
   /// |erf| <= 1, with the sign of x.

@@ -173,9 +173,10 @@ class rotor {
   /// What was computed at once, for all times: elliptic integrals, those of repetitions with more digits included. Times so far that
   /// the digits do not suffice have their own, which are not counted.
   [[nodiscard]] const work_count& work() const;
-  /// The mean of dphi/dt: that phase over the period; |J|/I where it is steady, |J|/I_y on the separatrix.
-  /// It is the mean rate about J of the least axis. Where the motion is rotating, that is the wobble; where it
-  /// is oscillating, J goes around the greatest axis, whose mean rate is this and 2 pi/period() more.
+  /// The mean of dphi/dt: that phase over the period; |J|/I where it is steady, |J|/I_y on the
+  /// separatrix. It is the mean rate about J of the least axis. Where the motion is rotating, that
+  /// is the wobble; where it is oscillating, J goes around the greatest axis, whose mean rate is
+  /// this and 2 pi/period() more.
   [[nodiscard]] T mean_precession() const;
 
  private:

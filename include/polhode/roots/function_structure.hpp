@@ -26,7 +26,8 @@ class function_structure {
  public:
   using exact_series = jet<known_number, dynamic_order>;
 
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
 
   /// g^power, with g and g' over the box, and g at the point in it.

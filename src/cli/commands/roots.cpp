@@ -86,7 +86,8 @@ struct listed_root {
   ball enclosure;
   std::optional<rational> exact;
   bool has_digits = false;  // as many as were asked for, or all there are
-  /// It cannot be told from 0, and is known to the digits of the interval's size: it has no digits of its own.
+  /// It cannot be told from 0, and is known to the digits of the interval's size: it has no digits
+  /// of its own.
   bool is_small = false;
 
   /// Of a number with so many digits, or of two ends that show as many.
@@ -95,8 +96,8 @@ struct listed_root {
   }
 };
 
-/// The size that stands for a root's own where the root may be 0: the greatest number of the interval, at
-/// most 1.
+/// The size that stands for a root's own where the root may be 0: the greatest number of the
+/// interval, at most 1.
 magnitude size_of(const given_range& range) {
   const auto of = [](const end_point& x) {
     const ball at = x.at(64);
@@ -153,8 +154,8 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   line.show("looking for roots");
   isolate_options options;
   options.threads = threads;
-  // The search ends in time, with what it found; the digits of what it found may take as much time again for
-  // each root; roots for which it does not suffice are shown as the search found them.
+  // The search ends in time, with what it found; the digits of what it found may take as much time
+  // again for each root; roots for which it does not suffice are shown as the search found them.
   const auto end =
       std::chrono::steady_clock::now() + std::chrono::duration<double>(time_limit.limit());
   bool ended_early = false;

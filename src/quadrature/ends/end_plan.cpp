@@ -108,9 +108,9 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
   return std::nullopt;
 }
 
-/// The plan for x = p + s tau^(q d) from one for x = p + s t^q without logarithms, where d (M + 1) is
-/// a whole number. With t = tau^d, F_qd(tau) = d tau^(d-1) F_q(tau^d) = d tau^(d (M+1) - 1) G(tau^d):
-/// the bound of |G| holds for |tau| < r^(1/d), where |t| < r and G is analytic.
+/// The plan for x = p + s tau^(q d) from one for x = p + s t^q without logarithms, where d (M + 1)
+/// is a whole number. With t = tau^d, F_qd(tau) = d tau^(d-1) F_q(tau^d) = d tau^(d (M+1) - 1)
+/// G(tau^d): the bound of |G| holds for |tau| < r^(1/d), where |t| < r and G is analytic.
 end_plan with_root(end_plan plan, long d) {
   const double whole = plan.r;
   plan.r = std::pow(whole, 1.0 / static_cast<double>(d));

@@ -114,7 +114,8 @@ void require_tiled(const std::vector<part_done>& parts, const end_point& a, cons
   }
 }
 
-/// prefers_exponential: the change of the variable to an exponential may come before what would do as well.
+/// prefers_exponential: the change of the variable to an exponential may come before what would do
+/// as well.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
               long bits, bool prefers_exponential = true);
 
@@ -154,8 +155,9 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
   return true;
 }
 
-/// With x = p + sigma e^-s, at infinity x = sigma e^s, in which the end is at s = infinity: over s >= s0 the integral of f is that of
-/// g(s) = f(x) |dx/ds|. dx/ds has one sign, so that both converge or neither does.
+/// With x = p + sigma e^-s, at infinity x = sigma e^s, in which the end is at s = infinity: over s
+/// >= s0 the integral of f is that of g(s) = f(x) |dx/ds|. dx/ds has one sign, so that both
+/// converge or neither does.
 bool add_in_exponential(preparation& result, const integrand& f, const end_of_range& end,
                         int direction, const std::string& place, long bits) {
   if (!f.in_exponential) return false;
@@ -163,7 +165,8 @@ bool add_in_exponential(preparation& result, const integrand& f, const end_of_ra
   if (!certainly_positive(distance) && !certainly_negative(distance)) return false;
   const int side = certainly_positive(distance) ? 1 : -1;
   if (f.growth) {
-    // The oscillations of a power of the distance would be followed as far as the exponential takes them.
+    // The oscillations of a power of the distance would be followed as far as the exponential takes
+    // them.
     const growth_bound seen = f.growth(growth_bound::argument(
         exactly(end.at), exactly(end.distance), end.infinite ? -1 : 1, 0x1p-8));
     if (seen.oscillates()) return false;
@@ -254,9 +257,10 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       add_segment(result, power_segment(f, end, plan), end, end.end, end.start, direction);
       return;
     case manner::exponential:
-      // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very many bits only. And where
-      // only the growth is known, as of x^x, the formula in s has its powers worked out, and larger panels; but what decays as
-      // exp(-x^2) does has narrow peaks in s.
+      // A decay as e^(-c s) with a small c reaches so far that x itself tells points apart by very
+      // many bits only. And where only the growth is known, as of x^x, the formula in s has its
+      // powers worked out, and larger panels; but what decays as exp(-x^2) does has narrow peaks in
+      // s.
       if (prefers_exponential &&
           (plan.exponent < rational(-63, 64) ||
            (plan.has_growth_only && !decays_exponentially(f, end))) &&

@@ -254,8 +254,8 @@ bool tail_series::is_small() const {
   return size.magnitude() <= 0.5;
 }
 
-/// The range of an odd, increasing f with |f| <= limit over this series: where it is plain and |h| >= m > 0 of one sign, f is at
-/// least f(m) in size.
+/// The range of an odd, increasing f with |f| <= limit over this series: where it is plain and |h|
+/// >= m > 0 of one sign, f is at least f(m) in size.
 template <class F>
 double_interval tail_series::beyond(F&& f, double limit) const {
   const int sign = is_plain() ? h_.sign() : 0;
@@ -273,9 +273,10 @@ template <class F>
 tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
   return is_small() ? with(phi_, h_, u_ * range) : f(*this);
 }
-// For |v| <= 1/2 and an odd f that is convex or concave for v > 0, f(v)/v lies between its values at 0 and 1/2:
-// sin(1/2) = 0.4794..., tan 0.5463..., asin 0.5235..., atan 0.4636..., sinh 0.5210..., tanh 0.4621..., asinh 0.4812...,
-// atanh 0.5493..., and with 2/sqrt(pi) = 1.1283..., erf(1/2) = 0.5204....
+// For |v| <= 1/2 and an odd f that is convex or concave for v > 0, f(v)/v lies between its values
+// at 0 and 1/2: sin(1/2) = 0.4794..., tan 0.5463..., asin 0.5235..., atan 0.4636..., sinh
+// 0.5210..., tanh 0.4621..., asinh 0.4812..., atanh 0.5493..., and with 2/sqrt(pi) = 1.1283...,
+// erf(1/2) = 0.5204....
 #define POLHODE_ODD(f, low, high)                                              \
   tail_series f(const tail_series& x) {                                        \
     return x.nearly_itself(double_interval((low), (high)), [](const auto& v) { \

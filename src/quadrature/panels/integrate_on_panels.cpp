@@ -12,7 +12,8 @@ namespace polhode::detail {
 
 namespace {
 
-/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is understood on both of its sides.
+/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is
+/// understood on both of its sides.
 void add_cut(std::vector<end_point>& cuts, const integrand& f, const end_point& x,
              const end_point& a, const end_point& b) {
   constexpr precision p = 192;
