@@ -72,58 +72,22 @@ ball root_along_a_path(long digits) {
   throw std::logic_error("our integral along a path is not certified: " + i.obstacle);
 }
 
-/// f(x, c), where c are constants: of the precision of the evaluation, made once for it.
+/// f(x, c), where c are constants.
 template <class Formula, std::size_t n>
 class with_constants {
  public:
-  with_constants(Formula f, std::array<rational, n> c) : f_(f), exact_(c) {
-    for (std::size_t i = 0; i < n; ++i) hardware_[i] = region(double_interval(exact_[i]));
-  }
-  [[nodiscard]] region operator()(const region& x) const {
-    return x.is_in_hardware() ? f_(x, hardware_) : f_(x, exact_);
-  }
+  with_constants(Formula f, std::array<rational, n> c) : f_(f), exact_(c) {}
   template <class T>
   [[nodiscard]] T operator()(const T& x) const {
     return f_(x, exact_);
-  }
-  template <class T>
-  [[nodiscard]] auto evaluator(precision p) const {
-    std::array<T, n> c;
-    for (std::size_t i = 0; i < n; ++i) c[i] = T(exact_[i], p);
-    return [f = f_, c](const T& x) -> T { return f(x, c); };
   }
 
  private:
   Formula f_;
   std::array<rational, n> exact_;
-  std::array<region, n> hardware_;
 };
 
-/// sech, in the form that does not overflow; where the sign of Re w is not known, 1/cosh. 1 + e^(-2w) keeps away
-/// from 0 over wide regions with Re w > 0, which cosh w does not.
-class sech_function {
- public:
-  [[nodiscard]] region operator()(const region& w) const {
-    const double_interval re = w.re();
-    if (re.lower() >= 0) return from_exponential(exp(-w));
-    if (re.upper() <= 0) return from_exponential(exp(w));
-    return 1 / cosh(w);
-  }
-  [[nodiscard]] ball operator()(const ball& w) const {
-    return from_exponential(exp(certainly_positive(w) ? -w : w));
-  }
-  template <class T>
-  [[nodiscard]] T operator()(const T& w) const {
-    return 1 / cosh(w);
-  }
-
- private:
-  template <class T>
-  static T from_exponential(const T& e) {
-    return 2 * e / (1 + e * e);
-  }
-};
-constexpr sech_function sech_of;
+constexpr auto sech_of = [](const auto& w) { return 1 / cosh(w); };
 
 #ifdef POLHODE_HAVE_ARB
 

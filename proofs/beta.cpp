@@ -90,7 +90,7 @@ class inverse_root_integrand {
 
 /// The sign of (integral - 2 pi) at x, by certified quadrature to a radius of 2^-bits.
 struct sign_by_quadrature {
-  sign value = sign::unknown;
+  certain_sign value = certain_sign::unknown;
   periodic_integral integral;
 };
 sign_by_quadrature sign_at(const rational& x, long bits) {
@@ -126,7 +126,8 @@ void add_quadrature_route(certificate& c, const ball& root, long digits) {
        "(x + cos^2 t)^(-1/2) exceeds pi at the first " +
            std::to_string(digits) +
            " digits of beta and is below pi one unit of the last place higher",
-       below.value == sign::positive && above.value == sign::negative, step_kind::enclosed});
+       below.value == certain_sign::positive && above.value == certain_sign::negative,
+       step_kind::enclosed});
   const auto side = [](const rational& x, const sign_by_quadrature& s) {
     json one{{"x", to_text(x)}};
     add_periodic_plan(one, s.integral.plan);

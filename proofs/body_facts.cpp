@@ -13,15 +13,15 @@ namespace {
 constexpr std::array<precision, 4> precisions{128, 512, 2048, 8192};
 
 /// Of f(s) - target: proved, or unknown.
-sign side_of(const std::function<ball(const rational& s, precision p)>& f,
-             const std::function<ball(precision p)>& target, const rational& s) {
+certain_sign side_of(const std::function<ball(const rational& s, precision p)>& f,
+                     const std::function<ball(precision p)>& target, const rational& s) {
   for (const precision p : precisions) {
     const ball value = f(s, p);
     const ball wanted = target(p);
-    if (certainly_less(wanted, value)) return sign::positive;
-    if (certainly_less(value, wanted)) return sign::negative;
+    if (certainly_less(wanted, value)) return certain_sign::positive;
+    if (certainly_less(value, wanted)) return certain_sign::negative;
   }
-  return sign::unknown;
+  return certain_sign::unknown;
 }
 
 rational power_of_half(long k) {
@@ -143,8 +143,9 @@ std::optional<root_bracket> bracket_root(
   std::optional<rational> upper;
   for (long k = 1; k <= most_halvings && !(lower && upper); k *= 2) {
     const rational step = power_of_half(k);
-    if (!lower && side_of(f, target, step) == sign::positive) lower = step;
-    if (!upper && side_of(f, target, 1 - step) == sign::negative) upper = rational(1 - step);
+    if (!lower && side_of(f, target, step) == certain_sign::positive) lower = step;
+    if (!upper && side_of(f, target, 1 - step) == certain_sign::negative)
+      upper = rational(1 - step);
   }
   if (!lower || !upper) return std::nullopt;
   root_bracket result{*lower, *upper};
@@ -152,9 +153,9 @@ std::optional<root_bracket> bracket_root(
   while (result.upper - result.lower > tolerance * result.lower ||
          result.upper - result.lower > tolerance * (1 - result.upper)) {
     const rational middle = between(result.lower, result.upper);
-    const sign side = side_of(f, target, middle);
-    if (side == sign::unknown) break;
-    (side == sign::positive ? result.lower : result.upper) = middle;
+    const certain_sign side = side_of(f, target, middle);
+    if (side == certain_sign::unknown) break;
+    (side == certain_sign::positive ? result.lower : result.upper) = middle;
   }
   return result;
 }

@@ -34,11 +34,11 @@ namespace polhode::proofs {
 namespace {
 
 /// Of epsilon(c) - level, from precisions that grow until it is decided.
-sign side_of(const body& rigid, const rational& c, const ball& level) {
-  sign result = sign::unknown;
+certain_sign side_of(const body& rigid, const rational& c, const ball& level) {
+  certain_sign result = certain_sign::unknown;
   (void)is_decided([&](precision p) {
     result = sign_of(twist_defect(rigid, c, p) - level);
-    return result == sign::negative || result == sign::positive;
+    return result == certain_sign::negative || result == certain_sign::positive;
   });
   return result;
 }
@@ -149,9 +149,9 @@ root_bracket refined(const body& rigid, root_bracket bracket, const ball& level,
   for (int i = 0; i < steps; ++i) {
     const rational middle((bracket.lower + bracket.upper) / 2);
     const rational c(-rigid.b() * middle);
-    const sign side = side_of(rigid, c, level);
-    if (side != sign::negative && side != sign::positive) break;
-    ((side == sign::negative) == below_at_lower ? bracket.lower : bracket.upper) = middle;
+    const certain_sign side = side_of(rigid, c, level);
+    if (side != certain_sign::negative && side != certain_sign::positive) break;
+    ((side == certain_sign::negative) == below_at_lower ? bracket.lower : bracket.upper) = middle;
   }
   return bracket;
 }
@@ -192,7 +192,7 @@ std::optional<witnesses> find_witnesses(const body& rigid) {
   const ball level = scale(half_pi + at_top, -1).middle();
   const auto right = place_near_end(level);
   if (!right || *right <= top || !certainly_less(half_pi, level) ||
-      side_of(rigid, rational(-rigid.b() * left), level) != sign::negative) {
+      side_of(rigid, rational(-rigid.b() * left), level) != certain_sign::negative) {
     return std::nullopt;
   }
   return witnesses{level, refined(rigid, {left, top}, level, true),
@@ -217,11 +217,11 @@ void add_witnesses(certificate& c, const body& rigid) {
            place(found->first.upper) + ", and again between " + place(found->second.lower) +
            " and " + place(found->second.upper) + ": two c with the same epsilon",
        found->first.upper <= found->second.lower &&
-           side_of(rigid, c_of(found->first.lower), found->level) == sign::negative &&
-           side_of(rigid, c_of(found->first.upper), found->level) == sign::positive &&
-           side_of(rigid, c_of(found->second.lower), found->level) == sign::positive &&
+           side_of(rigid, c_of(found->first.lower), found->level) == certain_sign::negative &&
+           side_of(rigid, c_of(found->first.upper), found->level) == certain_sign::positive &&
+           side_of(rigid, c_of(found->second.lower), found->level) == certain_sign::positive &&
            (certainly_less(most_at_end, found->level) ||
-            side_of(rigid, c_of(end), found->level) == sign::negative),
+            side_of(rigid, c_of(end), found->level) == certain_sign::negative),
        step_kind::enclosed});
   c.witness["two_c"] = json{{"epsilon", to_text(lower_rational(found->level))},
                             {"u_first", as_json(found->first)},

@@ -61,13 +61,13 @@ ball twist_defect(const body& rigid, const rational& c, precision p) {
   }
   ball psi = amplitude(rigid, c, 2 * abs(rest), most_w, p);
   switch (sign_of(rest)) {
-    case sign::positive:
+    case certain_sign::positive:
       break;
-    case sign::negative:
+    case certain_sign::negative:
       psi = -psi;
       break;
-    case sign::zero:
-    case sign::unknown:
+    case certain_sign::zero:
+    case certain_sign::unknown:
       psi = hull(-psi, psi);
       break;
   }

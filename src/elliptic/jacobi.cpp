@@ -176,7 +176,7 @@ ball inverse(const ball& x, const detail::ball_parameter& m, bool reflected, con
                                             : detail::ball_parameter(k)) -
            f(-at, k, k1);
   };
-  if (reflected && sign_of(x) == sign::unknown) return ball::undefined(p);
+  if (reflected && sign_of(x) == certain_sign::unknown) return ball::undefined(p);
   const bool exact = x.is_exact() && m.given().is_exact();
   return exact ? detail::to_accuracy(p, value) : value(p + 16).with_precision(p);
 }
@@ -267,8 +267,8 @@ ball elliptic_nome(const detail::ball_parameter& m) {
                                        ball one(1, q);
                                        if (certainly_negative(k) || certainly_negative(m1))
                                          return ball::undefined(q);
-                                       if (sign_of(k) == sign::zero) return ball(0, q);
-                                       if (sign_of(m1) == sign::zero) return one;
+                                       if (sign_of(k) == certain_sign::zero) return ball(0, q);
+                                       if (sign_of(m1) == certain_sign::zero) return one;
                                        return exp(-pi(q) * agm(one, sqrt(m1)) / agm(one, sqrt(k)));
                                      });
                                    });

@@ -250,7 +250,7 @@ std::array<ball, 2> elliptic_f_gradient(const ball& phi, const detail::ball_para
   const detail::amplitude<ball> w = detail::amplitude_of(phi, phi.precision() + 16);
   const ball ss = square(w.s);
   ball in_m = w.s * ss * carlson_rd(w.X, ball(1, phi.precision()), w.X + m.m1() * ss) / 6;
-  if (sign_of(w.turns) != sign::zero) in_m += 2 * w.turns * elliptic_k_derivative(m);
+  if (sign_of(w.turns) != certain_sign::zero) in_m += 2 * w.turns * elliptic_k_derivative(m);
   return {1 / slope_parts_of(phi, m).delta, in_m};
 }
 std::array<ball, 2> elliptic_e_gradient(const ball& phi, const detail::ball_parameter& m) {

@@ -150,7 +150,7 @@ theta_values theta(int j, const ball& z, const ball& q) {
   const precision p = std::max(z.precision(), q.precision());
   theta_values none{ball::undefined(p), ball::undefined(p)};
   if (!z.is_bounded() || !detail::not_negative(q) || !certainly_less(q, 1)) return none;
-  if (sign_of(q) == sign::zero) return {ball(j <= 2 ? 0 : 1, p), ball(0, p)};
+  if (sign_of(q) == certain_sign::zero) return {ball(j <= 2 ? 0 : 1, p), ball(0, p)};
   const bool exact = z.is_exact() && q.is_exact();
   // A set longer than the period, pi or 2 pi: [-4, 4] stands for it, whole periods away.
   if (magnitude::power_of_two(3) <= z.radius()) {

@@ -37,7 +37,7 @@ Z principal_root(const Z& z, long n) {
 
 // ---------------------------------------------------------------------------------------------
 
-bool is_real(const complex_ball& z) { return sign_of(z.im) == sign::zero; }
+bool is_real(const complex_ball& z) { return sign_of(z.im) == certain_sign::zero; }
 complex_ball real(const ball& x) { return complex_ball(x); }
 complex_ball undefined_like(const complex_ball& z) {
   return complex_ball::undefined(z.precision());

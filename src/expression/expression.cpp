@@ -82,12 +82,13 @@ expression::expression(std::string_view text, const expression_names& names)
 
 expression::expression(const symbol& formula, const expression_names& names)
     : variables_(names.variables) {
-  const auto g = std::make_shared<detail::graph>(names.further);
-  for (std::size_t i = 0; i < variables_.size(); ++i) {
-    static_cast<void>(g->variable(static_cast<long>(i)));  // the first nodes, in their order
-  }
-  g->root = detail::node_of(*g, formula, variables_.size());
-  take(g);
+  take(std::make_shared<const detail::graph>(detail::graph_of(formula, names)));
+}
+
+symbol expression::operator()(const symbol& x) const { return detail::symbol_of(*graph_, {&x, 1}); }
+
+symbol expression::evaluate(std::span<const symbol> values) const {
+  return detail::symbol_of(*graph_, values);
 }
 
 /// The graph and what is made of it.

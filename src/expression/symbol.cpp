@@ -1,10 +1,13 @@
 #include "polhode/expression/symbol.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "calls.hpp"
 #include "polhode/arithmetic/mpfr_cell.hpp"
@@ -21,6 +24,25 @@ symbol symbol::of_number(const rational& q) {
   result.node_->number = q;
   return result;
 }
+
+symbol symbol::in_ball(const ball& x) {
+  constexpr long most_exponent = 4096;  // of a number that the ball is, to be one of the formula's
+  if (x.is_exact() && x.magnitude_upper() <= magnitude::power_of_two(most_exponent) &&
+      (x.magnitude_upper().is_zero() ||
+       x.magnitude_lower() >= magnitude::power_of_two(-most_exponent))) {
+    return of_number(lower_rational(x));
+  }
+  symbol result(new_node());
+  result.node_->enclosure = x;
+  return result;
+}
+
+symbol symbol::in_complex_ball(const complex_ball& z) {
+  if (sign_of(z.im) == certain_sign::zero) return z.re;
+  return symbol(z.re) + times_i(symbol(z.im));
+}
+
+symbol symbol::imaginary_unit() { return variable(detail::symbol_node::imaginary_unit); }
 
 symbol symbol::variable(std::size_t i) {
   symbol result(new_node());
@@ -70,6 +92,9 @@ symbol_node::~symbol_node() {
 namespace {
 
 using operands = std::vector<node_id>;
+
+/// Of the functions that stand for numbers in balls.
+constexpr std::string_view name_of_enclosed = "enclosed";
 using maker = node_id (*)(graph&, const operands&);
 
 /// Operators by their names; "-" is told by its operands.
@@ -100,42 +125,157 @@ node_id made_of(graph& g, const symbol_node& s, const operands& x) {
                     std::to_string(x.size()) + " arguments");
 }
 
-node_id leaf_of(graph& g, const symbol_node& s, std::size_t variables) {
-  if (!s.name.empty()) return made_of(g, s, {});
-  if (s.variable == symbol_node::no_variable) return g.number(s.number);
-  if (s.variable >= variables) {
-    throw input_error("the function has a variable " + std::to_string(s.variable + 1) +
-                      ", and only " + std::to_string(variables) + " have names");
+node_id variable_of(graph& g, std::size_t i, const std::vector<std::string>& variables) {
+  if (i == symbol_node::imaginary_unit) {
+    const auto unit = std::find(variables.begin(), variables.end(), "i");
+    if (unit == variables.end()) {
+      throw input_error("the function has complex numbers in it, and real ones are wanted here");
+    }
+    i = static_cast<std::size_t>(unit - variables.begin());
   }
-  return g.variable(static_cast<long>(s.variable));
+  if (i >= variables.size()) {
+    throw input_error("the function has a variable " + std::to_string(i + 1) + ", and only " +
+                      std::to_string(variables.size()) + " have names");
+  }
+  return g.variable(static_cast<long>(i));
+}
+
+/// Calls each(s) for every node, operands before what is made of them, each node once.
+template <class Each>
+void for_each_node(const symbol& formula, const Each& each) {
+  std::unordered_set<const symbol_node*> done;
+  std::vector<const symbol_node*> waiting{&formula.node()};
+  while (!waiting.empty()) {
+    const symbol_node* s = waiting.back();
+    const std::size_t before = waiting.size();
+    if (!done.contains(s)) {
+      for (const symbol& operand : s->operands) {
+        if (!done.contains(&operand.node())) waiting.push_back(&operand.node());
+      }
+      if (waiting.size() > before) continue;  // operands first
+      each(*s);
+      done.insert(s);
+    }
+    waiting.pop_back();
+  }
 }
 
 }  // namespace
 
-node_id node_of(graph& g, const symbol& formula, std::size_t variables) try {
-  std::unordered_map<const symbol_node*, node_id> known;
-  std::vector<const symbol_node*> waiting{&formula.node()};
-  while (!waiting.empty()) {
-    const symbol_node* s = waiting.back();
-    if (known.contains(s)) {
-      waiting.pop_back();
-      continue;
-    }
-    operands x;
-    const std::size_t before = waiting.size();
-    for (const symbol& operand : s->operands) {
-      const auto found = known.find(&operand.node());
-      if (found == known.end()) {
-        waiting.push_back(&operand.node());
-      } else {
-        x.push_back(found->second);
+symbol symbol_of(const graph& g, std::span<const symbol> variables) {
+  const std::vector<char> used = reachable(g);
+  std::vector<symbol> made(g.size(), symbol(0));
+  const auto call = [&](std::string_view name, const std::vector<node_id>& of) {
+    std::vector<symbol> operands;
+    for (const node_id i : of) operands.push_back(made[i]);
+    return symbol::call(name, std::move(operands));
+  };
+  for (node_id i = 0; i <= g.root; ++i) {
+    if (used[i] == 0) continue;
+    const node& n = g[i];
+    switch (n.what) {
+      case operation::number:
+        made[i] = g.number_at(n.number);
+        break;
+      case operation::variable:
+        if (static_cast<std::size_t>(n.number) >= variables.size()) {
+          throw std::invalid_argument("an expression needs a value for each variable");
+        }
+        made[i] = variables[static_cast<std::size_t>(n.number)];
+        break;
+      case operation::zeta:
+        made[i] = symbol::call("zeta", {symbol(n.number)});
+        break;
+      case operation::negate:
+        made[i] = -made[n.left];
+        break;
+      case operation::power_integer:
+        made[i] = symbol::call("pow", {made[n.left], symbol(n.number)});
+        break;
+      case operation::root:
+        made[i] = symbol::call("root", {made[n.left], symbol(n.number)});
+        break;
+      case operation::add:
+        made[i] = call("+", {n.left, n.right});
+        break;
+      case operation::subtract:
+        made[i] = call("-", {n.left, n.right});
+        break;
+      case operation::multiply:
+        made[i] = call("*", {n.left, n.right});
+        break;
+      case operation::divide:
+        made[i] = call("/", {n.left, n.right});
+        break;
+      case operation::power:
+        made[i] = call("pow", {n.left, n.right});
+        break;
+      case operation::further: {
+        const further_call& of = g.call_at(i);
+        const std::string& name = of.function->what.name;
+        made[i] =
+            name == name_of_enclosed ? symbol(of.function->value({})) : call(name, of.operands);
+        break;
       }
+      default:
+        made[i] = call(name_of(n.what), operands_of(n.what) == 2   ? std::vector{n.left, n.right}
+                                        : operands_of(n.what) == 1 ? std::vector{n.left}
+                                                                   : std::vector<node_id>{});
     }
-    if (waiting.size() > before) continue;  // operands first
-    known[s] = x.empty() ? leaf_of(g, *s, variables) : made_of(g, *s, x);
-    waiting.pop_back();
   }
-  return known.at(&formula.node());
+  return made[g.root];
+}
+
+bool has_imaginary_unit(const symbol& formula) {
+  bool found = false;
+  for_each_node(formula, [&](const symbol_node& s) {
+    found = found || s.variable == symbol_node::imaginary_unit;
+  });
+  return found;
+}
+
+graph graph_of(const symbol& formula, const expression_names& names) try {
+  std::vector<const symbol_node*> enclosed;
+  for_each_node(formula, [&](const symbol_node& s) {
+    if (s.enclosure) enclosed.push_back(&s);
+  });
+  // Each enclosed number is a function of its own, of a number that it does not depend on.
+  std::shared_ptr<const further_functions> functions = names.further;
+  std::unordered_map<const symbol_node*, std::size_t> place;
+  if (!enclosed.empty()) {
+    further_functions all = functions != nullptr ? *functions : further_functions();
+    for (const symbol_node* s : enclosed) {
+      place[s] = all.size();
+      all.push_back({.what = {std::string(name_of_enclosed), "x", "a number in a ball", "all x"},
+                     .value = [x = *s->enclosure](std::span<const ball>) { return x; },
+                     .gradient =
+                         [](std::span<const ball> x) {
+                           return std::vector<ball>{ball(0, x.front().precision())};
+                         }});
+    }
+    functions = std::make_shared<const further_functions>(std::move(all));
+  }
+  graph g(functions);
+  for (std::size_t i = 0; i < names.variables.size(); ++i) {
+    static_cast<void>(g.variable(static_cast<long>(i)));  // the first nodes, in their order
+  }
+  std::unordered_map<const symbol_node*, node_id> known;
+  for_each_node(formula, [&](const symbol_node& s) {
+    operands x;
+    for (const symbol& operand : s.operands) x.push_back(known.at(&operand.node()));
+    node_id& made = known[&s];
+    if (s.enclosure) {
+      made = g.call({&g.further()->at(place.at(&s)), {g.number(0)}});
+    } else if (!s.name.empty()) {
+      made = made_of(g, s, x);
+    } else if (s.variable != symbol_node::no_variable) {
+      made = variable_of(g, s.variable, names.variables);
+    } else {
+      made = g.number(s.number);
+    }
+  });
+  g.root = known.at(&formula.node());
+  return g;
 } catch (const undefined_operation& error) {
   throw input_error(std::string("in the function, ") + error.what());
 }

@@ -8,7 +8,7 @@ root_enclosure proved_near(const expression& formula, const ball& x, const ball&
   result.root = interval;
   result.box = interval;
   if (!x.is_bounded() || !interval.is_bounded()) return result;
-  const real_function f = function_of(formula);
+  const real_function f(formula);
   const auto value = [&](const ball& at) { return f.at(at.precision())->value(at); };
   const auto slope = [&](const ball& at) { return f.at(at.precision())->derivative(at); };
   const magnitude width = interval.radius();

@@ -30,13 +30,13 @@ class sign_at {
   sign_at(const std::function<ball(const ball&, precision)>& f, precision most_precision)
       : f_(f), most_precision_(most_precision) {}
 
-  sign operator()(const ball& x) {
+  certain_sign operator()(const ball& x) {
     for (precision p = 64; p <= most_precision_; p *= 2) {
       ++evaluations;
-      const sign s = sign_of(f_(x, p));
-      if (s != sign::unknown) return s;
+      const certain_sign s = sign_of(f_(x, p));
+      if (s != certain_sign::unknown) return s;
     }
-    return sign::unknown;
+    return certain_sign::unknown;
   }
 
   int evaluations = 0;
@@ -46,9 +46,9 @@ class sign_at {
   precision most_precision_;
 };
 
-bool opposite(sign s, sign t) {
-  return (s == sign::negative && t == sign::positive) ||
-         (s == sign::positive && t == sign::negative);
+bool opposite(certain_sign s, certain_sign t) {
+  return (s == certain_sign::negative && t == certain_sign::positive) ||
+         (s == certain_sign::positive && t == certain_sign::negative);
 }
 
 }  // namespace
@@ -68,28 +68,29 @@ sign_bracket bracket_by_sign(const std::function<ball(const ball& x, precision p
   ball high(interval.is_exact() ? midpoint(interval) : upper(interval));
   low = low.with_precision(p);
   high = high.with_precision(p);
-  const sign low_sign = f_sign(low);
-  const sign high_sign = f_sign(high);
+  const certain_sign low_sign = f_sign(low);
+  const certain_sign high_sign = f_sign(high);
   result.evaluations = f_sign.evaluations;
-  if (low_sign == sign::zero || high_sign == sign::zero) {
+  if (low_sign == certain_sign::zero || high_sign == certain_sign::zero) {
     result.verdict = status::certified;
-    result.interval = low_sign == sign::zero ? low : high;
+    result.interval = low_sign == certain_sign::zero ? low : high;
     return result;
   }
   if (!opposite(low_sign, high_sign)) {
-    result.why = low_sign == sign::unknown || high_sign == sign::unknown ? reason::not_defined
-                                                                         : reason::refuted;
+    result.why = low_sign == certain_sign::unknown || high_sign == certain_sign::unknown
+                     ? reason::not_defined
+                     : reason::refuted;
     return result;
   }
   result.verdict = status::certified;
   for (long i = 0; i < bits; ++i) {
     const ball middle = hull(low, high).middle();
-    const sign s = f_sign(middle);
-    if (s == sign::zero) {
+    const certain_sign s = f_sign(middle);
+    if (s == certain_sign::zero) {
       low = high = middle;
       break;
     }
-    if (s == sign::unknown) break;
+    if (s == certain_sign::unknown) break;
     (s == low_sign ? low : high) = middle;
   }
   result.evaluations = f_sign.evaluations;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "polhode/arithmetic/generic_function.hpp"
+
 namespace polhode {
 
 real_function real_function::of(const rational_polynomial& p) {

@@ -20,11 +20,13 @@ namespace {
 std::optional<ball> half_with_root(const real_function& f, const ball& enclosure, precision p) {
   const detail::exact_interval whole{lower_rational(enclosure), upper_rational(enclosure)};
   const auto sign_at = [&](const rational& x) { return sign_of(f.at(p)->value(ball(x, p))); };
-  const auto is_certain = [](sign s) { return s == sign::negative || s == sign::positive; };
+  const auto is_certain = [](certain_sign s) {
+    return s == certain_sign::negative || s == certain_sign::positive;
+  };
   const ball middle = enclosure.middle();
-  const sign at_middle =
+  const certain_sign at_middle =
       sign_of(f.at(p)->value(middle.with_precision(std::max(p, middle.precision()))));
-  const sign at_upper = sign_at(*whole.upper);
+  const certain_sign at_upper = sign_at(*whole.upper);
   if (!is_certain(at_middle) || !is_certain(at_upper)) return std::nullopt;
   const rational cut = lower_rational(middle);
   const detail::exact_interval half = at_middle == at_upper

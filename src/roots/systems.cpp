@@ -1,9 +1,15 @@
 #include "polhode/roots/systems.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
@@ -95,7 +101,7 @@ matrix approximate_inverse(const matrix& a, precision p) {
       right[k][j] = (right[k][j] * scale_by).middle();
     }
     for (std::size_t i = 0; i < n; ++i) {
-      if (i == k || sign_of(left[i][k]) == sign::zero) continue;
+      if (i == k || sign_of(left[i][k]) == certain_sign::zero) continue;
       const ball factor = left[i][k];
       for (std::size_t j = 0; j < n; ++j) {
         left[i][j] = (left[i][j] - factor * left[k][j]).middle();
@@ -157,7 +163,66 @@ bool ends_before(const vector& x, const vector& y) {
   return false;
 }
 
+/// The components' evaluators over T, made once for each precision.
+template <class T>
+class evaluators {
+ public:
+  explicit evaluators(std::vector<expression> components) : components_(std::move(components)) {}
+  [[nodiscard]] std::vector<T> operator()(const std::vector<T>& x, precision p) {
+    const std::shared_ptr<const list> all = at(p);
+    std::vector<T> result;
+    result.reserve(all->size());
+    for (const auto& f : *all) result.push_back(f(std::span<const T>(x)));
+    return result;
+  }
+
+ private:
+  using list = std::vector<compiled_expression<T>>;
+  std::shared_ptr<const list> at(precision p) {
+    const std::scoped_lock lock(mutex_);
+    std::shared_ptr<const list>& known = by_precision_[p];
+    if (known == nullptr) {
+      list made;
+      for (const expression& f : components_) made.push_back(f.evaluator<T>(p));
+      known = std::make_shared<const list>(std::move(made));
+    }
+    return known;
+  }
+  std::vector<expression> components_;
+  std::mutex mutex_;
+  std::map<precision, std::shared_ptr<const list>> by_precision_;
+};
+
+precision precision_in(const std::vector<ball>& x) {
+  precision p = least_precision;
+  for (const ball& b : x) p = std::max(p, b.precision());
+  return p;
+}
+precision precision_in(const std::vector<jet<ball, 1>>& x) {
+  precision p = least_precision;
+  for (const jet<ball, 1>& b : x) p = std::max(p, b[0].precision());
+  return p;
+}
+
 }  // namespace
+
+real_system::real_system(const std::vector<expression>& components) {
+  for (const expression& f : components) {
+    if (f.variables().size() != components.size()) {
+      throw input_error(
+          fmt::format("the system has {} equations and {} variables; it must have as "
+                      "many of one as of the other",
+                      components.size(), f.variables().size()));
+    }
+  }
+  value_ = [at = std::make_shared<evaluators<ball>>(components)](const std::vector<ball>& x) {
+    return (*at)(x, precision_in(x));
+  };
+  using slope = jet<ball, 1>;
+  slope_ = [at = std::make_shared<evaluators<slope>>(components)](const std::vector<slope>& x) {
+    return (*at)(x, precision_in(x));
+  };
+}
 
 real_system::linearised real_system::linearise(const std::vector<ball>& x) const {
   const std::size_t n = x.size();

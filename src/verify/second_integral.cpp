@@ -13,7 +13,7 @@
 #include "base/clock.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/integrand.hpp"
+#include "polhode/quadrature/integrate.hpp"
 
 namespace polhode {
 

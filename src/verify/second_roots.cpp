@@ -92,24 +92,6 @@ std::optional<std::string> compare(const finding<proved_roots>& first,
 
 namespace {
 
-/// f(-x) as a generic function.
-class mirrored {
- public:
-  explicit mirrored(expression f) : f_(std::move(f)) {}
-
-  template <class T>
-  [[nodiscard]] auto evaluator(precision p) const {
-    return [g = f_.evaluator<T>(p)](const T& x) { return g(-x); };
-  }
-  template <class T>
-  [[nodiscard]] T operator()(const T& x) const {
-    return f_(-x);
-  }
-
- private:
-  expression f_;
-};
-
 /// A point between the ends at which f certainly has a sign, and so no root.
 std::optional<rational> cut_of(const expression& f, const end_point& lower,
                                const end_point& upper) {
@@ -155,7 +137,7 @@ void search(const real_function& g, const end_point& lower, const end_point& upp
 
 search_result search_backwards(const expression& f, const end_point& lower, const end_point& upper,
                                const std::optional<rational>& cut, long digits, int threads) {
-  const real_function g{mirrored(f)};
+  const real_function g([&f](const auto& x) { return f(-x); });
   search_result result;
   if (cut) {
     const end_point middle{rational(-*cut)};

@@ -104,10 +104,10 @@ TEST(Comparison, WithNumbers) {
     const bool positive = s.lower && *s.lower > 0;
     const bool negative = s.upper && *s.upper < 0;
     const bool zero = s.is_bounded() && *s.lower == 0 && *s.upper == 0;
-    EXPECT_EQ(sign_of(x), positive   ? sign::positive
-                          : negative ? sign::negative
-                          : zero     ? sign::zero
-                                     : sign::unknown);
+    EXPECT_EQ(sign_of(x), positive   ? certain_sign::positive
+                          : negative ? certain_sign::negative
+                          : zero     ? certain_sign::zero
+                                     : certain_sign::unknown);
     EXPECT_EQ(certainly_positive(x), positive);
     EXPECT_EQ(certainly_negative(x), negative);
     EXPECT_EQ(contains_zero(x), s.holds(0));

@@ -35,7 +35,7 @@ TEST(GenericFunctions, MayAnswerWithANumber) {
   ASSERT_EQ(series.order(), 3);
   EXPECT_TRUE(contains(series[0], third));
   EXPECT_EQ(series[0].precision(), 100);
-  for (int k = 1; k <= 3; ++k) EXPECT_EQ(sign_of(series[k]), sign::zero) << k;
+  for (int k = 1; k <= 3; ++k) EXPECT_EQ(sign_of(series[k]), certain_sign::zero) << k;
   // A ball is a coefficient as it is.
   EXPECT_TRUE(
       contains(value_as<jet<ball, 1>>(as_ball, jet<ball, 1>::variable(ball(5, 64)))[0], third));

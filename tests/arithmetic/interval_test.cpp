@@ -130,7 +130,7 @@ TEST(Interval, Numbers) {
     if (*s.lower > 0) nearest = *s.lower;
     if (*s.upper < 0) nearest = -*s.upper;
     // sign_of may not see that the set misses 0 where it does so by next to nothing.
-    if (sign_of(x) == sign::unknown) nearest = 0;
+    if (sign_of(x) == certain_sign::unknown) nearest = 0;
     EXPECT_TRUE(is_rounded(mignitude_of(x), nearest, MPFR_RNDD));
   }
   const ball u = ball::undefined(64);

@@ -358,7 +358,7 @@ TEST(Sets, UndefinedSpreadsAndAnswersPossibly) {
   EXPECT_FALSE(contains(u, half));
   EXPECT_FALSE(certainly_positive(u));
   EXPECT_FALSE(certainly_negative(u));
-  EXPECT_EQ(sign_of(u), sign::unknown);
+  EXPECT_EQ(sign_of(u), certain_sign::unknown);
 }
 
 }  // namespace sets_test

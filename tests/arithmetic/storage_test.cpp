@@ -56,7 +56,7 @@ TEST(Storage, DefaultIsExactlyZero) {
   EXPECT_EQ(x.precision(), 64);
   EXPECT_TRUE(x.is_exact());
   EXPECT_FALSE(x.is_undefined());
-  EXPECT_EQ(sign_of(x), sign::zero);
+  EXPECT_EQ(sign_of(x), certain_sign::zero);
   EXPECT_EQ(exact(x), (exact_set{rational(0), rational(0)}));
   EXPECT_TRUE(identical(x, ball(0, 64)));
 }

@@ -9,7 +9,8 @@
 
 #include "integrals.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/integrand.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode::differential {

@@ -9,7 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/integrand.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::differential {
 namespace {

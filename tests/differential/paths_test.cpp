@@ -13,8 +13,8 @@
 #include "cli/options/path_option.hpp"
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "tally.hpp"
 #include "term.hpp"
 

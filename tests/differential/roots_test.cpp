@@ -13,8 +13,8 @@
 
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/function.hpp"
-#include "polhode/formulas/integrand.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "tally.hpp"
 #include "term.hpp"
@@ -49,7 +49,7 @@ root_set roots_of(const root_case& c) {
   options.most_boxes = 3'000;
   options.most_unresolved = 100;
   options.most_precision = 1L << 11;
-  return isolate_roots(function_of(read(c.f, {"x"})), end_of(c.from), end_of(c.to), options);
+  return isolate_roots(read(c.f, {"x"}), end_of(c.from), end_of(c.to), options);
 }
 
 /// A root that a function is known to have.

@@ -195,7 +195,7 @@ std::optional<std::string> error_in(const system_case& c, const system_root_set&
     const auto count = std::count_if(roots.begin(), roots.end(),
                                      [&](const point& x) { return holds(r.enclosure, x); });
     if (count != 1) return fmt::format("a region of one root holds {}", count);
-    const refined_system_root fine = refine(c, r, 60);
+    const refined_system_root fine = refine(real_system(c, c.box.size()), r, 60);
     const auto left = std::count_if(roots.begin(), roots.end(),
                                     [&](const point& x) { return holds(fine.enclosure, x); });
     if (left != 1) return fmt::format("a region of one root, refined, holds {}", left);
@@ -354,7 +354,7 @@ TEST(systems, keep_the_root_that_was_planted) {
     maker m(seed);
     const planted_case given = any_planted(m);
     under_way(fmt::format("a system with the seed {}", seed));
-    const real_system f(given);
+    const real_system f(given, given.box.size());
     ++c.cases;
     const system_root_set s =
         solve_system(f, given.box, {.most_boxes = 1'000, .most_halvings = 30});
@@ -414,7 +414,11 @@ TEST(systems, a_wrong_answer_is_seen) {
 }
 
 TEST(systems, signs_tell_roots_from_other_points) {
-  const real_system f([](const auto& x) { return std::vector{x[0] * x[1] - 2, x[0] - x[1] - 1}; });
+  const real_system f(
+      [](const auto& x) {
+        return std::vector{x[0] * x[1] - 2, x[0] - x[1] - 1};
+      },
+      2);
   const auto near = [](const rational& x, const rational& y) {
     return std::vector<ball>{ball(x, 160), ball(y, 160)};
   };

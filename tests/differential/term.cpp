@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "polhode/formulas/elliptic_functions.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
 
 namespace polhode::differential {
 namespace {

@@ -5,8 +5,9 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
-#include "polhode/formulas/parse.hpp"
-#include "polhode/formulas/symbolic.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/formula_of.hpp"
+#include "polhode/expression/parse.hpp"
 
 namespace polhode {
 namespace symbol_test {
@@ -120,6 +121,65 @@ TEST(Symbol, SeveralVariables) {
   const expression f = formula_of(symbol::variable(0) * symbol::variable(2), {"x", "y", "z"});
   EXPECT_EQ(f.to_text(), "x*z");
   EXPECT_EQ(f.used_variables(), (std::vector<std::string>{"x", "z"}));
+}
+
+/// A ball is one number in it: what is made of it is not narrower, and two of one ball may differ.
+TEST(Symbol, BallsAreNumbersInThem) {
+  const ball wide = hull(ball(1, 64), ball(2, 64));
+  const expression f = formula_of([&](const auto& x) { return wide * x - wide; });
+  const ball value = f(ball(3, 64));
+  EXPECT_TRUE(contains(value, hull(ball(1, 64), ball(5, 64))));  // of two numbers in [1, 2]
+  EXPECT_FALSE(formula_of([&](const auto& x) { return wide * x - wide * x; }).is_formally_zero());
+  const expression once = formula_of([&](const auto& x) {
+    const auto k = 0 * x + wide;
+    return k * x - k * x;
+  });
+  EXPECT_TRUE(contains_zero(once(ball(3, 64))));
+  EXPECT_TRUE(f(jet<ball, 1>::variable(ball(3, 64)))[1].is_bounded());
+  EXPECT_TRUE(contains(f(jet<ball, 1>::variable(ball(3, 64)))[1], wide));
+  EXPECT_FALSE(f.exact_value().has_value());
+  EXPECT_TRUE(formula_of([](const auto&) { return symbol(ball::undefined(64)); })(ball(1, 64))
+                  .is_undefined());
+  // One that is one number is exact; unless it is very long.
+  EXPECT_EQ(formula_of([](const auto& x) { return x * ball(rational(3, 4), 64); }).to_text(),
+            "x*(3/4)");
+  EXPECT_TRUE(contains(
+      formula_of([](const auto& x) { return x * scale(ball(1, 64), 1L << 40); })(ball(3, 64)),
+      scale(ball(3, 64), 1L << 40)));
+}
+
+TEST(Symbol, ComplexNumbersAreInFormulasOfAComplexArgument) {
+  const complex_ball w(2, 3, 64);
+  EXPECT_EQ(complex_formula_of([&](const auto& z) { return z * w; }).to_text(), "z*(2 + i*3)");
+  EXPECT_EQ(complex_formula_of([](const auto& z) { return times_i(z) + 1; }).to_text(), "i*z + 1");
+  EXPECT_EQ(complex_formula_of([](const auto& z) { return z + complex_ball(2, 0, 64); }).to_text(),
+            "z + 2");
+  EXPECT_THROW((void)formula_of([&](const auto& x) { return x * w; }), input_error);
+  // Nor is it a parameter.
+  EXPECT_THROW(
+      (void)formula_with_parameters([&](const auto& x, const auto& p) { return x * w + p[0]; }, 1),
+      input_error);
+}
+
+/// A formula that is called with a symbol is a part of another one.
+TEST(Symbol, FormulasAreFunctionsOfSymbols) {
+  const ball wide = hull(ball(1, 64), ball(2, 64));
+  for (const char* text :
+       {"x", "3", "-x^2", "sin(x)/x + pi - e", "x^(1/3)*root(x, 5)", "max(x, 1/x)^x", "zeta(3)*x",
+        "ellipticK(x/9) - euler_gamma", "floor(x) + atan2(x, 2)", "x^(-7) - catalan"}) {
+    const expression f(text, {{"x"}, {}, elliptic_functions()});
+    EXPECT_EQ(formula_of([&](const auto& x) { return f(x); }).to_text(), f.to_text());
+    EXPECT_EQ(formula_of([&](const auto& x) { return f(x + 1); }).to_text(),
+              formula_of(f(symbol::variable(0) + 1), {"x"}).to_text());
+  }
+  const expression inner = formula_of([&](const auto& x) { return wide * x; });
+  const expression outer = formula_of([&](const auto& x) { return inner(x) + inner(x + 1); });
+  EXPECT_TRUE(contains(outer(ball(1, 64)), hull(ball(3, 64), ball(6, 64))));
+  const expression two("x*y", {{"x", "y"}, {}});
+  const std::vector<symbol> swapped{symbol::variable(1), symbol::variable(0)};
+  EXPECT_EQ(formula_of(two.evaluate(std::span<const symbol>(swapped)), {"x", "y"}).to_text(),
+            "y*x");
+  EXPECT_THROW((void)two(symbol::variable(0)), std::invalid_argument);
 }
 
 }  // namespace symbol_test

@@ -23,9 +23,11 @@ import tempfile
 FLOORS = [
     ["base"],  # what any program needs: digests, threads, near names, quotes, clocks
     ["arithmetic"],
-    ["expression"],  # formulas as text, and their evaluation
-    ["quadrature", "roots", "elliptic", "certificate"],
-    ["rigid_body", "formulas"],  # formulas: what is integrated, searched for roots and certified of a formula
+    ["elliptic"],
+    ["expression"],  # formulas as text or made by a generic function, and their evaluation
+    ["quadrature"],
+    ["roots"],
+    ["rigid_body", "certificate"],
     ["scene", "proofs", "verify", "real"],  # verify: second opinions of integrals, roots and values
     ["cost"],
     ["polhode.hpp", "cli"],  # polhode.hpp includes what a program needs most
@@ -138,7 +140,7 @@ def self_test():
         "include/polhode/polhode.hpp": '#include "polhode/roots/public.hpp"\n',
         "include/polhode/arithmetic/public.hpp": '#include <vector>\n#include "polhode/version.hpp"\n',
         "include/polhode/roots/public.hpp": '#include "polhode/arithmetic/public.hpp"\n',
-        "include/polhode/elliptic/public.hpp": "",
+        "include/polhode/rigid_body/public.hpp": "",
         "include/polhode/checker/public.hpp": "",
         "src/base/sha256.hpp": "",
         "src/base/quoted.hpp": "",
@@ -156,7 +158,7 @@ def self_test():
         ("src/arithmetic/up.cpp", '#include "polhode/roots/public.hpp"\n', "upward"),
         ("src/arithmetic/up.cpp", "#include <polhode/roots/public.hpp>\n", "upward"),
         ("src/arithmetic/up.cpp", '  #  include "../cost/own.hpp"\n', "upward"),
-        ("src/roots/aside.cpp", '#include "polhode/elliptic/public.hpp"\n', "one floor"),
+        ("src/certificate/aside.cpp", '#include "polhode/rigid_body/public.hpp"\n', "one floor"),
         ("src/roots/inside.cpp", '#include "arithmetic/own.hpp"\n', "private header of arithmetic"),
         ("src/roots/inside.cpp", '#include "../arithmetic/own.hpp"\n', "private header of arithmetic"),
         ("include/polhode/roots/not_installed.hpp", '#include "base/quoted.hpp"\n', "includes a private one"),

@@ -154,8 +154,8 @@ TEST(Beta, IsTheRootByQuadratureOfKToAThousandDigits) {
     EXPECT_EQ(q.verdict, status::certified);
     return sign_of(q.enclosure - 2 * pi(bits + 64));
   };
-  EXPECT_EQ(excess(below), sign::positive);
-  EXPECT_EQ(excess(above), sign::negative);
+  EXPECT_EQ(excess(below), certain_sign::positive);
+  EXPECT_EQ(excess(above), certain_sign::negative);
 }
 
 TEST(Beta, IsOneSimpleRootForAnyPrecision) {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "polhode/formulas/integrand.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "support/reference.hpp"
 
 namespace polhode {

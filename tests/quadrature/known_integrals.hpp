@@ -11,28 +11,24 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
 
 namespace polhode::support {
 
-/// x^e, x > 0, in every arithmetic that the integrator uses.
+/// x^e, x > 0.
 inline ball real_power(const ball& x, const rational& e) { return pow(x, ball(e, x.precision())); }
-inline region real_power(const region& x, const rational& e) {
-  return pow(x, polhode::detail::constant_region(e, x));
-}
-inline end_series real_power(const end_series& x, const rational& e) { return pow(x, e); }
-inline tail_series real_power(const tail_series& x, const rational& e) { return pow(x, e); }
-inline symmetry real_power(const symmetry& x, const rational& e) { return pow(x, e); }
-inline angle real_power(const angle& x, const rational& e) { return pow(x, e); }
-inline recorded real_power(const recorded& x, const rational& e) { return pow(x, e); }
+inline symbol real_power(const symbol& x, const rational& e) { return pow(x, e); }
 
 struct known_integral {
   std::string name;
   /// Where the value comes from: DLMF or Gradshteyn and Ryzhik (GR, 7th ed.) by number, or how it is derived.
   std::string source;
   std::function<integral(const integrate_options&)> run;
+  /// The same of the text of its formula.
+  std::function<integral(const integrate_options&)> run_text;
   std::function<ball(precision)> value;
   /// Of the integral of |f|, where the value is 0.
   std::function<ball(precision)> size;
@@ -41,11 +37,14 @@ struct known_integral {
 template <class F>
 [[nodiscard]] known_integral known(std::string name, std::string source, F f, end_point a,
                                    end_point b, std::function<ball(precision)> value) {
-  return {std::move(name), std::move(source),
-          [f, a = std::move(a), b = std::move(b)](const integrate_options& options) {
-            return integrate(f, a, b, options);
+  return {std::move(name),
+          std::move(source),
+          [f, a, b](const integrate_options& options) { return integrate(f, a, b, options); },
+          [f, a, b](const integrate_options& options) {
+            return integrate(parse(formula_of(f).to_text()), a, b, options);
           },
-          std::move(value), nullptr};
+          std::move(value),
+          nullptr};
 }
 template <class F>
 [[nodiscard]] known_integral known_zero(std::string name, std::string source, F f, end_point a,

@@ -1,7 +1,7 @@
 // The same bits on any number of threads.
 
 #include <atomic>
-#include <concepts>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -43,50 +43,39 @@ TEST(ParallelIntegral, HasTheSameBitsOnAnyNumberOfThreads) {
 }
 
 /// Counts the evaluators that were made, and sees to it that each is called by one thread.
-struct watched {
-  struct counts {
-    std::atomic<long> evaluators = 0;
-    std::atomic<long> shared = 0;
-  };
-  counts* seen;
-
-  template <class T>
-  [[nodiscard]] T operator()(const T& x) const {
-    return 1 / (2 + x);
-  }
-  template <class T>
-  [[nodiscard]] auto evaluator(precision) const {
-    ++seen->evaluators;
-    return [seen = seen, owner = std::make_shared<std::thread::id>()](const T& x) -> T {
-      if (*owner == std::thread::id()) *owner = std::this_thread::get_id();
-      if (*owner != std::this_thread::get_id()) ++seen->shared;
-      return 1 / (2 + x);
-    };
-  }
+struct counts {
+  std::atomic<long> evaluators = 0;
+  std::atomic<long> shared = 0;
 };
 
 TEST(ParallelIntegral, MakesAnEvaluatorForEachThread) {
-  watched::counts seen;
-  const integral i = integrate(
-      watched{&seen}, 0, 1, {.digits = 300, .rule = quadrature_rule::gauss_legendre, .threads = 8});
+  counts seen;
+  detail::integrand f = integrand_of(formula_of([](const auto& x) { return 1 / (2 + x); }));
+  f.evaluator = [&seen, plain = f.evaluator](precision p) -> std::function<ball(const ball&)> {
+    ++seen.evaluators;
+    return [&seen, g = plain(p), owner = std::make_shared<std::thread::id>()](const ball& x) {
+      if (*owner == std::thread::id()) *owner = std::this_thread::get_id();
+      if (*owner != std::this_thread::get_id()) ++seen.shared;
+      return g(x);
+    };
+  };
+  const integral i = detail::integrate_function(
+      f, 0, 1, {.digits = 300, .rule = quadrature_rule::gauss_legendre, .threads = 8});
   EXPECT_EQ(i.verdict, status::certified);
   EXPECT_GE(seen.evaluators, 1);
   EXPECT_EQ(seen.shared, 0);
 }
 
-struct throws_at_many_bits {
-  template <class T>
-  [[nodiscard]] T operator()(const T& x) const {
-    if constexpr (std::same_as<T, ball>) {
-      if (x.precision() > 2000) throw std::runtime_error("thrown by the integrand");
-    }
-    return log(x + 2);
-  }
-};
-
 TEST(ParallelIntegral, PassesOnWhatTheIntegrandThrows) {
+  detail::integrand f = integrand_of(formula_of([](const auto& x) { return log(x + 2); }));
+  f.evaluator = [plain = f.evaluator](precision p) -> std::function<ball(const ball&)> {
+    return [g = plain(p)](const ball& x) {
+      if (x.precision() > 2000) throw std::runtime_error("thrown by the integrand");
+      return g(x);
+    };
+  };
   for (const int threads : {1, 3}) {
-    EXPECT_THROW((void)integrate(throws_at_many_bits{}, 0, 1, {.digits = 900, .threads = threads}),
+    EXPECT_THROW((void)detail::integrate_function(f, 0, 1, {.digits = 900, .threads = threads}),
                  std::runtime_error);
   }
 }

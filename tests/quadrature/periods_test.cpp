@@ -15,7 +15,7 @@ namespace periods_test {
 template <class F>
 std::optional<detail::whole_periods> periods_of(const F& f, const end_point& a,
                                                 const end_point& b) {
-  const detail::integrand g = detail::make_integrand(f);
+  const detail::integrand g = integrand_of(formula_of(f));
   return detail::whole_periods_of(g, detail::formula(g.record), a, b);
 }
 

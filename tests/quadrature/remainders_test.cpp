@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "polhode/formulas/integrand.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/end_plan.hpp"
 #include "quadrature/ends/segments.hpp"

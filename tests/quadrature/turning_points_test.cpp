@@ -6,8 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "polhode/formulas/integrand.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/end_plan.hpp"
 
 namespace polhode {

@@ -7,10 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "polhode/formulas/function.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
 #include "polhode/real/roots.hpp"
+#include "polhode/roots/isolate.hpp"
 
 // The functions are a person's, outside the library's namespace.
 namespace roots_at_kinks_test {

@@ -33,12 +33,12 @@ body random_body(support::random_source& random) {
 
 /// The sign of x at the first precision that tells.
 template <class F>
-sign decided(const F& f) {
+certain_sign decided(const F& f) {
   for (precision p = 128; p < 10'000; p *= 2) {
-    const sign s = sign_of(f(p));
-    if (s != sign::unknown) return s;
+    const certain_sign s = sign_of(f(p));
+    if (s != certain_sign::unknown) return s;
   }
-  return sign::unknown;
+  return certain_sign::unknown;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -127,12 +127,12 @@ TEST(TwistCurve, SolvesThePapersEquationsWhereItOscillates) {
     if (low <= -c / rigid.b() || high >= 1)
       continue;  // nothing to compare with at the turning point
     // F decreases in u, so that the equation changes its sign between the ends.
-    const sign at_low =
+    const certain_sign at_low =
         decided([&](precision p) { return implicit_equation(rigid, c, n, low, beyond, p); });
-    const sign at_high =
+    const certain_sign at_high =
         decided([&](precision p) { return implicit_equation(rigid, c, n, high, beyond, p); });
-    EXPECT_NE(at_low, sign::unknown);
-    EXPECT_NE(at_high, sign::unknown);
+    EXPECT_NE(at_low, certain_sign::unknown);
+    EXPECT_NE(at_high, certain_sign::unknown);
     EXPECT_NE(at_low, at_high) << rigid.a() << " " << rigid.b() << " " << c << " n " << n;
   }
   EXPECT_GE(greatest_branch, 3);
@@ -223,8 +223,8 @@ TEST(TwistCurve, PassesItsMeetingsWithoutAJump) {
     const auto excess = [&](const rational& c) {
       return decided([&](precision p) { return m * montgomery_phase(rigid, c, p) - 4 * pi(p); });
     };
-    EXPECT_EQ(excess(low), sign::negative);
-    EXPECT_EQ(excess(high), sign::positive);
+    EXPECT_EQ(excess(low), certain_sign::negative);
+    EXPECT_EQ(excess(high), certain_sign::positive);
   }
 }
 
@@ -247,8 +247,8 @@ TEST(TennisRacket, PerfectTwistAndFullTurn) {
         return decided([&](precision p) { return m * montgomery_phase(rigid, c, p) - 4 * pi(p); });
       };
       // The phase falls with c.
-      EXPECT_EQ(excess(lower_rational(root.enclosure)), sign::positive);
-      EXPECT_EQ(excess(upper_rational(root.enclosure)), sign::negative);
+      EXPECT_EQ(excess(lower_rational(root.enclosure)), certain_sign::positive);
+      EXPECT_EQ(excess(upper_rational(root.enclosure)), certain_sign::negative);
       // epsilon is 0 there, and -pi/2.
       const ball expected = m == 1 ? ball(0, 100) : -scale(pi(200), -1);
       const ball steepest = twist_to_digits(rigid, lower_rational(root.enclosure), 10).slope;

@@ -1,7 +1,7 @@
 // The same search, and the same bits, on any number of threads.
 
 #include <atomic>
-#include <concepts>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -110,62 +110,64 @@ TEST(ParallelRoots, AreRefinedToTheSameBits) {
 }
 
 /// Counts the evaluators that were made, sees to it that each is called by one thread, and how many threads there are.
-struct watched {
-  struct counts {
-    std::atomic<long> evaluators = 0;
-    std::atomic<long> shared = 0;
-    std::atomic<long> elsewhere = 0;
-    std::thread::id caller = std::this_thread::get_id();
-  };
-  counts* seen;
-
-  template <class T>
-  [[nodiscard]] T operator()(const T& x) const {
-    return sin(square(x));
-  }
-  template <class T>
-  [[nodiscard]] auto evaluator(precision) const {
-    ++seen->evaluators;
-    return [seen = seen, owner = std::make_shared<std::thread::id>()](const T& x) -> T {
-      const auto here = std::this_thread::get_id();
-      if (*owner == std::thread::id()) *owner = here;
-      if (*owner != here) ++seen->shared;
-      if (here != seen->caller) ++seen->elsewhere;
-      return sin(square(x));
-    };
-  }
+struct counts {
+  std::atomic<long> evaluators = 0;
+  std::atomic<long> shared = 0;
+  std::atomic<long> elsewhere = 0;
+  std::thread::id caller = std::this_thread::get_id();
 };
 
+/// f with `seen` called before each value, slope and series of one evaluator.
+template <class Seen>
+real_function watched(const real_function& f, const Seen& seen) {
+  return real_function(
+      [f, seen](precision p) {
+        function_evaluator e = *f.at(p);
+        const auto look = seen();
+        e.value = [look, g = e.value](const ball& x) { return look(x), g(x); };
+        e.derivative = [look, g = e.derivative](const ball& x) { return look(x), g(x); };
+        e.slope = [look, g = e.slope](const ball& x) { return look(x), g(x); };
+        e.series = [look, g = e.series](const ball& x, int n) { return look(x), g(x, n); };
+        return e;
+      },
+      64);
+}
+
 TEST(ParallelRoots, MakesAnEvaluatorForEachThread) {
-  watched::counts seen;
-  const root_set s = isolate_roots(watched{&seen}, 1, 30, {.threads = 8});
-  EXPECT_TRUE(s.is_resolved());
+  const auto with = [](counts& seen) {
+    return watched([](const auto& x) { return sin(square(x)); },
+                   [&seen] {
+                     ++seen.evaluators;
+                     return [&seen, owner = std::make_shared<std::thread::id>()](const ball&) {
+                       const auto here = std::this_thread::get_id();
+                       if (*owner == std::thread::id()) *owner = here;
+                       if (*owner != here) ++seen.shared;
+                       if (here != seen.caller) ++seen.elsewhere;
+                     };
+                   });
+  };
+  counts seen;
+  EXPECT_TRUE(isolate_roots(with(seen), 1, 30, {.threads = 8}).is_resolved());
   EXPECT_GE(seen.evaluators, 1);
   EXPECT_EQ(seen.shared, 0);
-  watched::counts alone;
-  EXPECT_TRUE(isolate_roots(watched{&alone}, 1, 30).is_resolved());
+  counts alone;
+  EXPECT_TRUE(isolate_roots(with(alone), 1, 30).is_resolved());
   EXPECT_EQ(alone.elsewhere, 0);
 }
 
 /// More threads come by the place where it throws before its turn.
-struct throws_beyond {
-  rational end;
-  template <class T>
-  [[nodiscard]] T operator()(const T& x) const {
-    if constexpr (std::same_as<T, jet<ball, dynamic_order>>) {
-      if (!x[0].is_undefined() && certainly_less(ball(end, 64), x[0])) {
-        throw std::runtime_error("thrown by the function");
-      }
-    }
-    return sin(7 * x);
-  }
-};
-
 TEST(ParallelRoots, ThrowWhatTheFunctionThrowsInItsTurn) {
+  const real_function f = watched([](const auto& x) { return sin(7 * x); },
+                                  [] {
+                                    return [](const ball& x) {
+                                      if (!x.is_undefined() && certainly_less(ball(3, 64), x)) {
+                                        throw std::runtime_error("thrown by the function");
+                                      }
+                                    };
+                                  });
   for (const int threads : {1, 3}) {
-    EXPECT_THROW((void)isolate_roots(throws_beyond{3}, -4, 4, {.threads = threads}),
-                 std::runtime_error);
-    root_search s(throws_beyond{3}, -4, 4);
+    EXPECT_THROW((void)isolate_roots(f, -4, 4, {.threads = threads}), std::runtime_error);
+    root_search s(f, -4, 4);
     s.run({.most_boxes = 5, .threads = threads});
     const root_set before = s.result();
     EXPECT_THROW(s.run({.threads = threads}), std::runtime_error);

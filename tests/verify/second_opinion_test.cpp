@@ -11,9 +11,9 @@
 
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/formula_certificates.hpp"
-#include "polhode/formulas/function.hpp"
-#include "polhode/formulas/integrand.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/roots/isolate.hpp"
 #include "polhode/verify/second_integral.hpp"
 #include "polhode/verify/second_roots.hpp"
 #include "polhode/verify/second_value.hpp"

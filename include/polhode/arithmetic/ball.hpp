@@ -397,10 +397,14 @@ template <rational_like N>
 [[nodiscard]] bool contains_zero(const ball& x);
 
 /// The sign of every member, where they have the same.
-enum class sign : std::int8_t { negative = -1, zero = 0, positive = 1, unknown = 2 };
-[[nodiscard]] sign sign_of(const ball& x);
-[[nodiscard]] inline bool certainly_positive(const ball& x) { return sign_of(x) == sign::positive; }
-[[nodiscard]] inline bool certainly_negative(const ball& x) { return sign_of(x) == sign::negative; }
+enum class certain_sign : std::int8_t { negative = -1, zero = 0, positive = 1, unknown = 2 };
+[[nodiscard]] certain_sign sign_of(const ball& x);
+[[nodiscard]] inline bool certainly_positive(const ball& x) {
+  return sign_of(x) == certain_sign::positive;
+}
+[[nodiscard]] inline bool certainly_negative(const ball& x) {
+  return sign_of(x) == certain_sign::negative;
+}
 
 // ---------------------------------------------------------------------------------------------
 // Sets. Precision as for every operation.

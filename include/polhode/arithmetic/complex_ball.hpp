@@ -30,7 +30,7 @@ struct real_set<ball> {
   static bool is_undefined(const ball& x) { return x.is_undefined(); }
   static bool is_bounded(const ball& x) { return x.is_bounded(); }
   static bool is_exact(const ball& x) { return x.is_exact(); }
-  static bool is_zero(const ball& x) { return sign_of(x) == sign::zero; }
+  static bool is_zero(const ball& x) { return sign_of(x) == certain_sign::zero; }
   /// x is exactly an integer that fits, and n is set to it.
   static bool is_machine_integer(const ball& x, long& n);
   /// No member is negative, and x is defined.

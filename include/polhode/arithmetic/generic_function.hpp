@@ -1,7 +1,7 @@
 #pragma once
 
-// How a generic function, f(x) for x of any type, is called with one type and gives a value of that type. Integrals, roots and
-// formulas all call functions so.
+// How a generic function, f(x) for x of any type, is called with one type and gives a value of that
+// type.
 
 #include <concepts>
 #include <type_traits>
@@ -21,36 +21,6 @@ template <class T, class F>
     return f.template evaluator<T>(p);
   } else {
     return f;
-  }
-}
-
-/// A function object of one signature: its operator() is no template and not overloaded.
-template <class F>
-concept of_one_signature = requires {
-  &F::operator();
-};
-
-/// Refuses, when it is compiled, what is no generic function of one number. Returns whether f can
-/// be called with an Argument; where the body of a generic function does not compile, the compiler
-/// has said so. Base is what Argument stands for, where it also converts to machine numbers.
-template <class F, class Argument, class Base = Argument>
-constexpr bool expect_generic() {
-  if constexpr (requires(const F& f) { f.template evaluator<Argument>(precision{64}); }) {
-    return true;
-  } else if constexpr (of_one_signature<F> || std::is_function_v<std::remove_pointer_t<F>>) {
-    static_assert(
-        std::is_invocable_v<F&, const Base&>,
-        "Polhode: this function takes numbers of one type only, so that what it does with "
-        "them cannot be seen and nothing can be proved. Write [](auto x) { ... }; or call "
-        "estimate(f, a, b), which proves nothing");
-    return std::is_invocable_v<const F&, const Base&>;
-  } else {
-    constexpr bool is_const = std::is_invocable_v<const F&, const Argument&>;
-    static_assert(is_const || !std::is_invocable_v<F&, const Argument&>,
-                  "Polhode: this function changes when it is called (a mutable lambda). A function "
-                  "to be proved gives the "
-                  "same value for the same argument: leave out mutable");
-    return is_const;
   }
 }
 

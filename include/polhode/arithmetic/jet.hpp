@@ -415,9 +415,9 @@ template <int Order>
 template <int Order>
 [[nodiscard]] jet<ball, Order> abs(const jet<ball, Order>& x) {
   switch (sign_of(x[0])) {
-    case sign::positive:
+    case certain_sign::positive:
       return x;
-    case sign::negative:
+    case certain_sign::negative:
       return -x;
     default:
       break;

@@ -154,7 +154,7 @@ template <class T, class F, class Range>
     return double_interval::from_ball(at_balls([](double_interval a) { return to_ball(a, 64); }));
   } else if constexpr (std::same_as<T, complex_ball>) {
     for (const complex_ball& a : x) {
-      if (sign_of(a.im) == sign::zero) continue;
+      if (sign_of(a.im) == certain_sign::zero) continue;
       if constexpr (requires { f.over_complex; }) {
         if (f.over_complex) return f.over_complex(x);
       }
@@ -183,7 +183,7 @@ template <class T, class F, class Range>
         ball sum(0, result[0].precision());
         for (std::size_t i = 0; i < x.size(); ++i) {
           // What does not vary needs no derivative.
-          if (sign_of(x[i][1]) != sign::zero) sum += slopes[i] * x[i][1];
+          if (sign_of(x[i][1]) != certain_sign::zero) sum += slopes[i] * x[i][1];
         }
         result[1] = sum;
       }

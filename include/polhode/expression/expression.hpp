@@ -179,6 +179,8 @@ class expression {
   [[nodiscard]] T operator()(const T& x) const {
     return evaluator<T>(detail_precision_of(x))(x);
   }
+  /// The formula of a symbol in the place of its variable.
+  [[nodiscard]] symbol operator()(const symbol& x) const;
   /// The value at the values of the variables, in their order; at the greatest of their precisions.
   template <class T>
   [[nodiscard]] T evaluate(std::span<const T> values) const {
@@ -186,6 +188,8 @@ class expression {
     for (const T& x : values) p = std::max(p, detail_precision_of(x));
     return evaluator<T>(p)(values);
   }
+  /// The formula with symbols in the places of its variables.
+  [[nodiscard]] symbol evaluate(std::span<const symbol> values) const;
   /// The value of a formula without variables, computed with p bits. Throws std::invalid_argument
   /// where there are variables in it.
   [[nodiscard]] ball value(precision p) const;

@@ -2,19 +2,21 @@
 
 // A formula made by calling a generic function once.
 //
-//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in formulas/symbolic.hpp
+//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in expression/formula_of.hpp
 //
 // A symbol stands for a number that is not known yet. Operators and the functions of the table (function_table.hpp) applied to symbols
 // give symbols, until the function returns one; what it did is then an expression, with all that the library knows of those. Beside
 // symbols stand exact numbers: whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5), and
 // Boost's floating-point numbers, each as the exact number that it is. A double variable is refused when it is compiled, but beside a
-// machine_symbol<double>, which integrate<double> and its like call the function with.
+// machine_symbol<double>, which integrate<double> and its like call the function with. A ball stands for one number that it
+// holds, the same wherever this symbol is used; a complex ball for a complex one.
 //
 // A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what to write.
 
 #include <concepts>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -22,6 +24,8 @@
 
 #include <boost/multiprecision/number.hpp>
 
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/exact_literal.hpp"
 #include "polhode/expression/function_table.hpp"
@@ -50,6 +54,8 @@ struct symbol_node;
 
 class symbol {
  public:
+  /// 0.
+  symbol() : symbol(0) {}
   template <machine_integer N>
   symbol(N n)  // NOLINT(google-explicit-constructor): exact
       : symbol(rational(n)) {}
@@ -72,8 +78,20 @@ class symbol {
   symbol(const N& x)  // NOLINT(google-explicit-constructor): exact
       : symbol(typename N::result_type(x)) {}
 
+  /// A number in the ball; exactly the ball where that is one short number. Two symbols made of one
+  /// ball may be different numbers in it.
+  template <std::same_as<ball> B>
+  symbol(const B& x)  // NOLINT(google-explicit-constructor): a number in the set
+      : symbol(in_ball(x)) {}
+  /// The same of a complex number: formulas of a complex argument may have it (complex_formula_of).
+  template <std::same_as<complex_ball> B>
+  symbol(const B& z)  // NOLINT(google-explicit-constructor): a number in the set
+      : symbol(in_complex_ball(z)) {}
+
   /// The i-th variable, counted from 0.
   [[nodiscard]] static symbol variable(std::size_t i);
+  /// The variable by the name of i in formulas of a complex argument.
+  [[nodiscard]] static symbol imaginary_unit();
   /// A constant of formulas by its name: "pi", "e", "euler_gamma", "catalan".
   [[nodiscard]] static symbol constant(std::string_view name);
   /// A function of formulas by its name. The name has to live as long as the program: a literal.
@@ -100,20 +118,24 @@ class symbol {
     return rational(x);
   }
   static symbol of_number(const rational& q);
+  static symbol in_ball(const ball& x);
+  static symbol in_complex_ball(const complex_ball& z);
 
   std::shared_ptr<detail::symbol_node> node_;
 };
 
 namespace detail {
 
-/// How a symbol came about: a number, a variable, or what `name` names (an operator, a function, a constant) of operands.
+/// How a symbol came about: a number, an enclosed number, a variable, or what `name` names (an operator, a function, a constant) of operands.
 struct symbol_node {
   std::string_view name;  // empty for a number and a variable
   rational number;
   std::size_t variable = no_variable;
+  std::optional<ball> enclosure;  // of a number of which nothing else is known
   std::vector<symbol> operands;
 
   static constexpr std::size_t no_variable = static_cast<std::size_t>(-1);
+  static constexpr std::size_t imaginary_unit = no_variable - 1;
   symbol_node() = default;
   symbol_node(const symbol_node&) = delete;
   symbol_node& operator=(const symbol_node&) = delete;
@@ -171,9 +193,9 @@ concept is_machine_symbol = is_machine_symbol_v<std::remove_cvref_t<X>>;
 
 /// What may stand beside a symbol, and is none.
 template <class N>
-concept beside_symbol =
-    machine_integer<N> || std::same_as<N, integer> || std::same_as<N, rational> ||
-    std::same_as<N, rational_literal> || boost_real<N> || boost_expression<N>;
+concept beside_symbol = machine_integer<N> || std::same_as<N, integer> ||
+    std::same_as<N, rational> || std::same_as<N, rational_literal> || std::same_as<N, ball> ||
+    std::same_as<N, complex_ball> || boost_real<N> || boost_expression<N>;
 
 /// What stands beside a machine_symbol<R>, and is none.
 template <class N, class R>
@@ -269,7 +291,9 @@ POLHODE_FUNCTION_TABLE(POLHODE_SYMBOL_FUNCTION, POLHODE_SYMBOL_FUNCTION, POLHODE
 }
 
 // As the standard library and Boost call them.
-[[nodiscard]] inline symbol square(const symbol& x) { return x * x; }
+[[nodiscard]] inline symbol square(const symbol& x) { return symbol::call("pow", {x, symbol(2)}); }
+/// i x, in formulas of a complex argument.
+[[nodiscard]] inline symbol times_i(const symbol& x) { return symbol::imaginary_unit() * x; }
 [[nodiscard]] inline symbol fabs(const symbol& x) { return symbol::call("abs", {x}); }
 [[nodiscard]] inline symbol tgamma(const symbol& x) { return symbol::call("gamma", {x}); }
 
@@ -305,7 +329,7 @@ POLHODE_MACHINE_SYMBOL_OPERATOR(/)
 
 template <class R>
 [[nodiscard]] machine_symbol<R> square(const machine_symbol<R>& x) {
-  return x * x;
+  return symbol::call("pow", {x, symbol(2)});
 }
 template <class R>
 [[nodiscard]] machine_symbol<R> fabs(const machine_symbol<R>& x) {

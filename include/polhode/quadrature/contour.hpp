@@ -5,8 +5,8 @@
 //   const auto f = [](const auto& z) { return exp(z) / pow(z, 3); };
 //   contour_integral i = integrate_along(f, path::circle(0, 1), {.digits = 50});   // pi i
 //
-// f is one generic function, as for `integrate`. It is called with a `region`, to prove where it is analytic and how
-// large it is there, and with an `analytic_ball` at the nodes: a complex ball without what is not analytic.
+// f is a formula or a generic function, as for `integrate`. It is evaluated over a `region`, to prove
+// where it is analytic and how large it is there, and over complex balls at the nodes.
 //
 // What is proved: f, with the branch cuts that complex_ball.hpp and region.hpp say its functions have, is analytic on
 // a neighbourhood of every piece of the path but for the piece's ends. A path that crosses a cut, or runs along one, or
@@ -23,7 +23,7 @@
 #include <variant>
 #include <vector>
 
-#include "polhode/arithmetic/analytic_ball.hpp"
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
 namespace polhode {
@@ -102,36 +102,11 @@ struct contour_integral : certified_integral<complex_ball> {};
 
 namespace detail {
 
-/// A generic function of complex numbers, in the arithmetics that the library needs.
+/// A function of complex numbers, in the arithmetics that the library needs.
 struct complex_integrand {
   std::function<region(const region& z)> over;
   std::function<std::function<complex_ball(const complex_ball& z)>(precision p)> evaluator;
 };
-
-/// The value of f, also where f is constant and answers with a number.
-template <class V>
-[[nodiscard]] complex_ball complex_value(V&& value, precision p) {
-  using type = std::remove_cvref_t<V>;
-  if constexpr (std::same_as<type, analytic_ball>) {
-    return std::forward<V>(value).value();
-  } else if constexpr (std::same_as<type, complex_ball> || std::same_as<type, ball>) {
-    return complex_ball(std::forward<V>(value));
-  } else {
-    return complex_ball(value, p);
-  }
-}
-
-template <class F>
-[[nodiscard]] complex_integrand make_complex_integrand(const F& f) {
-  complex_integrand result;
-  result.over = [f](const region& z) { return value_as<region>(f(z), z); };
-  result.evaluator = [f](precision p) -> std::function<complex_ball(const complex_ball&)> {
-    return [g = evaluator_of<analytic_ball>(f, p), p](const complex_ball& z) {
-      return complex_value(g(analytic_ball(z)), p);
-    };
-  };
-  return result;
-}
 
 /// The same of the real part.
 [[nodiscard]] inline integral real_part(const contour_integral& i) {
@@ -143,7 +118,11 @@ template <class F>
 
 }  // namespace detail
 
-/// The integral of f(z) dz along a path. Each part of the enclosure has a radius of at most 10^-options.digits of the
+/// f in the arithmetics of integrals along paths. Its first variable is the argument; where it has a
+/// second one, that is the imaginary unit. Throws input_error where it has more.
+[[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);
+
+/// The integral of f(z) dz along a path, for a formula as complex_integrand_of has it. Each part of the enclosure has a radius of at most 10^-options.digits of the
 /// integral's size, or of that which options says, where it is certified. Verdicts as of `integrate`; not_analytic
 /// says which function is in the way, and near which z. A piece without length (points that are the same, radius 0, equal
 /// angles) adds 0, and f is not asked there.
@@ -151,10 +130,14 @@ template <class F>
 /// That a piece starts where the one before it ends is proved where both points are one path_point or both are exact, as the corners
 /// of a polygon are. Of others, such as the ends of arcs, equality cannot be proved: their enclosures to twice the digits must
 /// overlap. Throws std::invalid_argument where pieces do not join, and for options.digits < 1.
+[[nodiscard]] contour_integral integrate_along(const expression& f, const path& along,
+                                               const integrate_options& options = {});
+
+/// The same of a generic function of one argument, through its formula.
 template <class F>
 [[nodiscard]] contour_integral integrate_along(const F& f, const path& along,
                                                const integrate_options& options = {}) {
-  return detail::integrate_path(detail::make_complex_integrand(f), along, options);
+  return integrate_along(complex_formula_of(f), along, options);
 }
 
 }  // namespace polhode

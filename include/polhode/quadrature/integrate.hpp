@@ -1,25 +1,25 @@
 #pragma once
 
-// The front door: the integral of a function, with a proof.
+// The integral of a function, with a proof.
 //
 //   integral i = integrate([](auto x) { return exp(-x * x); }, 0, 1, {.digits = 50});
+//   integral j = integrate(parse("sin(x)"), 0, end_point_of(parse("pi/2", {})));
 //
-// f is one generic function. It is called with a `region` (a cheap complex rectangle, to prove where f is
-// analytic and how large it is there) and with a `ball` (at the nodes, in real arithmetic, at full
-// precision). What makes it not analytic (a square root's branch cut, a pole, |x|, floor) shows in the
-// region's value: nothing needs to be declared and nothing can be forgotten. f must be a function in the
-// mathematician's sense: the same argument gives the same value, and it is defined by the same formula for
-// every type of argument.
+// A generic function is called once, with a symbol, and becomes a formula (formula_of.hpp). What makes
+// a formula not analytic (a square root's branch cut, a pole, |x|, floor) shows when it is evaluated
+// over a `region`, a cheap complex rectangle: nothing needs to be declared and nothing can be
+// forgotten.
 //
-// How: f is recorded (recorded.hpp). Where it is found to be a sum of functions whose logarithmic derivative is rational,
-// in x, e^(k x) or sin^2 (k x), it is integrated by its Taylor series (taylor_series.hpp in src/quadrature), and of what
-// follows nothing is done. Otherwise the range is cut where abs, min, max, floor or ceil passes from one analytic
-// function to another, at points that are found to any precision. Each piece is cut into panels. Around each, a
-// Bernstein ellipse is covered by regions, which prove that f is analytic inside and give M >= |f|; the
-// Gauss-Legendre rule with n nodes is then off by at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no
-// ellipse is proved the panel is halved. Where f is found to be even about both limits, or periodic (symmetry.hpp), the
-// trapezoidal rule may serve with less work. What cannot be had so is described in end_series.hpp (an end where f is
-// singular, a point between the limits where the range is cut) and tail_series.hpp (an exponential decay).
+// How: the formula's operations are recorded (recorded.hpp). A sum of functions whose logarithmic
+// derivative is rational, in x, e^(k x) or sin^2 (k x), is integrated by its Taylor series
+// (src/quadrature/series). For others the range is cut where abs, min, max, floor or ceil passes from
+// one analytic function to another, at points that are found to any precision. Each piece is cut into
+// panels. Around each, a Bernstein ellipse is covered by regions, which prove that f is analytic inside
+// and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most a multiple of
+// M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. Where f is found to
+// be even about both limits, or periodic (symmetry.hpp), the trapezoidal rule may serve with less work.
+// end_series.hpp describes an end where f is singular, or a point between the limits where the range
+// is cut; tail_series.hpp an exponential decay.
 
 #include <functional>
 #include <optional>
@@ -28,12 +28,14 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/arithmetic/goal.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
+#include "polhode/expression/expression.hpp"
+#include "polhode/expression/formula_of.hpp"
 #include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
+#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
 #include "polhode/quadrature/recorded.hpp"
 #include "polhode/quadrature/rule.hpp"
@@ -142,7 +144,7 @@ struct segment {
   bool continued = false;
 };
 
-/// A generic function, in the arithmetics that the library needs.
+/// A function in the arithmetics that the library needs.
 struct integrand {
   std::function<region(const region& x)> over;
   std::function<std::function<ball(const ball& x)>(precision p)> evaluator;
@@ -170,29 +172,6 @@ struct integrand {
   std::function<recorded(const recorded& x, precision p)> record;
 };
 
-template <class F>
-[[nodiscard]] integrand make_integrand(const F& f) {
-  integrand result;
-  result.over = [f](const region& x) { return value_as<region>(f(x), x); };
-  result.evaluator = [f](precision p) -> std::function<ball(const ball&)> {
-    return [g = evaluator_of<ball>(f, p)](const ball& x) { return value_as<ball>(g(x), x); };
-  };
-  if constexpr (std::is_invocable_v<const F&, const angle&>) {
-    result.angle_evaluator = [f](precision p) -> std::function<ball(const angle&)> {
-      return [g = evaluator_of<angle>(f, p)](const angle& x) {
-        return value_as<angle>(g(x), x).value();
-      };
-    };
-  }
-  result.near_end = [f](const end_series& x) { return value_as<end_series>(f(x), x); };
-  result.near_infinity = [f](const tail_series& x) { return value_as<tail_series>(f(x), x); };
-  if constexpr (std::is_invocable_v<const F&, const symmetry&>) {
-    result.under = [f](const symmetry& x) { return value_as<symmetry>(f(x), x); };
-  }
-  result.record = [f](const recorded& x, precision) { return value_as<recorded>(f(x), x); };
-  return result;
-}
-
 [[nodiscard]] integral integrate_function(const integrand& f, const end_point& a,
                                           const end_point& b, const integrate_options& options);
 
@@ -217,18 +196,27 @@ class affine_map {
 
 }  // namespace detail
 
-/// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a = b. Limits may
-/// be infinite (end_point::infinity()), and f singular at them, where end_series.hpp finds it integrable.
-/// Verdicts: certified; not_certified with not_analytic (obstacle says what and where), not_integrable,
-/// evaluation_limit, precision_limit, not_applicable. The enclosure holds the integral with every verdict.
+/// f in the arithmetics of quadrature. Throws input_error where f has more than one variable.
+[[nodiscard]] detail::integrand integrand_of(const expression& f);
+
+/// An integral of f that is not certified for want of digits, because it is 0: where f is 0 wherever
+/// it is defined (is_formally_zero), and the enclosure, which is bounded, shows that it is defined
+/// almost everywhere, the integral is 0 exactly.
+[[nodiscard]] integral settled_zero(const expression& f, integral found);
+
+/// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a = b.
+/// Limits may be infinite (end_point::infinity()), and f singular at them, where end_series.hpp finds
+/// it integrable. Verdicts: certified; not_certified with not_analytic (obstacle says what and where),
+/// not_integrable, evaluation_limit, precision_limit, not_applicable. The enclosure holds the integral
+/// with every verdict. Throws input_error where f has more than one variable.
+[[nodiscard]] integral integrate(const expression& f, const end_point& a, const end_point& b,
+                                 const integrate_options& options = {});
+
+/// The same of a generic function of one argument, through its formula (formula_of).
 template <class F>
 [[nodiscard]] integral integrate(const F& f, const end_point& a, const end_point& b,
                                  const integrate_options& options = {}) {
-  if constexpr (detail::expect_generic<F, region>()) {
-    return detail::integrate_function(detail::make_integrand(f), a, b, options);
-  } else {
-    return {};  // refused above, or by the compiler in the body of f
-  }
+  return integrate(formula_of(f), a, b, options);
 }
 
 }  // namespace polhode

@@ -32,7 +32,6 @@
 #include <vector>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "polhode/arithmetic/jet.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
 namespace polhode {
@@ -100,100 +99,6 @@ struct parametric_integrand {
   std::function<integrand(const parameter_box& box, std::size_t i)> derivative;
 };
 
-/// P's sides as T, of the kind and precision of x.
-template <class T>
-[[nodiscard]] std::vector<T> parameters_like(const parameter_box& box, const T& x) {
-  std::vector<T> result;
-  for (const parameter_range& side : box) {
-    if constexpr (std::same_as<T, ball> || std::same_as<T, angle>) {
-      result.push_back(T(side.enclosure(x.precision())));
-    } else if constexpr (std::same_as<T, symmetry>) {
-      result.push_back(side.is_point() ? symmetry(side.lower()) : symmetry::some_constant());
-    } else if constexpr (std::same_as<T, region>) {
-      const precision p = x.is_in_hardware() ? 64 : x.precision();
-      result.push_back(side.is_point() ? constant_region(side.lower(), x)
-                                       : constant_region(side.enclosure(p), x));
-    } else {
-      result.push_back(side.is_point() ? x.constant_like(side.lower())
-                                       : x.constant_like(side.enclosure(192)));
-    }
-  }
-  return result;
-}
-
-/// {x, P} as jets by p_i.
-template <class T>
-struct jets_by_parameter {
-  using series = jet<T, 1>;
-  jets_by_parameter(const T& x, const std::vector<T>& box, std::size_t i)
-      : argument(series::constant(x)) {
-    for (std::size_t k = 0; k < box.size(); ++k) {
-      parameters.push_back(k == i ? series::variable(box[k]) : series::constant(box[k]));
-    }
-  }
-  series argument;
-  std::vector<series> parameters;
-};
-
-/// The derivative in a jet, where the function is proved differentiable.
-[[nodiscard]] inline region slope_of(const jet<region, 1>& y) {
-  return y[0].is_analytic() ? y[1] : y[0];
-}
-[[nodiscard]] inline ball slope_of(const jet<ball, 1>& y) {
-  return y[0].is_bounded() ? y[1] : ball::undefined(y[0].precision());
-}
-
-/// An integrand that is known at balls and over regions only: g(x) for either.
-template <class G>
-[[nodiscard]] integrand integrand_without_series(const G& g) {
-  static constexpr std::string_view name = "a derivative by a parameter";
-  integrand result;
-  result.over = g;
-  result.evaluator = [g](precision) -> std::function<ball(const ball&)> { return g; };
-  result.near_end = [](const end_series&) { return end_series::blocked(name); };
-  result.near_infinity = [](const tail_series& x) { return x.blocked(name); };
-  return result;
-}
-
-/// x -> f(x, P).
-template <class F>
-struct with_parameters {
-  F f;
-  parameter_box box;
-
-  template <class T>
-  [[nodiscard]] auto operator()(const T& x) const {
-    return f(x, parameters_like(box, x));
-  }
-  template <std::same_as<ball> T>
-  [[nodiscard]] auto evaluator(precision p) const {
-    return [f = f, parameters = parameters_like(box, ball(0, p))](const T& x) {
-      return f(x, parameters);
-    };
-  }
-};
-
-template <class F>
-[[nodiscard]] parametric_integrand make_parametric_integrand(const F& f) {
-  parametric_integrand result;
-  result.over_box = [f](const parameter_box& box) {
-    return make_integrand(with_parameters<F>{f, box});
-  };
-  result.derivative = [f](const parameter_box& box, std::size_t i) {
-    return integrand_without_series([f, box, i](const auto& x) {
-      using T = std::remove_cvref_t<decltype(x)>;
-      const jets_by_parameter<T> jets(x, parameters_like(box, x), i);
-      const auto y = f(jets.argument, jets.parameters);
-      if constexpr (is_jet<std::remove_cvref_t<decltype(y)>>::value) {
-        return slope_of(y);
-      } else {
-        return zero_like(x);  // a constant
-      }
-    });
-  };
-  return result;
-}
-
 [[nodiscard]] box_integral integrate_function_over_box(const parametric_integrand& f,
                                                        const end_point& a, const end_point& b,
                                                        const parameter_box& box,
@@ -201,15 +106,25 @@ template <class F>
 
 }  // namespace detail
 
-/// Encloses the integral of f(x, p) dx from a to b for every p in the box. Refused, with the reason and the
-/// obstacle that `integrate` met, where f is not proved integrable for every p in it. Throws
-/// std::invalid_argument for digits or most_boxes below 1, and as `integrate` does.
+/// f's first variable is the argument, the others are the parameters.
+[[nodiscard]] detail::parametric_integrand parametric_integrand_of(const expression& f);
+
+/// Encloses the integral of f(x, p) dx from a to b for every p in the box, f a formula in x and the
+/// parameters. Refused, with the reason and the obstacle that `integrate` met, where f is not proved
+/// integrable for every p in it. Throws std::invalid_argument for digits or most_boxes below 1,
+/// input_error where the box has another number of sides than f has parameters, and as `integrate`
+/// does.
+[[nodiscard]] box_integral integrate_box(const expression& f, const end_point& a,
+                                         const end_point& b,
+                                         const std::vector<parameter_range>& box,
+                                         const box_options& options = {});
+
+/// The same of a generic function of x and of the parameters, a std::vector, through its formula.
 template <class F>
 [[nodiscard]] box_integral integrate_box(const F& f, const end_point& a, const end_point& b,
                                          const std::vector<parameter_range>& box,
                                          const box_options& options = {}) {
-  return detail::integrate_function_over_box(detail::make_parametric_integrand(f), a, b, box,
-                                             options);
+  return integrate_box(formula_with_parameters(f, box.size()), a, b, box, options);
 }
 
 }  // namespace polhode

@@ -10,8 +10,8 @@
 #include <limits>
 #include <string>
 
-#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/real/function.hpp"
 #include "polhode/real/integrate.hpp"
 #include "polhode/real/number.hpp"

@@ -9,7 +9,7 @@
 
 #include <boost/math/policies/error_handling.hpp>
 
-#include "polhode/formulas/symbolic.hpp"
+#include "polhode/expression/formula_of.hpp"
 #include "polhode/real/boost_math.hpp"
 #include "polhode/real/number.hpp"
 

@@ -24,8 +24,8 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/real/function.hpp"
 #include "polhode/real/limit.hpp"
 #include "polhode/real/number.hpp"

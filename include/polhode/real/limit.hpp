@@ -6,8 +6,8 @@
 #include <string>
 
 #include "polhode/arithmetic/end_point.hpp"
-#include "polhode/formulas/end_point.hpp"
-#include "polhode/formulas/symbolic.hpp"
+#include "polhode/expression/formula_of.hpp"
+#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/real/number.hpp"
 
 namespace polhode {

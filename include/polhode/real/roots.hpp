@@ -25,7 +25,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "polhode/formulas/function.hpp"
 #include "polhode/real/function.hpp"
 #include "polhode/real/limit.hpp"
 #include "polhode/real/number.hpp"

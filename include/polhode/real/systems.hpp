@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/formulas/symbolic.hpp"
+#include "polhode/expression/formula_of.hpp"
 #include "polhode/real/number.hpp"
 #include "polhode/real/roots.hpp"
 #include "polhode/roots/systems.hpp"
@@ -46,29 +46,6 @@ struct real_system_options {
   system_options search = {};
 };
 
-/// Formulas in the same variables, one a component, as a system. Throws input_error where there are not as many as variables.
-[[nodiscard]] real_system system_of(const std::vector<expression>& components);
-
-namespace detail {
-[[nodiscard]] std::vector<std::string> numbered_names(std::size_t count);
-}  // namespace detail
-
-/// What a generic function of a vector does, a formula a component, in x1, x2, ... It is called once, with symbols of that
-/// type (formula_of).
-template <class Symbol = symbol, class F>
-[[nodiscard]] std::vector<expression> formulas_of(const F& f, std::size_t variables) {
-  using arguments = std::vector<Symbol>;
-  std::vector<expression> result;
-  if constexpr (detail::expect_generic<F, arguments>()) {
-    arguments x;
-    for (std::size_t i = 0; i < variables; ++i) x.emplace_back(symbol::variable(i));
-    const auto values = f(std::as_const(x));
-    const std::vector<std::string> names = detail::numbered_names(variables);
-    for (const auto& value : values) result.push_back(formula_of(detail::symbol_of(value), names));
-  }
-  return result;
-}
-
 /// The solutions of f(x) = 0 in a box, faces included. Real: a floating_real, or ball. Throws input_error for a box that is none.
 template <class Real, class F>
 requires real_or_ball<Real>
@@ -87,7 +64,7 @@ requires real_or_ball<Real>
   real_root_options digits_of;
   digits_of.digits = options.digits;
   const long digits = detail::root_digits<Real, answer_by_verdict>(digits_of, p);
-  const real_system system = system_of(formulas_of<detail::symbol_of_real<Real>>(f, box.size()));
+  const real_system system(formulas_of<detail::symbol_of_real<Real>>(f, box.size()));
   const system_root_set found = solve_system(system, sides, options.search);
   certified_solutions<Real> result;
   result.resolved = found.complete && found.is_resolved();

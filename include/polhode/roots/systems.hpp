@@ -5,8 +5,8 @@
 //   const auto f = [](const auto& x) { return std::vector{square(x[0]) + x[1] - 11, x[0] + square(x[1]) - 7}; };
 //   system_root_set s = solve_system(f, {{-5, 5}, {-5, 5}});
 //
-// f is a generic function of a std::vector, called with balls and with jets (of order 1, once for each variable:
-// the columns of the Jacobian).
+// f is a generic function of a std::vector. It is called once, with symbols, and becomes a formula for each
+// component (formula_of.hpp).
 //
 // How: branch and prune. A box is discarded where a component of f, or of the mean value form
 // f(m) + J(X) (X - m), does not hold 0, or where the preconditioned interval Newton method in Gauss-Seidel form
@@ -22,18 +22,22 @@
 
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/verdict.hpp"
+#include "polhode/expression/expression.hpp"
+#include "polhode/expression/formula_of.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/roots/newton.hpp"
 
 namespace polhode {
 
+/// n functions of n variables.
 class real_system {
  public:
+  /// Of formulas in the same variables, one for each component. Throws input_error where there are not
+  /// as many of them as variables.
+  explicit real_system(const std::vector<expression>& components);
+  /// Of a generic function of a std::vector, through the formulas of its components (formulas_of).
   template <class F>
-  requires(!std::same_as<std::remove_cvref_t<F>, real_system>)
-      real_system(F f)  // NOLINT(google-explicit-constructor): the same function
-      : value_([f](const std::vector<ball>& x) { return as_vector<ball>(f(x)); }),
-        slope_([f](const std::vector<jet<ball, 1>>& x) { return as_vector<jet<ball, 1>>(f(x)); }) {}
+  real_system(const F& f, std::size_t variables) : real_system(formulas_of(f, variables)) {}
 
   [[nodiscard]] std::vector<ball> operator()(const std::vector<ball>& x) const { return value_(x); }
   /// Row i, column j: an enclosure of the derivative of f_i by x_j over the box. The values of f over the box
@@ -45,10 +49,6 @@ class real_system {
   [[nodiscard]] linearised linearise(const std::vector<ball>& x) const;
 
  private:
-  template <class T, class V>
-  static std::vector<T> as_vector(const V& values) {
-    return {std::begin(values), std::end(values)};
-  }
   std::function<std::vector<ball>(const std::vector<ball>&)> value_;
   std::function<std::vector<jet<ball, 1>>(const std::vector<jet<ball, 1>>&)> slope_;
 };
@@ -107,6 +107,12 @@ class system_search {
   /// there are none, or where f has not as many components as there are variables.
   system_search(real_system f, std::vector<std::pair<rational, rational>> box);
 
+  /// Of a generic function of a std::vector.
+  template <class F>
+  requires(!std::same_as<F, real_system>)
+      system_search(const F& f, const std::vector<std::pair<rational, rational>>& box)
+      : system_search(real_system(f, box.size()), box) {}
+
   void run(const system_options& options = {});
   [[nodiscard]] bool is_finished() const { return pending_.empty(); }
   [[nodiscard]] system_root_set result() const;
@@ -131,6 +137,15 @@ class system_search {
                                            std::vector<std::pair<rational, rational>> box,
                                            const system_options& options = {});
 
+/// The same of a generic function of a std::vector.
+template <class F>
+[[nodiscard]] system_root_set solve_system(const F& f,
+                                           std::vector<std::pair<rational, rational>> box,
+                                           const system_options& options = {}) {
+  const real_system system(f, box.size());
+  return solve_system(system, std::move(box), options);
+}
+
 struct refined_system_root {
   std::vector<ball> enclosure;
   /// Certified where each radius is at most 10^-digits of its component, or of the box where that may be 0.
@@ -143,5 +158,10 @@ struct refined_system_root {
 /// each step and the Jacobian and its inverse at half of it; the precision doubles from step to step.
 [[nodiscard]] refined_system_root refine(const real_system& f, const system_region& region,
                                          long digits);
+/// The same of a generic function of a std::vector.
+template <class F>
+[[nodiscard]] refined_system_root refine(const F& f, const system_region& region, long digits) {
+  return refine(real_system(f, region.box.size()), region, digits);
+}
 
 }  // namespace polhode

@@ -5,7 +5,6 @@
 //   const integral first = integrate(f, 0, 1, {.digits = 30});
 //   const second_opinion second = integral_again(f, 0, 1, first, 30);
 
-#include <concepts>
 #include <optional>
 #include <string>
 
@@ -36,18 +35,19 @@ namespace polhode {
                                             const contour_integral& first, long digits,
                                             int threads = 1);
 
-/// The same for a generic function (integrate.hpp, contour.hpp), and for a formula (formulas/integrand.hpp).
-template <std::invocable<const ball&> F>
-[[nodiscard]] second_opinion integral_again(const F& f, const end_point& a, const end_point& b,
-                                            const integral& first, long digits, int threads = 1) {
-  return integral_again(detail::make_integrand(f), a, b, first, digits, threads);
-}
+/// The same for a formula.
 [[nodiscard]] second_opinion integral_again(const expression& f, const end_point& a,
                                             const end_point& b, const integral& first, long digits,
                                             int threads = 1);
 [[nodiscard]] second_opinion integral_again(const expression& f, const path& along,
                                             const contour_integral& first, long digits,
                                             int threads = 1);
+/// The same for a generic function of one argument.
+template <class F>
+[[nodiscard]] second_opinion integral_again(const F& f, const end_point& a, const end_point& b,
+                                            const integral& first, long digits, int threads = 1) {
+  return integral_again(formula_of(f), a, b, first, digits, threads);
+}
 
 /// "Taylor series, 33 panels": how an integral was found.
 [[nodiscard]] std::string route_text(const integral_account& account);

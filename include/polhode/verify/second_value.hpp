@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "polhode/expression/expression.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/verify/second_opinion.hpp"
 
 namespace polhode {

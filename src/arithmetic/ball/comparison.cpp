@@ -121,17 +121,17 @@ bool contains_zero(const ball& x) {
   return mpfr_sgn(ball_access::first(x)) <= 0 && mpfr_sgn(ball_access::second(x)) >= 0;
 }
 
-sign sign_of(const ball& x) {
+certain_sign sign_of(const ball& x) {
   if (ball_access::is_midpoint_radius(x)) {
     const mpfr_srcptr m = ball_access::first(x);
-    if (mpfr_zero_p(m) != 0) return x.is_exact() ? sign::zero : sign::unknown;
-    if (contains_zero(x)) return sign::unknown;
-    return mpfr_sgn(m) < 0 ? sign::negative : sign::positive;
+    if (mpfr_zero_p(m) != 0) return x.is_exact() ? certain_sign::zero : certain_sign::unknown;
+    if (contains_zero(x)) return certain_sign::unknown;
+    return mpfr_sgn(m) < 0 ? certain_sign::negative : certain_sign::positive;
   }
-  if (x.is_undefined()) return sign::unknown;
-  if (mpfr_sgn(ball_access::first(x)) > 0) return sign::positive;
-  if (mpfr_sgn(ball_access::second(x)) < 0) return sign::negative;
-  return sign::unknown;
+  if (x.is_undefined()) return certain_sign::unknown;
+  if (mpfr_sgn(ball_access::first(x)) > 0) return certain_sign::positive;
+  if (mpfr_sgn(ball_access::second(x)) < 0) return certain_sign::negative;
+  return certain_sign::unknown;
 }
 
 }  // namespace polhode

@@ -171,10 +171,10 @@ mpfr_float magnitude_of(const ball& x) {
 mpfr_float mignitude_of(const ball& x) {
   mpfr_float r = number_like(x);
   switch (sign_of(x)) {
-    case sign::positive:
+    case certain_sign::positive:
       x.lower(raw(r));
       break;
-    case sign::negative:
+    case certain_sign::negative:
       x.upper(raw(r));
       mpfr_neg(raw(r), raw(r), MPFR_RNDN);
       break;

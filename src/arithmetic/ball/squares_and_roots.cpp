@@ -55,7 +55,7 @@ void square(ball& result, const ball& x) {
 
 void sqrt(ball& result, const ball& x) {
   const precision p = x.precision();
-  if (x.is_undefined() || sign_of(x) == sign::negative) {
+  if (x.is_undefined() || sign_of(x) == certain_sign::negative) {
     return ball_access::set_undefined(result, p);
   }
   if (ball_access::is_midpoint_radius(x)) {  // m > r, or exactly 0

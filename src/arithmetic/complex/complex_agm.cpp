@@ -21,7 +21,7 @@ complex_ball square_of_half_side(const magnitude& m, precision p) {
 }
 
 bool is_exactly_zero(const complex_ball& z) {
-  return sign_of(z.re) == sign::zero && sign_of(z.im) == sign::zero;
+  return sign_of(z.re) == certain_sign::zero && sign_of(z.im) == certain_sign::zero;
 }
 
 ball without_negatives(const ball& x) {

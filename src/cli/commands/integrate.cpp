@@ -32,8 +32,11 @@
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
-#include "polhode/formulas/certificates.hpp"
-#include "polhode/formulas/integrand.hpp"
+#include "polhode/certificate/certificate_of.hpp"
+#include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/integrate_box.hpp"
 #include "polhode/quadrature/polynomial_integral.hpp"
 #include "polhode/verify/second_integral.hpp"
 

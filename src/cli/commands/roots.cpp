@@ -26,8 +26,8 @@
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
-#include "polhode/formulas/certificates.hpp"
-#include "polhode/formulas/function.hpp"
+#include "polhode/certificate/certificate_of.hpp"
+#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/verify/second_roots.hpp"
 

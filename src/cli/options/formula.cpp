@@ -7,9 +7,9 @@
 
 #include "cli/output/errors.hpp"
 #include "cli/output/layout.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
 #include "polhode/expression/functions.hpp"
-#include "polhode/formulas/elliptic_functions.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
 
 namespace polhode::cli {
 

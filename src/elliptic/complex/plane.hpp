@@ -67,7 +67,7 @@ template <class Z>
 bool is_zero(const Z& z) {
   if (!is_known(z)) return false;
   const complex_ball set = plane<Z>::set(z);
-  return sign_of(set.re) == sign::zero && sign_of(set.im) == sign::zero;
+  return sign_of(set.re) == certain_sign::zero && sign_of(set.im) == certain_sign::zero;
 }
 template <class Z>
 bool is_right_of(const Z& z, long n) {

@@ -17,11 +17,11 @@ int exact_field::sign(const exact_number& x) {
   if (x.empty()) return 0;
   if (x.size() == 1 && is_positive(x.begin()->first)) return x.begin()->second > 0 ? 1 : -1;
   switch (sign_of(enclosure(x))) {
-    case polhode::sign::positive:
+    case polhode::certain_sign::positive:
       return 1;
-    case polhode::sign::negative:
+    case polhode::certain_sign::negative:
       return -1;
-    case polhode::sign::zero:
+    case polhode::certain_sign::zero:
       return 0;
     default:
       break;

@@ -60,9 +60,9 @@ void break_point::refine(precision p) {
     const ball value = decider_at(middle)[0] - crossing_.n;
     ball next = intersection(middle - value / decider_at(current)[1], current);
     if (next.is_undefined() || next.radius() > scale(radius, -1)) {
-      const sign s = sign_of(value);
-      if (s == sign::positive || s == sign::negative) {
-        const bool beyond = (s == sign::positive) == crossing_.ascending;
+      const certain_sign s = sign_of(value);
+      if (s == certain_sign::positive || s == certain_sign::negative) {
+        const bool beyond = (s == certain_sign::positive) == crossing_.ascending;
         const ball half =
             beyond ? hull(lower_end(current), middle) : hull(middle, upper_end(current));
         const ball both = next.is_undefined() ? half : intersection(next, half);

@@ -169,16 +169,16 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
 }
 
 bool is_regular(const integrand& f, const end_of_range& end) {
-  const precision p = 192;
-  const ball start = end.at.at(p);
-  const ball distance = end.distance.at(p);
+  constexpr precision wide = 192;
   const double_interval in_doubles(-0x1p-10, 0x1p-10);
-  if (f.over(region(start) + region(distance) * region(in_doubles, in_doubles)).is_analytic()) {
-    return true;
-  }
-  for (const double size : {0x1p-10, 0x1p-20, 0x1p-40}) {
-    const ball side = to_ball(double_interval(-size, size), p);
-    const region x = start + distance * region::in_balls({side, side});
+  const region around = region(end.at.at(wide)) +
+                        region(end.distance.at(wide)) * region(in_doubles, in_doubles);
+  if (f.over(around).is_analytic()) return true;
+  // Beside a pole or a cut as near as panels come to an end.
+  for (const long size : {10L, 20L, 40L, 80L, 160L, 320L}) {
+    const precision p = wide + size;
+    const ball side = scale(hull(ball(-1, p), ball(1, p)), -size);
+    const region x = end.at.at(p) + end.distance.at(p) * region::in_balls({side, side});
     if (f.over(x).is_analytic()) return true;
   }
   return false;

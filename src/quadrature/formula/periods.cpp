@@ -80,7 +80,7 @@ std::optional<pi_combination> period_to_try(const formula& f) {
   for (std::size_t i = 0; i < last; ++i) {
     if (!f.needs(i) || !is_circular(f.node(i))) continue;
     const ball& slope = values[f.node(i).left][1];
-    if (slope.is_bounded() && sign_of(slope) == sign::zero) continue;  // of a constant
+    if (slope.is_bounded() && sign_of(slope) == certain_sign::zero) continue;  // of a constant
     const auto own = frequency_of(f.node(i).operation.rule, slope);
     if (!own || (common && common->of_pi != own->of_pi)) return std::nullopt;
     common =

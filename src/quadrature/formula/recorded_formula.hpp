@@ -52,7 +52,7 @@ end_series constant_beside(const end_series& x, const N& n) {
 }
 template <class N>
 analytic_ball constant_beside(const analytic_ball& x, const N& n) {
-  return analytic_ball(complex_value(n, x.precision()));
+  return analytic_ball(complex_ball(value_as<ball>(n, ball(0, x.precision()))));
 }
 
 inline ball power_of(const ball& x, const rational& e) { return pow(x, e); }

@@ -12,8 +12,14 @@ namespace polhode::detail {
 
 namespace {
 
-/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is
-/// understood on both of its sides.
+/// Whether f is analytic at x, as far as its values show: then a cut there does not help.
+bool is_regular_at(const integrand& f, const end_point& x) {
+  const end_point beyond = ends::sum_of(x, end_point(1), 1);
+  return ends::is_regular(f, ends::end_of_range::finite(x, beyond));
+}
+
+/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is not regular
+/// there and understood on both of its sides.
 void add_cut(std::vector<end_point>& cuts, const integrand& f, const end_point& x,
              const end_point& a, const end_point& b) {
   constexpr precision p = 192;
@@ -21,8 +27,10 @@ void add_cut(std::vector<end_point>& cuts, const integrand& f, const end_point& 
   const auto is_apart = [&](const end_point& c) {
     return certainly_less(c.at(p), at) || certainly_less(at, c.at(p));
   };
-  if (!is_inside(x, a, b) || !std::all_of(cuts.begin(), cuts.end(), is_apart) || !can_cut_at(f, x))
+  if (!is_inside(x, a, b) || !std::all_of(cuts.begin(), cuts.end(), is_apart) ||
+      is_regular_at(f, x) || !can_cut_at(f, x)) {
     return;
+  }
   const auto place = std::find_if(cuts.begin(), cuts.end(),
                                   [&](const end_point& c) { return certainly_less(at, c.at(p)); });
   cuts.insert(place, x);
@@ -50,15 +58,15 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
     return is_in_range(x) ? pole_in(f, x) : std::nullopt;
   };
   constexpr std::size_t most_points = 2000;
+  constexpr int most_points_without_cut = 4;
+  int points_without_cut = 0;  // of interest, as panels seemed to say
   bool counts_as_zero = false;
   long spent = 0;  // evaluations, by all attempts
   if (f.candidates) {
     for (const end_point& x : f.candidates()) {
-      // Where f is not analytic around the point, whatever its values there.
       if (!is_inside(x, a, b)) continue;
       if (x.exact()) known.push_back(*x.exact());
-      const end_point beyond = ends::sum_of(x, end_point(1), 1);
-      if (!ends::is_regular(f, ends::end_of_range::finite(x, beyond))) add_cut(cuts, f, x, a, b);
+      add_cut(cuts, f, x, a, b);
     }
   }
   for (int attempts = 0; attempts < 3;) {
@@ -69,6 +77,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
       return result;
     }
     integrator work(prepared, options, known, pole_in_range);
+    if (points_without_cut >= most_points_without_cut) work.take_short_panels();
     const contour_integral found = work.run();
     result = real_part(found);
     counts_as_zero = work.counts_as_zero();
@@ -78,7 +87,9 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
       for (const rational& q : work.points_of_interest()) {
         if (std::find(known.begin(), known.end(), q) != known.end()) continue;
         known.push_back(q);
+        const std::size_t cuts_before = cuts.size();
         add_cut(cuts, f, end_point(q), a, b);
+        if (cuts.size() == cuts_before) ++points_without_cut;
       }
       if (known.size() > before) continue;
     }

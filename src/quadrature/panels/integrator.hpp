@@ -42,6 +42,8 @@ class integrator {
   /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting the range
   /// there may help.
   [[nodiscard]] const std::vector<rational>& points_of_interest() const { return points_; }
+  /// Panels that become ever shorter are no reason to look for such points: a long range has them.
+  void take_short_panels() { takes_short_panels_ = true; }
   /// run() has come to its precision's limit, and 0 is a value within 10^-digits of the integral of |f|.
   [[nodiscard]] bool counts_as_zero() const;
 
@@ -98,6 +100,7 @@ class integrator {
   static constexpr long most_ranges_in_a_row = 64;
   long ranges_in_a_row_ = 0;
   long short_panels_ = 0;  // that were halved again
+  bool takes_short_panels_ = false;
   std::vector<panel> panels_;
   double planned_nodes_ = 0;
   std::vector<double> log2_scales_;

@@ -289,7 +289,7 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   // wider than the values by then.
   constexpr long short_level = 10;
   constexpr long most_short_panels = 48;
-  if (is_real && p.level >= short_level && !std::isfinite(own_nodes) &&
+  if (is_real && !takes_short_panels_ && p.level >= short_level && !std::isfinite(own_nodes) &&
       ++short_panels_ > most_short_panels) {
     constexpr long panels_around = 256;
     short_panels_ = 0;

@@ -54,8 +54,8 @@ real_function factor_of(const real_function& f, long id) {
 
 bool is_certainly_not_zero(const ball& x) { return !x.is_undefined() && !contains_zero(x); }
 bool is_not_negative(const ball& x) {
-  const sign s = sign_of(x);
-  return s == sign::positive || s == sign::zero;
+  const certain_sign s = sign_of(x);
+  return s == certain_sign::positive || s == certain_sign::zero;
 }
 
 /// Bits of the longer part of q.
@@ -392,13 +392,13 @@ class examination {
     const bool rightward = b.x.lower.has_value();
     const ball end(rightward ? *b.x.lower : *b.x.upper, b.bits);
     const series_type at_end = series(b, end, over.order());
-    const sign first = sign_of(at_end[0]);
-    if (first != sign::positive && first != sign::negative) return false;
+    const certain_sign first = sign_of(at_end[0]);
+    if (first != certain_sign::positive && first != certain_sign::negative) return false;
     for (int k = 0; k <= over.order(); ++k) {
       // f^(k) may go on where f itself has a jump.
       if (over[k].is_undefined()) return false;
       // The k-th coefficient of f(-x), or of -f, where these take the place of f.
-      const bool turned = (!rightward && k % 2 != 0) != (first == sign::negative);
+      const bool turned = (!rightward && k % 2 != 0) != (first == certain_sign::negative);
       if (certainly_positive(turned ? -over[k] : over[k])) return true;
       if (!is_not_negative(turned ? -at_end[k] : at_end[k])) return false;
     }
@@ -519,15 +519,15 @@ class examination {
     const auto sign_at = [&](const rational& end) {
       for (precision p = b.bits; p <= std::max(4 * b.bits, options_.most_precision); p *= 2) {
         ++result_.evaluations;
-        const sign s = sign_of(evaluator(b.problem, p).value(ball(end, p)));
-        if (s != sign::unknown) return s;
+        const certain_sign s = sign_of(evaluator(b.problem, p).value(ball(end, p)));
+        if (s != certain_sign::unknown) return s;
       }
-      return sign::unknown;
+      return certain_sign::unknown;
     };
-    const sign left = sign_at(*b.x.lower);
-    const sign right = sign_at(*b.x.upper);
-    return (left == sign::negative && right == sign::positive) ||
-           (left == sign::positive && right == sign::negative);
+    const certain_sign left = sign_at(*b.x.lower);
+    const certain_sign right = sign_at(*b.x.upper);
+    return (left == certain_sign::negative && right == certain_sign::positive) ||
+           (left == certain_sign::positive && right == certain_sign::negative);
   }
 
   const root_search::state& s_;

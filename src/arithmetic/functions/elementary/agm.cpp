@@ -73,14 +73,15 @@ bool near_agm(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, magnitude& error) {
 
 void agm(ball& result, const ball& x, const ball& y) {
   const precision p = std::max(x.precision(), y.precision());
-  const sign sx = sign_of(x);
-  const sign sy = sign_of(y);
+  const certain_sign sx = sign_of(x);
+  const certain_sign sy = sign_of(y);
   // In either form a set has a negative member where its first number is negative.
   if (x.is_undefined() || y.is_undefined() || mpfr_sgn(ball_access::first(x)) < 0 ||
       mpfr_sgn(ball_access::first(y)) < 0) {
     return ball_access::set_undefined(result, p);
   }
-  if (sx == sign::zero || sy == sign::zero) {  // the mean with 0 is 0, however great the other is
+  if (sx == certain_sign::zero ||
+      sy == certain_sign::zero) {  // the mean with 0 is 0, however great the other is
     result = ball(0, p);
     return;
   }

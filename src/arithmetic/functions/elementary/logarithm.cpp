@@ -35,7 +35,8 @@ namespace {
 /// A logarithm that is log x / log b, given an upper bound of 1 / log b as a quotient of integers.
 void logarithm(ball& result, const ball& x, mpfr_function f, unsigned numerator,
                unsigned denominator, near_function near = nullptr) {
-  if (sign_of(x) != sign::positive) return ball_access::set_undefined(result, x.precision());
+  if (sign_of(x) != certain_sign::positive)
+    return ball_access::set_undefined(result, x.precision());
   if (!ball_access::is_midpoint_radius(x)) {
     const precision p = x.precision();
     return at_ends(result, end_points(x, p + guard_bits), p, f, true);

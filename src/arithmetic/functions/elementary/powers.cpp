@@ -14,7 +14,8 @@ using detail::end_points;
 using detail::mpfr_cell;
 
 void rsqrt(ball& result, const ball& x) {
-  if (sign_of(x) != sign::positive) return ball_access::set_undefined(result, x.precision());
+  if (sign_of(x) != certain_sign::positive)
+    return ball_access::set_undefined(result, x.precision());
   if (!ball_access::is_midpoint_radius(x)) {
     const precision p = x.precision();
     return at_ends(result, end_points(x, p + guard_bits), p, mpfr_rec_sqrt, false);
@@ -113,7 +114,7 @@ ball root(const ball& x, unsigned long n) {
   if (n == 1) return x;
   if (n == 2) return sqrt(x);
   if (x.is_undefined()) return x;
-  if (ball_access::is_midpoint_radius(x) && (n % 2 != 0 || sign_of(x) == sign::positive)) {
+  if (ball_access::is_midpoint_radius(x) && (n % 2 != 0 || sign_of(x) == certain_sign::positive)) {
     // |(m+h)^(1/n) - m^(1/n)| <= |m|^(1/n) (1 - (1 - q)^(1/n)) for q = r/|m| < 2^-22: the root is concave. By the mean
     // value theorem that is at most (q/n) (1 - q)^(1/n - 1) <= (q/n) / (1 - q) <= (q + 2 q^2) / n.
     const mpfr_srcptr m = ball_access::first(x);

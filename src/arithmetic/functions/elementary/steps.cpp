@@ -58,9 +58,9 @@ ball min(const ball& x, const ball& y) { return lattice_operation(x, y, mpfr_min
 ball max(const ball& x, const ball& y) { return lattice_operation(x, y, mpfr_max); }
 
 ball abs(const ball& x) {
-  const sign s = sign_of(x);
-  if (x.is_undefined() || s == sign::positive || s == sign::zero) return x;
-  if (s == sign::negative) return -x;
+  const certain_sign s = sign_of(x);
+  if (x.is_undefined() || s == certain_sign::positive || s == certain_sign::zero) return x;
+  if (s == certain_sign::negative) return -x;
   const precision p = x.precision();
   const end_points e(x, p + guard_bits);
   mpfr_cell lower(p);

@@ -7,8 +7,9 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/formulas/integrand.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::test {
 namespace integrals_of_analysts_test {

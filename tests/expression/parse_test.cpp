@@ -1,4 +1,4 @@
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
 
 #include <string>
 #include <vector>

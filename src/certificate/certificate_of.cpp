@@ -1,4 +1,4 @@
-#include "polhode/formulas/certificates.hpp"
+#include "polhode/certificate/certificate_of.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "polhode/formulas/function.hpp"
+// Formulas as functions whose roots are looked for.
 
 #include <optional>
 #include <span>
@@ -9,8 +9,8 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
-#include "polhode/formulas/integrand.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
+#include "polhode/roots/real_function.hpp"
 
 namespace polhode {
 
@@ -71,26 +71,39 @@ struct supplement<function_structure> {
 
 template class compiled_expression<function_structure>;
 
-real_function function_of(const expression& f) {
+real_function::real_function(const expression& f) {
   if (f.variables().size() > 1) {
     throw input_error(
         fmt::format("the variables of the formula are {}; roots are found of a function of one",
                     fmt::join(f.variables(), ", ")));
   }
-  real_function result(f);
+  using slope_type = jet<ball, 1>;
+  using series_type = jet<ball, dynamic_order>;
+  at_ = [f](precision p) {
+    function_evaluator e;
+    e.value = f.evaluator<ball>(p);
+    e.slope = [g = f.evaluator<slope_type>(p)](const ball& x) {
+      return g(slope_type::variable(x));
+    };
+    e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };
+    e.series = [g = f.evaluator<series_type>(p)](const ball& x, int n) {
+      return g(series_type::variable(x, n));
+    };
+    return e;
+  };
+  over_ = [f, in_hardware = f.evaluator<region>(64)](const region& x) {
+    return x.is_in_hardware() ? in_hardware(x) : f.evaluator<region>(x.precision())(x);
+  };
+  structure_ = [f](const function_structure& x) {
+    return f.evaluator<function_structure>(x.numerator().at_point.precision())(x);
+  };
   // |f(at + 4 width t)| >= c t^a with c > 0 on 0 < t <= 1/4, or f is defined nowhere there. An evaluator of its own for each
   // call, as several threads may ask at a time.
-  result.prove_beside([f](const rational& at, const rational& width) {
+  no_root_beside_ = [f](const rational& at, const rational& width) {
     const growth_bound bound = f.evaluator<growth_bound>(192)(
         growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
     return bound.is_nowhere_defined() || (!bound.is_blocked() && !bound.least_factor().is_zero());
-  });
-  return result;
-}
-
-root_set isolate_roots(const expression& f, const end_point& lower, const end_point& upper,
-                       const isolate_options& options) {
-  return isolate_roots(function_of(f), lower, upper, options);
+  };
 }
 
 }  // namespace polhode

@@ -1,8 +1,9 @@
-#include "polhode/formulas/integrand.hpp"
+// Formulas as what is integrated.
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,10 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
+#include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode {
 
@@ -256,6 +261,19 @@ void expect_variables(const expression& f, std::size_t most, const char* what) {
 
 namespace {
 
+/// f over T, its constants made with p bits when it is first called.
+template <class T>
+std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
+  struct evaluator {
+    std::once_flag once;
+    std::optional<compiled_expression<T>> made;
+  };
+  return [f, p, g = std::make_shared<evaluator>()](const T& x) {
+    std::call_once(g->once, [&] { g->made.emplace(f.evaluator<T>(p)); });
+    return (*g->made)(x);
+  };
+}
+
 /// With so many changes of the variable to an exponential, one after the other, at most.
 detail::integrand integrand_with_changes(const expression& f, int changes) {
   constexpr precision series_bits = 192;
@@ -269,17 +287,17 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
   result.angle_evaluator = [f](precision p) -> std::function<ball(const angle&)> {
     return [g = f.evaluator<angle>(p)](const angle& x) { return g(x).value(); };
   };
-  result.near_end = f.evaluator<end_series>(series_bits);
+  result.near_end = made_on_first_use<end_series>(f, series_bits);
   result.near_known_end =
-      [f, series = f.evaluator<end_series>(series_bits)](
-          const end_point& end) -> std::function<end_series(const end_series&)> {
+      [f](const end_point& end) -> std::function<end_series(const end_series&)> {
     const std::optional<expression> x = formula_of(end);
     if (!x || f.variables().size() != 1) return nullptr;
     std::vector<std::optional<rational>> known = f.rational_values_at(*x);
     if (std::none_of(known.begin(), known.end(), [](const auto& q) { return q.has_value(); })) {
       return nullptr;
     }
-    return [series, known = std::move(known)](const end_series& at) {
+    return [series = f.evaluator<end_series>(series_bits),
+            known = std::move(known)](const end_series& at) {
       return series.with_each(at, [&](std::size_t i, end_series& value) {
         if (known[i]) value = value.with_value_at_0(*known[i]);
       });
@@ -303,9 +321,9 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
     }
     return points;
   };
-  result.near_infinity = f.evaluator<tail_series>(series_bits);
-  result.growth = f.evaluator<growth_bound>(series_bits);
-  result.under = f.evaluator<symmetry>(series_bits);
+  result.near_infinity = made_on_first_use<tail_series>(f, series_bits);
+  result.growth = made_on_first_use<growth_bound>(f, series_bits);
+  result.under = made_on_first_use<symmetry>(f, series_bits);
   result.record = [f](const recorded& x, precision p) { return f.evaluator<recorded>(p)(x); };
   return result;
 }
@@ -374,6 +392,61 @@ detail::complex_integrand complex_integrand_of(const expression& f) {
 
 namespace {
 
+using detail::parameter_box;
+
+/// P's sides as T, of the kind and precision of x.
+template <class T>
+[[nodiscard]] std::vector<T> parameters_like(const parameter_box& box, const T& x) {
+  std::vector<T> result;
+  for (const parameter_range& side : box) {
+    if constexpr (std::same_as<T, ball> || std::same_as<T, angle>) {
+      result.push_back(T(side.enclosure(x.precision())));
+    } else if constexpr (std::same_as<T, symmetry>) {
+      result.push_back(side.is_point() ? symmetry(side.lower()) : symmetry::some_constant());
+    } else if constexpr (std::same_as<T, region>) {
+      const precision p = x.is_in_hardware() ? 64 : x.precision();
+      result.push_back(side.is_point() ? detail::constant_region(side.lower(), x)
+                                       : detail::constant_region(side.enclosure(p), x));
+    } else {
+      result.push_back(side.is_point() ? x.constant_like(side.lower())
+                                       : x.constant_like(side.enclosure(192)));
+    }
+  }
+  return result;
+}
+
+/// {x, P} as jets by p_i.
+template <class T>
+struct jets_by_parameter {
+  using series = jet<T, 1>;
+  jets_by_parameter(const T& x, const std::vector<T>& box, std::size_t i)
+      : argument(series::constant(x)) {
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      parameters.push_back(k == i ? series::variable(box[k]) : series::constant(box[k]));
+    }
+  }
+  series argument;
+  std::vector<series> parameters;
+};
+
+/// The derivative in a jet, where the function is proved differentiable.
+[[nodiscard]] region slope_of(const jet<region, 1>& y) { return y[0].is_analytic() ? y[1] : y[0]; }
+[[nodiscard]] ball slope_of(const jet<ball, 1>& y) {
+  return y[0].is_bounded() ? y[1] : ball::undefined(y[0].precision());
+}
+
+/// An integrand that is known at balls and over regions only: g(x) for either.
+template <class G>
+[[nodiscard]] detail::integrand integrand_without_series(const G& g) {
+  static constexpr std::string_view name = "a derivative by a parameter";
+  detail::integrand result;
+  result.over = g;
+  result.evaluator = [g](precision) -> std::function<ball(const ball&)> { return g; };
+  result.near_end = [](const end_series&) { return end_series::blocked(name); };
+  result.near_infinity = [](const tail_series& x) { return x.blocked(name); };
+  return result;
+}
+
 /// The argument and the parameters.
 template <class T>
 std::vector<T> with_argument(const T& x, std::vector<T> parameters) {
@@ -383,8 +456,8 @@ std::vector<T> with_argument(const T& x, std::vector<T> parameters) {
 
 /// f at jets by the i-th parameter.
 template <class T>
-jet<T, 1> jet_of(const expression& f, const T& x, const detail::parameter_box& box, std::size_t i) {
-  const detail::jets_by_parameter<T> jets(x, detail::parameters_like(box, x), i);
+jet<T, 1> jet_of(const expression& f, const T& x, const parameter_box& box, std::size_t i) {
+  const jets_by_parameter<T> jets(x, parameters_like(box, x), i);
   const std::vector<jet<T, 1>> values = with_argument(jets.argument, jets.parameters);
   return f.evaluator<jet<T, 1>>(x.precision() + 64)(std::span<const jet<T, 1>>(values));
 }
@@ -394,18 +467,18 @@ jet<T, 1> jet_of(const expression& f, const T& x, const detail::parameter_box& b
 detail::parametric_integrand parametric_integrand_of(const expression& f) {
   constexpr precision series_bits = 192;
   detail::parametric_integrand result;
-  result.over_box = [f](const detail::parameter_box& box) {
+  result.over_box = [f](const parameter_box& box) {
     const auto at = [f, box](precision p) {
-      return [g = f.evaluator<ball>(p),
-              parameters = detail::parameters_like(box, ball(0, p))](const ball& x) {
-        const std::vector<ball> values = with_argument(x, parameters);
-        return g(std::span<const ball>(values));
-      };
+      return
+          [g = f.evaluator<ball>(p), parameters = parameters_like(box, ball(0, p))](const ball& x) {
+            const std::vector<ball> values = with_argument(x, parameters);
+            return g(std::span<const ball>(values));
+          };
     };
     const auto with = [box](const auto& g) {
       return [g, box](const auto& x) {
         using T = std::remove_cvref_t<decltype(x)>;
-        const std::vector<T> values = with_argument(x, detail::parameters_like(box, x));
+        const std::vector<T> values = with_argument(x, parameters_like(box, x));
         return g(std::span<const T>(values));
       };
     };
@@ -418,9 +491,9 @@ detail::parametric_integrand parametric_integrand_of(const expression& f) {
     of_box.near_infinity = with(f.evaluator<tail_series>(series_bits));
     return of_box;
   };
-  result.derivative = [f](const detail::parameter_box& box, std::size_t i) {
-    return detail::integrand_without_series(
-        [f, box, i](const auto& x) { return detail::slope_of(jet_of(f, x, box, i)); });
+  result.derivative = [f](const parameter_box& box, std::size_t i) {
+    return integrand_without_series(
+        [f, box, i](const auto& x) { return slope_of(jet_of(f, x, box, i)); });
   };
   return result;
 }

@@ -1,4 +1,4 @@
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
 
 #include <algorithm>
 #include <set>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/formulas/elliptic_functions.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
 
 namespace polhode {
 namespace {

@@ -1,4 +1,4 @@
-// Formulas as what C++ users integrate, search for roots and certify.
+// Integrals of formulas.
 
 #include <string>
 #include <vector>
@@ -7,13 +7,14 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/formulas/certificates.hpp"
-#include "polhode/formulas/function.hpp"
-#include "polhode/formulas/integrand.hpp"
-#include "polhode/formulas/parse.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/integrate_box.hpp"
 
 namespace polhode::test {
-namespace formulas_test {
+namespace formula_integral_test {
 
 /// The enclosure holds the number, and is narrow.
 void expect_number(const ball& found, const ball& known, long digits) {
@@ -89,69 +90,6 @@ TEST(FormulaIntegral, AnotherNumberOfVariablesIsRefused) {
   EXPECT_THROW((void)integrate_along(three, path::circle(0, 1)), input_error);
   EXPECT_THROW((void)integrate_box(two, 0, 1, {}), input_error);
   EXPECT_THROW((void)integrate_box(two, 0, 1, {{1, 2}, {1, 2}}), input_error);
-  EXPECT_THROW((void)isolate_roots(two, 0, 1), input_error);
-}
-
-TEST(FormulaRoots, AreThoseOfTheFormula) {
-  const root_set found =
-      isolate_roots(parse("(x-1)*(x^2-2)^3"), -end_point::infinity(), end_point::infinity());
-  ASSERT_TRUE(found.is_resolved());
-  ASSERT_EQ(found.regions.size(), 3U);
-  EXPECT_EQ(found.regions[0].multiplicity, 3);
-  EXPECT_EQ(found.regions[1].exact, 1);
-  expect_number(refine(found.regions[2], 30).enclosure, sqrt(ball(2, 200)), 29);
-}
-
-TEST(FormulaRoots, AtAnEndThatIsAMultipleOfPiAreInside) {
-  const root_set found = isolate_roots(parse("sin(x)"), 1, end_point_of(parse("3*pi", {})));
-  EXPECT_TRUE(found.is_resolved());
-  EXPECT_EQ(found.regions.size(), 3U);
-}
-
-// ---------------------------------------------------------------------------------------------
-// Certificates
-
-std::string refusal(const formula_over_range& what, const root_set& found) {
-  try {
-    (void)certificate_of(what, found, 10);
-  } catch (const input_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-formula_over_range range(const std::string& f, const std::string& from, const std::string& to) {
-  return {parse(f), parse(from, {}), parse(to, {})};
-}
-
-TEST(FormulaCertificate, HoldsTheIntegral) {
-  const formula_over_range what = range("4/(1+x^2)", "0", "1");
-  const integral found = integrate(what.f, 0, 1, {.digits = 25});
-  const json c = certificate_of(what, found, 20);
-  EXPECT_EQ(c, integral_certificate(what, found.enclosure, 20));
-  integral open = found;
-  open.verdict = status::not_certified;
-  EXPECT_THROW((void)certificate_of(what, open, 20), input_error);
-}
-
-TEST(FormulaCertificate, HoldsTheRoots) {
-  const formula_over_range what = range("(x^2-2)*(x-1/2)", "-2", "2");
-  const root_set found = isolate_roots(what.f, -2, 2);
-  const json c = certificate_of(what, found, 20);
-  EXPECT_EQ(c.at("claim"), "roots");
-  EXPECT_EQ(c.at("witness").at("boxes").size(), 3U) << c.dump(2);
-}
-
-TEST(FormulaCertificate, RootsThatNoneCanHoldAreRefused) {
-  const auto refused = [](const char* f) {
-    return refusal(range(f, "-2", "2"), isolate_roots(parse(f), -2, 2));
-  };
-  EXPECT_NE(refused("(x-1)^2").find("multiple root"), std::string::npos);
-  EXPECT_NE(refused("x - x").find("0 everywhere"), std::string::npos);
-  EXPECT_NE(refused("(x-1)/x").find("not defined everywhere"), std::string::npos);
-  root_set open = isolate_roots(parse("x^2-2"), -2, 2);
-  open.complete = false;
-  EXPECT_NE(refusal(range("x^2-2", "-2", "2"), open).find("not every place"), std::string::npos);
 }
 
 TEST(FormalZero, IsShownByExpansion) {
@@ -197,5 +135,5 @@ TEST(IntegralsOfZero, AreCertifiedRelativeToTheIntegralOfTheSize) {
             status::not_certified);
 }
 
-}  // namespace formulas_test
+}  // namespace formula_integral_test
 }  // namespace polhode::test

@@ -1,4 +1,4 @@
-#include "polhode/formulas/elliptic_functions.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
 
 #include <algorithm>
 #include <array>
