@@ -167,6 +167,7 @@ symbol symbol_of(const graph& g, std::span<const symbol> variables) {
   std::vector<symbol> made(g.size(), symbol(0));
   const auto call = [&](std::string_view name, const std::vector<node_id>& of) {
     std::vector<symbol> operands;
+    operands.reserve(of.size());
     for (const node_id i : of) operands.push_back(made[i]);
     return symbol::call(name, std::move(operands));
   };
@@ -262,6 +263,7 @@ graph graph_of(const symbol& formula, const expression_names& names) try {
   std::unordered_map<const symbol_node*, node_id> known;
   for_each_node(formula, [&](const symbol_node& s) {
     operands x;
+    x.reserve(s.operands.size());
     for (const symbol& operand : s.operands) x.push_back(known.at(&operand.node()));
     node_id& made = known[&s];
     if (s.enclosure) {

@@ -72,15 +72,7 @@ foreach(program IN LISTS programs)
   endif()
 endforeach()
 
-execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" --target consumer_inexact
-  RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-string(REGEX MATCHALL " error: " errors "${output}")
-list(LENGTH errors count)
-if(status EQUAL 0 OR NOT count EQUAL 1 OR NOT output MATCHES "a double, float or mpfr_float in a formula is not an exact number")
-  message(FATAL_ERROR "0.5 * x in an integrand is to be refused by one sentence, and is by ${count}:\n${output}")
-endif()
-
-# What must not compile beside Boost's types, and the sentence that says why.
+# What must not compile, and the sentence that says why.
 set(sentences
   "this double is not the decimal it looks like"
   "this function takes numbers of one type only"
@@ -94,7 +86,10 @@ set(sentences
   "Write sin(x) for std::sin(x)"
   "this function takes numbers of one type only"
   "this function takes numbers of one type only"
-  "a double, float or mpfr_float in a formula is not an exact number")
+  "this double is not the decimal it looks like"
+  "a double, float or mpfr_float in a formula is not an exact number"
+  "a double or float variable in a formula is not an exact number"
+  "cannot branch on its argument")
 set(number 0)
 foreach(sentence IN LISTS sentences)
   math(EXPR number "${number} + 1")

@@ -38,5 +38,12 @@ int main() {
   return polhode::isolate_roots([](double x) { return x; }, 0, 1).regions.empty();
 #elif REFUSED == 13
   return polhode::isolate_roots([](auto x) { return x * x - 0.3; }, 0, 1).regions.empty();
+#elif REFUSED == 14
+  return (0.5 * polhode::ball(1, 64)).is_exact();
+#elif REFUSED == 15
+  const double k = 0.5;
+  return integrate([k](auto x) { return k * exp(x) - k; }, 0, 1).account.panels > 0;
+#elif REFUSED == 16
+  return integrate([](auto x) { return x < 0 ? -x : x; }, 0, 1).account.panels > 0;
 #endif
 }

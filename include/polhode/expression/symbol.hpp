@@ -215,6 +215,20 @@ struct symbol_of_call<Y, X...> : symbol_of_call<X...> {};
 template <class... X>
 using symbol_for = typename symbol_of_call<std::remove_cvref_t<X>...>::type;
 
+/// A variable of a machine type: a literal is none.
+template <class D>
+concept floating_variable = std::floating_point<std::remove_const_t<D>>;
+
+/// Made into a type once for each D: one error.
+template <class D>
+struct exact_variable_needed {
+  static_assert(never_true<D>,
+                "Polhode: a double or float variable in a formula is not an exact number. Write "
+                "polhode::rational(k) for the number that k is, or integrate<double> and its like, "
+                "beside whose arguments doubles stand");
+  static constexpr bool reported = true;
+};
+
 /// At least one of the arguments of a call is a symbol, and the others can stand beside it.
 template <class... X>
 concept call_of_symbols = ((is_symbol<X> || is_machine_symbol<X>) || ...) &&
@@ -242,6 +256,16 @@ concept call_of_symbols = ((is_symbol<X> || is_machine_symbol<X>) || ...) &&
   template <detail::is_symbol Y>                                              \
   [[nodiscard]] symbol operator op(exact_double x, const Y& y) {              \
     return symbol::call(#op, {symbol(x), y});                                 \
+  }                                                                           \
+  template <detail::is_symbol X, detail::floating_variable D>                 \
+  [[nodiscard]] symbol operator op(const X& x, D& /*y*/) {                    \
+    static_assert(detail::exact_variable_needed<D>::reported);                \
+    return x;                                                                 \
+  }                                                                           \
+  template <detail::is_symbol Y, detail::floating_variable D>                 \
+  [[nodiscard]] symbol operator op(D& /*x*/, const Y& y) {                    \
+    static_assert(detail::exact_variable_needed<D>::reported);                \
+    return y;                                                                 \
   }
 POLHODE_SYMBOL_OPERATOR(+)
 POLHODE_SYMBOL_OPERATOR(-)

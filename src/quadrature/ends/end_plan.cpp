@@ -171,8 +171,8 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
 bool is_regular(const integrand& f, const end_of_range& end) {
   constexpr precision wide = 192;
   const double_interval in_doubles(-0x1p-10, 0x1p-10);
-  const region around = region(end.at.at(wide)) +
-                        region(end.distance.at(wide)) * region(in_doubles, in_doubles);
+  const region around =
+      region(end.at.at(wide)) + region(end.distance.at(wide)) * region(in_doubles, in_doubles);
   if (f.over(around).is_analytic()) return true;
   // Beside a pole or a cut as near as panels come to an end.
   for (const long size : {10L, 20L, 40L, 80L, 160L, 320L}) {
