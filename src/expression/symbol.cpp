@@ -93,8 +93,9 @@ namespace {
 
 using operands = std::vector<node_id>;
 
-/// Of the functions that stand for numbers in balls.
-constexpr std::string_view name_of_enclosed = "enclosed";
+/// Of the functions that stand for numbers in balls: no identifier, so that no function of a program's
+/// own that texts can call has it.
+constexpr std::string_view name_of_enclosed = "(a number in a ball)";
 using maker = node_id (*)(graph&, const operands&);
 
 /// Operators by their names; "-" is told by its operands.

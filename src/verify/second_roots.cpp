@@ -100,7 +100,7 @@ std::optional<rational> cut_of(const expression& f, const end_point& lower,
   const auto g = f.evaluator<ball>(bits);
   end_point end = upper;
   for (int i = 0; i < most_attempts; ++i) {
-    const std::optional<rational> cut = cut_between(lower, end);
+    std::optional<rational> cut = cut_between(lower, end);
     if (!cut) return std::nullopt;
     const ball value = g(ball(*cut, bits));
     if (certainly_positive(value) || certainly_negative(value)) return cut;

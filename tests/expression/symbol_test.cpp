@@ -138,6 +138,7 @@ TEST(Symbol, BallsAreNumbersInThem) {
   EXPECT_TRUE(f(jet<ball, 1>::variable(ball(3, 64)))[1].is_bounded());
   EXPECT_TRUE(contains(f(jet<ball, 1>::variable(ball(3, 64)))[1], wide));
   EXPECT_FALSE(f.exact_value().has_value());
+  EXPECT_NE(f.to_text().find("(a number in a ball)"), std::string::npos);
   EXPECT_TRUE(formula_of([](const auto&) { return symbol(ball::undefined(64)); })(ball(1, 64))
                   .is_undefined());
   // One that is one number is exact; unless it is very long.
