@@ -135,5 +135,45 @@ TEST(IntegralsOfZero, AreCertifiedRelativeToTheIntegralOfTheSize) {
             status::not_certified);
 }
 
+/// A ball in a lambda is a number that is known as far as the ball says, at singular points as well: what is found holds the
+/// integral with every number in it, and what diverges for one of them is not certified.
+TEST(FormulaIntegral, OfNumbersInBallsHoldsThatOfTheNumber) {
+  const end_point infinity = end_point::infinity();
+  const precision p = 2000;
+  const ball root = sqrt(ball(2, p));
+  const auto holds = [](const integral& i, const ball& value) {
+    return !i.enclosure.is_bounded() || overlaps(i.enclosure, value);
+  };
+  for (const precision bits : {2L, 53L, 200L, 4000L}) {
+    const ball k = sqrt(ball(2, bits));
+    const integrate_options few{.digits = 10, .most_evaluations = 100'000};
+    const integral plain = integrate([k](const auto& x) { return k * x; }, 0, 1, {.digits = 30});
+    EXPECT_TRUE(holds(plain, scale(root, -1)));
+    EXPECT_EQ(plain.verdict == status::certified, bits >= 200) << bits;
+    EXPECT_TRUE(holds(integrate([k](const auto& x) { return 1 / sqrt(k - x); }, 0, 1, few),
+                      2 * (sqrt(root) - sqrt(root - 1))));
+    EXPECT_TRUE(
+        holds(integrate([k](const auto& x) { return 1 / sqrt(abs(square(x) - k * k)); }, 0, 2, few),
+              scale(pi(p), -1) + acosh(2 / root)));
+    EXPECT_TRUE(
+        holds(integrate([k](const auto& x) { return exp(-k * x); }, 0, infinity, few), 1 / root));
+    EXPECT_TRUE(holds(integrate([k](const auto& x) { return pow(x, -k / 2); }, 0, 1, few),
+                      1 / (1 - scale(root, -1))));
+    EXPECT_TRUE(
+        holds(integrate([k](const auto& x) { return (square(x) - k * k) / (x - k); }, 0, 2, few),
+              2 + 2 * root));
+    EXPECT_TRUE(holds(integrate([k](const auto& x) { return floor(x + k); }, 0, 1, few), root));
+    EXPECT_NE(integrate([k](const auto& x) { return 1 / (x - k); }, 0, 2, few).verdict,
+              status::certified);
+    EXPECT_NE(integrate([k](const auto& x) { return pow(x, -k * k / 2); }, 0, 1, few).verdict,
+              status::certified);
+  }
+  // Two uses of a ball may be two numbers.
+  const ball wide = hull(ball(1, 64), ball(2, 64));
+  const integral difference = integrate([&](const auto& x) { return wide * x - wide * x; }, 0, 1);
+  EXPECT_TRUE(
+      contains(difference.enclosure, hull(ball(rational(-1, 2), 64), ball(rational(1, 2), 64))));
+}
+
 }  // namespace formula_integral_test
 }  // namespace polhode::test
