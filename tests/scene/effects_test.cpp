@@ -583,7 +583,7 @@ TEST(Series, SteadyMotionsAreExactAtAllTimes) {
             "\"\n[time]\nto = 10\nsamples = 4\n",
         {"momentum"});
     for (const std::vector<ball>& row : report.find("momentum")->table->rows) {
-      for (const std::size_t k : {0, 1, 2, 3, 5}) {
+      for (const std::size_t k : {0U, 1U, 2U, 3U, 5U}) {
         EXPECT_TRUE(row[k].is_exact()) << unit << ' ' << k;
         EXPECT_TRUE(contains(row[k], rational(k == 1 ? 1 : 0))) << unit << ' ' << k;
       }
