@@ -249,11 +249,7 @@ graph graph_of(const symbol& formula, const expression_names& names) try {
     for (const symbol_node* s : enclosed) {
       place[s] = all.size();
       all.push_back({.what = {std::string(name_of_enclosed), "x", "a number in a ball", "all x"},
-                     .value = [x = *s->enclosure](std::span<const ball>) { return x; },
-                     .gradient =
-                         [](std::span<const ball> x) {
-                           return std::vector<ball>{ball(0, x.front().precision())};
-                         }});
+                     .value = [x = *s->enclosure](std::span<const ball>) { return x; }});
     }
     functions = std::make_shared<const further_functions>(std::move(all));
   }

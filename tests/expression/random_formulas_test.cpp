@@ -8,6 +8,7 @@
 #include <string>
 
 #include "polhode/expression/expression.hpp"
+#include "polhode/expression/formula_of.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -129,6 +130,29 @@ TEST(RandomFormulas, ThatAreExactHaveTheValueThatBallsEnclose) {
     }
   }
   EXPECT_GT(exact, 50 * std::min(1.0, support::effort()));
+  EXPECT_GT(bounded, 200 * std::min(1.0, support::effort()));
+}
+
+/// The formula with a ball around 1 as a factor of each number, through symbols: it holds the value for 1.
+TEST(RandomFormulas, WithNumbersInBallsHoldThoseOfTheNumbers) {
+  support::random_source random(32);
+  long bounded = 0;
+  for (support::repeat trial(1500); trial.again();) {
+    const formula f = random_formula(random, static_cast<int>(random.between(1, 4)));
+    const std::optional<expression> plain = read(f.plain);
+    if (!plain) continue;
+    std::string text = f.veiled;
+    for (std::size_t i = text.find("*pi/pi"); i != text.npos; i = text.find("*pi/pi", i)) {
+      text.replace(i, 6, "*y");
+    }
+    const expression in_y(text, {{"y"}, {}});
+    const ball near_1 = ball(1, 300).enlarged(magnitude::power_of_two(-random.between(20, 200)));
+    const ball value = formula_of(in_y(symbol(near_1)), {}).value(300);
+    const ball exact = plain->value(500);
+    if (value.is_bounded()) ++bounded;
+    EXPECT_TRUE(exact.is_undefined() || value.is_undefined() || overlaps(exact, value))
+        << text << " " << exact << " " << value;
+  }
   EXPECT_GT(bounded, 200 * std::min(1.0, support::effort()));
 }
 

@@ -17,8 +17,8 @@
 
 namespace polhode {
 
-/// The formula of a symbol in the variables of these names, with the functions of docs/expressions.md and docs/elliptic.md. Throws
-/// input_error where it is certainly undefined.
+/// The formula of a symbol in the variables of these names, with the functions of
+/// docs/expressions.md and docs/elliptic.md. Throws input_error where it is certainly undefined.
 [[nodiscard]] expression formula_of(const symbol& s, const std::vector<std::string>& variables);
 
 namespace detail {
@@ -51,7 +51,8 @@ constexpr bool expect_generic() {
   }
 }
 
-/// What a function of symbols returned: where it is a constant, a number. Throws input_error for a double that is not the decimal it looks like.
+/// What a function of symbols returned: where it is a constant, a number. Throws input_error for a
+/// double that is not the decimal it looks like.
 template <class V>
 [[nodiscard]] symbol symbol_of(const V& value) {
   if constexpr (std::floating_point<V>) {

@@ -4,14 +4,17 @@
 //
 //   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in expression/formula_of.hpp
 //
-// A symbol stands for a number that is not known yet. Operators and the functions of the table (function_table.hpp) applied to symbols
-// give symbols, until the function returns one; what it did is then an expression, with all that the library knows of those. Beside
-// symbols stand exact numbers: whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5), and
-// Boost's floating-point numbers, each as the exact number that it is. A double variable is refused when it is compiled, but beside a
-// machine_symbol<double>, which integrate<double> and its like call the function with. A ball stands for one number that it
-// holds, the same wherever this symbol is used; a complex ball for a complex one.
+// A symbol stands for a number that is not known yet. Operators and the functions of the table
+// (function_table.hpp) applied to symbols give symbols, until the function returns one; what it did is
+// then an expression, with all that the library knows of those. Beside symbols stand exact numbers:
+// whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5), and Boost's
+// floating-point numbers, each as the exact number that it is. A double variable is refused when it is
+// compiled, but beside a machine_symbol<double>, which integrate<double> and its like call the function
+// with. A ball stands for a number in it; where it is used twice, for two numbers that may differ,
+// unless a symbol is made of it once. A complex ball stands for a complex number.
 //
-// A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what to write.
+// A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what to
+// write.
 
 #include <concepts>
 #include <cstddef>

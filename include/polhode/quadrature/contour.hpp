@@ -122,14 +122,16 @@ struct complex_integrand {
 /// second one, that is the imaginary unit. Throws input_error where it has more.
 [[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);
 
-/// The integral of f(z) dz along a path, for a formula as complex_integrand_of has it. Each part of the enclosure has a radius of at most 10^-options.digits of the
-/// integral's size, or of that which options says, where it is certified. Verdicts as of `integrate`; not_analytic
-/// says which function is in the way, and near which z. A piece without length (points that are the same, radius 0, equal
+/// The integral of f(z) dz along a path, for a formula as complex_integrand_of has it. Each part of the
+/// enclosure has a radius of at most 10^-options.digits of the integral's size, or of that which
+/// options says, where it is certified. Verdicts as of `integrate`; not_analytic says which function is
+/// in the way, and near which z. A piece without length (points that are the same, radius 0, equal
 /// angles) adds 0, and f is not asked there.
 ///
-/// That a piece starts where the one before it ends is proved where both points are one path_point or both are exact, as the corners
-/// of a polygon are. Of others, such as the ends of arcs, equality cannot be proved: their enclosures to twice the digits must
-/// overlap. Throws std::invalid_argument where pieces do not join, and for options.digits < 1.
+/// That a piece starts where the one before it ends is proved where both points are one path_point or
+/// both are exact, as the corners of a polygon are. Of others, such as the ends of arcs, equality cannot
+/// be proved: their enclosures to twice the digits must overlap. Throws std::invalid_argument where
+/// pieces do not join, and for options.digits < 1.
 [[nodiscard]] contour_integral integrate_along(const expression& f, const path& along,
                                                const integrate_options& options = {});
 

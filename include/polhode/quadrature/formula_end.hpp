@@ -7,8 +7,8 @@
 
 namespace polhode {
 
-/// A formula without variables as an end of a range; exactly, where it is found to be q + r pi with rational q and r. Throws
-/// input_error where it has a variable.
+/// A formula without variables as an end of a range; exactly, where it is found to be q + r pi with
+/// rational q and r. Throws input_error where it has a variable.
 [[nodiscard]] end_point end_point_of(const expression& f);
 
 /// A formula without variables of the number that x is: of q + r pi, or the one that end_point_of

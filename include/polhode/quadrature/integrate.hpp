@@ -69,8 +69,7 @@ struct integrate_options {
   /// A rule to insist on. Where it does not apply the verdict says so (not_applicable), and what is missing.
   quadrature_rule rule = quadrature_rule::automatic;
   /// On how many threads f is evaluated at the nodes; 0 for as many as the machine has processors, which are the
-  /// most. The result is the same bit for bit. Unless it is 1, f is called by several threads at a time, and so are
-  /// its member evaluator<ball>(p) and copies; but what evaluator made is called by one thread only.
+  /// most. The result is the same bit for bit.
   int threads = 1;
   /// Called before the nodes of a panel are summed, by the thread that integrates; may be empty.
   std::function<void(const integration_progress&)> progress = {};

@@ -23,8 +23,8 @@
 // not analytic, or undefined, where f is not differentiable by p_i somewhere in P, and those of an f that itself
 // is not analytic there are refused here. Where an integral of a derivative is not had, the direct enclosure stands alone.
 //
-// f(x, p) is one generic function, as for `integrate`; p has the parameters as p[0], p[1], ... of x's type, which may be
-// a jet too: pow(x, n) with whole n only, exp(e * log(x)) for other powers, and no abs, min, max, floor or ceil.
+// f is a formula in x and the parameters, or a generic function of x and of a std::vector p with the
+// parameters p[0], p[1], ..., as for `integrate`.
 
 #include <cstddef>
 #include <functional>

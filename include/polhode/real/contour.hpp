@@ -11,7 +11,6 @@
 #include <string>
 
 #include "polhode/quadrature/contour.hpp"
-#include "polhode/quadrature/integrate.hpp"
 #include "polhode/real/function.hpp"
 #include "polhode/real/integrate.hpp"
 #include "polhode/real/number.hpp"
@@ -48,7 +47,7 @@ template <class Real, class F>
 requires std::same_as<Real, ball>
 [[nodiscard]] contour_integral integrate_along(const F& f, const path& along,
                                                const integrate_options& options = {}) {
-  return integrate_along(formula_of<detail::symbol_of_real<Real>>(f), along, options);
+  return integrate_along(complex_formula_of<detail::symbol_of_real<Real>>(f), along, options);
 }
 
 /// The same with parts in Real, certified, rounding included. Policies as in real/integrate.hpp.
@@ -63,8 +62,9 @@ requires floating_real<Real>
     const precision bits = usual_bits<Real>();
     const long digits = options.digits.value_or(detail::digits_wanted<Real, Policy>(bits));
     detail::expect_digits(digits);
-    const contour_integral found = integrate_along(formula_of<detail::symbol_of_real<Real>>(f),
-                                                   along, detail::options_for(options, digits));
+    const contour_integral found =
+        integrate_along(complex_formula_of<detail::symbol_of_real<Real>>(f), along,
+                        detail::options_for(options, digits));
     detail::set_number_and_error(found.enclosure.re, bits, result.re, result.re_error);
     detail::set_number_and_error(found.enclosure.im, bits, result.im, result.im_error);
     result.verdict = found.verdict;

@@ -108,9 +108,9 @@ struct isolate_options {
   int most_halvings = 200;
   /// Bits that cancellation may raise the working precision to.
   precision most_precision = 1L << 14;
-  /// On how many threads boxes are examined; 0 for as many as the machine has processors, which are the most. The
-  /// result is the same bit for bit. Unless it is 1, f is called by several threads at a time, and so are its member
-  /// evaluator<T>(p) and copies; but what evaluator made is called by one thread only.
+  /// On how many threads boxes are examined; 0 for as many as the machine has processors, which are
+  /// the most. The result is the same bit for bit. Unless it is 1, several threads at a time call
+  /// real_function::at; each calls what it made by itself.
   int threads = 1;
   /// Called every few boxes; false ends the run as a limit does.
   std::function<bool(const isolation_progress&)> progress = {};
