@@ -17,7 +17,7 @@ using detail::operation;
 
 // Beyond these a formula is not taken for a polynomial.
 constexpr long greatest_degree = 10'000;
-constexpr std::size_t most_steps = 1U << 16;  // products of coefficients
+constexpr std::size_t most_steps = 1U << 20;  // products of coefficients
 constexpr std::size_t most_bits = 1U << 14;   // of a coefficient
 
 using terms = std::map<long, rational>;  // the coefficients that are not 0, by degree

@@ -1,7 +1,9 @@
 // Formulas as functions whose roots are looked for.
 
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -76,6 +78,11 @@ real_function::real_function(const expression& f) {
     throw input_error(
         fmt::format("the variables of the formula are {}; roots are found of a function of one",
                     fmt::join(f.variables(), ", ")));
+  }
+  // Above this degree a polynomial is a function like others: exact arithmetic would take too long.
+  constexpr long most_degree = 2000;
+  if (auto p = f.polynomial(); p && p->degree() <= most_degree) {
+    polynomial_ = std::make_shared<const rational_polynomial>(std::move(*p));
   }
   using slope_type = jet<ball, 1>;
   using series_type = jet<ball, dynamic_order>;

@@ -20,10 +20,6 @@ namespace {
 using structure_product = function_structure::product;
 using structure_factor = function_structure::factor;
 
-// Beyond these a polynomial is dropped: exact arithmetic would cost more than it helps.
-constexpr long most_degree = 128;
-constexpr std::size_t most_height = 1U << 15;
-
 void multiply_factors(std::vector<structure_factor>& factors,
                       const std::vector<structure_factor>& more) {
   for (const structure_factor& g : more) {
@@ -48,7 +44,6 @@ structure_product multiplied(const structure_product& x, const structure_product
 function_structure function_structure::variable(const ball& box, const ball& point) {
   function_structure x;
   x.ids_ = std::make_shared<long>(1);
-  x.polynomial_ = rational_polynomial::variable();
   x.numerator_.id = 1;
   x.numerator_.over = jet<ball, 1>::variable(box);
   x.numerator_.at_point = point;
@@ -91,9 +86,7 @@ function_structure function_structure::constant(const ball& c) const {
 function_structure function_structure::constant_like(const rational& c) const {
   const precision p = numerator_.at_point.precision();
   function_structure r = constant(ball(c, p));
-  r.polynomial_ = rational_polynomial({c});
   if (series_) r.series_ = exact_series::constant(known_number(c, p), series_->order());
-  r.forget_if_long();
   return r;
 }
 function_structure function_structure::constant_like(const ball& c) const {
@@ -101,12 +94,6 @@ function_structure function_structure::constant_like(const ball& c) const {
   function_structure r = constant(c);
   if (series_) r.series_ = exact_series::constant(known_number(c), series_->order());
   return r;
-}
-
-void function_structure::forget_if_long() {
-  if (polynomial_ && (polynomial_->degree() > most_degree || polynomial_->height() > most_height)) {
-    polynomial_.reset();
-  }
 }
 
 function_structure::exact_series function_structure::value_alone(const exact_series& like,
@@ -124,7 +111,6 @@ function_structure operator-(const function_structure& x) {
   r.numerator_.over = -x.numerator_.over;
   r.numerator_.at_point = -x.numerator_.at_point;
   if (x.natural_) r.natural_ = -*x.natural_;
-  if (x.polynomial_) r.polynomial_ = rational_polynomial() - *x.polynomial_;
   if (x.series_) r.series_ = -*x.series_;
   return r;
 }
@@ -157,9 +143,7 @@ function_structure operator+(const function_structure& x, const function_structu
   function_structure r = x.fresh(std::move(over), std::move(at_point), false);
   r.denominator_ = std::move(denominator);
   if (x.natural_ && y.natural_) r.natural_ = *x.natural_ + *y.natural_;
-  if (x.polynomial_ && y.polynomial_) r.polynomial_ = *x.polynomial_ + *y.polynomial_;
   if (x.series_ && y.series_) r.series_ = *x.series_ + *y.series_;
-  r.forget_if_long();
   return r;
 }
 function_structure operator-(const function_structure& x, const function_structure& y) {
@@ -181,12 +165,7 @@ function_structure operator*(const function_structure& x, const function_structu
                       (!x.denominator_ || x.denominator_->id == y.denominator_->id);
     r.natural_ = same ? square(*x.natural_) : *x.natural_ * *y.natural_;
   }
-  if (x.polynomial_ && y.polynomial_ &&
-      x.polynomial_->degree() + y.polynomial_->degree() <= most_degree) {
-    r.polynomial_ = *x.polynomial_ * *y.polynomial_;
-  }
   if (x.series_ && y.series_) r.series_ = *x.series_ * *y.series_;
-  r.forget_if_long();
   return r;
 }
 
@@ -203,11 +182,7 @@ function_structure operator/(const function_structure& x, const function_structu
     r.denominator_ = divisor;
   }
   if (x.natural_ && y.natural_) r.natural_ = natural_domain::divide(*x.natural_, *y.natural_);
-  if (x.polynomial_ && y.polynomial_ && y.polynomial_->degree() == 0) {
-    r.polynomial_ = *x.polynomial_ * rational_polynomial({rational(1) / y.polynomial_->leading()});
-  }
   if (x.series_ && y.series_) r.series_ = *x.series_ / *y.series_;
-  r.forget_if_long();
   return r;
 }
 
@@ -216,7 +191,6 @@ function_structure pow(const function_structure& x, long n) {
     function_structure one = x.constant_like(rational(1));
     if (!x.natural_ || x.over()[0].is_undefined()) one.natural_ = x.natural_;
     if (x.over()[0].is_undefined()) {  // 1 where x is defined, but nothing is known where not
-      one.polynomial_ = x.polynomial_ ? one.polynomial_ : std::nullopt;
       one.numerator_.over[0] = ball::undefined(x.numerator_.at_point.precision());
     }
     return one;
@@ -252,14 +226,7 @@ function_structure pow(const function_structure& x, long n) {
     }
   }
   if (x.natural_) r.natural_ = natural_domain::pow(*x.natural_, n);
-  if (x.polynomial_ && n > 0 && n <= most_degree && x.polynomial_->degree() * n <= most_degree &&
-      x.polynomial_->height() * static_cast<std::size_t>(n) <= most_height) {
-    rational_polynomial power({rational(1)});
-    for (long k = 0; k < n; ++k) power = power * *x.polynomial_;
-    r.polynomial_ = power;
-  }
   if (x.series_) r.series_ = pow(*x.series_, n);
-  r.forget_if_long();
   return r;
 }
 

@@ -46,12 +46,7 @@ root_search::root_search(const real_function& f, const end_point& lower, const e
   s->lower = lower;
   s->upper = upper;
   const detail::exact_box range = detail::range_around(lower, upper);
-  // A polynomial is made free of multiple roots.
-  const ball any(0, detail::first_bits);
-  const auto shape =
-      f.structure(function_structure::variable(ball::undefined(detail::first_bits), any));
-  const std::optional<rational_polynomial> p = shape ? shape->polynomial() : std::nullopt;
-  s->account.evaluations = 1;
+  const std::shared_ptr<const rational_polynomial> p = f.polynomial();
   if (!p) {
     s->problems.push_back({s->f, 1, false});
     s->settled.emplace_back(range);
@@ -62,29 +57,8 @@ root_search::root_search(const real_function& f, const end_point& lower, const e
     s->identically_zero = true;
   } else {
     for (const repeated_factor& factor : square_free_decomposition(*p)) {
-      if (factor.factor.degree() == 1) {
-        root_region r;
-        r.exact = -factor.factor.coefficients()[0] / factor.factor.leading();
-        r.verdict = factor.multiplicity == 1 ? root_verdict::unique : root_verdict::multiple;
-        r.box = r.enclosure = ball(*r.exact, detail::first_bits);
-        r.multiplicity = factor.multiplicity;
-        r.function = s->f;
-        r.simple = std::make_shared<real_function>(real_function::of(factor.factor));
-        s->settled.emplace_back(range);
-        s->settled.back().add_known(range, s->found.size());
-        s->found.push_back({r, s->problems.size(), double_interval::from_ball(r.box)});
-        s->problems.push_back({r.simple, factor.multiplicity, true});
-        continue;
-      }
-      const rational bound = root_bound(factor.factor);
-      detail::exact_box part = range;
-      if (!part.lower) part.lower = part.upper ? std::min(rational(-bound), *part.upper) : -bound;
-      if (!part.upper) part.upper = std::max(bound, *part.lower);
-      // Beyond the bound there is no root.
+      s->pending.push_back({range, 0, detail::first_bits, s->problems.size(), {}});
       s->settled.emplace_back(range);
-      if (!range.lower) s->settled.back().add_without_root({std::nullopt, part.lower});
-      if (!range.upper) s->settled.back().add_without_root({part.upper, std::nullopt});
-      s->pending.push_back({part, 0, detail::first_bits, s->problems.size(), {}});
       s->problems.push_back({std::make_shared<real_function>(real_function::of(factor.factor)),
                              factor.multiplicity, true});
     }

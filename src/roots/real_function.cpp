@@ -1,6 +1,9 @@
 #include "polhode/roots/real_function.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "polhode/arithmetic/generic_function.hpp"
 
@@ -8,14 +11,25 @@ namespace polhode {
 
 real_function real_function::of(const rational_polynomial& p) {
   real_function result;
-  result.at_ = [p](precision) {
+  result.polynomial_ = std::make_shared<const rational_polynomial>(p);
+  result.at_ = [p](precision bits) {
+    std::vector<ball> c;
+    c.reserve(p.coefficients().size());
+    for (const rational& q : p.coefficients()) c.emplace_back(q, bits);
+    const auto coefficients = std::make_shared<const std::vector<ball>>(std::move(c));
     function_evaluator e;
-    e.value = [p](const ball& x) { return p(x); };
-    e.slope = [p](const ball& x) {
-      const auto s = p.series(x, 1);
+    e.value = [coefficients, bits](const ball& x) {
+      ball value(0, bits);
+      for (std::size_t k = coefficients->size(); k-- > 0;) value = value * x + (*coefficients)[k];
+      return value;
+    };
+    e.slope = [coefficients, bits](const ball& x) {
       jet<ball, 1> r;
-      r[0] = s[0];
-      r[1] = s[1];
+      r[0] = r[1] = ball(0, bits);
+      for (std::size_t k = coefficients->size(); k-- > 0;) {
+        r[1] = r[1] * x + r[0];
+        r[0] = r[0] * x + (*coefficients)[k];
+      }
       return r;
     };
     e.derivative = [slope = e.slope](const ball& x) { return slope(x)[1]; };

@@ -7,6 +7,7 @@
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/roots/isolate.hpp"
+#include "polynomial/root_bracket.hpp"
 #include "search/taylor_bounds.hpp"
 #include "thread_count.hpp"
 #include "tiling.hpp"
@@ -56,6 +57,37 @@ std::optional<ball> place_by_search(const real_function& f, const ball& enclosur
   return std::nullopt;
 }
 
+/// Narrows the enclosure of the root of a polynomial, which is simple and the only one in it, by the
+/// signs of values: to p bits where these are few, else until Newton's method is faster. Returns the bits
+/// that were lost to cancellation.
+precision refine_by_signs(const rational_polynomial& given, precision p, refined_root& result) {
+  constexpr precision few = 512;
+  constexpr precision start_of_newton = 256;
+  // The enclosure has the bits with which it was found.
+  detail::polynomial_values values(primitive_coefficients(given), result.enclosure.precision());
+  detail::exact_interval sharper{lower_rational(result.enclosure),
+                                 upper_rational(result.enclosure)};
+  precision bits = p <= few ? p : start_of_newton;
+  sharper = detail::narrowed(values, sharper, bits);
+  precision lost = std::max<precision>(values.last_precision() - bits, 0);
+  if (bits < p && !sharper.is_point()) {
+    // f' over the enclosure must have a sign for Newton's method.
+    const precision work = bits + lost;
+    const ball slope = real_function::of(given).at(work)->derivative(sharper.to_ball(work));
+    if (slope.is_undefined() || contains_zero(slope)) {
+      sharper = detail::narrowed(values, sharper, p);
+    }
+  }
+  result.evaluations_of_f += values.evaluations();
+  if (sharper.is_point()) {
+    result.exact = *sharper.lower;
+    result.enclosure = ball(*sharper.lower, p);
+  } else {
+    result.enclosure = sharper.to_ball(p + 16);
+  }
+  return lost;
+}
+
 }  // namespace
 
 refined_root refine(const root_region& region, long digits) {
@@ -77,12 +109,19 @@ refined_root refine(const root_region& region, long digits) {
   };
   // Bits beside those of x that f is evaluated with, because it cancels.
   precision more = 0;
+  if (f.polynomial()) {
+    more = refine_by_signs(*f.polynomial(), p, result);
+    if (result.exact || is_narrow(result.enclosure)) {
+      result.verdict = status::certified;
+      return result;
+    }
+  }
   const precision most = 8 * p + (1L << 14);
   constexpr int most_halvings = 60;
   int halvings = 0;
   // Newton's steps over wide balls are dear. If a narrow place in the box is proved to hold a root, it is the one that the
   // box holds.
-  std::optional<ball> place = place_by_search(f, result.enclosure);
+  std::optional<ball> place = f.polynomial() ? std::nullopt : place_by_search(f, result.enclosure);
   if (place && !contains(region.box, *place)) place = std::nullopt;
   while (true) {
     const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };

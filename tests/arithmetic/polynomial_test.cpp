@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "polhode/arithmetic/polynomial.hpp"
@@ -45,6 +47,44 @@ TEST(RationalPolynomial, DivisionAndGcdAreExact) {
   }
 }
 
+/// By Euclid's algorithm.
+rational_polynomial euclidean_gcd(rational_polynomial p, rational_polynomial q) {
+  while (!q.is_zero()) {
+    rational_polynomial rest = divide(p, q).second;
+    p = std::move(q);
+    q = std::move(rest);
+  }
+  return p.is_zero() ? p : p * rational_polynomial({rational(1) / p.leading()});
+}
+
+TEST(RationalPolynomial, GcdIsEuclids) {
+  random_source random(71);
+  for (repeat trial(300); trial.again();) {
+    const auto any = [&](long degree) {
+      std::vector<rational> c;
+      const long bits = random.between(1, 200);
+      for (long k = 0; k <= degree; ++k) {
+        c.push_back(
+            random.any_rational(20) * rational(integer(1) << static_cast<unsigned long>(bits)) + k);
+      }
+      return rational_polynomial(c);
+    };
+    const rational_polynomial common = any(random.between(0, 6));
+    const rational_polynomial p = any(random.between(0, 8)) * common;
+    const rational_polynomial q = any(random.between(0, 8)) * common * common;
+    EXPECT_EQ(gcd(p, q), euclidean_gcd(p, q));
+  }
+  // The images modulo the first prime above 2^30 have a common root that p and q have not.
+  const integer prime = 1'073'741'827;
+  const rational_polynomial p({rational(-1), rational(1)});
+  const rational_polynomial q({rational(-1 - prime), rational(1)});
+  EXPECT_EQ(gcd(p, q), rational_polynomial({rational(1)}));
+  EXPECT_EQ(gcd(p * q, q * q), q);
+  // The prime divides the leading coefficients.
+  const rational_polynomial r({rational(1), rational(prime)});
+  EXPECT_EQ(gcd(r * p, r * q), euclidean_gcd(r, rational_polynomial()));
+}
+
 TEST(RationalPolynomial, SeriesAreTaylorCoefficients) {
   const rational_polynomial p(
       {rational(1), rational(-2), rational(0), rational(5), rational(1, 3)});
@@ -83,8 +123,36 @@ TEST(SquareFreeDecomposition, FindsEveryMultiplicity) {
       }
     }
     EXPECT_EQ(count_real_roots(p, -20, 20), 4);
-    EXPECT_GE(root_bound(p), abs(roots[0]));
+    for (const rational& r : roots) EXPECT_GE(root_bound(p), abs(r));
   }
+}
+
+TEST(RootBound, IsNearlyAttained) {
+  // (x - 2^k)^n has the bound 2^(k + 1) n; x^n - x^(n-1) - ... - 1 has a root near 2.
+  for (const long n : {1L, 2L, 7L}) {
+    for (const long size : {-40L, -1L, 0L, 1L, 40L}) {
+      const integer power_of_two = integer(1) << static_cast<unsigned long>(std::abs(size));
+      const rational root = size >= 0 ? rational(power_of_two) : rational(1, power_of_two);
+      const rational_polynomial p = power(linear(root), n);
+      EXPECT_GE(root_bound(p), root);
+      EXPECT_LE(root_bound(p), 8 * n * root);
+    }
+  }
+  // The root of x^n - ... - 1 is above 2 - 2^(1-n): the least power of two that bounds it is 2.
+  std::vector<rational> c(12, rational(-1));
+  c.back() = 1;
+  EXPECT_GE(root_bound(rational_polynomial(c)), 2);
+  // All of the weight is in one coefficient, a power of two less 1 or plus 1, of one sign.
+  for (const long k : {1L, 2L, 3L, 5L}) {
+    for (const long change : {-1L, 0L, 1L}) {
+      std::vector<rational> one(static_cast<std::size_t>(k) + 1, rational(0));
+      one.front() = -((integer(1) << 30UL) + change);
+      one.back() = 1;
+      const rational bound = root_bound(rational_polynomial(one));
+      EXPECT_GE(power(rational_polynomial({bound}), k)(0), rational((integer(1) << 30UL) + change));
+    }
+  }
+  EXPECT_EQ(root_bound(power(linear(0), 3)), 0);
 }
 
 TEST(CountRealRoots, CountsTheEnds) {

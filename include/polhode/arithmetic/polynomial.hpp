@@ -50,7 +50,10 @@ class rational_polynomial {
 /// {q, r} with p = q d + r and deg r < deg d. Hypothesis: d is not 0.
 [[nodiscard]] std::pair<rational_polynomial, rational_polynomial> divide(
     const rational_polynomial& p, const rational_polynomial& d);
-/// The greatest common divisor with leading coefficient 1 (Euclid); 0 for 0 and 0.
+/// The coefficients of the positive multiple of p whose coefficients are integers without a common
+/// divisor. Hypothesis: p is not 0.
+[[nodiscard]] std::vector<integer> primitive_coefficients(const rational_polynomial& p);
+/// The greatest common divisor with leading coefficient 1; 0 for 0 and 0.
 [[nodiscard]] rational_polynomial gcd(const rational_polynomial& p, const rational_polynomial& q);
 
 /// A factor and how often it occurs.
@@ -58,21 +61,24 @@ struct repeated_factor {
   rational_polynomial factor;
   long multiplicity;
 };
-/// p up to a constant as a product of factor^multiplicity, each factor without multiple roots, no two with a
-/// common root, in the order of the multiplicities (D. Y. Y. Yun, On square-free decomposition algorithms,
-/// 1976; J. von zur Gathen, J. Gerhard, Modern Computer Algebra, algorithm 14.21). So the roots of a
-/// factor are exactly the roots of p with that multiplicity. Hypothesis: p is not 0.
+/// p up to a constant as a product of factor^multiplicity, each factor without multiple roots, no
+/// two with a common root, in the order of the multiplicities (D. Y. Y. Yun, On square-free
+/// decomposition algorithms, 1976; J. von zur Gathen, J. Gerhard, Modern Computer Algebra,
+/// algorithm 14.21). So the roots of a factor are exactly the roots of p with that multiplicity.
+/// Hypothesis: p is not 0.
 [[nodiscard]] std::vector<repeated_factor> square_free_decomposition(const rational_polynomial& p);
 
-/// B >= |x| for every complex root x (Cauchy 1829): 1 + max |a_k / a_n|. Hypothesis: p is not 0.
+/// B >= |x| for every complex root x: 2 max |a_(n-k) / a_n|^(1/k) (M. Fujiwara, 1916), with each
+/// root replaced by a power of two above it. Hypothesis: p is not 0.
 [[nodiscard]] rational root_bound(const rational_polynomial& p);
 
-/// The number of different real roots in [lower, upper], ends included (Sturm 1829). Hypothesis: p is not 0.
+/// The number of different real roots in [lower, upper], ends included (Sturm 1829). Hypothesis: p
+/// is not 0.
 [[nodiscard]] long count_real_roots(const rational_polynomial& p, const rational& lower,
                                     const rational& upper);
 
-/// The rational number with the least denominator in [lower, upper], and the least numerator of these
-/// (by continued fractions). Hypothesis: lower <= upper.
+/// The rational number with the least denominator in [lower, upper], and the least numerator of
+/// these (by continued fractions). Hypothesis: lower <= upper.
 [[nodiscard]] rational simplest_between(const rational& lower, const rational& upper);
 /// The same, or std::nullopt where its continued fraction has more than so many terms.
 [[nodiscard]] std::optional<rational> simplest_between(const rational& lower, const rational& upper,

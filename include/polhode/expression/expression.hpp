@@ -233,8 +233,8 @@ class expression {
   /// has the same value. None where the formula is long, or has no value anywhere.
   [[nodiscard]] std::optional<expression> in_exponential(const expression* end, int side) const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
-  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, 65,536
-  /// products of coefficients).
+  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, a
+  /// million products of coefficients).
   [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
   /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
   /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.

@@ -1,7 +1,6 @@
 #pragma once
 
 // What a function is besides its values. Call a generic function with a function_structure, and the result has
-//   the polynomial with rational coefficients that the function is, if it is one;
 //   the function as a quotient of products of factors with their powers, over a box: sin(x)^2 (x - 1) has
 //     the factors sin(x), twice, and x - 1, and tan(x) is sin(x)/cos(x), so that poles are roots of the
 //     denominator;
@@ -18,7 +17,6 @@
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/known_number.hpp"
 #include "polhode/arithmetic/natural_domain.hpp"
-#include "polhode/arithmetic/polynomial.hpp"
 
 namespace polhode {
 
@@ -62,7 +60,6 @@ class function_structure {
     return constant_like(rational(n));
   }
 
-  [[nodiscard]] const std::optional<rational_polynomial>& polynomial() const { return polynomial_; }
   /// The range where it is defined; std::nullopt where it is defined nowhere in the box.
   [[nodiscard]] const std::optional<ball>& natural_range() const { return natural_; }
   [[nodiscard]] const product& numerator() const { return numerator_; }
@@ -131,12 +128,9 @@ class function_structure {
   friend function_structure pow(const function_structure& x, long n);
 
  private:
-  /// Without a natural range (nowhere defined), polynomial and series.
+  /// Without a natural range (nowhere defined) and series.
   [[nodiscard]] function_structure fresh(jet<ball, 1> over, ball at_point, bool never_zero) const;
   [[nodiscard]] function_structure constant(const ball& c) const;
-  void forget_if_long();
-
-  std::optional<rational_polynomial> polynomial_;
   product numerator_;
   std::optional<product> denominator_;
   std::optional<ball> natural_;

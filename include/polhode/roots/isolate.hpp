@@ -9,13 +9,16 @@
 // Outside the regions of the answer f has no root in the interval: they cover what could not be excluded,
 // without gaps. A region says what is proved of it (root_verdict, newton.hpp).
 //
-// How: the interval is cut into boxes. Over a box X with its middle m f and f' are enclosed by evaluation and by
+// A polynomial with rational coefficients is made free of multiple roots (Yun, 1976), its rational roots are found
+// exactly (Hensel lifting), and the others are told apart by Descartes' rule of signs and continued fractions
+// (Vincent's theorem; src/roots/polynomial).
+//
+// Of other functions: the interval is cut into boxes. Over a box X with its middle m f and f' are enclosed by evaluation and by
 // Taylor's formula about m. A box whose range does not hold 0 has no root; one on which f' has one
 // sign and which interval Newton maps into itself has exactly one. Where this fails the box is halved, with more
 // bits where rounding is in the way. A root found is looked for in a box wider than its own, which is then
 // taken out of the others, so that a root at a common end is found once. What halving cannot decide is asked of
 // the function's structure (function_structure.hpp):
-//   a polynomial with rational coefficients is made free of multiple roots exactly (Yun) before the search;
 //   a factor g^m, g with one simple root in the box and the other factors without one: multiplicity m;
 //   f, f', ..., f^(m-1) exactly 0 at a rational point and f^(m) not 0 over the box: that point, m times, and by
 //     Rolle's theorem no other;

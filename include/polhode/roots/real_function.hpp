@@ -61,6 +61,10 @@ class real_function {
   [[nodiscard]] std::shared_ptr<const function_evaluator> at(precision p) const {
     return std::make_shared<const function_evaluator>(at_(p));
   }
+  /// The polynomial with rational coefficients that f is; nullptr where it is none.
+  [[nodiscard]] const std::shared_ptr<const rational_polynomial>& polynomial() const {
+    return polynomial_;
+  }
   /// The greatest order of a series that is worth asking for, and the one that bounds f over a box best.
   [[nodiscard]] int most_order() const { return most_order_; }
   [[nodiscard]] int best_order() const { return best_order_; }
@@ -86,6 +90,7 @@ class real_function {
   std::function<region(const region&)> over_;
   std::function<function_structure(const function_structure&)> structure_;
   std::function<bool(const rational&, const rational&)> no_root_beside_;
+  std::shared_ptr<const rational_polynomial> polynomial_;
   int most_order_ = 64;
   int best_order_ = 2;
 };

@@ -1,6 +1,7 @@
 #include "polhode/arithmetic/polynomial.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 namespace polhode {
@@ -44,6 +45,7 @@ rational_polynomial operator*(const rational_polynomial& p, const rational_polyn
   if (p.is_zero() || q.is_zero()) return {};
   std::vector<rational> product(p.coefficients_.size() + q.coefficients_.size() - 1);
   for (std::size_t i = 0; i < p.coefficients_.size(); ++i) {
+    if (p.coefficients_[i] == 0) continue;
     for (std::size_t j = 0; j < q.coefficients_.size(); ++j) {
       product[i + j] += p.coefficients_[i] * q.coefficients_[j];
     }
@@ -72,8 +74,8 @@ rational_polynomial rational_polynomial::derivative() const {
 }
 
 jet<ball, dynamic_order> rational_polynomial::series(const ball& x, int n) const {
-  // Horner's scheme: after the j-th pass row[j] is f^(j)(x)/j!, and what is above it are the coefficients
-  // of the quotient by (t - x)^(j+1).
+  // Horner's scheme: after the j-th pass row[j] is f^(j)(x)/j!, and what is above it are the
+  // coefficients of the quotient by (t - x)^(j+1).
   std::vector<ball> row;
   row.reserve(coefficients_.size());
   for (const rational& c : coefficients_) row.emplace_back(c, x.precision());
@@ -109,22 +111,8 @@ namespace {
 rational_polynomial scaled(const rational_polynomial& p, const rational& factor) {
   return p * rational_polynomial({factor});
 }
-rational_polynomial monic(const rational_polynomial& p) {
-  return p.is_zero() ? p : scaled(p, rational(1) / p.leading());
-}
 
 }  // namespace
-
-rational_polynomial gcd(const rational_polynomial& p, const rational_polynomial& q) {
-  rational_polynomial a = monic(p);
-  rational_polynomial b = monic(q);
-  while (!b.is_zero()) {
-    rational_polynomial rest = monic(divide(a, b).second);
-    a = std::move(b);
-    b = std::move(rest);
-  }
-  return a;
-}
 
 std::vector<repeated_factor> square_free_decomposition(const rational_polynomial& p) {
   std::vector<repeated_factor> result;
@@ -142,13 +130,27 @@ std::vector<repeated_factor> square_free_decomposition(const rational_polynomial
   return result;
 }
 
+// Let M >= |c_(n-k) / c_n|^(1/k) for k = 1, ..., n. If |x| > 2 M, then the sum of |c_(n-k) x^(n-k)|
+// over k is at most |c_n x^n| times the sum of (M/|x|)^k < 2^-k, which is below 1: x is no root.
 rational root_bound(const rational_polynomial& p) {
-  rational most = 0;
-  for (const rational& c : p.coefficients()) {
-    const rational size = abs(rational(c / p.leading()));
-    if (&c != &p.leading() && size > most) most = size;
+  const std::vector<rational>& c = p.coefficients();
+  std::optional<long> exponent;  // M = 2^exponent; none for M = 0
+  for (std::size_t k = 1; k < c.size(); ++k) {
+    const rational& one = c[c.size() - 1 - k];
+    if (one == 0) continue;
+    const rational quotient = one / p.leading();
+    const mpq_srcptr q = quotient.backend().data();
+    // |q| < 2^bits.
+    const long bits = static_cast<long>(mpz_sizeinbase(mpq_numref(q), 2)) -
+                      static_cast<long>(mpz_sizeinbase(mpq_denref(q), 2)) + 1;
+    const auto step = static_cast<long>(k);
+    const long root_bits = bits > 0 ? (bits + step - 1) / step : -(-bits / step);  // upward
+    exponent = std::max(exponent.value_or(root_bits), root_bits);
   }
-  return most + 1;
+  if (!exponent) return 0;
+  const long bound = *exponent + 1;
+  const integer power = integer(1) << static_cast<unsigned long>(std::abs(bound));
+  return bound >= 0 ? rational(power) : rational(1, power);
 }
 
 namespace {

@@ -21,6 +21,7 @@
 #include "cli/options/second_opinion.hpp"
 #include "cli/options/time_limit.hpp"
 #include "cli/output/duration.hpp"
+#include "cli/output/exact_decimals.hpp"
 #include "cli/output/json_document.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
@@ -240,7 +241,11 @@ std::string remark_on(const listed_root& r) {
 
 /// Its digits; both ends where they share too few.
 std::string number_text(const listed_root& r, long digits) {
-  if (r.exact) return to_text(*r.exact) + " exactly";
+  if (r.exact) {
+    if (is_short(*r.exact, digits)) return to_text(*r.exact) + " exactly";
+    const leading_digits d = leading_digits_of(*r.exact, digits);
+    return d.all ? with_dots(d) + " exactly" : with_dots(d);
+  }
   if (!r.enclosure.is_bounded()) return fmt::format("{}", "unbounded");
   constexpr long few = 12;
   const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);

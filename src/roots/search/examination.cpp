@@ -237,7 +237,6 @@ class examination {
 
   /// True where the box is done with.
   bool by_structure(const work_box& b) {
-    if (problem(b).square_free) return false;
     const exact_box wide = widened(b.x);
     const ball x = wide.to_ball(b.bits);
     const ball middle(b.x.middle(), b.bits);

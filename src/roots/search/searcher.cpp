@@ -11,6 +11,7 @@
 #include "clusters.hpp"
 #include "examination.hpp"
 #include "polhode/arithmetic/interval.hpp"
+#include "polynomial.hpp"
 
 namespace polhode::detail {
 
@@ -38,26 +39,32 @@ class searcher {
     const auto start = std::chrono::steady_clock::now();
     s_.limit.clear();
     const std::optional<double> whole = open_width();
-    constexpr long between_looks = 64;
-    for (long boxes = 0; !s_.pending.empty(); ++boxes) {
+    // Whether a limit ends the run, after so many boxes, or steps with polynomials.
+    const auto is_over = [&](long boxes) {
+      constexpr long between_looks = 64;
       if (boxes >= options_.most_boxes) {
         s_.limit = "the limit on the number of boxes";
-        return;
-      }
-      if (static_cast<long>(s_.stuck.size()) > options_.most_unresolved) {
+      } else if (static_cast<long>(s_.stuck.size()) > options_.most_unresolved) {
         s_.limit = "the limit on unresolved boxes";
-        return;
-      }
-      if (options_.most_time && std::chrono::steady_clock::now() - start > *options_.most_time) {
+      } else if (options_.most_time &&
+                 std::chrono::steady_clock::now() - start > *options_.most_time) {
         s_.limit = "the limit on the time";
-        return;
-      }
-      if (options_.progress && boxes % between_looks == 0 &&
-          !options_.progress({s_.account.boxes, static_cast<long>(s_.pending.size()),
-                              static_cast<long>(s_.found.size()), share_done(whole)})) {
+      } else if (options_.progress && boxes % between_looks == 0 &&
+                 !options_.progress({s_.account.boxes + boxes, static_cast<long>(s_.pending.size()),
+                                     static_cast<long>(s_.found.size()), share_done(whole)})) {
         s_.limit = "a request to stop";
+      }
+      return !s_.limit.empty();
+    };
+    while (!s_.pending.empty() && s_.problems[s_.pending.back().problem].is_factor) {
+      if (is_over(0) || !settle_polynomial(s_, s_.pending.back().problem,
+                                           [&](long steps) { return !is_over(steps); })) {
         return;
       }
+      s_.pending.pop_back();
+    }
+    for (long boxes = 0; !s_.pending.empty(); ++boxes) {
+      if (is_over(boxes)) return;
       if (s_.pending.back().ahead == nullptr) examine_next();
       const work_box b = std::move(s_.pending.back());
       s_.pending.pop_back();

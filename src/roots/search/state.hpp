@@ -64,7 +64,7 @@ void expect_whole(const exact_box& box, const outcome& o);
 struct root_problem {
   std::shared_ptr<const real_function> g;
   long multiplicity = 1;  // of its roots, as roots of f
-  bool square_free = false;
+  bool is_factor = false;
 };
 
 struct found_root {
