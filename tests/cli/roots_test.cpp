@@ -87,8 +87,10 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"(x-1/3)^2-1e-40", "0..1", 0, {"certified: 2 roots"}},
            {"(x-1/3)^2+1e-40", "0..1", 0, {"certified: no root"}},
            {"x-x", "0..1", 0, {"0 everywhere"}},
+           {"x^2 = 2", "0..2", 0, {"1.4142135623730950488016887242", "certified: 1 root"}},
+           {"exp(x) = 3*x", "0..2", 0, {"certified: 2 roots"}},
            {"1", "0..1", 0, {"certified: no root"}},
-           {"x-1e300", "-inf..inf", 0, {"000 exactly  unique"}},
+           {"x-1e300", "-inf..inf", 0, {"1e300 exactly  unique"}},
            {"exp(x)-1e-300", "-inf..inf", 0, {"-690.77552789821"}},
            {"log1p(x)*expm1(x)", "-1/2..1", 0, {"0 exactly  multiple 2"}},
            {"cbrt(x)", "-1..1", 0, {"0 exactly  isolated"}},
@@ -160,6 +162,84 @@ TEST(Roots, CertifiesOnlyWhatHasTheDigitsAskedFor) {
   EXPECT_EQ(far.status, 0) << far.out;
   EXPECT_NE(far.out.find("-1e-300 exactly "), std::string::npos) << far.out;
   EXPECT_EQ(roots("x^2-2", "0..2", {"--digits", "300"}).status, 0);
+}
+
+TEST(Roots, ComplexRootsOfAPolynomial) {
+  const outcome result =
+      run({"roots", "(x^2+x+1)*(x-1/3)^2*(x^3-2)", "--complex", "--digits", "20"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  const auto lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 7U) << result.out;
+  EXPECT_EQ(lines[0], "-0.62996052494743658238... - 1.0911236359717214035...i  unique");
+  EXPECT_EQ(lines[1], "-0.62996052494743658238... + 1.0911236359717214035...i  unique");
+  EXPECT_EQ(lines[4], "1/3 exactly  multiple 2");
+  EXPECT_EQ(lines[5], "1.2599210498948731647...  unique");
+  EXPECT_EQ(lines[6], "certified: 6 roots, with multiplicities as many as the degree, 7");
+  const outcome as_json =
+      run({"roots", "x^4+1", "--complex", "--digits", "15", "--format", "json"});
+  const json answer = json::parse(as_json.out);
+  ASSERT_EQ(answer.at("roots").size(), 4U);
+  expect_enclosure(answer.at("roots")[0].at("number").at("real"), 15);
+  const outcome as_csv = run({"roots", "x^4+1", "--complex", "--digits", "15", "--format", "csv"});
+  EXPECT_EQ(lines_of(as_csv.out).size(), 5U);
+}
+
+TEST(Roots, ComplexRootsAreRefusedWhereTheyHaveNoMeaning) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"roots", "sin(x)", "--complex"},
+        {"roots", "x-x", "--complex"},
+        {"roots", "x^2+1", "--complex", "--in", "0..1"},
+        {"roots", "x^2+1", "--complex", "--verify"},
+        {"roots", "sqrt(2)*x+1", "--complex"}}) {
+    const outcome result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments[1];
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("--complex"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(run({"roots", "7", "--complex"}).status, 0);
+}
+
+TEST(Roots, OfASystem) {
+  const outcome result =
+      run({"roots", "x^2+y^2-1", "x-y^3", "--in", "x=-2..2", "--in", "y=-2..2", "--digits", "15"});
+  EXPECT_EQ(result.status, 0) << result.err << result.out;
+  const auto lines = lines_of(result.out);
+  ASSERT_EQ(lines.size(), 3U) << result.out;
+  EXPECT_EQ(lines[0], "x = -0.563624162161258..., y = -0.826031357654186...  unique");
+  EXPECT_EQ(lines[1], "x = 0.563624162161258..., y = 0.826031357654186...  unique");
+  EXPECT_EQ(lines[2].rfind("certified: 2 roots, all there are", 0), 0U);
+  const json answer = json::parse(run({"roots", "a+b-3", "a*b-1", "b-c", "--in", "a=0..3/2", "--in",
+                                       "b=0..5", "--in", "c=-9..9", "--format", "json"})
+                                      .out);
+  ASSERT_EQ(answer.at("roots").size(), 1U);
+  EXPECT_EQ(answer.at("variables"), json({"a", "b", "c"}));
+  expect_enclosure(answer.at("roots")[0].at("numbers").at("b"), 50);
+  const outcome none = run({"roots", "x^2+y^2+1", "x-y", "--in", "x=-2..2", "--in", "y=-2..2"});
+  EXPECT_EQ(none.status, 0);
+  EXPECT_EQ(none.out.rfind("certified: no root", 0), 0U) << none.out;
+  // A curve of roots is left open.
+  const outcome curve =
+      run({"roots", "x-y", "2*x-2*y", "--in", "x=-2..2", "--in", "y=-2..2", "--time-limit", "1s"});
+  EXPECT_EQ(curve.status, 1);
+}
+
+TEST(Roots, OfASystemThatIsGivenWrongly) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"roots", "x+y", "--in", "x=0..1", "--in", "y=0..1"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "0..1"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "x=0..1"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..inf"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..sqrt(2)"},
+        {"roots", "x+y", "x-z", "--in", "x=0..1", "--in", "y=0..1"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=1..0"},
+        {"roots", "x", "0", "1", "x^2"},
+        {"roots", "x", "--in", "0..1", "--in", "0..2"}}) {
+    const outcome result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments[1];
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(lines_of(result.err).size(), 1U) << result.err;
+  }
 }
 
 TEST(Roots, JsonHasTheEnclosuresAndTheVerdict) {

@@ -12,14 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
-#include "cli/options/certificate_option.hpp"
-#include "cli/options/count_option.hpp"
-#include "cli/options/formula.hpp"
-#include "cli/options/memory_limit.hpp"
-#include "cli/options/options.hpp"
-#include "cli/options/range_option.hpp"
-#include "cli/options/second_opinion.hpp"
-#include "cli/options/time_limit.hpp"
 #include "cli/output/duration.hpp"
 #include "cli/output/exact_decimals.hpp"
 #include "cli/output/json_document.hpp"
@@ -31,25 +23,11 @@
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/verify/second_roots.hpp"
+#include "roots_options.hpp"
 
 namespace polhode::cli {
 namespace roots_impl {
 namespace {
-
-struct roots_options {
-  std::string formula;
-  range_option range;
-  std::string interval;  // as LO..HI
-  std::string variable = "x";
-  let_option let;
-  digits_option digits;
-  count_option threads{"--threads", 1, 0, most_threads};
-  format_option format{{"text", "csv", "json"}};
-  memory_limit_option memory_limit;
-  certificate_option certificate;
-  verify_option verify;
-  time_limit_option time_limit;
-};
 
 /// An end of the range, and its formula where it is finite.
 struct given_end {
@@ -241,11 +219,7 @@ std::string remark_on(const listed_root& r) {
 
 /// Its digits; both ends where they share too few.
 std::string number_text(const listed_root& r, long digits) {
-  if (r.exact) {
-    if (is_short(*r.exact, digits)) return to_text(*r.exact) + " exactly";
-    const leading_digits d = leading_digits_of(*r.exact, digits);
-    return d.all ? with_dots(d) + " exactly" : with_dots(d);
-  }
+  if (r.exact) return exact_number_text(*r.exact, digits);
   if (!r.enclosure.is_bounded()) return fmt::format("{}", "unbounded");
   constexpr long few = 12;
   const decimal_enclosure d = to_decimal_enclosure(r.enclosure, digits);
@@ -261,10 +235,6 @@ std::string bound_text(const ball& x) {
   return x.is_undefined() || (!certainly_greater(x, 0) && !certainly_less(x, ball(0, 64)))
              ? "the whole line"
              : (certainly_greater(x, 0) ? "towards infinity" : "towards -infinity");
-}
-
-std::string counted(std::size_t n, const std::string& what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
 std::string summary(const answer& a) {
@@ -423,10 +393,17 @@ exit_status run(roots_options& options) {
   const long digits = options.digits.value();
   const std::string format = options.format.value();
   options.verify.expect_format(format);
+  if (options.complex) return run_complex_roots(options);
+  if (options.is_system()) return run_system(options);
+  if (!options.more_formulas.empty()) {
+    throw usage_error(
+        "there are more formulas than one; of a system, give an interval for each variable: "
+        "--in x=-2..2 --in y=-2..2");
+  }
   const int threads = static_cast<int>(options.threads.value());
   check_variable(options.variable);
   const given_range range = read_range(options);
-  const expression f = read_formula(options.formula, {options.variable}, options.let);
+  const expression f = read_equation(options.formula, {options.variable}, options.let);
   constexpr double bytes_per_digit = 0.4153;
   const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
@@ -456,8 +433,13 @@ exit_status run(roots_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<roots_options>();
-  app.add_option("EXPR", options->formula, "A formula in x")->type_name("")->required();
+  app.add_option("EXPR", options->formula, "A formula in x, or an equation such as x^2 = 2")
+      ->type_name("")
+      ->required();
   options->range.declare(app);
+  app.add_option("MORE", options->more_formulas, "More formulas of a system")->type_name("");
+  app.add_flag("--complex", options->complex,
+               "All complex roots of a polynomial, each with its multiplicity");
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
   options->threads.declare(
@@ -475,15 +457,27 @@ std::function<exit_status()> declare(CLI::App& app) {
 }  // namespace
 }  // namespace roots_impl
 
+std::string counted(std::size_t n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+bool roots_options::is_system() const {
+  return std::any_of(range.in.begin(), range.in.end(),
+                     [](const std::string& text) { return text.find('=') != std::string::npos; });
+}
+
 command roots_command() {
   return {
       "roots", "Find all roots of a formula in an interval, with a proof",
       "  polhode roots \"cos(x) - x\" 0..1 --digits 100\n"
       "  polhode roots \"(x-1)*(x^2-2)^3\" -inf inf\n"
+      "  polhode roots \"exp(x) = 3*x\" 0 2\n"
       "  polhode roots \"tan(x) - k*x\" --in -10..10 --let k=1/2 --format csv\n"
       "  polhode roots \"cos(x) - x\" --in 0..1 --certificate root.json && polhode check "
       "root.json\n"
-      "  polhode roots \"sin(x^2)*(x^3-2)\" --in -5..5 --verify\n\n"
+      "  polhode roots \"sin(x^2)*(x^3-2)\" --in -5..5 --verify\n"
+      "  polhode roots \"x^5-x-1\" --complex --digits 30\n"
+      "  polhode roots \"x^2+y^2-1\" \"x-y^3\" --in x=-2..2 --in y=-2..2\n\n"
       "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
       "  unique         a simple root, the only one in its place\n"
       "  multiple M     a root of multiplicity M, the only one in its place\n"

@@ -118,6 +118,22 @@ expression read_formula(const std::string& given, const std::vector<std::string>
   }
 }
 
+expression read_equation(const std::string& given, const std::vector<std::string>& variables,
+                         const let_option& let) {
+  const std::size_t at = given.find('=');
+  const auto side = [&](const std::string& text) {
+    if (without_margins(text).empty() || text.find('=') != std::string::npos) {
+      throw usage_error(
+          fmt::format("{}: an equation has one \"=\" between two formulas", in_quotes(given)));
+    }
+    (void)read_formula(text, variables, let);
+    return text;
+  };
+  if (at == std::string::npos) return read_formula(given, variables, let);
+  const std::string left = side(given.substr(0, at));
+  return read_formula("(" + left + ")-(" + side(given.substr(at + 1)) + ")", variables, let);
+}
+
 std::string table_of_functions() {
   std::string result = "functions\n";
   for (const expression_function& f : expression_functions()) {

@@ -37,6 +37,11 @@ void check_variable(const std::string& name);
                                       const std::vector<std::string>& variables,
                                       const let_option& let);
 
+/// The same; of an equation "f = g" the formula f - g.
+[[nodiscard]] expression read_equation(const std::string& given,
+                                       const std::vector<std::string>& variables,
+                                       const let_option& let);
+
 /// The functions and constants of formulas, as a table and as a list of names in lines.
 [[nodiscard]] std::string table_of_functions();
 [[nodiscard]] std::string names_of_functions();

@@ -18,10 +18,24 @@ std::string read_end(const std::string& text, const let_option& let) {
   return given;
 }
 
-/// LO..HI. A number may end or begin with a point (1...5), so every ".." is tried. Errors begin with how it was given.
-std::pair<std::string, std::string> ends_between_points(const std::string& option,
-                                                        const std::string& text,
-                                                        const let_option& let) {
+std::pair<std::string, std::string> both(const std::optional<std::string>& lower,
+                                         const std::optional<std::string>& upper,
+                                         const char* lower_name, const char* upper_name,
+                                         const let_option& let) {
+  if (!lower || !upper) {
+    throw usage_error(fmt::format("there is {} and no {}; give both limits",
+                                  lower ? lower_name : upper_name,
+                                  lower ? upper_name : lower_name));
+  }
+  return {read_end(*lower, let), read_end(*upper, let)};
+}
+
+}  // namespace
+
+// A number may end or begin with a point (1...5), so every ".." is tried.
+std::pair<std::string, std::string> range_option::ends_of(const std::string& option,
+                                                          const std::string& text,
+                                                          const let_option& let) {
   std::optional<usage_error> first_error;
   for (std::size_t at = text.find(".."); at != std::string::npos; at = text.find("..", at + 1)) {
     try {
@@ -36,20 +50,6 @@ std::pair<std::string, std::string> ends_between_points(const std::string& optio
   throw usage_error(fmt::format("{}{}: it must be LO..HI, such as 0..1, -pi..pi or 0..inf", option,
                                 in_quotes(text)));
 }
-
-std::pair<std::string, std::string> both(const std::optional<std::string>& lower,
-                                         const std::optional<std::string>& upper,
-                                         const char* lower_name, const char* upper_name,
-                                         const let_option& let) {
-  if (!lower || !upper) {
-    throw usage_error(fmt::format("there is {} and no {}; give both limits",
-                                  lower ? lower_name : upper_name,
-                                  lower ? upper_name : lower_name));
-  }
-  return {read_end(*lower, let), read_end(*upper, let)};
-}
-
-}  // namespace
 
 int infinite_sign_of(const std::string& text) {
   std::string given = without_margins(text);
@@ -68,17 +68,19 @@ void range_option::declare(CLI::App& app) {
       ->type_name("");
   app.add_option("--from", from, "The lower limit, in place of A")->type_name("A");
   app.add_option("--to", to, "The upper limit, in place of B")->type_name("B");
-  app.add_option("--in", in, "Both limits, in place of A and B")->type_name("LO..HI");
+  app.add_option("--in", in, "Both limits, in place of A and B")
+      ->type_name("LO..HI")
+      ->allow_extra_args(false);
 }
 
 int range_option::ways() const {
-  return int{first || second} + int{from || to} + int{in.has_value()};
+  return int{first || second} + int{from || to} + static_cast<int>(in.size());
 }
 
 std::pair<std::string, std::string> range_option::ends(const let_option& let) const {
-  if (in) return ends_between_points("--in ", *in, let);
+  if (!in.empty()) return ends_of("--in ", in.front(), let);
   if (first && !second && first->find("..") != std::string::npos) {
-    return ends_between_points("", *first, let);
+    return ends_of("", *first, let);
   }
   if (from || to) return both(from, to, "--from", "--to", let);
   return both(first, second, "a limit A", "B", let);

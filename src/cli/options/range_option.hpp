@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/cli_app.hpp"
 #include "formula.hpp"
@@ -19,8 +20,12 @@ struct range_option {
   std::optional<std::string> second;
   std::optional<std::string> from;
   std::optional<std::string> to;
-  std::optional<std::string> in;
+  std::vector<std::string> in;  // one, or one of each variable of a system: "x=LO..HI"
 
+  /// LO..HI as two texts, as `ends` has them; errors begin with how it was given.
+  [[nodiscard]] static std::pair<std::string, std::string> ends_of(const std::string& option,
+                                                                   const std::string& text,
+                                                                   const let_option& let);
   /// After the formula, whose place is before that of A and B.
   void declare(CLI::App& app);
   /// In how many of the ways a range is given, or a part of one.

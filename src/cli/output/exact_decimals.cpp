@@ -89,6 +89,12 @@ std::string exact_text(const rational& q, long digits) {
   return to_text(q);
 }
 
+std::string exact_number_text(const rational& q, long digits) {
+  if (is_short(q, digits)) return to_text(q) + " exactly";
+  const leading_digits d = leading_digits_of(q, digits);
+  return d.all ? with_dots(d) + " exactly" : with_dots(d);
+}
+
 std::string exact_answer(const rational& q, long digits) {
   const std::string decimals = with_dots(leading_digits_of(q, digits)) + '\n';
   if (!is_short(q, digits)) {

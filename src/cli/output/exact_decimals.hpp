@@ -28,6 +28,9 @@ struct leading_digits {
 /// All its decimals where these are at most so many, else the quotient.
 [[nodiscard]] std::string exact_text(const rational& q, long digits);
 
+/// In one line: "1/3 exactly", "1e-300 exactly"; "0.333..." where the quotient is long.
+[[nodiscard]] std::string exact_number_text(const rational& q, long digits);
+
 /// A command's answer, in lines: "1/3 exactly" and its decimals; only the decimals, said to be of a number that is exactly
 /// known, where the quotient is long.
 [[nodiscard]] std::string exact_answer(const rational& q, long digits);

@@ -1,0 +1,231 @@
+// polhode roots F G --in x=LO..HI --in y=LO..HI: all roots of a system of equations in a box.
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/output/errors.hpp"
+#include "cli/output/json_document.hpp"
+#include "cli/output/progress.hpp"
+#include "cli/output/streams.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/roots/systems.hpp"
+#include "roots_options.hpp"
+
+namespace polhode::cli {
+namespace system_roots_impl {
+namespace {
+
+/// The equations, and the box in which their roots are looked for.
+struct system_given {
+  std::vector<std::string> variables;
+  std::vector<expression> formulas;
+  std::vector<std::string> intervals;
+  std::vector<std::pair<rational, rational>> box;
+};
+
+rational face(const std::string& text, const std::string& variable, const let_option& let) {
+  if (infinite_sign_of(text) != 0) {
+    throw usage_error(fmt::format(
+        "--in: the interval of {} is infinite; give a box with finite faces", variable));
+  }
+  const auto exact = read_formula(text, {}, let).exact_value();
+  if (!exact) {
+    throw usage_error(fmt::format(
+        "--in: the end \"{}\" of the interval of {} is not a rational number; give one near it",
+        text, variable));
+  }
+  return *exact;
+}
+
+system_given read_system(const roots_options& options) {
+  system_given given;
+  for (const std::string& text : options.range.in) {
+    const std::size_t at = text.find('=');
+    if (at == std::string::npos) {
+      throw usage_error(fmt::format(
+          "--in \"{}\": of a system, give NAME=LO..HI for each variable, such as x=-2..2", text));
+    }
+    const std::string name = text.substr(0, at);
+    check_variable(name);
+    if (std::find(given.variables.begin(), given.variables.end(), name) != given.variables.end()) {
+      throw usage_error(fmt::format("--in: there are two intervals of {}; give one", name));
+    }
+    const auto [lower, upper] =
+        range_option::ends_of(fmt::format("--in {}=", name), text.substr(at + 1), options.let);
+    given.box.emplace_back(face(lower, name, options.let), face(upper, name, options.let));
+    given.variables.push_back(name);
+    given.intervals.push_back(lower + ".." + upper);
+  }
+  std::vector<std::string> texts{options.formula};
+  for (const auto& text : {options.range.first, options.range.second}) {
+    if (text) texts.push_back(*text);
+  }
+  texts.insert(texts.end(), options.more_formulas.begin(), options.more_formulas.end());
+  if (texts.size() != given.variables.size()) {
+    throw usage_error(fmt::format(
+        "there are {} and {}: of a system, give as many formulas as intervals --in NAME=LO..HI",
+        counted(texts.size(), "formula"), counted(given.variables.size(), "interval")));
+  }
+  for (const std::string& text : texts) {
+    given.formulas.push_back(read_equation(text, given.variables, options.let));
+  }
+  return given;
+}
+
+struct system_answer {
+  system_root_set roots;
+  std::vector<std::vector<ball>> enclosures;
+  std::vector<bool> certified;
+
+  [[nodiscard]] bool is_certified() const {
+    return roots.complete &&
+           std::find(certified.begin(), certified.end(), false) == certified.end();
+  }
+};
+
+system_answer find_roots(const system_given& given, long digits, double seconds) {
+  const progress line;
+  line.show("looking for roots");
+  const real_system system(given.formulas);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  system_options options;
+  options.progress = [&](const isolation_progress& p) {
+    line.show(fmt::format("{} boxes examined, {} waiting, {} roots", p.boxes_done, p.boxes_waiting,
+                          p.roots));
+    return std::chrono::steady_clock::now() < end;
+  };
+  system_answer a;
+  const time_watch watch(2 * seconds);
+  a.roots = solve_system(system, given.box, options);
+  for (const system_region& r : a.roots.regions) {
+    a.enclosures.push_back(r.enclosure);
+    bool certified = false;
+    if (r.verdict == root_verdict::unique) {
+      // One digit more, so that the last one is not in doubt.
+      refined_system_root fine = refine(system, r, digits + 1);
+      certified = fine.verdict == status::certified && !r.may_lie_outside;
+      a.enclosures.back() = std::move(fine.enclosure);
+    }
+    a.certified.push_back(certified);
+  }
+  return a;
+}
+
+std::string remark_on(const system_region& r) {
+  std::string remark = r.remark;
+  if (r.may_lie_outside) {
+    remark += (remark.empty() ? "" : "; ");
+    remark += "on a face of the box, inside or outside";
+  }
+  return remark;
+}
+
+std::string part_text(const ball& x, bool is_root, long digits) {
+  if (!x.is_bounded()) return "unbounded";
+  if (is_root) return to_text(to_decimal_enclosure(x, digits));
+  constexpr long few = 12;
+  const decimal_enclosure d = to_decimal_enclosure(x, std::min(digits, few));
+  return fmt::format("from {} to {}", d.lower, d.upper);
+}
+
+std::string as_text(const system_given& given, const system_answer& a, long digits) {
+  std::string result;
+  for (std::size_t i = 0; i < a.roots.regions.size(); ++i) {
+    const system_region& r = a.roots.regions[i];
+    for (std::size_t j = 0; j < given.variables.size(); ++j) {
+      result +=
+          fmt::format("{}{} = {}", j == 0 ? "" : ", ", given.variables[j],
+                      part_text(a.enclosures[i][j], r.verdict == root_verdict::unique, digits));
+    }
+    const std::string remark = remark_on(r);
+    result +=
+        fmt::format("  {}{}\n", to_text(r.verdict), remark.empty() ? "" : " (" + remark + ")");
+  }
+  const std::string work =
+      fmt::format("{} boxes, {} evaluations", a.roots.account.boxes, a.roots.account.evaluations);
+  const std::size_t all = a.roots.regions.size();
+  if (a.is_certified()) {
+    return result + (all == 0 ? fmt::format("certified: no root ({})\n", work)
+                              : fmt::format("certified: {}, all there are ({})\n",
+                                            counted(all, "root"), work));
+  }
+  const auto proved =
+      static_cast<std::size_t>(std::count(a.certified.begin(), a.certified.end(), true));
+  return result + fmt::format("not certified: {} proved, {} left open ({}){}\n",
+                              counted(proved, "root"), counted(all - proved, "region"), work,
+                              a.roots.complete ? "" : "; a limit was reached");
+}
+
+std::string as_csv(const system_given& given, const system_answer& a, long digits) {
+  std::string result = "verdict";
+  for (const std::string& name : given.variables) result += fmt::format(",{0},{0}_radius", name);
+  result += ",remark\n";
+  for (std::size_t i = 0; i < a.roots.regions.size(); ++i) {
+    result += to_text(a.roots.regions[i].verdict);
+    for (const ball& x : a.enclosures[i]) {
+      decimal_enclosure d;
+      if (x.is_bounded()) d = to_decimal_enclosure(x, digits);
+      result += fmt::format(",{},{}", d.value, d.radius);
+    }
+    result += fmt::format(",\"{}\"\n", remark_on(a.roots.regions[i]));
+  }
+  return result;
+}
+
+json as_json(const system_given& given, const system_answer& a, long digits) {
+  json functions = json::array();
+  for (const expression& f : given.formulas) functions.push_back(f.to_text());
+  json list = json::array();
+  for (std::size_t i = 0; i < a.roots.regions.size(); ++i) {
+    const system_region& r = a.roots.regions[i];
+    json entry{{"verdict", to_text(r.verdict)}};
+    const std::string remark = remark_on(r);
+    if (!remark.empty()) entry["remark"] = remark;
+    for (std::size_t j = 0; j < given.variables.size(); ++j) {
+      entry["numbers"][given.variables[j]] = to_json(a.enclosures[i][j], digits);
+    }
+    list.push_back(std::move(entry));
+  }
+  return {{"functions", std::move(functions)},
+          {"variables", given.variables},
+          {"in", given.intervals},
+          {"verdict", to_text(a.is_certified() ? status::certified : status::not_certified)},
+          {"complete", a.roots.complete},
+          {"roots", std::move(list)},
+          {"account",
+           {{"boxes", a.roots.account.boxes},
+            {"evaluations", a.roots.account.evaluations},
+            {"precision", a.roots.account.most_bits}}}};
+}
+
+}  // namespace
+}  // namespace system_roots_impl
+
+exit_status run_system(const roots_options& options) {
+  using namespace system_roots_impl;
+  if (options.range.from || options.range.to) {
+    throw usage_error("--from and --to: of a system, give --in NAME=LO..HI for each variable");
+  }
+  if (options.verify.given || options.certificate.is_given()) {
+    throw usage_error("there is no second opinion and no certificate of the roots of a system");
+  }
+  const long digits = options.digits.value();
+  const system_given given = read_system(options);
+  const system_answer a = find_roots(given, digits, options.time_limit.limit());
+  const std::string format = options.format.value();
+  if (format == "json") {
+    print(json_document_text("roots", as_json(given, a, digits)));
+  } else {
+    print(format == "csv" ? as_csv(given, a, digits) : as_text(given, a, digits));
+  }
+  return a.is_certified() ? exit_status::all_certified : exit_status::not_certified;
+}
+
+}  // namespace polhode::cli
