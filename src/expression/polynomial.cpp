@@ -1,5 +1,6 @@
-// A formula that is a polynomial with rational coefficients.
+// A formula that is a polynomial with rational coefficients, or a quotient of two.
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
@@ -23,11 +24,22 @@ constexpr std::size_t most_bits = 1U << 14;   // of a coefficient
 using terms = std::map<long, rational>;  // the coefficients that are not 0, by degree
 using maybe_terms = std::optional<terms>;
 
+/// A polynomial over a product of powers of divisors, which are known by their numbers.
+struct fraction {
+  terms above;
+  std::map<std::size_t, long> below;
+  /// The base and the exponent, where the whole was written as a power of a polynomial.
+  std::optional<std::pair<terms, long>> as_power;
+};
+using maybe_fraction = std::optional<fraction>;
+
 class expansion {
  public:
-  explicit expansion(const detail::graph& g) : g_(g), known_(g.size()) {}
+  /// With quotients, a formula may be divided by others than numbers.
+  expansion(const detail::graph& g, bool with_quotients)
+      : g_(g), with_quotients_(with_quotients), known_(g.size()) {}
 
-  maybe_terms root() {
+  maybe_fraction root() {
     const std::vector<char> used = detail::reachable(g_);
     for (node_id i = 0; i <= g_.root; ++i) {
       if (used[i] == 0) continue;
@@ -36,6 +48,8 @@ class expansion {
     }
     return known_[g_.root];
   }
+  /// All that the formula divides by, each with leading coefficient 1.
+  [[nodiscard]] const std::vector<terms>& divisors() const { return divisors_; }
 
  private:
   /// c x^n joins p; false where that is too long.
@@ -82,18 +96,104 @@ class expansion {
     return result;
   }
 
-  maybe_terms of(node_id i) {
+  /// p times the powers of divisors that `wanted` has more of than `given`.
+  maybe_terms times_missing(terms p, const std::map<std::size_t, long>& wanted,
+                            const std::map<std::size_t, long>& given) {
+    maybe_terms result = std::move(p);
+    for (const auto& [divisor, n] : wanted) {
+      const auto has = given.find(divisor);
+      const long missing = n - (has == given.end() ? 0 : has->second);
+      if (missing <= 0) continue;
+      const maybe_terms factor = power(divisors_[divisor], missing);
+      if (!factor) return std::nullopt;
+      result = product(*result, *factor);
+      if (!result) return std::nullopt;
+    }
+    return result;
+  }
+
+  static maybe_fraction over(maybe_terms above, std::map<std::size_t, long> below) {
+    if (!above) return std::nullopt;
+    return fraction{std::move(*above), std::move(below), std::nullopt};
+  }
+
+  maybe_fraction sum(const fraction& x, const fraction& y, int sign) {
+    std::map<std::size_t, long> below = x.below;
+    for (const auto& [divisor, n] : y.below) below[divisor] = std::max(below[divisor], n);
+    const maybe_terms left = times_missing(x.above, below, x.below);
+    const maybe_terms right = times_missing(y.above, below, y.below);
+    if (!left || !right) return std::nullopt;
+    return over(sum(*left, *right, sign), std::move(below));
+  }
+
+  maybe_fraction product(const fraction& x, const fraction& y) {
+    std::map<std::size_t, long> below = x.below;
+    for (const auto& [divisor, n] : y.below) below[divisor] += n;
+    return over(product(x.above, y.above), std::move(below));
+  }
+
+  /// x / y^n for n > 0: with y = u/v it is x v^n / u^n.
+  maybe_fraction quotient(const fraction& x, const fraction& y, long n) {
+    if (y.above.empty()) return std::nullopt;
+    const terms& base = y.as_power ? y.as_power->first : y.above;  // of u
+    const long exponent = n * (y.as_power ? y.as_power->second : 1);
+    const bool is_number = base.size() == 1 && base.begin()->first == 0;
+    if (exponent > greatest_degree || (!is_number && !with_quotients_)) return std::nullopt;
+    std::map<std::size_t, long> below = x.below;
+    std::map<std::size_t, long> more;  // of v^n, what x has not below
+    for (const auto& [divisor, m] : y.below) {
+      long& has = below[divisor];
+      const long common = std::min(has, m * n);
+      has -= common;
+      more[divisor] = m * n - common;
+    }
+    const rational inverse = 1 / base.rbegin()->second;
+    maybe_terms above = times_missing(x.above, more, {});
+    const maybe_terms scale = power({{0, inverse}}, exponent);
+    if (!above || !scale) return std::nullopt;
+    above = product(*above, *scale);
+    if (!is_number) {
+      const maybe_terms monic = product(base, {{0, inverse}});
+      if (!monic) return std::nullopt;
+      below[number_of(*monic)] += exponent;
+    }
+    return over(std::move(above), std::move(below));
+  }
+
+  std::size_t number_of(const terms& divisor) {
+    const auto place = std::find(divisors_.begin(), divisors_.end(), divisor);
+    if (place != divisors_.end()) return static_cast<std::size_t>(place - divisors_.begin());
+    divisors_.push_back(divisor);
+    return divisors_.size() - 1;
+  }
+
+  maybe_fraction power(const fraction& x, long n) {
+    if (n < 0) {
+      if (n < -greatest_degree) return std::nullopt;
+      return quotient({{{0, 1}}, {}, std::nullopt}, x, -n);
+    }
+    if (n > greatest_degree) return std::nullopt;
+    std::map<std::size_t, long> below = x.below;
+    for (auto& [divisor, m] : below) m *= n;
+    maybe_fraction result = over(power(x.above, n), std::move(below));
+    if (result && x.below.empty() && n > 1) {
+      result->as_power = std::pair(x.above, n);
+    }
+    return result;
+  }
+
+  maybe_fraction of(node_id i) {
     const detail::node& n = g_[i];
-    const auto left = [&]() -> const terms& { return *known_[n.left]; };
-    const auto right = [&]() -> const terms& { return *known_[n.right]; };
+    const auto left = [&]() -> const fraction& { return *known_[n.left]; };
+    const auto right = [&]() -> const fraction& { return *known_[n.right]; };
     switch (n.what) {
       case operation::number: {
         terms result;
         if (!add_to(result, 0, *g_.value(i))) return std::nullopt;
-        return result;
+        return over(std::move(result), {});
       }
       case operation::variable:
-        return terms{{1, 1}};
+        return over(terms{{1, 1}}, {});
       case operation::negate:
         return sum({}, left(), -1);
       case operation::add:
@@ -103,8 +203,7 @@ class expansion {
       case operation::multiply:
         return product(left(), right());
       case operation::divide:
-        if (right().size() != 1 || right().begin()->first != 0) return std::nullopt;
-        return product(left(), {{0, 1 / right().begin()->second}});
+        return quotient(left(), right(), 1);
       case operation::power_integer:
         return power(left(), n.number);
       default:
@@ -113,20 +212,41 @@ class expansion {
   }
 
   const detail::graph& g_;
-  std::vector<maybe_terms> known_;
+  bool with_quotients_;
+  std::vector<maybe_fraction> known_;
+  std::vector<terms> divisors_;
   std::size_t steps_ = 0;
 };
+
+rational_polynomial as_polynomial(const terms& p) {
+  std::vector<rational> coefficients;
+  if (!p.empty()) coefficients.resize(static_cast<std::size_t>(p.rbegin()->first) + 1);
+  for (const auto& [n, c] : p) coefficients[static_cast<std::size_t>(n)] = c;
+  return rational_polynomial(std::move(coefficients));
+}
 
 }  // namespace
 
 std::optional<rational_polynomial> expression::polynomial() const {
   if (variables_.size() > 1) return std::nullopt;
-  const maybe_terms p = expansion(*graph_).root();
+  const maybe_fraction p = expansion(*graph_, false).root();
   if (!p) return std::nullopt;
-  std::vector<rational> coefficients;
-  if (!p->empty()) coefficients.resize(static_cast<std::size_t>(p->rbegin()->first) + 1);
-  for (const auto& [n, c] : *p) coefficients[static_cast<std::size_t>(n)] = c;
-  return rational_polynomial(std::move(coefficients));
+  return as_polynomial(p->above);
+}
+
+std::optional<rational_quotient> expression::quotient() const {
+  if (variables_.size() > 1) return std::nullopt;
+  expansion all(*graph_, true);
+  const maybe_fraction q = all.root();
+  if (!q) return std::nullopt;
+  rational_quotient result;
+  result.numerator = as_polynomial(q->above);
+  for (std::size_t k = 0; k < all.divisors().size(); ++k) {
+    const auto place = q->below.find(k);
+    result.divisors.push_back(
+        {as_polynomial(all.divisors()[k]), place == q->below.end() ? 0 : place->second});
+  }
+  return result;
 }
 
 }  // namespace polhode

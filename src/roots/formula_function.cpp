@@ -1,5 +1,6 @@
 // Formulas as functions whose roots are looked for.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,8 +82,17 @@ real_function::real_function(const expression& f) {
   }
   // Above this degree a polynomial is a function like others: exact arithmetic would take too long.
   constexpr long most_degree = 2000;
-  if (auto p = f.polynomial(); p && p->degree() <= most_degree) {
-    polynomial_ = std::make_shared<const rational_polynomial>(std::move(*p));
+  if (auto q = f.quotient()) {
+    long degree = std::max(q->numerator.degree(), 0L);
+    for (const repeated_factor& d : q->divisors) {
+      degree = std::max({degree, d.factor.degree() * std::max(d.multiplicity, 1L)});
+    }
+    if (degree <= most_degree) {
+      if (q->divisors.empty()) {
+        polynomial_ = std::make_shared<const rational_polynomial>(q->numerator);
+      }
+      quotient_ = std::make_shared<const rational_quotient>(std::move(*q));
+    }
   }
   using slope_type = jet<ball, 1>;
   using series_type = jet<ball, dynamic_order>;

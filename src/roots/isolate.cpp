@@ -38,6 +38,25 @@ std::vector<detail::exact_box> by_scale(const detail::exact_box& range) {
   return result;
 }
 
+/// n/d without common factors, and a polynomial without multiple roots whose roots are those of all divisors.
+struct in_lowest_terms {
+  explicit in_lowest_terms(const rational_quotient& q) : undefined({rational(1)}) {
+    rational_polynomial d({rational(1)});
+    for (const repeated_factor& divisor : q.divisors) {
+      for (long k = 0; k < divisor.multiplicity; ++k) d = d * divisor.factor;
+      const rational_polynomial once =
+          divide(divisor.factor, gcd(divisor.factor, divisor.factor.derivative())).first;
+      undefined = undefined * divide(once, gcd(once, undefined)).first;
+    }
+    const rational_polynomial common = gcd(q.numerator, d);
+    above = divide(q.numerator, common).first;
+    below = divide(d, common).first;
+  }
+  rational_polynomial above;
+  rational_polynomial below;
+  rational_polynomial undefined;
+};
+
 }  // namespace
 
 root_search::root_search(const real_function& f, const end_point& lower, const end_point& upper) {
@@ -46,22 +65,32 @@ root_search::root_search(const real_function& f, const end_point& lower, const e
   s->lower = lower;
   s->upper = upper;
   const detail::exact_box range = detail::range_around(lower, upper);
-  const std::shared_ptr<const rational_polynomial> p = f.polynomial();
-  if (!p) {
+  const auto add_factor = [&](const rational_polynomial& factor, long multiplicity,
+                              std::optional<long> pole_order = std::nullopt) {
+    if (factor.degree() < 1) return;
+    s->pending.push_back({range, 0, detail::first_bits, s->problems.size(), {}});
+    s->settled.emplace_back(range);
+    s->problems.push_back({std::make_shared<real_function>(real_function::of(factor)), multiplicity,
+                           true, pole_order});
+  };
+  const rational_quotient* const q = f.quotient().get();
+  if (q == nullptr || (q->numerator.is_zero() && !q->divisors.empty())) {
     s->problems.push_back({s->f, 1, false});
     s->settled.emplace_back(range);
     for (detail::exact_box& part : by_scale(range)) {
       s->pending.push_back({std::move(part), 0, detail::first_bits, 0, {}});
     }
-  } else if (p->is_zero()) {
+  } else if (q->numerator.is_zero()) {
     s->identically_zero = true;
   } else {
-    for (const repeated_factor& factor : square_free_decomposition(*p)) {
-      s->pending.push_back({range, 0, detail::first_bits, s->problems.size(), {}});
-      s->settled.emplace_back(range);
-      s->problems.push_back({std::make_shared<real_function>(real_function::of(factor.factor)),
-                             factor.multiplicity, true});
+    const in_lowest_terms g(*q);
+    for (const repeated_factor& factor : square_free_decomposition(g.above)) {
+      add_factor(divide(factor.factor, gcd(factor.factor, g.undefined)).first, factor.multiplicity);
     }
+    for (const repeated_factor& factor : square_free_decomposition(g.below)) {
+      add_factor(factor.factor, 1, factor.multiplicity);
+    }
+    add_factor(divide(g.undefined, gcd(g.undefined, g.below)).first, 1, 0);
   }
   state_ = std::move(s);
 }

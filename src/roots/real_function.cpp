@@ -12,6 +12,7 @@ namespace polhode {
 real_function real_function::of(const rational_polynomial& p) {
   real_function result;
   result.polynomial_ = std::make_shared<const rational_polynomial>(p);
+  result.quotient_ = std::make_shared<const rational_quotient>(rational_quotient{p, {}});
   result.at_ = [p](precision bits) {
     std::vector<ball> c;
     c.reserve(p.coefficients().size());

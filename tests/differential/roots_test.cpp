@@ -252,6 +252,21 @@ known_case expanded_polynomial(maker& m) {
   }
 }
 
+/// Divided by powers of x - p: p is no root, whatever the numerator is there.
+known_case quotient_of_polynomials(maker& m) {
+  known_case k = expanded_polynomial(m);
+  for (long n = m.between(1, 2); n > 0; --n) {
+    const bool at_root = !k.roots.empty() && m.one_in(3);
+    term p = at_root ? k.roots.front().at : m.rational_near(m.within(-5, 5));
+    if (!read(p).exact_value()) p = m.rational_near(m.within(-5, 5));
+    const ball at = read(p).value(400);
+    std::erase_if(k.roots,
+                  [&](const known_root& r) { return overlaps(read(r.at).value(400), at); });
+    k.c.f = k.c.f / power(x - p, m.between(1, 3));
+  }
+  return k;
+}
+
 /// sin(k (x - c)) and its kin: roots at equal distances.
 known_case many_roots(maker& m) {
   known_case k;
@@ -391,6 +406,7 @@ INSTANTIATE_TEST_SUITE_P(
     family, known_roots,
     ::testing::Values(known_family{"products of known factors", 250, product_of_factors},
                       known_family{"polynomials multiplied out", 250, expanded_polynomial},
+                      known_family{"quotients of polynomials", 150, quotient_of_polynomials},
                       known_family{"roots at equal distances", 150, many_roots},
                       known_family{"kinks at all scales", 150, kinks_at_all_scales}),
     [](const auto& drawn) {

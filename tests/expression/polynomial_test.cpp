@@ -29,6 +29,39 @@ TEST(Polynomial, IsFoundByItsCoefficients) {
   }
 }
 
+std::optional<rational_quotient> quotient_of(const std::string& text) {
+  return expression(text, {{"x"}, {}, nullptr}).quotient();
+}
+
+TEST(Quotient, HasTheValuesAndAllDivisors) {
+  support::random_source random(3821);
+  for (const char* text :
+       {"1/x", "1/(1/x)", "x/x", "1/x+1/x^2-6", "(x^2-1)/(x-1)", "1/(1+x)^2+3/(1+x)^5-2/(x+1)",
+        "x^-3/(2*x-4)", "1/(1-1/(1-1/x))", "(x+1/x)^3/(x-1/x)^2", "x^2/3", "(1/x-1/x)+2",
+        "((x-1)/(x-2))^-2", "(1/(x^2+1))^0"}) {
+    const auto q = quotient_of(text);
+    ASSERT_TRUE(q) << text;
+    const auto value = expression(text, {{"x"}, {}, nullptr}).evaluator<ball>(200);
+    for (support::repeat trial(20); trial.again();) {
+      const rational x(random.between(-6, 6), random.between(1, 3));
+      rational below = 1;
+      bool is_defined = true;
+      for (const repeated_factor& d : q->divisors) {
+        is_defined = is_defined && d.factor(x) != 0;
+        for (long k = 0; k < d.multiplicity; ++k) below *= d.factor(x);
+      }
+      const ball y = value(ball(x, 200));
+      EXPECT_EQ(is_defined, !y.is_undefined()) << text << " at " << to_text(x);
+      if (is_defined) {
+        EXPECT_TRUE(contains(y, rational(q->numerator(x) / below))) << text;
+      }
+    }
+  }
+  for (const char* text : {"1/(x-x)", "sqrt(x)/x", "1/pi", "x/sin(x)", "1/(x+1)^10001"}) {
+    EXPECT_FALSE(quotient_of(text)) << text;
+  }
+}
+
 TEST(PolynomialIntegral, IsAdditiveAndHasItsDerivative) {
   support::random_source random(5);
   const auto fraction = [&] { return rational(random.between(-50, 50), random.between(1, 20)); };

@@ -151,8 +151,10 @@ TEST(IsolateRoots, PolesAreNoRoots) {
   for (const root_set& v : {isolate_roots([](const auto& x) { return 1 / (1 / x); }, -1, 1),
                             isolate_roots([](const auto& x) { return pow(1 / x, -2); }, -1, 1),
                             isolate_roots([](const auto& x) { return x * x / x; }, -1, 1)}) {
-    ASSERT_EQ(v.regions.size(), 1U);
-    EXPECT_EQ(v.regions[0].verdict, root_verdict::unresolved);
+    expect_resolved(v, 0);
+    ASSERT_EQ(v.singular.size(), 1U);
+    EXPECT_EQ(v.singular[0].pole_order, 0);
+    EXPECT_TRUE(contains(v.singular[0].place, 0L));
   }
   // Poles and roots side by side, and of a higher order.
   const auto f = [](const auto& x) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
@@ -204,6 +205,56 @@ TEST(PolynomialRoots, AtAndBesideTheEndsOfTheRange) {
   // An end that is the root itself, irrational: it is not decided whether the root is inside.
   const root_set s = isolate_roots(real_function::of(p), 0, end_point_of(parse("sqrt(2)", {})));
   EXPECT_EQ(s.regions.size(), 2U);
+}
+
+TEST(RationalFunctions, HaveTheRootsOfTheNumeratorThatAreNoPoles) {
+  struct expected {
+    const char* text;
+    std::size_t roots;
+    std::vector<long> poles;  // their orders, from left to right
+  };
+  for (const auto& [text, roots, poles] :
+       std::vector<expected>{{"1/x+1/x^2-6", 2, {2}},
+                             {"1/x-2", 1, {1}},
+                             {"1/x", 0, {1}},
+                             {"x/x", 0, {0}},
+                             {"x^2/x", 0, {0}},
+                             {"1/(1/x)", 0, {0}},
+                             {"1/(1/x)-1", 1, {0}},
+                             {"(x^2-2)/(x-1)^3", 2, {3}},
+                             {"(x^2-2)^2/(x^4-4)", 0, {0, 0}},
+                             {"1/(x-1)-1/(x-1-1/10^60)", 0, {1, 1}},
+                             {"(x^2-2)*(x-5)/((x^2-2)^3*(x^2-3))", 1, {1, 2, 2, 1}},
+                             {"(x-1)/(x^2+1)", 1, {}},
+                             {"(x-1)^2/(x^2-3)-1/(x^2-3)", 2, {1, 1}},
+                             {"(x^2-2)/((x^2-2)+1/10^80)", 2, {1, 1}}}) {
+    const root_set s =
+        isolate_roots(real_function(parse(text)), -end_point::infinity(), end_point::infinity());
+    EXPECT_TRUE(s.is_resolved()) << text;
+    EXPECT_EQ(s.regions.size(), roots) << text;
+    std::vector<long> orders;
+    for (const singular_place& place : s.singular) orders.push_back(place.pole_order);
+    EXPECT_EQ(orders, poles) << text;
+    for (const root_region& r : s.regions) {
+      for (const singular_place& place : s.singular) {
+        EXPECT_FALSE(overlaps(r.enclosure, place.place)) << text;
+      }
+    }
+  }
+}
+
+TEST(RationalFunctions, ACashFlowOfAHundredYears) {
+  // -100 now, 7 at the end of each year: the rate at which the sum is 0.
+  std::string text = "-100";
+  for (int k = 1; k <= 100; ++k) text += " + 7/(1+x)^" + std::to_string(k);
+  const root_set s = isolate_roots(real_function(parse(text)), 0, 1);
+  ASSERT_EQ(s.regions.size(), 1U);
+  EXPECT_TRUE(s.is_resolved());
+  // 7 (1 - (1+x)^-100) = 100 x.
+  const ball x = refine(s.regions[0], 40).enclosure;
+  const ball difference = 7 * (1 - pow(1 + x, -100)) - 100 * x;
+  EXPECT_TRUE(contains_zero(difference));
+  EXPECT_LE(difference.magnitude_upper(), magnitude::power_of_two(-120));
 }
 
 TEST(PolynomialRoots, StopWhereTheyAreAskedTo) {

@@ -47,6 +47,19 @@ class rational_polynomial {
   std::vector<rational> coefficients_;  // without leading zeros
 };
 
+/// A factor and how often it occurs.
+struct repeated_factor {
+  rational_polynomial factor;
+  long multiplicity;
+};
+
+/// numerator / (product of factor^multiplicity), defined where no factor is 0: of those too whose
+/// multiplicity is 0.
+struct rational_quotient {
+  rational_polynomial numerator;
+  std::vector<repeated_factor> divisors;
+};
+
 /// {q, r} with p = q d + r and deg r < deg d. Hypothesis: d is not 0.
 [[nodiscard]] std::pair<rational_polynomial, rational_polynomial> divide(
     const rational_polynomial& p, const rational_polynomial& d);
@@ -56,11 +69,6 @@ class rational_polynomial {
 /// The greatest common divisor with leading coefficient 1; 0 for 0 and 0.
 [[nodiscard]] rational_polynomial gcd(const rational_polynomial& p, const rational_polynomial& q);
 
-/// A factor and how often it occurs.
-struct repeated_factor {
-  rational_polynomial factor;
-  long multiplicity;
-};
 /// p up to a constant as a product of factor^multiplicity, each factor without multiple roots, no
 /// two with a common root, in the order of the multiplicities (D. Y. Y. Yun, On square-free
 /// decomposition algorithms, 1976; J. von zur Gathen, J. Gerhard, Modern Computer Algebra,

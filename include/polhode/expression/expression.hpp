@@ -236,6 +236,10 @@ class expression {
   /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, a
   /// million products of coefficients).
   [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
+  /// The quotient of such polynomials that the formula is, with all that it divides by: "1/(1/x)" is x
+  /// where x is not 0. None where it is no such quotient, where it divides by 0, or where its expansion is
+  /// long.
+  [[nodiscard]] std::optional<rational_quotient> quotient() const;
   /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
   /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.
   [[nodiscard]] bool is_formally_zero() const;

@@ -65,6 +65,11 @@ class real_function {
   [[nodiscard]] const std::shared_ptr<const rational_polynomial>& polynomial() const {
     return polynomial_;
   }
+  /// The quotient of polynomials with rational coefficients that f is, with what it divides by; nullptr
+  /// where it is none.
+  [[nodiscard]] const std::shared_ptr<const rational_quotient>& quotient() const {
+    return quotient_;
+  }
   /// The greatest order of a series that is worth asking for, and the one that bounds f over a box best.
   [[nodiscard]] int most_order() const { return most_order_; }
   [[nodiscard]] int best_order() const { return best_order_; }
@@ -91,6 +96,7 @@ class real_function {
   std::function<function_structure(const function_structure&)> structure_;
   std::function<bool(const rational&, const rational&)> no_root_beside_;
   std::shared_ptr<const rational_polynomial> polynomial_;
+  std::shared_ptr<const rational_quotient> quotient_;
   int most_order_ = 64;
   int best_order_ = 2;
 };

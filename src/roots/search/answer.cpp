@@ -37,7 +37,7 @@ void keep_apart(std::vector<root_region>& regions) {
   in_order(regions);
 }
 
-/// The boxes of the regions of a polynomial's factors hold roots of other factors: they are made narrower.
+/// The boxes of the regions of a factor may hold roots of others: they are made narrower.
 void keep_out_other_roots(root_region& r, std::size_t problem,
                           const std::vector<root_problem>& problems) {
   if (problems.size() < 2 || r.multiplicity == 0) return;
@@ -61,19 +61,27 @@ void keep_out_other_roots(root_region& r, std::size_t problem,
   r.remark = "not told from a root of another multiplicity";
 }
 
-/// The roots that do not lie outside of the range.
-void add_found(const root_search::state& s, std::vector<root_region>& regions) {
+/// The roots and poles that do not lie outside of the range.
+void add_found(const root_search::state& s, root_set& result) {
   for (const found_root& known : s.found) {
     root_region r = known.region;
-    const real_function& g = *s.problems[known.problem].g;
-    const side at_lower = side_of(r, s.lower, true, g, r);
-    const side at_upper = side_of(r, s.upper, false, g, r);
+    const root_problem& problem = s.problems[known.problem];
+    const side at_lower = side_of(r, s.lower, true, *problem.g, r);
+    const side at_upper = side_of(r, s.upper, false, *problem.g, r);
     if (at_lower == side::outside || at_upper == side::outside) continue;
     r.may_lie_outside = (at_lower == side::undecided || at_upper == side::undecided) &&
                         r.verdict != root_verdict::unresolved;
     keep_out_other_roots(r, known.problem, s.problems);
+    if (problem.pole_order) {
+      if (is_one_root(r.verdict)) {
+        result.singular.push_back({r.box, *problem.pole_order});
+        continue;
+      }
+      r.verdict = root_verdict::unresolved;
+      r.remark = "a place where the function is not defined, not told from a root";
+    }
     r.function = s.f;
-    regions.push_back(std::move(r));
+    result.regions.push_back(std::move(r));
   }
 }
 
@@ -120,8 +128,9 @@ root_set answer_of(const root_search::state& s) {
   result.identically_zero = s.identically_zero;
   result.complete = s.pending.empty();
   result.account = s.account;
-  result.singular = in_order(s.singular);
-  add_found(s, result.regions);
+  result.singular = s.singular;
+  add_found(s, result);
+  result.singular = in_order(std::move(result.singular));
   add_open(s, result.regions);
   in_order(result.regions);
   keep_apart(result.regions);

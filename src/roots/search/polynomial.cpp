@@ -30,16 +30,18 @@ bool cut_to_range(exact_box& bracket, const exact_box& range, polynomial_values&
          (!range.upper || *bracket.lower < *range.upper);
 }
 
-/// A narrow ball in the bracket around its root, apart from the exact roots.
-ball place_of(const exact_box& bracket, const std::vector<rational>& exact, polynomial_values& p) {
-  constexpr long enough = 32;
+/// A narrow ball between the ends of the bracket around its root, apart from the exact roots.
+ball place_of(const exact_box& bracket, const std::vector<rational>& exact, polynomial_values& p,
+              long enough) {
   exact_box sharper = bracket;
   for (long bits = enough;; bits *= 2) {
     sharper = narrowed(p, sharper, bits);
     const ball place = sharper.to_ball(std::max<precision>(bits + 32, p.last_precision()));
     const auto next = std::lower_bound(exact.begin(), exact.end(), lower_rational(place));
     const bool is_apart = next == exact.end() || *next > upper_rational(place);
-    if (is_apart && holds(bracket, {lower_rational(place), upper_rational(place)})) return place;
+    const bool is_inside =
+        *bracket.lower < lower_rational(place) && upper_rational(place) < *bracket.upper;
+    if (is_apart && is_inside) return place;
   }
 }
 
@@ -93,16 +95,19 @@ bool settle_polynomial(root_search::state& s, std::size_t problem,
     const auto rest = std::make_shared<const real_function>(real_function::of(
         rational_polynomial(std::vector<rational>(found->rest.begin(), found->rest.end()))));
     polynomial_values values(found->rest);
+    const long bits = given.pole_order ? 64 : 32;  // a place is shown as it is found
     for (exact_box bracket : found->brackets) {
       if (!go_on(++steps)) return false;
       if (!cut_to_range(bracket, range, values)) continue;
-      place_root(place_of(bracket, found->exact, values), std::nullopt, rest);
+      place_root(place_of(bracket, found->exact, values, bits), std::nullopt, rest);
     }
     evaluations = values.evaluations();
   }
   std::sort(placed.begin(), placed.end(),
             [](const placed_root& x, const placed_root& y) { return precedes(x.x, y.x); });
   keep_boxes_apart(placed);
+  s.account.boxes += found->steps + static_cast<long>(placed.size());
+  s.account.evaluations += evaluations;
   // Between the places there is no root.
   std::optional<rational> covered = range.lower;
   for (placed_root& root : placed) {
@@ -115,8 +120,6 @@ bool settle_polynomial(root_search::state& s, std::size_t problem,
   if (placed.empty() || !range.upper || covered != range.upper) {
     settled.add_without_root({covered, range.upper});
   }
-  s.account.boxes += found->steps + static_cast<long>(placed.size());
-  s.account.evaluations += evaluations;
   return true;
 }
 
