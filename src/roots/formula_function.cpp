@@ -114,13 +114,18 @@ real_function::real_function(const expression& f) {
   structure_ = [f](const function_structure& x) {
     return f.evaluator<function_structure>(x.numerator().at_point.precision())(x);
   };
-  // |f(at + 4 width t)| >= c t^a with c > 0 on 0 < t <= 1/4, or f is defined nowhere there. An evaluator of its own for each
-  // call, as several threads may ask at a time.
-  no_root_beside_ = [f](const rational& at, const rational& width) {
+  // |f| >= c t^a with c > 0 on 0 < t <= 1/4, where the argument is p + s t^q, or f is defined nowhere there.
+  // An evaluator of its own for each call, as several threads may ask at a time.
+  const auto has_no_root = [f](const rational& p, const rational& s, long q) {
     const growth_bound bound = f.evaluator<growth_bound>(192)(
-        growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
+        growth_bound::argument(known_number(p), known_number(s), q, 0.25));
     return bound.is_nowhere_defined() || (!bound.is_blocked() && !bound.least_factor().is_zero());
   };
+  no_root_beside_ = [has_no_root](const rational& at, const rational& width) {
+    return has_no_root(at, 4 * width, 1);
+  };
+  // x = (from/4)/t is beyond `from`.
+  no_root_beyond_ = [has_no_root](const rational& from) { return has_no_root(0, from / 4, -1); };
 }
 
 }  // namespace polhode

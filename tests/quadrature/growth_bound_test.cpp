@@ -81,6 +81,9 @@ TEST(GrowthBound, HoldsTheFunction) {
                              "tanh(log(x))",
                              "exp(x^sqrt(2))",
                              "exp(-x^(-sqrt(2)))",
+                             "exp(-1/x)",
+                             "exp(-x^(-pi)/1000)*x^(-3)",
+                             "exp(-30*x^(-1/pi))",
                              "log(x^sqrt(2))",
                              "log(2+x^pi)",
                              "log(x)^3*x^(1/pi)",
@@ -106,7 +109,8 @@ TEST(GrowthBound, HoldsTheFunction) {
       expect_bounds(text, r);
     }
     for (const char* text : {"1/(1+x^pi)", "x^(-sqrt(2))", "x^sqrt(2)/(1+x^pi)", "1/(1+x^100)",
-                             "log(x)/x^pi", "atan(x^pi)/x^sqrt(3)"}) {
+                             "log(x)/x^pi", "atan(x^pi)/x^sqrt(3)", "exp(-x)", "x^5*exp(-x)",
+                             "exp(-x/100)", "exp(-9*x)-1/10", "exp(-sqrt(x))", "exp(-x^pi)"}) {
       expect_bounds(text, r, -1);
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
@@ -163,6 +164,34 @@ TEST(IsolateRoots, PolesAreNoRoots) {
   const root_set u = isolate_roots(f, -1, 1);
   expect_resolved(u, 1);
   EXPECT_EQ(u.singular.size(), 2U);
+}
+
+TEST(IsolateRoots, UpToInfinityByGrowth) {
+  const end_point infinity = end_point::infinity();
+  struct expected {
+    const char* text;
+    end_point lower;
+    std::size_t roots;
+  };
+  for (const auto& [text, lower, roots] :
+       std::vector<expected>{{"x*exp(-x)-1/10", -infinity, 2},
+                             {"x^2*exp(-x)-1", -infinity, 1},
+                             {"1/x-exp(-x)", -infinity, 0},
+                             {"sqrt(x)-log(x)-1", -infinity, 2},
+                             {"x-log(x)-5", -infinity, 2},
+                             {"sqrt(x^2+1)-x-1/3", -infinity, 1},
+                             {"cbrt(x)-log(1+x^2)", -infinity, 3},
+                             {"log(x^2+1)-sqrt(abs(x))", -infinity, 5},
+                             {"atan(x)-3/2", -infinity, 1},
+                             // Roots far out, beyond which only growth tells the sign.
+                             {"sqrt(x)-10^20*log(x)", -infinity, 2},
+                             {"x*exp(-x/10^6)-10", -infinity, 2},
+                             {"(log(x)-60)*sqrt(x)+1", 1, 1},
+                             {"x^pi-10^30*x^3", 1, 1}}) {
+    const root_set s = isolate_roots(real_function(parse(text)), lower, infinity);
+    EXPECT_TRUE(s.is_resolved()) << text;
+    EXPECT_EQ(s.regions.size(), roots) << text;
+  }
 }
 
 TEST(IsolateRoots, ManyRootsTowardsAPoint) {

@@ -82,6 +82,10 @@ class real_function {
   [[nodiscard]] bool has_no_root_beside(const rational& at, const rational& width) const {
     return no_root_beside_ && no_root_beside_(at, width);
   }
+  /// Proved: f has no root x >= from > 0, or x <= from < 0.
+  [[nodiscard]] bool has_no_root_beyond(const rational& from) const {
+    return no_root_beyond_ && no_root_beyond_(from);
+  }
   /// std::nullopt where it is not available.
   [[nodiscard]] std::optional<function_structure> structure(const function_structure& x) const {
     if (!structure_) return std::nullopt;
@@ -95,6 +99,7 @@ class real_function {
   std::function<region(const region&)> over_;
   std::function<function_structure(const function_structure&)> structure_;
   std::function<bool(const rational&, const rational&)> no_root_beside_;
+  std::function<bool(const rational&)> no_root_beyond_;
   std::shared_ptr<const rational_polynomial> polynomial_;
   std::shared_ptr<const rational_quotient> quotient_;
   int most_order_ = 64;

@@ -299,6 +299,8 @@ growth_bound root(const growth_bound& x, long n) {
 }
 
 /// Where |x| <= C t^b with b >= 0: |x| <= C r^b, so that e^x lies between e^(-C r^b) and its inverse. Where x < 0: e^x <= 1.
+/// For x <= -u with u = c t^a, a < 0: let u_r = c r^a, the least u, and 0 <= k <= u_r. As e^-u u^k falls for u >= k,
+/// e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a k) t^(-a k), which is at most 1.
 growth_bound exp(const growth_bound& x) {
   if (x.blocked_) return x;
   const end_series series = exp(x.series_);
@@ -306,7 +308,20 @@ growth_bound exp(const growth_bound& x) {
     const ball size = upper_end(x.most_ * x.power_of_r(x.upper_exponent_));
     return x.made("exp", exp(size), 0, exp(-size), 0, 1, series);
   }
-  if (x.sign_ < 0) return x.made("exp", ball(1, bits), 0, ball(0, bits), 0, 1, series);
+  if (x.sign_ < 0) {
+    ball most(1, bits);
+    rational exponent = 0;
+    if (certainly_positive(x.least_) && x.lower_exponent_ < 0) {
+      const ball u = not_negative(x.least_) / x.power_of_r(-x.lower_exponent_);
+      constexpr long most_k = 64;  // higher powers are not needed
+      const ball k = lower_end(floor(min(lower_end(u), ball(most_k, bits))));
+      if (k.is_bounded()) {
+        exponent = -x.lower_exponent_ * lower_rational(k);
+        most = exp(-u) / x.power_of_r(exponent);
+      }
+    }
+    return x.made("exp", most, exponent, ball(0, bits), 0, 1, series);
+  }
   growth_bound result = growth_bound::blocked("exp");
   if (!series.is_blocked()) {
     result = x.made("exp", ball::undefined(bits), 0, ball::undefined(bits), 0, 1, series);

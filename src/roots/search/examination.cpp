@@ -424,6 +424,8 @@ class examination {
     if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
     if (size >= 1) {
       if (keeps_its_sign(b, over)) return exclude(b.x, x);
+      constexpr long far = 16;
+      if (size >= far && problem(b).g->has_no_root_beyond(end)) return exclude(b.x, x);
       if (const auto s =
               structure(problem(b), function_structure::variable(x, ball(end, b.bits)))) {
         const bool nowhere = !s->natural_range() || is_certainly_not_zero(*s->natural_range());
