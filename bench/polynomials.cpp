@@ -147,8 +147,8 @@ int main(int argc, char** argv) {
   }
   for (const auto& [name, p] :
        {named("T_50", chebyshev(50)), named("Wilkinson 50", wilkinson(50)),
-        named("Mignotte 50", mignotte(50)), named("dense 100", random_dense(100)),
-        named("dense 500", random_dense(500))}) {
+        named("Mignotte 20", mignotte(20)), named("dense 100", random_dense(100)),
+        named("dense 200", random_dense(200))}) {
     benchmarks.add(complex, name, [p = p] { return complex_row(p); });
   }
   return benchmarks.main(argc, argv);

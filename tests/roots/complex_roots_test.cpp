@@ -163,6 +163,10 @@ TEST(ComplexValues, HoldTheExactValues) {
     u.re = random.between(-most, most);
     u.im = random.between(-most, most);
     u.is_reciprocal = random.between(0, 1) == 1;
+    if (random.between(0, 3) == 0) {  // on the unit circle, but for rounding, or beyond it
+      u.re = (1L << bits) + random.between(-1, 1);
+      u.im = random.between(0, 2) == 0 ? random.between(-most, most) : random.between(-2, 2);
+    }
     if (u.re == 0 && u.im == 0) continue;
     detail::complex_values values(c);
     const detail::complex_values::values v = values.at(u, bits);

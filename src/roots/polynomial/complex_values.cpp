@@ -1,10 +1,11 @@
-// Horner's scheme in integers, in units of 2^-w. Let u be the point, |u| <= 1, which is exact, and
-// let v_k, s_k be the exact values of
+// Horner's scheme in integers, in units of 2^-w. Let u be the point, which is exact, |u| <= 1 + 1/(4 n),
+// and let v_k, s_k be the exact values of
 //   v_k = v_(k+1) u + c_k,   s_k = s_(k+1) u + v_(k+1)
 // and V_k, S_k the computed ones, whose parts are rounded down after each product, by less than a
-// unit each, so by less than 2^(1/2) < 2 together. Then |V_k - v_k| <= |V_(k+1) - v_(k+1)| |u| + 2,
-// which is at most 2 n, and |S_k - s_k| <= |S_(k+1) - s_(k+1)| |u| + 2 + |V_(k+1) - v_(k+1)|, at
-// most 2 n (n + 1).
+// unit each, so by less than 2^(1/2) together. As |u|^n <= e^(1/4) < 1.2841,
+//   |V_k - v_k| <= |V_(k+1) - v_(k+1)| |u| + 2^(1/2) is at most 1.2841 2^(1/2) n < 2 n, and
+//   |S_k - s_k| <= |S_(k+1) - s_(k+1)| |u| + 2^(1/2) + 2 n at most 1.2841 (2^(1/2) + 2 n) n < 3 n (n + 1).
+// A point on the unit circle may be rounded to one beyond it; that is why |u| may exceed 1.
 
 #include "complex_values.hpp"
 
@@ -86,7 +87,12 @@ complex_values::values complex_values::at(const fixed_point& x, long bits) {
   }
   const auto degree = static_cast<std::uint64_t>(n);
   r.value.error = magnitude::from_integer_up(2 * degree);
-  r.slope.error = magnitude::from_integer_up(2 * degree * (degree + 1));
+  r.slope.error = magnitude::from_integer_up(3 * degree * (degree + 1));
+  // (1 + 1/(4 n))^2 is above 1 + 1/(2 n).
+  const integer one = integer(1) << (2 * static_cast<unsigned long>(bits));
+  if (x.re * x.re + x.im * x.im > one + one / (2 * degree)) {
+    r.value.error = r.slope.error = magnitude::infinity();
+  }
   return r;
 }
 
