@@ -397,8 +397,9 @@ exit_status run(roots_options& options) {
   if (options.is_system()) return run_system(options);
   if (!options.more_formulas.empty()) {
     throw usage_error(
-        "there are more formulas than one; of a system, give an interval for each variable: "
-        "--in x=-2..2 --in y=-2..2");
+        fmt::format("{} was not expected; of a system, give an interval for each variable, --in "
+                    "x=-2..2 --in y=0..1",
+                    in_quotes(options.more_formulas.front())));
   }
   const int threads = static_cast<int>(options.threads.value());
   check_variable(options.variable);
