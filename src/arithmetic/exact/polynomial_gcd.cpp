@@ -93,7 +93,7 @@ rational_polynomial gcd(const rational_polynomial& p, const rational_polynomial&
     return x.is_zero() ? x : x * rational_polynomial({rational(1) / x.leading()});
   };
   if (p.is_zero() || q.is_zero()) return monic(p.is_zero() ? q : p);
-  const rational_polynomial one({rational(1)});
+  rational_polynomial one({rational(1)});
   if (p.degree() == 0 || q.degree() == 0) return one;
   const whole_coefficients a = primitive_coefficients(p);
   const whole_coefficients b = primitive_coefficients(q);
@@ -132,7 +132,7 @@ rational_polynomial gcd(const rational_polynomial& p, const rational_polynomial&
     std::vector<rational> coefficients;
     coefficients.reserve(found.size());
     for (const integer& c : found) coefficients.emplace_back(centred(c, modulus));
-    const rational_polynomial candidate = monic(rational_polynomial(std::move(coefficients)));
+    rational_polynomial candidate = monic(rational_polynomial(std::move(coefficients)));
     if (divides(candidate, p) && divides(candidate, q)) return candidate;
   }
 }

@@ -288,8 +288,7 @@ class pair_search {
         if (!go_on_()) return false;
         const auto [step, is_noise] = roughly ? rough_step(g) : exact_step(g);
         approximate sum;
-        for (std::size_t j = 0; j < guesses_.size(); ++j) {
-          const guess& other = guesses_[j];
+        for (const guess& other : guesses_) {
           if (&other != &g) sum += share(g, other.x, false, other.z);
           sum += share(g, other.x, true, std::conj(other.z));
         }
@@ -334,6 +333,7 @@ class pair_search {
     std::vector<const fixed_point*> points;
     for (const guess& g : guesses_) points.push_back(&g.x);
     for (const fixed_point& x : real_points_) points.push_back(&x);
+    z.reserve(points.size());
     for (const fixed_point* x : points) z.push_back(to_ball(*x, bits_, p));
     const auto n = magnitude::from_integer_up(static_cast<std::uint64_t>(values_.degree()));
     const magnitude leading = ball(values_.coefficients().back(), 64).magnitude_lower();
@@ -477,6 +477,7 @@ namespace {
 
 bool any_overlap(const std::vector<complex_root>& roots) {
   std::vector<std::pair<double_interval, double_interval>> about;
+  about.reserve(roots.size());
   for (const complex_root& r : roots) {
     about.emplace_back(double_interval::from_ball(r.enclosure.re),
                        double_interval::from_ball(r.enclosure.im));

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -99,7 +100,7 @@ class positive_roots {
   }
 
   /// The brackets in ascending order; std::nullopt where go_on returned false.
-  std::optional<std::vector<exact_interval>> run() && {
+  std::optional<std::vector<exact_interval>> run() {
     while (!pending_.empty()) {
       if (!go_on_()) return std::nullopt;
       ++steps_;
@@ -212,7 +213,8 @@ exact_interval root_of_bracket(polynomial_values& r, const exact_interval& y, un
 }
 
 void append_mirrored(std::vector<exact_interval>& to, const std::vector<exact_interval>& from) {
-  for (auto x = from.rbegin(); x != from.rend(); ++x) to.push_back(mirrored(*x));
+  std::transform(from.rbegin(), from.rend(), std::back_inserter(to),
+                 [](const exact_interval& x) { return mirrored(x); });
 }
 
 /// Of p without rational roots.
@@ -221,7 +223,7 @@ std::optional<std::vector<exact_interval>> brackets_of(const whole_coefficients&
                                                        long& steps) {
   const auto positive = [&](const whole_coefficients& q) {
     positive_roots search(q, go_on);
-    auto found = std::move(search).run();
+    auto found = search.run();
     steps += search.steps();
     return found;
   };

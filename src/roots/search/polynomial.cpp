@@ -36,7 +36,7 @@ ball place_of(const exact_box& bracket, const std::vector<rational>& exact, poly
   exact_box sharper = bracket;
   for (long bits = enough;; bits *= 2) {
     sharper = narrowed(p, sharper, bits);
-    const ball place = sharper.to_ball(std::max<precision>(bits + 32, p.last_precision()));
+    ball place = sharper.to_ball(std::max<precision>(bits + 32, p.last_precision()));
     const auto next = std::lower_bound(exact.begin(), exact.end(), lower_rational(place));
     const bool is_apart = next == exact.end() || *next > upper_rational(place);
     const bool is_inside =
