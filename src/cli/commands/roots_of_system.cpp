@@ -61,7 +61,7 @@ system_given read_system(const roots_options& options) {
         range_option::ends_of(fmt::format("--in {}=", name), text.substr(at + 1), options.let);
     given.box.emplace_back(face(lower, name, options.let), face(upper, name, options.let));
     given.variables.push_back(name);
-    given.intervals.push_back(lower + ".." + upper);
+    given.intervals.push_back(fmt::format("{}..{}", lower, upper));
   }
   std::vector<std::string> texts{options.formula};
   for (const auto& text : {options.range.first, options.range.second}) {
