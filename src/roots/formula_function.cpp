@@ -114,18 +114,24 @@ real_function::real_function(const expression& f) {
   structure_ = [f](const function_structure& x) {
     return f.evaluator<function_structure>(x.numerator().at_point.precision())(x);
   };
-  // |f| >= c t^a with c > 0 on 0 < t <= 1/4, where the argument is p + s t^q, or f is defined nowhere there.
-  // An evaluator of its own for each call, as several threads may ask at a time.
-  const auto has_no_root = [f](const rational& p, const rational& s, long q) {
-    const growth_bound bound = f.evaluator<growth_bound>(192)(
+  // On 0 < t <= 1/4, where the argument is p + s t^q. An evaluator of its own for each call, as several
+  // threads may ask at a time.
+  const auto growth = [f](const rational& p, const rational& s, long q) {
+    return f.evaluator<growth_bound>(192)(
         growth_bound::argument(known_number(p), known_number(s), q, 0.25));
-    return bound.is_nowhere_defined() || (!bound.is_blocked() && !bound.least_factor().is_zero());
   };
-  no_root_beside_ = [has_no_root](const rational& at, const rational& width) {
-    return has_no_root(at, 4 * width, 1);
+  // |f| >= c t^a with c > 0.
+  const auto has_no_root = [](const growth_bound& bound) {
+    return !bound.is_blocked() && !bound.least_factor().is_zero();
   };
-  // x = (from/4)/t is beyond `from`.
-  no_root_beyond_ = [has_no_root](const rational& from) { return has_no_root(0, from / 4, -1); };
+  no_root_beside_ = [growth, has_no_root](const rational& at, const rational& width) {
+    const growth_bound bound = growth(at, 4 * width, 1);
+    return bound.is_nowhere_defined() || has_no_root(bound);
+  };
+  // x = (from/4)/t is beyond `from`. Where f is not defined there, that is to be said: no proof.
+  no_root_beyond_ = [growth, has_no_root](const rational& from) {
+    return has_no_root(growth(0, from / 4, -1));
+  };
 }
 
 }  // namespace polhode

@@ -194,6 +194,15 @@ TEST(IsolateRoots, UpToInfinityByGrowth) {
   }
 }
 
+TEST(IsolateRoots, TellsWhereAFunctionEndsFarOut) {
+  const root_set s =
+      isolate_roots(real_function(parse("sqrt(1000-x)-1")), 0, end_point::infinity());
+  EXPECT_TRUE(s.is_resolved());
+  ASSERT_EQ(s.regions.size(), 1U);
+  ASSERT_FALSE(s.singular.empty());
+  EXPECT_FALSE(s.singular.back().place.is_bounded());
+}
+
 TEST(IsolateRoots, ManyRootsTowardsAPoint) {
   // 1/(k pi) for k = 1 ... 318.
   const root_set s = isolate_roots([](const auto& x) { return sin(1 / x); }, rational(1, 1000), 1);

@@ -34,7 +34,7 @@
 namespace polhode {
 
 struct complex_root {
-  /// Holds the root, which is the only one in it. Its imaginary part is exactly 0 where the root is
+  /// Holds the root; where the answer is complete, it is the only one in it. Its imaginary part is exactly 0 where the root is
   /// real. The radius is at most 10^-digits of the root's size.
   complex_ball enclosure;
   long multiplicity = 1;
