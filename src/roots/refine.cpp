@@ -83,7 +83,8 @@ precision refine_by_signs(const rational_polynomial& given, precision p, refined
     result.exact = *sharper.lower;
     result.enclosure = ball(*sharper.lower, p);
   } else {
-    result.enclosure = sharper.to_ball(p + 16);
+    // Not wider than it was, where roots beside it may be.
+    result.enclosure = sharper.to_ball(std::max<precision>(p + 16, result.enclosure.precision()));
   }
   return lost;
 }

@@ -61,6 +61,9 @@ class refinement {
   exact_interval to(long bits) && {
     if (polynomial_values::signum(at_lower_) == 0) return point(*bracket_.lower);
     if (polynomial_values::signum(at_upper_) == 0) return point(*bracket_.upper);
+    if (polynomial_values::signum(at_lower_) == polynomial_values::signum(at_upper_)) {
+      throw std::logic_error("internal error: a polynomial has one sign at both ends of a bracket");
+    }
     // A narrow bracket is one in which p is almost straight.
     long log_parts = std::max((bits - missing_bits(bits)) / 2, 2L);
     while (!is_narrow(bits) && !bracket_.is_point()) {

@@ -53,7 +53,8 @@ void keep_out_other_roots(root_region& r, std::size_t problem,
       r.box = r.enclosure;
       return;
     }
-    r.enclosure = refine(r, digits).enclosure;
+    const ball finer = intersection(refine(r, digits).enclosure, r.enclosure);
+    if (!finer.is_undefined()) r.enclosure = finer;
   }
   r.box = r.enclosure;
   r.verdict = root_verdict::at_least_one;
