@@ -1,6 +1,7 @@
 // All roots of polynomials with rational coefficients, real and complex, to 30 digits.
 //
-// Arb's arb_fmpz_poly_complex_roots is the peer of the complex roots. Both begin with the coefficients.
+// Arb's arb_fmpz_poly_complex_roots is the peer of the complex roots. Both begin with the
+// coefficients.
 
 #include <cstdint>
 #include <string>

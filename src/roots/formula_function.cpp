@@ -80,17 +80,14 @@ real_function::real_function(const expression& f) {
         fmt::format("the variables of the formula are {}; roots are found of a function of one",
                     fmt::join(f.variables(), ", ")));
   }
-  // Above this degree a polynomial is a function like others: exact arithmetic would take too long.
+  // Above this degree it is a function like others: exact arithmetic would take too long.
   constexpr long most_degree = 2000;
   if (auto q = f.quotient()) {
-    long degree = std::max(q->numerator.degree(), 0L);
+    long below = 0;
     for (const repeated_factor& d : q->divisors) {
-      degree = std::max({degree, d.factor.degree() * std::max(d.multiplicity, 1L)});
+      below += d.factor.degree() * std::max(d.multiplicity, 1L);
     }
-    if (degree <= most_degree) {
-      if (q->divisors.empty()) {
-        polynomial_ = std::make_shared<const rational_polynomial>(q->numerator);
-      }
+    if (std::max(q->numerator.degree(), below) <= most_degree) {
       quotient_ = std::make_shared<const rational_quotient>(std::move(*q));
     }
   }
@@ -114,8 +111,8 @@ real_function::real_function(const expression& f) {
   structure_ = [f](const function_structure& x) {
     return f.evaluator<function_structure>(x.numerator().at_point.precision())(x);
   };
-  // On 0 < t <= 1/4, where the argument is p + s t^q. An evaluator of its own for each call, as several
-  // threads may ask at a time.
+  // On 0 < t <= 1/4, where the argument is p + s t^q. An evaluator of its own for each call, as
+  // several threads may ask at a time.
   const auto growth = [f](const rational& p, const rational& s, long q) {
     return f.evaluator<growth_bound>(192)(
         growth_bound::argument(known_number(p), known_number(s), q, 0.25));

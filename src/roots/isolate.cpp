@@ -38,7 +38,8 @@ std::vector<detail::exact_box> by_scale(const detail::exact_box& range) {
   return result;
 }
 
-/// n/d without common factors, and a polynomial without multiple roots whose roots are those of all divisors.
+/// n/d without common factors, and a polynomial without multiple roots whose roots are those of
+/// all divisors.
 struct in_lowest_terms {
   explicit in_lowest_terms(const rational_quotient& q) : undefined({rational(1)}) {
     rational_polynomial d({rational(1)});

@@ -11,7 +11,6 @@ namespace polhode {
 
 real_function real_function::of(const rational_polynomial& p) {
   real_function result;
-  result.polynomial_ = std::make_shared<const rational_polynomial>(p);
   result.quotient_ = std::make_shared<const rational_quotient>(rational_quotient{p, {}});
   result.at_ = [p](precision bits) {
     std::vector<ball> c;

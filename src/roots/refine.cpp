@@ -57,9 +57,9 @@ std::optional<ball> place_by_search(const real_function& f, const ball& enclosur
   return std::nullopt;
 }
 
-/// Narrows the enclosure of the root of a polynomial, which is simple and the only one in it, by the
-/// signs of values: to p bits where these are few, else until Newton's method is faster. Returns the bits
-/// that were lost to cancellation.
+/// Narrows the enclosure of the root of a polynomial, which is simple and the only one in it, by
+/// the signs of values: to p bits where these are few, else until Newton's method is faster.
+/// Returns the bits that were lost to cancellation.
 precision refine_by_signs(const rational_polynomial& given, precision p, refined_root& result) {
   constexpr precision few = 512;
   constexpr precision start_of_newton = 256;

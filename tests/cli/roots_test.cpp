@@ -189,7 +189,7 @@ TEST(Roots, ComplexRootsAreRefusedWhereTheyHaveNoMeaning) {
        {std::vector<std::string>{"roots", "sin(x)", "--complex"},
         {"roots", "x-x", "--complex"},
         {"roots", "x^2+1", "--complex", "--in", "0..1"},
-        {"roots", "x^2+1", "--complex", "--verify"},
+        {"roots", "x^2+1", "--complex", "--in", "0..1", "--verify"},
         {"roots", "sqrt(2)*x+1", "--complex"}}) {
     const outcome result = run(arguments);
     EXPECT_EQ(result.status, 2) << arguments[1];
@@ -234,6 +234,13 @@ TEST(Roots, OfASystemThatIsGivenWrongly) {
         {"roots", "x+y", "x-z", "--in", "x=0..1", "--in", "y=0..1"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=1..0"},
         {"roots", "x", "0", "1", "x^2"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--verify"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--threads", "2"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--variable", "y"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..1", "--digits", "99999999999"},
+        {"roots", "x^2+x+1", "--complex", "--digits", "99999999999"},
+        {"roots", "x^2+x+1", "--complex", "--threads", "2"},
+        {"roots", "x^2+x+1", "--complex", "--verify"},
         {"roots", "x", "--in", "0..1", "--in", "0..2"}}) {
     const outcome result = run(arguments);
     EXPECT_EQ(result.status, 2) << arguments[1];

@@ -15,6 +15,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "tally.hpp"
 #include "term.hpp"
@@ -414,6 +415,49 @@ INSTANTIATE_TEST_SUITE_P(
       std::replace(name.begin(), name.end(), ' ', '_');
       return name;
     });
+
+/// What is wrong in the complex roots of the polynomial whose real roots are known, but for pairs.
+std::optional<std::string> error_in_plane(const known_case& k, const rational_polynomial& p,
+                                          const complex_roots_answer& a) {
+  if (!a.complete) return "not complete";
+  long count = 0;
+  for (const complex_root& r : a.roots) {
+    count += r.multiplicity;
+  }
+  if (count != p.degree()) return fmt::format("{} roots, not {}", count, p.degree());
+  for (const known_root& known : k.roots) {
+    const ball at = read(known.at).value(600);
+    const auto holders = std::count_if(a.roots.begin(), a.roots.end(), [&](const complex_root& r) {
+      return r.is_real() && contains(r.enclosure.re, at) && r.multiplicity == known.multiplicity;
+    });
+    if (holders != 1) return "the root " + known.at.text() + " is not in one enclosure";
+  }
+  const auto real = std::count_if(a.roots.begin(), a.roots.end(),
+                                  [](const complex_root& r) { return r.is_real(); });
+  if (real != static_cast<std::ptrdiff_t>(k.roots.size())) {
+    return fmt::format("{} real roots, not {}", real, k.roots.size());
+  }
+  return std::nullopt;
+}
+
+TEST(complex_roots_of_polynomials, are_all_found) {
+  run_cases("roots", "complex roots of polynomials", 250, [&](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const known_case k = expanded_polynomial(m);
+    const auto p = read(k.c.f, {"x"}).polynomial();
+    ++c.cases;
+    if (!p) return;
+    under_way(fmt::format("polhode roots \"{}\" --complex", k.c.f.text()));
+    const complex_roots_answer a = complex_roots(*p, m.between(1, 60));
+    ++c.computed;
+    ++(a.complete ? c.certified : c.refused);
+    c.checks += static_cast<long>(a.roots.size());
+    if (const auto error = error_in_plane(k, *p, a)) {
+      ++c.wrong;
+      ADD_FAILURE() << *error << "\npolhode roots \"" << k.c.f.text() << "\" --complex";
+    }
+  });
+}
 
 // ---------------------------------------------------------------------------------------------
 // Roots that are not known

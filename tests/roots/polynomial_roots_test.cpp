@@ -152,10 +152,11 @@ TEST(PolynomialRoots, AreThoseThatSturmCounts) {
 
 TEST(PolynomialRoots, BesideARationalRoot) {
   // The irrational roots are 2^(1/2) 2^-100 from 1, the rational one.
-  for (const char* text : {"(x-1)*((x-1)^2-2/4^100)", "(3*x-1)*((3*x-1)^2-3/4^60)*(x^2-2)",
-                           "((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2",
-                           "(3*x-1)*((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2", "(x^2-3)^2-2/4^60",
-                           "(x^3-3)^2-2/4^60"}) {
+  for (const char* text :
+       {"(x-1)*((x-1)^2-2/4^100)", "(x-1-1/2^80)*((x-1)^2-2/4^100)",
+        "(3*x-1)*((3*x-1)^2-3/4^60)*(x^2-2)", "((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2",
+        "(3*x-1)*((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2", "(x^2-3)^2-2/4^60",
+        "(x^3-3)^2-2/4^60"}) {
     const rational_polynomial p = polynomial(text);
     EXPECT_EQ(error_in(all_roots(p), p, -9, 9), "") << text;
   }
@@ -306,15 +307,21 @@ TEST(RationalRoots, AreAllFound) {
   }
 }
 
+/// Up to so many integers, some of them with up to so many bits more.
+std::vector<integer> any_coefficients(random_source& random, long most, long more_bits) {
+  std::vector<integer> c;
+  for (long k = random.between(1, most); k > 0; --k) {
+    integer n = random.between(-1000, 1000);
+    n <<= static_cast<unsigned long>(random.between(0, 2) == 0 ? random.between(0, more_bits) : 0);
+    c.push_back(n);
+  }
+  return c;
+}
+
 TEST(TaylorShift, IsTheBinomialExpansion) {
   random_source random(3803);
   for (repeat trial(200); trial.again();) {
-    std::vector<integer> c;
-    for (long k = random.between(1, 40); k > 0; --k) {
-      integer n = random.between(-1000, 1000);
-      n <<= static_cast<unsigned long>(random.between(0, 3) == 0 ? random.between(0, 300) : 0);
-      c.push_back(n);
-    }
+    const std::vector<integer> c = any_coefficients(random, 40, 300);
     const std::vector<integer> shifted = detail::shifted_by_one(c);
     const rational_polynomial p(std::vector<rational>(c.begin(), c.end()));
     const rational_polynomial q(std::vector<rational>(shifted.begin(), shifted.end()));
@@ -336,12 +343,7 @@ TEST(TaylorShift, IsTheBinomialExpansion) {
 TEST(PolynomialValues, HoldTheExactValue) {
   random_source random(3804);
   for (repeat trial(2000); trial.again();) {
-    std::vector<integer> c;
-    for (long k = random.between(1, 12); k > 0; --k) {
-      integer n = random.between(-1000, 1000);
-      n <<= static_cast<unsigned long>(random.between(0, 120));
-      c.push_back(n);
-    }
+    std::vector<integer> c = any_coefficients(random, 12, 120);
     c.push_back(integer(random.between(1, 9)));
     detail::polynomial_values values(c);
     const rational_polynomial p(std::vector<rational>(c.begin(), c.end()));

@@ -232,13 +232,13 @@ class expression {
   /// worked out ("1/(x*log(x)^2)" is "1/s^2"). Wherever f(x) is defined for a real s, the formula
   /// has the same value. None where the formula is long, or has no value anywhere.
   [[nodiscard]] std::optional<expression> in_exponential(const expression* end, int side) const;
-  /// The polynomial with rational coefficients that a formula of at most one variable is, by sums, products, whole powers
-  /// and quotients by numbers; none where it is not, or its expansion is long (a degree above 10,000, a
-  /// million products of coefficients).
+  /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
+  /// products, whole powers and quotients by numbers. None where it is not, or its expansion is long:
+  /// a degree above 10,000, a million products of coefficients.
   [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
-  /// The quotient of such polynomials that the formula is, with all that it divides by: "1/(1/x)" is x
-  /// where x is not 0. None where it is no such quotient, where it divides by 0, or where its expansion is
-  /// long.
+  /// The quotient of such polynomials that the formula is, with all that it divides by: "1/(1/x)"
+  /// is x where x is not 0. None where it is no such quotient, where it divides by 0, or where its
+  /// expansion is long.
   [[nodiscard]] std::optional<rational_quotient> quotient() const;
   /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
   /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.

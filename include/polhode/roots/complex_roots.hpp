@@ -34,8 +34,8 @@
 namespace polhode {
 
 struct complex_root {
-  /// Holds the root; where the answer is complete, it is the only one in it. Its imaginary part is exactly 0 where the root is
-  /// real. The radius is at most 10^-digits of the root's size.
+  /// Holds the root; where the answer is complete, it is the only one in it. The imaginary part is
+  /// exactly 0 where the root is real. The radius is at most 10^-digits of the root's size.
   complex_ball enclosure;
   long multiplicity = 1;
   /// The root, where it is rational.

@@ -9,12 +9,14 @@
 // Outside the regions of the answer f has no root in the interval: they cover what could not be excluded,
 // without gaps. A region says what is proved of it (root_verdict, newton.hpp).
 //
-// A polynomial with rational coefficients is made free of multiple roots (Yun, 1976), its rational roots are found
-// exactly (Hensel lifting), and the others are told apart by Descartes' rule of signs and continued fractions
-// (Vincent's theorem; src/roots/polynomial).
+// A quotient of polynomials with rational coefficients is searched exactly. Its numerator is made
+// free of multiple roots (Yun, 1976), the rational roots are found (Hensel lifting), and the others
+// are told apart by Descartes' rule of signs and continued fractions (Vincent's theorem;
+// src/roots/polynomial). Roots of divisors are poles, or places where it is not defined.
 //
-// Of other functions: the interval is cut into boxes. Over a box X with its middle m f and f' are enclosed by evaluation and by
-// Taylor's formula about m. A box whose range does not hold 0 has no root; one on which f' has one
+// For other functions the interval is cut into boxes. Over a box X with its middle m, f and f' are
+// enclosed by evaluation and by Taylor's formula about m. A box whose range does not hold 0 has no
+// root; one on which f' has one
 // sign and which interval Newton maps into itself has exactly one. Where this fails the box is halved, with more
 // bits where rounding is in the way. A root found is looked for in a box wider than its own, which is then
 // taken out of the others, so that a root at a common end is found once. What halving cannot decide is asked of
@@ -25,7 +27,7 @@
 //   f exactly 0 at a rational point c, and |f(c +- t)| >= k t^a with k > 0 on either side (growth_bound.hpp), or f
 //     not defined there: c, and no other; c may be a kink or a branch point;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does;
-//   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (growth_bound.hpp): no root there.
+//   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (growth_bound.hpp): no root.
 // What an examination of a box has proved, it says of pieces, and the search proves in exact arithmetic that the pieces make up
 // the box; the result is made only where all pieces, settled and open, are proved to make up the interval, each point
 // once. Otherwise std::logic_error is thrown: a fault of the library.

@@ -62,11 +62,11 @@ class real_function {
     return std::make_shared<const function_evaluator>(at_(p));
   }
   /// The polynomial with rational coefficients that f is; nullptr where it is none.
-  [[nodiscard]] const std::shared_ptr<const rational_polynomial>& polynomial() const {
-    return polynomial_;
+  [[nodiscard]] const rational_polynomial* polynomial() const {
+    return quotient_ && quotient_->divisors.empty() ? &quotient_->numerator : nullptr;
   }
-  /// The quotient of polynomials with rational coefficients that f is, with what it divides by; nullptr
-  /// where it is none.
+  /// The quotient of polynomials with rational coefficients that f is, with what it divides by;
+  /// nullptr where it is none.
   [[nodiscard]] const std::shared_ptr<const rational_quotient>& quotient() const {
     return quotient_;
   }
@@ -100,7 +100,6 @@ class real_function {
   std::function<function_structure(const function_structure&)> structure_;
   std::function<bool(const rational&, const rational&)> no_root_beside_;
   std::function<bool(const rational&)> no_root_beyond_;
-  std::shared_ptr<const rational_polynomial> polynomial_;
   std::shared_ptr<const rational_quotient> quotient_;
   int most_order_ = 64;
   int best_order_ = 2;

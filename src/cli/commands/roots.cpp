@@ -405,10 +405,7 @@ exit_status run(roots_options& options) {
   check_variable(options.variable);
   const given_range range = read_range(options);
   const expression f = read_equation(options.formula, {options.variable}, options.let);
-  constexpr double bytes_per_digit = 0.4153;
-  const double numbers = 3 * static_cast<double>(f.live_numbers()) + 300;
-  options.memory_limit.check({fmt::format("roots to {} digits", digits),
-                              bytes_per_digit * numbers * static_cast<double>(digits)});
+  check_memory(options, 3 * static_cast<double>(f.live_numbers()) + 300);
   (void)options.time_limit.limit();
   std::optional<formula_over_range> what;
   if (options.certificate.is_given()) what = checkable_range(f, range);
@@ -460,6 +457,22 @@ std::function<exit_status()> declare(CLI::App& app) {
 
 std::string counted(std::size_t n, const std::string& what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+void refuse_options_of_interval(const roots_options& options, const std::string& kind) {
+  if (options.verify.given || options.certificate.is_given()) {
+    throw usage_error(fmt::format("--verify and --certificate: there are none yet of {}", kind));
+  }
+  if (options.threads.value() != 1) {
+    throw usage_error(fmt::format("--threads: {} are found on one thread", kind));
+  }
+}
+
+void check_memory(const roots_options& options, double numbers) {
+  constexpr double bytes_per_digit = 0.4153;
+  const long digits = options.digits.value();
+  options.memory_limit.check({fmt::format("roots to {} digits", digits),
+                              bytes_per_digit * numbers * static_cast<double>(digits)});
 }
 
 bool roots_options::is_system() const {

@@ -91,9 +91,7 @@ exit_status run_complex_roots(const roots_options& options) {
   if (options.range.ways() != 0) {
     throw usage_error("--complex: all roots in the plane are found; leave the interval out");
   }
-  if (options.verify.given || options.certificate.is_given()) {
-    throw usage_error("--complex: there is no second opinion and no certificate of complex roots");
-  }
+  refuse_options_of_interval(options, "complex roots");
   const auto p = f.polynomial();
   if (!p) {
     throw usage_error(
@@ -105,6 +103,7 @@ exit_status run_complex_roots(const roots_options& options) {
   if (p->is_zero()) {
     throw usage_error("--complex: the polynomial is 0 everywhere; every number is a root");
   }
+  check_memory(options, 8 * static_cast<double>(p->degree()) + 300);
   const progress line;
   line.show("looking for roots");
   const double seconds = options.time_limit.limit();

@@ -213,11 +213,17 @@ exit_status run_system(const roots_options& options) {
   if (options.range.from || options.range.to) {
     throw usage_error("--from and --to: of a system, give --in NAME=LO..HI for each variable");
   }
-  if (options.verify.given || options.certificate.is_given()) {
-    throw usage_error("there is no second opinion and no certificate of the roots of a system");
+  refuse_options_of_interval(options, "the roots of a system");
+  if (options.variable != "x") {
+    throw usage_error("--variable: of a system, the names are those of --in NAME=LO..HI");
   }
   const long digits = options.digits.value();
   const system_given given = read_system(options);
+  double numbers = 300;
+  for (const expression& f : given.formulas) {
+    numbers += 3 * static_cast<double>(f.live_numbers() * (given.variables.size() + 1));
+  }
+  check_memory(options, numbers);
   const system_answer a = find_roots(given, digits, options.time_limit.limit());
   const std::string format = options.format.value();
   if (format == "json") {

@@ -38,6 +38,13 @@ struct roots_options {
   [[nodiscard]] bool is_system() const;
 };
 
+/// Throws usage_error for --verify, --certificate and --threads, which only the search in an
+/// interval takes; `kind` names what is looked for.
+void refuse_options_of_interval(const roots_options& options, const std::string& kind);
+
+/// Throws usage_error where so many numbers, to the digits asked for, need too much memory.
+void check_memory(const roots_options& options, double numbers);
+
 /// All complex roots of a polynomial.
 [[nodiscard]] exit_status run_complex_roots(const roots_options& options);
 

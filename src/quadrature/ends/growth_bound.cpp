@@ -299,8 +299,8 @@ growth_bound root(const growth_bound& x, long n) {
 }
 
 /// Where |x| <= C t^b with b >= 0: |x| <= C r^b, so that e^x lies between e^(-C r^b) and its inverse. Where x < 0: e^x <= 1.
-/// For x <= -u with u = c t^a, a < 0: let u_r = c r^a, the least u, and 0 <= k <= u_r. As e^-u u^k falls for u >= k,
-/// e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a k) t^(-a k), which is at most 1.
+/// For x <= -u with u = c t^a, a < 0: let u_r = c r^a, the least u, and 0 <= k <= u_r. As e^-u u^k
+/// falls for u >= k, e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a k) t^(-a k), at most 1.
 growth_bound exp(const growth_bound& x) {
   if (x.blocked_) return x;
   const end_series series = exp(x.series_);

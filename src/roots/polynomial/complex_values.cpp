@@ -1,10 +1,12 @@
-// Horner's scheme in integers, in units of 2^-w. Let u be the point, which is exact, |u| <= 1 + 1/(4 n),
-// and let v_k, s_k be the exact values of
+// Horner's scheme in integers, in units of 2^-w. Let u be the point, which is exact, with
+// |u| <= 1 + 1/(4 n), and let v_k, s_k be the exact values of
 //   v_k = v_(k+1) u + c_k,   s_k = s_(k+1) u + v_(k+1)
 // and V_k, S_k the computed ones, whose parts are rounded down after each product, by less than a
 // unit each, so by less than 2^(1/2) together. As |u|^n <= e^(1/4) < 1.2841,
-//   |V_k - v_k| <= |V_(k+1) - v_(k+1)| |u| + 2^(1/2) is at most 1.2841 2^(1/2) n < 2 n, and
-//   |S_k - s_k| <= |S_(k+1) - s_(k+1)| |u| + 2^(1/2) + 2 n at most 1.2841 (2^(1/2) + 2 n) n < 3 n (n + 1).
+//   |V_k - v_k| <= |V_(k+1) - v_(k+1)| |u| + 2^(1/2)
+// is at most 1.2841 2^(1/2) n < 2 n, and
+//   |S_k - s_k| <= |S_(k+1) - s_(k+1)| |u| + 2^(1/2) + 2 n
+// is at most 1.2841 (2^(1/2) + 2 n) n < 3 n (n + 1).
 // A point on the unit circle may be rounded to one beyond it; that is why |u| may exceed 1.
 
 #include "complex_values.hpp"

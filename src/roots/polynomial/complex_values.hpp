@@ -7,8 +7,8 @@
 
 namespace polhode::detail {
 
-/// The number u = (re + i im) 2^-bits with |u| <= 1, but for rounding, or its reciprocal: so a number of
-/// any size is kept exactly.
+/// The number u = (re + i im) 2^-bits with |u| <= 1, but for rounding, or its reciprocal: so a
+/// number of any size is kept exactly.
 struct fixed_point {
   integer re;
   integer im;

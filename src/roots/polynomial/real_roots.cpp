@@ -212,47 +212,34 @@ exact_interval root_of_bracket(polynomial_values& r, const exact_interval& y, un
   }
 }
 
-void append_mirrored(std::vector<exact_interval>& to, const std::vector<exact_interval>& from) {
-  std::transform(from.rbegin(), from.rend(), std::back_inserter(to),
-                 [](const exact_interval& x) { return mirrored(x); });
-}
-
 /// Of p without rational roots.
 std::optional<std::vector<exact_interval>> brackets_of(const whole_coefficients& p,
                                                        const std::function<bool()>& go_on,
                                                        long& steps) {
+  const auto k = static_cast<unsigned long>(common_exponent(p));
+  whole_coefficients r;
+  for (std::size_t i = 0; i < p.size(); i += k) r.push_back(p[i]);
+  // By the k-th roots of r's roots, where these are irrational like those of p.
+  const bool by_powers =
+      k > 1 && rational_roots_of(rational_polynomial({r.begin(), r.end()})).roots.empty();
   const auto positive = [&](const whole_coefficients& q) {
     positive_roots search(q, go_on);
     auto found = search.run();
     steps += search.steps();
-    return found;
-  };
-  const auto k = static_cast<unsigned long>(common_exponent(p));
-  whole_coefficients r;
-  for (std::size_t i = 0; i < p.size(); i += k) r.push_back(p[i]);
-  std::vector<exact_interval> result;
-  // The k-th roots of r's roots, which are to be irrational like those of p.
-  if (k > 1 && rational_roots_of(rational_polynomial({r.begin(), r.end()})).roots.empty()) {
-    const auto roots_of = [&](const whole_coefficients& q) {
-      auto found = positive(q);
-      if (!found) return found;
+    if (found && by_powers) {
       polynomial_values values(q);
       for (exact_interval& y : *found) y = root_of_bracket(values, y, k);
-      return found;
-    };
-    const auto above = roots_of(r);
-    if (!above) return std::nullopt;
-    const auto below = k % 2 == 0 ? above : roots_of(mirrored(r));
-    if (!below) return std::nullopt;
-    append_mirrored(result, *below);
-    result.insert(result.end(), above->begin(), above->end());
-    return result;
-  }
-  const auto above = positive(p);
+    }
+    return found;
+  };
+  const whole_coefficients& q = by_powers ? r : p;
+  const auto above = positive(q);
   if (!above) return std::nullopt;
-  const auto below = k % 2 == 0 ? above : positive(mirrored(p));
+  const auto below = k % 2 == 0 ? above : positive(mirrored(q));
   if (!below) return std::nullopt;
-  append_mirrored(result, *below);
+  std::vector<exact_interval> result;
+  std::transform(below->rbegin(), below->rend(), std::back_inserter(result),
+                 [](const exact_interval& x) { return mirrored(x); });
   result.insert(result.end(), above->begin(), above->end());
   return result;
 }

@@ -65,7 +65,8 @@ struct root_problem {
   std::shared_ptr<const real_function> g;
   long multiplicity = 1;  // of its roots, as roots of f
   bool is_factor = false;
-  /// The roots of the factor are no roots of f, which is not defined there: poles of this order, or 0.
+  /// The roots of the factor are no roots of f, which is not defined there: poles of this order,
+  /// or 0.
   std::optional<long> pole_order = std::nullopt;
 };
 
