@@ -151,6 +151,19 @@ TEST(ComplexRoots, StopWhereTheyAreAskedTo) {
   EXPECT_FALSE(found.complete);
 }
 
+TEST(FixedValue, SizesAreBounds) {
+  // What is cut off counts, though the leading bits are those of a power of two.
+  const integer power = integer(1) << 100UL;
+  for (const integer& n : {integer(power + 1), integer(-power - 1), integer(power - 1), power}) {
+    const detail::fixed_value v{n, 0, {}};
+    const ball size = abs(ball(n, 200));
+    EXPECT_GE(v.abs_upper(), ball(size).magnitude_lower());
+    EXPECT_LE(v.abs_lower(), ball(size).magnitude_upper());
+  }
+  EXPECT_GT((detail::fixed_value{power + 1, 0, {}}.abs_upper()), magnitude::power_of_two(100));
+  EXPECT_LT((detail::fixed_value{power - 1, 0, {}}.abs_lower()), magnitude::power_of_two(100));
+}
+
 TEST(ComplexValues, HoldTheExactValues) {
   random_source random(3813);
   for (repeat trial(500); trial.again();) {

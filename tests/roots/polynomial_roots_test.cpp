@@ -152,11 +152,11 @@ TEST(PolynomialRoots, AreThoseThatSturmCounts) {
 
 TEST(PolynomialRoots, BesideARationalRoot) {
   // The irrational roots are 2^(1/2) 2^-100 from 1, the rational one.
-  for (const char* text :
-       {"(x-1)*((x-1)^2-2/4^100)", "(x-1-1/2^80)*((x-1)^2-2/4^100)",
-        "(3*x-1)*((3*x-1)^2-3/4^60)*(x^2-2)", "((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2",
-        "(3*x-1)*((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2", "(x^2-3)^2-2/4^60",
-        "(x^3-3)^2-2/4^60"}) {
+  for (const char* text : {"(x-1)*((x-1)^2-2/4^100)", "(x-1-1/2^80)*((x-1)^2-2/4^100)",
+                           "(10^13*x-14142135623731)*(x^2-2)", "(3*x-1)*((3*x-1)^2-3/4^60)*(x^2-2)",
+                           "((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2",
+                           "(3*x-1)*((x-1/3)^2-2/4^100)*((x-1/3)^2-3/4^100)^2", "(x^2-3)^2-2/4^60",
+                           "(x^3-3)^2-2/4^60"}) {
     const rational_polynomial p = polynomial(text);
     EXPECT_EQ(error_in(all_roots(p), p, -9, 9), "") << text;
   }
