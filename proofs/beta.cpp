@@ -191,8 +191,9 @@ claim beta_claim() {
           "claim limit_minimum. The paper prints 0.028973.",
           "interval Newton on the AGM; signs by certified quadrature as an independent route",
           prove_beta,
-          proof_tier::by_machine,
-          {{step_kind::cited,
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "Beta.beta_exists_unique"},
+           {step_kind::cited,
             "K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i)); the mean is continuous, "
             "increases in both its arguments and is homogeneous."}}};
 }

@@ -53,13 +53,8 @@ claim c0_decreases_claim() {
           "The perfect twist c0(a, b) decreases as a increases.",
           "exact derivatives of the integrand and their signs",
           prove_c0,
-          proof_tier::with_words,
-          {{step_kind::argued,
-            "An integral over a fixed range decreases in a quantity where its integrand does at "
-            "every point of the range."},
-           {step_kind::argued,
-            "So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller."},
-           bartky_transformation()}};
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "DecreaseInA.lemma_4"}, bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

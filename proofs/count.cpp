@@ -15,8 +15,7 @@ certificate prove_count(const request& wanted) {
       "point, which is where C meets S, exactly where pi = (k - 1/2) G(u) for a whole k >= 1; G "
       "maps (0, 1) one to one onto the values above pi I, so that there is one for every k < 1/I + "
       "1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's theorem. Computed: the "
-      "polynomial steps for G, and the count in rationals. Cited: uniqueness of solutions (Picard "
-      "and Lindeloef).";
+      "polynomial steps for G, and the count in rationals.";
   add_steps(c, half_phase_steps());
   add_steps(c, {identity("2*k - (2*k-1)", "1",
                          "2 pi/(2k-1) > pi/k: the k-th crossing of pi/2 "
@@ -50,20 +49,8 @@ claim count_claim() {
           "where the paper says at least.",
           "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
           prove_count,
-          proof_tier::with_words,
-          {{step_kind::argued,
-            "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, "
-            "1) every value above pi I, once, and no other."},
-           {step_kind::argued,
-            "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
-            "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
-           {step_kind::argued,
-            "psi_c(pi) is a turning point exactly where pi = (k - 1/2) G for a whole k >= 1."},
-           {step_kind::cited, "The intermediate value theorem."},
-           {step_kind::cited,
-            "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) "
-            "and depend continuously on their data."},
-           bartky_transformation()}};
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "Curve.theorem_4_sharp"}, bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

@@ -15,7 +15,7 @@ certificate prove_crossing(const request& wanted) {
       "-psi_c(phi), and psi_c(pi) = 0 exactly where pi = k G(u) for a whole k >= 1; G maps (0, 1) "
       "one to one onto the values above pi I, so that there is one solution for every k < 1/I. The "
       "first, G = pi, lies beyond the first intersection, G = 2 pi. Computed: the polynomial steps "
-      "for G, and the count in rationals. Cited: uniqueness of solutions (Picard and Lindeloef).";
+      "for G, and the count in rationals.";
   add_steps(c, half_phase_steps());
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
@@ -47,19 +47,8 @@ claim crossing_claim() {
       "not physical: exactly ceil(1/I) - 1 times.",
       "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
       prove_crossing,
-      proof_tier::with_words,
-      {{step_kind::argued,
-        "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) "
-        "every value above pi I, once, and no other."},
-       {step_kind::argued,
-        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
-        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
-       {step_kind::argued, "psi_c(pi) = 0 exactly where pi = k G for a whole k >= 1."},
-       {step_kind::cited, "The intermediate value theorem."},
-       {step_kind::cited,
-        "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
-        "depend continuously on their data."},
-       bartky_transformation()}};
+      proof_tier::by_kernel,
+      {{step_kind::kernel, "Curve.lemma_3_sharp"}, bartky_transformation()}};
 }
 
 }  // namespace polhode::proofs

@@ -45,12 +45,8 @@ claim epsilon0_decreases_claim() {
           "The twist defect on the separatrix, epsilon0(a, b), decreases as a increases.",
           "exact derivatives of the integrand and their signs",
           prove_epsilon0,
-          proof_tier::with_words,
-          {{step_kind::argued,
-            "An integral over a fixed range decreases in a quantity where its integrand does at "
-            "every point of the range."},
-           {step_kind::argued,
-            "So at epsilon0(a) the integral for a' > a is below 2 pi, and its root is smaller."}}};
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "DecreaseInA.lemma_5"}}};
 }
 
 }  // namespace polhode::proofs

@@ -65,16 +65,10 @@ claim first_equation_claim() {
       "injective there.",
       "exact derivative of the integrand and its sign",
       prove_decrease,
-      proof_tier::with_words,
-      {{step_kind::argued,
-        "The integral increases in its upper end, as its integrand is positive, and decreases in "
-        "c, as its integrand does: where c is greater the upper end at which it is pi is "
-        "greater."},
-       {step_kind::argued,
-        "Eq. (24): h_c = -(1-bX)/(2 sqrt(a+bX) (c+bX)^(3/2)) for the integrand h, by the "
-        "derivative of h^2; differentiation under the integral, which has no singularity before "
-        "the turning point, and the implicit function theorem give d epsilon/dc = -(integral of "
-        "|h_c|)/h(pi/2 - epsilon) < 0."}}};
+      proof_tier::by_kernel,
+      {{step_kind::kernel, "FirstEquation.proposition_2"},
+       {step_kind::kernel, "DefectFunction.equation_24"},
+       {step_kind::kernel, "DefectFunction.equation_24_negative"}}};
 }
 
 }  // namespace polhode::proofs

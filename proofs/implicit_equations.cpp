@@ -24,12 +24,11 @@ certificate prove_equations(const request&) {
       "pi "
       "(n odd, epsilon >= pi/2; n even, epsilon <= pi/2), G = F(c,-c/b), u' = sin^2 epsilon";
   c.method =
-      "For all a > 0, 0 < b < 1, -b < c < 0: by the symmetries of the reduced system "
-      "psi_c(phi + G) = -psi_c(phi) and psi_c is odd; with pi = nG + r, |r| <= G/2, psi_c(pi) = "
-      "(-1)^n psi_c(r) and |r| = F(c,u')/2, and the four cases are those of the signs of (-1)^n "
-      "and "
-      "r. The integral forms consist of 2n-1 whole sweeps G and two end pieces (G +- F)/2. "
-      "Computed: the sums below. Cited: uniqueness of solutions (Picard and Lindeloef).";
+      "For all a > 0, 0 < b < 1, -b < c < 0: by the symmetries of the reduced system psi_c(phi + "
+      "G) = -psi_c(phi) and psi_c is odd; with pi = nG + r, |r| <= G/2, psi_c(pi) = (-1)^n "
+      "psi_c(r) and |r| = F(c,u')/2, and the four cases are those of the signs of (-1)^n and r. "
+      "The integral forms consist of 2n-1 whole sweeps G and two end pieces (G +- F)/2. Computed: "
+      "the sums below.";
   add_steps(
       c,
       {identity("2*(n*g+r)", "2*n*g + 2*r", "2 pi = 2nG + 2r, with 2r = F or 2r = -F"),
@@ -56,15 +55,12 @@ claim implicit_equations_claim() {
       "symmetries of the motion; sums of the sweeps",
       prove_equations,
       proof_tier::by_argument,
-      {{step_kind::argued,
-        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
-        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+      {{step_kind::kernel, "Symmetry.psi_odd"},
+       {step_kind::kernel, "Symmetry.half_phase_symmetry"},
        {step_kind::argued,
         "With pi = nG + r, |r| <= G/2: psi_c(pi) = (-1)^n psi_c(r), |r| = F(c,u')/2, and the four "
         "cases are those of the signs of (-1)^n and r."},
-       {step_kind::cited,
-        "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
-        "depend continuously on their data."}}};
+       {step_kind::kernel, "Uniqueness.motion_unique"}}};
 }
 
 }  // namespace polhode::proofs

@@ -236,11 +236,9 @@ certificate prove_injectivity(const request& wanted) {
       "point, where epsilon decreases by first_equation, or between it and the return to psi = 0, "
       "where T(c, psi_c(pi)) = G - pi; as c decreases G decreases and T increases for every psi, "
       "so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: epsilon is pi/2 at c* "
-      "by "
-      "the claim crossing and tends to pi/2 as c -> -b; a continuous injective function would have "
-      "different limits. Computed: the polynomial steps, I against 1 in rationals, and enclosures "
-      "for the given body. Cited: existence, uniqueness and continuous dependence of solutions of "
-      "ordinary differential equations (Picard and Lindeloef); the intermediate value theorem.";
+      "by the claim crossing and tends to pi/2 as c -> -b; a continuous injective function would "
+      "have different limits. Computed: the polynomial steps, I against 1 in rationals, and "
+      "enclosures for the given body.";
   add_steps(c, half_phase_steps());
   add_steps(c, {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
                       "the derivative in c of the square of T's integrand, negative")});
@@ -270,23 +268,9 @@ claim injectivity_claim() {
       "monotone parts by exact signs; a chain of enclosures, or two c with one epsilon, for a "
       "body",
       prove_injectivity,
-      proof_tier::with_words,
-      {{step_kind::argued,
-        "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) "
-        "every value above pi I, once, and no other."},
-       {step_kind::argued,
-        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
-        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
-       {step_kind::argued,
-        "Where I >= 1, pi is at most G, and as c decreases G decreases and the time T to every psi "
-        "increases: psi_c(pi) decreases, before the turning point and after it."},
-       {step_kind::argued,
-        "Where I < 1, epsilon is pi/2 at some c and tends to pi/2 as c tends to -b: a continuous "
-        "injective function would have different limits."},
-       {step_kind::cited, "The intermediate value theorem."},
-       {step_kind::cited,
-        "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
-        "depend continuously on their data."},
+      proof_tier::by_kernel,
+      {{step_kind::kernel, "Theorem3.theorem_3"},
+       {step_kind::kernel, "Prop1.proposition_1"},
        bartky_transformation()}};
 }
 

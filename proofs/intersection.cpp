@@ -48,13 +48,11 @@ claim intersection_claim() {
       "one-to-one map onto (pi I, infinity), by exact signs; I < 2 in rationals",
       prove_intersection,
       proof_tier::with_words,
-      {{step_kind::argued,
-        "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) "
-        "every value above pi I, once, and no other."},
+      {{step_kind::kernel, "MeetingPoint.lemma_2"},
+       {step_kind::kernel, "Values.takes_each_value_once"},
        {step_kind::argued,
         "On the part of C of the first implicit equation C meets S where pi is the time from psi = "
         "0 to the turning point, G = 2 pi."},
-       {step_kind::cited, "The intermediate value theorem."},
        bartky_transformation()}};
 }
 

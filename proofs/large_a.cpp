@@ -45,7 +45,9 @@ claim large_a_claim() {
       "explicit bounds, by exact signs",
       prove_large_a,
       proof_tier::with_words,
-      {{step_kind::argued,
+      {{step_kind::kernel, "LargeA.perfect_twist_vanishes"},
+       {step_kind::kernel, "LargeA.defect_vanishes"},
+       {step_kind::argued,
         "An integral is below that of a greater integrand: that of 1/(sqrt(ab) x sqrt(1-x)) from u "
         "to 1 is 2 artanh(sqrt(1-u))/sqrt(ab), and artanh(cos epsilon) = log cot(epsilon/2)."},
        {step_kind::argued,

@@ -76,9 +76,9 @@ claim limit_formula_claim() {
         "psi increases, and xi = F(psi | 1/(1+beta))/sqrt(1+beta) defines am."},
        {step_kind::argued,
         "sn and am are continuous in xi, so that psi_c(pi) tends to its value at pi sqrt(chi)."},
-       {step_kind::argued,
-        "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, "
-        "phi) -> (-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi)."},
+       {step_kind::kernel, "Symmetry.psi_odd"},
+       {step_kind::kernel, "Symmetry.half_phase_symmetry"},
+       {step_kind::kernel, "LimitFormula.limit_formula"},
        {step_kind::cited, "sn(x + 2K | m) = -sn(x | m) (DLMF 22.4(iii))."},
        {step_kind::cited,
         "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "

@@ -106,7 +106,9 @@ claim limit_minimum_claim() {
           "one polynomial inequality over all physical bodies; the limit formula",
           prove_minimum,
           proof_tier::by_argument,
-          {{step_kind::argued,
+          {{step_kind::kernel, "Infima.epsilon0_infimum"},
+           {step_kind::kernel, "Infima.beta_infimum"},
+           {step_kind::argued,
             "The integrand exceeds the limit's at every psi > 0, so that the integral does, and "
             "epsilon0 and c0/b exceed their limits."},
            {step_kind::argued, "Planar bodies approach both limits, by the claim limit_formula."},

@@ -50,13 +50,12 @@ claim montgomery_oscillating_claim() {
           "is 2 pi I; this is at least 2 pi if and only if the body is physical.",
           "exact derivative and signs; two-sided bounds for the limit",
           prove_oscillating,
-          proof_tier::with_words,
-          {{step_kind::argued,
-            "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, "
-            "1) every value above pi I, once, and no other."},
-           {step_kind::argued,
-            "As u tends to 1 both bounds tend to pi I, so that this is the greatest lower bound, "
-            "and it is not attained."},
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "Theorems.oscillating_phase_at"},
+           {step_kind::kernel, "Theorems.oscillating_phase_increases"},
+           {step_kind::kernel, "Theorems.theorem_1_infimum"},
+           {step_kind::kernel, "Theorems.theorem_1_not_attained"},
+           {step_kind::kernel, "Theorems.theorem_1_physical"},
            bartky_transformation()}};
 }
 

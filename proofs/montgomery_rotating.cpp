@@ -38,13 +38,11 @@ claim montgomery_rotating_claim() {
           "2 pi J.",
           "exact derivative and signs; two-sided bounds and an antiderivative for the limit",
           prove_rotating,
-          proof_tier::with_words,
-          {{step_kind::argued,
-            "An integral over a fixed range decreases in a quantity where its integrand does at "
-            "every point of the range."},
-           {step_kind::argued,
-            "As c tends to a both bounds tend to P, which is pi J by the antiderivative: this is "
-            "the greatest lower bound, and it is not attained."},
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "Theorems.rotating_phase_at"},
+           {step_kind::kernel, "Theorems.rotating_phase_decreases"},
+           {step_kind::kernel, "Theorems.theorem_2_infimum"},
+           {step_kind::kernel, "Theorems.theorem_2_not_attained"},
            bartky_transformation()}};
 }
 

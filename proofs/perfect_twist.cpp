@@ -78,13 +78,10 @@ claim perfect_twist_claim() {
       "in (0, a).",
       "one-to-one map onto (pi J, infinity), by exact signs; J < 2 in rationals",
       prove_perfect_twist,
-      proof_tier::with_words,
-      {{step_kind::argued,
-        "An integral over a fixed range decreases in a quantity where its integrand does at every "
-        "point of the range."},
-       {step_kind::argued,
-        "By its two bounds F(c,0) takes on (0, a) every value above pi J, and no other."},
-       {step_kind::cited, "The intermediate value theorem."},
+      proof_tier::by_kernel,
+      {{step_kind::kernel, "Separatrix.proposition_3_2"},
+       {step_kind::kernel, "Theorems.rotating_phase_at"},
+       {step_kind::kernel, "Theorems.rotating_phase_decreases"},
        bartky_transformation()}};
 }
 

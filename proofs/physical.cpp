@@ -65,7 +65,8 @@ claim physical_claim() {
       "identities of polynomials over all moments; signs of rationals for a body",
       prove_physical,
       proof_tier::with_words,
-      {{step_kind::argued,
+      {{step_kind::kernel, "Prop1.proposition_1"},
+       {step_kind::argued,
         "With I_z < I_y < I_x all denominators are positive, and I > 0: I >= 1 exactly where I^2 - "
         "1 >= 0, where I_y + I_z - I_x >= 0."}}};
 }

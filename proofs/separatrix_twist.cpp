@@ -74,17 +74,13 @@ ball separatrix_defect(const body& rigid, precision p) {
 }
 
 claim separatrix_twist_claim() {
-  return {
-      "proposition 3, part 1, eq. (25)",
-      "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
-      "solution u = sin^2 epsilon0 in (0, 1), for every body.",
-      "exact signs and limits; interval Newton for the number",
-      prove_separatrix,
-      proof_tier::with_words,
-      {{step_kind::argued,
-        "F(0,u) decreases in u, as its integrand is positive and its range shrinks; it has no "
-        "bound as u tends to 0 and tends to 0 as u tends to 1, by its bound and its closed form."},
-       {step_kind::cited, "The intermediate value theorem."}}};
+  return {"proposition 3, part 1, eq. (25)",
+          "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
+          "solution u = sin^2 epsilon0 in (0, 1), for every body.",
+          "exact signs and limits; interval Newton for the number",
+          prove_separatrix,
+          proof_tier::by_kernel,
+          {{step_kind::kernel, "Separatrix.proposition_3_1"}}};
 }
 
 }  // namespace polhode::proofs

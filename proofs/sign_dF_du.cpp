@@ -132,11 +132,9 @@ claim sign_dF_du_claim() {
       "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
       "two enclosures of the value; exact identity and signs; interval sweep over all parameters",
       prove_sign,
-      proof_tier::with_words,
-      {{step_kind::argued,
-        "Differentiation under the integral: the integrand and its derivative in u are continuous "
-        "on [0, pi/2] x [u_0, 1] for every u_0 > 0. An integral of what is negative is "
-        "negative."},
+      proof_tier::by_kernel,
+      {{step_kind::kernel, "HalfPhase.G_derive"},
+       {step_kind::kernel, "HalfPhase.G_derive_negative"},
        gauss_mean()}};
 }
 

@@ -102,8 +102,8 @@ void certificate::conclude(reason otherwise) {
 
 std::vector<step_kind> certificate::rests_on() const {
   std::vector<step_kind> result;
-  for (const step_kind kind :
-       {step_kind::exact, step_kind::enclosed, step_kind::argued, step_kind::cited}) {
+  for (const step_kind kind : {step_kind::exact, step_kind::enclosed, step_kind::kernel,
+                               step_kind::argued, step_kind::cited}) {
     const auto is_it = [kind](const auto& step) { return step.kind == kind; };
     if ((kind == step_kind::enclosed && !numbers.empty()) ||
         std::any_of(facts.begin(), facts.end(), is_it) ||
@@ -125,6 +125,8 @@ std::string to_text(step_kind k) {
       return "decided exactly";
     case step_kind::enclosed:
       return "enclosed";
+    case step_kind::kernel:
+      return "proved in Coq";
     case step_kind::argued:
       return "argued in words";
     case step_kind::cited:
@@ -135,6 +137,8 @@ std::string to_text(step_kind k) {
 
 std::string to_text(proof_tier t) {
   switch (t) {
+    case proof_tier::by_kernel:
+      return "by Coq's kernel";
     case proof_tier::by_machine:
       return "by machine";
     case proof_tier::with_words:
@@ -172,7 +176,7 @@ json to_dyadic_json(const ball& x) {
 json to_json(const certificate& c) {
   json result;
   result["format"] = "polhode certificate";
-  result["version"] = 3;
+  result["version"] = 4;
   result["claim"] = c.claim;
   result["statement"] = c.statement;
   result["formula"] = c.formula;
@@ -219,7 +223,8 @@ std::string to_text(const certificate& c) {
   } else if (c.tier == proof_tier::by_argument) {
     result += " (its machine steps hold; they alone do not give the statement)";
   } else {
-    result += c.tier == proof_tier::by_machine ? " by machine" : " by machine, joined in words";
+    result += ' ' + to_text(c.tier);
+    if (c.tier == proof_tier::by_kernel) result += " (not run here: scripts/check-coq runs it)";
   }
   result += '\n' + wrapped(c.statement, 2) + wrapped(c.formula, 4) + wrapped(c.reference, 4);
   for (const auto& [name, value] : c.inputs) {
@@ -235,7 +240,10 @@ std::string to_text(const certificate& c) {
                      f.statement);
   }
   for (const auto& s : c.argument) {
-    result += marked(s.kind == step_kind::argued ? "in words" : "cited", s.statement);
+    result += marked(s.kind == step_kind::kernel   ? "Coq"
+                     : s.kind == step_kind::argued ? "in words"
+                                                   : "cited",
+                     s.statement);
   }
   result += "  method:\n" + wrapped(c.method, 4);
   std::string kinds;

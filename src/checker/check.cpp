@@ -9,7 +9,7 @@
 namespace polhode::checker {
 namespace {
 
-constexpr long version = 3;
+constexpr long version = 4;
 
 void check_document(const json& certificate, report& result, budget& work) {
   const place root(certificate, "", work);

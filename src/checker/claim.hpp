@@ -42,15 +42,21 @@ struct step_text {
   return {step_kind::slope, left, over, variable, right, "", meaning};
 }
 
-/// How a step that no program decides is shown: the kinds of a certificate's argument.
+/// How a step that this program does not decide is shown: the kinds of a certificate's argument.
+inline constexpr std::string_view proved_in_coq = "proved in Coq";
 inline constexpr std::string_view argued_in_words = "argued in words";
 inline constexpr std::string_view only_cited = "cited";
 
-/// One step that no program decides.
+/// One step that this program does not decide.
 struct stated_text {
-  std::string_view kind;  // argued_in_words or only_cited
-  std::string_view statement;
+  std::string_view kind;       // proved_in_coq, argued_in_words or only_cited
+  std::string_view statement;  // the name of the theorem in proofs/coq, or a sentence
 };
+
+/// A theorem of proofs/coq, as STATEMENTS.md there has it.
+[[nodiscard]] constexpr stated_text in_coq(std::string_view theorem) {
+  return {proved_in_coq, theorem};
+}
 
 [[nodiscard]] constexpr stated_text argued(std::string_view statement) {
   return {argued_in_words, statement};
@@ -60,6 +66,7 @@ struct stated_text {
 }
 
 /// The tiers of proofs.
+inline constexpr std::string_view by_kernel = "by Coq's kernel";
 inline constexpr std::string_view by_machine = "by machine";
 inline constexpr std::string_view with_words = "by machine, joined in words";
 inline constexpr std::string_view by_argument = "by argument";

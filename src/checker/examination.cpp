@@ -182,7 +182,7 @@ void expect_grounds(const place& certificate, std::string_view tier,
   std::vector<std::string_view> kinds;
   const place facts = certificate["facts"];
   for (const std::string_view kind : {std::string_view(decided_exactly), std::string_view(enclosed),
-                                      argued_in_words, only_cited}) {
+                                      proved_in_coq, argued_in_words, only_cited}) {
     bool has_it = kind == enclosed && !certificate["numbers"].value().empty();
     for (std::size_t i = 0; i < facts.size(); ++i) {
       has_it = has_it || facts.at(i)["kind"].text() == kind;

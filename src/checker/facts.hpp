@@ -64,21 +64,11 @@ inline constexpr std::array rotating_phase_steps{
   return all;
 }
 
-// What no program decides ---------------------------------------------------------------------
+// What this program does not decide -----------------------------------------------------------
 
 inline constexpr stated_text intermediate_values = cited("The intermediate value theorem.");
-inline constexpr stated_text half_phase_takes_each_value_once = argued(
-    "G decreases in u, as its integrand does at every t; by its two bounds G takes on (0, 1) every "
-    "value above pi I, once, and no other.");
-inline constexpr stated_text symmetries = argued(
-    "The reduced system is the same under (psi, phi) -> (-psi, -phi) and under (cos theta, phi) -> "
-    "(-cos theta, -phi); so psi_c is odd and psi_c(phi + G) = -psi_c(phi).");
-inline constexpr stated_text solutions_are_unique = cited(
-    "Solutions of ordinary differential equations exist, are unique (Picard and Lindeloef) and "
-    "depend continuously on their data.");
-inline constexpr stated_text integral_decreases_with_integrand = argued(
-    "An integral over a fixed range decreases in a quantity where its integrand does at every "
-    "point of the range.");
+inline constexpr stated_text psi_is_odd = in_coq("Symmetry.psi_odd");
+inline constexpr stated_text half_phase_symmetry = in_coq("Symmetry.half_phase_symmetry");
 inline constexpr stated_text bartky_transformation =
     cited("Bartky's transformation of complete elliptic integrals (DLMF 19.8(i), 19.22(i)).");
 inline constexpr stated_text gauss_mean =

@@ -149,6 +149,7 @@ std::string text_of(const report& r, bool verbose) {
   if (r.is_verified()) {
     result = r.argued               ? "steps verified, the rest argued"
              : r.tier == with_words ? "steps verified, joined in words"
+             : r.tier == by_kernel  ? "verified, for all bodies by Coq's kernel (not run here)"
                                     : "verified";
     if (!r.left_out.empty()) result += ", without " + joined(r.left_out);
     result += ": " + r.subject + ", " + std::to_string(r.checks.size()) +

@@ -46,9 +46,9 @@ int side_of_defect(const body& rigid, const rational& c, const rational& level, 
   const integer n = floor_shift(turns.low(), bits);
   if (n != floor_shift(turns.high(), bits))
     throw undecided("the number of half turns is not known");
-  if (bit_length(n) > 60) throw undecided("too many half turns");
-  const interval rest = whole - half_turn * static_cast<long>(n);
-  const interval from = oscillates ? psi : psi - whole * static_cast<long>(n);
+  const interval count(rational(n), bits);
+  const interval rest = whole - half_turn * count;
+  const interval from = oscillates ? psi : psi - whole * count;
   if (!rest.is_positive() && !rest.is_negative()) {
     // psi_c(pi) (- n pi) is between -s and s, s the amplitude of the greatest |rest|.
     const interval most = interval(rest.magnitude(), rest.magnitude(), bits).scaled(1);

@@ -1,7 +1,9 @@
-// Formulas that are 0 wherever they are defined, as their expansion shows.
+// Formulas that are 0 wherever they are defined, as their expansion shows; and the size of the terms
+// of those that may be.
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -112,6 +114,35 @@ class expansion {
 bool expression::is_formally_zero() const {
   const auto found = formal_zero_impl::expansion(*graph_).of(graph_->root);
   return found && found->empty();
+}
+
+expression expression::sum_of_sizes() const {
+  using detail::operation;
+  auto g = std::make_shared<detail::graph>(*graph_);
+  std::vector<detail::node_id> open{g->root};
+  std::vector<detail::node_id> terms;
+  while (!open.empty()) {
+    const detail::node n = (*g)[open.back()];
+    const detail::node_id i = open.back();
+    open.pop_back();
+    if (n.what == operation::add || n.what == operation::subtract) {
+      open.push_back(n.right);
+      open.push_back(n.left);
+    } else if (n.what == operation::negate) {
+      open.push_back(n.left);
+    } else {
+      terms.push_back(i);
+    }
+  }
+  detail::node_id sum = g->number(0);
+  for (const detail::node_id term : terms) {
+    sum = detail::add(*g, sum, detail::find_function("abs")->build(*g, {term}));
+  }
+  g->root = sum;
+  expression result(*this);
+  result.exact_.reset();
+  result.take(std::move(g));
+  return result;
 }
 
 }  // namespace polhode

@@ -98,7 +98,7 @@ TEST(CertificateJson, ParsesAndNamesItsVersions) {
   c.conclude();
   const json parsed = json::parse(to_json(c).dump(2));
   EXPECT_EQ(parsed.at("format"), "polhode certificate");
-  EXPECT_EQ(parsed.at("version"), 3);
+  EXPECT_EQ(parsed.at("version"), 4);
   EXPECT_EQ(parsed.at("claim"), "example");
   EXPECT_EQ(parsed.at("digest").get<std::string>().size(), 7U + 64U);
   EXPECT_EQ(parsed.at("verdict"), "certified");
@@ -241,6 +241,13 @@ TEST(CertificateJson, SaysHowMuchAMachineDecides) {
   EXPECT_EQ(to_text(c).find("certified"), std::string::npos) << to_text(c);
   EXPECT_NE(to_text(c).find("[in words] a thought"), std::string::npos) << to_text(c);
   EXPECT_NE(to_text(c).find("[cited]    a theorem"), std::string::npos) << to_text(c);
+  c.tier = proof_tier::by_kernel;
+  c.argument = {{step_kind::kernel, "Prop1.proposition_1"}};
+  EXPECT_EQ(to_json(c).at("rests_on").get<kinds>(),
+            (kinds{"decided exactly", "enclosed", "proved in Coq"}));
+  EXPECT_EQ(to_json(c).at("tier"), "by Coq's kernel");
+  EXPECT_NE(to_text(c).find("certified by Coq's kernel (not run here"), std::string::npos);
+  EXPECT_NE(to_text(c).find("[Coq]      Prop1.proposition_1"), std::string::npos) << to_text(c);
   c.tier = proof_tier::with_words;
   EXPECT_EQ(to_json(c).at("verdict"), "certified");
   EXPECT_NE(to_text(c).find("certified by machine, joined in words"), std::string::npos);

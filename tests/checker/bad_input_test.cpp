@@ -45,7 +45,7 @@ TEST(BadInput, TruncatedAnywhereIsRefused) {
 TEST(BadInput, AnotherFormIsRefused) {
   json c = certificate_of("physical");
   c["version"] = 2;
-  expect_malformed(c.dump(), "/version", "version 3");
+  expect_malformed(c.dump(), "/version", "version 4");
   c = certificate_of("physical");
   c["format"] = "a letter";
   expect_malformed(c.dump(), "/format", "polhode certificate");

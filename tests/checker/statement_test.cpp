@@ -113,7 +113,8 @@ TEST(Emptied, ACertificateIsVerifiedOnlyInPart) {
 
 TEST(Grounds, AreSaidAndCannotBeChanged) {
   const report beta = checked(certificate_of("beta"));
-  EXPECT_EQ(beta.grounds, (std::vector<std::string>{"enclosed", "cited"}));
+  EXPECT_EQ(beta.grounds, (std::vector<std::string>{"enclosed", "proved in Coq", "cited"}));
+  EXPECT_EQ(beta.tier, "by Coq's kernel");
   EXPECT_FALSE(beta.argued);
   const report limit = checked(certificate_of("limit_formula"));
   EXPECT_EQ(limit.result, outcome::verified) << limit.place << limit.message;
@@ -131,6 +132,10 @@ TEST(Grounds, AreSaidAndCannotBeChanged) {
   EXPECT_EQ(refused_at("limit_formula", "/verdict", "certified"), "/verdict");
   EXPECT_EQ(refused_at("limit_formula", "/tier", "by machine"), "/tier");
   EXPECT_EQ(refused_at("limit_formula", "/argument", json::array()), "/argument/0");
+  EXPECT_EQ(refused_at("limit_formula", "/tier", "by Coq's kernel"), "/tier");
+  EXPECT_EQ(refused_at("count", "/argument/0/statement", "Curve.theorem_4"),
+            "/argument/0/statement");
+  EXPECT_EQ(refused_at("count", "/argument/0/kind", "cited"), "/argument/0/kind");
   EXPECT_EQ(refused_at("limit_formula", "/rests_on", json::array({"decided exactly"})),
             "/rests_on/1");
   EXPECT_EQ(refused_at("beta", "/verdict", "argued"), "/verdict");

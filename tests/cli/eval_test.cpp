@@ -142,7 +142,16 @@ TEST(Eval, ExactRulesDecideWhatPrecisionDoesNot) {
 
 TEST(Eval, WhatPrecisionDoesNotDecideIsNotCertified) {
   const std::string zero = "gamma(1/3)*gamma(2/3)*sqrt(3)/pi - 2";
-  expect_not_certified(zero, {"not certified: precision limit", "may be exactly 0"});
+  // A sum has its digits beside its terms, whatever their size; a product has none.
+  for (const std::string& sum :
+       {zero, "1e-300*(pi - (" + zero + "))-pi*1e-300", "-(" + zero + ")"}) {
+    const std::string out = certified(sum);
+    EXPECT_NE(out.find("certified (relative to the size of its terms): "), std::string::npos)
+        << out;
+    EXPECT_NE(out.find("it may be exactly 0"), std::string::npos) << out;
+  }
+  expect_not_certified("7*(" + zero + ")", {"not certified: precision limit", "may be exactly 0"});
+  expect_not_certified("abs(" + zero + ")", {"not certified: precision limit"});
   // What is about a short decimal, and not 0, is that with its error.
   EXPECT_EQ(certified("3/2 + " + zero), "1.5 ± 1e-52\n");
   expect_not_certified("tan(pi/2)", {"undefined\n", "not certified: not defined"});
@@ -174,7 +183,11 @@ TEST(Eval, JsonHasTheEnclosureAndTheVerdict) {
   EXPECT_EQ(tenth.at("number").at("upper"), "0.1");
   EXPECT_EQ(in_json("1e1000000", 0).at("number").at("value"), "1e1000000");
 
-  const json zero = in_json("gamma(1/3)*gamma(2/3)*sqrt(3)/pi - 2", 1);
+  const json sum = in_json("gamma(1/3)*gamma(2/3)*sqrt(3)/pi - 2", 0);
+  EXPECT_EQ(sum.at("verdict"), "certified");
+  EXPECT_EQ(sum.at("relative_to"), "the size of its terms");
+  EXPECT_EQ(number.find("relative_to"), number.end());
+  const json zero = in_json("7*(gamma(1/3)*gamma(2/3)*sqrt(3)/pi - 2)", 1);
   EXPECT_EQ(zero.at("verdict"), "not certified");
   EXPECT_EQ(zero.at("reason"), "precision limit");
   const rational radius = parse_rational(zero.at("number").at("radius").get<std::string>());

@@ -271,5 +271,28 @@ TEST(TailSeries, HasNoBoundWithoutDecayOrBelowItsStart) {
   EXPECT_TRUE((exp(-near) * log(near)).integral_beyond(ball(rational(1, 2), 64)).is_infinite());
 }
 
+// x^(n/2048) is bounded by the power with the next exponent in 1024ths, above for x >= 1 and below for
+// x <= 1: far out this is a percent more than the tail itself, and the exponent before it less.
+TEST(TailSeries, OfAPowerIsBoundedFarOut) {
+  constexpr precision p = 200;
+  const ball far = scale(ball(1, p), 22);
+  const double r = 0x1p-22;
+  for (const long n : {1L, 3L, -1L, -5L, 2047L}) {
+    const rational e(n, 2048);
+    const tail_series x = tail_series::argument(known_number(rational(1)), r);
+    const tail_series growing = exp(-x) * pow(x, x.constant_like(e));
+    // As (y/Y)^e >= e^(e (y - Y)/Y) for e < 0, the tail is at least Y^e e^-Y/(1 - e/Y) there.
+    const ball tail = exp(-far) * pow(far, ball(e, p)) * (1 - 1 / far);
+    EXPECT_GE(growing.integral_beyond(far), tail.magnitude_lower()) << n;
+    EXPECT_LE(growing.integral_beyond(far), (tail * rational(102, 100)).magnitude_lower()) << n;
+
+    const tail_series t = tail_series::argument(known_number(), known_number(rational(1)), r);
+    const tail_series vanishing = exp(-1 / t) * pow(t, t.constant_like(e));
+    const ball beyond = exp(-far) * pow(far, ball(rational(-2 - e), p)) * (1 - 4 / far);
+    EXPECT_GE(vanishing.integral_before(far), beyond.magnitude_lower()) << n;
+    EXPECT_LE(vanishing.integral_before(far), (beyond * rational(102, 100)).magnitude_lower()) << n;
+  }
+}
+
 }  // namespace end_series_test
 }  // namespace polhode

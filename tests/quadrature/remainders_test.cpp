@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/expression/formula_of.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/end_plan.hpp"
@@ -78,6 +79,26 @@ TEST(Remainders, OfBreaksThatCannotBeToldApartHoldThePulse) {
         << "q = " << q << ", d = " << d << ", remainder " << parts.remainder;
   }
   EXPECT_GT(left_out, 0);
+}
+
+// Two jumps somewhere in [q - r, q + r], which is left out: the function may be -1 on all of it and 1
+// elsewhere, or 1 everywhere. It then differs by 2 from what stands for it, wherever it is left out.
+TEST(Remainders, OfBreaksInABallHoldAllThatMayBe) {
+  support::random_source random(72);
+  for (long exponent = 55; exponent <= 70; ++exponent) {
+    const rational q = random.between(1, 1'000'000) / rational(1'000'003);
+    const rational r = rational(1) / rational(integer(1) << static_cast<unsigned>(exponent));
+    const ball at = ball(q, p).enlarged(magnitude::power_of_two(-exponent));
+    const auto parts = detail::prepare(integrand_of(formula_of([&](const auto& x) {
+                                         return (1 + 2 * floor(x - at)) * (1 + 2 * floor(x - at));
+                                       })),
+                                       0, 1, {}, few_bits);
+    ASSERT_EQ(parts.why, reason::none);
+    const ball value = value_of(parts);
+    EXPECT_TRUE(holds(value, ball(1, p))) << exponent;
+    EXPECT_TRUE(holds(value, ball(rational(1 - 4 * r), p))) << exponent;
+    EXPECT_GE(radius_of(parts.remainder), 4 * r) << exponent;
+  }
 }
 
 /// f is at least `least` on what is left out at the end 0.

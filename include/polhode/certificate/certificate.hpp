@@ -25,19 +25,21 @@ struct enclosed_number {
   long digits = 0;  // how many significant digits were asked for
 };
 
-/// What a step of a proof rests on. The first two a machine decides: in rationals or by polynomials, or by enclosures. The other two
-/// no machine decides: an argument in words, and a theorem of others.
-enum class step_kind { exact, enclosed, argued, cited };
-/// "decided exactly", "enclosed", "argued in words", "cited".
+/// What a step of a proof rests on. The first two this program decides: in rationals or by polynomials, or
+/// by enclosures. The third is a theorem of proofs/coq, which the kernel of Coq accepts, not this program.
+/// The other two no machine decides: an argument in words, and a theorem of others.
+enum class step_kind { exact, enclosed, kernel, argued, cited };
+/// "decided exactly", "enclosed", "proved in Coq", "argued in words", "cited".
 [[nodiscard]] std::string to_text(step_kind k);
 
 /// How much of a proof a machine decides.
 enum class proof_tier {
+  by_kernel,  // theorems of proofs/coq say it of all bodies; its steps decide it of the given one again
   by_machine,  // its steps, with what is cited, give the statement
   with_words,  // it decides every sign, bound and count; an argument in words leads from them to the statement
   by_argument,  // the statement follows from an argument in words; a machine decides some of its steps
 };
-/// "by machine", "by machine, joined in words", "by argument".
+/// "by Coq's kernel", "by machine", "by machine, joined in words", "by argument".
 [[nodiscard]] std::string to_text(proof_tier t);
 
 /// One condition that the proof rests on and that was decided, in words.
@@ -47,10 +49,10 @@ struct checked_fact {
   step_kind kind = step_kind::exact;  // exact or enclosed
 };
 
-/// One step that no machine decides.
+/// One step that this program does not decide.
 struct stated_step {
-  step_kind kind = step_kind::argued;  // argued or cited
-  std::string statement;
+  step_kind kind = step_kind::argued;  // kernel, argued or cited
+  std::string statement;               // of kernel, the name of the theorem
 };
 
 struct certificate {

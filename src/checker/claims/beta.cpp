@@ -218,8 +218,9 @@ claim beta_claim() {
           "increases strictly in x > 0 from 0 without bound, so there is exactly one root; "
           "interval Newton with f' from the same AGM steps proves it in its box and encloses it.",
       .steps = {},
-      .tier = by_machine,
-      .argument = {cited("K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i)); the mean is "
+      .tier = by_kernel,
+      .argument = {in_coq("Beta.beta_exists_unique"),
+                   cited("K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i)); the mean is "
                          "continuous, increases in both its arguments and is homogeneous.")},
       .check = check_beta};
 }

@@ -45,11 +45,8 @@ claim c0_decreases_claim() {
                       "the derivative in a of (J+1)^2"),
                 positive("a*(2-b)+b", "a + a*q + b", "a > 0, b > 0, q = 1-b > 0",
                          "so J decreases in a")},
-      .tier = with_words,
-      .argument =
-          {facts::integral_decreases_with_integrand,
-           argued("So at c0(a) the integral for a' > a is below 2 pi, and its root is smaller."),
-           facts::bartky_transformation},
+      .tier = by_kernel,
+      .argument = {in_coq("DecreaseInA.lemma_4"), facts::bartky_transformation},
       .check = check_c0_decreases};
 }
 

@@ -37,20 +37,15 @@ claim count_claim() {
           "turning point, which is where C meets S, exactly where pi = (k - 1/2) G(u) for a whole "
           "k >= 1; G maps (0, 1) one to one onto the values above pi I, so that there is one for "
           "every k < 1/I + 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's "
-          "theorem. Computed: the polynomial steps for G, and the count in rationals. Cited: "
-          "uniqueness of solutions (Picard and Lindeloef).",
+          "theorem. Computed: the polynomial steps for G, and the count in rationals.",
       .steps = facts::with_more(
           facts::half_phase_steps,
           {identity(
                "2*k - (2*k-1)", "1",
                "2 pi/(2k-1) > pi/k: the k-th crossing of pi/2 comes after the k-th intersection"),
            identity("(2*k+1) - 2*k", "1", "pi/k > 2 pi/(2k+1): and before the next")}),
-      .tier = with_words,
-      .argument =
-          {facts::half_phase_takes_each_value_once, facts::symmetries,
-           argued(
-               "psi_c(pi) is a turning point exactly where pi = (k - 1/2) G for a whole k >= 1."),
-           facts::intermediate_values, facts::solutions_are_unique, facts::bartky_transformation},
+      .tier = by_kernel,
+      .argument = {in_coq("Curve.theorem_4_sharp"), facts::bartky_transformation},
       .check = check_count};
 }
 

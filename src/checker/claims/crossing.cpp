@@ -38,14 +38,10 @@ claim crossing_claim() {
               "-psi_c(phi), and psi_c(pi) = 0 exactly where pi = k G(u) for a whole k >= 1; G maps "
               "(0, 1) one to one onto the values above pi I, so that there is one solution for "
               "every k < 1/I. The first, G = pi, lies beyond the first intersection, G = 2 pi. "
-              "Computed: the polynomial steps for G, and the count in rationals. Cited: uniqueness "
-              "of solutions (Picard and Lindeloef).",
+              "Computed: the polynomial steps for G, and the count in rationals.",
           .steps = facts::with_more(facts::half_phase_steps),
-          .tier = with_words,
-          .argument = {facts::half_phase_takes_each_value_once, facts::symmetries,
-                       argued("psi_c(pi) = 0 exactly where pi = k G for a whole k >= 1."),
-                       facts::intermediate_values, facts::solutions_are_unique,
-                       facts::bartky_transformation},
+          .tier = by_kernel,
+          .argument = {in_coq("Curve.lemma_3_sharp"), facts::bartky_transformation},
           .check = check_crossing};
 }
 

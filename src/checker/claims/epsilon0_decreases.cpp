@@ -43,10 +43,8 @@ claim epsilon0_decreases_claim() {
           "decreases in u. At epsilon0(a) the integral for a' > a is below 2 pi, so its root is "
           "smaller. Computed: the polynomial steps.",
       .steps = {facts::integrand_decreases_in_a, facts::integrand_is_positive},
-      .tier = with_words,
-      .argument = {facts::integral_decreases_with_integrand,
-                   argued("So at epsilon0(a) the integral for a' > a is below 2 pi, and its root "
-                          "is smaller.")},
+      .tier = by_kernel,
+      .argument = {in_coq("DecreaseInA.lemma_5")},
       .check = check_epsilon0_decreases};
 }
 

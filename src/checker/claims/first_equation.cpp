@@ -38,15 +38,9 @@ claim first_equation_claim() {
           "pi for c and for c' > c, the upper end for c' is the greater one. Computed: the "
           "polynomial steps.",
       .steps = {facts::integrand_decreases_in_c, facts::integrand_is_positive},
-      .tier = with_words,
-      .argument = {argued("The integral increases in its upper end, as its integrand is positive, "
-                          "and decreases in c, as its integrand does: where c is greater the upper "
-                          "end at which it is pi is greater."),
-                   argued(
-                       "Eq. (24): h_c = -(1-bX)/(2 sqrt(a+bX) (c+bX)^(3/2)) for the integrand h, "
-                       "by the derivative of h^2; differentiation under the integral, which has no "
-                       "singularity before the turning point, and the implicit function theorem "
-                       "give d epsilon/dc = -(integral of |h_c|)/h(pi/2 - epsilon) < 0.")},
+      .tier = by_kernel,
+      .argument = {in_coq("FirstEquation.proposition_2"), in_coq("DefectFunction.equation_24"),
+                   in_coq("DefectFunction.equation_24_negative")},
       .check = check_first_equation};
 }
 

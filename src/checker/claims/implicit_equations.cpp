@@ -22,7 +22,7 @@ claim implicit_equations_claim() {
           "+ G) = -psi_c(phi) and psi_c is odd; with pi = nG + r, |r| <= G/2, psi_c(pi) = (-1)^n "
           "psi_c(r) and |r| = F(c,u')/2, and the four cases are those of the signs of (-1)^n and "
           "r. The integral forms consist of 2n-1 whole sweeps G and two end pieces (G +- F)/2. "
-          "Computed: the sums below. Cited: uniqueness of solutions (Picard and Lindeloef).",
+          "Computed: the sums below.",
       .steps = {identity("2*(n*g+r)", "2*n*g + 2*r", "2 pi = 2nG + 2r, with 2r = F or 2r = -F"),
                 identity("2*(2*n-1)*g + 2*(g-f)", "2*(2*n*g - f)",
                          "eq. (48), epsilon < pi/2, gives eq. (50); eq. (49), epsilon > pi/2, "
@@ -34,10 +34,10 @@ claim implicit_equations_claim() {
                          "n = 1: the second equation, eq. (28)"),
                 identity("2*(2*1-1)*g + 2*(g+f)", "2*(2*g + f)", "n = 1: eq. (29)")},
       .tier = by_argument,
-      .argument = {facts::symmetries,
+      .argument = {facts::psi_is_odd, facts::half_phase_symmetry,
                    argued("With pi = nG + r, |r| <= G/2: psi_c(pi) = (-1)^n psi_c(r), |r| = "
                           "F(c,u')/2, and the four cases are those of the signs of (-1)^n and r."),
-                   facts::solutions_are_unique},
+                   in_coq("Uniqueness.motion_unique")},
       .check = check_steps_only};
 }
 

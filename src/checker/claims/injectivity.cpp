@@ -148,22 +148,14 @@ claim injectivity_claim() {
           "for every psi, so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: "
           "epsilon is pi/2 at c* by the claim crossing and tends to pi/2 as c -> -b; a continuous "
           "injective function would have different limits. Computed: the polynomial steps, I "
-          "against 1 in rationals, and enclosures for the given body. Cited: existence, uniqueness "
-          "and continuous dependence of solutions of ordinary differential equations (Picard and "
-          "Lindeloef); the intermediate value theorem.",
+          "against 1 in rationals, and enclosures for the given body.",
       .steps =
           facts::with_more(facts::half_phase_steps,
                            {slope("(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)",
                                   "the derivative in c of the square of T's integrand, negative")}),
-      .tier = with_words,
-      .argument =
-          {facts::half_phase_takes_each_value_once, facts::symmetries,
-           argued(
-               "Where I >= 1, pi is at most G, and as c decreases G decreases and the time T to "
-               "every psi increases: psi_c(pi) decreases, before the turning point and after it."),
-           argued("Where I < 1, epsilon is pi/2 at some c and tends to pi/2 as c tends to -b: a "
-                  "continuous injective function would have different limits."),
-           facts::intermediate_values, facts::solutions_are_unique, facts::bartky_transformation},
+      .tier = by_kernel,
+      .argument = {in_coq("Theorem3.theorem_3"), in_coq("Prop1.proposition_1"),
+                   facts::bartky_transformation},
       .check = check_injectivity};
 }
 

@@ -41,10 +41,10 @@ claim intersection_claim() {
                                 {identity("4*b*(a+b) - (1-b)^2", "4*a*b + 3*b^2 + 2*b - 1",
                                           "I < 2 exactly where this is positive")}),
       .tier = with_words,
-      .argument = {facts::half_phase_takes_each_value_once,
+      .argument = {in_coq("MeetingPoint.lemma_2"), in_coq("Values.takes_each_value_once"),
                    argued("On the part of C of the first implicit equation C meets S where pi is "
                           "the time from psi = 0 to the turning point, G = 2 pi."),
-                   facts::intermediate_values, facts::bartky_transformation},
+                   facts::bartky_transformation},
       .check = check_intersection};
 }
 

@@ -29,7 +29,8 @@ claim large_a_claim() {
                              "x = u + (1-u) k >= u in the integral G(u): g(x) < 1/sqrt(a u)")},
       .tier = with_words,
       .argument =
-          {argued("An integral is below that of a greater integrand: that of 1/(sqrt(ab) x "
+          {in_coq("LargeA.perfect_twist_vanishes"), in_coq("LargeA.defect_vanishes"),
+           argued("An integral is below that of a greater integrand: that of 1/(sqrt(ab) x "
                   "sqrt(1-x)) from u to 1 is 2 artanh(sqrt(1-u))/sqrt(ab), and artanh(cos epsilon) "
                   "= log cot(epsilon/2)."),
            argued("F(c,0) is twice the integral over 0 < psi < pi/2, and G is b^(-1/2) times that "

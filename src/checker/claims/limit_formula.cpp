@@ -48,8 +48,11 @@ claim limit_formula_claim() {
                           "increases, and xi = F(psi | 1/(1+beta))/sqrt(1+beta) defines am."),
                    argued("sn and am are continuous in xi, so that psi_c(pi) tends to its value at "
                           "pi sqrt(chi)."),
-                   facts::symmetries, cited("sn(x + 2K | m) = -sn(x | m) (DLMF 22.4(iii))."),
-                   facts::solutions_are_unique},
+                   facts::psi_is_odd, facts::half_phase_symmetry,
+                   in_coq("LimitFormula.limit_formula"),
+                   cited("sn(x + 2K | m) = -sn(x | m) (DLMF 22.4(iii))."),
+                   cited("Solutions of ordinary differential equations exist, are unique (Picard "
+                         "and Lindeloef) and depend continuously on their data.")},
       .check = check_steps_only};
 }
 

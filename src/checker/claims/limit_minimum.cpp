@@ -81,7 +81,8 @@ claim limit_minimum_claim() {
                     "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
                 identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")},
       .tier = by_argument,
-      .argument = {argued("The integrand exceeds the limit's at every psi > 0, so that the "
+      .argument = {in_coq("Infima.epsilon0_infimum"), in_coq("Infima.beta_infimum"),
+                   argued("The integrand exceeds the limit's at every psi > 0, so that the "
                           "integral does, and epsilon0 and c0/b exceed their limits."),
                    argued("Planar bodies approach both limits, by the claim limit_formula."),
                    argued("Before the first turning point the limit's integral is greater for beta "

@@ -42,11 +42,11 @@ claim montgomery_oscillating_claim() {
           "which is not attained. By the claim physical it is at least pi exactly for physical "
           "bodies. Computed: the polynomial steps; the rest is monotonicity of the integral.",
       .steps = facts::with_more(facts::half_phase_steps),
-      .tier = with_words,
-      .argument = {facts::half_phase_takes_each_value_once,
-                   argued("As u tends to 1 both bounds tend to pi I, so that this is the greatest "
-                          "lower bound, and it is not attained."),
-                   facts::bartky_transformation},
+      .tier = by_kernel,
+      .argument = {in_coq("Theorems.oscillating_phase_at"),
+                   in_coq("Theorems.oscillating_phase_increases"),
+                   in_coq("Theorems.theorem_1_infimum"), in_coq("Theorems.theorem_1_not_attained"),
+                   in_coq("Theorems.theorem_1_physical"), facts::bartky_transformation},
       .check = check_montgomery_oscillating};
 }
 

@@ -48,12 +48,11 @@ claim montgomery_rotating_claim() {
               "greatest lower bound, which is not attained for c < a. Computed: the polynomial "
               "steps; the rest is monotonicity of the integral.",
           .steps = facts::with_more(facts::rotating_phase_steps),
-          .tier = with_words,
-          .argument =
-              {facts::integral_decreases_with_integrand,
-               argued("As c tends to a both bounds tend to P, which is pi J by the antiderivative: "
-                      "this is the greatest lower bound, and it is not attained."),
-               facts::bartky_transformation},
+          .tier = by_kernel,
+          .argument = {in_coq("Theorems.rotating_phase_at"),
+                       in_coq("Theorems.rotating_phase_decreases"),
+                       in_coq("Theorems.theorem_2_infimum"),
+                       in_coq("Theorems.theorem_2_not_attained"), facts::bartky_transformation},
           .check = check_montgomery_rotating};
 }
 

@@ -71,11 +71,9 @@ claim perfect_twist_claim() {
                     "J < 2 exactly where this is positive, as (J+1)^2 = (a+1)^2/(a(a+b))"),
            identity("4*a*(a+b) - (a+1)^2", "3*a^2 + 4*a*b - 2*a - 1",
                     "J < 1 exactly where this is positive")}),
-      .tier = with_words,
-      .argument =
-          {facts::integral_decreases_with_integrand,
-           argued("By its two bounds F(c,0) takes on (0, a) every value above pi J, and no other."),
-           facts::intermediate_values, facts::bartky_transformation},
+      .tier = by_kernel,
+      .argument = {in_coq("Separatrix.proposition_3_2"), in_coq("Theorems.rotating_phase_at"),
+                   in_coq("Theorems.rotating_phase_decreases"), facts::bartky_transformation},
       .check = check_perfect_twist};
 }
 

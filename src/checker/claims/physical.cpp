@@ -43,7 +43,8 @@ claim physical_claim() {
            positive("x+z-y", "z + p", "z > 0, p = x-y > 0", "I_x + I_z > I_y always"),
            positive("x+y-z", "x + p", "x > 0, p = y-z > 0", "I_x + I_y > I_z always")},
       .tier = with_words,
-      .argument = {argued("With I_z < I_y < I_x all denominators are positive, and I > 0: I >= 1 "
+      .argument = {in_coq("Prop1.proposition_1"),
+                   argued("With I_z < I_y < I_x all denominators are positive, and I > 0: I >= 1 "
                           "exactly where I^2 - 1 >= 0, where I_y + I_z - I_x >= 0.")},
       .check = check_physical};
 }

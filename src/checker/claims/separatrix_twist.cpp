@@ -40,11 +40,8 @@ claim separatrix_twist_claim() {
                     identity("(a+b*x) + b*(1-x)", "a+b",
                              "1 + b w^2 = (a+b)/(a+bx), so that F(0,u) = 2 artanh(sqrt(a) "
                              "w)/sqrt(ab) - 2 arctan(sqrt(b) w), which tends to 0 as u -> 1")},
-          .tier = with_words,
-          .argument = {argued("F(0,u) decreases in u, as its integrand is positive and its range "
-                              "shrinks; it has no bound as u tends to 0 and tends to 0 as u tends "
-                              "to 1, by its bound and its closed form."),
-                       facts::intermediate_values},
+          .tier = by_kernel,
+          .argument = {in_coq("Separatrix.proposition_3_1")},
           .check = check_separatrix_twist};
 }
 

@@ -157,10 +157,8 @@ claim sign_dF_du_claim() {
           "of rational functions; its sign is read off its factors. The sweep bounds the same "
           "quantity over the whole compactified box of parameters in interval arithmetic.",
       .steps = {},
-      .tier = with_words,
-      .argument = {argued("Differentiation under the integral: the integrand and its derivative in "
-                          "u are continuous on [0, pi/2] x [u_0, 1] for every u_0 > 0. An integral "
-                          "of what is negative is negative."),
+      .tier = by_kernel,
+      .argument = {in_coq("HalfPhase.G_derive"), in_coq("HalfPhase.G_derive_negative"),
                    facts::gauss_mean},
       .check = check_sign_dF_du};
 }

@@ -237,7 +237,7 @@ std::string certificates_as_json(const std::vector<timed_certificate>& certifica
 /// " by machine", of what is certified.
 std::string verdict_tail(const certificate& c) {
   if (c.verdict_text() != to_text(status::certified)) return "";
-  return c.tier == proof_tier::by_machine ? " by machine" : " by machine, joined in words";
+  return ' ' + to_text(c.tier);
 }
 
 /// The table of proofs/README.md.

@@ -20,6 +20,7 @@
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/goal.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/certificate/certificate.hpp"
@@ -72,6 +73,8 @@ struct answer {
   ball enclosure;
   precision bits = 0;  // with which it was computed
   reason why = reason::none;
+  /// It cannot be told from 0, and has its digits beside the size of the formula's terms.
+  bool is_beside_terms = false;
 };
 
 /// The precision at which it is given up: cancellation of tens of thousands of digits is seen through,
@@ -102,6 +105,12 @@ answer enclose(const expression& f, long digits, const progress& line) {
     if (shows_digits(result.enclosure, digits)) return result;
     guard *= 4;
   } while (result.bits < most);
+  if (contains_zero(result.enclosure) && result.enclosure.is_bounded()) {
+    const ball size = f.sum_of_sizes().value(needed + 64);
+    result.is_beside_terms =
+        goal{digits}.is_met(result.enclosure.magnitude_upper(), size.magnitude_lower());
+    if (result.is_beside_terms) return result;
+  }
   result.why = result.enclosure.is_undefined() ? reason::not_defined : reason::precision_limit;
   return result;
 }
@@ -151,6 +160,10 @@ std::string as_text(const expression& f, const answer& a, long digits) {
       (a.enclosure.is_bounded() ? to_text(to_decimal_enclosure(a.enclosure, digits))
                                 : to_decimal(a.enclosure, digits)) +
       '\n';
+  if (a.is_beside_terms) {
+    return result + fmt::format("certified (relative to the size of its terms): {}\n",
+                                remark_on(f, a, digits));
+  }
   if (a.why == reason::none) return result;
   return result + fmt::format("not certified: {} ({})\n", to_text(a.why), remark_on(f, a, digits));
 }
@@ -162,10 +175,9 @@ json as_json(const expression& f, json number, const answer& a, long digits) {
   json result{
       {"expression", f.to_text()},
       {"verdict", to_text(a.why == reason::none ? status::certified : status::not_certified)}};
-  if (a.why != reason::none) {
-    result["reason"] = to_text(a.why);
-    result["remark"] = remark_on(f, a, digits);
-  }
+  if (a.why != reason::none) result["reason"] = to_text(a.why);
+  if (a.why != reason::none || a.is_beside_terms) result["remark"] = remark_on(f, a, digits);
+  if (a.is_beside_terms) result["relative_to"] = "the size of its terms";
   result["number"] = std::move(number);
   return result;
 }
@@ -286,6 +298,9 @@ command eval_command() {
           "true\n"
           "value, cut off, never rounded, or value ± radius where they are not decided (2 ± "
           "1e-52).\n"
+          "A sum that no precision tells from 0 is given with N digits beside its terms, and said "
+          "to "
+          "be.\n"
           "A value that exact rules show to be rational (sin(pi),\n"
           "sqrt(2)^2, log(8)/log(2)) is given exactly. Where neither they nor precision decide, "
           "the\n"

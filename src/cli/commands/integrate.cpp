@@ -138,16 +138,21 @@ std::string number_text(const complex_ball& z, long digits) {
                      to_text(to_decimal_enclosure(z.im, digits)));
 }
 
+/// False of a value that cannot be told from 0.
+template <class Integral>
+bool has_digits_of_its_own(const Integral& i, long digits) {
+  return goal{digits}.is_met_by(i.enclosure);
+}
+
 template <class Integral>
 std::string as_text(const Integral& i, long digits) {
   const bool certified = i.verdict == status::certified;
   const std::string number = number_text(i.enclosure, digits);
   if (certified) {
-    // A value that cannot be told from 0 has no digits of its own.
-    const bool has_digits = goal{digits}.is_met_by(i.enclosure);
-    return number + fmt::format("certified{}: {}\n",
-                                has_digits ? "" : " (relative to the integral of |f|)",
-                                account_text(i.account));
+    return number +
+           fmt::format("certified{}: {}\n",
+                       has_digits_of_its_own(i, digits) ? "" : " (relative to the integral of |f|)",
+                       account_text(i.account));
   }
   std::string result = number + fmt::format("not certified: {}", to_text(i.why));
   if (!i.obstacle.empty()) result += fmt::format(" ({})", i.obstacle);
@@ -172,6 +177,8 @@ json describe(const expression& f, const integrate_command_options& options, con
   if (i.verdict != status::certified) {
     result["reason"] = to_text(i.why);
     if (!i.obstacle.empty()) result["remark"] = i.obstacle;
+  } else if (!has_digits_of_its_own(i, options.digits.value())) {
+    result["relative_to"] = "the integral of |f|";
   }
   return result;
 }
