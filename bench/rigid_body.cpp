@@ -43,7 +43,7 @@ row curve(long digits) {
       warm([digits] {
         const body top = rigid();
         for (long k = 0; k < values_of_c; ++k) {
-          const rational c(top.b() * rational(2 * k + 1 - values_of_c, values_of_c));
+          const rational c(top.b().exact() * rational(2 * k + 1 - values_of_c, values_of_c));
           benchmark::DoNotOptimize(twist_to_digits(top, c, digits, with_slope::no).epsilon);
         }
       }),

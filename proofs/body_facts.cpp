@@ -36,8 +36,8 @@ long halvings(const rational& q) {
 }
 
 ball enclosed(const enclosing_function& f, long digits, const body& rigid) {
-  const precision guard =
-      15 * bits_for_digits(digits) + 1024 + 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b()));
+  const precision guard = 15 * bits_for_digits(digits) + 1024 +
+                          8 * (size_in_bits(rigid.a().exact()) + size_in_bits(rigid.b().exact()));
   return enclose_to_digits(f, digits, guard);
 }
 
@@ -55,8 +55,8 @@ void add_constant(certificate& c, const std::string& name, const std::optional<r
 
 body requested_body(certificate& c, const request& wanted) {
   body rigid(wanted.motion.a, wanted.motion.b);
-  c.inputs.emplace_back("a", rigid.a());
-  c.inputs.emplace_back("b", rigid.b());
+  c.inputs.emplace_back("a", rigid.a().exact());
+  c.inputs.emplace_back("b", rigid.b().exact());
   return rigid;
 }
 
@@ -95,8 +95,8 @@ void part_last_numbers(certificate& c, const std::string& f_name, const enclosin
 }
 
 void add_geometric_constant(certificate& c, const body& rigid, long digits) {
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
+  const rational& a = rigid.a().exact();
+  const rational& b = rigid.b().exact();
   const auto exact = rigid.exact_geometric_constant();
   add_constant(
       c, "I", exact, exact && *exact > 0 && *exact * *exact * b * (a + b) == (1 - b) * (1 - b),
@@ -104,11 +104,12 @@ void add_geometric_constant(certificate& c, const body& rigid, long digits) {
 }
 
 void add_second_geometric_constant(certificate& c, const body& rigid, long digits) {
-  const rational& a = rigid.a();
+  const rational& a = rigid.a().exact();
   const auto exact = rigid.exact_second_geometric_constant();
   add_constant(
       c, "J", exact,
-      exact && *exact > 0 && (*exact + 1) * (*exact + 1) * a * (a + rigid.b()) == (a + 1) * (a + 1),
+      exact && *exact > 0 &&
+          (*exact + 1) * (*exact + 1) * a * (a + rigid.b().exact()) == (a + 1) * (a + 1),
       [&](precision p) { return rigid.second_geometric_constant(p); }, digits, rigid);
 }
 
@@ -120,7 +121,7 @@ bool is_decided(const std::function<bool(precision p)>& condition) {
 }
 
 ball half_phase(const body& rigid, const rational& u, precision p) {
-  return scale(montgomery_phase(rigid, rational(-rigid.b() * u), p), -1);
+  return scale(montgomery_phase(rigid, rational(-rigid.b().exact() * u), p), -1);
 }
 
 rational between(const rational& lower, const rational& upper) {

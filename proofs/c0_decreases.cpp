@@ -33,7 +33,7 @@ certificate prove_c0(const request& wanted) {
          "between " +
              in_decimals(*first),
          passes_rotating_phase(rigid, 2, *first) && passes_rotating_phase(other, 2, *second) &&
-             other.a() * second->upper < rigid.a() * first->lower,
+             other.a().exact() * second->upper < rigid.a().exact() * first->lower,
          step_kind::enclosed});
     c.witness["c0_over_a"] = as_json(*first);
     c.witness["c0_over_a_for_2a"] = as_json(*second);

@@ -17,13 +17,13 @@ namespace {
 
 bool phase_increases_in_c(const body& rigid) {
   return is_decided([&](precision p) {
-    return certainly_less(montgomery_phase(rigid, rational(-rigid.b() * 3 / 4), p),
-                          montgomery_phase(rigid, rational(-rigid.b() / 4), p));
+    return certainly_less(montgomery_phase(rigid, rational(-rigid.b().exact() * 3 / 4), p),
+                          montgomery_phase(rigid, rational(-rigid.b().exact() / 4), p));
   });
 }
 
 void add_words(certificate& c) {
-  const rational water_a = water_at_equilibrium().a();
+  const rational water_a = water_at_equilibrium().a().exact();
   c.facts.push_back(
       {"section 2 says \"by definition, a > 1\": a > 0 is right; the water molecule of "
        "section 8 has a = " +
@@ -94,8 +94,8 @@ void add_curve(certificate& c) {
        "F(-bu,u) decreases in u = -c/b and so increases in c, for a = 12.65, b = 0.0629 from c = "
        "-b/2 to -b/8",
        is_decided([&](precision p) {
-         return certainly_less(montgomery_phase(rigid, rational(-rigid.b() / 2), p),
-                               montgomery_phase(rigid, rational(-rigid.b() / 8), p));
+         return certainly_less(montgomery_phase(rigid, rational(-rigid.b().exact() / 2), p),
+                               montgomery_phase(rigid, rational(-rigid.b().exact() / 8), p));
        }),
        step_kind::enclosed});
   const body first = with_ab("2", "1/4");

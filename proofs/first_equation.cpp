@@ -15,8 +15,8 @@ namespace polhode::proofs {
 namespace {
 
 void add_decrease_in_both(certificate& c, const body& rigid) {
-  const rational& a = rigid.a();
-  const rational least(-rigid.b() / 8);
+  const rational& a = rigid.a().exact();
+  const rational least(-rigid.b().exact() / 8);
   const rational half(1, 2);
   const rational half_a(a / 2);
   add_comparisons(c,

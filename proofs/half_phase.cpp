@@ -7,8 +7,8 @@ namespace {
 
 /// 1/I^2.
 rational inverse_square(const body& rigid) {
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
+  const rational& a = rigid.a().exact();
+  const rational& b = rigid.b().exact();
   return rational(b * (a + b) / ((1 - b) * (1 - b)));
 }
 
@@ -22,8 +22,8 @@ integer greatest_with_square_below(const rational& q) {
 
 /// sqrt(b) g(x)/(1-b) relative to its value at 1: g(x)/g(1).
 ball ratio_to_end(const body& rigid, const rational& x, precision p) {
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
+  const rational& a = rigid.a().exact();
+  const rational& b = rigid.b().exact();
   const rational linear((1 - b * x) / (1 - b));
   return ball(linear, p) * sqrt(ball(rational((a + b) / (x * (a + b * x))), p));
 }

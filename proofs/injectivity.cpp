@@ -56,12 +56,12 @@ struct curve_point {
 /// From c = a down to near -b.
 std::vector<rational> places_on(const body& rigid) {
   std::vector<rational> places;
-  for (int k = 12; k >= 1; --k) places.emplace_back(rigid.a() * k / 12);
-  for (const int n : {50, 250}) places.emplace_back(rigid.a() / n);
+  for (int k = 12; k >= 1; --k) places.emplace_back(rigid.a().exact() * k / 12);
+  for (const int n : {50, 250}) places.emplace_back(rigid.a().exact() / n);
   places.emplace_back(0);
-  for (const int n : {250, 50}) places.emplace_back(-rigid.b() / n);
-  for (int k = 1; k < 12; ++k) places.emplace_back(-rigid.b() * k / 12);
-  for (const int n : {50, 250}) places.emplace_back(-rigid.b() * (n - 1) / n);
+  for (const int n : {250, 50}) places.emplace_back(-rigid.b().exact() / n);
+  for (int k = 1; k < 12; ++k) places.emplace_back(-rigid.b().exact() * k / 12);
+  for (const int n : {50, 250}) places.emplace_back(-rigid.b().exact() * (n - 1) / n);
   return places;
 }
 
@@ -148,7 +148,7 @@ root_bracket refined(const body& rigid, root_bracket bracket, const ball& level,
   constexpr int steps = 24;
   for (int i = 0; i < steps; ++i) {
     const rational middle((bracket.lower + bracket.upper) / 2);
-    const rational c(-rigid.b() * middle);
+    const rational c(-rigid.b().exact() * middle);
     const certain_sign side = side_of(rigid, c, level);
     if (side != certain_sign::negative && side != certain_sign::positive) break;
     ((side == certain_sign::negative) == below_at_lower ? bracket.lower : bracket.upper) = middle;
@@ -186,13 +186,13 @@ std::optional<witnesses> find_witnesses(const body& rigid) {
   if (!crossing || !place || crossing->lower >= place->lower) return std::nullopt;
   const rational left = crossing->lower;
   const rational top = place->lower;
-  const ball at_top = twist_defect(rigid, rational(-rigid.b() * top), p);
+  const ball at_top = twist_defect(rigid, rational(-rigid.b().exact() * top), p);
   if (!at_top.is_bounded()) return std::nullopt;
   const ball half_pi = scale(pi(p), -1);
   const ball level = scale(half_pi + at_top, -1).middle();
   const auto right = place_near_end(level);
   if (!right || *right <= top || !certainly_less(half_pi, level) ||
-      side_of(rigid, rational(-rigid.b() * left), level) != certain_sign::negative) {
+      side_of(rigid, rational(-rigid.b().exact() * left), level) != certain_sign::negative) {
     return std::nullopt;
   }
   return witnesses{level, refined(rigid, {left, top}, level, true),
@@ -206,8 +206,8 @@ void add_witnesses(certificate& c, const body& rigid) {
     note_missing_witness(c, "a pair of c with one epsilon");
     return;
   }
-  const auto place = [&](const rational& u) { return decimals(rational(-rigid.b() * u)); };
-  const auto c_of = [&](const rational& u) { return rational(-rigid.b() * u); };
+  const auto place = [&](const rational& u) { return decimals(rational(-rigid.b().exact() * u)); };
+  const auto c_of = [&](const rational& u) { return rational(-rigid.b().exact() * u); };
   const rational& end = found->second.upper;
   const precision p = found->level.precision();
   const ball most_at_end = scale(pi(p), -1) + asin(sqrt(ball(rational(1 - end), p)));

@@ -26,7 +26,9 @@ certificate prove_intersection(const request& wanted) {
   c.facts.push_back(
       {std::string("at the given a, b, in rationals: I ") + (meets ? "<" : ">=") +
            " 2, and 4ab + 3b^2 + 2b - 1 is " + (meets ? "positive" : "not positive"),
-       meets == (4 * rigid.a() * rigid.b() + 3 * rigid.b() * rigid.b() + 2 * rigid.b() > 1),
+       meets == (4 * rigid.a().exact() * rigid.b().exact() +
+                     3 * rigid.b().exact() * rigid.b().exact() + 2 * rigid.b().exact() >
+                 1),
        step_kind::exact});
   if (meets) {
     add_brackets(

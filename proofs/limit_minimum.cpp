@@ -45,7 +45,7 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
     return;
   }
   const auto over_b = [&](const rational& s) {
-    return ball(rational(rigid.a() * s / rigid.b()), p);
+    return ball(rational(rigid.a().exact() * s / rigid.b().exact()), p);
   };
   const bool above = certainly_less(beta, over_b(bracket->lower));
   if (!above && !certainly_less(over_b(bracket->upper), beta)) {

@@ -9,6 +9,8 @@ std::vector<polynomial_step> decrease_in_a_steps() {
                    "1 - bX > 0 for 0 <= X <= 1: the integrand is positive")};
 }
 
-body with_double_a(const body& rigid) { return {rational(2 * rigid.a()), rigid.b()}; }
+body with_double_a(const body& rigid) {
+  return {rational(2 * rigid.a().exact()), rigid.b().exact()};
+}
 
 }  // namespace polhode::proofs

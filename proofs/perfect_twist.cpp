@@ -17,7 +17,7 @@ std::string in_pi(const rational& q) { return q == 1 ? "pi" : to_text(q) + " pi"
 /// F(c,0) = q pi: has a root where the polynomial is positive, shown by a bracket, and else none.
 void add_root(certificate& c, const body& rigid, const rational& q, const rational& polynomial,
               const std::string& what, const std::string& key) {
-  const rational& a = rigid.a();
+  const rational& a = rigid.a().exact();
   const bool exists = exceeds_second_geometric_constant(q, rigid);
   c.facts.push_back({"at the given a, b, in rationals: J " + std::string(exists ? "< " : ">= ") +
                          to_text(q) + ", so there is " + (exists ? "a " : "no ") + what,
@@ -60,8 +60,8 @@ certificate prove_perfect_twist(const request& wanted) {
                          "J < 1 exactly where this is positive")});
   const body rigid = requested_body(c, wanted);
   add_second_geometric_constant(c, rigid, wanted.digits);
-  const rational& a = rigid.a();
-  const rational ab(a * rigid.b());
+  const rational& a = rigid.a().exact();
+  const rational ab(a * rigid.b().exact());
   add_root(c, rigid, 2, rational(8 * a * a + 9 * ab - 2 * a - 1), "perfect twist", "c0_over_a");
   add_root(c, rigid, 1, rational(3 * a * a + 4 * ab - 2 * a - 1), "full turn",
            "full_turn_c_over_a");

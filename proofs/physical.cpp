@@ -19,8 +19,8 @@ int sign_of_rational(const rational& q) { return q > 0 ? 1 : q < 0 ? -1 : 0; }
 void add_physical_body(certificate& c, const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
+  const rational& a = rigid.a().exact();
+  const rational& b = rigid.b().exact();
   const rational x(1 / (1 - b));
   const rational z(1 / (1 + a));
   const rational excess(1 + z - x);

@@ -53,9 +53,9 @@ certificate prove_separatrix(const request& wanted) {
 }  // namespace
 
 ball separatrix_defect(const body& rigid, precision p) {
-  const rational product(rigid.a() * rigid.b());
-  const rational ratio(rigid.b() / rigid.a());
-  const rational share(rigid.a() / (rigid.a() + rigid.b()));
+  const rational product(rigid.a().exact() * rigid.b().exact());
+  const rational ratio(rigid.b().exact() / rigid.a().exact());
+  const rational share(rigid.a().exact() / (rigid.a().exact() + rigid.b().exact()));
   const auto f = [&](const ball& y) {
     const precision q = y.precision();
     return y / sqrt(ball(product, q)) - atan(sqrt(ball(ratio, q)) * tanh(y)) - pi(q);
@@ -63,7 +63,7 @@ ball separatrix_defect(const body& rigid, precision p) {
   const auto derivative = [&](const ball& y) {
     const precision q = y.precision();
     const ball s = 1 / square(cosh(y));
-    return (1 - ball(rigid.b(), q) * s / (1 + ball(ratio, q) * square(tanh(y)))) /
+    return (1 - ball(rigid.b().exact(), q) * s / (1 + ball(ratio, q) * square(tanh(y)))) /
            sqrt(ball(product, q));
   };
   const ball scale = sqrt(ball(product, p));

@@ -49,7 +49,7 @@ ball amplitude(const body& rigid, const rational& c, const ball& value, const ra
 ball twist_defect(const body& rigid, const rational& c, precision p) {
   const regime r = regime_of(rigid, c);
   const bool oscillating = r == regime::oscillating;
-  const rational most_w(oscillating ? rational(1 + c / rigid.b()) : rational(1));
+  const rational most_w(oscillating ? rational(1 + c / rigid.b().exact()) : rational(1));
   integer n = 0;
   ball rest = pi(p);
   if (r != regime::separatrix) {

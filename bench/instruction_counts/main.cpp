@@ -124,8 +124,8 @@ std::string text_of_file(const std::string& path) {
 std::vector<operation> operations() {
   return {of_constant("beta", 1000),
           of_constant("epsilon0_min", 1000),
-          of_phase("half_phase", rational(-the_body().b() / 4), 50),
-          of_phase("half_phase", rational(-the_body().b() / 4), 1000),
+          of_phase("half_phase", rational(-the_body().b().exact() / 4), 50),
+          of_phase("half_phase", rational(-the_body().b().exact() / 4), 1000),
           of_phase("montgomery_phase", the_c, 50),
           {"phase_integral to 100 digits",
            [] {

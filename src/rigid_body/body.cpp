@@ -45,14 +45,6 @@ std::optional<rational> exact_root(const rational& q) {
   return rational(integer(sqrt(above)), integer(sqrt(below)));
 }
 
-rational square_of_geometric_constant(const rational& a, const rational& b) {
-  return rational((1 - b) * (1 - b) / (b * (a + b)));
-}
-/// Of J + 1.
-rational square_of_second_constant(const rational& a, const rational& b) {
-  return rational((a + 1) * (a + 1) / (a * (a + b)));
-}
-
 }  // namespace
 
 std::string to_text(body_kind kind) {
@@ -72,17 +64,17 @@ std::string to_text(body_kind kind) {
 // ---------------------------------------------------------------------------------------------
 // Exact moments
 
-body::body(rational a, rational b) : a_(std::move(a)), b_(std::move(b)) {
-  if (a_ == 0 || b_ == 0) {
-    throw input_error("a = " + to_text(a_) + ", b = " + to_text(b_) +
+body::body(rational a, rational b) : a_(a), b_(b) {
+  if (a == 0 || b == 0) {
+    throw input_error("a = " + to_text(a) + ", b = " + to_text(b) +
                       ": two moments are equal, a symmetric top, which has no intermediate axis; a "
                       "must be positive, b between 0 and 1");
   }
-  if (a_ < 0) {
-    throw input_error("a = " + to_text(a_) + ": it must be positive (I_y/I_z - 1 with I_z < I_y)");
+  if (a < 0) {
+    throw input_error("a = " + to_text(a) + ": it must be positive (I_y/I_z - 1 with I_z < I_y)");
   }
-  if (b_ < 0 || b_ >= 1) {
-    throw input_error("b = " + to_text(b_) +
+  if (b < 0 || b >= 1) {
+    throw input_error("b = " + to_text(b) +
                       ": it must be between 0 and 1, ends excluded (1 - I_y/I_x with 0 < I_y < "
                       "I_x)");
   }
@@ -129,40 +121,57 @@ body body::from_rotational_constants(const std::array<rational, 3>& given) {
   return from_moments(moments);
 }
 
+body::body(std::shared_ptr<const inertia_tensor> irrational)
+    : a_(exact_real::irrational([t = irrational](precision p) { return t->a(p); },
+                                irrational->lost_bits())),
+      b_(exact_real::irrational([t = irrational](precision p) { return t->b(p); },
+                                irrational->lost_bits())),
+      tensor_(std::move(irrational)) {}
+
 body body::from_inertia_tensor(const std::array<rational, 6>& given) {
-  const inertia_tensor tensor(given);
-  const auto& [x, y, z] = tensor.exact_moments();
+  auto tensor = std::make_shared<const inertia_tensor>(given);
+  const auto& [x, y, z] = tensor->exact_moments();
   if (x && y && z) return from_moments({*x, *y, *z});
-  std::string about;
-  constexpr precision shown = 64;
-  constexpr long digits = 6;
-  for (const ball& moment : tensor.moments(shown)) {
-    about += (about.empty() ? "" : ", ") + to_decimal(moment, digits);
-  }
-  throw input_error("inertia tensor: its principal moments, " + about +
-                    ", are not all rational numbers, and a body is exact; give the moments as "
-                    "decimals");
+  return body(std::move(tensor));
 }
 
 body_kind body::kind() const {
-  const rational sum(a_ * b_ + 2 * b_);
+  if (tensor_) return tensor_->kind();
+  const exact_real sum = a_ * b_ + 2 * b_;
   if (sum == 1) return body_kind::planar;
   return sum < 1 ? body_kind::physical : body_kind::non_physical;
 }
 
+exact_real body::square_of_geometric_constant() const {
+  if (tensor_) {
+    if (const auto q = tensor_->exact_square_of_geometric_constant()) return *q;
+  }
+  const exact_real left = 1 - b_;
+  return left * left / (b_ * (a_ + b_));
+}
+exact_real body::square_of_second_constant() const {
+  if (tensor_) {
+    if (const auto q = tensor_->exact_square_of_second_constant()) return *q;
+  }
+  const exact_real next = a_ + 1;
+  return next * next / (a_ * (a_ + b_));
+}
+
 ball body::geometric_constant(precision p) const {
-  return sqrt(ball(square_of_geometric_constant(a_, b_), p));
+  return sqrt(square_of_geometric_constant().at(p));
 }
 std::optional<rational> body::exact_geometric_constant() const {
-  return exact_root(square_of_geometric_constant(a_, b_));
+  const exact_real square = square_of_geometric_constant();
+  return square.is_rational() ? exact_root(square.exact()) : std::nullopt;
 }
 
 ball body::second_geometric_constant(precision p) const {
-  const rational excess((1 + 2 * a_ - a_ * b_) / (a_ * (a_ + b_)));
-  return ball(excess, p) / (sqrt(ball(square_of_second_constant(a_, b_), p)) + 1);
+  const exact_real excess = (1 + 2 * a_ - a_ * b_) / (a_ * (a_ + b_));
+  return excess.at(p) / (sqrt(square_of_second_constant().at(p)) + 1);
 }
 std::optional<rational> body::exact_second_geometric_constant() const {
-  auto root = exact_root(square_of_second_constant(a_, b_));
+  const exact_real square = square_of_second_constant();
+  auto root = square.is_rational() ? exact_root(square.exact()) : std::nullopt;
   if (root) *root -= 1;
   return root;
 }
@@ -228,13 +237,13 @@ ball uncertain_body::second_geometric_constant(precision p) const {
 ball uncertain_body::a(precision p) const {
   if (!ordered_) return ball::undefined(p);
   const auto [least, greatest] = corners(true, false, true);
-  return hull(ball(least.a(), p), ball(greatest.a(), p));
+  return hull(least.a().at(p), greatest.a().at(p));
 }
 
 ball uncertain_body::b(precision p) const {
   if (!ordered_) return ball::undefined(p);
   const auto [least, greatest] = corners(false, true, false);
-  return hull(ball(least.b(), p), ball(greatest.b(), p));
+  return hull(least.b().at(p), greatest.b().at(p));
 }
 
 }  // namespace polhode

@@ -107,6 +107,36 @@ body_kind inertia_tensor::kind() const {
   return value > 0 ? body_kind::physical : body_kind::non_physical;
 }
 
+std::optional<inertia_tensor::conjugate_pair> inertia_tensor::beside(std::size_t i) const {
+  if (is_rational() || !exact_[i]) return std::nullopt;
+  const rational& moment = *exact_[i];
+  const rational unit(common_);
+  // chi(0) = -xyz of the multiple.
+  const rational product(-polynomial_(rational(0)) / (unit * unit * unit));
+  return conjugate_pair{moment, rational(trace_ / unit - moment), rational(product / moment)};
+}
+
+std::optional<rational> inertia_tensor::square_with_rational_y() const {
+  const auto y = beside(1);
+  if (!y || y->sum * y->sum - 2 * y->product != y->moment * y->sum) return std::nullopt;
+  const rational between(y->moment * y->sum - y->moment * y->moment - y->product);
+  return rational(y->moment * (y->sum - y->moment) / (2 * between));
+}
+
+std::optional<rational> inertia_tensor::exact_square_of_geometric_constant() const {
+  if (const auto x = beside(0)) {
+    return rational(x->product / (x->moment * x->moment - x->moment * x->sum + x->product));
+  }
+  return square_with_rational_y();
+}
+
+std::optional<rational> inertia_tensor::exact_square_of_second_constant() const {
+  if (const auto z = beside(2)) {
+    return rational(z->product / (z->product - z->moment * z->sum + z->moment * z->moment));
+  }
+  return square_with_rational_y();
+}
+
 precision inertia_tensor::lost_bits() const { return 3 * size_in_bits(trace_); }
 
 std::array<ball, 3> inertia_tensor::moments(precision p) const {

@@ -11,7 +11,8 @@ jacobi_start jacobi_start_of(const initial_state& state) {
                       ": J does not move in the body, and has no place in a period");
   }
   const bool oscillating = state.regime() == regime::oscillating;
-  const triple<rational> greatest = state.motion().greatest_squares();
+  const auto [x2, y2, z2] = state.motion().greatest_squares();
+  const triple<rational> greatest{x2.exact(), y2.exact(), z2.exact()};
   const triple<rational>& squares = state.direction_squares();
   const triple<int>& senses = state.direction_signs();
   const rational x(squares[0] / greatest[0]);

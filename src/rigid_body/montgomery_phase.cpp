@@ -21,8 +21,7 @@ void check_range(const body& rigid, const rational& c, const rational& u) {
     throw input_error("u = " + to_text(u) + ": it must be at least 0 and below 1");
   }
   if (rigid.b() * u + c < 0) {
-    throw input_error("u = " + to_text(u) +
-                      ": it must be at least -c/b = " + to_text(rational(-c / rigid.b())));
+    throw input_error("u = " + to_text(u) + ": it must be at least -c/b, and c + b u not negative");
   }
   if (c == 0 && u == 0) {
     throw input_error("c = 0, u = 0: F(c,u) is infinite there; one of them must not be 0");
@@ -33,20 +32,20 @@ void check_range(const body& rigid, const rational& c, const rational& u) {
 
 ball phase_integral(const body& rigid, const rational& c, const rational& u, precision p) {
   check_range(rigid, c, u);
-  return detail::phase_integral_of(rigid.a(), rigid.b(), c, u, p);
+  return detail::phase_integral_of(rigid.a(), rigid.b(), c, u, c + rigid.b() * u, p);
 }
 
 ball phase_integral_slope(const body& rigid, const rational& c, const rational& u, precision p) {
   check_range(rigid, c, u);
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
-  const rational last(c + b * u);
+  const exact_real& a = rigid.a();
+  const exact_real& b = rigid.b();
+  const exact_real last = c + b * u;
   if (u == 0 || last == 0) {
     throw input_error("c = " + to_text(c) + ", u = " + to_text(u) +
                       ": dF/du is infinite there; u must be above 0 and above -c/b");
   }
-  const rational radicand(u * (1 - u) * (a + b * u) * last);
-  return ball(rational(b * u - 1), p) / sqrt(ball(radicand, p));
+  const exact_real radicand = rational(u * (1 - u)) * (a + b * u) * last;
+  return (b * u - 1).at(p) / sqrt(radicand.at(p));
 }
 
 ball montgomery_phase(const body& rigid, const rational& c, precision p) {

@@ -11,8 +11,8 @@
 namespace polhode {
 namespace {
 
-regime regime_by(const rational& a, const rational& b, const rational& c) {
-  const rational least(-b);
+regime regime_by(const exact_real& a, const exact_real& b, const rational& c) {
+  const exact_real least = -b;
   if (c < least || c > a) {
     throw input_error("c = " + to_text(c) + ": it must be from -b = " + to_text(least) +
                       " to a = " + to_text(a));
@@ -55,7 +55,7 @@ std::string to_text(regime r) {
 
 motion::motion(const body& rigid, const rational& c) : motion(rigid.a(), rigid.b(), c) {}
 
-motion::motion(rational a, rational b, rational c)
+motion::motion(exact_real a, exact_real b, rational c)
     : a_(std::move(a)), b_(std::move(b)), c_(std::move(c)) {
   if (a_ < 0) throw input_error("a = " + to_text(a_) + ": it must not be negative");
   if (b_ < 0 || b_ >= 1) {
@@ -73,33 +73,33 @@ motion::factors motion::factors_of_lambda2() const {
   return result;
 }
 
-rational motion::lambda2() const {
+exact_real motion::lambda2() const {
   const auto [first, second] = factors_of_lambda2();
   return first * second;
 }
 
-rational motion::m1() const { return abs(c_) * (a_ + b_) / lambda2(); }
+exact_real motion::m1() const { return rational(abs(c_)) * (a_ + b_) / lambda2(); }
 
-rational motion::kappa() const {
+exact_real motion::kappa() const {
   const auto [first, second] = factors_of_lambda2();
-  return (is_about_x(regime_) ? rational(b_ + c_) : b_) / first;
+  return (is_about_x(regime_) ? b_ + c_ : b_) / first;
 }
 
-std::array<rational, 3> motion::greatest_squares() const {
+std::array<exact_real, 3> motion::greatest_squares() const {
   const auto [first, second] = factors_of_lambda2();
-  const rational sum(a_ + b_);
-  const rational x_end(b_ + c_);
-  const rational z_end(a_ - c_);
+  const exact_real sum = a_ + b_;
+  const exact_real x_end = b_ + c_;
+  const exact_real z_end = a_ - c_;
   return {z_end / sum, is_about_x(regime_) ? x_end / second : z_end / first, x_end / sum};
 }
 
-rational motion::turning_point() const {
-  return is_about_x(regime_) && b_ != 0 ? rational(-c_ / b_) : rational(0);
+exact_real motion::turning_point() const {
+  return is_about_x(regime_) && b_ != 0 ? rational(-c_) / b_ : exact_real(0);
 }
 
 ball motion::period(precision p, work_count* work) const {
   refuse_unless_periodic();
-  const ball root = sqrt(ball(m1(), p));
+  const ball root = sqrt(m1().at(p));
   const ball one(1, p);
   ball mean;
   if (work == nullptr) {
@@ -110,12 +110,14 @@ ball motion::period(precision p, work_count* work) const {
     ++work->integrals;
     work->agm_steps += counted.steps;
   }
-  return 2 * pi(p) / (mean * sqrt(ball(lambda2(), p)));
+  return 2 * pi(p) / (mean * sqrt(lambda2().at(p)));
 }
 
 ball motion::phase(precision p) const {
   refuse_unless_periodic();
-  return 2 * detail::phase_integral_of(a_, b_, c_, turning_point(), p);
+  // At a turning point c + b u = 0.
+  const exact_real last = is_about_x(regime_) && b_ != 0 ? exact_real(0) : exact_real(c_);
+  return 2 * detail::phase_integral_of(a_, b_, c_, turning_point(), last, p);
 }
 
 void motion::refuse_equilibrium() const {
@@ -137,16 +139,15 @@ void motion::refuse_unless_periodic() const {
 // ---------------------------------------------------------------------------------------------
 // The phase's integral
 
-ball detail::phase_integral_of(const rational& a, const rational& b, const rational& c,
-                               const rational& u, precision p) {
-  const rational left(1 - u);
-  const ball x(u, p);
-  const ball y(rational((a + b * u) / (a + b)), p);
-  const ball z(rational((c + b * u) / (c + b)), p);
+ball detail::phase_integral_of(const exact_real& a, const exact_real& b, const rational& c,
+                               const exact_real& u, const exact_real& last, precision p) {
+  const exact_real left = 1 - u;
+  const ball x = u.at(p);
+  const ball y = ((a + b * u) / (a + b)).at(p);
+  const ball z = (last / (c + b)).at(p);
   const carlson_pair integrals = carlson_rf_rj(x, y, z, ball(1, p));
-  const ball sum =
-      ball(rational(1 - b), p) * integrals.rf + ball(rational(b * left / 3), p) * integrals.rj;
-  return 2 * sqrt(ball(rational(left / ((a + b) * (b + c))), p)) * sum;
+  const ball sum = (1 - b).at(p) * integrals.rf + (b * left / 3).at(p) * integrals.rj;
+  return 2 * sqrt((left / ((a + b) * (b + c))).at(p)) * sum;
 }
 
 }  // namespace polhode

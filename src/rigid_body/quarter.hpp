@@ -40,20 +40,20 @@ class quarter {
  public:
   quarter(const motion& of, precision p) {
     using std::sqrt;
-    const auto number = [=](const rational& q) {
+    const auto number = [=](const exact_real& x) {
       if constexpr (std::same_as<T, ball>) {
-        return ball(q, p);
+        return x.at(p);
       } else {
-        return static_cast<T>(q);
+        return x.is_rational() ? static_cast<T>(x.exact()) : midpoint(x.at(64)).convert_to<T>();
       }
     };
     b_ = number(of.b());
-    rest_ = number(rational(1 - of.b()));
-    one_ = number(rational(1));
-    kappa2_ = number(rational(1 + of.kappa()));
+    rest_ = number(1 - of.b());
+    one_ = number(1);
+    kappa2_ = number(1 + of.kappa());
     m1_ = number(of.m1());
     lambda_ = sqrt(number(of.lambda2()));
-    eta_ = number(rational(1 - of.turning_point()));
+    eta_ = number(1 - of.turning_point());
   }
 
   [[nodiscard]] const T& m1() const { return m1_; }

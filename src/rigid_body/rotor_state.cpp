@@ -76,9 +76,16 @@ initial_state initial_state::from_angular_velocity(const triple<rational>& momen
 }
 
 initial_state initial_state::at_middle_of_twist(const body& rigid, const rational& c) {
-  const auto [x, y, z] = polhode::motion(rigid, c).greatest_squares();
+  if (rigid.irrational_tensor()) {
+    throw input_error(
+        "the body's principal moments are irrational, and a motion in time needs rational ones; "
+        "give the moments as decimals");
+  }
+  const auto [x2, y2, z2] = polhode::motion(rigid, c).greatest_squares();
+  const rational& x = x2.exact();
+  const rational& z = z2.exact();
   initial_state s;
-  s.moments_ = {rational(1 / (1 - rigid.b())), 1, rational(1 / (1 + rigid.a()))};
+  s.moments_ = {rational(1 / (1 - rigid.b().exact())), 1, rational(1 / (1 + rigid.a().exact()))};
   s.squared_momentum_ = 1;
   s.settle({x, 0, z}, {-sign_of_rational(x), 0, sign_of_rational(z)});
   return s;

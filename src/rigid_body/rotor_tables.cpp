@@ -77,11 +77,11 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   const motion& of = state.motion();
   const bool oscillating = of.regime() == regime::oscillating;
   const bool forever = of.regime() == regime::separatrix;
-  const rational m1 = of.m1();
+  const rational m1 = of.m1().exact();
   const rational m(1 - m1);
-  const rational kappa = of.kappa();
+  const rational kappa = of.kappa().exact();
   const auto [x2, y2, z2] = of.greatest_squares();
-  const ball lambda = sqrt(ball(of.lambda2(), bits));
+  const ball lambda = sqrt(of.lambda2().at(bits));
   const ball agm1 = forever ? ball(0, bits) : counted_agm(sqrt(ball(m1, bits)));
 
   if (2 * m > 1) {
@@ -89,7 +89,7 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   } else {
     set_circular(b, m, kappa, agm1, lambda, bits);
   }
-  amplitude = {-sqrt(ball(x2, bits)), sqrt(ball(y2, bits)), sqrt(ball(z2, bits))};
+  amplitude = {-sqrt(x2.at(bits)), sqrt(y2.at(bits)), sqrt(z2.at(bits))};
   amplitude[0] *= oscillating ? series.of_dn : series.of_cn;
   amplitude[1] *= series.of_sn;
   amplitude[2] *= oscillating ? series.of_cn : series.of_dn;

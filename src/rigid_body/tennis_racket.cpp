@@ -1,6 +1,7 @@
 #include "polhode/rigid_body/tennis_racket.hpp"
 
 #include <optional>
+#include <stdexcept>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -19,16 +20,23 @@ integer greatest_below(const rational& q) {
   return result - 1;
 }
 
-/// (2/I)^2
-rational square_of_twice_inverse(const body& rigid) {
-  const rational left(1 - rigid.b());
-  return 4 * rigid.b() * (rigid.a() + rigid.b()) / (left * left);
+/// The greatest m with m < 2/I, that is m^2 < q = 4/I^2.
+integer greatest_root_below(const exact_real& q) {
+  // m^2 is an integer: below q exactly where it is at most the greatest integer below q.
+  if (q.is_rational()) return sqrt(greatest_below(q.exact()));
+  // q is no integer: the squares below it are those below the lower end of an enclosure in which none is.
+  for (precision p = 64; p <= exact_real::most_bits; p *= 2) {
+    const ball x = q.at(p);
+    if (!x.is_bounded()) break;
+    const integer low = sqrt(greatest_below(lower_rational(x)));
+    if (low == sqrt(greatest_below(upper_rational(x)))) return low;
+  }
+  throw std::domain_error("the number of meeting points is not decided");
 }
 
 /// Whether m J < 2: m (J + 1) < m + 2.
 bool rotates_beyond(const body& rigid, long m) {
-  const rational& a = rigid.a();
-  return m * m * (a + 1) * (a + 1) < (m + 2) * (m + 2) * a * (a + rigid.b());
+  return rigid.square_of_second_constant() < rational((m + 2) * (m + 2), m * m);
 }
 
 certain_number refuted() {
@@ -47,9 +55,9 @@ std::optional<long> exponent_below(const ball& log_2_of_x) {
   return static_cast<long>(below) - 1;
 }
 
-long exponent_above(const rational& x) {
-  return static_cast<long>(mpz_sizeinbase(numerator(x).backend().data(), 2)) -
-         static_cast<long>(mpz_sizeinbase(denominator(x).backend().data(), 2)) + 1;
+/// x < 2^exponent.
+long exponent_above(const exact_real& x) {
+  return static_cast<long>(x.at(64).magnitude_upper().log2_floor()) + 1;
 }
 
 /// t such that a root of F(c,0) = 2 pi/m has c >= 2b 2^t, and one of G(u) = 2 pi/m has u >= 2^t/2: t = -(2 pi/m) s/log 2 with
@@ -62,10 +70,10 @@ long exponent_above(const rational& x) {
 /// The first is I log(4b/c) or I log(1/u), the second the logarithm over 2 sqrt(b (a+b)).
 ball least_log2(const body& rigid, const integer& m) {
   constexpr precision p = 192;
-  const rational& b = rigid.b();
+  const exact_real& b = rigid.b();
   const bool first = b < rational(1, 2);
   const ball inverse =
-      first ? 1 / rigid.geometric_constant(p) : 2 * sqrt(ball(rational(b * (rigid.a() + b)), p));
+      first ? 1 / rigid.geometric_constant(p) : 2 * sqrt((b * (rigid.a() + b)).at(p));
   return -2 * pi(p) * inverse / (m * log_2(p));
 }
 
@@ -74,7 +82,7 @@ ball least_log2(const body& rigid, const integer& m) {
 
 certain_number rotating_root(const body& rigid, long m, long digits) {
   if (!rotates_beyond(rigid, m)) return refuted();
-  const ball scale_of_b = log2(ball(rational(2 * rigid.b()), 192));
+  const ball scale_of_b = log2((2 * rigid.b()).at(192));
   const auto least = exponent_below(least_log2(rigid, integer(m)) + scale_of_b);
   if (!least) return {};
   // F(c,0) goes on decreasing for c > a.
@@ -111,11 +119,12 @@ turning_point share_of(const ball& x, bool from_one) {
 
 /// 1 - u for a root u > 1/2, to about p bits or to a relative width of about 1 - u, whichever is wider: by the mean value theorem
 /// G(u) - pi I = |G'| (1 - u) with G' at some point between u and 1, and |G'| falls with u. The gap 2/m - I is formed from the
-/// squares, which are rational: it does not cancel.
+/// squares, as an exact_real: it does not cancel.
 ball share_from_one(const body& rigid, const integer& m, precision p) {
   const rational two_over_m(2, m);
-  const rational squares(two_over_m * two_over_m - 4 / square_of_twice_inverse(rigid));
-  const ball gap = pi(p) * squares / (rigid.geometric_constant(p) + two_over_m);
+  const exact_real squares =
+      rational(two_over_m * two_over_m) - rigid.square_of_geometric_constant();
+  const ball gap = pi(p) * squares.at(p) / (rigid.geometric_constant(p) + two_over_m);
   const ball half(rational(1, 2), p);
   ball x = hull(ball(0, p), half);
   constexpr int most_steps = 8;
@@ -180,8 +189,7 @@ ball oscillating_root(const body& rigid, const integer& m, const equation_range&
 // What exists
 
 integer meeting_count(const body& rigid) {
-  // m^2 is an integer: below q exactly where it is at most the greatest integer below q.
-  return sqrt(greatest_below(square_of_twice_inverse(rigid)));
+  return greatest_root_below(4 / rigid.square_of_geometric_constant());
 }
 integer intersection_count(const body& rigid) { return (meeting_count(rigid) + 1) / 2; }
 integer crossing_count(const body& rigid) { return meeting_count(rigid) / 2; }
@@ -226,7 +234,7 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
     // Near 1, u = 1 - x is resolved by as many bits as x is small.
     const turning_point s =
         share_of(x.with_precision(x.precision() + range->lost), range->from_one);
-    const ball c = -rigid.b() * s.u;
+    const ball c = -rigid.b().at(s.u.precision()) * s.u;
     const ball sine = sqrt(s.u);
     const ball cosine = sqrt(s.left);
     const ball epsilon =

@@ -145,7 +145,7 @@ ball find_s(const motion& of, const branch& at, precision p, work_count& work) {
     if (of.regime() != regime::separatrix)
       return excess_at(here, w, at.late, target(w.precision()));
     // In closed form: t - arctan(sqrt(b/a) tanh w), w = lambda t = sqrt(ab) t.
-    const ball root = sqrt(ball(rational(of.b() / of.a()), w.precision()));
+    const ball root = sqrt((of.b() / of.a()).at(w.precision()));
     return w / here.lambda() - atan(root * tanh(w)) - pi(w.precision());
   };
   const auto slope = [&](const ball& x) { return slope_in_w(way_at(x), ball(x - shift), at.late); };
@@ -153,7 +153,7 @@ ball find_s(const motion& of, const branch& at, precision p, work_count& work) {
   const ball span = at.late ? scale(half_phase(of, coarse), -1) - abs(r) : abs(r);
   // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
   const ball low = span * way.lambda();
-  const ball high = 2 * low / rational(1 - of.b());
+  const ball high = 2 * low / (1 - of.b()).at(coarse);
   constexpr long bits_of_exponents = 31;  // of MPFR's; S = sinh w would be beyond them
   if (!high.is_bounded() || log2_of(low) > bits_of_exponents) return ball::undefined(p);
   const precision bits = coarse + std::max(0L, log2_of(high));
@@ -221,10 +221,10 @@ ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, con
               const integer& n) {
   const precision p = s.precision();
   const bool oscillating = of.regime() == regime::oscillating;
-  const rational& b = of.b();
+  const exact_real& b = of.b();
   const rational& c = of.c();
-  const rational total(of.a() + b);
-  const rational end(b + c);
+  const exact_real total = of.a() + b;
+  const exact_real end = b + c;
   const ball one(1, p);
   const ball s2 = square(s);
   const ball other = 1 + way.m1() * s2;
@@ -233,16 +233,17 @@ ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, con
   const ball t2 = square(tangent);
   const ball rf = carlson_rf(one, 1 + s2, other);
   const ball rd = carlson_rd(oscillating ? other : one, 1 + s2, z);
-  const ball sum = rational(1 - b) * rf + rational(b * (1 + c) / (3 * end)) * way.eta() * t2 * rd;
-  ball change =
-      -scale(sqrt(way.eta() / ball(rational(total * end * end * end), p)) * tangent * sum, -1);
+  const ball sum =
+      (1 - b).at(p) * rf + (b * rational(1 + c) / (3 * end)).at(p) * way.eta() * t2 * rd;
+  ball change = -scale(sqrt(way.eta() / (total * end * end * end).at(p)) * tangent * sum, -1);
   if (n != 0) {
-    const ball whole = oscillating
-                           ? -half_phase_slope({of.a(), b, of.turning_point()}, p) / ball(b, p)
-                           : rotating_half_phase_slope(rigid, ball(c, p));
+    const ball whole = oscillating ? -oscillating_half_phase_slope(
+                                         rigid, {of.turning_point().at(p), (end / b).at(p)}) /
+                                         b.at(p)
+                                   : rotating_half_phase_slope(rigid, ball(c, p));
     change += n * whole;
   }
-  const ball inverse_h = sqrt(rational(total * end) * ((1 + s2) * z)) / (way.rate(s) * (1 + t2));
+  const ball inverse_h = sqrt((total * end).at(p) * ((1 + s2) * z)) / (way.rate(s) * (1 + t2));
   const ball result = change * inverse_h;
   return oscillating && is_odd(n) ? -result : result;
 }

@@ -61,8 +61,9 @@ scene_body of_measured(const std::vector<measured_number>& given,
 }
 
 scene_body of_ab(const std::array<rational, 2>& ab) {
-  const body rigid(ab[0], ab[1]);
-  return body_of_moments({1 / (1 - rigid.b()), 1, 1 / (1 + rigid.a())});
+  const auto& [a, b] = ab;
+  (void)body(a, b);  // refuses what is none
+  return body_of_moments({1 / (1 - b), 1, 1 / (1 + a)});
 }
 
 std::array<rational, 6> tensor_of(const std::vector<std::vector<rational>>& rows) {

@@ -87,8 +87,8 @@ effect_result inertial_defect(const effect_context& x) {
     return result;
   }
   const body& rigid = *of.rigid;
-  add_exact(result, "a", rigid.a());
-  add_exact(result, "b", rigid.b());
+  add_exact(result, "a", rigid.a().exact());
+  add_exact(result, "b", rigid.b().exact());
   add_constant(
       result, "I", rigid.exact_geometric_constant(),
       [&](precision p) { return rigid.geometric_constant(p); }, x);
@@ -162,7 +162,8 @@ effect_result tennis_racket(const effect_context& x) {
 effect_result signature(const effect_context& x) {
   effect_result result;
   const body& rigid = x.rigid();
-  const rational excess(1 - 2 * rigid.b() - rigid.a() * rigid.b());
+  const rational& b = rigid.b().exact();
+  const rational excess(1 - 2 * b - rigid.a().exact() * b);
   const bool physical = excess >= 0;
   result.words = {
       {"physical", yes_or_no(physical)},
@@ -173,8 +174,7 @@ effect_result signature(const effect_context& x) {
   };
   // The witnesses: the sign of 1 - 2b - ab is that of I - 1; 2 pi I bounds the phase from below, and is approached.
   add_exact(result, "one_minus_2b_minus_ab", excess);
-  const certain_number bound =
-      montgomery_phase_limit_to_digits(rigid, rational(-rigid.b()), x.digits());
+  const certain_number bound = montgomery_phase_limit_to_digits(rigid, rational(-b), x.digits());
   add(result, "greatest_lower_bound_of_phase", bound, "rad");
   add_exact(result, "intersections", rational(intersection_count(rigid)));
   result.remarks.emplace_back(

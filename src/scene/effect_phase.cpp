@@ -156,10 +156,10 @@ effect_result mean_precession(const effect_context& x) {
   const std::size_t along = motion == regime::equilibrium_x   ? 0
                             : motion == regime::equilibrium_z ? 2
                                                               : 1;
-  const rational natural(along == 0   ? 1 - x.rigid().b()
-                         : along == 2 ? 1 + x.rigid().a()
-                                      : rational(1));
-  const ball rate = ball(natural, p) / unit_of_time;
+  const exact_real natural = along == 0   ? 1 - x.rigid().b()
+                             : along == 2 ? 1 + x.rigid().a()
+                                          : exact_real(1);
+  const ball rate = natural.at(p) / unit_of_time;
   for (std::size_t axis = 0; axis < names.size(); ++axis)
     if (axis != along) add(result, names[axis], rate, per_time);
   add(result, "turn_period", 2 * pi(p) / rate, x.what.time_unit.name);

@@ -27,7 +27,7 @@ std::optional<rational> exact_share(const jacobi_start& at) {
 /// t_0 = u_0/lambda in I_y/J, in (-T/2, T/2].
 ball initial_time(const effect_context& x, const jacobi_start& at, const ball& period) {
   const precision p = period.precision();
-  const ball first = at.distance(p) / sqrt(ball(x.motion().lambda2(), p));
+  const ball first = at.distance(p) / sqrt(x.motion().lambda2().at(p));
   const ball size = at.cosine < 0 ? scale(period, -1) - first : first;
   return at.sine < 0 ? -size : size;
 }
@@ -51,8 +51,7 @@ void separatrix_flip(const effect_context& x, effect_result& result) {
   const rational rest(squares[0] + squares[2]);
   const auto time = [&](precision p) {
     const ball distance = log((1 + sqrt(ball(squares[1], p))) / sqrt(ball(rest, p))) /
-                          sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p)) *
-                          natural_time(x.what, p);
+                          sqrt((x.rigid().a() * x.rigid().b()).at(p)) * natural_time(x.what, p);
     return side > 0 ? -distance : distance;
   };
   const rational from = x.what.time ? x.what.time->from : rational(0);

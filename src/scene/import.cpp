@@ -7,6 +7,8 @@
 #include <pugixml.hpp>
 
 #include "base/quoted.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
+#include "polhode/scene/link_inertias.hpp"
 #include "scene/inertia.hpp"
 
 namespace polhode::detail {
@@ -14,24 +16,27 @@ namespace {
 
 struct found_inertia {
   std::string name;
+  long line = 0;
   tensor_entries tensor;
   bool is_turned = false;
+  std::string problem;  // with its line
 };
 
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
  public:
-  explicit reader(const std::string& text) : text_(&text) {}
+  /// `turns`: whether the axes matter, so that turned frames are refused. `all`: a node that is refused is found
+  /// with its problem.
+  enum class purpose { one_body, all_invariants };
+  reader(const std::string& text, purpose what) : text_(&text), purpose_(what) {}
 
   bool for_each(pugi::xml_node& node) override {
-    const std::string name = node.name();
-    is_turned_ = name == "inertial" && refuse_turned_frame(node);
-    if (name == "inertial" && (node.attribute("diaginertia") || node.attribute("fullinertia"))) {
-      add(node, from_mujoco(node));
-    } else if (const pugi::xml_node inertia = node.child("inertia");
-               name == "inertial" && inertia) {
-      if (inertia.next_sibling("inertia")) refuse(node, "it has two <inertia>; give one");
-      add(node, from_entries(inertia));
+    if (std::string_view(node.name()) != "inertial") return true;
+    try {
+      read(node);
+    } catch (const input_error& error) {
+      if (purpose_ == purpose::one_body) throw;
+      add(node, {}, error.what());
     }
     return true;
   }
@@ -39,14 +44,32 @@ class reader : public pugi::xml_tree_walker {
   std::vector<found_inertia> found;
 
  private:
-  [[noreturn]] void refuse(const pugi::xml_node& node, const std::string& what) const {
+  void read(const pugi::xml_node& node) {
+    is_turned_ = purpose_ == purpose::one_body && refuse_turned_frame(node);
+    if (node.attribute("diaginertia") || node.attribute("fullinertia")) {
+      add(node, from_mujoco(node));
+    } else if (const pugi::xml_node inertia = node.child("inertia")) {
+      if (inertia.next_sibling("inertia")) refuse(node, "it has two <inertia>; give one");
+      add(node, from_entries(inertia));
+    } else if (purpose_ == purpose::all_invariants) {
+      refuse(node, "it has no inertia");
+    }
+  }
+  /// Counted from 1. Nodes come in the order of the text, so that it is read once.
+  long line_of(const pugi::xml_node& node) const {
     const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
-    const auto line =
-        1 +
-        std::count(text_->begin(),
-                   text_->begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_->size())),
-                   '\n');
-    throw input_error("line " + std::to_string(line) + ": <" + node.name() + ">: " + what);
+    const std::size_t to = std::min(offset, text_->size());
+    if (to < counted_to_) {
+      counted_to_ = 0;
+      counted_ = 1;
+    }
+    counted_ += std::count(text_->begin() + static_cast<std::ptrdiff_t>(counted_to_),
+                           text_->begin() + static_cast<std::ptrdiff_t>(to), '\n');
+    counted_to_ = to;
+    return counted_;
+  }
+  [[noreturn]] void refuse(const pugi::xml_node& node, const std::string& what) const {
+    throw input_error("line " + std::to_string(line_of(node)) + ": <" + node.name() + ">: " + what);
   }
   rational number(const pugi::xml_node& node, const std::string& text) const {
     try {
@@ -114,9 +137,9 @@ class reader : public pugi::xml_tree_walker {
   static rational least_turn() { return {1, 1'000'000'000'000}; }
   static constexpr const char* turned =
       "its frame is turned against the link's; give the inertia about the link's own axes";
-  void add(const pugi::xml_node& node, tensor_entries tensor) {
+  void add(const pugi::xml_node& node, tensor_entries tensor, std::string problem = "") {
     const std::string name = node.parent().attribute("name").value();
-    found.push_back({name, std::move(tensor), is_turned_});
+    found.push_back({name, line_of(node), std::move(tensor), is_turned_, std::move(problem)});
   }
   /// URDF has attributes, SDF elements.
   tensor_entries from_entries(const pugi::xml_node& node) const {
@@ -156,12 +179,14 @@ class reader : public pugi::xml_tree_walker {
   }
 
   const std::string* text_;
+  purpose purpose_;
   bool is_turned_ = false;
+  mutable std::size_t counted_to_ = 0;
+  mutable long counted_ = 1;
 };
 
-}  // namespace
-
-imported_inertia import_inertia(const std::string& text, const std::optional<std::string>& link) {
+/// Throws input_error where there is none.
+std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose what) {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
   if (!parsed) {
@@ -171,20 +196,77 @@ imported_inertia import_inertia(const std::string& text, const std::optional<std
                       std::to_string(1 + std::count(text.begin(), text.begin() + end, '\n')) +
                       ": no XML: " + parsed.description());
   }
-  reader inertias(text);
+  reader inertias(text, what);
   document.traverse(inertias);
-  std::vector<found_inertia> chosen;
-  std::string names;
-  for (found_inertia& one : inertias.found) {
-    constexpr std::size_t most_shown = 200;
-    if (names.size() < most_shown) names += (names.empty() ? "" : ", ") + detail::quoted(one.name);
-    if (!link || one.name == *link) chosen.push_back(std::move(one));
-  }
   if (inertias.found.empty()) {
     throw input_error(
         "there is no inertia in it: neither <inertial> with <inertia> (URDF, SDF) nor <inertial> "
         "with diaginertia or "
         "fullinertia (MuJoCo)");
+  }
+  return std::move(inertias.found);
+}
+
+/// I_x >= I_y >= I_z of a tensor where two of them are equal; nothing where all are different. The characteristic
+/// polynomial x^3 - T x^2 + M x - D has the discriminant 18 T M D - 4 T^3 D + T^2 M^2 - 4 M^3 - 27 D^2; where that is
+/// 0, the double root (T M - 9 D)/(2 (T^2 - 3 M)), or the triple root T/3 where T^2 = 3 M. Proof: with the roots r, r,
+/// s, T = 2 r + s, M = r^2 + 2 r s, D = r^2 s, so that T^2 - 3 M = (r - s)^2 and T M - 9 D = 2 r (r - s)^2.
+std::optional<rational_vector> equal_moments(const tensor_entries& given) {
+  const auto& [xx, yy, zz, xy, xz, yz] = given;
+  const rational t(xx + yy + zz);
+  const rational m(xx * yy + yy * zz + zz * xx - xy * xy - xz * xz - yz * yz);
+  const rational d(xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz));
+  const rational discriminant(18 * t * m * d - 4 * t * t * t * d + t * t * m * m - 4 * m * m * m -
+                              27 * d * d);
+  if (discriminant != 0) return std::nullopt;
+  const rational difference(t * t - 3 * m);
+  const rational twice(difference == 0 ? rational(t / 3)
+                                       : rational((t * m - 9 * d) / (2 * difference)));
+  const rational once(t - 2 * twice);
+  if (once > twice) return rational_vector{once, twice, twice};
+  return rational_vector{twice, twice, once};
+}
+
+void settle(link_inertia& link, const tensor_entries& given) {
+  if (const auto equal = equal_moments(given)) {
+    refuse_unless_positive(*equal);
+    for (std::size_t i = 0; i < 3; ++i) link.moments[i] = (*equal)[i];
+  } else {
+    const body rigid = body::from_inertia_tensor(given);
+    link.rigid = rigid;
+    if (const auto tensor = rigid.irrational_tensor()) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::optional<rational>& exact = tensor->exact_moments()[i];
+        link.moments[i] = exact ? exact_real(*exact)
+                                : exact_real::irrational(
+                                      [tensor, i](precision p) { return tensor->moments(p)[i]; },
+                                      tensor->lost_bits());
+      }
+      link.kind = rigid.kind();
+      const rational trace(given[0] + given[1] + given[2]);
+      link.margin = link.kind == body_kind::planar ? exact_real(0) : trace - 2 * link.moments[0];
+      return;
+    }
+    for (std::size_t i = 0; i < 3; ++i) link.moments[i] = (*rigid.moments())[i];
+  }
+  const auto& [x, y, z] = link.moments;
+  link.margin = y + z - x;
+  const int sign = link.margin.sign();
+  link.kind = sign > 0   ? body_kind::physical
+              : sign < 0 ? body_kind::non_physical
+                         : body_kind::planar;
+}
+
+}  // namespace
+
+imported_inertia import_inertia(const std::string& text, const std::optional<std::string>& link) {
+  std::vector<found_inertia> found = inertias_in(text, reader::purpose::one_body);
+  std::vector<found_inertia> chosen;
+  std::string names;
+  for (found_inertia& one : found) {
+    constexpr std::size_t most_shown = 200;
+    if (names.size() < most_shown) names += (names.empty() ? "" : ", ") + detail::quoted(one.name);
+    if (!link || one.name == *link) chosen.push_back(std::move(one));
   }
   if (chosen.empty())
     throw input_error("there is no inertia of " + detail::quoted(*link) + "; there are those of " +
@@ -198,3 +280,27 @@ imported_inertia import_inertia(const std::string& text, const std::optional<std
 }
 
 }  // namespace polhode::detail
+
+namespace polhode {
+
+std::vector<link_inertia> read_link_inertias(const std::string& text) {
+  std::vector<link_inertia> result;
+  for (detail::found_inertia& one :
+       detail::inertias_in(text, detail::reader::purpose::all_invariants)) {
+    link_inertia link;
+    link.name = one.name;
+    link.line = one.line;
+    link.problem = one.problem;
+    if (link.problem.empty()) {
+      try {
+        detail::settle(link, one.tensor);
+      } catch (const input_error& error) {
+        link.problem = "line " + std::to_string(one.line) + ": " + error.what();
+      }
+    }
+    result.push_back(std::move(link));
+  }
+  return result;
+}
+
+}  // namespace polhode

@@ -37,16 +37,16 @@ struct derivatives {
 };
 
 derivatives derivatives_at(const motion& of, precision p) {
-  const rational& a = of.a();
-  const rational& b = of.b();
+  const rational& a = of.a().exact();
+  const rational& b = of.b().exact();
   const rational& c = of.c();
   const rational total(a + b);
   const rational x_end(b + c);
   const rational z_end(a - c);
   const bool rotating = of.regime() == regime::rotating;
-  const rational l = of.lambda2();
-  const rational m1 = of.m1();
-  const std::array<rational, 3> greatest = of.greatest_squares();
+  const rational l = of.lambda2().exact();
+  const rational m1 = of.m1().exact();
+  const std::array<exact_real, 3> greatest = of.greatest_squares();
   // In a, b, c.
   const std::array<rational, 3> dl =
       rotating ? std::array<rational, 3>{x_end, a, a} : std::array<rational, 3>{b, z_end, -b};
@@ -126,7 +126,7 @@ effect_result sensitivity(const effect_context& x) {
   const long digits = x.digits();
   const precision p0 = bits_for_digits(digits) + 64;
   // The middle axis is unstable: a small departure grows as e^(sqrt(ab) t) (c = 0 in the solution on the separatrix).
-  const ball growth = sqrt(ball(rational(x.rigid().a() * x.rigid().b()), p0));
+  const ball growth = sqrt((x.rigid().a() * x.rigid().b()).at(p0));
   add(result, "e_folding_time_at_middle_axis", natural_time(x.what, p0) / growth,
       x.what.time_unit.name);
   if (!is_periodic(x.regime())) {
@@ -166,12 +166,11 @@ namespace {
 ball difference_of_slopes(const effect_context& x, precision p) {
   const motion of = x.motion();
   const ball by_identity = derivatives_at(of, p).of_phase.c;
-  const rational u = of.turning_point();
+  const exact_real u = of.turning_point();
   const ball direct =
       of.regime() == regime::rotating
           ? 2 * rotating_half_phase_slope(x.rigid(), ball(of.c(), p))
-          : -2 * oscillating_half_phase_slope(x.rigid(), {ball(u, p), ball(rational(1 - u), p)}) /
-                of.b();
+          : -2 * oscillating_half_phase_slope(x.rigid(), {u.at(p), (1 - u).at(p)}) / of.b().at(p);
   return direct / by_identity - 1;
 }
 }  // namespace

@@ -77,6 +77,78 @@ TEST(BodyCommand, RotationalConstants) {
   expect_refused({"body", "--rotational", "1,2"}, {"3 numbers"});
 }
 
+TEST(BodyCommand, Tensors) {
+  // The digits of PARI 2.15 at 60 digits, from the roots of the characteristic polynomial.
+  const std::string tensor = "2,3,4,0.1,0,-0.2";
+  const json phase = json::parse(certified(
+      {"phase", "--tensor", tensor, "--c", "-0.03", "--digits", "30", "--format", "json"}));
+  EXPECT_EQ(phase.at("phase").at("value"), "22.4213906194275936053102777251");
+  const json racket =
+      json::parse(certified({"racket", "--tensor", tensor, "--digits", "20", "--format", "json"}));
+  EXPECT_EQ(racket.at("epsilon0").at("value"), "0.42624955857481017626");
+  EXPECT_EQ(racket.at("c0").at("value"), "0.21511174549601286678");
+  const json curve =
+      json::parse(certified({"curve", "--tensor", tensor, "--points", "3", "--format", "json"}));
+  EXPECT_EQ(curve.at("a").at("value").get<std::string>().substr(0, 12), "0.4932432667");
+  EXPECT_FALSE(curve.at("a").contains("rational"));
+  // A table has the decimal and no quotient.
+  const std::string table = certified({"table", "epsilon0", "--tensor", tensor});
+  EXPECT_NE(table.find("\n0.4932432667804524128970723344429371681624,,0.26"), std::string::npos)
+      << table;
+  expect_refused({"body", "--tensor", "1,2,3"}, {"--tensor", "6 numbers", "2,3,4,0.1,0,-0.2"});
+  expect_refused({"body", "--tensor", tensor, "--ab", "1,0.1"}, {"give one of them"});
+  expect_refused({"phase", "--tensor", tensor, "--c", "0.5"}, {"to a = 0.493243266780..."});
+  expect_refused({"phase", "--tensor", "2,2,2,0,0,0", "--c", "0.5"}, {"moments are equal"});
+}
+
+TEST(BodyCommand, EveryLinkOfARobot) {
+  const scratch_directory scratch;
+  const std::string path = scratch.path("robot.urdf");
+  const auto link = [](const std::string& name, const std::string& inertia) {
+    return "<link name=\"" + name + "\"><inertial><origin rpy=\"1 2 3\"/><inertia " + inertia +
+           "/></inertial></link>\n";
+  };
+  const std::string arm = link("arm", R"(ixx="2e-3" iyy="3e-3" izz="4e-3" ixy="1e-4" iyz="-2e-4")");
+  const std::string wheel = link("wheel", R"(ixx="1" iyy="1" izz="1.5")");
+  std::ofstream(path) << "<robot>\n" << arm << wheel << "</robot>\n";
+  const std::string text = certified({"body", path});
+  EXPECT_NE(text.find("\nphysical       0.0009226    0.004038    0.002971    0.001989    1.644    "
+                      "1.442  arm\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("        -        -  wheel\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n2 links: 2 physical, 0 planar, 0 non-physical, 0 refused\n"),
+            std::string::npos)
+      << text;
+  std::ofstream(path) << "<robot>\n"
+                      << arm << link("plank", R"(ixx="5" iyy="2" izz="1")") << "</robot>\n";
+  EXPECT_EQ(run({"body", path}).status, 1);
+  const json all =
+      json::parse(certified({"body", path, "--allow-non-physical", "--format", "json"}));
+  EXPECT_EQ(all.at("links").at(1).at("kind"), "non-physical");
+  EXPECT_EQ(all.at("links").at(1).at("margin").at("value"), "-2");
+  EXPECT_EQ(all.at("links").at(1).at("margin").at("unit"), "kg m^2");
+  EXPECT_EQ(all.at("links").at(0).at("geometric_constant").at("digits"), 50);
+  std::ofstream(path) << "<robot>\n" << arm << link("bad, \"one\"", R"(ixx="nan")") << "</robot>\n";
+  const outcome csv =
+      run({"body", path, "--allow-non-physical", "--format", "csv", "--digits", "8"});
+  EXPECT_EQ(csv.status, 2) << csv.err;  // no XML: the name has quotes
+  std::ofstream(path) << "<robot>\n" << arm << link("bad", R"(ixx="nan")") << "</robot>\n";
+  const outcome one =
+      run({"body", path, "--allow-non-physical", "--format", "csv", "--digits", "8"});
+  EXPECT_EQ(one.status, 1);
+  EXPECT_EQ(
+      one.out.rfind(
+          "link,line,kind,margin,I_x,I_y,I_z,I,J,remark\n\"arm\",2,physical,0.00092261466,", 0),
+      0U)
+      << one.out;
+  EXPECT_NE(one.out.find("\n\"bad\",3,refused,,,,,,,\"line 3: "), std::string::npos) << one.out;
+  expect_refused({"body", path, "--ab", "1,0.1"}, {"give no other"});
+  expect_refused({"body", scratch.path("none.urdf")}, {"none.urdf"});
+  expect_refused({"body", "body.json"}, {"--body FILE"});
+  expect_refused({"body", "--ab", "1,0.1", "--format", "csv"}, {"robot's FILE"});
+}
+
 TEST(BodyCommand, Files) {
   const scratch_directory scratch;
   const std::string path = scratch.path("body.json");
@@ -101,11 +173,23 @@ TEST(BodyCommand, Files) {
   write(R"({"moments": [3.01, 2, 1], "sigma": [0.1, 0.1, 0.05]})");
   EXPECT_EQ(run({"body", "--body", path}).status, 1);
   expect_refused({"racket", "--body", path}, {"sigma", "polhode body"});
-  // Principal moments that are not rational: for `body` alone.
+  // Principal moments that are not rational.
   EXPECT_EQ(body_in(R"({"tensor": [[2, -1, 0], [-1, 2, 0.1], [0, 0.1, 2.5]]})"),
             "I_x = 3.0098...\nI_y = 2.4934...\nI_z = 0.99666...\na = 1.5018...\nb = 0.17156...\n"
             "I = 1.5461...\nJ = 0.57815...\nphysical (ab + 2b < 1)\n");
-  expect_refused({"racket", "--body", path}, {"tensor", "not all rational", "polhode body"});
+  const std::string tensor = "2,2,2.5,-1,0,0.1";
+  for (const std::vector<std::string>& of : {std::vector<std::string>{"body"},
+                                             {"racket", "--c", "0.1"},
+                                             {"phase", "--c", "-0.1"},
+                                             {"curve", "--points", "2"},
+                                             {"table", "phase", "--c", "-0.1..0.1/2"}}) {
+    const auto with = [&](const std::string& option, const std::string& value) {
+      std::vector<std::string> words = of;
+      words.insert(words.end(), {option, value, "--digits", "8"});
+      return certified(words);
+    };
+    EXPECT_EQ(with("--body", path), with("--tensor", tensor)) << of.front();
+  }
   // A lamina: one moment is the sum of the others, and I = 1.
   EXPECT_EQ(body_in(R"({"tensor": [[2, 1, 0], [1, 3, 0], [0, 0, 5]]})"),
             "I_x = 5 exactly\nI_y = 3.6180...\nI_z = 1.3819...\na = 1.6180...\nb = 0.27639...\n"

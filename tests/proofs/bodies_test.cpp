@@ -28,8 +28,8 @@ namespace bodies_test {
 certificate prove(const std::string& name, const body& rigid, long digits = 15) {
   request wanted;
   wanted.digits = digits;
-  wanted.motion.a = rigid.a();
-  wanted.motion.b = rigid.b();
+  wanted.motion.a = rigid.a().exact();
+  wanted.motion.b = rigid.b().exact();
   return find_claim(name)->prove(wanted);
 }
 
@@ -170,7 +170,8 @@ TEST(Counts, AreTheCeilingFormulas) {
       continue;
     }
     const ball inverse = 1 / rigid.geometric_constant(400);
-    EXPECT_TRUE(contains(ceil(inverse) - 1, rational(crossings))) << rigid.a() << " " << rigid.b();
+    EXPECT_TRUE(contains(ceil(inverse) - 1, rational(crossings)))
+        << rigid.a().exact() << " " << rigid.b().exact();
     EXPECT_TRUE(contains(ceil(inverse + rational(1, 2)) - 1, rational(intersections)));
     EXPECT_TRUE(ceil(inverse).is_exact());
   }
@@ -264,8 +265,9 @@ TEST(TwistDefect, IsTheSolutionOfTheReducedSystem) {
     const rational c = parse_rational(r.c);
     const ball epsilon = twist_defect(rigid, c, 128);
     ASSERT_TRUE(epsilon.is_bounded());
-    const double expected = integrated_defect(
-        rigid.a().convert_to<double>(), rigid.b().convert_to<double>(), c.convert_to<double>());
+    const double expected =
+        integrated_defect(rigid.a().exact().convert_to<double>(),
+                          rigid.b().exact().convert_to<double>(), c.convert_to<double>());
     const ball error = abs(epsilon - ball::exactly(expected));
     EXPECT_TRUE(certainly_less(error, ball(parse_rational("1e-8"), 64)))
         << r.a << " " << r.b << " " << r.c << ": " << epsilon << " " << expected;
@@ -305,7 +307,7 @@ TEST(Injectivity, HasTwoWitnessesForEveryBodyThatIsNotPhysical) {
     const ball level(parse_rational(two.at("epsilon").get<std::string>()), 1024);
     const auto at = [&](const char* which, const char* end) {
       const rational u = parse_rational(two.at(which).at(end).get<std::string>());
-      return twist_defect(rigid, rational(-rigid.b() * u), 512);
+      return twist_defect(rigid, rational(-rigid.b().exact() * u), 512);
     };
     EXPECT_TRUE(certainly_less(at("u_first", "lower"), level));
     EXPECT_TRUE(certainly_less(level, at("u_first", "upper")));

@@ -49,8 +49,8 @@ TEST(InertiaTensor, RotatedBodiesHaveTheirMoments) {
     EXPECT_EQ(tensor.exact_moments()[0], x);
     EXPECT_EQ(tensor.exact_moments()[1], y);
     EXPECT_EQ(tensor.exact_moments()[2], z);
-    EXPECT_TRUE(contains(tensor.a(100), rigid.a()));
-    EXPECT_TRUE(contains(tensor.b(100), rigid.b()));
+    EXPECT_TRUE(contains(tensor.a(100), rigid.a().exact()));
+    EXPECT_TRUE(contains(tensor.b(100), rigid.b().exact()));
     EXPECT_TRUE(meet(tensor.geometric_constant(100), rigid.geometric_constant(300)));
     EXPECT_TRUE(meet(tensor.second_geometric_constant(100), rigid.second_geometric_constant(300)));
     EXPECT_TRUE(as_narrow_as(tensor.second_geometric_constant(100), 90));
@@ -153,7 +153,6 @@ TEST(InertiaTensor, Refuses) {
   EXPECT_THROW(inertia_tensor({3, 3, 3, 0, 0, 0}), input_error);  // a sphere
   EXPECT_THROW(inertia_tensor({2, 2, 2, 1, 1, 1}), input_error);  // moments 4, 1, 1
   EXPECT_THROW(inertia_tensor({power_of_ten(-2000), 2, 1, 0, 0, 0}), input_error);
-  EXPECT_THROW(body::from_inertia_tensor({2, 3, 6, 1, 0, 0}), input_error);  // irrational
 }
 
 }  // namespace inertia_tensor_test

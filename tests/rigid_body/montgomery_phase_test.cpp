@@ -60,14 +60,14 @@ TEST(MontgomeryPhase, HardCases) {
 
 TEST(MontgomeryPhase, ExcessOverTheLimitThatCancels) {
   const body rigid = body_of("12.65", "0.0629");
-  const rational b = rigid.b();
+  const rational b = rigid.b().exact();
   const certain_number excess =
       montgomery_phase_excess_to_digits(rigid, -b * (1 - parse_rational("1e-30")), 50);
   EXPECT_EQ(excess.verdict, status::certified);
   EXPECT_TRUE(agrees(excess.enclosure, "1.87523188616904116434869829886662936366536591e-30", 44));
   // To first order in 1 - u it is -2 G'(1) (1 - u), elementary: G'(1) = -(pi/4)(a + (a+2)b)/(sqrt b (a+b)^(3/2)).
   // Where 1 - u = 1e-1000 it is that to 1000 digits.
-  const rational a = rigid.a();
+  const rational a = rigid.a().exact();
   const rational gap = support::power_of_ten(-1000);
   const certain_number tiny = montgomery_phase_excess_to_digits(rigid, -b * (1 - gap), 30);
   const ball total(rational(a + b), 200);
@@ -91,19 +91,20 @@ TEST(MontgomeryPhase, IsTheQuadratureOfItsIntegral) {
     const rational u(random.between(1, 999), 1000);
     const precision p = random.between(20, 300);
     const periodic_integral q =
-        integrate_periodic(half_phase_integrand({rigid.a(), rigid.b(), u}), 200);
+        integrate_periodic(half_phase_integrand({rigid.a().exact(), rigid.b().exact(), u}), 200);
     ASSERT_EQ(q.verdict, status::certified);
-    const ball phase = montgomery_phase(rigid, -rigid.b() * u, p);
-    EXPECT_TRUE(meet(phase, scale(q.enclosure, 1))) << rigid.a() << " " << rigid.b() << " " << u;
+    const ball phase = montgomery_phase(rigid, -rigid.b().exact() * u, p);
+    EXPECT_TRUE(meet(phase, scale(q.enclosure, 1)))
+        << rigid.a().exact() << " " << rigid.b().exact() << " " << u;
     EXPECT_TRUE(as_narrow_as(phase, p - 8));
   }
   // Rotating: x = sin^2 t gives 4 times the integral of (1 - b x)/sqrt((a + b x)(c + b x)) over (0, pi/2).
   for (support::repeat trial(12); trial.again();) {
     const body rigid(rational(random.between(1, 4000), random.between(1, 400)),
                      rational(random.between(1, 999), 1000));
-    const rational c(rigid.a() * rational(random.between(1, 999), 1000));
-    const rational a = rigid.a();
-    const rational b = rigid.b();
+    const rational c(rigid.a().exact() * rational(random.between(1, 999), 1000));
+    const rational a = rigid.a().exact();
+    const rational b = rigid.b().exact();
     const integral q = integrate(
         [&](const auto& t) {
           const auto bx = b * square(sin(t));
@@ -121,13 +122,15 @@ TEST(MontgomeryPhase, IsAboveItsBoundAndMonotone) {
     const body rigid(rational(random.between(1, 4000), random.between(1, 400)),
                      rational(random.between(1, 999), 1000));
     const bool oscillating = random.one_in(2);
-    const rational end = oscillating ? rational(-rigid.b()) : rigid.a();
+    const rational end = oscillating ? rational(-rigid.b().exact()) : rigid.a().exact();
     const rational share(random.between(1, 998), 1000);
     const ball nearer = montgomery_phase(rigid, end * (share + rational(1, 1000)), 120);
     const ball farther = montgomery_phase(rigid, end * share, 120);
     const ball bound = montgomery_phase_limit(rigid, end * share, 120);
-    EXPECT_TRUE(certainly_less(bound, nearer)) << rigid.a() << " " << rigid.b() << " " << share;
-    EXPECT_TRUE(certainly_less(nearer, farther)) << rigid.a() << " " << rigid.b() << " " << share;
+    EXPECT_TRUE(certainly_less(bound, nearer))
+        << rigid.a().exact() << " " << rigid.b().exact() << " " << share;
+    EXPECT_TRUE(certainly_less(nearer, farther))
+        << rigid.a().exact() << " " << rigid.b().exact() << " " << share;
     EXPECT_TRUE(meet(bound, montgomery_phase_limit(rigid, end, 120)));
   }
   // The theorem's bounds themselves.
@@ -138,8 +141,8 @@ TEST(MontgomeryPhase, IsAboveItsBoundAndMonotone) {
 TEST(MontgomeryPhase, NearTheSeparatrixIsTheLogarithm) {
   // half the phase = ln(16ab/(|c|(a+b)))/sqrt(ab) - 2 arctan sqrt(b/a) + O(c ln c), on both sides
   const body rigid = body_of("2", "1/4");
-  const rational a = rigid.a();
-  const rational b = rigid.b();
+  const rational a = rigid.a().exact();
+  const rational b = rigid.b().exact();
   const rational distance = support::power_of_ten(-500);
   const precision p = 400;
   const ball half =
@@ -195,8 +198,8 @@ TEST(PhaseIntegral, IsTheQuadratureOfItsIntegral) {
   for (support::repeat trial(12); trial.again();) {
     const body rigid(rational(random.between(1, 400), random.between(1, 40)),
                      rational(random.between(1, 99), 100));
-    const rational a = rigid.a();
-    const rational b = rigid.b();
+    const rational a = rigid.a().exact();
+    const rational b = rigid.b().exact();
     const rational u(random.between(2, 90), 100);
     const rational c(-b * u + (a + b * u) * rational(random.between(1, 99), 100));
     const integral q = integrate(
@@ -222,9 +225,9 @@ TEST(PhaseIntegral, OnTheSeparatrixIsElementary) {
     const rational u = parse_rational(at);
     const body rigid = body_of("12.65", "0.0629");
     const precision p = 500;
-    const ball a(rigid.a(), p);
-    const ball b(rigid.b(), p);
-    const ball w = sqrt(ball(rational((1 - u) / (rigid.a() + rigid.b() * u)), p));
+    const ball a(rigid.a().exact(), p);
+    const ball b(rigid.b().exact(), p);
+    const ball w = sqrt(ball(rational((1 - u) / (rigid.a().exact() + rigid.b().exact() * u)), p));
     const ball expected = 2 / sqrt(a * b) * atanh(sqrt(a) * w) - 2 * atan(sqrt(b) * w);
     EXPECT_TRUE(meet(phase_integral(rigid, 0, u, 200), expected)) << at;
   }

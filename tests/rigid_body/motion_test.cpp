@@ -33,22 +33,22 @@ motion random_motion(support::random_source& random) {
   return {a, b, c};
 }
 
-rational square_of(const rational& q) { return q * q; }
+exact_real square_of(const exact_real& q) { return q * q; }
 
 /// J_x' = a J_y J_z, J_y' = -(a+b) J_x J_z, J_z' = b J_x J_y for the motion's functions, squared: sn' = cn dn, cn' = -sn dn,
 /// dn' = -m sn cn.
 void expect_solution(const motion& of) {
   const auto [x2, y2, z2] = of.greatest_squares();
-  const rational l2 = of.lambda2();
-  const rational m2 = square_of(1 - of.m1());
+  const exact_real l2 = of.lambda2();
+  const exact_real m2 = square_of(1 - of.m1());
   const bool oscillating = of.regime() == regime::oscillating;
-  EXPECT_EQ(x2 * l2 * (oscillating ? m2 : rational(1)), square_of(of.a()) * y2 * z2);
+  EXPECT_EQ(x2 * l2 * (oscillating ? m2 : exact_real(1)), square_of(of.a()) * y2 * z2);
   EXPECT_EQ(y2 * l2, square_of(of.a() + of.b()) * x2 * z2);
-  EXPECT_EQ(z2 * l2 * (oscillating ? rational(1) : m2), square_of(of.b()) * x2 * y2);
+  EXPECT_EQ(z2 * l2 * (oscillating ? exact_real(1) : m2), square_of(of.b()) * x2 * y2);
   EXPECT_EQ(x2 + z2, 1);
   EXPECT_EQ(of.a() * z2 - of.b() * x2, of.c());
   // J_x^2 + J_y^2 at sn^2 = 1.
-  EXPECT_EQ((oscillating ? rational(x2 * of.m1()) : rational(0)) + y2, x2 * (1 + of.kappa()));
+  EXPECT_EQ((oscillating ? x2 * of.m1() : exact_real(0)) + y2, x2 * (1 + of.kappa()));
   EXPECT_GE(of.m1(), 0);
   EXPECT_LE(of.m1(), 1);
 }
@@ -75,7 +75,8 @@ TEST(Motion, HasTheRotorsPeriodAndPhase) {
     const motion of = random_motion(random);
     const auto [x2, y2, z2] = of.greatest_squares();
     const initial_state state = initial_state::from_squared_momentum(
-        {rational(1 / (1 - of.b())), 1, rational(1 / (1 + of.a()))}, {x2, 0, z2}, {-1, 0, 1});
+        {(1 / (1 - of.b())).exact(), 1, (1 / (1 + of.a())).exact()}, {x2.exact(), 0, z2.exact()},
+        {-1, 0, 1});
     ASSERT_EQ(state.regime(), of.regime());
     const rotor<ball> turning(state, 300);
     EXPECT_TRUE(meet(of.period(200), *turning.period())) << of.a() << " " << of.b();
@@ -155,8 +156,8 @@ TEST(HalfPhaseOfBalls, HoldsTheExactOnes) {
     const rational next(share + rational(1, 100));
     const precision p = 200;
     // Rotating, between two motions.
-    const rational low(rigid.a() * share);
-    const rational high(rigid.a() * next);
+    const rational low(rigid.a().exact() * share);
+    const rational high(rigid.a().exact() * next);
     const ball range = hull(ball(low, p), ball(high, p));
     const ball at_low = motion(rigid, low).phase(p) / 2;
     const ball at_high = phase_integral(rigid, high, 0, p);
@@ -171,11 +172,11 @@ TEST(HalfPhaseOfBalls, HoldsTheExactOnes) {
     // Oscillating.
     const ball left = hull(ball(rational(1 - next), p), ball(rational(1 - share), p));
     const turning_point between{hull(ball(share, p), ball(next, p)), left};
-    const ball g_low = phase_integral(rigid, rational(-rigid.b() * share), share, p);
+    const ball g_low = phase_integral(rigid, rational(-rigid.b().exact() * share), share, p);
     const ball g_high = oscillating_half_phase(rigid, {ball(next, p), ball(rational(1 - next), p)});
     const rational u(share + rational(1, 200));
     EXPECT_TRUE(contains(oscillating_half_phase(rigid, between),
-                         phase_integral(rigid, rational(-rigid.b() * u), u, p)));
+                         phase_integral(rigid, rational(-rigid.b().exact() * u), u, p)));
     EXPECT_TRUE(overlaps(oscillating_half_phase(rigid, between), g_low));
     EXPECT_TRUE(overlaps(oscillating_half_phase(rigid, between), g_high));
     EXPECT_TRUE(
@@ -207,7 +208,7 @@ TEST(JacobiStart, IsAPointOfTheFunctions) {
     }
     ++seen;
     const jacobi_start at = jacobi_start_of(state);
-    const rational m1 = state.motion().m1();
+    const rational m1 = state.motion().m1().exact();
     EXPECT_EQ(at.sine2 + at.cosine2, 1);
     EXPECT_EQ(at.delta2, 1 - (1 - m1) * at.sine2);
     EXPECT_EQ(at.sine == 0, at.sine2 == 0);

@@ -57,7 +57,7 @@ TEST(TennisRacket, HardCases) {
   EXPECT_EQ(last.verdict, status::certified);
   EXPECT_TRUE(agrees(last.one_minus_u, "8.93854748603351955307262569832402234636866085e-42", 44));
   EXPECT_TRUE(meet(last.u + last.one_minus_u, ball(1, 300)));
-  EXPECT_TRUE(meet(last.c, -near_two_thirds.b() * last.u));
+  EXPECT_TRUE(meet(last.c, -near_two_thirds.b().exact() * last.u));
 
   // c -> 0 on the curve is the defect on the separatrix; the slope is not lost there.
   const body rigid = body_of("12.65", "0.0629");
@@ -81,13 +81,14 @@ TEST(TennisRacket, DefectOnTheSeparatrix) {
     const certain_number epsilon = separatrix_defect_to_digits(rigid, 100);
     ASSERT_EQ(epsilon.verdict, status::certified) << a;
     const ball u = square(sin(epsilon.enclosure));
-    const ball nearer = rigid.a() + rigid.b() * u;
+    const ball nearer = rigid.a().exact() + rigid.b().exact() * u;
     const ball w = sqrt((1 - u) / nearer);
     const precision p = u.precision();
-    const ball artanh = log(1 + sqrt(ball(rigid.a(), p)) * w) +
-                        scale(log(nearer / (u * rational(rigid.a() + rigid.b()))), -1);
-    const ball f = 2 * artanh / sqrt(ball(rational(rigid.a() * rigid.b()), p)) -
-                   2 * atan(sqrt(ball(rigid.b(), p)) * w);
+    const ball artanh =
+        log(1 + sqrt(ball(rigid.a().exact(), p)) * w) +
+        scale(log(nearer / (u * rational(rigid.a().exact() + rigid.b().exact()))), -1);
+    const ball f = 2 * artanh / sqrt(ball(rational(rigid.a().exact() * rigid.b().exact()), p)) -
+                   2 * atan(sqrt(ball(rigid.b().exact(), p)) * w);
     EXPECT_TRUE(meet(f, 2 * pi(p))) << a;
     EXPECT_TRUE(as_narrow_as(f, 250)) << a;
   }
@@ -115,16 +116,17 @@ TEST(TwistCurve, SolvesThePapersEquationsWhereItOscillates) {
   long greatest_branch = 0;
   for (support::repeat trial(150); trial.again();) {
     const body rigid = random_body(random);
-    const rational c(-rigid.b() * rational(random.between(1, 999), 1000));
+    const rational c(-rigid.b().exact() * rational(random.between(1, 999), 1000));
     const twist t = twist_to_digits(rigid, c, 30, with_slope::no);
-    ASSERT_EQ(t.verdict, status::certified) << rigid.a() << " " << rigid.b() << " " << c;
+    ASSERT_EQ(t.verdict, status::certified)
+        << rigid.a().exact() << " " << rigid.b().exact() << " " << c;
     const auto n = static_cast<long>(t.branch);
     greatest_branch = std::max(greatest_branch, n);
     const ball u = square(sin(t.epsilon));
     const bool beyond = certainly_positive(2 * t.epsilon - pi(300));
     const rational low = lower_rational(u);
     const rational high = upper_rational(u);
-    if (low <= -c / rigid.b() || high >= 1)
+    if (low <= -c / rigid.b().exact() || high >= 1)
       continue;  // nothing to compare with at the turning point
     // F decreases in u, so that the equation changes its sign between the ends.
     const certain_sign at_low =
@@ -133,7 +135,8 @@ TEST(TwistCurve, SolvesThePapersEquationsWhereItOscillates) {
         decided([&](precision p) { return implicit_equation(rigid, c, n, high, beyond, p); });
     EXPECT_NE(at_low, certain_sign::unknown);
     EXPECT_NE(at_high, certain_sign::unknown);
-    EXPECT_NE(at_low, at_high) << rigid.a() << " " << rigid.b() << " " << c << " n " << n;
+    EXPECT_NE(at_low, at_high) << rigid.a().exact() << " " << rigid.b().exact() << " " << c << " n "
+                               << n;
   }
   EXPECT_GE(greatest_branch, 3);
 }
@@ -144,8 +147,8 @@ TEST(TwistCurve, IsTheQuadratureOfTheMotionWhereItRotates) {
   long greatest_branch = 0;
   for (support::repeat trial(12); trial.again();) {
     const body rigid = random_body(random);
-    const rational a = rigid.a();
-    const rational b = rigid.b();
+    const rational a = rigid.a().exact();
+    const rational b = rigid.b().exact();
     const rational c(a * rational(random.between(1, 999), 1000));
     const twist t = twist_to_digits(rigid, c, 15, with_slope::no);
     ASSERT_EQ(t.verdict, status::certified);
@@ -176,7 +179,7 @@ TEST(TwistCurve, SlopeIsThatOfTheCurve) {
     const body rigid = random_body(random);
     const bool oscillating = random.one_in(2);
     const rational share(random.between(1, 999), 1000);
-    const rational end = oscillating ? rational(-rigid.b()) : rigid.a();
+    const rational end = oscillating ? rational(-rigid.b().exact()) : rigid.a().exact();
     const rational c(end * share);
     const rational h(abs(end) * power_of_ten(-43));
     const twist middle = twist_to_digits(rigid, c, 30);
@@ -187,7 +190,8 @@ TEST(TwistCurve, SlopeIsThatOfTheCurve) {
     const ball quotient = (after.epsilon - before.epsilon) / rational(2 * h);
     const ball difference = quotient - middle.slope.with_precision(quotient.precision());
     EXPECT_TRUE(difference.magnitude_upper() <= scale(middle.slope.magnitude_upper(), -95))
-        << rigid.a() << " " << rigid.b() << " " << c << " " << quotient << " " << middle.slope;
+        << rigid.a().exact() << " " << rigid.b().exact() << " " << c << " " << quotient << " "
+        << middle.slope;
   }
   // Before any meeting the curve falls.
   const twist falling = twist_to_digits(body_of("12.65", "0.0629"), parse_rational("0.01"), 20);
@@ -257,7 +261,7 @@ TEST(TennisRacket, PerfectTwistAndFullTurn) {
                        64);
       EXPECT_TRUE((epsilon - expected).magnitude_upper() <=
                   (2 * width * steepest).magnitude_upper())
-          << rigid.a() << " " << rigid.b() << " " << m;
+          << rigid.a().exact() << " " << rigid.b().exact() << " " << m;
     }
   }
 }
@@ -317,8 +321,8 @@ TEST(MontgomeryPhase, Parts) {
   support::random_source random(95);
   for (support::repeat trial(40); trial.again();) {
     const body rigid = random_body(random);
-    const rational a = rigid.a();
-    const rational b = rigid.b();
+    const rational a = rigid.a().exact();
+    const rational b = rigid.b().exact();
     const bool oscillating = random.one_in(2);
     const rational c((oscillating ? rational(-b) : a) * rational(random.between(1, 999), 1000));
     const precision p = 200;
@@ -338,7 +342,7 @@ TEST(MontgomeryPhase, Parts) {
   }
   // Small oscillations: T = 2 pi/sqrt(b (a+b)) at c = -b.
   const body rigid = body_of("2", "1/4");
-  const rational near = -rigid.b() * (1 - power_of_ten(-100));
+  const rational near = -rigid.b().exact() * (1 - power_of_ten(-100));
   EXPECT_TRUE((rotation_period(rigid, near, 200) - 2 * pi(200) / sqrt(ball(rational(9, 16), 200)))
                   .magnitude_upper() <= magnitude::power_of_two(-190));
   const certain_number geometric = geometric_phase_to_digits(rigid, near, 30);
@@ -358,7 +362,8 @@ TEST(LimitDefect, IsTheLimit) {
     for (const rational& chi : {rational(1), rational(1, 10), rational(4)}) {
       const rational ratio = parse_rational(text);
       const body far(power_of_ten(40), chi * power_of_ten(-40));
-      const ball epsilon = twist_to_digits(far, ratio * far.b(), 50, with_slope::no).epsilon;
+      const ball epsilon =
+          twist_to_digits(far, ratio * far.b().exact(), 50, with_slope::no).epsilon;
       const ball limit = limit_defect_to_digits(chi, ratio, 50).enclosure;
       // Beyond the first crossing of pi/2 or a perfect twist both count on.
       EXPECT_TRUE((epsilon - limit).magnitude_upper() <= magnitude::power_of_two(-120))
@@ -389,7 +394,7 @@ TEST(TwistCurve, IsCertifiedInEveryCorner) {
                                                                              {"1e-50", "1/2"}}) {
     const body rigid = body_of(a, b);
     for (const char* share : {"1e-200", "1e-5", "0.5", "0.99999"}) {
-      for (const rational& end : {rational(-rigid.b()), rigid.a()}) {
+      for (const rational& end : {rational(-rigid.b().exact()), rigid.a().exact()}) {
         const rational c(end * parse_rational(share));
         const twist t = twist_to_digits(rigid, c, 20);
         EXPECT_EQ(t.verdict, status::certified) << a << " " << b << " " << c;

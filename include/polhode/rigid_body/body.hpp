@@ -1,15 +1,18 @@
 #pragma once
 
-// A rigid body with three different principal moments of inertia, I_z < I_y < I_x, as exact numbers, and bodies of
-// which the moments are known to lie in ranges only.
+// A rigid body with three different principal moments of inertia, I_z < I_y < I_x, known exactly: rational
+// numbers, or the roots of a tensor's characteristic polynomial. And bodies of which the moments are known
+// to lie in ranges only.
 //
 // Of its free rotation only ratios matter: a = I_y/I_z - 1 > 0 and b = 1 - I_y/I_x in (0, 1).
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/exact_real.hpp"
 
 namespace polhode {
 
@@ -19,6 +22,8 @@ enum class body_kind { physical, planar, non_physical, undecided };
 
 /// "physical", "planar", "non-physical", "undecided".
 [[nodiscard]] std::string to_text(body_kind kind);
+
+class inertia_tensor;
 
 class body {
  public:
@@ -33,23 +38,25 @@ class body {
   /// moments() are these inverses. Throws input_error as from_moments does.
   static body from_rotational_constants(const std::array<rational, 3>& given);
 
-  /// The inertia tensor in any axes, by its entries xx, yy, zz, xy, xz, yz. Throws input_error where it is not positive
-  /// definite, where two principal moments are equal, or where they are not all rational: a body is exact.
-  ///
-  /// With the least common denominator L the entries of L times the tensor are integers, and so its characteristic polynomial
-  /// has integer coefficients and leads with 1: its rational roots are integers. Each of its roots is enclosed between
-  /// integers by Sturm's theorem, and tried.
+  /// The inertia tensor in any axes, by its entries xx, yy, zz, xy, xz, yz. Throws input_error as
+  /// inertia_tensor does.
   static body from_inertia_tensor(const std::array<rational, 6>& given);
 
-  [[nodiscard]] const rational& a() const { return a_; }
-  [[nodiscard]] const rational& b() const { return b_; }
+  [[nodiscard]] const exact_real& a() const { return a_; }
+  [[nodiscard]] const exact_real& b() const { return b_; }
+  /// The tensor that the body was made from, where its principal moments are not all rational: then a and b
+  /// are irrational. A nullptr else.
+  [[nodiscard]] const std::shared_ptr<const inertia_tensor>& irrational_tensor() const {
+    return tensor_;
+  }
 
-  /// I_x, I_y, I_z, where the body was made from moments.
+  /// I_x, I_y, I_z, where the body was made from rational moments.
   [[nodiscard]] const std::optional<std::array<rational, 3>>& moments() const { return moments_; }
   /// Which of the moments given (0, 1 or 2) is I_x, which I_y, which I_z; {0, 1, 2} where they came in this order.
   [[nodiscard]] const std::array<int, 3>& order() const { return order_; }
 
-  /// Physical where ab + 2b < 1, planar where ab + 2b = 1, else non-physical; in rationals, so never undecided.
+  /// Physical where ab + 2b < 1, planar where ab + 2b = 1, else non-physical; in rationals (of a tensor
+  /// inertia_tensor::kind), so never undecided.
   /// Proof: I_x = I_y/(1 - b) and I_z = I_y/(1 + a), so that I_x <= I_y + I_z is 1/(1 - b) <= (2 + a)/(1 + a), and this
   /// is 1 + a <= (2 + a)(1 - b).
   [[nodiscard]] body_kind kind() const;
@@ -60,14 +67,22 @@ class body {
   /// Its value where that is a rational number.
   [[nodiscard]] std::optional<rational> exact_geometric_constant() const;
 
+  /// Its square, which is rational for some irrational a and b too (planar bodies).
+  [[nodiscard]] exact_real square_of_geometric_constant() const;
+
   /// The paper's second geometric constant J = (a + 1)/sqrt(a (a + b)) - 1 > 0, to about p bits. It is computed as
-  /// (s^2 - 1)/(s + 1) with s = J + 1, where s^2 - 1 = (1 + 2a - ab)/(a (a + b)) > 0 is rational: nothing cancels.
+  /// (s^2 - 1)/(s + 1) with s = J + 1, where s^2 - 1 = (1 + 2a - ab)/(a (a + b)) > 0 is an exact_real: nothing cancels.
   [[nodiscard]] ball second_geometric_constant(precision p) const;
+  /// The square of J + 1.
+  [[nodiscard]] exact_real square_of_second_constant() const;
   [[nodiscard]] std::optional<rational> exact_second_geometric_constant() const;
 
  private:
-  rational a_;
-  rational b_;
+  explicit body(std::shared_ptr<const inertia_tensor> irrational);
+
+  exact_real a_;
+  exact_real b_;
+  std::shared_ptr<const inertia_tensor> tensor_;
   std::optional<std::array<rational, 3>> moments_;
   std::array<int, 3> order_{0, 1, 2};
 };

@@ -14,8 +14,11 @@ namespace polhode {
 /// compute, is among them.
 [[nodiscard]] inline std::vector<rational> curve_motions(
     const body& rigid, const std::optional<std::array<rational, 2>>& range, long points) {
-  const rational low = range ? (*range)[0] : rational(-rigid.b());
-  const rational high = range ? (*range)[1] : std::min(rigid.a(), rigid.b());
+  // Numbers of a few bits just within irrational ends.
+  constexpr unsigned few_bits = 16;
+  const rational low = range ? (*range)[0] : rational(-rational_below(rigid.b(), few_bits));
+  const rational high =
+      range ? (*range)[1] : rational_below(std::min(rigid.a(), rigid.b()), few_bits);
   std::vector<rational> result;
   result.reserve(static_cast<std::size_t>(points));
   for (long k = 0; k < points; ++k)

@@ -18,7 +18,7 @@
 // B lambda = (a+b) A C (the second); all factors are positive, and their squares are equal as rational functions of a, b, c, by
 // m = a (b+c)/(b (a-c)) (oscillating), b (a-c)/(a (b+c)) (rotating).
 //
-// Everything here is a rational number, formed exactly, so that m_1 and lambda keep all their digits however near c is to 0 or to
+// Everything here is an exact_real, so that m_1 and lambda keep all their digits however near c is to 0 or to
 // an end. The formulas hold for equal moments, too, a = 0 or b = 0, but in their equilibria.
 
 #include <array>
@@ -34,10 +34,10 @@ class motion {
   motion(const body& rigid, const rational& c);
   /// Moments may be equal: a = 0 where I_y = I_z, b = 0 where I_x = I_y. Throws input_error for a < 0, for b outside [0, 1), and
   /// for c outside [-b, a].
-  motion(rational a, rational b, rational c);
+  motion(exact_real a, exact_real b, rational c);
 
-  [[nodiscard]] const rational& a() const { return a_; }
-  [[nodiscard]] const rational& b() const { return b_; }
+  [[nodiscard]] const exact_real& a() const { return a_; }
+  [[nodiscard]] const exact_real& b() const { return b_; }
   [[nodiscard]] const rational& c() const { return c_; }
   /// By c; so never equilibrium_y.
   [[nodiscard]] polhode::regime regime() const { return regime_; }
@@ -47,16 +47,16 @@ class motion {
   // moments only.
 
   /// lambda^2 > 0, in units of J^2/I_y^2.
-  [[nodiscard]] rational lambda2() const;
+  [[nodiscard]] exact_real lambda2() const;
   /// m_1 = 1 - m, in [0, 1]; 0 on the separatrix alone.
-  [[nodiscard]] rational m1() const;
+  [[nodiscard]] exact_real m1() const;
   /// kappa >= 0.
-  [[nodiscard]] rational kappa() const;
+  [[nodiscard]] exact_real kappa() const;
   /// A^2, B^2, C^2: the greatest values of J_x^2/J^2, J_y^2/J^2, J_z^2/J^2.
-  [[nodiscard]] std::array<rational, 3> greatest_squares() const;
+  [[nodiscard]] std::array<exact_real, 3> greatest_squares() const;
   /// The least cos^2 psi, where tan psi = -J_y/J_x: u = -c/b at the turning points where the motion oscillates (1 in its equilibrium
   /// c = -b), and 0 else, where psi goes around.
-  [[nodiscard]] rational turning_point() const;
+  [[nodiscard]] exact_real turning_point() const;
 
   /// The period T in which J goes once around in the body, in units of I_y/|J|, to about p bits:
   ///   T = 4 K(m)/lambda = 2 pi/(lambda agm(1, sqrt m_1))   (C. F. Gauss; DLMF 19.8.5).
@@ -74,13 +74,13 @@ class motion {
  private:
   /// lambda^2 = first second.
   struct factors {
-    rational first;
-    rational second;
+    exact_real first;
+    exact_real second;
   };
   [[nodiscard]] factors factors_of_lambda2() const;
 
-  rational a_;
-  rational b_;
+  exact_real a_;
+  exact_real b_;
   rational c_;
   polhode::regime regime_;
 };

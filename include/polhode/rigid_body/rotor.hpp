@@ -68,8 +68,8 @@ class initial_state {
   [[nodiscard]] const rational& squared_momentum() const { return squared_momentum_; }
   [[nodiscard]] rational twice_energy() const;
   /// Of the principal axes: a >= 0 and 0 <= b < 1, which are 0 where moments are equal; c.
-  [[nodiscard]] const rational& a() const { return motion_.a(); }
-  [[nodiscard]] const rational& b() const { return motion_.b(); }
+  [[nodiscard]] const rational& a() const { return motion_.a().exact(); }
+  [[nodiscard]] const rational& b() const { return motion_.b().exact(); }
   [[nodiscard]] const rational& c() const { return motion_.c(); }
   /// The motion with these a, b and c.
   [[nodiscard]] const polhode::motion& motion() const { return motion_; }

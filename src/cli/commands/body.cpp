@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "body_links.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/body_option.hpp"
 #include "cli/options/memory_limit.hpp"
@@ -30,9 +31,11 @@ namespace {
 
 struct body_options {
   body_option which;
+  std::optional<std::string> robot;
+  bool allow_non_physical = false;
   std::optional<std::string> sigma;
   digits_option digits;
-  format_option format{{"text", "json"}};
+  format_option format{{"text", "json", "csv"}};
   memory_limit_option memory_limit;
 };
 
@@ -97,44 +100,26 @@ struct answer {
 answer answer_of(const body& rigid, long digits) {
   answer result;
   const precision guard = sufficient_guard(rigid, digits);
-  for (std::size_t i = 0; rigid.moments() && i < 3; ++i) {
-    result.moments.push_back({moment_names[i], axis_names[i], (*rigid.moments())[i], {}});
+  const auto& tensor = rigid.irrational_tensor();
+  for (std::size_t i = 0; i < 3 && (rigid.moments() || tensor); ++i) {
+    result.moments.push_back(certain(
+        moment_names[i], axis_names[i],
+        tensor ? tensor->exact_moments()[i] : std::optional((*rigid.moments())[i]),
+        [&](precision p) { return tensor->moments(p)[i]; }, digits, guard));
   }
   result.has_order = rigid.moments().has_value();
   result.order = rigid.order();
   result.kind = rigid.kind();
-  result.numbers = {{"a", "a", rigid.a(), {}}, {"b", "b", rigid.b(), {}}};
-  result.numbers.push_back(certain(
-      "I", "geometric_constant", rigid.exact_geometric_constant(),
-      [&](precision p) { return rigid.geometric_constant(p); }, digits, guard));
-  result.numbers.push_back(certain(
-      "J", "second_geometric_constant", rigid.exact_second_geometric_constant(),
-      [&](precision p) { return rigid.second_geometric_constant(p); }, digits, guard));
-  return result;
-}
-
-answer answer_of(const inertia_tensor& tensor, long digits) {
-  answer result;
-  // As for a body, with the moments instead of a and b.
-  const precision guard = 8 * tensor.lost_bits() + 15 * bits_for_digits(digits) + 1024;
-  result.kind = tensor.kind();
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.moments.push_back(certain(
-        moment_names[i], axis_names[i], tensor.exact_moments()[i],
-        [&](precision p) { return tensor.moments(p)[i]; }, digits, guard));
-  }
   const auto add = [&](const char* symbol, const char* name, std::optional<rational> exact,
-                       ball (inertia_tensor::*f)(precision) const) {
-    result.numbers.push_back(certain(
-        symbol, name, std::move(exact), [&](precision p) { return (tensor.*f)(p); }, digits,
-        guard));
+                       const enclosing_function& f) {
+    result.numbers.push_back(certain(symbol, name, std::move(exact), f, digits, guard));
   };
-  const bool planar = result.kind == body_kind::planar;
-  add("a", "a", {}, &inertia_tensor::a);
-  add("b", "b", {}, &inertia_tensor::b);
-  add("I", "geometric_constant", planar ? std::optional<rational>(1) : std::nullopt,
-      &inertia_tensor::geometric_constant);
-  add("J", "second_geometric_constant", {}, &inertia_tensor::second_geometric_constant);
+  add("a", "a", rigid.a().as_rational(), [&](precision p) { return rigid.a().at(p); });
+  add("b", "b", rigid.b().as_rational(), [&](precision p) { return rigid.b().at(p); });
+  add("I", "geometric_constant", rigid.exact_geometric_constant(),
+      [&](precision p) { return rigid.geometric_constant(p); });
+  add("J", "second_geometric_constant", rigid.exact_second_geometric_constant(),
+      [&](precision p) { return rigid.second_geometric_constant(p); });
   return result;
 }
 
@@ -188,23 +173,48 @@ std::string json_of(const answer& a, long digits) {
   return json_document_text("body", result);
 }
 
+bool is_given(const body_option& which) {
+  return which.ab || which.moments || which.rotational || which.tensor || which.file;
+}
+
+/// Of all links.
+exit_status run_links(const body_options& options, long digits) {
+  if (is_given(options.which) || options.sigma) {
+    throw usage_error("FILE has all its bodies; give no other");
+  }
+  if (!is_robot_file(*options.robot)) {
+    throw usage_error(
+        fmt::format("{}: it must be a .urdf, .sdf, .xml or .mjcf file; a JSON body is "
+                    "--body FILE",
+                    in_quotes(*options.robot)));
+  }
+  return print_links(*options.robot, options.format.value(), digits, options.allow_non_physical);
+}
+
 exit_status run(const body_options& options) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
   constexpr double bytes_per_digit = 20;
   options.memory_limit.check(
       {fmt::format("{} digits of I and J", digits), bytes_per_digit * static_cast<double>(digits)});
+  if (options.robot) return run_links(options, digits);
+  if (options.format.value() == "csv" || options.allow_non_physical) {
+    throw usage_error("--format csv and --allow-non-physical are for a robot's FILE");
+  }
   const auto uncertain = options.which.uncertain(options.sigma);
-  const auto tensor = options.which.irrational_tensor();
-  const answer a = uncertain ? answer_of(*uncertain, digits)
-                   : tensor  ? answer_of(*tensor, digits)
-                             : answer_of(options.which.value(), digits);
+  const answer a =
+      uncertain ? answer_of(*uncertain, digits) : answer_of(options.which.value(), digits);
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
   return a.kind == body_kind::undecided ? exit_status::not_certified : exit_status::all_certified;
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<body_options>();
+  app.add_option("FILE", options->robot,
+                 "A robot: every link of a URDF, SDF or MuJoCo file, in kg m^2")
+      ->type_name("");
+  app.add_flag("--allow-non-physical", options->allow_non_physical,
+               "Exit with status 0 where links are non-physical, too");
   options->which.declare(app);
   app.add_option("--sigma", options->sigma,
                  "How far each moment may be from the one given with --moments")
@@ -223,14 +233,20 @@ command body_command() {
       "body", "Say what kind of body it is: physical, planar or non-physical",
       "  polhode body --ab 12.65,0.0629\n"
       "  polhode body --moments 3,2,1\n"
-      "  polhode body --moments 3.01,2,1 --sigma 0.1,0.1,0.05\n\n"
+      "  polhode body --moments 3.01,2,1 --sigma 0.1,0.1,0.05\n"
+      "  polhode body --tensor 2,3,4,0.1,0,-0.2\n"
+      "  polhode body scenes/robot_arm.urdf --format csv\n\n"
       "Numbers are decimals or quotients (629/10000), read exactly; the kind is decided without\n"
       "rounding. I = (1-b)/sqrt(b(a+b)) and J = (a+1)/sqrt(a(a+b)) - 1 are the paper's geometric\n"
       "constants. With --sigma every moment within value - sigma .. value + sigma is meant: the "
       "kind\n"
-      "is that of all such bodies, or undecided (exit status 1). A tensor in a --body file may "
-      "have\n"
-      "irrational principal moments: they are enclosed, and the kind is decided all the same.\n",
+      "is that of all such bodies, or undecided (exit status 1). The principal moments of a tensor "
+      "may be\n"
+      "irrational: they are enclosed, and the kind is decided all the same. Of a robot's file "
+      "every\n"
+      "link is listed, with the margin I_y + I_z - I_x of the triangle inequality; the exit "
+      "status is 1\n"
+      "where one is non-physical or refused.\n",
       body_impl::declare};
 }
 

@@ -58,9 +58,9 @@ point point_at(const body& rigid, const rational& c, long digits) {
   const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
   point p{c, certain({t.verdict, t.why, t.epsilon}, "epsilon at c = " + to_text(c), digits), {}};
   if (c <= 0) {
-    const rational u = motion(rigid, c).turning_point();
-    const rational square(u / (1 - u));  // of the tangent
-    const auto angle = [&](precision q) { return atan(sqrt(ball(square, q))); };
+    const exact_real u = motion(rigid, c).turning_point();
+    const exact_real square = u / (1 - u);  // of the tangent
+    const auto angle = [&](precision q) { return atan(sqrt(square.at(q))); };
     certain_number turning;
     turning.enclosure = enclose_to_digits(angle, digits, 15 * bits_for_digits(digits) + 1024);
     if (!turning.enclosure.is_undefined()) turning.verdict = status::certified;
@@ -115,9 +115,10 @@ std::string as_json(const body& rigid, const std::vector<point>& points, long di
   return json_document_text("curve", result);
 }
 
-std::string short_decimal(const rational& q) {
+std::string short_decimal(const exact_real& x) {
   constexpr long shown = 8;
-  return with_dots(leading_digits_of(q, shown));
+  if (!x.is_rational()) return decimal_of(x, shown) + "...";
+  return with_dots(leading_digits_of(x.exact(), shown));
 }
 
 std::string as_svg(const body& rigid, const std::vector<point>& points) {

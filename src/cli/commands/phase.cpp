@@ -165,7 +165,8 @@ command phase_command() {
       "phase", "Compute the Montgomery phase of a free rotation, unwrapped",
       "  polhode phase --ab 12.65,0.0629 --c -0.03\n"
       "  polhode phase --ab 12.65,0.0629 --c -1e-300 --digits 100\n"
-      "  polhode phase --moments 3,2,1 --c 1/2 --excess --format json\n\n"
+      "  polhode phase --moments 3,2,1 --c 1/2 --excess --format json\n"
+      "  polhode phase --tensor 2,3,4,0.1,0,-0.2 --c 0.3\n\n"
       "The phase is the angle in radians by which the body has turned about its angular momentum "
       "when\n"
       "that has gone once around in the body; it is not taken modulo 2 pi. Its greatest lower "

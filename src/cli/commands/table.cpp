@@ -73,8 +73,7 @@ const std::vector<quantity>& all_quantities() {
 }
 
 struct row {
-  rational a;
-  rational b;
+  std::shared_ptr<const body> rigid;
   std::optional<rational> c;
   ball value;
   bool is_infinite = false;  // and there is no other value
@@ -99,7 +98,7 @@ std::string as_csv(const quantity& q, const std::vector<row>& rows, long digits)
   if (q.of_motion) result += csv_header("c") + ',';
   result += q.name + ",radius,lower,upper,digits\n";
   for (const row& r : rows) {
-    result += csv_cells(r.a) + ',' + csv_cells(r.b) + ',';
+    result += csv_cells(r.rigid->a()) + ',' + csv_cells(r.rigid->b()) + ',';
     if (r.c) result += csv_cells(*r.c) + ',';
     if (r.is_infinite) {
       result += "inf,0,inf,inf,0\n";
@@ -130,7 +129,7 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
       {"value", "inf"}, {"radius", "0"}, {"lower", "inf"}, {"upper", "inf"}, {"digits", 0}};
   const char* before = "\n";
   for (const row& r : rows) {
-    json one{{"a", exact_json(r.a, digits)}, {"b", exact_json(r.b, digits)}};
+    json one{{"a", exact_json(r.rigid->a(), digits)}, {"b", exact_json(r.rigid->b(), digits)}};
     if (r.c) one["c"] = exact_json(*r.c, digits);
     one[q.name] = r.is_infinite ? infinity : to_json(r.value, digits);
     result += before + indented(one.dump(2), "    ");
@@ -146,9 +145,7 @@ constexpr long digits_of_literals = 50;
 std::string literal(const std::string& decimals) {
   return decimals.find_first_of(".e") == std::string::npos ? decimals + ".0" : decimals;
 }
-std::string literal(const rational& q) {
-  return literal(leading_digits_of(q, digits_of_literals).value);
-}
+std::string literal(const exact_real& x) { return literal(decimal_of(x, digits_of_literals)); }
 
 /// A double has no room for what is neither 0 nor a normal number of its own.
 void refuse_unless_double(const std::string& name, bool is_zero, double x,
@@ -158,11 +155,13 @@ void refuse_unless_double(const std::string& name, bool is_zero, double x,
       "--format cpp: {} = {} is outside the range of a double; csv and json have it", name, text));
 }
 void refuse_unless_doubles(const row& r) {
-  const auto refuse = [](const std::string& name, const rational& x) {
-    refuse_unless_double(name, x == 0, static_cast<double>(x), with_dots(leading_digits_of(x, 10)));
+  const auto refuse = [](const std::string& name, const exact_real& x) {
+    refuse_unless_double(
+        name, x == 0, midpoint(x.at(64)).convert_to<double>(),
+        x.is_rational() ? with_dots(leading_digits_of(x.exact(), 10)) : to_text(x));
   };
-  refuse("a", r.a);
-  refuse("b", r.b);
+  refuse("a", r.rigid->a());
+  refuse("b", r.rigid->b());
   if (r.c) refuse("c", *r.c);
 }
 
@@ -186,7 +185,7 @@ std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits)
   result += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows.size());
   for (const row& r : rows) {
     const auto place = [&](const std::string& cells) {
-      std::string found = "    {" + literal(r.a) + ", " + literal(r.b) + ", ";
+      std::string found = "    {" + literal(r.rigid->a()) + ", " + literal(r.rigid->b()) + ", ";
       if (r.c) found += literal(*r.c) + ", ";
       return found + cells;
     };
@@ -241,10 +240,12 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
   }
   std::vector<row> result;
   result.reserve(bodies.size() * std::max<std::size_t>(motions.size(), 1));
-  for (const body& rigid : bodies) {
+  for (const body& one : bodies) {
+    const auto shared = std::make_shared<const body>(one);
+    const body& rigid = *shared;
     if (!q.of_motion) {
       q.check(rigid, 0);
-      result.push_back({rigid.a(), rigid.b(), {}, {}});
+      result.push_back({shared, {}, {}});
     }
     for (const rational& c : motions) {
       try {
@@ -253,7 +254,7 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
         throw usage_error(fmt::format("--c {}: {}", in_quotes(*options.c), error.what()));
       }
       q.check(rigid, c);
-      result.push_back({rigid.a(), rigid.b(), c, {}, c == 0 && q.infinite_at_0});
+      result.push_back({shared, c, {}, c == 0 && q.infinite_at_0});
     }
   }
   return result;
@@ -261,7 +262,7 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
 
 certain_number value_of(const row& r, const quantity& q, long digits) {
   if (r.is_infinite) return {};
-  return q.compute(body(r.a, r.b), r.c ? *r.c : rational(0), digits);
+  return q.compute(*r.rigid, r.c ? *r.c : rational(0), digits);
 }
 
 /// All values. Throws not_certified_error for the first of the rows whose value is not certified, whatever the threads.
@@ -290,8 +291,9 @@ void compute(std::vector<row>& rows, const quantity& q, long digits, const std::
     for (std::size_t k = 0; k < count; ++k) {
       row& r = rows[first + k];
       if (r.is_infinite) continue;
-      const std::string where = fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.a),
-                                            to_text(r.b), r.c ? ", c = " + to_text(*r.c) : "");
+      const std::string where =
+          fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.rigid->a()),
+                      to_text(r.rigid->b()), r.c ? ", c = " + to_text(*r.c) : "");
       r.value = certain(values[k], where, digits);
     }
   }

@@ -50,7 +50,7 @@ figure_content montgomery_rotating(long digits) {
   figure_curve limits{"limit", {{circles(grey), "limits 2πJ for c → a"}}, {{}}};
   for (const auto& [a, colour] : std::vector<coloured>{{"12.65", blue}, {"18.27", black}}) {
     const body rigid = with_ab(a, "0.0629");
-    const rational& end = rigid.a();
+    const rational& end = rigid.a().exact();
     const std::vector<rational> motions =
         merged({dense_near_zero(end, 200), approaching(end, -1, 4, 0, end)});
     const std::string title = fmt::format("a = {} ({}): J = {}", a, to_text(rigid.kind()),
@@ -68,8 +68,8 @@ figure_content montgomery_rotating(long digits) {
 
 figure_content first_equation(long digits) {
   const body rigid = schematic_body();
-  const rational& a = rigid.a();
-  const rational& b = rigid.b();
+  const rational& a = rigid.a().exact();
+  const rational& b = rigid.b().exact();
   const meeting first = meeting_to_digits(rigid, 1, digits);
   const ball c1 = certain({first.verdict, first.why, first.c}, "the meeting with S", digits);
   std::vector<rational> motions =

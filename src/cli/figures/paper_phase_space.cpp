@@ -20,13 +20,13 @@ using height =
 
 /// dpsi/dphi
 ball rate_of_psi(const body& rigid, const rational&, const ball& x, const ball& level) {
-  const ball bx = rigid.b() * x;
-  return sqrt((rigid.a() + bx) * level) / (1 - bx);
+  const ball bx = rigid.b().exact() * x;
+  return sqrt((rigid.a().exact() + bx) * level) / (1 - bx);
 }
 
 /// pi/2 - theta, from cos^2 theta = (c + b x)/(a + b x) and sin^2 theta = (a - c)/(a + b x)
 ball height_of_theta(const body& rigid, const rational& c, const ball&, const ball& level) {
-  return atan(sqrt(level / rational(rigid.a() - c)));
+  return atan(sqrt(level / rational(rigid.a().exact() - c)));
 }
 
 /// The quarter of an oscillating motion in which psi and the height are positive, from psi near 0 to the turning point:
@@ -34,13 +34,14 @@ ball height_of_theta(const body& rigid, const rational& c, const ball&, const ba
 std::vector<figure_point> oscillating_quarter(const body& rigid, const rational& c, const height& f,
                                               long digits) {
   constexpr long steps = 40;
-  const rational rest(1 - motion(rigid, c).turning_point());  // 1 - u
+  const rational rest(1 - motion(rigid, c).turning_point().exact());  // 1 - u
   const auto psi = [&](const rational& turn, precision p) {
     return asin(sqrt(ball(rest, p)) * sin(turn * pi(p)));
   };
   const auto y = [&](const rational& turn, precision p) {
     const ball t = turn * pi(p);
-    return f(rigid, c, 1 - rest * square(sin(t)), rational(rigid.b() * rest) * square(cos(t)));
+    return f(rigid, c, 1 - rest * square(sin(t)),
+             rational(rigid.b().exact() * rest) * square(cos(t)));
   };
   std::vector<figure_point> result;
   result.reserve(steps + 1);
@@ -61,7 +62,7 @@ std::vector<figure_point> rotating_quarter(const body& rigid, const rational& c,
   constexpr long steps = 40;
   const auto y = [&](const rational& turn, precision p) {
     const ball x = square(cos(turn * pi(p)));
-    return f(rigid, c, x, c + rigid.b() * x);
+    return f(rigid, c, x, c + rigid.b().exact() * x);
   };
   std::vector<figure_point> result;
   result.reserve(steps + 1);
@@ -135,12 +136,12 @@ figure_content reduced_phase_space(long digits) {
       "set xtics ('−π/2' -pi/2, '−π/4' -pi/4, '0' 0, 'π/4' pi/4, 'π/2' pi/2)\n",
       orbits(rigid, rate_of_psi, digits)};
   const std::vector<figure_point> quarter =
-      rotating_quarter(rigid, rigid.a(), rate_of_psi, rigid.a(), digits);
+      rotating_quarter(rigid, rigid.a().exact(), rate_of_psi, rigid.a().exact(), digits);
   const std::vector<figure_point> upper = half_from(quarter);
-  result.curves.push_back({"c = " + exact_text(rigid.a(), digits_of_names),
+  result.curves.push_back({"c = " + exact_text(rigid.a().exact(), digits_of_names),
                            {{solid(green), "turning about z: c = a"}},
                            {upper, upside_down(upper)}});
-  result.curves.push_back({"c = " + exact_text(-rigid.b(), digits_of_names),
+  result.curves.push_back({"c = " + exact_text(-rigid.b().exact(), digits_of_names),
                            {{discs(grey), "turning about x: c = −b"}},
                            {{{rational(0), rational(0)}}}});
   return result;
@@ -177,10 +178,10 @@ figure_content phase_space(long digits) {
   const coordinate one = multiple_of_pi(1, digits);
   const coordinate half = multiple_of_pi(rational(1, 2), digits);
   result.curves.push_back(
-      {"c = " + exact_text(rigid.a(), digits_of_names),
+      {"c = " + exact_text(rigid.a().exact(), digits_of_names),
        {{fmt::format("lines lw 4 lc rgb '{}'", green), "turning about z: c = a"}},
        {{{left, rational(0)}, {right, rational(0)}}, {{left, one}, {right, one}}}});
-  result.curves.push_back({"c = " + exact_text(-rigid.b(), digits_of_names),
+  result.curves.push_back({"c = " + exact_text(-rigid.b().exact(), digits_of_names),
                            {{discs(grey), "turning about x: c = −b"}},
                            {{{rational(0), half}, {one, half}}}});
   return result;

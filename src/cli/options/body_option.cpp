@@ -1,6 +1,5 @@
 #include "body_option.hpp"
 
-#include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,7 +7,6 @@
 
 #include "cli/output/errors.hpp"
 #include "formula.hpp"
-#include "polhode/rigid_body/inertia_tensor.hpp"
 #include "polhode/scene/body_file.hpp"
 
 namespace polhode::cli {
@@ -62,9 +60,9 @@ body body_by_rotational_constants(const std::string& text) {
   const auto constants = read_numbers<3>("--rotational", text, "27.88,14.52,9.28");
   return reading("--rotational", text, [&] { return body::from_rotational_constants(constants); });
 }
-bool is_exact(const inertia_tensor& tensor) {
-  const auto& moments = tensor.exact_moments();
-  return std::all_of(moments.begin(), moments.end(), [](const auto& m) { return m.has_value(); });
+body body_by_tensor(const std::string& text) {
+  const auto entries = read_numbers<6>("--tensor", text, "2,3,4,0.1,0,-0.2");
+  return reading("--tensor", text, [&] { return body::from_inertia_tensor(entries); });
 }
 
 body body_in(const body_file& file) {
@@ -74,11 +72,6 @@ body body_in(const body_file& file) {
   if (file.ab) return {(*file.ab)[0], (*file.ab)[1]};
   if (file.moments) return body::from_moments(*file.moments);
   if (file.rotational) return body::from_rotational_constants(*file.rotational);
-  if (!is_exact(inertia_tensor(*file.tensor))) {
-    throw input_error(
-        "the tensor's principal moments are not all rational numbers, and a motion is that of an "
-        "exact body: give moments as decimals (`polhode body` encloses those of the tensor)");
-  }
   return body::from_inertia_tensor(*file.tensor);
 }
 body body_by_file(const std::string& path) {
@@ -95,21 +88,22 @@ struct body_option_text {
   const char* description;
   const char* type;
 };
-constexpr std::array<body_option_text, 4> body_options{
+constexpr std::array<body_option_text, 5> body_options{
     {{"--ab", "The body by a = I_y/I_z - 1 > 0 and b = 1 - I_y/I_x in (0, 1)", "A,B"},
      {"--moments", "The body by its principal moments of inertia, in any order and unit",
       "IX,IY,IZ"},
      {"--rotational",
       "The body by its rotational constants, in any order and unit:\nmoments as 1/A, 1/B, 1/C",
       "A,B,C"},
+     {"--tensor", "The body by its inertia tensor, in any axes and unit", "XX,YY,ZZ,XY,XZ,YZ"},
      {"--body", "The body in a JSON file: ab, moments (and sigma), rotational or tensor", "FILE"}}};
 
 constexpr const char* no_body =
     "there is no body; give --ab 12.65,0.0629 or --moments 3,2,1 or --rotational 27.88,14.52,9.28 "
-    "or --body FILE";
+    "or --tensor 2,3,4,0.1,0,-0.2 or --body FILE";
 
 template <class Texts>
-void declare_all(CLI::App& app, const std::array<Texts*, 4>& texts) {
+void declare_all(CLI::App& app, const std::array<Texts*, 5>& texts) {
   for (std::size_t i = 0; i < body_options.size(); ++i) {
     app.add_option(body_options[i].name, *texts[i], body_options[i].description)
         ->type_name(body_options[i].type);
@@ -119,24 +113,28 @@ void declare_all(CLI::App& app, const std::array<Texts*, 4>& texts) {
 }  // namespace
 
 void body_option::declare(CLI::App& app) {
-  declare_all<std::optional<std::string>>(app, {&ab, &moments, &rotational, &file});
+  declare_all<std::optional<std::string>>(app, {&ab, &moments, &rotational, &tensor, &file});
 }
 
 body body_option::value() const {
   const int given = int{ab.has_value()} + int{moments.has_value()} + int{rotational.has_value()} +
-                    int{file.has_value()};
+                    int{tensor.has_value()} + int{file.has_value()};
   if (given == 0) throw usage_error(no_body);
-  if (given > 1) throw usage_error("--ab, --moments, --rotational, --body: give one of them");
+  if (given > 1) {
+    throw usage_error("--ab, --moments, --rotational, --tensor, --body: give one of them");
+  }
   if (ab) return body_by_ab(*ab);
   if (moments) return body_by_moments(*moments);
   if (rotational) return body_by_rotational_constants(*rotational);
+  if (tensor) return body_by_tensor(*tensor);
   return body_by_file(*file);
 }
 
 std::optional<uncertain_body> body_option::uncertain(
     const std::optional<std::string>& sigma) const {
   if (sigma) {
-    if (!moments || ab || rotational || file) throw usage_error("--sigma is for --moments");
+    if (!moments || ab || rotational || tensor || file)
+      throw usage_error("--sigma is for --moments");
     const auto values = read_triple("--moments", *moments);
     const auto widths = read_triple("--sigma", *sigma);
     try {
@@ -146,7 +144,7 @@ std::optional<uncertain_body> body_option::uncertain(
                                     in_quotes(*sigma), error.what()));
     }
   }
-  if (!file || ab || moments || rotational) return std::nullopt;
+  if (!file || ab || moments || rotational || tensor) return std::nullopt;
   return reading("--body", *file, [&]() -> std::optional<uncertain_body> {
     const body_file read = read_body_file(*file);
     if (!read.sigma) return std::nullopt;
@@ -154,28 +152,18 @@ std::optional<uncertain_body> body_option::uncertain(
   });
 }
 
-std::optional<inertia_tensor> body_option::irrational_tensor() const {
-  if (!file || ab || moments || rotational) return std::nullopt;
-  return reading("--body", *file, [&]() -> std::optional<inertia_tensor> {
-    const body_file read = read_body_file(*file);
-    if (!read.tensor) return std::nullopt;
-    inertia_tensor tensor(*read.tensor);
-    if (is_exact(tensor)) return std::nullopt;
-    return tensor;
-  });
-}
-
 void bodies_option::declare(CLI::App& app) {
-  declare_all<std::vector<std::string>>(app, {&ab, &moments, &rotational, &files});
+  declare_all<std::vector<std::string>>(app, {&ab, &moments, &rotational, &tensors, &files});
   for (const auto& option : body_options) app.get_option(option.name)->expected(1)->take_all();
 }
 
 std::vector<body> bodies_option::value() const {
   std::vector<body> result;
-  result.reserve(ab.size() + moments.size() + rotational.size() + files.size());
+  result.reserve(ab.size() + moments.size() + rotational.size() + tensors.size() + files.size());
   for (const std::string& text : ab) result.push_back(body_by_ab(text));
   for (const std::string& text : moments) result.push_back(body_by_moments(text));
   for (const std::string& text : rotational) result.push_back(body_by_rotational_constants(text));
+  for (const std::string& text : tensors) result.push_back(body_by_tensor(text));
   for (const std::string& path : files) result.push_back(body_by_file(path));
   if (result.empty()) throw usage_error(no_body);
   return result;

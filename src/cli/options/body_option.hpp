@@ -10,17 +10,14 @@
 #include "cli/cli_app.hpp"
 #include "polhode/rigid_body/body.hpp"
 
-namespace polhode {
-class inertia_tensor;
-}
-
 namespace polhode::cli {
 
-/// --ab A,B, --moments IX,IY,IZ, --rotational A,B,C or --body FILE
+/// --ab A,B, --moments IX,IY,IZ, --rotational A,B,C, --tensor XX,YY,ZZ,XY,XZ,YZ or --body FILE
 struct body_option {
   std::optional<std::string> ab;
   std::optional<std::string> moments;
   std::optional<std::string> rotational;
+  std::optional<std::string> tensor;
   std::optional<std::string> file;
 
   void declare(CLI::App& app);
@@ -29,8 +26,6 @@ struct body_option {
   /// A body with ranges: by --moments and this sigma, or by a file that has one. Nothing where there is no sigma.
   [[nodiscard]] std::optional<uncertain_body> uncertain(
       const std::optional<std::string>& sigma) const;
-  /// A tensor in a file whose principal moments are not all rational; nothing for any other body.
-  [[nodiscard]] std::optional<inertia_tensor> irrational_tensor() const;
 };
 
 /// The same options, each as often as wanted.
@@ -38,10 +33,11 @@ struct bodies_option {
   std::vector<std::string> ab;
   std::vector<std::string> moments;
   std::vector<std::string> rotational;
+  std::vector<std::string> tensors;
   std::vector<std::string> files;
 
   void declare(CLI::App& app);
-  /// Those by --ab first, then --moments, --rotational, --body. Throws usage_error where there is none.
+  /// Those by --ab first, then --moments, --rotational, --tensor, --body. Throws usage_error where there is none.
   [[nodiscard]] std::vector<body> value() const;
 };
 

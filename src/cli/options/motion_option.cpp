@@ -120,7 +120,7 @@ void refuse_equilibrium(const body& rigid, const rational& c, const std::string&
   throw usage_error(fmt::format(
       "c = {}: {}, where the angular momentum does not move in the body and there is no {}; "
       "give c between -b = {} and a = {}, ends excluded",
-      to_text(c), to_text(r), name, to_text(rational(-rigid.b())), to_text(rigid.a())));
+      to_text(c), to_text(r), name, to_text(-rigid.b()), to_text(rigid.a())));
 }
 
 }  // namespace polhode::cli

@@ -111,6 +111,11 @@ std::string csv_cells(const rational& q) {
   return leading_digits_of(q, most).value + ',' + to_text(q);
 }
 
+std::string csv_cells(const exact_real& x) {
+  constexpr long most = 40;
+  return x.is_rational() ? csv_cells(x.exact()) : decimal_of(x, most) + ',';
+}
+
 std::string csv_header(const std::string& name) { return name + ',' + name + "_exact"; }
 
 decimal_enclosure exact_decimals(const leading_digits& d) {
@@ -134,6 +139,20 @@ json exact_json(const rational& q, long digits) {
   number["exact"] = true;
   number["rational"] = to_text(q);
   return number;
+}
+
+namespace {
+/// Its enclosure with bits for the digits.
+ball enclosed(const exact_real& x, long digits) { return x.at(bits_for_digits(digits) + 8); }
+}  // namespace
+
+json exact_json(const exact_real& x, long digits) {
+  return x.is_rational() ? exact_json(x.exact(), digits) : to_json(enclosed(x, digits), digits);
+}
+
+std::string decimal_of(const exact_real& x, long digits) {
+  if (x.is_rational()) return leading_digits_of(x.exact(), digits).value;
+  return to_decimal_enclosure(enclosed(x, digits), digits).value;
 }
 
 }  // namespace polhode::cli

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/exact_real.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
 
@@ -37,6 +38,8 @@ struct leading_digits {
 
 /// Two cells for a table that other programs read: a decimal, cut off where it does not end, and the quotient.
 [[nodiscard]] std::string csv_cells(const rational& q);
+/// The same; of an irrational number the decimal alone, and an empty cell.
+[[nodiscard]] std::string csv_cells(const exact_real& x);
 /// Their headers: "c,c_exact".
 [[nodiscard]] std::string csv_header(const std::string& name);
 
@@ -45,5 +48,10 @@ struct leading_digits {
 
 /// Its decimals, as every number has them, with "exact": true and the quotient under "rational".
 [[nodiscard]] json exact_json(const rational& q, long digits);
+/// The same; of an irrational number its enclosure.
+[[nodiscard]] json exact_json(const exact_real& x, long digits);
+
+/// The decimal to so many digits, cut off.
+[[nodiscard]] std::string decimal_of(const exact_real& x, long digits);
 
 }  // namespace polhode::cli

@@ -1,0 +1,35 @@
+#pragma once
+
+// The inertias of all links of a robot description: URDF, SDF or MuJoCo.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/arithmetic/exact_real.hpp"
+#include "polhode/rigid_body/body.hpp"
+
+namespace polhode {
+
+/// The inertia of one link about its centre of mass, by what does not depend on the axes. In kg m^2.
+struct link_inertia {
+  std::string name;
+  long line = 0;  // of its <inertial>
+  /// What keeps it from being a body's; then the rest has no meaning. Empty where nothing does.
+  std::string problem;
+  body_kind kind = body_kind::undecided;
+  /// I_x >= I_y >= I_z.
+  std::array<exact_real, 3> moments{0, 0, 0};
+  /// I_y + I_z - I_x: negative where the triangle inequality is violated.
+  exact_real margin = 0;
+  /// Where the moments are different.
+  std::optional<body> rigid;
+};
+
+/// Those of all links, in the order of the file. A frame that is turned against the link's is of no matter
+/// here, and an inertia that is no body's has its problem said. Throws input_error where the text is no XML,
+/// or has no inertia.
+[[nodiscard]] std::vector<link_inertia> read_link_inertias(const std::string& text);
+
+}  // namespace polhode
