@@ -1,6 +1,7 @@
 #include "polhode/rigid_body/inertia_tensor.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,15 @@ ball enclosed_root(const rational_polynomial& p, long k, const integer& above, p
 
 }  // namespace
 
-inertia_tensor::inertia_tensor(const std::array<rational, 6>& given) : common_(1) {
+/// The moments with the most bits so far.
+struct inertia_tensor::known_moments {
+  std::mutex guard;
+  precision bits = 0;
+  std::array<ball, 3> values;
+};
+
+inertia_tensor::inertia_tensor(const std::array<rational, 6>& given)
+    : common_(1), known_(std::make_shared<known_moments>()) {
   for (const rational& entry : given) common_ = lcm(common_, denominator(entry));
   constexpr std::size_t most_bits = 4096;
   for (const rational& one : given) {
@@ -140,6 +149,8 @@ std::optional<rational> inertia_tensor::exact_square_of_second_constant() const 
 precision inertia_tensor::lost_bits() const { return 3 * size_in_bits(trace_); }
 
 std::array<ball, 3> inertia_tensor::moments(precision p) const {
+  const std::lock_guard lock(known_->guard);
+  if (known_->bits >= p) return known_->values;
   std::array<ball, 3> result;
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (exact_[i]) {
@@ -151,6 +162,8 @@ std::array<ball, 3> inertia_tensor::moments(precision p) const {
         enclosed_root(polynomial_, 3 - static_cast<long>(i), above_[i], p, 4 * lost_bits() + 64) /
         common_;
   }
+  known_->bits = p;
+  known_->values = result;
   return result;
 }
 

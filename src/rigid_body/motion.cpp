@@ -1,5 +1,6 @@
 #include "polhode/rigid_body/motion.hpp"
 
+#include <compare>
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
@@ -12,13 +13,14 @@ namespace polhode {
 namespace {
 
 regime regime_by(const exact_real& a, const exact_real& b, const rational& c) {
-  const exact_real least = -b;
-  if (c < least || c > a) {
-    throw input_error("c = " + to_text(c) + ": it must be from -b = " + to_text(least) +
+  const std::strong_ordering least = -b <=> c;
+  const std::strong_ordering greatest = a <=> c;
+  if (std::is_gt(least) || std::is_lt(greatest)) {
+    throw input_error("c = " + to_text(c) + ": it must be from -b = " + to_text(-b) +
                       " to a = " + to_text(a));
   }
-  if (c == least) return regime::equilibrium_x;
-  if (c == a) return regime::equilibrium_z;
+  if (std::is_eq(least)) return regime::equilibrium_x;
+  if (std::is_eq(greatest)) return regime::equilibrium_z;
   if (c == 0) return regime::separatrix;
   return c < 0 ? regime::oscillating : regime::rotating;
 }
@@ -94,7 +96,7 @@ std::array<exact_real, 3> motion::greatest_squares() const {
 }
 
 exact_real motion::turning_point() const {
-  return is_about_x(regime_) && b_ != 0 ? rational(-c_) / b_ : exact_real(0);
+  return is_about_x(regime_) && b_.sign() != 0 ? rational(-c_) / b_ : exact_real(0);
 }
 
 ball motion::period(precision p, work_count* work) const {
@@ -116,7 +118,7 @@ ball motion::period(precision p, work_count* work) const {
 ball motion::phase(precision p) const {
   refuse_unless_periodic();
   // At a turning point c + b u = 0.
-  const exact_real last = is_about_x(regime_) && b_ != 0 ? exact_real(0) : exact_real(c_);
+  const exact_real last = is_about_x(regime_) && b_.sign() != 0 ? exact_real(0) : exact_real(c_);
   return 2 * detail::phase_integral_of(a_, b_, c_, turning_point(), last, p);
 }
 
@@ -142,12 +144,14 @@ void motion::refuse_unless_periodic() const {
 ball detail::phase_integral_of(const exact_real& a, const exact_real& b, const rational& c,
                                const exact_real& u, const exact_real& last, precision p) {
   const exact_real left = 1 - u;
+  const exact_real total = a + b;
+  const exact_real end = b + c;
   const ball x = u.at(p);
-  const ball y = ((a + b * u) / (a + b)).at(p);
-  const ball z = (last / (c + b)).at(p);
+  const ball y = ((a + b * u) / total).at(p);
+  const ball z = (last / end).at(p);
   const carlson_pair integrals = carlson_rf_rj(x, y, z, ball(1, p));
-  const ball sum = (1 - b).at(p) * integrals.rf + (b * left / 3).at(p) * integrals.rj;
-  return 2 * sqrt((left / ((a + b) * (b + c))).at(p)) * sum;
+  const ball sum = (1 - b) * integrals.rf + b * left / 3 * integrals.rj;
+  return 2 * sqrt((left / (total * end)).at(p)) * sum;
 }
 
 }  // namespace polhode

@@ -28,7 +28,7 @@ integer greatest_root_below(const exact_real& q) {
   for (precision p = 64; p <= exact_real::most_bits; p *= 2) {
     const ball x = q.at(p);
     if (!x.is_bounded()) break;
-    const integer low = sqrt(greatest_below(lower_rational(x)));
+    integer low = sqrt(greatest_below(lower_rational(x)));
     if (low == sqrt(greatest_below(upper_rational(x)))) return low;
   }
   throw std::domain_error("the number of meeting points is not decided");

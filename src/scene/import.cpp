@@ -25,8 +25,8 @@ struct found_inertia {
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
  public:
-  /// `turns`: whether the axes matter, so that turned frames are refused. `all`: a node that is refused is found
-  /// with its problem.
+  /// For one body a turned frame is refused, and so is what is no number. Of the invariants of all a
+  /// frame is of no matter, and a link that is refused is found with its problem.
   enum class purpose { one_body, all_invariants };
   reader(const std::string& text, purpose what) : text_(&text), purpose_(what) {}
 
@@ -234,7 +234,7 @@ void settle(link_inertia& link, const tensor_entries& given) {
   } else {
     const body rigid = body::from_inertia_tensor(given);
     link.rigid = rigid;
-    if (const auto tensor = rigid.irrational_tensor()) {
+    if (const auto& tensor = rigid.irrational_tensor()) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::optional<rational>& exact = tensor->exact_moments()[i];
         link.moments[i] = exact ? exact_real(*exact)

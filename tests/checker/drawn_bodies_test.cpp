@@ -66,21 +66,24 @@ TEST(DrawnBodies, HaveCertificatesThatTheCheckerTakes) {
   EXPECT_GT(verified, 20 * not_checkable);
 }
 
-// c0/a is some 10^-2735 and the full turn's some 10^-1370.
-TEST(DrawnBodies, HaveBracketsOfWhatIsVerySmall) {
+void expect_verified(const std::string& name, const rational& a, const rational& b) {
   proofs::request wanted;
   wanted.digits = 20;
-  wanted.motion.a = 1'000'000;
-  wanted.motion.b = rational(9999, 10'000);
-  for (const proofs::claim& c : proofs::all_claims()) {
-    if (c.name != "perfect_twist") continue;
-    const certificate proved = c.prove(wanted);
-    EXPECT_EQ(proved.method.find("was not found"), std::string::npos) << proved.method;
-    const report found = check(to_json(proved).dump());
-    EXPECT_TRUE(found.is_verified()) << found.place << ": " << found.message;
-    return;
-  }
-  FAIL() << "there is no claim perfect_twist";
+  wanted.motion.a = a;
+  wanted.motion.b = b;
+  const proofs::claim* c = proofs::find_claim(name);
+  ASSERT_NE(c, nullptr) << name;
+  const certificate proved = c->prove(wanted);
+  EXPECT_EQ(proved.method.find("was not found"), std::string::npos) << proved.method;
+  const report found = check(to_json(proved).dump());
+  EXPECT_TRUE(found.is_verified()) << found.place << ": " << found.message;
+}
+
+TEST(DrawnBodies, HaveNumbersOfExtremeSizesThatTheCheckerTakes) {
+  // c0/a is some 10^-2735 and the full turn's some 10^-1370.
+  expect_verified("perfect_twist", 1'000'000, rational(9999, 10'000));
+  // Some 10^90 half turns in a turn.
+  expect_verified("injectivity", parse_rational("1e90"), parse_rational("1e-191"));
 }
 
 }  // namespace drawn_bodies_test

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "polhode/arithmetic/ball.hpp"
@@ -21,9 +22,11 @@ namespace polhode {
 /// cancels is made up by more bits.
 class exact_real {
  public:
-  template <std::same_as<rational> Q>
-  exact_real(const Q& q)  // NOLINT(google-explicit-constructor): exact
-      : rational_(q) {}
+  // NOLINTNEXTLINE(bugprone-forwarding-reference-overload): a rational alone
+  template <class Q>
+  requires std::same_as<std::remove_cvref_t<Q>, rational>
+  // NOLINTNEXTLINE(google-explicit-constructor,bugprone-forwarding-reference-overload): exact
+  exact_real(Q&& q) : rational_(std::forward<Q>(q)) {}
   template <machine_integer N>
   exact_real(N n)  // NOLINT(google-explicit-constructor): exact
       : rational_(rational(n)) {}
@@ -51,7 +54,9 @@ class exact_real {
   friend exact_real operator*(const exact_real& x, const exact_real& y);
   /// Throws std::domain_error for y = 0.
   friend exact_real operator/(const exact_real& x, const exact_real& y);
-  friend exact_real operator-(const exact_real& x) { return 0 - x; }
+  friend exact_real operator-(const exact_real& x) {
+    return x.rational_ ? exact_real(rational(-*x.rational_)) : 0 - x;
+  }
 
   /// Beside a ball it is taken to the ball's precision.
   friend ball operator+(const exact_real& x, const ball& y) { return x.at(y.precision()) + y; }
@@ -66,6 +71,10 @@ class exact_real {
   /// By the sign of the difference.
   friend bool operator==(const exact_real& x, const exact_real& y);
   friend std::strong_ordering operator<=>(const exact_real& x, const exact_real& y);
+  template <std::same_as<rational> Q>
+  friend std::strong_ordering operator<=>(const exact_real& x, const Q& q) {
+    return x.compare(q) <=> 0;
+  }
 
   /// About how many bits the number takes: of a rational one size_in_bits, of others a measure of what may
   /// cancel in sums of it, by what it was made with.
@@ -76,6 +85,8 @@ class exact_real {
   explicit exact_real(std::shared_ptr<const irrational_number> x) : irrational_(std::move(x)) {}
   template <class Operation>
   static exact_real combined(const exact_real& x, const exact_real& y, const Operation& operation);
+  /// A number with the sign of the difference from q.
+  [[nodiscard]] int compare(const rational& q) const;
   /// With what cancels.
   [[nodiscard]] ball rough(precision p) const;
 

@@ -4,6 +4,7 @@
 // general irrational: they are enclosed, and what is a question of yes or no is decided in rationals.
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "polhode/arithmetic/polynomial.hpp"
@@ -43,7 +44,7 @@ class inertia_tensor {
   [[nodiscard]] std::optional<rational> exact_square_of_geometric_constant() const;
   [[nodiscard]] std::optional<rational> exact_square_of_second_constant() const;
 
-  /// Each to about p bits, by bisection with Descartes' rule and interval Newton steps.
+  /// Each to about p bits or more (the best so far are kept), by bisection with Descartes' rule and interval Newton steps.
   [[nodiscard]] std::array<ball, 3> moments(precision p) const;
 
   /// From these, for x, y, z as above: a = (y - z)/z, b = (x - y)/x, the square of the geometric constant yz/((x-y)(x-z)) (1
@@ -73,6 +74,8 @@ class inertia_tensor {
   rational_polynomial polynomial_;  // the characteristic one of that, with integer coefficients
   std::array<integer, 3> above_;    // the least integers that are not below its roots
   std::array<std::optional<rational>, 3> exact_;
+  struct known_moments;
+  std::shared_ptr<known_moments> known_;
 };
 
 }  // namespace polhode

@@ -65,6 +65,10 @@ int exact_real::sign() const {
   throw std::domain_error("exact_real: the sign of a number is not decided");
 }
 
+int exact_real::compare(const rational& q) const {
+  return rational_ ? rational_->compare(q) : (*this - q).sign();
+}
+
 template <class Operation>
 exact_real exact_real::combined(const exact_real& x, const exact_real& y,
                                 const Operation& operation) {
@@ -98,10 +102,7 @@ bool operator==(const exact_real& x, const exact_real& y) {
 }
 
 std::strong_ordering operator<=>(const exact_real& x, const exact_real& y) {
-  if (x.rational_ && y.rational_) {
-    return x.rational_->compare(*y.rational_) <=> 0;
-  }
-  return (x - y).sign() <=> 0;
+  return (y.rational_ ? x.compare(*y.rational_) : (x - y).sign()) <=> 0;
 }
 
 precision size_in_bits(const exact_real& x) {
