@@ -59,8 +59,8 @@ motion::motion(const body& rigid, const rational& c) : motion(rigid.a(), rigid.b
 
 motion::motion(exact_real a, exact_real b, rational c)
     : a_(std::move(a)), b_(std::move(b)), c_(std::move(c)) {
-  if (a_ < 0) throw input_error("a = " + to_text(a_) + ": it must not be negative");
-  if (b_ < 0 || b_ >= 1) {
+  if (a_.sign() < 0) throw input_error("a = " + to_text(a_) + ": it must not be negative");
+  if (b_.sign() < 0 || b_ >= 1) {
     throw input_error("b = " + to_text(b_) + ": it must be at least 0 and below 1");
   }
   regime_ = regime_by(a_, b_, c_);
@@ -68,7 +68,7 @@ motion::motion(exact_real a, exact_real b, rational c)
 
 motion::factors motion::factors_of_lambda2() const {
   factors result = is_about_x(regime_) ? factors{a_ - c_, b_} : factors{a_, b_ + c_};
-  if (result.first == 0 || result.second == 0) {
+  if (result.first.sign() == 0 || result.second.sign() == 0) {
     throw input_error("a = " + to_text(a_) + ", b = " + to_text(b_) + ", c = " + to_text(c_) +
                       ": two moments are equal, and J does not move in the body; lambda is 0");
   }
