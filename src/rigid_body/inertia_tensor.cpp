@@ -162,8 +162,10 @@ std::array<ball, 3> inertia_tensor::moments(precision p) const {
         enclosed_root(polynomial_, 3 - static_cast<long>(i), above_[i], p, 4 * lost_bits() + 64) /
         common_;
   }
-  known_->bits = p;
-  known_->values = result;
+  if (std::all_of(result.begin(), result.end(), [](const ball& x) { return x.is_bounded(); })) {
+    known_->bits = p;
+    known_->values = result;
+  }
   return result;
 }
 

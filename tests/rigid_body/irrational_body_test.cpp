@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/rigid_body/curve_motions.hpp"
 #include "polhode/rigid_body/inertia_tensor.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "support/random.hpp"
@@ -138,6 +139,12 @@ TEST(IrrationalBody, IsDecidedWhereTheConstantsAreRational) {
   EXPECT_EQ(both.square_of_geometric_constant().as_rational(), rational(3, 2));
   EXPECT_EQ(both.square_of_second_constant().as_rational(), rational(3, 2));
   EXPECT_FALSE(both.exact_geometric_constant());
+  // y = 1 with the same x, z: a = b, and the curve's motions are within -b and a all the same.
+  const body equal = with_block(1, 3, 1, 1);
+  EXPECT_FALSE((equal.a() - equal.b()).at(64).is_bounded());
+  const std::vector<rational> motions = curve_motions(equal, {}, 5);
+  ASSERT_EQ(motions.size(), 5U);
+  for (const rational& c : motions) EXPECT_NO_THROW((void)regime_of(equal, c));
   // Planar: I = 1, no crossing and one meeting.
   const body planar = with_block(5, 2, 3, 1);
   EXPECT_EQ(planar.kind(), body_kind::planar);

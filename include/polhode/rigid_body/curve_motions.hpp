@@ -18,7 +18,9 @@ namespace polhode {
   constexpr unsigned few_bits = 16;
   const rational low = range ? (*range)[0] : rational(-rational_below(rigid.b(), few_bits));
   const rational high =
-      range ? (*range)[1] : rational_below(std::min(rigid.a(), rigid.b()), few_bits);
+      range ? (*range)[1]
+            // Irrational a and b may be equal, which no enclosure would decide.
+            : std::min(rational_below(rigid.a(), few_bits), rational_below(rigid.b(), few_bits));
   std::vector<rational> result;
   result.reserve(static_cast<std::size_t>(points));
   for (long k = 0; k < points; ++k)

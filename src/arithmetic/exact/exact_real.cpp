@@ -37,11 +37,13 @@ ball exact_real::rough(precision p) const {
   if (rational_) return ball(*rational_, p);
   const irrational_number& x = *irrational_;
   const std::lock_guard lock(x.guard);
-  if (x.known_bits < p) {
-    x.known = x.enclose(p);
+  if (x.known_bits >= p) return x.known;
+  ball found = x.enclose(p);
+  if (found.is_bounded()) {
+    x.known = found;
     x.known_bits = p;
   }
-  return x.known;
+  return found;
 }
 
 ball exact_real::at(precision p) const {
