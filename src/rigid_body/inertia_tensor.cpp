@@ -36,13 +36,17 @@ integer least_with(const rational_polynomial& p, long k, integer low, integer hi
   return high;
 }
 
-/// The k-th root from below, which is in (above - 1, above], to about q bits.
-ball enclosed_root(const rational_polynomial& p, long k, const integer& above, precision q,
-                   precision most_bits) {
+/// The k-th root from below, which is in (above - 1, above], to about q bits. The box around it is found by
+/// exact signs and holds it; Newton's method takes what it can from there.
+ball enclosed_root(const rational_polynomial& p, long k, const integer& above, precision q) {
   const rational_polynomial slope = p.derivative();
   const auto f = [&p](const ball& x) { return p(x); };
   const auto derivative = [&slope](const ball& x) { return slope(x); };
-  for (long bits = 0; bits <= most_bits; bits = 2 * bits + 16) {
+  const auto is_narrow = [q](const ball& x) {
+    constexpr precision lost = 8;
+    return x.is_bounded() && x.radius() <= scale(x.magnitude_lower(), lost - q);
+  };
+  for (long bits = 0;; bits = 2 * bits + 16) {
     const integer unit = integer(1) << static_cast<unsigned>(bits);
     const integer high = least_with(p, k, (above - 1) * unit, above * unit, unit);
     const precision enough =
@@ -51,9 +55,9 @@ ball enclosed_root(const rational_polynomial& p, long k, const integer& above, p
         hull(ball(rational(high - 1, unit), enough), ball(rational(high, unit), enough));
     // Where roots are near each other the value near one of them cancels: with twice the box's bits it is resolved.
     const root_enclosure found = refine_root(f, derivative, box, std::max(q, 2 * enough));
-    if (found.verdict == root_verdict::unique) return found.root;
+    if (found.verdict == root_verdict::unique && is_narrow(found.root)) return found.root;
+    if (is_narrow(box)) return box;
   }
-  return ball::undefined(q);
 }
 
 }  // namespace
@@ -157,10 +161,7 @@ std::array<ball, 3> inertia_tensor::moments(precision p) const {
       result[i] = ball(*exact_[i], p);
       continue;
     }
-    // What separates the roots is above 1/trace^2.
-    result[i] =
-        enclosed_root(polynomial_, 3 - static_cast<long>(i), above_[i], p, 4 * lost_bits() + 64) /
-        common_;
+    result[i] = enclosed_root(polynomial_, 3 - static_cast<long>(i), above_[i], p) / common_;
   }
   if (std::all_of(result.begin(), result.end(), [](const ball& x) { return x.is_bounded(); })) {
     known_->bits = p;

@@ -1,5 +1,6 @@
 // Free rotation by different routes: phases and periods by quadrature, momenta by Jacobi's functions, what is conserved.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,75 @@ TEST(rotation, montgomery_phase_by_quadrature) {
     if (r.phase_per_period()) {
       compare(*r.phase_per_period(), phase, "the rotor's phase", "the phase", c);
     }
+  });
+}
+
+/// The moments of a tensor that is a number beside a block [[p, r], [r, q]]: the number, and (p + q -+
+/// sqrt((p - q)^2 + 4 r^2))/2. So a and b are formulas, and each number of the body has one.
+TEST(rotation, bodies_with_irrational_moments) {
+  run_cases("rotation", "irrational_bodies", 120, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const auto entry = [&] { return m.rational_near(m.within(0.5, 4)); };
+    const term own = entry();
+    const term p = entry();
+    const term q = entry();
+    const term r = m.rational_near(m.one_in(3) ? m.scattered(1e-12, 0.1) : m.within(0.05, 0.9));
+    const std::string tensor =
+        fmt::format("{},{},{},0,0,{}", own.text(), p.text(), q.text(), r.text());
+    const body rigid = [&]() -> body {
+      try {
+        return body::from_inertia_tensor({exact(own), exact(p), exact(q), 0, 0, exact(r)});
+      } catch (const input_error&) {  // not positive definite, or a symmetric top
+        return {1, rational(1, 2)};
+      }
+    }();
+    if (!rigid.irrational_tensor()) return;
+    const term root = call("sqrt", (p - q) * (p - q) + 4 * r * r);
+    const term above = (p + q + root) / 2;
+    const term below = (p + q - root) / 2;
+    const precision bits = m.between(30, 200);
+    std::vector<term> moments{own, above, below};
+    std::sort(moments.begin(), moments.end(), [](const term& left, const term& right) {
+      return certainly_less(read(right).value(400), read(left).value(400));
+    });
+    const term a = moments[1] / moments[2] - 1;
+    const term b = 1 - moments[1] / moments[0];
+    const std::string command = fmt::format("polhode phase --tensor \"{}\"", tensor);
+    under_way(command);
+    ++c.cases;
+    const auto meets = [&](const ball& v, const term& formula, const char* what) {
+      ++c.computed;
+      ++(v.is_bounded() ? c.certified : c.refused);
+      compare(v, read(formula).value(bits + 100), fmt::format("{} of {}", what, command),
+              formula.text(), c);
+    };
+    meets(rigid.a().at(bits), a, "a");
+    meets(rigid.b().at(bits), b, "b");
+    meets(rigid.geometric_constant(bits), (1 - b) / call("sqrt", b * (a + b)), "I");
+    meets(rigid.second_geometric_constant(bits), (a + 1) / call("sqrt", a * (a + b)) - 1, "J");
+    if (const auto square = rigid.square_of_geometric_constant().as_rational()) {
+      meets(ball(*square, bits), (1 - b) * (1 - b) / (b * (a + b)), "the rational I^2");
+    }
+    if (const auto square = rigid.square_of_second_constant().as_rational()) {
+      meets(ball(*square, bits), (a + 1) * (a + 1) / (a * (a + b)), "the rational (J + 1)^2");
+    }
+    // The phase and the period by quadrature of what they are in a, b and c.
+    const bool oscillating = m.one_in(2);
+    const rational share(m.between(1, 99), 100);
+    const rational motion(oscillating ? rational(-rational_below(rigid.b(), 12) * share)
+                                      : rational(rational_below(rigid.a(), 12) * share));
+    const term at("(" + to_text(motion) + ")");
+    const term radicand = x * (1 - x) * (a + b * x) * (at + b * x);
+    const piece by_quadrature{(1 - b * x) / call("sqrt", radicand), oscillating ? -at / b : term(0),
+                              1, m.between(5, 20)};
+    ++c.computed;
+    const ball phase = montgomery_phase(rigid, motion, bits);
+    ++(phase.is_bounded() ? c.certified : c.refused);
+    compare(phase, 2 * computed(by_quadrature).enclosure, command + " --c " + to_text(motion),
+            "twice " + command_of(by_quadrature), c);
+    compare(phase, montgomery_phase(rigid, motion, bits + 100), command, "more bits", c);
+    compare(phase, dynamic_phase(rigid, motion, bits) + geometric_phase(rigid, motion, bits),
+            command, "its two parts", c);
   });
 }
 

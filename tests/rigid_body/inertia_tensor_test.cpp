@@ -144,6 +144,13 @@ TEST(InertiaTensor, DecidesNearTheBoundaries) {
   EXPECT_TRUE(meet(near.a(100) * near.moments(2000)[2], hair * sqrt(ball(5, 300))));
   EXPECT_TRUE(as_narrow_as(near.a(100), 90));
   EXPECT_THROW(inertia_tensor({2, 2, 4, 0, 0, 0}), input_error);
+  // The least moment is some 10^-10 below the rational one beside it.
+  const inertia_tensor beside({2, rational(24377, 10000), 2, 0, 0, rational(63, 10'000'000)});
+  EXPECT_EQ(beside.exact_moments()[1], rational(2));
+  for (const precision p : {30, 64, 300, 2000}) {
+    for (const ball& moment : beside.moments(p)) EXPECT_TRUE(as_narrow_as(moment, p - 10)) << p;
+    EXPECT_TRUE(as_narrow_as(beside.a(p), p - 10)) << p;
+  }
 }
 
 TEST(InertiaTensor, Refuses) {
