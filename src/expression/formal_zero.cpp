@@ -1,5 +1,5 @@
-// Formulas that are 0 wherever they are defined, as their expansion shows; and the size of the terms
-// of those that may be.
+// Formulas that are 0 wherever they are defined, as their expansion shows; and the size of the
+// terms of those that may be.
 
 #include <algorithm>
 #include <map>

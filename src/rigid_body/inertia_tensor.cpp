@@ -36,8 +36,8 @@ integer least_with(const rational_polynomial& p, long k, integer low, integer hi
   return high;
 }
 
-/// The k-th root from below, which is in (above - 1, above], to about q bits. The box around it is found by
-/// exact signs and holds it; Newton's method takes what it can from there.
+/// The k-th root from below, which is in (above - 1, above], to about q bits. The box around it is
+/// found by exact signs and holds it; Newton's method takes what it can from there.
 ball enclosed_root(const rational_polynomial& p, long k, const integer& above, precision q) {
   const rational_polynomial slope = p.derivative();
   const auto f = [&p](const ball& x) { return p(x); };

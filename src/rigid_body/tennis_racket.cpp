@@ -24,7 +24,8 @@ integer greatest_below(const rational& q) {
 integer greatest_root_below(const exact_real& q) {
   // m^2 is an integer: below q exactly where it is at most the greatest integer below q.
   if (q.is_rational()) return sqrt(greatest_below(q.exact()));
-  // q is no integer: the squares below it are those below the lower end of an enclosure in which none is.
+  // q is no integer: the squares below it are those below the lower end of an enclosure in which
+  // none is.
   for (precision p = 64; p <= exact_real::most_bits; p *= 2) {
     const ball x = q.at(p);
     if (!x.is_bounded()) break;

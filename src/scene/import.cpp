@@ -25,8 +25,8 @@ struct found_inertia {
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
  public:
-  /// For one body a turned frame is refused, and so is what is no number. Of the invariants of all a
-  /// frame is of no matter, and a link that is refused is found with its problem.
+  /// For one body a turned frame is refused, and so is what is no number. Of the invariants of all
+  /// a frame is of no matter, and a link that is refused is found with its problem.
   enum class purpose { one_body, all_invariants };
   reader(const std::string& text, purpose what) : text_(&text), purpose_(what) {}
 
@@ -207,10 +207,11 @@ std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose 
   return std::move(inertias.found);
 }
 
-/// I_x >= I_y >= I_z of a tensor where two of them are equal; nothing where all are different. The characteristic
-/// polynomial x^3 - T x^2 + M x - D has the discriminant 18 T M D - 4 T^3 D + T^2 M^2 - 4 M^3 - 27 D^2; where that is
-/// 0, the double root (T M - 9 D)/(2 (T^2 - 3 M)), or the triple root T/3 where T^2 = 3 M. Proof: with the roots r, r,
-/// s, T = 2 r + s, M = r^2 + 2 r s, D = r^2 s, so that T^2 - 3 M = (r - s)^2 and T M - 9 D = 2 r (r - s)^2.
+/// I_x >= I_y >= I_z of a tensor where two of them are equal; nothing where all are different. The
+/// characteristic polynomial x^3 - T x^2 + M x - D has the discriminant 18 T M D - 4 T^3 D + T^2
+/// M^2 - 4 M^3 - 27 D^2; where that is 0, the double root (T M - 9 D)/(2 (T^2 - 3 M)), or the
+/// triple root T/3 where T^2 = 3 M. Proof: with the roots r, r, s, T = 2 r + s, M = r^2 + 2 r s, D
+/// = r^2 s, so that T^2 - 3 M = (r - s)^2 and T M - 9 D = 2 r (r - s)^2.
 std::optional<rational_vector> equal_moments(const tensor_entries& given) {
   const auto& [xx, yy, zz, xy, xz, yz] = given;
   const rational t(xx + yy + zz);

@@ -90,8 +90,8 @@ TEST(rotation, montgomery_phase_by_quadrature) {
   });
 }
 
-/// The moments of a tensor that is a number beside a block [[p, r], [r, q]]: the number, and (p + q -+
-/// sqrt((p - q)^2 + 4 r^2))/2. So a and b are formulas, and each number of the body has one.
+/// The moments of a tensor that is a number beside a block [[p, r], [r, q]]: the number, and (p + q
+/// -+ sqrt((p - q)^2 + 4 r^2))/2. So a and b are formulas, and each number of the body has one.
 TEST(rotation, bodies_with_irrational_moments) {
   run_cases("rotation", "irrational_bodies", 120, [](std::uint64_t seed, counts& c) {
     maker m(seed);

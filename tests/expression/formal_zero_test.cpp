@@ -1,4 +1,5 @@
-// Formulas that are 0 by their expansion: identities are found, and what is not 0 never passes for 0.
+// Formulas that are 0 by their expansion: identities are found, and what is not 0 never passes for
+// 0.
 
 #include <string>
 #include <vector>

@@ -271,8 +271,8 @@ TEST(TailSeries, HasNoBoundWithoutDecayOrBelowItsStart) {
   EXPECT_TRUE((exp(-near) * log(near)).integral_beyond(ball(rational(1, 2), 64)).is_infinite());
 }
 
-// x^(n/2048) is bounded by the power with the next exponent in 1024ths, above for x >= 1 and below for
-// x <= 1: far out this is a percent more than the tail itself, and the exponent before it less.
+// x^(n/2048) is bounded by the power with the next exponent in 1024ths, above for x >= 1 and below
+// for x <= 1: far out this is a percent more than the tail itself, and the exponent before it less.
 TEST(TailSeries, OfAPowerIsBoundedFarOut) {
   constexpr precision p = 200;
   const ball far = scale(ball(1, p), 22);

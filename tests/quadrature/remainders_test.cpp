@@ -81,8 +81,9 @@ TEST(Remainders, OfBreaksThatCannotBeToldApartHoldThePulse) {
   EXPECT_GT(left_out, 0);
 }
 
-// Two jumps somewhere in [q - r, q + r], which is left out: the function may be -1 on all of it and 1
-// elsewhere, or 1 everywhere. It then differs by 2 from what stands for it, wherever it is left out.
+// Two jumps somewhere in [q - r, q + r], which is left out: the function may be -1 on all of it and
+// 1 elsewhere, or 1 everywhere. It then differs by 2 from what stands for it, wherever it is left
+// out.
 TEST(Remainders, OfBreaksInABallHoldAllThatMayBe) {
   support::random_source random(72);
   for (long exponent = 55; exponent <= 70; ++exponent) {

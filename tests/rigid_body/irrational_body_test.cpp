@@ -1,5 +1,5 @@
-// Bodies with irrational principal moments: beside rational bodies that are near them, and where what is asked
-// is decided exactly.
+// Bodies with irrational principal moments: beside rational bodies that are near them, and where
+// what is asked is decided exactly.
 
 #include <array>
 #include <vector>

@@ -1,6 +1,7 @@
 #pragma once
 
-// A real number of which every digit can be had: rational, or irrational and known by its enclosures.
+// A real number of which every digit can be had: rational, or irrational and known by its
+// enclosures.
 
 #include <compare>
 #include <concepts>
@@ -17,12 +18,11 @@
 
 namespace polhode {
 
-/// Sums, differences, products and quotients of rational numbers are done exactly. With an irrational
-/// number among the operands the result is computed when it is asked for, and to the digits asked for: what
-/// cancels is made up by more bits.
+/// Sums, differences, products and quotients of rational numbers are done exactly. With an
+/// irrational number among the operands the result is computed when it is asked for, and to the
+/// digits asked for: what cancels is made up by more bits.
 class exact_real {
  public:
-  // NOLINTNEXTLINE(bugprone-forwarding-reference-overload): a rational alone
   template <class Q>
   requires std::same_as<std::remove_cvref_t<Q>, rational>
   // NOLINTNEXTLINE(google-explicit-constructor,bugprone-forwarding-reference-overload): exact
@@ -31,8 +31,9 @@ class exact_real {
   exact_real(N n)  // NOLINT(google-explicit-constructor): exact
       : rational_(rational(n)) {}
 
-  /// An irrational number by its enclosures: enclose(p) holds it, and is narrower the greater p is, as
-  /// 2^-p in the end. It may be called on several threads at once. `size` is what size_in_bits returns.
+  /// An irrational number by its enclosures: enclose(p) holds it, and is narrower the greater p is,
+  /// as 2^-p in the end. It may be called on several threads at once. `size` is what size_in_bits
+  /// returns.
   [[nodiscard]] static exact_real irrational(std::function<ball(precision)> enclose,
                                              precision size);
 
@@ -42,10 +43,11 @@ class exact_real {
   /// The same; throws std::logic_error where it is not known to be one.
   [[nodiscard]] const rational& exact() const;
 
-  /// The number to p bits: with a relative radius below 2^-p but for the last rounding. Undefined where
-  /// that takes more than most_bits, as of an irrational number less itself.
+  /// The number to p bits: with a relative radius below 2^-p but for the last rounding. Undefined
+  /// where that takes more than most_bits, as of an irrational number less itself.
   [[nodiscard]] ball at(precision p) const;
-  /// The sign: of an irrational number never 0. Throws std::domain_error where most_bits do not decide.
+  /// The sign: of an irrational number never 0. Throws std::domain_error where most_bits do not
+  /// decide.
   [[nodiscard]] int sign() const;
   static constexpr precision most_bits = 1L << 20;
 
@@ -76,8 +78,8 @@ class exact_real {
     return x.compare(q) <=> 0;
   }
 
-  /// About how many bits the number takes: of a rational one size_in_bits, of others a measure of what may
-  /// cancel in sums of it, by what it was made with.
+  /// About how many bits the number takes: of a rational one size_in_bits, of others a measure of
+  /// what may cancel in sums of it, by what it was made with.
   friend precision size_in_bits(const exact_real& x);
 
  private:
@@ -94,8 +96,8 @@ class exact_real {
   std::shared_ptr<const irrational_number> irrational_;
 };
 
-/// x where it is rational, and else a rational number of so many bits, at most 32, below it by less than
-/// |x| 2^(1-bits).
+/// x where it is rational, and else a rational number of so many bits, at most 32, below it by less
+/// than |x| 2^(2-bits).
 [[nodiscard]] rational rational_below(const exact_real& x, unsigned bits);
 
 /// A quotient, or the first twelve digits.

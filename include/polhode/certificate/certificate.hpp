@@ -25,16 +25,17 @@ struct enclosed_number {
   long digits = 0;  // how many significant digits were asked for
 };
 
-/// What a step of a proof rests on. The first two this program decides: in rationals or by polynomials, or
-/// by enclosures. The third is a theorem of proofs/coq, which the kernel of Coq accepts, not this program.
-/// The other two no machine decides: an argument in words, and a theorem of others.
+/// What a step of a proof rests on. The first two this program decides: in rationals or by
+/// polynomials, or by enclosures. The third is a theorem of proofs/coq, which the kernel of Coq
+/// accepts, not this program. The other two no machine decides: an argument in words, and a theorem
+/// of others.
 enum class step_kind { exact, enclosed, kernel, argued, cited };
 /// "decided exactly", "enclosed", "proved in Coq", "argued in words", "cited".
 [[nodiscard]] std::string to_text(step_kind k);
 
 /// How much of a proof a machine decides.
 enum class proof_tier {
-  by_kernel,  // theorems of proofs/coq say it of all bodies; its steps decide it of the given one again
+  by_kernel,   // theorems of proofs/coq say it of all bodies; its steps decide the given one again
   by_machine,  // its steps, with what is cited, give the statement
   with_words,  // it decides every sign, bound and count; an argument in words leads from them to the statement
   by_argument,  // the statement follows from an argument in words; a machine decides some of its steps

@@ -243,8 +243,9 @@ class expression {
   /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
   /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.
   [[nodiscard]] bool is_formally_zero() const;
-  /// The sum of the absolute values of the formula's terms: |x| + |y| + |z| of x - y + z, and |x| of
-  /// what is no sum. A value that cannot be told from 0 has no relative digits, but beside this size.
+  /// The sum of the absolute values of the formula's terms: |x| + |y| + |z| of x - y + z, and |x|
+  /// of what is no sum. A value that cannot be told from 0 has no relative digits, but beside this
+  /// size.
   [[nodiscard]] expression sum_of_sizes() const;
   /// The base and the exponent where the value is a power of a rational number that is too long to be
   /// worked out (1e1000000).

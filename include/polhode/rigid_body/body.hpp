@@ -1,8 +1,8 @@
 #pragma once
 
-// A rigid body with three different principal moments of inertia, I_z < I_y < I_x, known exactly: rational
-// numbers, or the roots of a tensor's characteristic polynomial. And bodies of which the moments are known
-// to lie in ranges only.
+// A rigid body with three different principal moments of inertia, I_z < I_y < I_x, known exactly:
+// rational numbers, or the roots of a tensor's characteristic polynomial. And bodies of which the
+// moments are known to lie in ranges only.
 //
 // Of its free rotation only ratios matter: a = I_y/I_z - 1 > 0 and b = 1 - I_y/I_x in (0, 1).
 
@@ -44,8 +44,8 @@ class body {
 
   [[nodiscard]] const exact_real& a() const { return a_; }
   [[nodiscard]] const exact_real& b() const { return b_; }
-  /// The tensor that the body was made from, where its principal moments are not all rational: then a and b
-  /// are irrational. A nullptr else.
+  /// The tensor that the body was made from, where its principal moments are not all rational: then
+  /// a and b are irrational. A nullptr else.
   [[nodiscard]] const std::shared_ptr<const inertia_tensor>& irrational_tensor() const {
     return tensor_;
   }
@@ -55,10 +55,10 @@ class body {
   /// Which of the moments given (0, 1 or 2) is I_x, which I_y, which I_z; {0, 1, 2} where they came in this order.
   [[nodiscard]] const std::array<int, 3>& order() const { return order_; }
 
-  /// Physical where ab + 2b < 1, planar where ab + 2b = 1, else non-physical; in rationals (of a tensor
-  /// inertia_tensor::kind), so never undecided.
-  /// Proof: I_x = I_y/(1 - b) and I_z = I_y/(1 + a), so that I_x <= I_y + I_z is 1/(1 - b) <= (2 + a)/(1 + a), and this
-  /// is 1 + a <= (2 + a)(1 - b).
+  /// Physical where ab + 2b < 1, planar where ab + 2b = 1, else non-physical; in rationals (of a
+  /// tensor inertia_tensor::kind), so never undecided. Proof: I_x = I_y/(1 - b) and I_z = I_y/(1 +
+  /// a), so that I_x <= I_y + I_z is 1/(1 - b) <= (2 + a)/(1 + a), and this is 1 + a <= (2 + a)(1 -
+  /// b).
   [[nodiscard]] body_kind kind() const;
 
   /// The paper's geometric constant (1 - b)/sqrt(b (a + b)), to about p bits. It is above, at or below 1 as the body is
@@ -70,8 +70,9 @@ class body {
   /// Its square, which is rational for some irrational a and b too (planar bodies).
   [[nodiscard]] exact_real square_of_geometric_constant() const;
 
-  /// The paper's second geometric constant J = (a + 1)/sqrt(a (a + b)) - 1 > 0, to about p bits. It is computed as
-  /// (s^2 - 1)/(s + 1) with s = J + 1, where s^2 - 1 = (1 + 2a - ab)/(a (a + b)) > 0 is an exact_real: nothing cancels.
+  /// The paper's second geometric constant J = (a + 1)/sqrt(a (a + b)) - 1 > 0, to about p bits. It
+  /// is computed as (s^2 - 1)/(s + 1) with s = J + 1, where s^2 - 1 = (1 + 2a - ab)/(a (a + b)) > 0
+  /// is an exact_real: nothing cancels.
   [[nodiscard]] ball second_geometric_constant(precision p) const;
   /// The square of J + 1.
   [[nodiscard]] exact_real square_of_second_constant() const;

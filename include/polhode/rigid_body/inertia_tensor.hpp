@@ -30,21 +30,24 @@ class inertia_tensor {
 
   [[nodiscard]] bool is_rational() const { return exact_[0] && exact_[1] && exact_[2]; }
 
-  /// Of a tensor that is not rational, the squares of I and of J + 1 where they are rational numbers. Let one
-  /// moment be rational and the others be conjugate, so that S, their sum, and P, their product, are rational.
-  /// A number of their field is rational where it is its own conjugate. With I^2 = yz/((x-y)(x-z)) and
-  /// (J+1)^2 = xy/((y-z)(x-z)):
-  ///   x rational: I^2 = P/(x^2 - xS + P). (J+1)^2 is irrational: y (x-y) = -z (x-z) has sides of two signs.
+  /// Of a tensor that is not rational, the squares of I and of J + 1 where they are rational
+  /// numbers. Let one moment be rational and the others be conjugate, so that S, their sum, and P,
+  /// their product, are rational. A number of their field is rational where it is its own
+  /// conjugate. With I^2 = yz/((x-y)(x-z)) and (J+1)^2 = xy/((y-z)(x-z)):
+  ///   x rational: I^2 = P/(x^2 - xS + P). (J+1)^2 is irrational: y (x-y) = -z (x-z) has sides of
+  ///   two signs.
   ///   z rational: (J+1)^2 = P/(P - zS + z^2). I^2 is irrational: y (y-z) = -x (x-z).
-  ///   y rational: either is where x^2 + z^2 = y (x+z), that is S^2 - 2P = yS, and then half the sum of it and
-  ///   its conjugate: I^2 = y (S-y)/(2D), (J+1)^2 = y (S-y)/(2D) with D = (x-y)(y-z) = yS - y^2 - P.
-  /// No moment rational: neither is. With D = xyz and T = x+y+z, I^2 = D/(2x^3 - Tx^2 + D) = q would give x the
-  /// polynomial 2q X^3 - qT X^2 + (q-1) D, which is no multiple of its own, X^3 - TX^2 + ..., as T > 0; (J+1)^2
-  /// is D/(2z^3 - Tz^2 + D) likewise.
+  ///   y rational: either is where x^2 + z^2 = y (x+z), that is S^2 - 2P = yS, and then half the
+  ///   sum of it and its conjugate: I^2 = y (S-y)/(2D), (J+1)^2 = y (S-y)/(2D) with D = (x-y)(y-z)
+  ///   = yS - y^2 - P.
+  /// No moment rational: neither is. With D = xyz and T = x+y+z, I^2 = D/(2x^3 - Tx^2 + D) = q
+  /// would give x the polynomial 2q X^3 - qT X^2 + (q-1) D, which is no multiple of its own, X^3 -
+  /// TX^2 + ..., as T > 0; (J+1)^2 is D/(2z^3 - Tz^2 + D) likewise.
   [[nodiscard]] std::optional<rational> exact_square_of_geometric_constant() const;
   [[nodiscard]] std::optional<rational> exact_square_of_second_constant() const;
 
-  /// Each to about p bits or more (the best so far are kept), by bisection with Descartes' rule and interval Newton steps.
+  /// Each to about p bits or more (the best so far are kept), by bisection with Descartes' rule and
+  /// interval Newton steps.
   [[nodiscard]] std::array<ball, 3> moments(precision p) const;
 
   /// From these, for x, y, z as above: a = (y - z)/z, b = (x - y)/x, the square of the geometric constant yz/((x-y)(x-z)) (1

@@ -18,8 +18,9 @@
 // B lambda = (a+b) A C (the second); all factors are positive, and their squares are equal as rational functions of a, b, c, by
 // m = a (b+c)/(b (a-c)) (oscillating), b (a-c)/(a (b+c)) (rotating).
 //
-// Everything here is an exact_real, so that m_1 and lambda keep all their digits however near c is to 0 or to
-// an end. The formulas hold for equal moments, too, a = 0 or b = 0, but in their equilibria.
+// Everything here is an exact_real, so that m_1 and lambda keep all their digits however near c is
+// to 0 or to an end. The formulas hold for equal moments, too, a = 0 or b = 0, but in their
+// equilibria.
 
 #include <array>
 

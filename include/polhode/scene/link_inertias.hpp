@@ -12,7 +12,8 @@
 
 namespace polhode {
 
-/// The inertia of one link about its centre of mass, by what does not depend on the axes. In kg m^2.
+/// The inertia of one link about its centre of mass, by what does not depend on the axes. In kg
+/// m^2.
 struct link_inertia {
   std::string name;
   long line = 0;  // of its <inertial>
@@ -27,9 +28,9 @@ struct link_inertia {
   std::optional<body> rigid;
 };
 
-/// Those of all links, in the order of the file. A frame that is turned against the link's is of no matter
-/// here, and an inertia that is no body's has its problem said. Throws input_error where the text is no XML,
-/// or has no inertia.
+/// Those of all links, in the order of the file. A frame that is turned against the link's is of no
+/// matter here, and an inertia that is no body's has its problem said. Throws input_error where the
+/// text is no XML, or has no inertia.
 [[nodiscard]] std::vector<link_inertia> read_link_inertias(const std::string& text);
 
 }  // namespace polhode

@@ -37,7 +37,8 @@ struct bodies_option {
   std::vector<std::string> files;
 
   void declare(CLI::App& app);
-  /// Those by --ab first, then --moments, --rotational, --tensor, --body. Throws usage_error where there is none.
+  /// Those by --ab first, then --moments, --rotational, --tensor, --body. Throws usage_error where
+  /// there is none.
   [[nodiscard]] std::vector<body> value() const;
 };
 
