@@ -51,8 +51,7 @@ ball enclosed_root(const rational_polynomial& p, long k, const integer& above, p
     const integer high = least_with(p, k, (above - 1) * unit, above * unit, unit);
     const precision enough =
         static_cast<precision>(mpz_sizeinbase(high.backend().data(), 2)) + bits + 64;
-    const ball box =
-        hull(ball(rational(high - 1, unit), enough), ball(rational(high, unit), enough));
+    ball box = hull(ball(rational(high - 1, unit), enough), ball(rational(high, unit), enough));
     // Where roots are near each other the value near one of them cancels: with twice the box's bits it is resolved.
     const root_enclosure found = refine_root(f, derivative, box, std::max(q, 2 * enough));
     if (found.verdict == root_verdict::unique && is_narrow(found.root)) return found.root;
