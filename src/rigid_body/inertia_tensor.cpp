@@ -36,6 +36,14 @@ integer least_with(const rational_polynomial& p, long k, integer low, integer hi
   return high;
 }
 
+/// T, M, D of the characteristic polynomial x^3 - T x^2 + M x - D.
+std::array<rational, 3> invariants_of(const std::array<rational, 6>& tensor) {
+  const auto& [xx, yy, zz, xy, xz, yz] = tensor;
+  return {rational(xx + yy + zz),
+          rational(xx * yy + yy * zz + zz * xx - xy * xy - xz * xz - yz * yz),
+          rational(xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz))};
+}
+
 /// The k-th root from below, which is in (above - 1, above], to about q bits. The box around it is
 /// found by exact signs and holds it; Newton's method takes what it can from there.
 ball enclosed_root(const rational_polynomial& p, long k, const integer& above, precision q) {
@@ -84,11 +92,8 @@ inertia_tensor::inertia_tensor(const std::array<rational, 6>& given)
     entry[i] = given[i] * common_;
     text += (i == 0 ? "" : ", ") + to_text(given[i]);
   }
-  const auto& [xx, yy, zz, xy, xz, yz] = entry;
-  trace_ = xx + yy + zz;
-  const rational minors(xx * yy + yy * zz + zz * xx - xy * xy - xz * xz - yz * yz);
-  const rational determinant(xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) +
-                             xz * (xy * yz - yy * xz));
+  const auto& [trace, minors, determinant] = invariants_of(entry);
+  trace_ = trace;
   // All roots of the characteristic polynomial are real: they are positive exactly where its signs alternate.
   if (trace_ <= 0 || minors <= 0 || determinant <= 0) {
     throw input_error("inertia tensor " + text +
@@ -189,6 +194,20 @@ ball inertia_tensor::second_geometric_constant(precision p) const {
   const auto [x, y, z] = moments(p + lost_bits());
   const ball below = (y - z) * (x - z);
   return z * (x + y - z) / below / (sqrt(x * y / below) + 1);
+}
+
+std::optional<std::array<rational, 3>> equal_principal_moments(
+    const std::array<rational, 6>& tensor) {
+  const auto& [t, m, d] = invariants_of(tensor);
+  const rational discriminant(18 * t * m * d - 4 * t * t * t * d + t * t * m * m - 4 * m * m * m -
+                              27 * d * d);
+  if (discriminant != 0) return std::nullopt;
+  const rational difference(t * t - 3 * m);
+  const rational twice(difference == 0 ? rational(t / 3)
+                                       : rational((t * m - 9 * d) / (2 * difference)));
+  const rational once(t - 2 * twice);
+  if (once > twice) return std::array<rational, 3>{once, twice, twice};
+  return std::array<rational, 3>{twice, twice, once};
 }
 
 }  // namespace polhode

@@ -207,29 +207,8 @@ std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose 
   return std::move(inertias.found);
 }
 
-/// I_x >= I_y >= I_z of a tensor where two of them are equal; nothing where all are different. The
-/// characteristic polynomial x^3 - T x^2 + M x - D has the discriminant 18 T M D - 4 T^3 D + T^2
-/// M^2 - 4 M^3 - 27 D^2; where that is 0, the double root (T M - 9 D)/(2 (T^2 - 3 M)), or the
-/// triple root T/3 where T^2 = 3 M. Proof: with the roots r, r, s, T = 2 r + s, M = r^2 + 2 r s, D
-/// = r^2 s, so that T^2 - 3 M = (r - s)^2 and T M - 9 D = 2 r (r - s)^2.
-std::optional<rational_vector> equal_moments(const tensor_entries& given) {
-  const auto& [xx, yy, zz, xy, xz, yz] = given;
-  const rational t(xx + yy + zz);
-  const rational m(xx * yy + yy * zz + zz * xx - xy * xy - xz * xz - yz * yz);
-  const rational d(xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz));
-  const rational discriminant(18 * t * m * d - 4 * t * t * t * d + t * t * m * m - 4 * m * m * m -
-                              27 * d * d);
-  if (discriminant != 0) return std::nullopt;
-  const rational difference(t * t - 3 * m);
-  const rational twice(difference == 0 ? rational(t / 3)
-                                       : rational((t * m - 9 * d) / (2 * difference)));
-  const rational once(t - 2 * twice);
-  if (once > twice) return rational_vector{once, twice, twice};
-  return rational_vector{twice, twice, once};
-}
-
 void settle(link_inertia& link, const tensor_entries& given) {
-  if (const auto equal = equal_moments(given)) {
+  if (const auto equal = equal_principal_moments(given)) {
     refuse_unless_positive(*equal);
     for (std::size_t i = 0; i < 3; ++i) link.moments[i] = (*equal)[i];
   } else {

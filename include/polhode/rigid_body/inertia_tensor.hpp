@@ -81,4 +81,14 @@ class inertia_tensor {
   std::shared_ptr<known_moments> known_;
 };
 
+/// I_x >= I_y >= I_z of a tensor where two of them are equal, which may not be positive; nothing where
+/// all are different. By its entries xx, yy, zz, xy, xz, yz. The characteristic polynomial x^3 - T x^2 +
+/// M x - D has the discriminant
+///   18 T M D - 4 T^3 D + T^2 M^2 - 4 M^3 - 27 D^2.
+/// Where that is 0, the double root is (T M - 9 D)/(2 (T^2 - 3 M)), or all are T/3 where T^2 = 3 M.
+/// Proof: with the roots r, r, s, T = 2 r + s, M = r^2 + 2 r s and D = r^2 s, so that T^2 - 3 M is
+/// (r - s)^2 and T M - 9 D is 2 r (r - s)^2.
+[[nodiscard]] std::optional<std::array<rational, 3>> equal_principal_moments(
+    const std::array<rational, 6>& tensor);
+
 }  // namespace polhode

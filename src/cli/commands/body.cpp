@@ -244,9 +244,9 @@ command body_command() {
       "may be\n"
       "irrational: they are enclosed, and the kind is decided all the same. Of a robot's file "
       "every\n"
-      "link is listed, with the margin I_y + I_z - I_x of the triangle inequality; the exit "
-      "status is 1\n"
-      "where one is non-physical or refused.\n",
+      "link is listed, with the margin I_y + I_z - I_x of the triangle inequality, to 4 digits in "
+      "text and\n"
+      "to --digits N in csv and json; the exit status is 1 where one is non-physical or refused.\n",
       body_impl::declare};
 }
 
