@@ -89,20 +89,14 @@ std::optional<rational> rational_cospi(const rational& q) {
   return rational(-1);
 }
 
-rational floor_of(const rational& q) {
-  integer n;
-  mpz_fdiv_q(n.backend().data(), numerator(q).backend().data(), denominator(q).backend().data());
-  return rational(n);
-}
-
 std::optional<rational> rational_value(operation what, const rational& q) {
   switch (what) {
     case operation::abs:
       return q < 0 ? rational(-q) : q;
     case operation::floor:
-      return floor_of(q);
+      return rational(floor_of(q));
     case operation::ceil:
-      return rational(-floor_of(-q));
+      return rational(ceil_of(q));
     case operation::sqrt:
       return exact_root(q, 2);
     case operation::cospi:

@@ -213,9 +213,51 @@ node_id graph::number(const rational& q) {
   return known_numbers_[q] = size() - 1;
 }
 
+namespace {
+
+/// Whether a variable is in it.
+bool varies(const graph& g, node_id x) {
+  std::vector<char> seen(x + 1, 0);
+  seen[x] = 1;
+  for (node_id i = x + 1; i-- > 0;) {
+    if (seen[i] == 0) continue;
+    if (g[i].what == operation::variable) return true;
+    for (const node_id operand : operands_at(g, i)) seen[operand] = 1;
+  }
+  return false;
+}
+
+/// number - f: 1 - erf(x) = erfc(x), 1 - erfc(x) = erf(x), 2 - erfc(x) = erfc(-x), which lose no
+/// digits where the difference does. A constant is left to the exact rules, which know f as it is.
+std::optional<node_id> complement_of(graph& g, node_id f, node_id number) {
+  const operation what = g[f].what;
+  const bool is_one = is_number(g, number, 1);
+  const bool is_two = is_number(g, number, 2) && what == operation::erfc;
+  if ((what != operation::erf && what != operation::erfc) || (!is_one && !is_two)) {
+    return std::nullopt;
+  }
+  const node_id x = g[f].left;
+  if (!varies(g, x)) return std::nullopt;
+  if (is_two) return g.make(operation::erfc, negate(g, x));
+  return g.make(what == operation::erf ? operation::erfc : operation::erf, x);
+}
+
+/// 1 + erf(x) = erfc(-x), likewise.
+std::optional<node_id> sum_with_erf(graph& g, node_id f, node_id number) {
+  const node_id x = g[f].left;
+  if (g[f].what != operation::erf || !is_number(g, number, 1) || !varies(g, x)) {
+    return std::nullopt;
+  }
+  return g.make(operation::erfc, negate(g, x));
+}
+
+}  // namespace
+
 node_id add(graph& g, node_id x, node_id y) {
   if (is_number(g, x, 0)) return y;
   if (is_number(g, y, 0)) return x;
+  if (const auto other = sum_with_erf(g, x, y)) return *other;
+  if (const auto other = sum_with_erf(g, y, x)) return *other;
   const auto exact =
       folded(g, x, y, [](const rational& a, const rational& b) { return rational(a + b); });
   return exact ? *exact : g.make(operation::add, x, y);
@@ -223,6 +265,8 @@ node_id add(graph& g, node_id x, node_id y) {
 
 node_id subtract(graph& g, node_id x, node_id y) {
   if (is_number(g, y, 0)) return x;
+  if (const auto other = complement_of(g, y, x)) return *other;
+  if (const auto other = complement_of(g, x, y)) return negate(g, *other);
   const auto exact =
       folded(g, x, y, [](const rational& a, const rational& b) { return rational(a - b); });
   return exact ? *exact : g.make(operation::subtract, x, y);

@@ -13,12 +13,7 @@ namespace polhode {
 namespace {
 
 /// The greatest integer below q > 0.
-integer greatest_below(const rational& q) {
-  integer result;
-  mpz_cdiv_q(result.backend().data(), mpq_numref(q.backend().data()),
-             mpq_denref(q.backend().data()));
-  return result - 1;
-}
+integer greatest_below(const rational& q) { return ceil_of(q) - 1; }
 
 /// The greatest m with m < 2/I, that is m^2 < q = 4/I^2.
 integer greatest_root_below(const exact_real& q) {

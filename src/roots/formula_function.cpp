@@ -13,11 +13,37 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/real_function.hpp"
 
 namespace polhode {
 
 namespace detail {
+namespace {
+
+/// 1/Gamma(x) = x (x+1) ... (x+n-1)/Gamma(x+n) (DLMF 5.5.1), with n such that x + n > 0 on the whole
+/// set: defined beside the poles of Gamma and at them. Undefined where that takes many factors.
+jet<ball, 1> reciprocal_gamma(const jet<ball, 1>& x) {
+  constexpr long most_factors = 1000;
+  const jet<ball, 1> none = value_alone<1>(ball::undefined(x[0].precision()), 1);
+  if (!x[0].is_bounded() || certainly_less(x[0], ball(-most_factors, 64))) return none;
+  jet<ball, 1> result = jet<ball, 1>::constant(ball(1, x[0].precision()));
+  jet<ball, 1> y = x;
+  long factors = 0;
+  while (!certainly_positive(y[0] - rational(1, 2))) {
+    if (++factors > most_factors) return none;
+    result *= y;
+    y += jet<ball, 1>::constant(ball(1, x[0].precision()));
+  }
+  jet<ball, 1> inverse;
+  inverse[0] = 1 / polhode::gamma(y[0]);
+  inverse[1] = -inverse[0] * digamma(y[0]) * y[1];
+  return result * inverse;
+}
+ball reciprocal_gamma(const ball& x) { return reciprocal_gamma(jet<ball, 1>::constant(x))[0]; }
+
+}  // namespace
+
 template <>
 struct supplement<function_structure> {
   using series = function_structure::exact_series;
@@ -51,6 +77,22 @@ struct supplement<function_structure> {
                   : known_number(named<operation::root>::over(t[0].enclosure(), n));
           return function_structure::value_alone(t, value);
         });
+  }
+  // 1/Gamma is entire, and the poles of Gamma are its zeros, which are simple.
+  static function_structure gamma(const function_structure& x) {
+    const function_structure inverse = function_structure::applied(
+        x, [](const auto& t) { return reciprocal_gamma(t); },
+        [](const ball& t) { return std::optional<ball>(reciprocal_gamma(t)); }, nullptr);
+    return x.constant_like(rational(1)) / inverse;
+  }
+  static function_structure log_gamma(const function_structure& x) {
+    return function_structure::applied(
+        x, [](const auto& t) { return named<operation::log_gamma>::over(t); },
+        [](const ball& t) {
+          std::optional<ball> r = natural_domain::log(abs(reciprocal_gamma(t)));
+          return r ? std::optional(-*r) : r;
+        },
+        nullptr);
   }
   /// A new factor, over its natural domain, without a series.
   template <class F, class Range>
@@ -113,7 +155,7 @@ real_function::real_function(const expression& f) {
   };
   // On 0 < t <= 1/4, where the argument is p + s t^q. An evaluator of its own for each call, as
   // several threads may ask at a time.
-  const auto growth = [f](const rational& p, const rational& s, long q) {
+  const auto growth = [f](const pi_combination& p, const rational& s, long q) {
     return f.evaluator<growth_bound>(192)(
         growth_bound::argument(known_number(p), known_number(s), q, 0.25));
   };
@@ -121,14 +163,28 @@ real_function::real_function(const expression& f) {
   const auto has_no_root = [](const growth_bound& bound) {
     return !bound.is_blocked() && !bound.least_factor().is_zero();
   };
-  no_root_beside_ = [growth, has_no_root](const rational& at, const rational& width) {
+  // x = p - log(t) with p = from - 3/2, or -x for from < 0, takes all values beyond `from`: it decreases
+  // to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of exponentials are sums
+  // of powers.
+  const auto far = [](const rational& from) {
+    const growth_bound t =
+        growth_bound::argument(known_number(rational(0)), known_number(rational(1)), 1, 0.25);
+    const growth_bound x = t.constant_like(rational(abs(from) - rational(3, 2))) - log(t);
+    return from > 0 ? x : -x;
+  };
+  no_root_beside_ = [f, growth, far, has_no_root](const pi_combination& at, const rational& width) {
     const growth_bound bound = growth(at, 4 * width, 1);
-    return bound.is_nowhere_defined() || has_no_root(bound);
+    if (bound.is_nowhere_defined() || has_no_root(bound)) return true;
+    // 1/x is beyond 1/width.
+    return at.is_zero() && has_no_root(f.evaluator<growth_bound>(192)(
+                               growth_bound::reciprocal_of(far(rational(1 / width)))));
   };
-  // x = (from/4)/t is beyond `from`. Where f is not defined there, that is to be said: no proof.
-  no_root_beyond_ = [growth, has_no_root](const rational& from) {
-    return has_no_root(growth(0, from / 4, -1));
+  // So does x = (from/4)/t. Where f is not defined there, that is to be said: no proof.
+  no_root_beyond_ = [f, growth, far, has_no_root](const rational& from) {
+    return has_no_root(growth({}, from / 4, -1)) ||
+           has_no_root(f.evaluator<growth_bound>(192)(far(from)));
   };
+  period_ = [f] { return period_of(f); };
 }
 
 }  // namespace polhode

@@ -8,11 +8,26 @@
 namespace polhode {
 
 std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
-  const bool some_positive = !x.is_undefined() && upper(x) > 0;
-  const bool none_negative = !x.is_undefined() && lower(x) >= 0;
-  // Of negative numbers, and of 0 alone, the whole powers are defined too.
-  if (!some_positive || !none_negative) return pow(x, y);
-  return natural_domain::pow(x, y);
+  const precision p = std::min(x.precision(), y.precision());
+  if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
+  // Of numbers that are not positive, the whole powers are defined too: few of them are taken one by
+  // one. (0^0 is none of natural_domain's, so 0 is among these.)
+  std::optional<ball> range = natural_domain::pow(x, y);
+  if (lower(x) > 0) return range;
+  constexpr long most_powers = 8;
+  if (!y.is_bounded()) return pow(x, y);
+  const integer last = floor_of(upper_rational(y));
+  const integer first = ceil_of(lower_rational(y));
+  if (first <= last &&
+      (last - first >= most_powers || abs(first) > most_powers || abs(last) > most_powers)) {
+    return pow(x, y);
+  }
+  for (auto n = static_cast<long>(first); n <= static_cast<long>(last); ++n) {
+    const std::optional<ball> power = natural_domain::pow(x, n);
+    if (!power) continue;
+    range = range ? hull(*range, *power) : *power;
+  }
+  return range;
 }
 
 namespace {
@@ -261,16 +276,16 @@ POLHODE_PARTIAL(acos)
 POLHODE_PARTIAL(acosh)
 POLHODE_PARTIAL(atanh)
 #undef POLHODE_PARTIAL
-#define POLHODE_WITHOUT_SERIES(f)                                          \
-  function_structure f(const function_structure& x) {                      \
-    return function_structure::applied(                                    \
-        x, [](const auto& t) { return f(t); },                             \
-        [](const ball& t) { return std::optional<ball>(f(t)); }, nullptr); \
+#define POLHODE_WITHOUT_SERIES(f, never_zero)                                          \
+  function_structure f(const function_structure& x) {                                  \
+    return function_structure::applied(                                                \
+        x, [](const auto& t) { return f(t); },                                         \
+        [](const ball& t) { return std::optional<ball>(f(t)); }, nullptr, never_zero); \
   }
-POLHODE_WITHOUT_SERIES(erf)
-POLHODE_WITHOUT_SERIES(erfc)
-POLHODE_WITHOUT_SERIES(floor)
-POLHODE_WITHOUT_SERIES(ceil)
+POLHODE_WITHOUT_SERIES(erf, false)
+POLHODE_WITHOUT_SERIES(erfc, true)
+POLHODE_WITHOUT_SERIES(floor, false)
+POLHODE_WITHOUT_SERIES(ceil, false)
 #undef POLHODE_WITHOUT_SERIES
 
 function_structure tan(const function_structure& x) { return sin(x) / cos(x); }

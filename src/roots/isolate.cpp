@@ -116,11 +116,34 @@ root_set root_search::result() const {
   return detail::answer_of(*state_);
 }
 
+namespace {
+
+/// One period in the interval, from its lower end, or else from 0, or up to its upper end.
+searched_period period_within(const end_point& lower, const end_point& upper,
+                              const pi_combination& period) {
+  const auto moved = [](const end_point& x, const pi_combination& by) {
+    if (x.form()) return end_point(*x.form() + by);
+    return end_point([=](precision p) { return x.at(p) + by.at(p); });
+  };
+  if (!lower.is_infinite()) return {period, lower, moved(lower, period)};
+  if (!upper.is_infinite()) return {period, moved(upper, -period), upper};
+  return {period, 0, end_point(period)};
+}
+
+}  // namespace
+
 root_set isolate_roots(const real_function& f, const end_point& lower, const end_point& upper,
                        const isolate_options& options) {
-  root_search s(f, lower, upper);
+  std::optional<searched_period> one;
+  if (lower.infinite_sign() < 0 || upper.infinite_sign() > 0) {
+    (void)detail::range_around(lower, upper);  // refuses what is no interval
+    if (const auto period = f.period()) one = period_within(lower, upper, *period);
+  }
+  root_search s(f, one ? one->lower : lower, one ? one->upper : upper);
   s.run(options);
-  return s.result();
+  root_set result = s.result();
+  result.of_period = std::move(one);
+  return result;
 }
 
 std::optional<rational> refute_derivative(const real_function& f,

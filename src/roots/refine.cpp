@@ -102,7 +102,7 @@ refined_root refine(const root_region& region, long digits) {
     result.verdict = status::certified;
     return result;
   }
-  if (region.multiplicity == 0 || !region.simple || !region.function) return result;
+  if (!is_one_root(region.verdict) || !region.simple || !region.function) return result;
   const real_function& f = *region.simple;
   const auto is_narrow = [&](const ball& x) {
     const magnitude size = (contains_zero(x) ? region.box : x).magnitude_upper();

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include <boost/multiprecision/mpfr.hpp>
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
@@ -32,6 +33,52 @@ TEST(Gamma, IsTheFactorial) {
   EXPECT_TRUE(overlaps(square(gamma(number("-1/2"))), 4 * pi(bits)));
   EXPECT_TRUE(certainly_negative(gamma(number("-1/2"))));
   EXPECT_TRUE(certainly_positive(gamma(number("-3/2"))));
+}
+
+TEST(Digamma, HasItsRecurrenceAndReflection) {
+  support::random_source random(5);
+  for (support::repeat trial(100); trial.again();) {
+    const ball x = ball(random.any_rational(12), bits);
+    if (digamma(x).is_undefined() || abs(x).magnitude_upper() > magnitude::power_of_two(9))
+      continue;
+    // DLMF 5.5.2 and 5.5.4.
+    EXPECT_TRUE(overlaps(digamma(x + 1), digamma(x) + 1 / x));
+    EXPECT_TRUE(overlaps((digamma(1 - x) - digamma(x)) * sinpi(x), pi(bits) * cospi(x)));
+  }
+  EXPECT_TRUE(digamma(ball(0, bits)).is_undefined());
+  EXPECT_TRUE(digamma(set("-5/2", "-3/2")).is_undefined());
+}
+
+TEST(Digamma, OfASetHoldsThoseOfItsMembers) {
+  support::random_source random(6);
+  for (support::repeat trial(100); trial.again();) {
+    const ball middle = ball(random.any_rational(8), bits);
+    const ball x = middle.enlarged(magnitude::power_of_two(-6));
+    const ball value = digamma(x);
+    if (value.is_undefined()) continue;
+    EXPECT_TRUE(contains(value, digamma(ball(lower_rational(x), 300))));
+    EXPECT_TRUE(contains(value, digamma(ball(upper_rational(x), 300))));
+    EXPECT_TRUE(contains(value, digamma(middle.with_precision(300))));
+  }
+}
+
+TEST(Digamma, OfASetUpToInfinityIsKnownFromTwoOn) {
+  boost::multiprecision::mpfr_float end(0);
+  boost::multiprecision::mpfr_float infinity(0);
+  mpfr_set_inf(infinity.backend().data(), 1);
+  const auto beyond = [&](double low) {
+    mpfr_set_d(end.backend().data(), low, MPFR_RNDN);
+    return ball::from_end_points(end.backend().data(), infinity.backend().data(), 64);
+  };
+  for (const auto f : {digamma, gamma, log_gamma}) {
+    const ball value = f(beyond(3));
+    EXPECT_FALSE(value.is_undefined());
+    EXPECT_TRUE(certainly_positive(value));
+    EXPECT_TRUE(overlaps(value, f(ball(3, 128))));
+    EXPECT_TRUE(contains(value, f(ball(1000, 128))));
+    EXPECT_TRUE(f(beyond(1.25)).is_undefined());  // Gamma falls first there
+    EXPECT_TRUE(f(ball::entire(64)).is_undefined());
+  }
 }
 
 TEST(Gamma, HasItsRecurrenceAndReflection) {

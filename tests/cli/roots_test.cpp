@@ -80,7 +80,11 @@ TEST(Roots, VerdictsOfEveryKind) {
             {"1/4 exactly  unique", "not defined everywhere in [-1, 0]"}},
            {"abs(x)", "-1..1", 0, {"0 exactly  isolated", "certified: 1 root"}},
            {"floor(x)-1/2", "0..2", 1, {"unresolved (the jump of floor)"}},
-           {"1-cos(x)", "6..7", 1, {"unresolved", "2 complex roots near it"}},
+           {"1-cos(x)", "6..7", 0, {"6.28318530717958647692528676655...  multiple 2"}},
+           {"exp(2*x)-4*exp(x)+4", "0..1", 1, {"unresolved", "2 complex roots near it"}},
+           {"sin(x)", "0..inf", 0, {"infinitely many roots; these are all in 0..2*pi"}},
+           {"tan(x)-1", "-inf..1", 0, {"in 1 - 2*pi..1, and the function has the period 2*pi"}},
+           {"sin(x)/x", "-4..4", 0, {"certified: 2 roots", "not defined everywhere in 0"}},
            {"sin(x)", "0..2*pi", 0, {"certified: 3 roots"}},
            {"sin(x)*exp(x)^2", "-pi/2-pi/2..1", 0, {"certified: 2 roots"}},
            {"exp(x)-2", "0..log(2)", 1, {"unique (at an end of the interval, inside or outside)"}},
@@ -97,7 +101,8 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"abs(x)+x", "-1..1", 1, {"from -1 to 1  unresolved", "not certified"}},
            {"2^x-8", "-inf..inf", 0, {"unique\ncertified: 1 root, all there are"}},
            {"x^x-2", "0..2", 0, {"1.5596104694623693499703887"}},
-           {"gamma(x)-2", "5/2..7/2", 1, {"unresolved"}}}) {
+           {"gamma(x)-2", "5/2..7/2", 0, {"3  unique"}},
+           {"agm(1,x)-2", "3..4", 1, {"unresolved"}}}) {
     const outcome result = roots(formula, range, {"--digits", "30"});
     EXPECT_EQ(result.status, status) << formula << '\n' << result.out << result.err;
     for (const std::string& w : words) {
@@ -263,7 +268,10 @@ TEST(Roots, JsonHasTheEnclosuresAndTheVerdict) {
   ASSERT_EQ(answer.at("singular").size(), 1U);
   EXPECT_EQ(answer.at("singular")[0].at("pole_order"), 1);
   EXPECT_GT(answer.at("account").at("evaluations"), 3);
-  const outcome open = roots("1-cos(x)", "6..7", {"--format", "json"});
+  const outcome periodic = roots("sin(x)", "0..inf", {"--format", "json"});
+  EXPECT_EQ(json::parse(periodic.out).at("of_period").at("period"), "2*pi");
+  EXPECT_EQ(json::parse(periodic.out).at("of_period").at("in"), "0..2*pi");
+  const outcome open = roots("exp(2*x)-4*exp(x)+4", "0..1", {"--format", "json"});
   EXPECT_EQ(open.status, 1);
   const json left = json::parse(open.out);
   EXPECT_EQ(left.at("verdict"), "not certified");

@@ -342,6 +342,101 @@ known_case kinks_at_all_scales(maker& m) {
   return k;
 }
 
+/// (e^(a x) - u)(e^(a x) - v) multiplied out, over the whole line, or in 1/x beside 0: what is greatest
+/// at an end grows, and cancels with what grows less.
+known_case sums_of_exponentials(maker& m) {
+  known_case k;
+  const bool beside_zero = m.one_in(3);
+  const term w = beside_zero ? 1 / x : x;
+  const term a = m.one_in(2) ? term(1) : m.positive_rational();
+  const auto base = [&] {
+    return m.one_in(3) ? term(fmt::format("10^{}", m.between(-12, 12))) : m.positive_rational();
+  };
+  const auto add_root = [&](const term& u) {  // e^(a w) = u
+    const term at = call("log", u) / a;
+    if (beside_zero && read(at).value(200).is_bounded() && contains_zero(read(at).value(200)))
+      return;
+    k.roots.push_back({beside_zero ? 1 / at : at, 1});
+  };
+  const term u = base();
+  switch (m.between(0, 3)) {
+    case 0: {
+      const term v = base();
+      k.c.f = call("exp", 2 * a * w) - (u + v) * call("exp", a * w) + u * v;
+      add_root(v);
+      add_root(u);
+      break;
+    }
+    case 1:  // multiplied by e^(-a w)
+      k.c.f = call("exp", a * w) + u * term(2) * call("exp", -a * w) - (u + 2);
+      add_root(2);
+      add_root(u);
+      break;
+    case 2:  // tanh(y) = 1 - 2/(e^2y + 1), and e^2y = u where tanh(y) = 1 - 2/(u + 1)
+      k.c.f = call("tanh", a * w / 2) - 1 + 2 / (u + 1);
+      add_root(u);
+      break;
+    default:  // 2 cosh(y) - 2 sinh(y) = 2 e^-y
+      k.c.f = call("cosh", a * w) - call("sinh", a * w) - 1 / u;
+      add_root(u);
+      break;
+  }
+  if (!all_differ(k.roots)) return sums_of_exponentials(m);
+  k.c.from = beside_zero ? term(-30) : term("-inf");
+  k.c.to = beside_zero ? term(30) : term("inf");
+  return k;
+}
+
+/// Divided by what vanishes with a factor: the place is no root, the others are as before.
+known_case removable_points(maker& m) {
+  known_case k = product_of_factors(m);
+  const term c = m.one_in(2) ? term(0) : m.rational_near(m.within(-3, 3));
+  const ball at = read(c).value(400);
+  std::erase_if(k.roots, [&](const known_root& r) { return overlaps(read(r.at).value(400), at); });
+  const term t = c.is("0") ? x : x - c;
+  switch (m.between(0, 3)) {
+    case 0:
+      k.c.f = k.c.f * (call("sin", t) / t);
+      for (const long n : {-3, -2, -1, 1, 2, 3}) {
+        k.roots.push_back({n < 0 ? c - (-n) * term("pi") : c + n * term("pi"), 1});
+      }
+      break;
+    case 1:
+      k.c.f = k.c.f * ((call("exp", t) - 1) / t);
+      break;
+    case 2:
+      k.c.f = k.c.f * ((call("cosh", t) - 1) / power(t, m.between(1, 3)));
+      break;
+    default:
+      k.c.f = k.c.f * (call("log", 1 + power(t, 2)) / t);
+      break;
+  }
+  if (!all_differ(k.roots)) return removable_points(m);
+  return k;
+}
+
+/// 1 - cos(n (x - c)) and its kin: double roots at equal distances, multiples of pi for c = 0.
+known_case touching_at_multiples_of_pi(maker& m) {
+  known_case k;
+  const long n = m.between(1, 3);
+  const bool is_moved = m.one_in(4);
+  const term c = is_moved ? m.rational_near(m.within(-1, 1)) : term(0);
+  const term w = n * (is_moved ? x - c : x);
+  const long kind = m.between(0, 2);
+  const bool is_odd = kind == 1;  // at odd multiples of pi/n
+  term f = kind == 0   ? 1 - call("cos", w)
+           : kind == 1 ? 1 + call("cos", w)
+                       : call("abs", call("sin", w)) * call("exp", x);
+  for (long j = -12; j <= 12; ++j) {
+    if (kind != 2 && (j % 2 != 0) != is_odd) continue;
+    const term step = (j < 0 ? -j : j) * term("pi") / n;
+    k.roots.push_back({j < 0 ? c - step : c + step, kind == 2 ? 1 : 2});
+  }
+  if (kind != 2) f = f * positive_factor(m);
+  k.c = {f, m.near(m.within(-6, -2)), m.near(m.within(2, 6))};
+  return k;
+}
+
 struct known_family {
   std::string name;
   long at_effort_one;
@@ -409,7 +504,10 @@ INSTANTIATE_TEST_SUITE_P(
                       known_family{"polynomials multiplied out", 250, expanded_polynomial},
                       known_family{"quotients of polynomials", 150, quotient_of_polynomials},
                       known_family{"roots at equal distances", 150, many_roots},
-                      known_family{"kinks at all scales", 150, kinks_at_all_scales}),
+                      known_family{"kinks at all scales", 150, kinks_at_all_scales},
+                      known_family{"sums of exponentials", 60, sums_of_exponentials},
+                      known_family{"removable points", 50, removable_points},
+                      known_family{"touching at multiples of pi", 50, touching_at_multiples_of_pi}),
     [](const auto& drawn) {
       std::string name = drawn.param.name;
       std::replace(name.begin(), name.end(), ' ', '_');

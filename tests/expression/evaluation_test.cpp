@@ -432,14 +432,52 @@ TEST(Evaluation, JetsHaveTheDerivatives) {
 
 TEST(Evaluation, JetsRefuseWhatTheyDoNotHave) {
   const jet<ball, 1> at_half = jet<ball, 1>::variable(number("1/2"));
-  for (const char* text : {"gamma(x)", "log_gamma(x)", "agm(x, 2)", "abs(x - 1/2)", "min(x, 1/2)",
-                           "max(1/2, x)", "floor(2*x)", "ceil(2*x)", "cbrt(x - 1/2)"}) {
+  for (const char* text : {"agm(x, 2)", "abs(x - 1/2)", "min(x, 1/2)", "max(1/2, x)", "floor(2*x)",
+                           "ceil(2*x)", "cbrt(x - 1/2)"}) {
     const auto value = read(text)(at_half);
     EXPECT_TRUE(overlaps(value[0], read(text)(number("1/2")))) << text;
     EXPECT_TRUE(value[1].is_undefined()) << text;
   }
+  for (const char* text : {"gamma(x)", "log_gamma(x)"}) {
+    const auto value = read(text)(jet<ball, 3>::variable(number("1/2")));
+    EXPECT_TRUE(value[1].is_bounded()) << text;
+    EXPECT_TRUE(value[2].is_undefined() && value[3].is_undefined()) << text;
+  }
   EXPECT_TRUE(read("atan2(x - 1/2, -1)")(at_half)[1].is_undefined());  // on the cut
   EXPECT_TRUE(read("x^(1/3)")(jet<ball, 1>::variable(number("-8")))[0].is_undefined());
+}
+
+TEST(Evaluation, TheDerivativeOfGammaIsGammaTimesDigamma) {
+  // Gamma(1/2) = sqrt(pi), digamma(1/2) = -gamma - 2 log 2 (DLMF 5.4.6, 5.4.13); the inner slope is 3.
+  const jet<ball, 1> x = jet<ball, 1>::variable(number("1/6"));
+  const ball digamma_at_half = read("-euler_gamma - 2*log(2)")(number("0"));
+  const ball root = sqrt(pi(90));
+  EXPECT_TRUE(overlaps(read("gamma(3*x)")(x)[1], 3 * root * digamma_at_half));
+  EXPECT_TRUE(overlaps(read("log_gamma(3*x)")(x)[1], 3 * digamma_at_half));
+  // log|Gamma(-1/2)|' = digamma(-1/2) = digamma(1/2) + 2.
+  const jet<ball, 1> y = jet<ball, 1>::variable(number("-1/2"));
+  EXPECT_TRUE(overlaps(read("log_gamma(x)")(y)[1], digamma_at_half + 2));
+  EXPECT_TRUE(overlaps(read("gamma(x)")(y)[1], -2 * root * (digamma_at_half + 2)));
+}
+
+TEST(Evaluation, ADifferenceOfErfAndOneKeepsItsDigits) {
+  const auto expect_same = [](const char* text, const char* other) {
+    SCOPED_TRACE(text);
+    for (const char* point : {"-7", "-1/3", "0", "1/2", "20"}) {
+      const ball value = read(text)(number(point));
+      EXPECT_TRUE(overlaps(value, read(other)(number(point))));
+      EXPECT_TRUE(value.radius() <= scale(value.magnitude_upper(), -70)) << point;
+    }
+  };
+  expect_same("1 - erf(x)", "erfc(x)");
+  expect_same("erf(x) - 1", "-erfc(x)");
+  expect_same("1 + erf(x)", "erfc(-x)");
+  expect_same("erf(x) + 1", "erfc(-x)");
+  expect_same("1 - erfc(x)", "erf(x)");
+  expect_same("erfc(x) - 1", "-erf(x)");
+  expect_same("2 - erfc(x)", "erfc(-x)");
+  expect_same("erfc(x) - 2", "-erfc(-x)");
+  expect_same("erf(1 - x) - 1", "-erfc(1 - x)");
 }
 
 // ---------------------------------------------------------------------------------------------

@@ -173,6 +173,22 @@ TEST(EndSeries, KnowsExponentsAndLogarithms) {
   }
 }
 
+TEST(EndSeries, OfTanhOfALogarithmIsARationalFunction) {
+  // tanh(-log t) = (1 - t^2)/(1 + t^2), which is 15/17 at t = 1/4.
+  const end_series t =
+      end_series::argument(known_number(rational(0)), known_number(rational(1)), 1, 0.25);
+  for (const auto& [sign, value] : {std::pair(-1L, 15.0 / 17), std::pair(1L, -15.0 / 17)}) {
+    const end_series h = tanh(log(t) * sign);
+    ASSERT_FALSE(h.is_blocked());
+    const double_interval range = h.real_range();
+    EXPECT_TRUE(range.lower() <= value && value <= range.upper());
+    const auto limit = static_cast<double>(-sign);
+    EXPECT_TRUE(range.lower() <= limit && limit <= range.upper());
+    // Its difference from the limit is a power.
+    EXPECT_EQ((h + sign).simplified().exponent(), rational(2));
+  }
+}
+
 TEST(EndSeries, IsBlockedWhereTheFormIsAnother) {
   const end_series x = end_series::argument(known_number(), known_number(rational(1)), 1, 0.25);
   for (const end_series& h :

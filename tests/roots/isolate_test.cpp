@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/roots/isolate.hpp"
@@ -114,24 +115,57 @@ TEST(IsolateRoots, DoubleRootOfATranscendentalFunction) {
 }
 
 TEST(IsolateRoots, UnprovableMultipleRootsAreLeftOpenAndCounted) {
-  // cos touches 1 at 2 pi, no rational number: nothing here can tell that it touches.
-  const root_set s = isolate_roots([](const auto& x) { return 1 - cos(x); }, 1, 10);
+  // The square e^2x - 4 e^x + 4 of e^x - 2: nothing here can tell that it touches 0 at log 2.
+  const root_set s = isolate_roots([](const auto& x) { return exp(2 * x) - 4 * exp(x) + 4; }, 0, 1);
   EXPECT_FALSE(s.is_resolved());
   EXPECT_TRUE(s.complete);
   ASSERT_EQ(s.regions.size(), 1U);
   EXPECT_EQ(s.regions[0].verdict, root_verdict::unresolved);
   EXPECT_EQ(s.regions[0].complex_roots, 2);
-  EXPECT_TRUE(overlaps(s.regions[0].enclosure, 2 * pi(300)));
+  EXPECT_TRUE(overlaps(s.regions[0].enclosure, log(ball(2, 300))));
   EXPECT_TRUE(s.regions[0].enclosure.radius() < magnitude::power_of_two(-150));
   EXPECT_EQ(refine(s.regions[0], 30).verdict, status::not_certified);
-  // Three times: there is a change of sign.
-  const root_set t = isolate_roots([](const auto& x) { return (1 - cos(x)) * sin(x); }, 6, 7);
-  ASSERT_EQ(t.regions.size(), 1U);
-  EXPECT_NE(t.regions[0].verdict, root_verdict::unique);
-  const root_set u = isolate_roots([](const auto& x) { return tan(x) - sin(x); }, 6, 7);
+  // Three times, so that the sign changes: (e^x - 2)^3.
+  const root_set u = isolate_roots(
+      [](const auto& x) { return exp(3 * x) - 6 * exp(2 * x) + 12 * exp(x) - 8; }, 0, 1);
   ASSERT_EQ(u.regions.size(), 1U);
   EXPECT_EQ(u.regions[0].verdict, root_verdict::at_least_one);
   EXPECT_EQ(u.regions[0].complex_roots, 3);
+}
+
+TEST(IsolateRoots, MultipleRootsAtMultiplesOfPi) {
+  const auto expect_at = [](const root_set& s, long turns, long multiplicity) {
+    SCOPED_TRACE(turns);
+    expect_resolved(s, 1);
+    EXPECT_EQ(s.regions[0].multiplicity, multiplicity);
+    const refined_root r = refine(s.regions[0], 60);
+    EXPECT_EQ(r.verdict, status::certified);
+    EXPECT_FALSE(r.exact);
+    EXPECT_TRUE(overlaps(r.enclosure, turns * pi(400)));
+    EXPECT_TRUE(r.enclosure.radius() < magnitude::power_of_two(-190));
+  };
+  expect_at(isolate_roots([](const auto& x) { return 1 - cos(x); }, 1, 10), 2, 2);
+  expect_at(isolate_roots([](const auto& x) { return 1 + cos(x); }, -4, -1), -1, 2);
+  expect_at(isolate_roots([](const auto& x) { return (1 - cos(x)) * sin(x); }, 6, 7), 2, 3);
+  expect_at(isolate_roots([](const auto& x) { return tan(x) - sin(x); }, 6, 7), 2, 3);
+  // A kink there: isolated, to as many digits.
+  const root_set kinks = isolate_roots([](const auto& x) { return abs(sin(x)); }, 1, 10);
+  expect_resolved(kinks, 3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(kinks.regions[k].verdict, root_verdict::isolated);
+    const refined_root r = refine(kinks.regions[k], 60);
+    EXPECT_EQ(r.verdict, status::certified);
+    EXPECT_TRUE(overlaps(r.enclosure, static_cast<long>(k + 1) * pi(400)));
+  }
+  // Twins: two roots beside 2 pi, and none.
+  expect_resolved(
+      isolate_roots([](const auto& x) { return 1 - cos(x) - rational(1, 1000000); }, 6, 7), 2);
+  expect_resolved(
+      isolate_roots([](const auto& x) { return 1 - cos(x) + rational(1, 1000000); }, 6, 7), 0);
+  // Beside 4 pi, at a distance of 1e-20.
+  const rational near(parse_rational("6.28318530717958647692"));
+  expect_resolved(isolate_roots([near](const auto& x) { return 1 - cos(x - 2 * near); }, 12, 13),
+                  1);
 }
 
 TEST(IsolateRoots, PolesAreNoRoots) {
@@ -318,17 +352,129 @@ TEST(IsolateRoots, TowardsInfinity) {
   expect_resolved(
       isolate_roots([](const auto& x) { return atan(x) - 1; }, minus_infinity, infinity), 1);
   expect_resolved(isolate_roots([](const auto& x) { return log(x) - 100; }, 1, infinity), 1);
-  // No proof: sin has a root beyond every bound.
+  // No proof: it has a root beyond every bound.
   const root_set s =
-      isolate_roots([](const auto& x) { return sin(x); }, 1, infinity, {.most_boxes = 500});
+      isolate_roots([](const auto& x) { return sin(x * x); }, 1, infinity, {.most_boxes = 500});
   EXPECT_FALSE(s.complete);
   EXPECT_FALSE(s.is_resolved());
   EXPECT_EQ(s.regions.back().verdict, root_verdict::unresolved);
   EXPECT_FALSE(s.regions.back().box.is_bounded());
-  // A limit of 0 from above is no root, and is not proved to be none.
-  const root_set t = isolate_roots([](const auto& x) { return 1 / (1 + exp(x)); }, 0, infinity);
-  EXPECT_LE(t.regions.size(), 1U);
-  for (const root_region& r : t.regions) EXPECT_EQ(r.verdict, root_verdict::unresolved);
+  // A limit of 0 from above is no root.
+  expect_resolved(isolate_roots([](const auto& x) { return 1 / (1 + exp(x)); }, 0, infinity), 0);
+}
+
+TEST(IsolateRoots, SumsOfExponentialsTowardsInfinity) {
+  const end_point infinity = end_point::infinity();
+  const auto count = [&](const char* text, std::size_t roots) {
+    SCOPED_TRACE(text);
+    expect_resolved(isolate_roots(parse(text), -infinity, infinity), roots);
+  };
+  count("exp(2*x) - exp(x) - 6", 1);
+  count("exp(2*x) - exp(x) + 1/5", 2);
+  count("sinh(x) - 2*cosh(x) + 3", 2);
+  count("tanh(x) - 1", 0);
+  count("tanh(x) + 1", 0);
+  count("tanh(x) - 1 + exp(-x)", 1);
+  count("erf(x) - 1", 0);
+  count("erf(x) + 1", 0);
+  count("erfc(x) - 2", 0);
+  count("1 - erf(x) - 1/10^30", 1);
+  // Roots far out, where the greatest term does not lead yet.
+  count("exp(2*x) - 10^30*exp(x) + 1", 2);
+  count("exp(-x)*x - 1/10^50", 2);
+  count("tanh(x) - 1 + 1/10^40", 1);
+  expect_resolved(isolate_roots(parse("log(x) - 1000"), 0, infinity), 1);
+  expect_resolved(isolate_roots(parse("gamma(x) - 10^100"), 1, infinity), 1);
+}
+
+TEST(IsolateRoots, BesideASingularPoint) {
+  const auto count = [&](const char* text, const end_point& lower, const end_point& upper,
+                         std::size_t roots) {
+    SCOPED_TRACE(text);
+    const root_set s = isolate_roots(parse(text), lower, upper);
+    expect_resolved(s, roots);
+    return s;
+  };
+  count("5*(exp(1/x)-1)*x - exp(1/x)", 0, 1, 1);
+  count("exp(1/x) - 1/x^3 - 10", 0, 10, 1);
+  count("x*sinh(1/x) - 2", -10, 10, 2);
+  // A zero at 0, on one side of which it is not defined, and of which no series tells.
+  const root_set zero = isolate_roots(parse("hypot(x, sqrt(x))"), -1, 1);
+  ASSERT_EQ(zero.regions.size(), 1U);
+  EXPECT_TRUE(contains_zero(zero.regions[0].enclosure));
+  // Removable: no root there, whatever the limit.
+  const root_set sine = count("sin(x)/x", -4, 4, 2);
+  ASSERT_EQ(sine.singular.size(), 1U);
+  EXPECT_TRUE(contains(sine.singular[0].place, 0L));
+  count("(1 - cos(x))/x", -4, 4, 0);
+  count("sin(x)/x - 1/2", -3, 3, 2);
+  count("x*log(x)", 0, 2, 1);
+  count("x^x - 9/10", 0, 2, 2);
+  count("(exp(x) - 1)/x - 1/1000000", -1, 1, 0);
+  count("sin(x)/x - 1 + 1/10^4", -1, 1, 2);
+}
+
+TEST(IsolateRoots, PowersWhereTheyAreDefined) {
+  const auto count = [&](const char* text, std::size_t roots) {
+    SCOPED_TRACE(text);
+    expect_resolved(isolate_roots(parse(text), -3, 3), roots);
+  };
+  count("x^0.3 - 1", 1);
+  count("(x^2-1)^0.7 - 1/2", 2);
+  count("x^x - 4", 1);
+  // A whole power of a negative number is one: (-2)^-2 = 1/4 and (-1)^-1 = -1.
+  EXPECT_FALSE(isolate_roots(parse("x^x - 1/4"), -3, -1).is_resolved());
+  EXPECT_FALSE(isolate_roots(parse("x^x + 1"), -3, 3).is_resolved());
+}
+
+TEST(IsolateRoots, OfGamma) {
+  const root_set s = isolate_roots(parse("gamma(x) - 2"), 0, 5);
+  expect_resolved(s, 2);
+  EXPECT_EQ(refine(s.regions[1], 30).verdict, status::certified);
+  EXPECT_TRUE(contains(s.regions[1].enclosure, 3L));
+  const root_set poles = isolate_roots(parse("gamma(x)"), rational(-11, 2), 5);
+  expect_resolved(poles, 0);
+  ASSERT_EQ(poles.singular.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_EQ(poles.singular[k].pole_order, 1);
+    EXPECT_TRUE(contains(poles.singular[k].place, static_cast<long>(k) - 5));
+  }
+  // The structure's derivative is the function's.
+  for (const char* at : {"-7/2", "1/3", "4"}) {
+    const ball x = parse_ball(at, 100);
+    const auto structure =
+        real_function(parse("gamma(x)")).structure(function_structure::variable(x, x));
+    ASSERT_TRUE(structure);
+    EXPECT_TRUE(overlaps(structure->over()[0], gamma(x)));
+    EXPECT_TRUE(overlaps(structure->over()[1], gamma(x) * digamma(x)));
+  }
+  // log |Gamma| is 0 where Gamma is 1 or -1.
+  expect_resolved(isolate_roots(parse("log_gamma(x)"), rational(-11, 2), 5), 9);
+  expect_resolved(isolate_roots(parse("gamma(x)^2 - 1"), rational(-11, 2), 5), 9);
+}
+
+TEST(IsolateRoots, OfAPeriodicFunction) {
+  const end_point infinity = end_point::infinity();
+  const root_set s = isolate_roots(parse("sin(x)"), 0, infinity);
+  expect_resolved(s, 3);
+  ASSERT_TRUE(s.of_period);
+  EXPECT_EQ(s.of_period->period, (pi_combination{0, 2}));
+  EXPECT_EQ(s.of_period->upper.form(), (pi_combination{0, 2}));
+  const root_set t = isolate_roots(parse("sin(pi*x) - 1/2"), -infinity, 1);
+  expect_resolved(t, 2);
+  ASSERT_TRUE(t.of_period);
+  EXPECT_EQ(t.of_period->lower.exact(), rational(-1));
+  // Not periodic, or bounded: no.
+  EXPECT_FALSE(isolate_roots(parse("sin(x) + x"), -infinity, infinity).of_period);
+  EXPECT_FALSE(isolate_roots(parse("sin(x)"), 0, 100).of_period);
+}
+
+TEST(IsolateRoots, AnEndWhereNothingIsBoundedDoesNotHideTheRootsBesideIt) {
+  const root_set s = isolate_roots(parse("gamma(1/x) - 5"), 0, 1);
+  ASSERT_EQ(s.regions.size(), 2U);
+  EXPECT_EQ(s.regions[0].verdict, root_verdict::unresolved);
+  EXPECT_TRUE(s.regions[0].box.magnitude_upper() < magnitude::power_of_two(-8));
+  EXPECT_EQ(s.regions[1].verdict, root_verdict::unique);
 }
 
 TEST(IsolateRoots, WhereTheFunctionIsNotDefined) {
@@ -352,7 +498,7 @@ TEST(IsolateRoots, WhereTheFunctionIsNotDefined) {
   const root_set branch = isolate_roots([](const auto& x) { return sqrt(x); }, 0, 1);
   ASSERT_EQ(branch.regions.size(), 1U);
   EXPECT_EQ(branch.regions[0].verdict, root_verdict::isolated);
-  EXPECT_EQ(remark_of(isolate_roots([](const auto& x) { return sin(x) / x; }, -1, 1)),
+  EXPECT_EQ(remark_of(isolate_roots([](const auto& x) { return sin(x) / (x - pi(300)); }, 3, 4)),
             "the pole of /");
 }
 

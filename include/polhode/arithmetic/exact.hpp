@@ -47,6 +47,10 @@ concept no_number_at_all = std::is_enum_v<N> || std::same_as<N, bool>;
 template <no_number_at_all N>
 std::string to_text(N) = delete;
 
+/// The greatest integer that is at most q, and the least that is at least q.
+[[nodiscard]] integer floor_of(const rational& q);
+[[nodiscard]] integer ceil_of(const rational& q);
+
 /// The end points of a bounded ball as rationals: both are dyadic numbers, so nothing is lost (but
 /// that a radius below 2^-64 of the midpoint's last place counts as so much, outward).
 /// Throws std::domain_error where the ball is not bounded.

@@ -36,4 +36,7 @@ struct pi_combination {
   }
 };
 
+/// "1/2 + 2*pi", "-pi", "2/3*pi", "3".
+[[nodiscard]] std::string to_text(const pi_combination& x);
+
 }  // namespace polhode

@@ -1,6 +1,6 @@
 #pragma once
 
-// erf, gamma and zeta of real balls. Values at points are MPFR's, correctly rounded; ranges follow from
+// erf, gamma, digamma and zeta of real balls. Values at points are MPFR's, correctly rounded; ranges follow from
 // monotonicity and convexity, stated beside each function.
 
 #include "polhode/arithmetic/ball.hpp"
@@ -19,6 +19,10 @@ class region;
 /// it changes sign inside the set, the minimum is bounded below by a tangent of the convex function.
 [[nodiscard]] ball gamma(const ball& x);
 [[nodiscard]] ball log_gamma(const ball& x);
+
+/// The digamma function, (log|Gamma(x)|)', for sets without a pole, else undefined. Between two
+/// poles it increases: its derivative is the sum of (x+k)^-2 > 0 over k >= 0 (DLMF 5.15.1).
+[[nodiscard]] ball digamma(const ball& x);
 
 /// Their continuations over a region, by Stirling's series: Gamma where it has no pole, down to Re z = -1000;
 /// log Gamma for Re z > 0; elsewhere it is not available (obstacle::unknown).

@@ -71,8 +71,9 @@ struct supplement<double_interval> {
   static double_interval atan2(double_interval y, double_interval x);
 };
 
-/// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function of it; the
-/// derivatives of gamma, log_gamma and agm are not available, and undefined.
+/// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function of
+/// it. Not available, and undefined, are the derivatives of agm, and of gamma and log_gamma those
+/// above the first, Gamma' = Gamma digamma and log|Gamma|' = digamma.
 template <int Order>
 struct supplement<jet<ball, Order>> {
   using series = jet<ball, Order>;
@@ -111,8 +112,21 @@ struct supplement<jet<ball, Order>> {
     }
     return value_only(x, value);
   }
+  static series gamma(const series& x) {
+    const ball value = polhode::gamma(x[0]);
+    return with_slope(x, value, value * digamma(x[0]));
+  }
+  static series log_gamma(const series& x) {
+    return with_slope(x, polhode::log_gamma(x[0]), digamma(x[0]));
+  }
 
  private:
+  /// f(x) of which f and f' at the first coefficient are given.
+  static series with_slope(const series& x, const ball& value, const ball& slope) {
+    series r = value_only(x, value);
+    if (x.order() >= 1) r[1] = slope * x[1];
+    return r;
+  }
   static series with_value(series x, const ball& value) {
     x[0] = value;
     return x;

@@ -13,6 +13,7 @@
 // All bounds rest on 0 < t <= r < 1: t^e <= r^(e-f) t^f and t^f >= r^(f-e) t^e for e >= f; and on |log t| <= t^-d/(e d) for d > 0, since
 // t^d |log t| has its greatest value, 1/(e d), at t = e^(-1/d).
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -31,6 +32,8 @@ class growth_bound {
   /// p + s t^q for 0 < t <= r, a power of two below 1; for q < 0 and p = 0, an end at infinity.
   [[nodiscard]] static growth_bound argument(const known_number& p, const known_number& s, long q,
                                              double r);
+  /// 1/y, of which it is remembered that 1 divided by it is y.
+  [[nodiscard]] static growth_bound reciprocal_of(const growth_bound& y);
   [[nodiscard]] static growth_bound blocked(std::string_view where);
   [[nodiscard]] bool is_blocked() const { return blocked_; }
   /// v(t) is defined for no 0 < t <= r: a square root of a negative number, say, is a part of it. Then it
@@ -97,9 +100,10 @@ class growth_bound {
   ball least_ = ball(0, 64);  // c
   rational lower_exponent_;   // a
   int sign_ = 0;
-  std::optional<ball> constant_;  // where it is one
-  end_series series_;             // blocked where there is none
-  end_series one_;                // the number 1, for constants
+  std::optional<ball> constant_;                 // where it is one
+  std::shared_ptr<const growth_bound> inverse_;  // 1 divided by it, where that is remembered
+  end_series series_;                            // blocked where there is none
+  end_series one_;                               // the number 1, for constants
   bool blocked_ = true;
   bool nowhere_defined_ = false;
   bool oscillates_ = false;

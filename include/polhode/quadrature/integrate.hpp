@@ -198,6 +198,10 @@ class affine_map {
 /// f in the arithmetics of quadrature. Throws input_error where f has more than one variable.
 [[nodiscard]] detail::integrand integrand_of(const expression& f);
 
+/// A period of f, proved by its symmetry (symmetry.hpp); nothing where none is found. Throws
+/// input_error where f has more than one variable.
+[[nodiscard]] std::optional<pi_combination> period_of(const expression& f);
+
 /// An integral of f that is not certified for want of digits, because it is 0: where f is 0 wherever
 /// it is defined (is_formally_zero), and the enclosure, which is bounded, shows that it is defined
 /// almost everywhere, the integral is 0 exactly.

@@ -80,9 +80,20 @@ struct isolation_account {
   precision most_bits = 0;
 };
 
+/// What was searched in place of an unbounded interval: one period of f, which lies in it.
+struct searched_period {
+  pi_combination period;
+  end_point lower;
+  end_point upper;  // lower + period
+};
+
 struct root_set {
   /// In ascending order, with disjoint enclosures.
   std::vector<root_region> regions;
+  /// Where there is one, the regions and singular places are those of [lower, upper], and all others
+  /// in the interval are these and a whole number of periods more: each root is one of infinitely
+  /// many.
+  std::optional<searched_period> of_period = std::nullopt;
   std::vector<singular_place> singular;
   /// f is 0 everywhere; there are no regions then.
   bool identically_zero = false;
@@ -143,7 +154,8 @@ class root_search {
   std::shared_ptr<const state> state_;
 };
 
-/// The roots of f with lower <= x <= upper.
+/// The roots of f with lower <= x <= upper; of a periodic f over an unbounded interval, those of one
+/// period (root_set::of_period).
 [[nodiscard]] root_set isolate_roots(const real_function& f, const end_point& lower,
                                      const end_point& upper, const isolate_options& options = {});
 

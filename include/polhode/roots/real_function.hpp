@@ -79,12 +79,16 @@ class real_function {
     return over_ ? over_(x) : region::blocked(obstacle::unknown, "this function");
   }
   /// Proved: f has no root x with at < x <= at + width, or at + width <= x < at where width is negative.
-  [[nodiscard]] bool has_no_root_beside(const rational& at, const rational& width) const {
+  [[nodiscard]] bool has_no_root_beside(const pi_combination& at, const rational& width) const {
     return no_root_beside_ && no_root_beside_(at, width);
   }
   /// Proved: f has no root x >= from > 0, or x <= from < 0.
   [[nodiscard]] bool has_no_root_beyond(const rational& from) const {
     return no_root_beyond_ && no_root_beyond_(from);
+  }
+  /// A period of f, proved; nothing where none is found.
+  [[nodiscard]] std::optional<pi_combination> period() const {
+    return period_ ? period_() : std::nullopt;
   }
   /// std::nullopt where it is not available.
   [[nodiscard]] std::optional<function_structure> structure(const function_structure& x) const {
@@ -98,8 +102,9 @@ class real_function {
   std::function<function_evaluator(precision)> at_;
   std::function<region(const region&)> over_;
   std::function<function_structure(const function_structure&)> structure_;
-  std::function<bool(const rational&, const rational&)> no_root_beside_;
+  std::function<bool(const pi_combination&, const rational&)> no_root_beside_;
   std::function<bool(const rational&)> no_root_beyond_;
+  std::function<std::optional<pi_combination>()> period_;
   std::shared_ptr<const rational_quotient> quotient_;
   int most_order_ = 64;
   int best_order_ = 2;

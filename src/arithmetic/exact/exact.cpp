@@ -6,6 +6,7 @@
 
 #include "arithmetic/ball/ball_access.hpp"
 #include "base/quoted.hpp"
+#include "polhode/arithmetic/pi_combination.hpp"
 
 namespace polhode {
 
@@ -107,6 +108,25 @@ rational parse_rational(std::string_view text) {
 ball parse_ball(std::string_view text, precision p) { return {parse_rational(text), p}; }
 
 std::string to_text(const rational& q) { return q.str(); }
+
+std::string to_text(const pi_combination& x) {
+  if (x.is_rational()) return to_text(x.q);
+  const rational size = abs(x.r);
+  const std::string multiple = size == 1 ? "pi" : to_text(size) + "*pi";
+  if (x.q == 0) return (x.r < 0 ? "-" : "") + multiple;
+  return to_text(x.q) + (x.r < 0 ? " - " : " + ") + multiple;
+}
+
+integer floor_of(const rational& q) {
+  integer n;
+  mpz_fdiv_q(n.backend().data(), mpq_numref(q.backend().data()), mpq_denref(q.backend().data()));
+  return n;
+}
+integer ceil_of(const rational& q) {
+  integer n;
+  mpz_cdiv_q(n.backend().data(), mpq_numref(q.backend().data()), mpq_denref(q.backend().data()));
+  return n;
+}
 
 rational lower_rational(const ball& x) { return dyadic_end(x, false); }
 rational upper_rational(const ball& x) { return dyadic_end(x, true); }

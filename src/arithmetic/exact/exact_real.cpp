@@ -121,11 +121,7 @@ rational rational_below(const exact_real& x, unsigned bits) {
   const long exponent = size - static_cast<long>(bits);
   const integer power = integer(1) << static_cast<unsigned long>(std::abs(exponent));
   const rational unit = exponent >= 0 ? rational(power) : rational(integer(1), power);
-  const rational scaled(low / unit);
-  integer n;
-  mpz_fdiv_q(n.backend().data(), mpq_numref(scaled.backend().data()),
-             mpq_denref(scaled.backend().data()));
-  return rational(n * unit);
+  return rational(floor_of(rational(low / unit)) * unit);
 }
 
 std::string to_text(const exact_real& x) {

@@ -200,9 +200,7 @@ std::optional<rational> simplest_between(const rational& lower, const rational& 
     if (!positive) return std::nullopt;
     return rational(-*positive);
   }
-  integer whole;
-  mpz_cdiv_q(whole.backend().data(), mpq_numref(lower.backend().data()),
-             mpq_denref(lower.backend().data()));
+  const integer whole = ceil_of(lower);
   if (rational(whole) <= upper) return rational(whole);
   // Both lie strictly between the same two integers.
   const integer below = whole - 1;

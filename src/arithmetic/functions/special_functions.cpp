@@ -135,9 +135,13 @@ ball convex_range(const end_points& x, precision p, convex_function f, bool loga
   return r;
 }
 
+/// Of a set that may be unbounded: above 2 Gamma, log Gamma and the digamma function increase to
+/// infinity, as the digamma function is positive at 2.
+bool increases_on(const ball& x) { return certainly_greater(x, 2); }
+
 ball convex_over(const ball& x, convex_function f, bool logarithm) {
   const precision p = x.precision();
-  if (!x.is_bounded()) return ball::undefined(p);
+  if (!x.is_bounded() && !increases_on(x)) return ball::undefined(p);
   const end_points e(x, precision_of_ends(x));
   if (has_pole(e)) return ball::undefined(p);
   return convex_range(e, p, f, logarithm);
@@ -162,6 +166,20 @@ ball gamma(const ball& x) {
 }
 
 ball log_gamma(const ball& x) { return convex_over(x, log_abs_gamma, true); }
+
+ball digamma(const ball& x) {
+  const precision p = x.precision();
+  if (!x.is_bounded() && !increases_on(x)) return ball::undefined(p);
+  const end_points e(x, precision_of_ends(x));
+  if (has_pole(e)) return ball::undefined(p);
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  mpfr_digamma(lower.get(), e.lower(), MPFR_RNDD);
+  mpfr_digamma(upper.get(), e.upper(), MPFR_RNDU);
+  ball r;
+  ball_access::set_ends(r, lower, upper);
+  return r;
+}
 
 ball zeta(unsigned long n, precision p) {
   if (n < 2) return ball::undefined(checked_precision(p));

@@ -237,6 +237,15 @@ std::string bound_text(const ball& x) {
              : (certainly_greater(x, 0) ? "towards infinity" : "towards -infinity");
 }
 
+/// The ends of the period, in short where they are not known exactly.
+std::string range_text(const searched_period& one) {
+  const auto end_text = [](const end_point& x) {
+    constexpr long few = 12;
+    return x.form() ? to_text(*x.form()) : to_decimal(x.at(64), few);
+  };
+  return end_text(one.lower) + ".." + end_text(one.upper);
+}
+
 std::string summary(const answer& a) {
   const isolation_account& account = a.roots.account;
   const std::string work =
@@ -244,6 +253,12 @@ std::string summary(const answer& a) {
   if (a.roots.identically_zero) return "certified: the formula is 0 everywhere\n";
   if (a.is_certified()) {
     if (a.list.empty()) return fmt::format("certified: no root ({})\n", work);
+    if (const auto& one = a.roots.of_period) {
+      return fmt::format(
+          "certified: infinitely many roots; these are all in {}, and the function has the period "
+          "{} ({})\n",
+          range_text(*one), to_text(one->period), work);
+    }
     return fmt::format("certified: {}, all there are ({})\n", counted(a.list.size(), "root"), work);
   }
   const auto proved = static_cast<std::size_t>(std::count_if(
@@ -252,8 +267,10 @@ std::string summary(const answer& a) {
       a.ended_after ? fmt::format("; the time limit of {} was reached, --time-limit raises it",
                                   duration_text(*a.ended_after))
                     : "";
-  return fmt::format("not certified: {} proved, {} left open ({}){}\n", counted(proved, "root"),
-                     counted(a.list.size() - proved, "region"), work, limit);
+  const std::string where =
+      a.roots.of_period ? " in one period, " + range_text(*a.roots.of_period) : "";
+  return fmt::format("not certified: {} proved, {} left open{} ({}){}\n", counted(proved, "root"),
+                     counted(a.list.size() - proved, "region"), where, work, limit);
 }
 
 std::string as_text(const answer& a, long digits) {
@@ -313,6 +330,9 @@ json as_json(const expression& f, const roots_options& options, const answer& a,
     list.push_back(std::move(entry));
   }
   result["roots"] = std::move(list);
+  if (const auto& one = a.roots.of_period) {
+    result["of_period"] = {{"period", to_text(one->period)}, {"in", range_text(*one)}};
+  }
   json places = json::array();
   for (const singular_place& s : a.roots.singular) {
     json entry{{"pole_order", s.pole_order}};
@@ -382,8 +402,10 @@ printed_opinion verify(const expression& f, const given_range& range, const answ
   const progress line;
   line.show("looking for a second opinion");
   const std::string first_route = fmt::format("the search, {} boxes", a.roots.account.boxes);
+  const auto& one = a.roots.of_period;
   printed_opinion result(
-      roots_again(f, range.first.end, range.second.end, as_proved(a), first_route, digits, threads),
+      roots_again(f, one ? one->lower : range.first.end, one ? one->upper : range.second.end,
+                  as_proved(a), first_route, digits, threads),
       digits);
   add_checkers_opinion(result, f, range, a, first_route, digits);
   return result;

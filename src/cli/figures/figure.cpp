@@ -41,10 +41,7 @@ std::string rounded_up(const rational& q) {
   long exponent = 0;
   for (; q >= 10 * unit; ++exponent) unit *= 10;
   for (; q < unit; --exponent) unit /= 10;
-  const rational tenths(10 * q / unit);
-  integer digits;
-  mpz_cdiv_q(digits.backend().data(), mpq_numref(tenths.backend().data()),
-             mpq_denref(tenths.backend().data()));
+  integer digits = ceil_of(rational(10 * q / unit));
   if (digits == 100) {
     digits = 10;
     ++exponent;

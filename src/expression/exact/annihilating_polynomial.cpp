@@ -80,10 +80,7 @@ exact_number exact_field::without_reciprocals(exact_number x) {
     for (const auto& [m, c] : x) {
       for (const auto& [g, exponent] : m) {
         if (exponent >= 0) continue;
-        integer whole;
-        mpz_fdiv_q(whole.backend().data(), mpq_numref(exponent.backend().data()),
-                   mpq_denref(exponent.backend().data()));
-        least[g] = std::min(least[g], rational(whole));
+        least[g] = std::min(least[g], rational(floor_of(exponent)));
       }
     }
     if (least.empty()) return x;

@@ -12,12 +12,6 @@ std::size_t bits_of(const rational& q) {
 }
 bool is_integer(const rational& q) { return denominator(q) == 1; }
 
-integer floor_of(const rational& q) {
-  integer n;
-  mpz_fdiv_q(n.backend().data(), mpq_numref(q.backend().data()), mpq_denref(q.backend().data()));
-  return n;
-}
-
 long as_long(const integer& n) {
   if (mpz_fits_slong_p(n.backend().data()) == 0) throw not_decided();
   return mpz_get_si(n.backend().data());

@@ -16,8 +16,6 @@ inline const rational half(1, 2);
 /// The bits of the numerator or of the denominator, whichever is longer.
 [[nodiscard]] std::size_t bits_of(const rational& q);
 [[nodiscard]] bool is_integer(const rational& q);
-/// The greatest integer that is not greater than q.
-[[nodiscard]] integer floor_of(const rational& q);
 /// Throws not_decided where n is too long.
 [[nodiscard]] long as_long(const integer& n);
 /// c^n for c != 0. Throws not_decided where that has more than about most_bits bits.

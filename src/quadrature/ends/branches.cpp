@@ -15,9 +15,7 @@ bool not_positive(const ball& x) { return certainly_less_equal(x, ball(0, 64)); 
 std::optional<long> integer_below(const ball& x) {
   constexpr long most = 1L << 40;
   if (!x.is_bounded() || magnitude::power_of_two(40) <= x.magnitude_upper()) return std::nullopt;
-  const rational q = lower_rational(x);
-  integer n;
-  mpz_fdiv_q(n.backend().data(), numerator(q).backend().data(), denominator(q).backend().data());
+  const integer n = floor_of(lower_rational(x));
   if (abs(n) >= most) return std::nullopt;
   return static_cast<long>(n);
 }

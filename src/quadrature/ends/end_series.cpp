@@ -361,8 +361,15 @@ POLHODE_REGULAR(sin)
 POLHODE_REGULAR(cos)
 POLHODE_REGULAR(sinh)
 POLHODE_REGULAR(cosh)
-POLHODE_REGULAR(tanh)
 #undef POLHODE_REGULAR
+
+/// By exponentials where the argument has a logarithm: e^(m L) is t^m.
+end_series tanh(const end_series& x) {
+  end_series r = end_series::regular(x, "tanh", [](const auto& g) { return tanh(g); });
+  if (!r.blocked_ || x.blocked_ || x.log_degree() == 0) return r;
+  end_series other = 1 - 2 / (exp(x * 2) + 1);
+  return other.blocked_ ? r : other;
+}
 
 namespace {
 

@@ -30,15 +30,9 @@ ball not_negative(const ball& x) {
 
 /// Exponents stay short: to a multiple of 2^-64 below (above) them.
 rational rounded(const rational& q, int direction) {
-  constexpr mp_bitcnt_t places = 64;
-  integer scaled = numerator(q) << places;
-  integer result;
-  if (direction < 0) {
-    mpz_fdiv_q(result.backend().data(), scaled.backend().data(), denominator(q).backend().data());
-  } else {
-    mpz_cdiv_q(result.backend().data(), scaled.backend().data(), denominator(q).backend().data());
-  }
-  return rational(result) / rational(integer(integer(1) << places));
+  const rational unit(integer(1), integer(integer(1) << 64U));
+  const rational scaled = q / unit;
+  return rational(direction < 0 ? floor_of(scaled) : ceil_of(scaled)) * unit;
 }
 
 rational lesser(const rational& x, const rational& y) { return x < y ? x : y; }
@@ -53,12 +47,7 @@ exponent_range range_of(const ball& y) { return {lower_rational(y), upper_ration
 
 bool is_certainly_not_whole(const ball& y) {
   if (!y.is_bounded()) return false;
-  const rational low = lower_rational(y);
-  const rational high = upper_rational(y);
-  integer next;  // the least whole number that is not below the set
-  mpz_cdiv_q(next.backend().data(), numerator(low).backend().data(),
-             denominator(low).backend().data());
-  return rational(next) > high;
+  return rational(ceil_of(lower_rational(y))) > upper_rational(y);
 }
 
 /// 1/(e d): the greatest value of t^d |log t|.
@@ -164,9 +153,16 @@ growth_bound growth_bound::constant_like(const ball& x) const {
   return constant_of(x, one_.constant_like(x));
 }
 
+growth_bound growth_bound::reciprocal_of(const growth_bound& y) {
+  growth_bound result = y.constant_like(rational(1)) / y;
+  if (!result.blocked_) result.inverse_ = std::make_shared<const growth_bound>(y);
+  return result;
+}
+
 growth_bound operator-(const growth_bound& x) {
   if (x.blocked_) return x;
   growth_bound result = x;
+  if (x.inverse_) result.inverse_ = std::make_shared<const growth_bound>(-*x.inverse_);
   result.sign_ = -x.sign_;
   result.series_ = -x.series_;
   if (x.constant_) result.constant_ = -*x.constant_;
@@ -220,6 +216,7 @@ growth_bound operator*(const growth_bound& x, const growth_bound& y) {
 
 growth_bound operator/(const growth_bound& x, const growth_bound& y) {
   if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  if (y.inverse_) return x * *y.inverse_;
   growth_bound result = x.made(
       "a quotient", x.most_ / y.least_, x.upper_exponent_ - y.lower_exponent_, x.least_ / y.most_,
       x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
@@ -265,8 +262,14 @@ growth_bound pow(const growth_bound& x, long n) {
 
 growth_bound pow(const growth_bound& x, const growth_bound& y) {
   if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
-  // For x < 0 it is defined where y happens to be whole.
-  if (!y.constant_ && x.sign_ < 0) return growth_bound::blocked("a power of what is negative");
+  // For x < 0 it is defined where y happens to be whole: nowhere, for 0 < |y| < 1.
+  if (!y.constant_ && x.sign_ < 0) {
+    const bool is_fraction =
+        y.sign_ != 0 && y.upper_exponent_ >= 0 &&
+        certainly_less(upper_end(y.most_ * y.power_of_r(y.upper_exponent_)), ball(1, bits));
+    return is_fraction ? growth_bound::undefined("a power")
+                       : growth_bound::blocked("a power of what is negative");
+  }
   if (!y.constant_) return exp(y * log(x));
   // x^y is defined for x < 0 where y is whole.
   if (x.sign_ < 0 && is_certainly_not_whole(*y.constant_))

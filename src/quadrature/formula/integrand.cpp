@@ -71,6 +71,12 @@ struct supplement<growth_bound> {
   static growth_bound cospi(const growth_bound& x) { return cos(x * x.constant_like(pi(128))); }
   static growth_bound expm1(const growth_bound& x) { return exp(x) - x.constant_like(rational(1)); }
   static growth_bound log1p(const growth_bound& x) { return log(x + x.constant_like(rational(1))); }
+  static growth_bound sinh(const growth_bound& x) {
+    return (exp(x) - exp(-x)) * x.constant_like(rational(1, 2));
+  }
+  static growth_bound cosh(const growth_bound& x) {
+    return (exp(x) + exp(-x)) * x.constant_like(rational(1, 2));
+  }
   static growth_bound hypot(const growth_bound& x, const growth_bound& y) {
     return sqrt(x * x + y * y);
   }

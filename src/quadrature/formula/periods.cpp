@@ -99,10 +99,7 @@ std::optional<integer> whole_count(const end_point& a, const end_point& b,
     if (!quotient.is_bounded()) return std::nullopt;
     const rational low = lower_rational(quotient);
     if (upper_rational(quotient) - low > rational(1, 1024)) continue;
-    integer n;
-    mpz_fdiv_q(n.backend().data(), numerator(low).backend().data(),
-               denominator(low).backend().data());
-    return n;
+    return floor_of(low);
   }
   return std::nullopt;
 }
@@ -117,15 +114,24 @@ end_point moved(const end_point& x, const pi_combination& period, const integer&
 
 }  // namespace
 
+namespace {
+
+std::optional<pi_combination> proved_period(const integrand& f, const formula& recorded) {
+  const std::optional<pi_combination> period = period_to_try(recorded);
+  if (!period || !f.under(symmetry::translation(*period)).is_invariant()) return std::nullopt;
+  return period;
+}
+
+}  // namespace
+
 std::optional<whole_periods> whole_periods_of(const integrand& f, const formula& recorded,
                                               const end_point& a, const end_point& b) {
   constexpr long least = 64;
   if (!f.under || a.is_infinite() || b.is_infinite()) return std::nullopt;
-  const std::optional<pi_combination> period = period_to_try(recorded);
+  const std::optional<pi_combination> period = proved_period(f, recorded);
   if (!period) return std::nullopt;
   std::optional<integer> count = whole_count(a, b, *period);
   if (!count || *count < least) return std::nullopt;
-  if (!f.under(symmetry::translation(*period)).is_invariant()) return std::nullopt;
   if (a.form() && b.form()) {
     // Where the range is whole periods, the count from a ball may be less by one.
     for (const integer& n : {*count, integer(*count + 1)}) {
@@ -138,3 +144,12 @@ std::optional<whole_periods> whole_periods_of(const integrand& f, const formula&
 }
 
 }  // namespace polhode::detail
+
+namespace polhode {
+
+std::optional<pi_combination> period_of(const expression& f) {
+  const detail::integrand g = integrand_of(f);
+  return detail::proved_period(g, detail::formula(g.record));
+}
+
+}  // namespace polhode

@@ -135,13 +135,6 @@ class in_circle {
     return frequency{w->slope, of_pi};
   }
 
-  static integer floor_of(const rational& q) {
-    integer result;
-    mpz_fdiv_q(result.backend().data(), mpq_numref(q.backend().data()),
-               mpq_denref(q.backend().data()));
-    return result;
-  }
-
   struct sine_and_cosine {
     hyperexponential_sum sine;
     hyperexponential_sum cosine;

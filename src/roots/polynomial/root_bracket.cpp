@@ -33,20 +33,7 @@ rational power_of_two(long n) {
 /// A dyadic number at a distance of at most an eighth of the width from x.
 rational near(const rational& x, const rational& width) {
   const rational step = power_of_two(log2_of(width) - 4);
-  const rational quotient = x / step;
-  integer whole;
-  mpz_fdiv_q(whole.backend().data(), mpq_numref(quotient.backend().data()),
-             mpq_denref(quotient.backend().data()));
-  return rational(whole) * step;
-}
-
-/// A point inside the bracket: the middle, or the geometric one where the ends differ much in size.
-rational inner_point(const exact_interval& b) {
-  const rational& low = *b.lower;
-  const rational& high = *b.upper;
-  if (low > 0 && high > 16 * low) return power_of_two((log2_of(low) + log2_of(high)) / 2);
-  if (high < 0 && low < 16 * high) return -power_of_two((log2_of(low) + log2_of(high)) / 2);
-  return near(b.middle(), b.width() / 4);
+  return rational(floor_of(rational(x / step))) * step;
 }
 
 /// The bracket with the values at its ends.
@@ -225,6 +212,14 @@ ball polynomial_values::at(const rational& x, precision relative_bits) {
   rational value = 0;
   for (std::size_t k = p_.size(); k-- > 0;) value = value * y + rational(p_[k]);
   return {value, bits_};
+}
+
+rational inner_point(const exact_interval& b) {
+  const rational& low = *b.lower;
+  const rational& high = *b.upper;
+  if (low > 0 && high > 16 * low) return power_of_two((log2_of(low) + log2_of(high)) / 2);
+  if (high < 0 && low < 16 * high) return -power_of_two((log2_of(low) + log2_of(high)) / 2);
+  return near(b.middle(), b.width() / 4);
 }
 
 exact_interval narrowed(polynomial_values& p, exact_interval bracket, long bits) {

@@ -5,7 +5,9 @@
 
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
 #include "roots/count_zeros.hpp"
+#include "roots/polynomial/root_bracket.hpp"
 #include "taylor_bounds.hpp"
 
 namespace polhode::detail {
@@ -118,8 +120,8 @@ class examination {
     series_type over = series(b, x, n);
     if (is_certainly_not_zero(over[0])) return exclude(b.x, x);
     if (over[0].is_undefined() || over[1].is_undefined()) {
-      if (!has_no_root_where_defined(b) && !by_structure(b)) halve(b);
-      return;
+      if (has_no_root_where_defined(b) || by_structure(b)) return;
+      return b.is_left_whole ? leave(std::move(b)) : halve(std::move(b));
     }
     const ball middle(b.x.middle(), b.bits);
     const series_type at_middle = series(b, middle, n);
@@ -137,6 +139,7 @@ class examination {
     const bool noisy = at_middle[0].radius() > scale(f.value.radius(), -least_gain);
     if (noisy) b.bits = std::max(b.bits, std::min(2 * b.bits, most_bits(b)));
     if (is_turn_for_structure(b.halvings) && by_structure(b)) return;
+    if (b.is_left_whole && !over[0].is_bounded()) return leave(std::move(b));
     halve(b);
   }
 
@@ -182,6 +185,7 @@ class examination {
         return true;
       }
     }
+    if (is_long(b.x)) return false;  // a cut in size gains more
     const ball left = intersection(image, x);
     if (left.is_undefined() || !left.is_bounded()) return false;
     work_box rest = b;
@@ -200,19 +204,28 @@ class examination {
     return true;
   }
 
+  void leave(work_box b) {
+    b.remark = "not resolved by " + std::to_string(b.halvings) + " halvings";
+    result_.stuck.push_back(std::move(b));
+  }
+
+  /// The middle; of a box whose ends are far apart in size, about their geometric mean.
+  static rational cut_of(const exact_box& x) { return is_long(x) ? inner_point(x) : x.middle(); }
+  static bool is_long(const exact_box& x) {
+    constexpr long far_apart = 1L << 16;
+    return (*x.lower > 0 && *x.upper > far_apart * *x.lower) ||
+           (*x.upper < 0 && *x.lower < far_apart * *x.upper);
+  }
+
   void halve(work_box b) {
     constexpr int times_around_zero = 12;
     const auto zero = b.halvings >= halvings_beside_zero ? kink_in(b) : std::nullopt;
     const bool goes_on = b.halvings < options_.most_halvings ||
                          (zero && b.halvings < times_around_zero * options_.most_halvings);
-    if (!goes_on || b.x.width() == 0) {
-      b.remark = "not resolved by " + std::to_string(b.halvings) + " halvings";
-      result_.stuck.push_back(std::move(b));
-      return;
-    }
+    if (!goes_on || b.x.width() == 0) return leave(std::move(b));
     ++b.halvings;
     work_box right = b;
-    right.x.lower = b.x.middle();
+    right.x.lower = cut_of(b.x);
     b.x.upper = right.x.lower;
     // A part beside an exact zero is at a scale of its own.
     if (zero && *zero < *right.x.lower) right.halvings = halvings_beside_zero;
@@ -305,7 +318,22 @@ class examination {
       }
     }
     const auto zero = exact_zero_in(b);
-    return zero && (by_exact_point(b, wide, x, *zero) || by_growth(b, wide, x, *zero));
+    if (zero) return by_exact_point(b, wide, x, *zero) || by_growth(b, wide, x, *zero);
+    return !is_defined && by_removed_point(b, x);
+  }
+
+  /// f is not 0 at the simplest rational number in x, or not defined there, and its growth on both
+  /// sides proves that x has no root: sin(x)/x and x^x at 0.
+  bool by_removed_point(const work_box& b, const ball& x) {
+    const rational at = simplest_between(*b.x.lower, *b.x.upper);
+    if (height(at) > simple_height) return false;
+    const ball point(at, b.bits);
+    const auto s = structure(problem(b), function_structure::variable(point, point));
+    if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
+    if (!grows_on_both_sides(b, x, {at, 0})) return false;
+    result_.singular.push_back({s->natural_range() ? x : point, 0});
+    result_.excluded.push_back({b.x, x});
+    return true;
   }
 
   /// The only root of g in the box, to the digits that a place is worth.
@@ -320,15 +348,28 @@ class examination {
     return both.is_undefined() ? root : both;
   }
 
-  /// The order of the zero of f at the simplest rational number in the box, where f is exactly 0 there.
+  /// The order of the zero of f at the simplest rational number in the box, or the simplest rational
+  /// multiple of pi, where f is exactly 0 there.
   struct exact_zero {
-    rational at;
+    pi_combination at;
     long multiplicity = 0;  // 0 where it was not found
   };
   static constexpr std::size_t simple_height = 200;
   std::optional<exact_zero> exact_zero_in(const work_box& b) {
-    exact_zero r{simplest_between(*b.x.lower, *b.x.upper), 0};
-    if (height(r.at) > simple_height) return std::nullopt;
+    const rational simplest = simplest_between(*b.x.lower, *b.x.upper);
+    if (height(simplest) <= simple_height) {
+      if (auto r = exact_zero_at({simplest, 0}, b)) return r;
+    }
+    const precision p = b.bits + 64;
+    const rational lower = upper_rational(ball(*b.x.lower, p) / pi(p));
+    const rational upper = lower_rational(ball(*b.x.upper, p) / pi(p));
+    if (lower > upper) return std::nullopt;
+    const rational turns = simplest_between(lower, upper);
+    if (turns == 0 || height(turns) > simple_height) return std::nullopt;
+    return exact_zero_at({0, turns}, b);
+  }
+  std::optional<exact_zero> exact_zero_at(const pi_combination& at, const work_box& b) {
+    exact_zero r{at, 0};
     for (const int order : {1, 8, 40}) {
       const auto s = structure(problem(b), function_structure::variable_at(r.at, order, b.bits));
       if (!s || !s->series()) return std::nullopt;
@@ -366,20 +407,38 @@ class examination {
       if (over[k].is_undefined()) return false;
     }
     if (contains_zero(over[m])) return false;
-    add(b, wide, x, ball(zero.at, b.bits), m, zero.at, problem(b).g);
+    add_exact(b, wide, x, zero.at, m);
     return true;
+  }
+
+  /// The root of the problem at the point, with which add is called.
+  void add_exact(const work_box& b, const exact_box& wide, const ball& x, const pi_combination& at,
+                 long multiplicity) {
+    if (at.is_rational()) {
+      return add(b, wide, x, ball(at.q, b.bits), multiplicity, at.q, problem(b).g);
+    }
+    // The same root, simple, to refine.
+    const expression distance =
+        parse("x - (" + to_text(at.q) + ") - (" + to_text(at.r) + ")*pi", {"x"});
+    add(b, wide, x, at.at(b.bits), multiplicity, std::nullopt,
+        std::make_shared<real_function>(distance));
   }
 
   /// f is 0 at c in x, and its growth on both sides of c proves that x has no other root.
   bool by_growth(const work_box& b, const exact_box& wide, const ball& x, const exact_zero& zero) {
+    if (!grows_on_both_sides(b, x, zero.at)) return false;
+    add_exact(b, wide, x, zero.at, zero.multiplicity);
+    return true;
+  }
+  /// No root in x beside the point, which lies in it.
+  bool grows_on_both_sides(const work_box& b, const ball& x, const pi_combination& at) {
     const real_function& f = *problem(b).g;
     const exact_box whole = exact_ends(x);
-    if (!f.has_no_root_beside(zero.at, *whole.upper - zero.at) ||
-        !f.has_no_root_beside(zero.at, *whole.lower - zero.at)) {
-      return false;
-    }
-    add(b, wide, x, ball(zero.at, b.bits), 0, zero.at, problem(b).g);
-    return true;
+    const ball point = at.at(b.bits + 64);
+    const rational above = upper_rational(ball(*whole.upper, b.bits + 64) - point);
+    const rational below = lower_rational(ball(*whole.lower, b.bits + 64) - point);
+    return above > 0 && below < 0 && f.has_no_root_beside(at, above) &&
+           f.has_no_root_beside(at, below);
   }
 
   // -------------------------------------------------------------------------------------------
@@ -438,13 +497,16 @@ class examination {
         }
       }
     }
-    const rational farthest = rational(integer(1) << 1024U);
+    const rational farthest = rational(integer(1) << (1U << 17));
     if (size > farthest) {
       b.remark = "the sign towards infinity is not proved";
       result_.stuck.push_back(std::move(b));
       return;
     }
-    const rational next_size = size < 1 ? rational(1) : rational(2 * size + 1);
+    const rational great = rational(integer(1) << 64U);
+    const rational next_size = size < 1       ? rational(1)
+                               : size < great ? rational(2 * size + 1)
+                                              : rational(size * size);
     const rational cut = rightward ? next_size : rational(-next_size);
     work_box near = b;
     (rightward ? near.x.upper : near.x.lower) = cut;
@@ -492,7 +554,7 @@ class examination {
       if (by_structure(b)) return;
       if (const auto zero = exact_zero_in(b)) {
         r.verdict = root_verdict::at_least_one;
-        r.exact = zero->at;
+        if (zero->at.is_rational()) r.exact = zero->at.q;
       } else if (changes_sign(b)) {
         r.verdict = root_verdict::at_least_one;
       }

@@ -65,6 +65,10 @@ class searcher {
     }
     for (long boxes = 0; !s_.pending.empty(); ++boxes) {
       if (is_over(boxes)) return;
+      if (is_beside_unresolved(s_.pending.back()) && !s_.pending.back().is_left_whole) {
+        forget_ahead(s_.pending.back());
+        s_.pending.back().is_left_whole = true;
+      }
       if (s_.pending.back().ahead == nullptr) examine_next();
       const work_box b = std::move(s_.pending.back());
       s_.pending.pop_back();
@@ -74,6 +78,24 @@ class searcher {
     }
     if (!s_.concluded) conclude();
     s_.concluded = true;
+  }
+
+  /// A row of unresolved boxes ends where the box begins: a function that is not defined there, say, at
+  /// one end. Were all boxes beside it halved to the end, they would use up the limit on unresolved
+  /// ones, and nothing to their right would be found.
+  [[nodiscard]] bool is_beside_unresolved(const work_box& b) const {
+    constexpr std::size_t long_row = 8;
+    const auto& stuck = s_.stuck;
+    if (stuck.size() < long_row) return false;
+    const std::optional<rational>* end = &b.x.lower;
+    for (std::size_t i = 0; i < long_row; ++i) {
+      const work_box& left = stuck[stuck.size() - 1 - i];
+      if (left.problem != b.problem || !left.x.upper || !*end || *left.x.upper != **end) {
+        return false;
+      }
+      end = &left.x.lower;
+    }
+    return true;
   }
 
   /// About the sum of the widths of the boxes that are left; nothing where one is unbounded.

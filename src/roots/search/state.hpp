@@ -31,6 +31,8 @@ struct work_box {
   precision bits = first_bits;
   std::size_t problem = 0;
   std::string remark;  // why it is left unresolved
+  /// It is not halved where f is not defined on the whole of it, or not bounded.
+  bool is_left_whole = false;
   /// What its examination gives, where it was examined before its turn.
   std::shared_ptr<outcome> ahead = nullptr;
 };
