@@ -16,6 +16,7 @@ library_packages=(
 )
 oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
 peer_packages=(libpari-dev)  # of the benchmarks alone
+python_packages=(python3-dev pybind11-dev python3-pytest)
 # Of the pages of scenes, unless npm comes from elsewhere than Debian.
 page_packages=()
 if ! { command -v node && command -v npm; } >/dev/null; then page_packages=(nodejs npm); fi
@@ -125,7 +126,7 @@ fingerprint() {
   echo "node $(node --version 2>/dev/null) npm $(npm --version 2>/dev/null)"
   if command -v dpkg-query >/dev/null; then
     for package in "${toolchain_packages[@]}" "${library_packages[@]}" "${oracle_packages[@]}" \
-      "${peer_packages[@]}"; do
+      "${peer_packages[@]}" "${python_packages[@]}"; do
       name=$(installed_of "$package") || continue
       dpkg-query --show "$name"
     done

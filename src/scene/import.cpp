@@ -272,6 +272,7 @@ std::vector<link_inertia> read_link_inertias(const std::string& text) {
     link.line = one.line;
     link.problem = one.problem;
     if (link.problem.empty()) {
+      link.tensor = one.tensor;
       try {
         detail::settle(link, one.tensor);
       } catch (const input_error& error) {

@@ -53,7 +53,8 @@ TEST(RootsAtKinks, AreAllFound) {
 
 /// Where the growth beside the zero says nothing, the whole region is shown, and never a point for it.
 TEST(RootsAtKinks, ThatAreNotAloneForCertainAreRegions) {
-  const root_set found = isolate_roots(parse("x*abs(sin(1/x))*sqrt(abs(x))"), -1, 1);
+  const root_set found =
+      isolate_roots(parse("x*abs(sin(1/x))*sqrt(abs(x))"), -1, 1, {.most_boxes = 20'000});
   EXPECT_FALSE(found.is_resolved());
   const auto s = isolate_roots<double>([](auto x) { return sqrt(x * x) * sin(1 / x) * x; }, -1, 1,
                                        {.isolation = {.most_boxes = 300}});

@@ -1,0 +1,134 @@
+"""Rigid bodies, scenes and the claims of the paper: the commands of the program."""
+
+import pathlib
+import tempfile
+
+from ._polhode import ball, link_tensors
+from .program import PolhodeError, answer_of, run, text_of
+
+__all__ = ["Body", "PolhodeError", "certify", "check", "constants", "cost", "figures", "run_scene",
+           "table"]
+
+
+def _joined(numbers):
+    return ",".join(text_of(x) for x in numbers)
+
+
+def _options(options):
+    """digits=30, lower_bound=True: ["--digits", "30", "--lower-bound"]."""
+    result = []
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        result.append("--" + name.replace("_", "-"))
+        if value is not True:
+            result.append(_joined(value) if isinstance(value, (list, tuple)) else text_of(value))
+    return result
+
+
+class Body:
+    """A rigid body: by its principal moments, its tensor (xx, yy, zz, xy, xz, yz), the paper's
+    numbers a and b, its rotational constants, or a JSON file of one of these.
+
+    >>> from polhode import Body
+    >>> phase = Body(moments=[3, 2, 1]).phase("0.1", digits=20)
+    >>> print(f"{phase['phase']:.20}")
+    10.898904589739345035...
+    """
+
+    def __init__(self, *, moments=None, tensor=None, ab=None, rotational_constants=None,
+                 file=None):
+        ways = {"moments": moments, "tensor": tensor, "ab": ab,
+                "rotational": rotational_constants, "body": file}
+        given = {name: value for name, value in ways.items() if value is not None}
+        if len(given) != 1:
+            raise TypeError("a body is given in one way: moments, tensor, ab, rotational_constants "
+                            "or file")
+        (name, value), = given.items()
+        self._options = ["--" + name, str(value) if name == "body" else _joined(value)]
+
+    @classmethod
+    def from_urdf(cls, path, link):
+        """The body of a link of a URDF, SDF or MuJoCo file."""
+        links = link_tensors(pathlib.Path(path).read_text(encoding="utf-8"))
+        chosen = [(tensor, problem) for name, tensor, problem in links if name == link]
+        if len(chosen) != 1:
+            names = ", ".join(name for name, _, _ in links)
+            raise PolhodeError(f"{path}: there are {len(chosen)} links {link!r} with an inertia; "
+                               f"the links are {names}")
+        (tensor, problem), = chosen
+        if problem:
+            raise PolhodeError(f"{path}: {problem}")
+        return cls(tensor=tensor)
+
+    def describe(self, **options):
+        """What kind of body it is, its constants, and what exists: the command body."""
+        return answer_of("body", *self._options, *_options(options))
+
+    @property
+    def kind(self):
+        """'physical', 'planar' or 'non-physical'."""
+        return self.describe()["kind"]
+
+    def phase(self, c, **options):
+        """The Montgomery phase at c: the command phase."""
+        return answer_of("phase", *self._options, "--c", c, *_options(options))
+
+    def racket(self, **options):
+        """The twists of the tennis racket effect: the command racket."""
+        return answer_of("racket", *self._options, *_options(options))
+
+    def curve(self, **options):
+        """The curve C beside S: the command curve."""
+        return answer_of("curve", *self._options, *_options(options))
+
+    def __repr__(self):
+        return f"<body {' '.join(self._options)}>"
+
+
+def constants(name=None, digits=50):
+    """The constants of the paper: one ball, or a dict of all.
+
+    >>> import polhode
+    >>> print(f"{polhode.constants('beta', 20):.20}")
+    0.028973228037839460089...
+    """
+    answer = answer_of("constants", *([name] if name else []), "--digits", digits)
+    if name:
+        return answer[name]
+    return {key: value for key, value in answer.items() if isinstance(value, ball)}
+
+
+def certify(*claims, out=None, **options):
+    """Proves claims of the paper, all where none is named: the command certify."""
+    return answer_of("certify", *claims, *_options({"out": out, **options}))
+
+
+def check(*paths, **options):
+    """Checks certificates with the independent checker: the command check."""
+    return answer_of("check", *paths, *_options(options))
+
+
+def table(quantity, **options):
+    """A table of a quantity of free rotations, as its rows: the command table."""
+    return answer_of("table", quantity, *_options(options))
+
+
+def cost(*arguments, **options):
+    """What accuracy costs in time: the command cost."""
+    return answer_of("cost", *arguments, *_options(options))
+
+
+def figures(out, *arguments, **options):
+    """Draws the figures of the paper into a directory: the command figures."""
+    return run("figures", *arguments, "--out", out, *_options(options))
+
+
+def run_scene(scene, **options):
+    """The effects that a scene, a file or its text, asks for: the command scene."""
+    if isinstance(scene, str) and "\n" in scene:
+        with tempfile.TemporaryDirectory() as directory:
+            path = pathlib.Path(directory) / "scene.toml"
+            path.write_text(scene, encoding="utf-8")
+            return answer_of("scene", path, *_options(options))
+    return answer_of("scene", scene, *_options(options))

@@ -1,0 +1,409 @@
+// Values, integrals, roots and systems: long work, without the interpreter's lock.
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "conversions.hpp"
+#include "formulas.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "polhode/roots/complex_roots.hpp"
+#include "polhode/roots/isolate.hpp"
+#include "polhode/roots/systems.hpp"
+#include "polhode/scene/link_inertias.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+/// Ctrl-C was pressed: what a thread leaves its work with.
+struct stopped {};
+
+using stop_flag = std::shared_ptr<std::atomic<bool>>;
+
+/// The result of work(flag), on a thread of its own, while this one listens to signals. On Ctrl-C, and
+/// with TimeoutError after so many seconds, the caller goes on at once; the thread ends where the work
+/// looks at the flag, and its result is dropped.
+template <class Work>
+auto interruptible(std::optional<double> time_limit, Work work) {
+  if (time_limit && !(*time_limit > 0))
+    throw input_error("time_limit must be positive, in seconds");
+  using result_type = decltype(work(stop_flag()));
+  struct shared_state {
+    std::mutex mutex;
+    std::condition_variable is_done;
+    bool done = false;
+    std::optional<result_type> result;
+    std::exception_ptr error;
+  };
+  const auto state = std::make_shared<shared_state>();
+  const auto flag = std::make_shared<std::atomic<bool>>(false);
+  std::thread([state, flag, work = std::move(work)] {
+    std::optional<result_type> result;
+    std::exception_ptr error;
+    try {
+      result.emplace(work(flag));
+    } catch (...) {
+      error = std::current_exception();
+    }
+    const std::lock_guard lock(state->mutex);
+    state->result = std::move(result);
+    state->error = error;
+    state->done = true;
+    state->is_done.notify_all();
+  }).detach();
+  constexpr auto between_signals = std::chrono::milliseconds(50);
+  const auto start = std::chrono::steady_clock::now();
+  while (true) {
+    bool done = false;
+    {
+      const py::gil_scoped_release without_lock;
+      std::unique_lock lock(state->mutex);
+      done = state->is_done.wait_for(lock, between_signals, [&] { return state->done; });
+    }
+    if (done) break;
+    if (PyErr_CheckSignals() != 0) {
+      *flag = true;
+      throw py::error_already_set();
+    }
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    if (time_limit && elapsed.count() > *time_limit) {
+      *flag = true;
+      PyErr_Format(PyExc_TimeoutError, "not finished within time_limit=%s seconds",
+                   fmt::format("{}", *time_limit).c_str());
+      throw py::error_already_set();
+    }
+  }
+  if (state->error) std::rethrow_exception(state->error);
+  return std::move(*state->result);
+}
+
+void expect_going_on(const stop_flag& flag) {
+  if (*flag) throw stopped();
+}
+
+// -----------------------------------------------------------------------------------------------
+
+ball value_of(const expression& f, long digits, std::optional<double> time_limit) {
+  constexpr precision most_guard = 1L << 14;
+  return interruptible(time_limit, [=](const stop_flag& flag) {
+    if (const auto q = f.rational_value()) return ball(*q, bits_for_digits(digits) + 8);
+    return enclose_to_digits(
+        [&](precision p) {
+          expect_going_on(flag);
+          return f.value(p);
+        },
+        digits, most_guard);
+  });
+}
+
+std::string number_text(const ball& x, long digits) { return to_decimal(x, digits); }
+
+struct integral_answer {
+  integral found;
+  long digits;
+  [[nodiscard]] bool is_certified() const { return found.verdict == status::certified; }
+  [[nodiscard]] std::string reason_text() const {
+    if (is_certified()) return "";
+    return found.obstacle.empty() ? to_text(found.why)
+                                  : to_text(found.why) + " (" + found.obstacle + ")";
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("<integral {}: {}{}>", number_text(found.enclosure, digits),
+                       to_text(found.verdict), is_certified() ? "" : ", " + reason_text());
+  }
+};
+
+py::dict account_of(const integral_account& a) {
+  using namespace py::literals;
+  py::list rules;
+  for (const quadrature_rule& r : a.rules) rules.append(to_text(r));
+  return py::dict("rules"_a = rules, "panels"_a = a.panels, "evaluations"_a = a.evaluations,
+                  "region_evaluations"_a = a.region_evaluations, "terms"_a = a.terms,
+                  "precision"_a = a.precision);
+}
+
+integral_answer integrate_from_python(py::handle f, py::handle a, py::handle b, long digits,
+                                      int threads, std::optional<long> absolute_exponent,
+                                      std::optional<double> time_limit) {
+  const expression formula = formula_from(f, {"x"});
+  const end_point from = end_from(a);
+  const end_point to = end_from(b);
+  integrate_options options;
+  options.digits = checked_digits(digits);
+  options.threads = threads;
+  options.absolute_exponent = absolute_exponent;
+  return interruptible(time_limit, [=](const stop_flag& flag) {
+    integrate_options watched = options;
+    watched.progress = [&](const integration_progress&) { expect_going_on(flag); };
+    integral found = settled_zero(formula, integrate(formula, from, to, watched));
+    return integral_answer{std::move(found), digits};
+  });
+}
+
+// -----------------------------------------------------------------------------------------------
+
+struct root_answer {
+  ball value;
+  root_verdict verdict = root_verdict::unresolved;
+  long multiplicity = 0;
+  std::optional<rational> exact;
+  std::string remark;
+  long digits = default_digits;
+};
+
+struct roots_answer {
+  std::vector<root_answer> roots;
+  root_set found;
+  bool certified = false;
+};
+
+roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long digits, int threads,
+                               std::optional<double> time_limit) {
+  const expression formula = formula_from(f, {"x"});
+  const end_point lower = end_from(a);
+  const end_point upper = end_from(b);
+  (void)checked_digits(digits);
+  return interruptible(time_limit, [=](const stop_flag& flag) {
+    isolate_options options;
+    options.threads = threads;
+    options.progress = [&](const isolation_progress&) { return !*flag; };
+    roots_answer result;
+    result.found = isolate_roots(formula, lower, upper, options);
+    result.certified = result.found.is_resolved();
+    for (const root_region& region : result.found.regions) {
+      expect_going_on(flag);
+      root_answer r{region.enclosure, region.verdict, region.multiplicity,
+                    region.exact,     region.remark,  digits};
+      if (is_one_root(region.verdict)) {
+        const refined_root fine = refine(region, digits + 1);
+        r.value = fine.enclosure;
+        r.exact = fine.exact;
+        result.certified = result.certified && fine.verdict == status::certified;
+      }
+      result.roots.push_back(std::move(r));
+    }
+    return result;
+  });
+}
+
+struct system_answer {
+  std::vector<std::vector<ball>> roots;  // those that are proved
+  std::vector<std::vector<ball>> unresolved;
+  bool certified = false;
+};
+
+system_answer system_from_python(const py::sequence& equations, const py::sequence& box,
+                                 const std::optional<std::vector<std::string>>& names, long digits,
+                                 std::optional<double> time_limit) {
+  std::vector<std::string> variables;
+  if (names) {
+    variables = *names;
+  } else {
+    const std::vector<std::string> usual{"x", "y", "z"};
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      variables.push_back(i < usual.size() ? usual[i] : fmt::format("x{}", i));
+    }
+  }
+  std::vector<expression> components;
+  for (const py::handle f : equations) components.push_back(formula_from(f, variables));
+  std::vector<std::pair<rational, rational>> ranges;
+  for (const py::handle range : box) {
+    const auto ends = range.cast<py::sequence>();
+    if (ends.size() != 2) {
+      throw wrong_type("the box is given as a pair of ends for each variable: [(-2, 2), (0, 1)]");
+    }
+    const py::object low = ends[0];
+    const py::object high = ends[1];
+    ranges.emplace_back(rational_from(low, "an end"), rational_from(high, "an end"));
+  }
+  const real_system system(components);
+  (void)checked_digits(digits);
+  return interruptible(time_limit, [=](const stop_flag& flag) {
+    system_options options;
+    options.progress = [&](const isolation_progress&) { return !*flag; };
+    const system_root_set found = solve_system(system, ranges, options);
+    system_answer result;
+    result.certified = found.is_resolved();
+    for (const system_region& region : found.regions) {
+      expect_going_on(flag);
+      if (!is_one_root(region.verdict) || region.may_lie_outside) {
+        result.unresolved.push_back(region.enclosure);
+        continue;
+      }
+      const refined_system_root fine = refine(system, region, digits);
+      result.certified = result.certified && fine.verdict == status::certified;
+      result.roots.push_back(fine.enclosure);
+    }
+    return result;
+  });
+}
+
+}  // namespace
+
+void declare_computations(py::module_& m) {
+  m.def(
+      "eval",
+      [](py::handle f, long digits, std::optional<double> time_limit) {
+        return value_of(formula_from(f, {}), checked_digits(digits), time_limit);
+      },
+      py::arg("f"), py::arg("digits") = default_digits, py::kw_only(),
+      py::arg("time_limit") = py::none(),
+      R"doc(The value of a formula without variables, to so many certain digits where they can be had.
+
+>>> import polhode
+>>> print(f"{polhode.eval('exp(pi) - pi', 20):.20}")
+19.999099979189475767...
+)doc");
+
+  py::class_<integral_answer>(m, "Integral", "An integral with its proof, or how far it got.")
+      .def_property_readonly(
+          "value", [](const integral_answer& a) { return a.found.enclosure; },
+          "A ball that holds the integral, whatever the verdict.")
+      .def_property_readonly("certified", &integral_answer::is_certified,
+                             "All digits asked for are proved.")
+      .def_property_readonly("reason", &integral_answer::reason_text,
+                             "Why it is not certified; empty where it is.")
+      .def_property_readonly(
+          "account", [](const integral_answer& a) { return account_of(a.found.account); },
+          "What it cost: rules, panels, evaluations, bits.")
+      .def("__bool__", &integral_answer::is_certified)
+      .def("__float__", [](const integral_answer& a) { return nearest_double(a.found.enclosure); })
+      .def("__str__",
+           [](const integral_answer& a) { return number_text(a.found.enclosure, a.digits); })
+      .def("__repr__", &integral_answer::text);
+  m.def("integrate", &integrate_from_python, py::arg("f"), py::arg("a"), py::arg("b"),
+        py::arg("digits") = default_digits, py::kw_only(), py::arg("threads") = 1,
+        py::arg("absolute_exponent") = py::none(), py::arg("time_limit") = py::none(),
+        R"doc(The integral of f from a to b, to so many certain digits, with a proof.
+
+f is a text ("exp(-x^2)"), a function of a symbol (lambda x: polhode.exp(-x*x)), which is called
+once, or a SymPy expression. The ends are exact numbers, texts ("pi/2", "inf") or polhode.oo.
+absolute_exponent: a radius of at most 2**absolute_exponent will do. time_limit: seconds, after which
+TimeoutError is raised. Raises ValueError for what cannot be read; what cannot be proved is said by
+the answer.
+
+>>> import polhode
+>>> print(polhode.integrate(lambda x: polhode.exp(-x*x), 0, polhode.oo, 30))
+0.886226925452758013649083741670...
+)doc");
+
+  py::class_<root_answer>(m, "Root", "A root, or a part of the range that may hold roots.")
+      .def_readonly("value", &root_answer::value, "A ball that holds it.")
+      .def_property_readonly("verdict", [](const root_answer& r) { return to_text(r.verdict); })
+      .def_readonly("multiplicity", &root_answer::multiplicity, "0 where it is not known.")
+      .def_property_readonly(
+          "exact",
+          [](const root_answer& r) -> py::object {
+            return r.exact ? to_python(*r.exact) : py::object(py::none());
+          },
+          "The root as a Fraction, where it is known to be one.")
+      .def_readonly("remark", &root_answer::remark)
+      .def_property_readonly("is_proved",
+                             [](const root_answer& r) { return is_one_root(r.verdict); })
+      .def("__float__", [](const root_answer& r) { return nearest_double(r.value); })
+      .def("__str__", [](const root_answer& r) { return number_text(r.value, r.digits); })
+      .def("__repr__", [](const root_answer& r) {
+        return fmt::format(
+            "<root {}: {}>", number_text(r.value, r.digits),
+            r.multiplicity > 1 ? fmt::format("multiple {}", r.multiplicity) : to_text(r.verdict));
+      });
+  py::class_<roots_answer>(m, "Roots", "All roots in a range, in ascending order: a sequence.")
+      .def("__len__", [](const roots_answer& a) { return a.roots.size(); })
+      .def("__getitem__",
+           [](const roots_answer& a, long i) {
+             const auto n = static_cast<long>(a.roots.size());
+             if (i < -n || i >= n) throw py::index_error();
+             return a.roots[static_cast<std::size_t>(i < 0 ? i + n : i)];
+           })
+      .def("__bool__", [](const roots_answer& a) { return a.certified; })
+      .def_readonly("certified", &roots_answer::certified,
+                    "These are all roots there are, each to the digits asked for.")
+      .def_property_readonly("identically_zero",
+                             [](const roots_answer& a) { return a.found.identically_zero; })
+      .def_property_readonly(
+          "singular",
+          [](const roots_answer& a) {
+            py::list result;
+            for (const singular_place& s : a.found.singular) {
+              result.append(py::make_tuple(s.place, s.pole_order));
+            }
+            return result;
+          },
+          "Places without a root: a ball, and the order of its pole or 0.")
+      .def_property_readonly(
+          "period",
+          [](const roots_answer& a) -> py::object {
+            const auto& one = a.found.of_period;
+            return one ? py::object(py::cast(to_text(one->period))) : py::object(py::none());
+          },
+          "Of a periodic function over an unbounded range, whose roots in one period these are.")
+      .def("__repr__", [](const roots_answer& a) {
+        std::string text =
+            fmt::format("<{} root{}, {}", a.roots.size(), a.roots.size() == 1 ? "" : "s",
+                        a.certified ? "certified" : "not certified");
+        for (const root_answer& r : a.roots) text += "\n  " + number_text(r.value, 20);
+        return text + ">";
+      });
+  m.def("roots", &roots_from_python, py::arg("f"), py::arg("a"), py::arg("b"),
+        py::arg("digits") = default_digits, py::kw_only(), py::arg("threads") = 1,
+        py::arg("time_limit") = py::none(),
+        R"doc(All roots of f in [a, b], each proved; f and the ends as in integrate.
+
+>>> import polhode
+>>> for r in polhode.roots("x^3 - 3*x + 1", "-inf", "inf", digits=15): print(r)
+-1.87938524157181...
+0.347296355333860...
+1.53208888623795...
+)doc");
+
+  py::class_<system_answer>(m, "SystemRoots", "The roots of a system in a box.")
+      .def("__len__", [](const system_answer& a) { return a.roots.size(); })
+      .def("__getitem__",
+           [](const system_answer& a, long i) {
+             const auto n = static_cast<long>(a.roots.size());
+             if (i < -n || i >= n) throw py::index_error();
+             return a.roots[static_cast<std::size_t>(i < 0 ? i + n : i)];
+           })
+      .def("__bool__", [](const system_answer& a) { return a.certified; })
+      .def_readonly("certified", &system_answer::certified)
+      .def_readonly("unresolved", &system_answer::unresolved, "Boxes that may hold more roots.")
+      .def("__repr__", [](const system_answer& a) {
+        return fmt::format("<{} root{} of a system, {}>", a.roots.size(),
+                           a.roots.size() == 1 ? "" : "s",
+                           a.certified ? "certified" : "not certified");
+      });
+  m.def(
+      "link_tensors",
+      [](const std::string& text) {
+        py::list result;
+        for (const link_inertia& link : read_link_inertias(text)) {
+          py::list tensor;
+          for (const rational& q : link.tensor) tensor.append(to_python(q));
+          result.append(py::make_tuple(link.name, tensor, link.problem));
+        }
+        return result;
+      },
+      py::arg("text"),
+      "Of each link of a URDF, SDF or MuJoCo text: its name, its tensor, and why it is none.");
+  m.def("solve_system", &system_from_python, py::arg("equations"), py::arg("box"),
+        py::arg("variables") = py::none(), py::arg("digits") = default_digits, py::kw_only(),
+        py::arg("time_limit") = py::none(),
+        R"doc(All roots of a system of n equations in n variables in a box, each proved.
+
+Each equation is a text in x, y, z, x3, ..., or in `variables`, or a function of n symbols.
+
+>>> import polhode
+>>> polhode.solve_system(["x^2 + y^2 - 1", "x - y"], [(-2, 2), (-2, 2)])
+<2 roots of a system, certified>
+)doc");
+}
+
+}  // namespace polhode::python

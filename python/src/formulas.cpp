@@ -1,0 +1,291 @@
+// Symbols, formulas and the functions of both symbols and balls.
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "conversions.hpp"
+#include "formulas.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/formula_of.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+
+namespace polhode::python {
+
+namespace {
+
+constexpr const char* no_branch =
+    "a function that is to be proved cannot branch on its argument: write it with abs, min, max, "
+    "floor, ceil or sign, or split the range where the formula changes";
+constexpr const char* no_number =
+    "a formula is no number: write polhode.sin(x) for math.sin(x), and polhode.eval(f) for the "
+    "value of a formula without variables";
+
+template <class F>
+auto with_other(F f) {
+  return [f](const symbol& x, py::handle other) -> py::object {
+    const auto y = symbol_from(other);
+    if (!y) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+    return py::cast(f(x, *y));
+  };
+}
+
+/// A name that lives as long as the program, as symbol::call asks for.
+std::string_view kept(const std::string& name) {
+  static std::set<std::string> names;
+  return *names.insert(name).first;
+}
+
+using on_balls = std::function<ball(std::span<const ball>)>;
+
+/// A function under its name, by the number of its arguments: over balls, or empty where it is
+/// evaluated as a formula.
+struct named_function {
+  std::string description;
+  std::map<std::size_t, on_balls> of_arity;
+};
+
+std::size_t arity_of(const expression_function& f) {
+  return 1 + static_cast<std::size_t>(std::count(f.arguments.begin(), f.arguments.end(), ','));
+}
+
+const std::map<std::string, named_function>& all_functions() {
+  static const std::map<std::string, named_function> table = [] {
+    std::map<std::string, named_function> result;
+    const auto add = [&](const expression_function& f, std::size_t arity, const on_balls& value) {
+      named_function& known = result[f.name];
+      known.description +=
+          fmt::format("{}{}({}): {}; defined for {}.", known.description.empty() ? "" : "\n",
+                      f.name, f.arguments, f.description, f.domain);
+      known.of_arity[arity] = value;
+    };
+    for (const expression_function& f : expression_functions()) add(f, arity_of(f), nullptr);
+    for (const further_function& f : *elliptic_functions()) add(f.what, f.arity, f.value);
+#define POLHODE_OF_ONE(f, ...) \
+  result.at(#f).of_arity.at(1) = &detail::named<detail::operation::f>::value;
+#define POLHODE_OF_TWO(f, ...) \
+  result.at(#f).of_arity.at(2) = &detail::named<detail::operation::f>::value;
+    POLHODE_FUNCTION_TABLE(POLHODE_OF_ONE, POLHODE_OF_TWO, POLHODE_OF_TWO, POLHODE_NO_ROW)
+#undef POLHODE_OF_ONE
+#undef POLHODE_OF_TWO
+    return result;
+  }();
+  return table;
+}
+
+py::object call(const std::string& name, const named_function& f, const py::args& arguments) {
+  const auto of_balls = f.of_arity.find(arguments.size());
+  if (of_balls == f.of_arity.end()) {
+    std::string arities;
+    for (const auto& [arity, value] : f.of_arity) {
+      arities += fmt::format("{}{}", arities.empty() ? "" : " or ", arity);
+    }
+    throw wrong_type(fmt::format("{} takes {} argument{}, not {}", name, arities,
+                                 arities == "1" ? "" : "s", arguments.size()));
+  }
+  bool has_symbol = false;
+  precision p = bits_for_digits(default_digits) + 8;
+  for (const py::handle x : arguments) {
+    has_symbol = has_symbol || py::isinstance<symbol>(x);
+    if (py::isinstance<ball>(x)) p = x.cast<const ball&>().precision();
+  }
+  if (!has_symbol && of_balls->second) {
+    std::vector<ball> values;
+    for (const py::handle x : arguments) {
+      if (py::isinstance<ball>(x)) {
+        values.push_back(x.cast<ball>());
+      } else {
+        values.emplace_back(rational_from(x, ("the argument of " + name).c_str()), p);
+      }
+    }
+    return py::cast(of_balls->second(values));
+  }
+  std::vector<symbol> operands;
+  for (const py::handle x : arguments) {
+    if (const auto s = symbol_from(x)) {
+      operands.push_back(*s);
+    } else {
+      operands.emplace_back(rational_from(x, ("the argument of " + name).c_str()));
+    }
+  }
+  const symbol result = symbol::call(kept(name), operands);
+  if (has_symbol) return py::cast(result);
+  return py::cast(formula_of(result, {}).value(p));
+}
+
+/// How SymPy writes what Polhode writes otherwise.
+std::string from_sympy(const py::object& f) {
+  const py::object substitute = py::module_::import("re").attr("sub");
+  auto text = py::str(f).cast<std::string>();
+  const std::vector<std::pair<const char*, const char*>> names{{R"(\*\*)", "^"},
+                                                               {R"(\bAbs\b)", "abs"},
+                                                               {R"(\bE\b)", "e"},
+                                                               {R"(\bMax\b)", "max"},
+                                                               {R"(\bMin\b)", "min"},
+                                                               {R"(\bceiling\b)", "ceil"},
+                                                               {R"(\bloggamma\b)", "log_gamma"},
+                                                               {R"(\bEulerGamma\b)", "euler_gamma"},
+                                                               {R"(\bCatalan\b)", "catalan"},
+                                                               {R"(\boo\b)", "inf"}};
+  for (const auto& [from, to] : names) {
+    text = substitute(from, to, text).cast<std::string>();
+  }
+  return text;
+}
+
+bool is_of_sympy(py::handle f) {
+  return py::str(py::type::of(f).attr("__module__")).cast<std::string>().starts_with("sympy");
+}
+
+}  // namespace
+
+expression formula_from(py::handle f, const std::vector<std::string>& variables) {
+  if (py::isinstance<expression>(f)) return f.cast<expression>();
+  if (py::isinstance<py::str>(f)) return parse(f.cast<std::string>(), variables);
+  if (const auto s = symbol_from(f)) return formula_of(*s, variables);
+  if (is_of_sympy(f)) {
+    return parse(from_sympy(py::reinterpret_borrow<py::object>(f)), variables);
+  }
+  if (PyCallable_Check(f.ptr()) == 0) {
+    throw wrong_type(
+        fmt::format("a function is given as a text, \"exp(-x^2)\", or as lambda x: "
+                    "polhode.exp(-x*x), not as {}",
+                    py::repr(py::type::of(f)).cast<std::string>()));
+  }
+  py::list symbols;
+  for (std::size_t i = 0; i < variables.size(); ++i) symbols.append(symbol::variable(i));
+  const py::object value = py::reinterpret_borrow<py::object>(f)(*py::tuple(symbols));
+  const auto s = symbol_from(value);
+  if (!s) {
+    throw wrong_type(fmt::format(
+        "the function returned {}, which is no formula: write it with + - * / ** and the functions "
+        "of polhode",
+        py::repr(value).cast<std::string>()));
+  }
+  return formula_of(*s, variables);
+}
+
+end_point end_from(py::handle x) {
+  if (PyFloat_Check(x.ptr()) != 0) {
+    const double value = PyFloat_AsDouble(x.ptr());
+    if (value == std::numeric_limits<double>::infinity()) return end_point::infinity();
+    if (value == -std::numeric_limits<double>::infinity()) return -end_point::infinity();
+  }
+  if (py::isinstance<py::str>(x)) {
+    const auto text = x.cast<std::string>();
+    if (text == "inf" || text == "oo" || text == "+inf") return end_point::infinity();
+    if (text == "-inf" || text == "-oo") return -end_point::infinity();
+  }
+  if (py::isinstance<ball>(x)) return end_point(x.cast<ball>());
+  if (const auto q = py::isinstance<symbol>(x) || py::isinstance<py::str>(x)
+                         ? std::nullopt
+                         : exact_number_from(x)) {
+    return end_point(*q);
+  }
+  if (is_of_sympy(x)) {
+    const std::string text = from_sympy(py::reinterpret_borrow<py::object>(x));
+    if (text == "inf" || text == "-inf") return end_from(py::str(text));
+  }
+  return end_point_of(formula_from(x, {}));
+}
+
+void declare_formulas(py::module_& m) {
+  py::class_<symbol>(m, "Symbol", R"doc(A number that is not known yet, in a formula.
+
+A function that is handed to integrate or roots is called once with a Symbol, and what it does is the
+formula. polhode.pi, polhode.e, polhode.euler_gamma and polhode.catalan are symbols of constants.)doc")
+      .def("__neg__", [](const symbol& x) { return -x; })
+      .def("__pos__", [](const symbol& x) { return x; })
+      .def("__abs__", [](const symbol& x) { return abs(x); })
+      .def("__add__", with_other([](const symbol& x, const symbol& y) { return x + y; }))
+      .def("__radd__", with_other([](const symbol& x, const symbol& y) { return y + x; }))
+      .def("__sub__", with_other([](const symbol& x, const symbol& y) { return x - y; }))
+      .def("__rsub__", with_other([](const symbol& x, const symbol& y) { return y - x; }))
+      .def("__mul__", with_other([](const symbol& x, const symbol& y) { return x * y; }))
+      .def("__rmul__", with_other([](const symbol& x, const symbol& y) { return y * x; }))
+      .def("__truediv__", with_other([](const symbol& x, const symbol& y) { return x / y; }))
+      .def("__rtruediv__", with_other([](const symbol& x, const symbol& y) { return y / x; }))
+      .def("__pow__", with_other([](const symbol& x, const symbol& y) { return pow(x, y); }))
+      .def("__rpow__", with_other([](const symbol& x, const symbol& y) { return pow(y, x); }))
+      .def("__bool__", [](const symbol&) -> bool { throw wrong_type(no_branch); })
+      .def("__lt__", [](const symbol&, py::handle) -> bool { throw wrong_type(no_branch); })
+      .def("__le__", [](const symbol&, py::handle) -> bool { throw wrong_type(no_branch); })
+      .def("__gt__", [](const symbol&, py::handle) -> bool { throw wrong_type(no_branch); })
+      .def("__ge__", [](const symbol&, py::handle) -> bool { throw wrong_type(no_branch); })
+      .def("__eq__", [](const symbol&, py::handle) -> bool { throw wrong_type(no_branch); })
+      .def("__ne__", [](const symbol&, py::handle) -> bool { throw wrong_type(no_branch); })
+      .def("__float__", [](const symbol&) -> double { throw wrong_type(no_number); })
+      .def("__int__", [](const symbol&) -> long { throw wrong_type(no_number); })
+      .def("__repr__",
+           [](const symbol& x) {
+             constexpr std::size_t most = 8;
+             std::vector<std::string> names{"x", "y", "z"};
+             for (std::size_t i = names.size(); i < most; ++i)
+               names.push_back(fmt::format("x{}", i));
+             return "<formula " + formula_of(x, names).to_text() + ">";
+           })
+      .attr("__hash__") = py::none();
+  py::class_<expression>(m, "Formula", "A formula in variables: polhode.formula(\"exp(-x^2)\").")
+      .def("__str__", &expression::to_text)
+      .def("__repr__", [](const expression& f) { return "<formula " + f.to_text() + ">"; })
+      .def_property_readonly("variables", &expression::variables)
+      .def(
+          "__call__",
+          [](const expression& f, const py::args& arguments) -> py::object {
+            if (arguments.size() != f.variables().size()) {
+              throw wrong_type(
+                  fmt::format("the formula has {} variables, and {} numbers were given",
+                              f.variables().size(), arguments.size()));
+            }
+            bool has_symbol = false;
+            precision p = bits_for_digits(default_digits) + 8;
+            for (const py::handle x : arguments) {
+              has_symbol = has_symbol || py::isinstance<symbol>(x);
+              if (py::isinstance<ball>(x)) p = x.cast<const ball&>().precision();
+            }
+            if (has_symbol) {
+              std::vector<symbol> values;
+              for (const py::handle x : arguments) {
+                const auto s = symbol_from(x);
+                values.push_back(s ? *s : symbol(rational_from(x, "a value")));
+              }
+              return py::cast(f.evaluate(std::span<const symbol>(values)));
+            }
+            if (arguments.size() == 0) return py::cast(f.value(p));
+            std::vector<ball> values;
+            for (const py::handle x : arguments) {
+              values.push_back(py::isinstance<ball>(x) ? x.cast<ball>()
+                                                       : ball(rational_from(x, "a value"), p));
+            }
+            return py::cast(f.evaluate(std::span<const ball>(values)));
+          },
+          "The value at balls or exact numbers; at symbols, a formula.");
+  m.def("formula", &formula_from, py::arg("f"),
+        py::arg("variables") = std::vector<std::string>{"x"},
+        "A formula in the variables, of a text, a function of symbols, or a SymPy expression.");
+  py::dict functions;
+  for (const auto& [name, f] : all_functions()) {
+    const std::string text = f.description + "\nOf balls, exact numbers and symbols.";
+    m.def(
+        name.c_str(), [name = name, &f = f](const py::args& x) { return call(name, f, x); },
+        text.c_str());
+    functions[name.c_str()] = f.description;
+  }
+  m.attr("functions") = functions;
+  for (const char* name : {"pi", "e", "euler_gamma", "catalan"}) {
+    m.attr(name) = symbol::constant(name);
+  }
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,21 @@
+#pragma once
+
+// What Python hands over as a function, and as an end of a range.
+
+#include <string>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+#include "polhode/arithmetic/end_point.hpp"
+#include "polhode/expression/expression.hpp"
+
+namespace polhode::python {
+
+/// A text, a formula, a number, a SymPy expression, or a function, which is called once with symbols.
+[[nodiscard]] expression formula_from(pybind11::handle f,
+                                      const std::vector<std::string>& variables);
+/// An exact number, a ball, a formula without variables, or an infinity ("inf", math.inf).
+[[nodiscard]] end_point end_from(pybind11::handle x);
+
+}  // namespace polhode::python

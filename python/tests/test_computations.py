@@ -1,0 +1,149 @@
+"""Integrals, roots, systems and values."""
+
+import fractions
+import math
+import signal
+import threading
+import time
+
+import pytest
+
+import polhode
+from polhode import ball
+
+F = fractions.Fraction
+
+
+def test_an_integral_of_a_text_and_of_a_function_are_one():
+    for text, f, a, b in [
+            ("exp(-x^2)", lambda x: polhode.exp(-x * x), 0, polhode.oo),
+            ("sqrt(x)/(1+x)", lambda x: polhode.sqrt(x) / (1 + x), 0, 1),
+            ("x^x", lambda x: x**x, 0, 1),
+            ("0.1*x", lambda x: F(1, 10) * x, 0, "1/3"),
+            ("1/(2+cos(x))", lambda x: 1 / (2 + polhode.cos(x)), 0, 2 * polhode.pi)]:
+        one = polhode.integrate(text, a, b, 30)
+        other = polhode.integrate(f, a, b, 30)
+        assert one.certified and other.certified and bool(one)
+        assert (one.value.lower, one.value.upper) == (other.value.lower, other.value.upper)
+
+
+def test_the_answer_says_what_was_proved():
+    found = polhode.integrate("exp(-x^2)", "-inf", "inf", digits=40)
+    assert found.certified and found.reason == ""
+    assert found.value.overlaps(polhode.eval("sqrt(pi)", 60))
+    assert found.value.rad < F(1, 10**40) * found.value.mid
+    assert found.account["panels"] >= 1 and found.account["rules"]
+    assert repr(found).startswith("<integral 1.7724538509") and "certified" in repr(found)
+    assert abs(float(found) - math.sqrt(math.pi)) < 1e-15
+    refused = polhode.integrate("1/x", 0, 1)
+    assert not refused.certified and "not integrable" in refused.reason
+    assert not refused
+
+
+def test_functions_that_hide_what_they_do_are_refused_with_what_to_write():
+    for f, words in [
+            (lambda x: math.sin(x), "polhode.sin"),
+            (lambda x: x if x > 0 else -x, "cannot branch"),
+            (lambda x: 0.1 * x, 'write "0.1"'),
+            (lambda x: "x", "no formula"),
+            (lambda x: None, "no formula"),
+            (3.5, "float"),
+            ([], "a function is given")]:
+        with pytest.raises(TypeError, match=words):
+            polhode.integrate(f, 0, 1)
+    for text in ["sin(", "foo(x)", "1/0", "y"]:
+        with pytest.raises(ValueError):
+            polhode.integrate(text, 0, 1)
+    with pytest.raises(ValueError):
+        polhode.integrate("x", 0, 1, digits=0)
+    with pytest.raises(ZeroDivisionError):
+        polhode.integrate(lambda x: x + 1 // 0, 0, 1)
+
+
+def test_sympy_expressions_are_read():
+    sympy = pytest.importorskip("sympy")
+    x = sympy.Symbol("x")
+    found = polhode.integrate(sympy.exp(-(x**2)) * sympy.Abs(x), 0, sympy.oo, 20)
+    assert found.value.overlaps(ball(F(1, 2)))
+
+
+def test_roots_are_all_there_are():
+    found = polhode.roots("x^3 - 3*x + 1", "-inf", "inf", 30)
+    assert found.certified and len(found) == 3
+    assert [r.verdict for r in found] == ["unique"] * 3
+    assert found[-1].value.overlaps(polhode.eval("2*cos(2*pi/9)", 40))
+    double = polhode.roots(lambda x: (x - F(1, 3))**2 * polhode.exp(x), -1, 1)
+    assert len(double) == 1 and double[0].multiplicity == 2 and double[0].exact == F(1, 3)
+    tangent = polhode.roots("tan(x)", 1, 4)
+    assert len(tangent) == 1 and tangent.singular[0][1] == 1
+    periodic = polhode.roots(polhode.sin, 0, polhode.oo)
+    assert periodic.certified and periodic.period == "2*pi" and len(periodic) == 3
+    assert polhode.roots("x - x", 0, 1).identically_zero
+    with pytest.raises(ValueError):
+        polhode.roots("x", 1, 0)
+    with pytest.raises(IndexError):
+        found[3]
+
+
+def test_systems():
+    found = polhode.solve_system([lambda x, y: x * x + y * y - 1, lambda x, y: x - y],
+                                 [(-2, 2), (-2, 2)], digits=30)
+    assert found.certified and len(found) == 2 and not found.unresolved
+    root = polhode.eval("sqrt(1/2)", 40)
+    assert found[1][0].overlaps(root) and found[1][1].overlaps(root)
+    with pytest.raises(ValueError):
+        polhode.solve_system(["x"], [(0, 1), (0, 1)])
+    with pytest.raises(TypeError):
+        polhode.solve_system(["x"], [(0, 1, 2)])
+
+
+def test_values():
+    assert polhode.eval("1/3 + 1/6").mid == F(1, 2)
+    x = polhode.eval(polhode.exp(polhode.pi * polhode.sqrt(163 + 0 * polhode.pi)), 40)
+    assert str(x).startswith("262537412640768743.9999999999992")
+    f = polhode.formula("x^2 + y", ["x", "y"])
+    assert f(2, F(1, 2)).mid == F(9, 2) and f.variables == ["x", "y"]
+    with pytest.raises(TypeError):
+        f(1)
+    with pytest.raises(ValueError):
+        polhode.eval("x")
+
+
+def test_threads_compute_at_once():
+    results = []
+
+    def work(n):
+        results.append(polhode.integrate(f"sin(x)^{n}*exp(-x)", 0, 1, 100).certified)
+
+    threads = [threading.Thread(target=work, args=(n,)) for n in range(1, 9)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    assert results == [True] * 8
+
+
+def test_a_time_limit_ends_long_work():
+    start = time.monotonic()
+    with pytest.raises(TimeoutError, match="0.2"):
+        polhode.integrate("sin(exp(x))", 0, 14, 2000, time_limit=0.2)
+    with pytest.raises(TimeoutError):
+        polhode.roots("sin(x)", 0, 2**70, time_limit=0.2)
+    assert time.monotonic() - start < 60
+    for wrong in [0, -1, float("nan")]:
+        with pytest.raises(ValueError, match="time_limit"):
+            polhode.integrate("x", 0, 1, time_limit=wrong)
+
+
+def test_control_c_ends_long_work_at_once():
+    def interrupt():
+        time.sleep(0.5)
+        signal.raise_signal(signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        polhode.integrate("sin(exp(x))", 0, 14, 2000)
+    assert time.monotonic() - start < 60  # and not the many minutes of the integral
+    # The work that was left does not disturb what comes after it.
+    assert polhode.integrate("exp(x)", 0, 1, 20).certified
