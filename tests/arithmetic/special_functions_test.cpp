@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include <boost/multiprecision/mpfr.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/mpfr.hpp>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
