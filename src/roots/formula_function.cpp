@@ -25,7 +25,7 @@ namespace {
 /// set: defined beside the poles of Gamma and at them. Undefined where that takes many factors.
 jet<ball, 1> reciprocal_gamma(const jet<ball, 1>& x) {
   constexpr long most_factors = 1000;
-  const jet<ball, 1> none = value_alone<1>(ball::undefined(x[0].precision()), 1);
+  jet<ball, 1> none = value_alone<1>(ball::undefined(x[0].precision()), 1);
   if (!x[0].is_bounded() || certainly_less(x[0], ball(-most_factors, 64))) return none;
   jet<ball, 1> result = jet<ball, 1>::constant(ball(1, x[0].precision()));
   jet<ball, 1> y = x;

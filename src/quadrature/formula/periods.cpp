@@ -117,7 +117,7 @@ end_point moved(const end_point& x, const pi_combination& period, const integer&
 namespace {
 
 std::optional<pi_combination> proved_period(const integrand& f, const formula& recorded) {
-  const std::optional<pi_combination> period = period_to_try(recorded);
+  std::optional<pi_combination> period = period_to_try(recorded);
   if (!period || !f.under(symmetry::translation(*period)).is_invariant()) return std::nullopt;
   return period;
 }
