@@ -174,6 +174,7 @@ roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long di
   return interruptible(time_limit, [=](const stop_flag& flag) {
     isolate_options options;
     options.threads = threads;
+    options.by_period = true;
     options.progress = [&](const isolation_progress&) { return !*flag; };
     roots_answer result;
     result.found = isolate_roots(formula, lower, upper, options);

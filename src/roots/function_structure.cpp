@@ -13,7 +13,8 @@ std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
   // Of numbers that are not positive, the whole powers are defined too: few of them are taken one by
   // one. (0^0 is none of natural_domain's, so 0 is among these.)
   std::optional<ball> range = natural_domain::pow(x, y);
-  if (lower(x) > 0) return range;
+  const bool is_whole_range = lower(x) > 0 || (lower(x) >= 0 && lower(y) > 0);
+  if (is_whole_range) return range;
   constexpr long most_powers = 8;
   if (!y.is_bounded()) return pow(x, y);
   const integer last = floor_of(upper_rational(y));

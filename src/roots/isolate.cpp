@@ -135,7 +135,7 @@ searched_period period_within(const end_point& lower, const end_point& upper,
 root_set isolate_roots(const real_function& f, const end_point& lower, const end_point& upper,
                        const isolate_options& options) {
   std::optional<searched_period> one;
-  if (lower.infinite_sign() < 0 || upper.infinite_sign() > 0) {
+  if (options.by_period && (lower.infinite_sign() < 0 || upper.infinite_sign() > 0)) {
     (void)detail::range_around(lower, upper);  // refuses what is no interval
     if (const auto period = f.period()) one = period_within(lower, upper, *period);
   }

@@ -190,7 +190,8 @@ second_opinion roots_again(const expression& f, const end_point& lower, const en
                           is_one_root(r.verdict) ? fine[i].enclosure : r.enclosure,
                           r.may_lie_outside});
   }
-  return roots_again(f, lower, upper, list,
+  const auto& one = first.of_period;
+  return roots_again(f, one ? one->lower : lower, one ? one->upper : upper, list,
                      fmt::format("the search, {} boxes", first.account.boxes), digits, threads);
 }
 

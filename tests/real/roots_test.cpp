@@ -1,5 +1,7 @@
 #include "polhode/real/roots.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -59,6 +61,20 @@ TYPED_TEST(RealRoots, AllOfThem) {
   EXPECT_EQ(s.roots[1].value, Real(1));
   EXPECT_LE(s.roots[2].lower * s.roots[2].lower, Real(2));
   EXPECT_GE(s.roots[2].upper * s.roots[2].upper, Real(2));
+}
+
+TEST(RealRoot, OfAPeriodicFunctionIsNotTheOnlyOneOnAHalfLine) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const bool by_period : {false, true}) {
+    real_root_options options;
+    options.isolation = {.most_boxes = 300, .by_period = by_period};
+    const auto touching = [](auto x) { return 1 - cos(x); };  // at 2 pi, 4 pi, ...
+    const auto r = find_root<double>(touching, 1.0, infinity, options);
+    EXPECT_FALSE(is_one_root(r.verdict));
+    EXPECT_FALSE(isolate_roots<double>(touching, 1.0, infinity, options).resolved);
+    const auto s = find_root<double>([](auto x) { return sin(x) + 1; }, 0.0, infinity, options);
+    EXPECT_FALSE(is_one_root(s.verdict));
+  }
 }
 
 TEST(RealRoot, WhatIsNotProvedIsSaid) {

@@ -455,18 +455,27 @@ TEST(IsolateRoots, OfGamma) {
 
 TEST(IsolateRoots, OfAPeriodicFunction) {
   const end_point infinity = end_point::infinity();
-  const root_set s = isolate_roots(parse("sin(x)"), 0, infinity);
+  const auto by_period = [](const char* f, const end_point& lower, const end_point& upper) {
+    return isolate_roots(parse(f), lower, upper, {.most_boxes = 500, .by_period = true});
+  };
+  const root_set s = by_period("sin(x)", 0, infinity);
   expect_resolved(s, 3);
   ASSERT_TRUE(s.of_period);
   EXPECT_EQ(s.of_period->period, (pi_combination{0, 2}));
   EXPECT_EQ(s.of_period->upper.form(), (pi_combination{0, 2}));
-  const root_set t = isolate_roots(parse("sin(pi*x) - 1/2"), -infinity, 1);
+  const root_set t = by_period("sin(pi*x) - 1/2", -infinity, 1);
   expect_resolved(t, 2);
   ASSERT_TRUE(t.of_period);
   EXPECT_EQ(t.of_period->lower.exact(), rational(-1));
   // Not periodic, or bounded: no.
-  EXPECT_FALSE(isolate_roots(parse("sin(x) + x"), -infinity, infinity).of_period);
-  EXPECT_FALSE(isolate_roots(parse("sin(x)"), 0, 100).of_period);
+  EXPECT_FALSE(by_period("sin(x) + x", -infinity, infinity).of_period);
+  EXPECT_FALSE(by_period("sin(x)", 0, 100).of_period);
+  // Who does not ask for one period is never told that its roots are all.
+  for (const char* f : {"sin(x)", "1 - cos(x)", "cos(x) - sin(x)^2 + 1"}) {
+    const root_set all = isolate_roots(parse(f), 1, infinity, {.most_boxes = 500});
+    EXPECT_FALSE(all.of_period) << f;
+    EXPECT_FALSE(all.is_resolved()) << f;
+  }
 }
 
 TEST(IsolateRoots, AnEndWhereNothingIsBoundedDoesNotHideTheRootsBesideIt) {

@@ -237,6 +237,12 @@ template <floating_real Real, class F>
   }
 }
 
+/// The same options without by_period: the answers here are about the whole interval.
+[[nodiscard]] inline isolate_options over_all_periods(isolate_options options) {
+  options.by_period = false;
+  return options;
+}
+
 /// The proof that f has exactly one root near x: by interval Newton, in boxes around x that grow from a few units in its last place.
 [[nodiscard]] root_enclosure proved_near(const expression& formula, const ball& x,
                                          const ball& interval, precision p);
@@ -271,7 +277,7 @@ requires real_or_ball<Real>
   const precision p = detail::bits_between<Real>(lower, upper, options.digits);
   const long digits = detail::root_digits<Real, answer_by_verdict>(options, p);
   const root_set found = isolate_roots(formula_of<detail::symbol_of_real<Real>>(f), lower.point(),
-                                       upper.point(), options.isolation);
+                                       upper.point(), detail::over_all_periods(options.isolation));
   certified_roots<Real> result;
   result.resolved = found.complete && found.is_resolved();
   result.identically_zero = found.identically_zero;
@@ -299,8 +305,8 @@ requires real_or_ball<Real>
     const long digits = detail::root_digits<Real, Policy>(options, p);
     const expression formula = formula_of<detail::symbol_of_real<Real>>(f);
     if (options.engine == root_engine::isolation) {
-      const root_set found =
-          isolate_roots(formula, lower.point(), upper.point(), options.isolation);
+      const root_set found = isolate_roots(formula, lower.point(), upper.point(),
+                                           detail::over_all_periods(options.isolation));
       if (!found.regions.empty()) {
         result = detail::root_of<Real>(found.regions.front(), digits, p);
         if (found.regions.size() > 1 && result.verdict != root_verdict::unresolved) {

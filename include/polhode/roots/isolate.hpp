@@ -90,9 +90,9 @@ struct searched_period {
 struct root_set {
   /// In ascending order, with disjoint enclosures.
   std::vector<root_region> regions;
-  /// Where there is one, the regions and singular places are those of [lower, upper], and all others
-  /// in the interval are these and a whole number of periods more: each root is one of infinitely
-  /// many.
+  /// Where there is one (isolate_options::by_period), the regions and singular places are those of
+  /// [lower, upper]. All others in the interval are these and a whole number of periods more: each
+  /// root is one of infinitely many.
   std::optional<searched_period> of_period = std::nullopt;
   std::vector<singular_place> singular;
   /// f is 0 everywhere; there are no regions then.
@@ -131,6 +131,9 @@ struct isolate_options {
   int threads = 1;
   /// Called every few boxes; false ends the run as a limit does.
   std::function<bool(const isolation_progress&)> progress = {};
+  /// Of a periodic f over an unbounded interval, isolate_roots looks in one period, and says so by
+  /// root_set::of_period. Who asks for it must look there: the regions are then not all roots.
+  bool by_period = false;
 };
 
 /// A search that can be stopped and resumed: its state is a value.
@@ -154,8 +157,7 @@ class root_search {
   std::shared_ptr<const state> state_;
 };
 
-/// The roots of f with lower <= x <= upper; of a periodic f over an unbounded interval, those of one
-/// period (root_set::of_period).
+/// The roots of f with lower <= x <= upper; with isolate_options::by_period, those of one period.
 [[nodiscard]] root_set isolate_roots(const real_function& f, const end_point& lower,
                                      const end_point& upper, const isolate_options& options = {});
 

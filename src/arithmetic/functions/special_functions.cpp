@@ -16,6 +16,18 @@ namespace {
 // The ends of a thin ball, computed, must not add to its width.
 constexpr precision special_guard_bits = 64;
 
+/// The range of a function that is monotone between these ends.
+ball monotone_between(const end_points& e, precision p, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t),
+                      bool increasing) {
+  mpfr_cell lower(p);
+  mpfr_cell upper(p);
+  f(lower.get(), increasing ? e.lower() : e.upper(), MPFR_RNDD);
+  f(upper.get(), increasing ? e.upper() : e.lower(), MPFR_RNDU);
+  ball r;
+  ball_access::set_ends(r, lower, upper);
+  return r;
+}
+
 /// A monotone function on R: thin balls by the values at their ends too, for these functions' slopes
 /// would cost as much as a second value.
 ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), bool increasing) {
@@ -27,14 +39,7 @@ ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)
         r, p, {}, [&](mpfr_ptr value) { return f(value, ball_access::first(x), MPFR_RNDN); });
     return r;
   }
-  const end_points e(x, p + special_guard_bits);
-  mpfr_cell lower(p);
-  mpfr_cell upper(p);
-  f(lower.get(), increasing ? e.lower() : e.upper(), MPFR_RNDD);
-  f(upper.get(), increasing ? e.upper() : e.lower(), MPFR_RNDU);
-  ball r;
-  ball_access::set_ends(r, lower, upper);
-  return r;
+  return monotone_between(end_points(x, p + special_guard_bits), p, f, increasing);
 }
 
 /// The precision in which a ball's ends hardly move outward. Beside a pole Gamma magnifies what its argument loses by up to
@@ -172,13 +177,7 @@ ball digamma(const ball& x) {
   if (!x.is_bounded() && !increases_on(x)) return ball::undefined(p);
   const end_points e(x, precision_of_ends(x));
   if (has_pole(e)) return ball::undefined(p);
-  mpfr_cell lower(p);
-  mpfr_cell upper(p);
-  mpfr_digamma(lower.get(), e.lower(), MPFR_RNDD);
-  mpfr_digamma(upper.get(), e.upper(), MPFR_RNDU);
-  ball r;
-  ball_access::set_ends(r, lower, upper);
-  return r;
+  return monotone_between(e, p, mpfr_digamma, true);
 }
 
 ball zeta(unsigned long n, precision p) {

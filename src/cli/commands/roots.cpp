@@ -133,6 +133,7 @@ answer find_roots(const expression& f, const given_range& range, long digits, in
   line.show("looking for roots");
   isolate_options options;
   options.threads = threads;
+  options.by_period = true;
   // The search ends in time, with what it found; the digits of what it found may take as much time
   // again for each root; roots for which it does not suffice are shown as the search found them.
   const auto end =
@@ -300,13 +301,17 @@ std::string csv_cell(const std::string& text) {
 
 std::string as_csv(const answer& a, long digits) {
   std::string result = "verdict,multiplicity,value,radius,lower,upper,digits,exact,remark\n";
+  const std::string again =
+      a.roots.of_period ? "again after every period, " + to_text(a.roots.of_period->period) : "";
   for (const listed_root& r : a.list) {
+    std::string remark = remark_on(r);
+    if (!again.empty()) remark += (remark.empty() ? "" : "; ") + again;
     decimal_enclosure d;
     if (r.enclosure.is_bounded()) d = to_decimal_enclosure(r.enclosure, digits);
     result += fmt::format("{},{},{},{},{},{},{},{},{}\n", to_text(r.region.verdict),
                           r.region.multiplicity > 0 ? std::to_string(r.region.multiplicity) : "",
                           d.value, d.radius, d.lower, d.upper, d.digits,
-                          r.exact ? to_text(*r.exact) : "", csv_cell(remark_on(r)));
+                          r.exact ? to_text(*r.exact) : "", csv_cell(remark));
   }
   return result;
 }

@@ -393,6 +393,7 @@ growth_bound abs(const growth_bound& x) {
   if (x.blocked_) return x;
   growth_bound result = x.sign_ < 0 ? -x : x;
   if (x.sign_ == 0) {
+    result.inverse_ = nullptr;
     result.series_ = end_series::blocked("abs");
     result.sign_ = certainly_positive(x.least_) ? 1 : 0;
     if (x.constant_) result.constant_ = abs(*x.constant_);
