@@ -29,8 +29,8 @@ def path():
 def text_of(number):
     """An exact number or a ball's middle as the program reads it; other things as they are."""
     if isinstance(number, float) and not number.is_integer():
-        raise TypeError(f"{number!r} is a float, a binary number that is seldom the decimal it looks "
-                        f"like: write \"{number!r}\", Fraction or Decimal")
+        raise TypeError(f"{number!r} is a float, a binary number that is seldom the decimal it "
+                        f"looks like: write \"{number!r}\", Fraction or Decimal")
     if isinstance(number, float):
         return str(int(number))
     if isinstance(number, ball):
@@ -41,8 +41,8 @@ def text_of(number):
 
 
 def with_balls(answer):
-    """The JSON answer, in which each number, an object with its ends, is a ball; a Fraction where it
-    is known exactly."""
+    """The JSON answer, in which each number, an object with its ends, is a ball; a Fraction where
+    it is known exactly."""
     if isinstance(answer, dict):
         if "rational" in answer:
             return fractions.Fraction(answer["rational"])

@@ -28,9 +28,9 @@ struct stopped {};
 
 using stop_flag = std::shared_ptr<std::atomic<bool>>;
 
-/// The result of work(flag), on a thread of its own, while this one listens to signals. On Ctrl-C, and
-/// with TimeoutError after so many seconds, the caller goes on at once; the thread ends where the work
-/// looks at the flag, and its result is dropped.
+/// The result of work(flag), on a thread of its own, while this one listens to signals. On Ctrl-C,
+/// and with TimeoutError after so many seconds, the caller goes on at once; the thread ends where
+/// the work looks at the flag, and its result is dropped.
 template <class Work>
 auto interruptible(std::optional<double> time_limit, Work work) {
   if (time_limit && !(*time_limit > 0))
@@ -102,6 +102,14 @@ ball value_of(const expression& f, long digits, std::optional<double> time_limit
         },
         digits, most_guard);
   });
+}
+
+/// The i-th, counted from the end for i < 0, as Python counts.
+template <class T>
+T item(const std::vector<T>& list, long i) {
+  const auto n = static_cast<long>(list.size());
+  if (i < -n || i >= n) throw py::index_error();
+  return list[static_cast<std::size_t>(i < 0 ? i + n : i)];
 }
 
 std::string number_text(const ball& x, long digits) { return to_decimal(x, digits); }
@@ -257,7 +265,7 @@ void declare_computations(py::module_& m) {
       },
       py::arg("f"), py::arg("digits") = default_digits, py::kw_only(),
       py::arg("time_limit") = py::none(),
-      R"doc(The value of a formula without variables, to so many certain digits where they can be had.
+      R"doc(The value of a formula without variables, to so many digits where they can be had.
 
 >>> import polhode
 >>> print(f"{polhode.eval('exp(pi) - pi', 20):.20}")
@@ -287,8 +295,8 @@ void declare_computations(py::module_& m) {
 
 f is a text ("exp(-x^2)"), a function of a symbol (lambda x: polhode.exp(-x*x)), which is called
 once, or a SymPy expression. The ends are exact numbers, texts ("pi/2", "inf") or polhode.oo.
-absolute_exponent: a radius of at most 2**absolute_exponent will do. time_limit: seconds, after which
-TimeoutError is raised. Raises ValueError for what cannot be read; what cannot be proved is said by
+absolute_exponent: a radius of at most 2**absolute_exponent will do. time_limit: seconds, after
+which TimeoutError is raised. Raises ValueError for what cannot be read; what cannot be proved is said by
 the answer.
 
 >>> import polhode
@@ -318,15 +326,11 @@ the answer.
       });
   py::class_<roots_answer>(m, "Roots", "All roots in a range, in ascending order: a sequence.")
       .def("__len__", [](const roots_answer& a) { return a.roots.size(); })
-      .def("__getitem__",
-           [](const roots_answer& a, long i) {
-             const auto n = static_cast<long>(a.roots.size());
-             if (i < -n || i >= n) throw py::index_error();
-             return a.roots[static_cast<std::size_t>(i < 0 ? i + n : i)];
-           })
+      .def("__getitem__", [](const roots_answer& a, long i) { return item(a.roots, i); })
       .def("__bool__", [](const roots_answer& a) { return a.certified; })
       .def_readonly("certified", &roots_answer::certified,
-                    "These are all roots there are, each to the digits asked for.")
+                    "These are all roots in the range, or in one period of it (`period`), each to "
+                    "the digits asked for.")
       .def_property_readonly("identically_zero",
                              [](const roots_answer& a) { return a.found.identically_zero; })
       .def_property_readonly(
@@ -346,9 +350,21 @@ the answer.
             return one ? py::object(py::cast(to_text(one->period))) : py::object(py::none());
           },
           "Of a periodic function over an unbounded range, whose roots in one period these are.")
+      .def_property_readonly(
+          "period_range",
+          [](const roots_answer& a) -> py::object {
+            constexpr precision p = 128;
+            const auto& one = a.found.of_period;
+            if (!one) return py::none();
+            return py::make_tuple(one->lower.at(p), one->upper.at(p));
+          },
+          "The ends of that period, as balls.")
       .def("__repr__", [](const roots_answer& a) {
+        if (a.found.identically_zero) return std::string("<0 everywhere: each point is a root>");
+        const auto& one = a.found.of_period;
         std::string text =
-            fmt::format("<{} root{}, {}", a.roots.size(), a.roots.size() == 1 ? "" : "s",
+            fmt::format("<{} root{}{}, {}", a.roots.size(), a.roots.size() == 1 ? "" : "s",
+                        one ? " in one period, " + to_text(one->period) : "",
                         a.certified ? "certified" : "not certified");
         for (const root_answer& r : a.roots) text += "\n  " + number_text(r.value, 20);
         return text + ">";
@@ -367,12 +383,7 @@ the answer.
 
   py::class_<system_answer>(m, "SystemRoots", "The roots of a system in a box.")
       .def("__len__", [](const system_answer& a) { return a.roots.size(); })
-      .def("__getitem__",
-           [](const system_answer& a, long i) {
-             const auto n = static_cast<long>(a.roots.size());
-             if (i < -n || i >= n) throw py::index_error();
-             return a.roots[static_cast<std::size_t>(i < 0 ? i + n : i)];
-           })
+      .def("__getitem__", [](const system_answer& a, long i) { return item(a.roots, i); })
       .def("__bool__", [](const system_answer& a) { return a.certified; })
       .def_readonly("certified", &system_answer::certified)
       .def_readonly("unresolved", &system_answer::unresolved, "Boxes that may hold more roots.")

@@ -33,8 +33,8 @@ inline constexpr long default_digits = 50;
 /// A fractions.Fraction.
 [[nodiscard]] py::object to_python(const rational& q);
 
-/// An int, Fraction, Decimal, a number of mpmath or NumPy's integers, or a float that is an integer;
-/// nothing for what is no number. Throws wrong_type for another float.
+/// An int, Fraction, Decimal, a number of mpmath or NumPy's integers, or a float that is an
+/// integer; nothing for what is no number. Throws wrong_type for another float.
 [[nodiscard]] std::optional<rational> exact_number_from(py::handle x);
 /// The same, and a decimal or quotient as text.
 [[nodiscard]] rational rational_from(py::handle x, const char* what);

@@ -84,6 +84,43 @@ const std::map<std::string, named_function>& all_functions() {
   return table;
 }
 
+/// The arguments of a call: balls and exact numbers, and symbols among them.
+class numbers_or_symbols {
+ public:
+  numbers_or_symbols(const py::args& arguments, std::string what)
+      : arguments_(arguments), what_(std::move(what)) {
+    for (const py::handle x : arguments) {
+      has_symbol_ = has_symbol_ || py::isinstance<symbol>(x);
+      if (py::isinstance<ball>(x)) bits_ = x.cast<const ball&>().precision();
+    }
+  }
+  [[nodiscard]] bool has_symbol() const { return has_symbol_; }
+  /// Those of a ball among them, which exact numbers take.
+  [[nodiscard]] precision bits() const { return bits_; }
+  [[nodiscard]] std::vector<ball> balls() const {
+    std::vector<ball> result;
+    for (const py::handle x : arguments_) {
+      result.push_back(py::isinstance<ball>(x) ? x.cast<ball>()
+                                               : ball(rational_from(x, what_.c_str()), bits_));
+    }
+    return result;
+  }
+  [[nodiscard]] std::vector<symbol> symbols() const {
+    std::vector<symbol> result;
+    for (const py::handle x : arguments_) {
+      const auto s = symbol_from(x);
+      result.push_back(s ? *s : symbol(rational_from(x, what_.c_str())));
+    }
+    return result;
+  }
+
+ private:
+  const py::args& arguments_;
+  std::string what_;
+  bool has_symbol_ = false;
+  precision bits_ = bits_for_digits(default_digits) + 8;
+};
+
 py::object call(const std::string& name, const named_function& f, const py::args& arguments) {
   const auto of_balls = f.of_arity.find(arguments.size());
   if (of_balls == f.of_arity.end()) {
@@ -94,34 +131,11 @@ py::object call(const std::string& name, const named_function& f, const py::args
     throw wrong_type(fmt::format("{} takes {} argument{}, not {}", name, arities,
                                  arities == "1" ? "" : "s", arguments.size()));
   }
-  bool has_symbol = false;
-  precision p = bits_for_digits(default_digits) + 8;
-  for (const py::handle x : arguments) {
-    has_symbol = has_symbol || py::isinstance<symbol>(x);
-    if (py::isinstance<ball>(x)) p = x.cast<const ball&>().precision();
-  }
-  if (!has_symbol && of_balls->second) {
-    std::vector<ball> values;
-    for (const py::handle x : arguments) {
-      if (py::isinstance<ball>(x)) {
-        values.push_back(x.cast<ball>());
-      } else {
-        values.emplace_back(rational_from(x, ("the argument of " + name).c_str()), p);
-      }
-    }
-    return py::cast(of_balls->second(values));
-  }
-  std::vector<symbol> operands;
-  for (const py::handle x : arguments) {
-    if (const auto s = symbol_from(x)) {
-      operands.push_back(*s);
-    } else {
-      operands.emplace_back(rational_from(x, ("the argument of " + name).c_str()));
-    }
-  }
-  const symbol result = symbol::call(kept(name), operands);
-  if (has_symbol) return py::cast(result);
-  return py::cast(formula_of(result, {}).value(p));
+  const numbers_or_symbols given(arguments, "the argument of " + name);
+  if (!given.has_symbol() && of_balls->second) return py::cast(of_balls->second(given.balls()));
+  const symbol result = symbol::call(kept(name), given.symbols());
+  if (given.has_symbol()) return py::cast(result);
+  return py::cast(formula_of(result, {}).value(given.bits()));
 }
 
 /// How SymPy writes what Polhode writes otherwise.
@@ -203,8 +217,8 @@ end_point end_from(py::handle x) {
 void declare_formulas(py::module_& m) {
   py::class_<symbol>(m, "Symbol", R"doc(A number that is not known yet, in a formula.
 
-A function that is handed to integrate or roots is called once with a Symbol, and what it does is the
-formula. polhode.pi, polhode.e, polhode.euler_gamma and polhode.catalan are symbols of constants.)doc")
+A function that is handed to integrate or roots is called once with a Symbol, and what it does is
+the formula. polhode.pi, polhode.e, polhode.euler_gamma and polhode.catalan are constants.)doc")
       .def("__neg__", [](const symbol& x) { return -x; })
       .def("__pos__", [](const symbol& x) { return x; })
       .def("__abs__", [](const symbol& x) { return abs(x); })
@@ -248,27 +262,12 @@ formula. polhode.pi, polhode.e, polhode.euler_gamma and polhode.catalan are symb
                   fmt::format("the formula has {} variables, and {} numbers were given",
                               f.variables().size(), arguments.size()));
             }
-            bool has_symbol = false;
-            precision p = bits_for_digits(default_digits) + 8;
-            for (const py::handle x : arguments) {
-              has_symbol = has_symbol || py::isinstance<symbol>(x);
-              if (py::isinstance<ball>(x)) p = x.cast<const ball&>().precision();
+            const numbers_or_symbols given(arguments, "a value");
+            if (arguments.size() == 0) return py::cast(f.value(given.bits()));
+            if (given.has_symbol()) {
+              return py::cast(f.evaluate(std::span<const symbol>(given.symbols())));
             }
-            if (has_symbol) {
-              std::vector<symbol> values;
-              for (const py::handle x : arguments) {
-                const auto s = symbol_from(x);
-                values.push_back(s ? *s : symbol(rational_from(x, "a value")));
-              }
-              return py::cast(f.evaluate(std::span<const symbol>(values)));
-            }
-            if (arguments.size() == 0) return py::cast(f.value(p));
-            std::vector<ball> values;
-            for (const py::handle x : arguments) {
-              values.push_back(py::isinstance<ball>(x) ? x.cast<ball>()
-                                                       : ball(rational_from(x, "a value"), p));
-            }
-            return py::cast(f.evaluate(std::span<const ball>(values)));
+            return py::cast(f.evaluate(std::span<const ball>(given.balls())));
           },
           "The value at balls or exact numbers; at symbols, a formula.");
   m.def("formula", &formula_from, py::arg("f"),

@@ -12,7 +12,8 @@
 
 namespace polhode::python {
 
-/// A text, a formula, a number, a SymPy expression, or a function, which is called once with symbols.
+/// A text, a formula, a number, a SymPy expression, or a function, which is called once with
+/// symbols.
 [[nodiscard]] expression formula_from(pybind11::handle f,
                                       const std::vector<std::string>& variables);
 /// An exact number, a ball, a formula without variables, or an infinity ("inf", math.inf).

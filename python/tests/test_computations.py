@@ -78,7 +78,10 @@ def test_roots_are_all_there_are():
     assert len(tangent) == 1 and tangent.singular[0][1] == 1
     periodic = polhode.roots(polhode.sin, 0, polhode.oo)
     assert periodic.certified and periodic.period == "2*pi" and len(periodic) == 3
-    assert polhode.roots("x - x", 0, 1).identically_zero
+    assert [float(end) for end in periodic.period_range] == [0, 2 * math.pi]
+    assert "in one period, 2*pi" in repr(periodic)
+    zero = polhode.roots("x - x", 0, 1)
+    assert zero.identically_zero and "0 everywhere" in repr(zero)
     with pytest.raises(ValueError):
         polhode.roots("x", 1, 0)
     with pytest.raises(IndexError):

@@ -58,7 +58,8 @@ def test_arithmetic_holds_that_of_fractions():
         p, q = (F(source.randint(-99, 99), source.randint(1, 99)) for _ in range(2))
         x, y = ball(p, 30), ball(q, 30)
         assert holds(x + y, p + q) and holds(x - q, p - q) and holds(p * y, p * q)
-        assert holds(p - y, p - q) and holds(2 + y, 2 + q) and holds(-x, -p) and holds(abs(x), abs(p))
+        assert holds(p - y, p - q) and holds(2 + y, 2 + q)
+        assert holds(-x, -p) and holds(abs(x), abs(p))
         if q:
             assert holds(x / y, p / q) and holds(1 / y, 1 / q)
         assert holds(x**3, p**3)

@@ -21,8 +21,9 @@ namespace polhode {
 namespace detail {
 namespace {
 
-/// 1/Gamma(x) = x (x+1) ... (x+n-1)/Gamma(x+n) (DLMF 5.5.1), with n such that x + n > 0 on the whole
-/// set: defined beside the poles of Gamma and at them. Undefined where that takes many factors.
+/// 1/Gamma(x) = x (x+1) ... (x+n-1)/Gamma(x+n) (DLMF 5.5.1), with n such that x + n > 0 on the
+/// whole set: defined beside the poles of Gamma and at them. Undefined where that takes many
+/// factors.
 jet<ball, 1> reciprocal_gamma(const jet<ball, 1>& x) {
   constexpr long most_factors = 1000;
   jet<ball, 1> none = value_alone<1>(ball::undefined(x[0].precision()), 1);
@@ -163,9 +164,9 @@ real_function::real_function(const expression& f) {
   const auto has_no_root = [](const growth_bound& bound) {
     return !bound.is_blocked() && !bound.least_factor().is_zero();
   };
-  // x = p - log(t) with p = from - 3/2, or -x for from < 0, takes all values beyond `from`: it decreases
-  // to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of exponentials are sums
-  // of powers.
+  // x = p - log(t) with p = from - 3/2, or -x for from < 0, takes all values beyond `from`: it
+  // decreases to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of
+  // exponentials are sums of powers.
   const auto far = [](const rational& from) {
     const growth_bound t =
         growth_bound::argument(known_number(rational(0)), known_number(rational(1)), 1, 0.25);

@@ -10,8 +10,8 @@ namespace polhode {
 std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
   const precision p = std::min(x.precision(), y.precision());
   if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
-  // Of numbers that are not positive, the whole powers are defined too: few of them are taken one by
-  // one. (0^0 is none of natural_domain's, so 0 is among these.)
+  // Of numbers that are not positive, the whole powers are defined too: few of them are taken one
+  // by one. (0^0 is none of natural_domain's, so 0 is among these.)
   std::optional<ball> range = natural_domain::pow(x, y);
   const bool is_whole_range = lower(x) > 0 || (lower(x) >= 0 && lower(y) > 0);
   if (is_whole_range) return range;

@@ -342,8 +342,8 @@ known_case kinks_at_all_scales(maker& m) {
   return k;
 }
 
-/// (e^(a x) - u)(e^(a x) - v) multiplied out, over the whole line, or in 1/x beside 0: what is greatest
-/// at an end grows, and cancels with what grows less.
+/// (e^(a x) - u)(e^(a x) - v) multiplied out, over the whole line, or in 1/x beside 0: what is
+/// greatest at an end grows, and cancels with what grows less.
 known_case sums_of_exponentials(maker& m) {
   known_case k;
   const bool beside_zero = m.one_in(3);

@@ -448,7 +448,8 @@ TEST(Evaluation, JetsRefuseWhatTheyDoNotHave) {
 }
 
 TEST(Evaluation, TheDerivativeOfGammaIsGammaTimesDigamma) {
-  // Gamma(1/2) = sqrt(pi), digamma(1/2) = -gamma - 2 log 2 (DLMF 5.4.6, 5.4.13); the inner slope is 3.
+  // Gamma(1/2) = sqrt(pi), digamma(1/2) = -gamma - 2 log 2 (DLMF 5.4.6, 5.4.13); the inner slope is
+  // 3.
   const jet<ball, 1> x = jet<ball, 1>::variable(number("1/6"));
   const ball digamma_at_half = read("-euler_gamma - 2*log(2)")(number("0"));
   const ball root = sqrt(pi(90));

@@ -102,6 +102,7 @@ TEST(RootsAtKinks, WhereNothingIsDefined) {
   }
   // sqrt(x + 1/100) is defined on a part of -1/8 <= x < 0.
   EXPECT_FALSE(growth_of("sqrt(x+1/100)", 0, rational(-1, 8)).is_nowhere_defined());
+  EXPECT_FALSE(growth_of("log(x+1/100)", 0, rational(-1, 8)).is_nowhere_defined());
 }
 
 }  // namespace roots_at_kinks_test

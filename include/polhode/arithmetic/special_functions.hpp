@@ -1,7 +1,7 @@
 #pragma once
 
-// erf, gamma, digamma and zeta of real balls. Values at points are MPFR's, correctly rounded; ranges follow from
-// monotonicity and convexity, stated beside each function.
+// erf, gamma, digamma and zeta of real balls. Values at points are MPFR's, correctly rounded;
+// ranges follow from monotonicity and convexity, stated beside each function.
 
 #include "polhode/arithmetic/ball.hpp"
 

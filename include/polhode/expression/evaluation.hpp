@@ -71,9 +71,9 @@ struct supplement<double_interval> {
   static double_interval atan2(double_interval y, double_interval x);
 };
 
-/// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function of
-/// it. Not available, and undefined, are the derivatives of agm, and of gamma and log_gamma those
-/// above the first, Gamma' = Gamma digamma and log|Gamma|' = digamma.
+/// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function
+/// of it. Not available, and undefined, are the derivatives of agm, and of gamma and log_gamma
+/// those above the first, Gamma' = Gamma digamma and log|Gamma|' = digamma.
 template <int Order>
 struct supplement<jet<ball, Order>> {
   using series = jet<ball, Order>;

@@ -46,8 +46,8 @@ class polynomial_values {
 /// bracket.
 [[nodiscard]] exact_interval narrowed(polynomial_values& p, exact_interval bracket, long bits);
 
-/// A point inside the bracket: the middle, or about the geometric one where both ends have one sign and
-/// differ much in size.
+/// A point inside the bracket: the middle, or about the geometric one where both ends have one sign
+/// and differ much in size.
 [[nodiscard]] rational inner_point(const exact_interval& b);
 
 }  // namespace polhode::detail

@@ -348,8 +348,8 @@ class examination {
     return both.is_undefined() ? root : both;
   }
 
-  /// The order of the zero of f at the simplest rational number in the box, or the simplest rational
-  /// multiple of pi, where f is exactly 0 there.
+  /// The order of the zero of f at the simplest rational number in the box, or the simplest
+  /// rational multiple of pi, where f is exactly 0 there.
   struct exact_zero {
     pi_combination at;
     long multiplicity = 0;  // 0 where it was not found

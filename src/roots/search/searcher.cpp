@@ -80,9 +80,9 @@ class searcher {
     s_.concluded = true;
   }
 
-  /// A row of unresolved boxes ends where the box begins: a function that is not defined there, say, at
-  /// one end. Were all boxes beside it halved to the end, they would use up the limit on unresolved
-  /// ones, and nothing to their right would be found.
+  /// A row of unresolved boxes ends where the box begins: a function that is not defined there,
+  /// say, at one end. Were all boxes beside it halved to the end, they would use up the limit on
+  /// unresolved ones, and nothing to their right would be found.
   [[nodiscard]] bool is_beside_unresolved(const work_box& b) const {
     constexpr std::size_t long_row = 8;
     const auto& stuck = s_.stuck;
