@@ -17,7 +17,8 @@ from ._polhode import *  # noqa: F403: the functions of formulas, by their names
 from ._polhode import (Formula, Integral, Root, Roots, Symbol, SystemRoots, Undecided, __version__,
                        ball, certainly_less, eval, formula, functions, integrate, roots,
                        solve_system)
-from .bodies import Body, PolhodeError, certify, check, constants, cost, figures, run_scene, table
+from .bodies import (Body, PolhodeError, certify, check, constants, cost, figures, grid, merged,
+                     run_scene, table)
 from .program import run
 
 oo = _math.inf
@@ -26,5 +27,5 @@ __all__ = [
     "Body", "Formula", "Integral", "PolhodeError", "Root", "Roots", "Symbol", "SystemRoots",
     "Undecided", "ball", "certainly_less", "certify", "check", "constants", "cost", "eval",
     "figures", "formula", "functions", "integrate", "oo", "roots", "run", "run_scene",
-    "solve_system", "table", "pi", "e", "euler_gamma", "catalan", *functions,
+    "grid", "merged", "solve_system", "table", "pi", "e", "euler_gamma", "catalan", *functions,
 ]

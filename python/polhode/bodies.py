@@ -1,13 +1,14 @@
 """Rigid bodies, scenes and the claims of the paper: the commands of the program."""
 
+import io
 import pathlib
 import tempfile
 
 from ._polhode import ball, link_tensors
-from .program import PolhodeError, answer_of, run, text_of
+from .program import PolhodeError, answer_of, run, run_for_bytes, text_of
 
-__all__ = ["Body", "PolhodeError", "certify", "check", "constants", "cost", "figures", "run_scene",
-           "table"]
+__all__ = ["Body", "PolhodeError", "certify", "check", "constants", "cost", "figures", "grid", "merged",
+           "run_scene", "table"]
 
 
 def _joined(numbers):
@@ -112,6 +113,27 @@ def check(*paths, **options):
 def table(quantity, **options):
     """A table of a quantity of free rotations, as its rows: the command table."""
     return answer_of("table", quantity, *_options(options))
+
+
+def grid(*quantities, a, b, c=None, **options):
+    """Quantities over a grid of bodies, as an array [quantity][value, radius][a][b][c] of NumPy's:
+    the command map. The radius holds the rounding to a float too; NaN stands where a quantity does
+    not exist or is not certified.
+
+    >>> import polhode
+    >>> polhode.grid("meetings", a="1..9/2", b="0.1..0.5/1")[0, 0].tolist()
+    [[2.0, 1.0], [3.0, 2.0], [4.0, 2.0]]
+    """
+    import numpy
+    given = {"a": a, "b": b, "c": c, **options}
+    return numpy.load(io.BytesIO(run_for_bytes("map", *quantities, "--format", "npy",
+                                               *_options(given))))
+
+
+def merged(blocks):
+    """The same array from a directory of blocks that shards have made: the command merge."""
+    import numpy
+    return numpy.load(io.BytesIO(run_for_bytes("merge", blocks, "--format", "npy")))
 
 
 def cost(*arguments, **options):

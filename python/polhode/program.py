@@ -55,18 +55,22 @@ def with_balls(answer):
     return answer
 
 
-def run(*arguments, accept=(0, 1)):
-    """What the program prints for these arguments.
+def run_for_bytes(*arguments, accept=(0, 1)):
+    """What the program prints for these arguments, as bytes.
 
     Raises PolhodeError, with the program's sentence, where its exit status is not accepted: 0 is
     certified, 1 not certified, 2 bad usage or input, 3 a contradiction.
     """
-    done = subprocess.run([path(), *map(text_of, arguments)], capture_output=True, text=True,
-                          check=False)
+    done = subprocess.run([path(), *map(text_of, arguments)], capture_output=True, check=False)
     if done.returncode not in accept:
-        lines = done.stderr.strip().splitlines()
+        lines = done.stderr.decode().strip().splitlines()
         raise PolhodeError(lines[-1] if lines else f"exit status {done.returncode}")
     return done.stdout
+
+
+def run(*arguments, accept=(0, 1)):
+    """What the program prints, as text; otherwise as run_for_bytes."""
+    return run_for_bytes(*arguments, accept=accept).decode()
 
 
 def answer_of(*arguments, accept=(0, 1)):

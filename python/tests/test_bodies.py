@@ -65,6 +65,19 @@ def test_tables_and_scenes():
     assert polhode.run_scene(scenes[0])
 
 
+def test_grids(tmp_path):
+    numpy = pytest.importorskip("numpy")
+    whole = polhode.grid("epsilon0", "c0", a="1..9/3", b="0.1..0.5/1", digits=12)
+    assert whole.shape == (2, 2, 4, 2)
+    assert (whole[0, 1] < 1e-12).all()
+    assert abs(whole[0, 0, 0, 0] - float(polhode.table("epsilon0", ab="1,0.1", digits=20)["rows"][0]
+                                         ["epsilon0"].mid)) < 1e-12
+    for shard in ("1/2", "2/2"):
+        polhode.run("map", "epsilon0", "c0", "--a", "1..9/3", "--b", "0.1..0.5/1", "--digits", 12,
+                    "--blocks", tmp_path / "blocks", "--shard", shard)
+    numpy.testing.assert_array_equal(polhode.merged(tmp_path / "blocks"), whole)
+
+
 def test_errors_are_the_programs_sentences():
     with pytest.raises(PolhodeError, match="beta"):
         polhode.constants("bta")
@@ -78,6 +91,7 @@ def test_every_command_of_the_program_has_a_counterpart():
                     "constants": polhode.constants, "eval": polhode.eval,
                     "integrate": polhode.integrate, "roots": polhode.roots,
                     "body": Body.describe, "phase": Body.phase, "racket": Body.racket,
-                    "curve": Body.curve, "table": polhode.table, "scene": polhode.run_scene,
+                    "curve": Body.curve, "table": polhode.table, "map": polhode.grid,
+                    "merge": polhode.merged, "scene": polhode.run_scene,
                     "figures": polhode.figures, "cost": polhode.cost}
     assert names == set(counterparts)

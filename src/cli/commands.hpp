@@ -19,6 +19,8 @@ namespace polhode::cli {
 [[nodiscard]] command roots_command();
 [[nodiscard]] command scene_command();
 [[nodiscard]] command table_command();
+[[nodiscard]] command map_command();
+[[nodiscard]] command merge_command();
 [[nodiscard]] command cost_command();
 [[nodiscard]] command curve_command();
 [[nodiscard]] command figures_command();
@@ -27,8 +29,8 @@ namespace polhode::cli {
 [[nodiscard]] inline std::vector<command> all_commands() {
   return {certify_command(),   check_command(), constants_command(), eval_command(),
           integrate_command(), roots_command(), body_command(),      phase_command(),
-          racket_command(),    curve_command(), table_command(),     scene_command(),
-          figures_command(),   cost_command()};
+          racket_command(),    curve_command(), table_command(),     map_command(),
+          merge_command(),     scene_command(), figures_command(),   cost_command()};
 }
 
 }  // namespace polhode::cli

@@ -10,7 +10,6 @@
 //   alpha + beta exp(w) = beta exp(w) where the exact rules show that alpha = 0,
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
 
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -313,10 +312,10 @@ std::optional<expression> expression::in_exponential(const expression* end, int 
   }
   try {
     substitution s(*graph_, end == nullptr ? nullptr : end->graph_.get(), side);
-    expression result(*this);
+    detail::graph g = s.result();
+    const detail::node_id root = g.root;
+    expression result = with_root(std::move(g), root);
     result.variables_ = {"s"};
-    result.exact_.reset();
-    result.take(std::make_shared<detail::graph>(s.result()));
     return result;
   } catch (const detail::undefined_operation&) {
     return std::nullopt;  // an operation has no value anywhere

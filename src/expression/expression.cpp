@@ -98,6 +98,14 @@ void expression::take(std::shared_ptr<const detail::graph> g) {
   graph_ = std::move(g);
 }
 
+expression expression::with_root(detail::graph g, node_id root) const {
+  g.root = root;
+  expression result(*this);
+  result.exact_.reset();
+  result.take(std::make_shared<const detail::graph>(std::move(g)));
+  return result;
+}
+
 ball expression::value(precision p) const {
   if (!used_variables().empty()) {
     throw std::invalid_argument("the value of an expression in " + used_variables().front() +

@@ -123,15 +123,6 @@ std::optional<node_id> power_to_fraction(graph& g, const rational& x, const rati
 
 }  // namespace
 
-std::optional<rational> exact_root(const rational& q, unsigned long n) {
-  integer above = numerator(q);
-  integer below = denominator(q);
-  if (q < 0 && n % 2 == 0) return std::nullopt;
-  if (mpz_root(above.backend().data(), above.backend().data(), n) == 0) return std::nullopt;
-  if (mpz_root(below.backend().data(), below.backend().data(), n) == 0) return std::nullopt;
-  return rational(above) / rational(below);
-}
-
 std::string brief(const rational& q) {
   constexpr std::size_t most = 40;
   if (length_of(q) > 8 * static_cast<long>(most)) return "a number of many digits";

@@ -111,9 +111,6 @@ class graph {
 /// x!! = x (x-2) (x-4) ..., the product down to 1 or 2.
 node_id double_factorial(graph& g, node_id x);
 
-/// The real n-th root where it is a rational number.
-[[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);
-
 /// The name of a constant or function in a text; empty for an operator.
 [[nodiscard]] const char* name_of(operation what);
 [[nodiscard]] int operands_of(operation what);

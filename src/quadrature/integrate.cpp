@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "polhode/quadrature/rule.hpp"
+#include "quadrature/turned.hpp"
 
 namespace polhode::detail {
 
@@ -61,7 +62,12 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
   }
   for (const quadrature_rule& rule : quadrature_rule::all()) {
     if (!rule.strategy()->is_automatic()) continue;
-    if (std::optional<integral> found = rule.strategy()->attempt(f, a, b, options)) return *found;
+    std::optional<integral> found = rule.strategy()->attempt(f, a, b, options);
+    if (!found) continue;
+    if (infinite && found->why == reason::not_analytic) {
+      if (auto turned = integrate_over_turned_rays(f, a, b, options)) return *turned;
+    }
+    return *found;
   }
   throw std::logic_error("integrate: internal error: no rule attempts everything");
 }

@@ -34,17 +34,6 @@ std::array<T, 3> in_order(const std::array<T, 3>& given, const std::array<int, 3
   return {at(order[0]), at(order[1]), at(order[2])};
 }
 
-/// The square root of q >= 0 where it is rational.
-std::optional<rational> exact_root(const rational& q) {
-  const integer above = numerator(q);
-  const integer below = denominator(q);
-  if (mpz_perfect_square_p(above.backend().data()) == 0 ||
-      mpz_perfect_square_p(below.backend().data()) == 0) {
-    return std::nullopt;
-  }
-  return rational(integer(sqrt(above)), integer(sqrt(below)));
-}
-
 }  // namespace
 
 std::string to_text(body_kind kind) {
@@ -162,7 +151,7 @@ ball body::geometric_constant(precision p) const {
 }
 std::optional<rational> body::exact_geometric_constant() const {
   const exact_real square = square_of_geometric_constant();
-  return square.is_rational() ? exact_root(square.exact()) : std::nullopt;
+  return square.is_rational() ? exact_root(square.exact(), 2) : std::nullopt;
 }
 
 ball body::second_geometric_constant(precision p) const {
@@ -171,7 +160,7 @@ ball body::second_geometric_constant(precision p) const {
 }
 std::optional<rational> body::exact_second_geometric_constant() const {
   const exact_real square = square_of_second_constant();
-  auto root = square.is_rational() ? exact_root(square.exact()) : std::nullopt;
+  auto root = square.is_rational() ? exact_root(square.exact(), 2) : std::nullopt;
   if (root) *root -= 1;
   return root;
 }

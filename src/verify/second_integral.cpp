@@ -95,6 +95,7 @@ std::string route_text(const integral_account& account) {
     rules += (rules.empty() ? "" : " and ") + to_text(rule);
   }
   if (rules.empty()) rules = "bounds of the integrand";
+  if (account.panels == 0 && !account.rules.empty()) return rules;
   return fmt::format("{}, {} panel{}", rules, account.panels, account.panels == 1 ? "" : "s");
 }
 
@@ -122,7 +123,7 @@ std::string work_text(const integral_account& a) {
   const auto append = [&](const std::string& part) {
     result += (result.empty() ? "" : ", ") + part;
   };
-  append(fmt::format("{} panel{}", a.panels, a.panels == 1 ? "" : "s"));
+  if (a.panels > 0) append(fmt::format("{} panel{}", a.panels, a.panels == 1 ? "" : "s"));
   if (a.terms > 0) append(fmt::format("{} terms", a.terms));
   if (a.evaluations > 0) append(fmt::format("{} evaluations", a.evaluations));
   if (a.region_evaluations > 0) append(fmt::format("{} over regions", a.region_evaluations));

@@ -55,13 +55,13 @@ TEST(Integrate, AValueWithItsErrorWhereDigitsDoNotEnd) {
   const outcome result = integrate("log(x)", "0", "1", {"--digits", "30"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.out.rfind("-1 ± ", 0), 0U) << result.out;
-  const outcome zero = integrate("cos(x)", "0", "pi", {"--digits", "12"});
+  const outcome zero = integrate("sin(x)*exp(cos(x))", "0", "2*pi", {"--digits", "12"});
   EXPECT_EQ(zero.out.rfind("0 ± ", 0), 0U) << zero.out;
 }
 
 TEST(Integrate, ReversedAndEqualLimits) {
   EXPECT_EQ(digits_of(integrate("exp(x)", "1", "0")).front(), '-');
-  EXPECT_EQ(integrate("exp(x)", "1/3", "1/3").out.rfind("0\n", 0), 0U);
+  EXPECT_EQ(integrate("exp(x)", "1/3", "1/3").out.rfind("0 exactly\n", 0), 0U);
   EXPECT_EQ(digits_of(integrate("exp(-x^2)", "inf", "-inf")).rfind("-1.77", 0), 0U);
 }
 
@@ -194,7 +194,7 @@ TEST(Integrate, JsonHasTheEnclosureTheVerdictAndTheAccount) {
 }
 
 TEST(Integrate, PolynomialsBetweenRationalLimitsAreExact) {
-  const std::string how = "certified: the antiderivative of a polynomial, in rational numbers\n";
+  const std::string how = "certified: by an antiderivative, in rational numbers\n";
   EXPECT_EQ(integrate("x", "0", "1").out, "1/2 exactly\n0.5\n" + how);
   EXPECT_EQ(integrate("x^2", "2", "-1").out, "-3 exactly\n" + how);
   EXPECT_EQ(integrate("x^3", "-1", "1").out, "0 exactly\n" + how);

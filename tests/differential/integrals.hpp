@@ -63,6 +63,7 @@ struct integral_family {
 [[nodiscard]] std::vector<integral_family> end_families();
 [[nodiscard]] std::vector<integral_family> shape_families();
 [[nodiscard]] std::vector<integral_family> known_families();
+[[nodiscard]] std::vector<integral_family> oscillation_families();
 
 /// Computes the case by the first route and some others, and holds their enclosures against each other. Reports, as a failure of
 /// the running test, a contradiction: shrunk, with its commands.

@@ -14,7 +14,8 @@ namespace integrals_test {
 
 std::vector<integral_family> every_family() {
   std::vector<integral_family> result;
-  for (const auto& group : {steep_families(), end_families(), shape_families(), known_families()}) {
+  for (const auto& group : {steep_families(), end_families(), shape_families(), known_families(),
+                            oscillation_families()}) {
     result.insert(result.end(), group.begin(), group.end());
   }
   return result;

@@ -2,6 +2,7 @@
 
 // Exact integers and rationals, and reading them from text.
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -50,6 +51,9 @@ std::string to_text(N) = delete;
 /// The greatest integer that is at most q, and the least that is at least q.
 [[nodiscard]] integer floor_of(const rational& q);
 [[nodiscard]] integer ceil_of(const rational& q);
+
+/// The real n-th root where it is a rational number, n >= 1.
+[[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);
 
 /// The end points of a bounded ball as rationals: both are dyadic numbers, so nothing is lost (but
 /// that a radius below 2^-64 of the midpoint's last place counts as so much, outward).

@@ -22,6 +22,7 @@
 // of analyticity, with principal values.
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -232,6 +233,40 @@ class expression {
   /// worked out ("1/(x*log(x)^2)" is "1/s^2"). Wherever f(x) is defined for a real s, the formula
   /// has the same value. None where the formula is long, or has no value anywhere.
   [[nodiscard]] std::optional<expression> in_exponential(const expression* end, int side) const;
+  /// F with F' = f, entire, for a formula f of one variable that is a sum of products of powers x^n,
+  /// n >= 0, constants, and exponentials, sines and cosines of linear forms; so the integral of f
+  /// from a to b is F(b) - F(a) wherever F has values there. None for other formulas, and long ones.
+  [[nodiscard]] std::optional<expression> entire_antiderivative() const;
+  /// Formulas g_j in s with: the integral of f from `start` to infinity is the sum of those of the
+  /// g_j from 0 to infinity, and the g_j decay where f oscillates.
+  struct rays;
+  /// The rays for a formula f of one variable that is a sum of sines and cosines of polynomials times
+  /// rational functions of the variable and of powers and logarithms of polynomials, small enough for
+  /// its integral to converge; start >= from. Theorem and proof: turned_rays.cpp. None for other formulas, and long ones.
+  [[nodiscard]] std::optional<rays> on_turned_rays(const rational& from) const;
+  /// The integral of such an f, whatever its size, from a start in [a, b] to b as those of
+  /// `from_start`, less those of `from_end`, from 0 to infinity, and that of `steady`, if there is
+  /// one, from start to b. None for other formulas, for a < 0, and where f may be singular between
+  /// the rays.
+  struct two_rays;
+  [[nodiscard]] std::optional<two_rays> between_turned_rays(const rational& a,
+                                                            const rational& b) const;
+  /// A part of a range, and what f is inside it.
+  struct piece;
+  /// f between a and b, a formula of one variable in which abs, min, max, floor and ceil are of
+  /// rational functions of x and of each other, in pieces: each with a formula that has none of
+  /// these and the same values. None where they meet at an irrational point, where there are none of
+  /// them, or more than `most` pieces.
+  [[nodiscard]] std::optional<std::vector<piece>> pieces(const rational& a, const rational& b,
+                                                         std::size_t most) const;
+  /// T > 0 and n where f is a polynomial in x and in floor and ceil of linear forms: then for all s
+  /// and t f(s + T k + t) is a polynomial in k of degree at most n, k a whole number.
+  struct staircase;
+  [[nodiscard]] std::optional<staircase> as_staircase() const;
+  /// f(x) dx/du as a formula in u with x = (u^q - beta)/alpha, where roots and powers in f are of
+  /// alpha x + beta alone, and u = (alpha x + beta)^(1/q) makes them whole powers; for alpha x + beta > 0.
+  struct in_root;
+  [[nodiscard]] std::optional<in_root> by_root() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
   /// products, whole powers and quotients by numbers. None where it is not, or its expansion is long:
   /// a degree above 10,000, a million products of coefficients.
@@ -268,11 +303,40 @@ class expression {
   template <class T>
   [[nodiscard]] static precision detail_precision_of(const T& x);
   void take(std::shared_ptr<const detail::graph> g);
+  /// The formula of the same variables whose graph is g with this root.
+  [[nodiscard]] expression with_root(detail::graph g, std::uint32_t root) const;
 
   std::vector<std::string> variables_;
   std::optional<rational> exact_;
   std::shared_ptr<const detail::program> program_;
   std::shared_ptr<const detail::graph> graph_;
+};
+
+struct expression::rays {
+  rational start;
+  std::vector<expression> parts;
+};
+struct expression::two_rays {
+  rational start;
+  std::vector<expression> from_start;
+  std::vector<expression> from_end;
+  std::vector<expression> steady;  // at most one
+  double turns = 0;                // about how often the fastest part of f turns in [a, b]
+};
+struct expression::piece {
+  rational lower;
+  rational upper;
+  expression formula;
+};
+struct expression::staircase {
+  rational period;
+  long degree;
+};
+struct expression::in_root {
+  rational alpha;
+  rational beta;
+  long q;
+  expression formula;
 };
 
 template <class T>

@@ -143,6 +143,9 @@ struct segment {
   bool continued = false;
 };
 
+struct turned_rays;
+struct rays_of_range;
+
 /// A function in the arithmetics that the library needs.
 struct integrand {
   std::function<region(const region& x)> over;
@@ -162,6 +165,16 @@ struct integrand {
   /// which what is a power of the distance or of x is an exponential. Nothing where that is not
   /// available; may be empty.
   std::function<std::optional<integrand>(const end_point& end, int side)> in_exponential;
+  /// F with F' = f everywhere, entire, by the precision. Nothing where none is known; may be empty.
+  std::function<std::function<std::function<ball(const ball& x)>(precision p)>()> antiderivative;
+  /// The integral from some p >= `from` to infinity (to the end of sign `side`, for |x| >= p) as a
+  /// sum of others. Nothing where that is not available; may be empty.
+  std::function<std::optional<turned_rays>(const rational& from, int side)> on_turned_rays;
+  /// The integral over a part of [a, b], 0 not inside, as a sum of others, where f turns more often
+  /// than `least_turns` in [a, b]. Nothing where that is not available; may be empty.
+  std::function<std::optional<rays_of_range>(const rational& a, const rational& b,
+                                             double least_turns)>
+      between_turned_rays;
   std::function<tail_series(const tail_series& x)> near_infinity;
   /// How fast it grows at an end where it has no series. May be empty.
   std::function<growth_bound(const growth_bound& x)> growth;
@@ -169,6 +182,22 @@ struct integrand {
   std::function<symmetry(const symmetry& x)> under;
   /// Its operations, with constants to p bits; may be empty: then no breaks are looked for.
   std::function<recorded(const recorded& x, precision p)> record;
+};
+
+/// The sum of the integrals of the parts over [0, infinity) is that beyond `start`.
+struct turned_rays {
+  rational start;
+  std::vector<integrand> parts;
+};
+
+/// The sum of the integrals of `added` over [0, infinity), less those of `subtracted`, and those of
+/// `steady` over [a, b] is that over [a, b]; the rest of the range, if any, is nearer to 0.
+struct rays_of_range {
+  rational lower;
+  rational upper;
+  std::vector<integrand> added;
+  std::vector<integrand> subtracted;
+  std::vector<integrand> steady;
 };
 
 [[nodiscard]] integral integrate_function(const integrand& f, const end_point& a,

@@ -78,8 +78,12 @@ class panel_rule : public quadrature_strategy {
 /// A rule to choose, by name or by its object; `automatic` leaves the choice to `integrate`.
 class quadrature_rule {
  public:
-  static const quadrature_rule
-      automatic;  // a series where there is one, otherwise Gauss-Legendre or trapezoid on panels
+  /// An antiderivative or a series where there is one, otherwise Gauss-Legendre or trapezoid on panels.
+  static const quadrature_rule automatic;
+  /// Of sums of products of powers of x, exponentials, sines and cosines of linear forms.
+  static const quadrature_rule antiderivative;
+  /// Of sines and cosines of polynomials times rational functions and powers of x.
+  static const quadrature_rule turned_rays;
   static const quadrature_rule gauss_legendre;   // on panels
   static const quadrature_rule clenshaw_curtis;  // on panels
   static const quadrature_rule

@@ -128,6 +128,15 @@ integer ceil_of(const rational& q) {
   return n;
 }
 
+std::optional<rational> exact_root(const rational& q, unsigned long n) {
+  integer above = numerator(q);
+  integer below = denominator(q);
+  if (q < 0 && n % 2 == 0) return std::nullopt;
+  if (mpz_root(above.backend().data(), above.backend().data(), n) == 0) return std::nullopt;
+  if (mpz_root(below.backend().data(), below.backend().data(), n) == 0) return std::nullopt;
+  return rational(above) / rational(below);
+}
+
 rational lower_rational(const ball& x) { return dyadic_end(x, false); }
 rational upper_rational(const ball& x) { return dyadic_end(x, true); }
 

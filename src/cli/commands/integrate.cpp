@@ -34,10 +34,10 @@
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/certificate/certificate_of.hpp"
 #include "polhode/quadrature/contour.hpp"
+#include "polhode/quadrature/exact_integral.hpp"
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
-#include "polhode/quadrature/polynomial_integral.hpp"
 #include "polhode/verify/second_integral.hpp"
 
 namespace polhode::cli {
@@ -122,6 +122,9 @@ std::string account_text(const integral_account& a) {
     rules += (rules.empty() ? " (" : ", ") + to_text(rule);
   }
   if (!rules.empty()) rules += ')';
+  if (a.panels == 0 && a.evaluations == 0 && a.terms == 0 && !rules.empty()) {
+    return fmt::format("by an antiderivative, with {} bits", a.precision);
+  }
   const std::string panels = fmt::format("{} panel{}{}", a.panels, a.panels == 1 ? "" : "s", rules);
   if (a.terms > 0) return fmt::format("{}, {} terms with {} bits", panels, a.terms, a.precision);
   return fmt::format("{}, {} evaluations with {} bits, {} over regions", panels, a.evaluations,
@@ -420,16 +423,14 @@ std::string counts_text(const counted_calls& calls) {
                      calls.nodes.load());
 }
 
-/// The integral of a polynomial over rational limits, unless a rule, a certificate or a second opinion is asked for.
+/// The integral where it is a rational number, unless a rule, a certificate or a second opinion is asked for.
 std::optional<rational> known_integral(const expression& f, const end_point& a, const end_point& b,
                                        const integrate_command_options& options) {
   if (options.certificate.is_given() || options.verify.given ||
-      !read_rule(options.rule).is_automatic() || !a.exact() || !b.exact()) {
+      !read_rule(options.rule).is_automatic()) {
     return std::nullopt;
   }
-  const auto p = f.polynomial();
-  if (!p) return std::nullopt;
-  return exact_integral(*p, *a.exact(), *b.exact());
+  return exact_integral(f, a, b);
 }
 
 exit_status report_exact(const expression& f, const integrate_command_options& options,
@@ -437,8 +438,7 @@ exit_status report_exact(const expression& f, const integrate_command_options& o
   const long digits = options.digits.value();
   check_memory(options, digits);
   if (options.format.value() != "json") {
-    print(exact_answer(value, digits) +
-          "certified: the antiderivative of a polynomial, in rational numbers\n");
+    print(exact_answer(value, digits) + "certified: by an antiderivative, in rational numbers\n");
     return exit_status::all_certified;
   }
   integral known;
@@ -592,9 +592,9 @@ command integrate_command() {
       "the\n"
       "functions. Along a path it must be analytic between the corners; a branch cut in the way "
       "is\n"
-      "refused. Of a polynomial with rational coefficients, between rational limits, the answer is "
+      "refused. Where the integral is found to be a rational number, by an antiderivative, that is "
       "the\n"
-      "rational number, unless --rule, --certificate or --verify asks for more.\n"
+      "answer, unless --rule, --certificate or --verify asks for more.\n"
       "Digits before dots are cut off, never rounded; where they are not decided, the answer is\n"
       "value ± radius, as in 2 ± 1e-52. Exit status 1 where nothing is certified.\n",
       integrate_impl::declare};

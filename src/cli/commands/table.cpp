@@ -26,51 +26,12 @@
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/rigid_body/tennis_racket.hpp"
 #include "polhode/version.hpp"
+#include "quantities.hpp"
 
 namespace polhode::cli {
 namespace table_impl {
 namespace {
-
-struct quantity {
-  std::string name;
-  std::string description;
-  bool of_motion;  // of a body and c, or of a body alone
-  certain_number (*compute)(const body&, const rational& c, long digits);
-  /// Throws usage_error where there is none.
-  void (*check)(const body&, const rational& c);
-  bool infinite_at_0 = false;  // on the separatrix, c = 0
-};
-
-void check_phase(const body& rigid, const rational& c) { refuse_equilibrium(rigid, c, "phase"); }
-
-const std::vector<quantity>& all_quantities() {
-  static const std::vector<quantity> quantities{
-      {"phase", "Montgomery phase, unwrapped", true, montgomery_phase_to_digits, check_phase, true},
-      {"epsilon", "defect epsilon(c) of the tennis racket effect", true,
-       [](const body& rigid, const rational& c, long digits) {
-         const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
-         return certain_number{t.verdict, t.why, t.epsilon};
-       },
-       [](const body& rigid, const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); }},
-      {"epsilon0", "defect on the separatrix", false,
-       [](const body& rigid, const rational&, long digits) {
-         return separatrix_defect_to_digits(rigid, digits);
-       },
-       [](const body&, const rational&) {}},
-      {"c0", "motion of the perfect twist", false,
-       [](const body& rigid, const rational&, long digits) {
-         return perfect_twist_to_digits(rigid, digits);
-       },
-       [](const body& rigid, const rational&) {
-         if (has_perfect_twist(rigid)) return;
-         throw usage_error(
-             fmt::format("a = {}, b = {}: there is no perfect twist and no c0, since J >= 2",
-                         to_text(rigid.a()), to_text(rigid.b())));
-       }}};
-  return quantities;
-}
 
 struct row {
   std::shared_ptr<const body> rigid;

@@ -37,10 +37,11 @@ std::optional<motion_range> range_in(const std::string& text) {
   return std::nullopt;
 }
 
-void refuse_unless_ascending(const std::string& text, const motion_range& range) {
+void refuse_unless_ascending(const std::string& option, const std::string& text,
+                             const motion_range& range) {
   if (range.low < range.high) return;
   throw usage_error(
-      fmt::format("--c {}: the lower end must be below the upper one", in_quotes(text)));
+      fmt::format("{} {}: the lower end must be below the upper one", option, in_quotes(text)));
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ motion_range read_motion_range(const std::string& text, const body& rigid) {
     throw usage_error(
         fmt::format("--c {}: it must be LO..HI, such as -0.06..0.06", in_quotes(text)));
   }
-  refuse_unless_ascending(text, *result);
+  refuse_unless_ascending("--c", text, *result);
   for (const rational& end : {result->low, result->high}) {
     try {
       (void)regime_of(rigid, end);
@@ -80,9 +81,9 @@ std::vector<rational> motion_range::values() const {
   return result;
 }
 
-motion_range read_motions(const std::string& text) {
+motion_range read_motions(const std::string& text, const std::string& option) {
   if (text.find("..") == std::string::npos) {
-    const rational c = read_number("--c", text);
+    const rational c = read_number(option, text);
     return {c, c, {}};
   }
   // The number of steps is behind the last "/": 0..1/3 is three steps, 0..1/3/10 ten.
@@ -93,18 +94,19 @@ motion_range read_motions(const std::string& text) {
     result = range_in(text.substr(0, slash));
     if (result && !steps) {
       throw usage_error(
-          fmt::format("--c {}: behind the last / there must be the number of steps, from 1 to {}",
-                      in_quotes(text), most_steps));
+          fmt::format("{} {}: behind the last / there must be the number of steps, from 1 to {}",
+                      option, in_quotes(text), most_steps));
     }
     if (result) result->steps = steps;
   } else {
     result = range_in(text);
   }
   if (!result) {
-    throw usage_error(fmt::format(
-        "--c {}: it must be LO..HI/N, such as -0.06..0.06/12, or one number", in_quotes(text)));
+    throw usage_error(fmt::format("{} {}: it must be LO..HI/N, such as {}, or one number", option,
+                                  in_quotes(text),
+                                  option == "--c" ? "-0.06..0.06/12" : "0.1..0.9/8"));
   }
-  refuse_unless_ascending(text, *result);
+  refuse_unless_ascending(option, text, *result);
   return *result;
 }
 

@@ -49,6 +49,9 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   result.under = nullptr;
   result.near_known_end = nullptr;
   result.in_exponential = nullptr;
+  result.antiderivative = nullptr;
+  result.on_turned_rays = nullptr;
+  result.between_turned_rays = nullptr;
   result.angle_evaluator = nullptr;
   result.over = [f, chosen](const region& x) {
     return evaluate(*f, x.precision(), x, *chosen, f->result())[f->result()];

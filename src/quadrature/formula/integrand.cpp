@@ -280,6 +280,12 @@ std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
   };
 }
 
+/// f(-x), of one variable.
+expression reflected(const expression& f) {
+  const expression_names names{.variables = f.variables(), .definitions = {}};
+  return expression(f(-symbol::variable(0)), names);
+}
+
 /// With so many changes of the variable to an exponential, one after the other, at most.
 detail::integrand integrand_with_changes(const expression& f, int changes) {
   constexpr precision series_bits = 192;
@@ -326,6 +332,46 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
       if (x.value(series_bits).is_bounded()) points.push_back(end_point_of(x));
     }
     return points;
+  };
+  result.antiderivative = [f]() -> std::function<std::function<ball(const ball&)>(precision)> {
+    const std::optional<expression> found = f.entire_antiderivative();
+    if (!found) return nullptr;
+    return [antiderivative = *found](precision p) -> std::function<ball(const ball&)> {
+      return antiderivative.evaluator<ball>(p);
+    };
+  };
+  result.on_turned_rays = [f](const rational& from,
+                              int side) -> std::optional<detail::turned_rays> {
+    if (f.variables().size() != 1) return std::nullopt;
+    const expression outward = side > 0 ? f : reflected(f);
+    const auto rays = outward.on_turned_rays(from);
+    if (!rays) return std::nullopt;
+    detail::turned_rays turned{rays->start, {}};
+    for (const expression& part : rays->parts) turned.parts.push_back(integrand_of(part));
+    return turned;
+  };
+  result.between_turned_rays = [f](const rational& a, const rational& b,
+                                   double least_turns) -> std::optional<detail::rays_of_range> {
+    if (f.variables().size() != 1) return std::nullopt;
+    const bool mirrored = a < 0;
+    const expression outward = mirrored ? reflected(f) : f;
+    const auto rays = mirrored ? outward.between_turned_rays(-b, -a) : f.between_turned_rays(a, b);
+    if (!rays || !(rays->turns > least_turns)) return std::nullopt;
+    const auto integrands = [](const std::vector<expression>& parts) {
+      std::vector<detail::integrand> made;
+      for (const expression& part : parts) made.push_back(integrand_of(part));
+      return made;
+    };
+    detail::rays_of_range found{
+        rays->start, b, integrands(rays->from_start), integrands(rays->from_end), {}};
+    for (const expression& part : rays->steady) {
+      found.steady.push_back(integrand_of(mirrored ? reflected(part) : part));
+    }
+    if (mirrored) {
+      found.lower = a;
+      found.upper = -rays->start;
+    }
+    return found;
   };
   result.near_infinity = made_on_first_use<tail_series>(f, series_bits);
   result.growth = made_on_first_use<growth_bound>(f, series_bits);

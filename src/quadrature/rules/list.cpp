@@ -15,6 +15,8 @@ const quadrature_strategy& as_strategy() {
 }  // namespace
 
 constinit const quadrature_rule quadrature_rule::automatic{maker{nullptr}};
+constinit const quadrature_rule quadrature_rule::antiderivative{maker{detail::antiderivative_rule}};
+constinit const quadrature_rule quadrature_rule::turned_rays{maker{detail::turned_rays_rule}};
 constinit const quadrature_rule quadrature_rule::taylor_series{maker{detail::taylor_series_rule}};
 constinit const quadrature_rule quadrature_rule::gauss_legendre{
     maker{as_strategy<detail::gauss_legendre_panels>}};
@@ -25,8 +27,8 @@ constinit const quadrature_rule quadrature_rule::clenshaw_curtis{
 constinit const quadrature_rule quadrature_rule::trapezoid{maker{detail::trapezoid_rule}};
 
 std::span<const quadrature_rule> quadrature_rule::all() {
-  static const std::array rules{taylor_series, gauss_legendre, double_exponential, clenshaw_curtis,
-                                trapezoid};
+  static const std::array rules{antiderivative,     turned_rays,     taylor_series, gauss_legendre,
+                                double_exponential, clenshaw_curtis, trapezoid};
   return rules;
 }
 

@@ -6,6 +6,8 @@
 
 namespace polhode::detail {
 
+[[nodiscard]] const quadrature_strategy& antiderivative_rule();
+[[nodiscard]] const quadrature_strategy& turned_rays_rule();
 [[nodiscard]] const quadrature_strategy& taylor_series_rule();
 [[nodiscard]] const panel_rule& gauss_legendre_panels();
 [[nodiscard]] const quadrature_strategy& double_exponential_rule();

@@ -1,0 +1,374 @@
+#include "exponential_sum.hpp"
+
+#include <algorithm>
+
+namespace polhode::detail {
+
+// ---------------------------------------------------------------------------------------------
+// Complex numbers as pairs of nodes
+
+node_id complex_nodes::sum(node_id x, node_id y) { return detail::add(g_, x, y); }
+node_id complex_nodes::difference(node_id x, node_id y) {
+  if (x == y) return zero_;
+  return x == zero_ ? minus(y) : subtract(g_, x, y);
+}
+node_id complex_nodes::product(node_id x, node_id y) {
+  return x == zero_ || y == zero_ ? zero_ : detail::multiply(g_, x, y);
+}
+node_id complex_nodes::minus(node_id x) { return detail::negate(g_, x); }
+node_id complex_nodes::call(const char* function, node_id x) {
+  return find_function(function)->build(g_, {x});
+}
+
+complex_node complex_nodes::add(const complex_node& x, const complex_node& y) {
+  return {sum(x.re, y.re), sum(x.im, y.im)};
+}
+complex_node complex_nodes::negate(const complex_node& x) { return {minus(x.re), minus(x.im)}; }
+complex_node complex_nodes::conjugate(const complex_node& x) { return {x.re, minus(x.im)}; }
+complex_node complex_nodes::multiply(const complex_node& x, const complex_node& y) {
+  return {difference(product(x.re, y.re), product(x.im, y.im)),
+          sum(product(x.re, y.im), product(x.im, y.re))};
+}
+complex_node complex_nodes::divide(const complex_node& x, const complex_node& y) {
+  const auto over = [&](const complex_node& z, node_id d) -> complex_node {
+    return {z.re == zero_ ? zero_ : detail::divide(g_, z.re, d),
+            z.im == zero_ ? zero_ : detail::divide(g_, z.im, d)};
+  };
+  if (is_real(y)) return over(x, y.re);
+  return over(multiply(x, conjugate(y)), sum(product(y.re, y.re), product(y.im, y.im)));
+}
+complex_node complex_nodes::power(const complex_node& x, long n) {
+  if (n < 0) return divide(number(1), power(x, -n));
+  if (is_real(x)) return real(detail::power(g_, x.re, g_.number(n)));
+  complex_node result = number(1);
+  for (complex_node square = x; n > 0; n /= 2) {
+    if (n % 2 == 1) result = multiply(result, square);
+    if (n > 1) square = multiply(square, square);
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Polynomials
+
+namespace exponential_sum_impl {
+namespace {
+
+constexpr long greatest_degree = 64;
+constexpr std::size_t most_terms = 64;
+
+using coefficients = std::vector<node_id>;
+using maybe_coefficients = std::optional<coefficients>;
+
+/// Polynomials in the variable whose coefficients are nodes without it.
+class polynomial_nodes {
+ public:
+  explicit polynomial_nodes(graph& g) : g_(g), zero_(g.number(0)) {}
+
+  maybe_coefficients of(node_id i) {
+    const auto known = known_.find(i);
+    if (known != known_.end()) return known->second;
+    maybe_coefficients found = made(i);
+    known_.emplace(i, found);
+    return found;
+  }
+  [[nodiscard]] bool is_constant(node_id i) {
+    while (varies_.size() < g_.size()) {
+      const auto k = static_cast<node_id>(varies_.size());
+      bool any = g_[k].what == operation::variable;
+      for (const node_id x : operands_at(g_, k)) any = any || varies_[x] != 0;
+      varies_.push_back(static_cast<char>(any));
+    }
+    return varies_[i] == 0;
+  }
+
+ private:
+  maybe_coefficients made(node_id i) {
+    if (is_constant(i)) return trimmed({i});
+    const node n = g_[i];
+    const auto of_two = [&](const auto& f) -> maybe_coefficients {
+      const maybe_coefficients x = of(n.left);
+      const maybe_coefficients y = x ? of(n.right) : std::nullopt;
+      return y ? f(*x, *y) : std::nullopt;
+    };
+    switch (n.what) {
+      case operation::variable:
+        return coefficients{zero_, g_.number(1)};
+      case operation::negate: {
+        maybe_coefficients x = of(n.left);
+        if (x) std::ranges::for_each(*x, [&](node_id& c) { c = negate(g_, c); });
+        return x;
+      }
+      case operation::add:
+        return of_two([&](const auto& x, const auto& y) { return sum(x, y, false); });
+      case operation::subtract:
+        return of_two([&](const auto& x, const auto& y) { return sum(x, y, true); });
+      case operation::multiply:
+        return of_two([&](const auto& x, const auto& y) { return product(x, y); });
+      case operation::divide: {
+        if (!is_constant(n.right)) return std::nullopt;
+        maybe_coefficients x = of(n.left);
+        if (!x) return x;
+        for (node_id& c : *x) {
+          if (c != zero_) c = divide(g_, c, n.right);
+        }
+        return x;
+      }
+      case operation::power_integer: {
+        const maybe_coefficients x = of(n.left);
+        if (!x || n.number < 1 || n.number > greatest_degree) return std::nullopt;
+        maybe_coefficients result = x;
+        for (long k = 1; k < n.number && result; ++k) result = product(*result, *x);
+        return result;
+      }
+      default:
+        return std::nullopt;
+    }
+  }
+  maybe_coefficients sum(const coefficients& x, const coefficients& y, bool minus) {
+    coefficients result(std::max(x.size(), y.size()), zero_);
+    complex_nodes reals(g_);
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const node_id p = k < x.size() ? x[k] : zero_;
+      const node_id q = k < y.size() ? y[k] : zero_;
+      result[k] = minus ? reals.difference(p, q) : reals.sum(p, q);
+    }
+    return trimmed(std::move(result));
+  }
+  maybe_coefficients product(const coefficients& x, const coefficients& y) {
+    if (x.empty() || y.empty()) return coefficients{};
+    if (x.size() + y.size() > static_cast<std::size_t>(greatest_degree) + 2) return std::nullopt;
+    coefficients result(x.size() + y.size() - 1, zero_);
+    complex_nodes reals(g_);
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      for (std::size_t k = 0; k < y.size(); ++k) {
+        result[j + k] = reals.sum(result[j + k], reals.product(x[j], y[k]));
+      }
+    }
+    return trimmed(std::move(result));
+  }
+  coefficients trimmed(coefficients c) const {
+    while (!c.empty() && c.back() == zero_) c.pop_back();
+    return c;
+  }
+
+  graph& g_;
+  node_id zero_;
+  std::map<node_id, maybe_coefficients> known_;
+  std::vector<char> varies_;
+};
+
+// ---------------------------------------------------------------------------------------------
+// Sums of exponentials
+
+using maybe_terms = std::optional<exponential_terms>;
+
+class decomposition {
+ public:
+  explicit decomposition(graph& g) : g_(g), nodes_(g), polynomials_(g) {}
+
+  maybe_terms root() {
+    const std::vector<char> used = reachable(g_);
+    const node_id end = g_.root + 1;  // the graph grows
+    for (node_id i = 0; i < end; ++i) {
+      if (used[i] == 0) continue;
+      maybe_terms found = made(i);
+      if (!found || found->size() > most_terms) return std::nullopt;
+      known_.emplace(i, std::move(*found));
+    }
+    return known_.at(g_.root);
+  }
+
+ private:
+  static exponential_terms steady(const complex_node& amplitude) { return {{{}, amplitude}}; }
+  /// The node of a sum without exponentials.
+  std::optional<node_id> steady_node(const exponential_terms& x) {
+    if (x.empty()) return g_.number(0);
+    if (x.size() > 1 || !x.begin()->first.empty()) return std::nullopt;
+    return x.begin()->second.re;
+  }
+
+  maybe_terms made(node_id i) {
+    const node n = g_[i];
+    if (n.what == operation::variable || polynomials_.is_constant(i)) {
+      return steady(nodes_.real(i));
+    }
+    if (n.what == operation::further) return of_steady_operands(i);
+    if (!is_wave(n.what)) {
+      if (const maybe_terms found = of_steady_operands(i)) return found;
+    }
+    const exponential_terms& x = known_.at(n.left);
+    switch (n.what) {
+      case operation::negate:
+        return scaled(x, nodes_.number(-1));
+      case operation::add:
+        return sum(x, known_.at(n.right));
+      case operation::subtract:
+        return sum(x, scaled(known_.at(n.right), nodes_.number(-1)));
+      case operation::multiply:
+        return product(x, known_.at(n.right));
+      case operation::divide: {
+        const auto divisor = steady_node(known_.at(n.right));
+        if (!divisor) return std::nullopt;
+        return scaled(x, nodes_.real(divide(g_, g_.number(1), *divisor)));
+      }
+      case operation::power_integer: {
+        if (const auto base = steady_node(x)) {
+          return steady(nodes_.real(power(g_, *base, g_.number(n.number))));
+        }
+        constexpr long most = 24;
+        if (n.number < 1 || n.number > most) return std::nullopt;
+        maybe_terms result = x;
+        for (long k = 1; k < n.number && result; ++k) result = product(*result, x);
+        return result;
+      }
+      case operation::exp:
+        return exponential(x, 1, 0);
+      case operation::expm1: {
+        const maybe_terms found = exponential(x, 1, 0);
+        return found ? sum(*found, steady(nodes_.number(-1))) : std::nullopt;
+      }
+      case operation::cosh:
+        return half_sum(exponential(x, 1, 0), exponential(x, -1, 0), 1);
+      case operation::sinh:
+        return half_sum(exponential(x, 1, 0), exponential(x, -1, 0), -1);
+      case operation::cos:
+        return exponential(x, 0, 1);
+      case operation::sin: {
+        const maybe_terms found = exponential(x, 0, 1);
+        return found ? scaled(*found, nodes_.negate(unit())) : found;
+      }
+      case operation::cospi:
+        return exponential(x, 0, 1, g_.make(operation::pi));
+      case operation::sinpi: {
+        const maybe_terms found = exponential(x, 0, 1, g_.make(operation::pi));
+        return found ? scaled(*found, nodes_.negate(unit())) : found;
+      }
+      default:
+        return of_steady_operands(i);
+    }
+  }
+  /// An exponential, or a function made of them.
+  static bool is_wave(operation what) {
+    switch (what) {
+      case operation::exp:
+      case operation::expm1:
+      case operation::sin:
+      case operation::cos:
+      case operation::sinpi:
+      case operation::cospi:
+      case operation::sinh:
+      case operation::cosh:
+        return true;
+      default:
+        return false;
+    }
+  }
+  /// What is made of steady operands is steady.
+  maybe_terms of_steady_operands(node_id i) {
+    for (const node_id k : operands_at(g_, i)) {
+      const auto operand = steady_node(known_.at(k));
+      if (!operand || *operand != k) return std::nullopt;
+    }
+    return steady(nodes_.real(i));
+  }
+
+  [[nodiscard]] complex_node unit() { return {g_.number(0), g_.number(1)}; }
+
+  maybe_terms sum(exponential_terms x, const exponential_terms& y) {
+    for (const auto& [e, c] : y) {
+      const auto [place, is_new] = x.emplace(e, c);
+      if (!is_new) place->second = nodes_.add(place->second, c);
+      if (nodes_.is_zero(place->second)) x.erase(place);
+    }
+    if (x.size() > most_terms) return std::nullopt;
+    return x;
+  }
+  exponential_terms scaled(exponential_terms x, const complex_node& by) {
+    for (auto& [e, c] : x) c = nodes_.multiply(c, by);
+    return x;
+  }
+  maybe_terms half_sum(const maybe_terms& x, const maybe_terms& y, long sign) {
+    if (!x || !y) return std::nullopt;
+    return sum(scaled(*x, nodes_.number(rational(1, 2))),
+               scaled(*y, nodes_.number(rational(sign, 2))));
+  }
+  polynomial_exponent sum_of(const polynomial_exponent& x, const polynomial_exponent& y,
+                             bool conjugate) {
+    polynomial_exponent result(std::max(x.size(), y.size()), nodes_.number(0));
+    for (std::size_t k = 0; k < x.size(); ++k) result[k] = x[k];
+    for (std::size_t k = 0; k < y.size(); ++k) {
+      result[k] = nodes_.add(result[k], conjugate ? nodes_.conjugate(y[k]) : y[k]);
+    }
+    while (!result.empty() && nodes_.is_zero(result.back())) result.pop_back();
+    return result;
+  }
+  /// Re p Re q = Re (p q + p conj(q)) / 2; p q where one of the two is real.
+  maybe_terms product(const exponential_terms& x, const exponential_terms& y) {
+    maybe_terms result = exponential_terms{};
+    const complex_node half = nodes_.number(rational(1, 2));
+    for (const auto& [e, c] : x) {
+      for (const auto& [f, d] : y) {
+        if (is_real(e, c) || is_real(f, d)) {
+          result = sum(std::move(*result), {{sum_of(e, f, false), nodes_.multiply(c, d)}});
+        } else {
+          const complex_node p = nodes_.multiply(c, half);
+          result = sum(std::move(*result), {{sum_of(e, f, false), nodes_.multiply(p, d)}});
+          if (!result) return result;
+          const complex_node q = nodes_.multiply(p, nodes_.conjugate(d));
+          result = sum(std::move(*result), {{sum_of(e, f, true), q}});
+        }
+        if (!result) return result;
+      }
+    }
+    return result;
+  }
+  [[nodiscard]] bool is_real(const polynomial_exponent& e, const complex_node& c) const {
+    return nodes_.is_real(c) &&
+           std::ranges::all_of(e, [&](const complex_node& z) { return nodes_.is_real(z); });
+  }
+  /// exp((a + i b) scale w) for a polynomial w, where a or b is 0.
+  maybe_terms exponential(const exponential_terms& of, const rational& a, const rational& b,
+                          std::optional<node_id> scale = std::nullopt) {
+    std::optional<node_id> w = steady_node(of);
+    if (!w) return std::nullopt;
+    if (scale) w = nodes_.product(*scale, *w);
+    const auto c = polynomials_.of(*w);
+    if (!c) return std::nullopt;
+    const complex_node factor{g_.number(a), g_.number(b)};
+    polynomial_exponent e;
+    for (std::size_t k = 1; k < c->size(); ++k) {
+      e.push_back(nodes_.multiply(factor, nodes_.real((*c)[k])));
+    }
+    complex_node amplitude = nodes_.number(1);
+    if (!c->empty() && c->front() != g_.number(0)) {
+      const node_id constant = c->front();
+      amplitude = b == 0 ? nodes_.real(nodes_.call("exp", nodes_.product(factor.re, constant)))
+                         : complex_node{nodes_.call("cos", constant),
+                                        nodes_.product(factor.im, nodes_.call("sin", constant))};
+    }
+    return exponential_terms{{e, amplitude}};
+  }
+
+  graph& g_;
+  complex_nodes nodes_;
+  polynomial_nodes polynomials_;
+  std::map<node_id, exponential_terms> known_;
+};
+
+}  // namespace
+}  // namespace exponential_sum_impl
+
+std::optional<std::vector<node_id>> polynomial_in_variable(graph& g, node_id of) {
+  return exponential_sum_impl::polynomial_nodes(g).of(of);
+}
+
+std::optional<exponential_terms> exponential_terms_of(graph& g) {
+  try {
+    return exponential_sum_impl::decomposition(g).root();
+  } catch (const undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+}  // namespace polhode::detail

@@ -1,0 +1,553 @@
+// Integrals of oscillations up to infinity over rays on which they decay.
+//
+// Let f = Re h exp(i phi) for x >= p, with a real polynomial phi of degree n >= 1 and leading
+// coefficient d_n > 0, and h analytic on {z: Re z >= p} with |h(z)| <= C |z|^m there, m < n - 1. Let
+// phi(p + w) = the sum of d_j w^j and theta = pi/(2n). Then
+//
+//   the integral of f from p to infinity = Re of the integral of
+//       exp(i theta) h(p + s e^(i theta)) exp(i phi(p + s e^(i theta))) ds from 0 to infinity.
+//
+// Proof: the sector 0 <= arg w <= theta lies in Re z >= p. Between the two rays Cauchy's theorem leaves
+// the arc w = R e^(i alpha), 0 <= alpha <= theta, on which sin(n alpha) >= 2 n alpha/pi and
+// |sin(j alpha)| <= j alpha, so that Im phi >= alpha (2 n d_n R^n/pi - the sum of j |d_j| R^j over
+// 1 <= j < n) >= alpha d_n R^n/2 for great R. So the arc contributes at most the integral of C' R^(m+1)
+// exp(-alpha d_n R^n/2) over alpha, which is at most 2 C' R^(m+1-n)/d_n and tends to 0. On the ray
+// |exp(i phi)| = exp(-V), V = the sum of d_j sin(j theta) s^j with leading term d_n s^n: the integral over
+// it converges absolutely. So the one over the real axis converges to the same number.
+//
+// Between two numbers p < q the same rays from p and from q have the difference
+//
+//   the integral of f from p to q = (that over the ray from p) - (that over the ray from q),
+//
+// for every m: the path from p + R e^(i theta) to q + R e^(i theta), on which Im phi >= d_n R^n/2 for
+// great R, contributes at most C R^m exp(-d_n R^n/2), which tends to 0.
+//
+// h is made of the variable by sums, products, quotients, powers and logarithms. Its degree m comes
+// from these, that of a logarithm being any number above 0. A
+// divisor that is a polynomial with the coefficients c_j, d_j those around p, has no zero in the sector,
+// and is at least C |z|^d there, C > 0, in two cases:
+//   p > 0 and |c_d| > the sum of |c_j| p^(j-d) over j < d, for |z| >= p there;
+//   d_0 > 0, d_1 > 0, d_j >= 0 (or all of the other sign), d <= 2n: for w = r e^(i alpha), j alpha lies in
+//   [0, pi], so that the imaginary part is at least d_1 r sin alpha > 0 unless alpha = 0, where the real
+//   part is at least d_0; and the quotient by |z|^d is continuous with a positive limit at infinity.
+// Between two rays there is a third: d = 1 and the root, which is real, is not in [p, q], the only real
+// points between the rays; at infinity as before.
+// In the second case, with positive signs, the polynomial w is never a number <= 0, so that the
+// principal branches of w^e and log w are analytic; for d <= 2 arg w is the sum of those of z - r over
+// the roots r, which have Re r < p (d_1 > 0 where they are not real), each in (-pi/2, pi/2). At p = 0, where x^e is not analytic, only e > 0 is allowed, and not in a divisor: then the contour's
+// part around 0 vanishes with its radius.
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "exact_value.hpp"
+#include "exponential_sum.hpp"
+#include "polhode/arithmetic/ball.hpp"
+#include "polhode/expression/symbol.hpp"
+
+namespace polhode {
+namespace turned_rays_impl {
+namespace {
+
+using detail::complex_node;
+using detail::complex_nodes;
+using detail::node;
+using detail::node_id;
+using detail::operation;
+
+constexpr std::size_t most_nodes = 300;  // of the formula
+constexpr precision bits = 192;
+constexpr std::size_t most_expanded = 8;  // coefficients of a polynomial that is taken as one
+
+/// |h(z)| <= C' |z|^most for great z in the sector; and C |z|^least <= |h(z)| everywhere in it, with
+/// C > 0, where `least` is known.
+struct growth {
+  rational most;
+  std::optional<rational> least;
+};
+
+class turned_rays {
+ public:
+  explicit turned_rays(const detail::graph& f) : g_(f), nodes_(g_), x_(g_.variable(0)), s_(x_) {}
+
+  /// Whether it is such a sum, and no part of it grows.
+  bool prepare() {
+    auto terms = detail::exponential_terms_of(g_);
+    if (!terms) return false;
+    for (auto& [e, h] : *terms) {
+      oscillation part{{}, h};
+      for (const complex_node& c : e) {
+        if (c.re != g_.number(0)) return false;
+        part.phase.push_back(c.im);
+      }
+      if (!part.phase.empty() && !make_leading_positive(part)) return false;
+      parts_.push_back(std::move(part));
+    }
+    return !parts_.empty() &&
+           std::ranges::any_of(parts_, [](const auto& p) { return !p.phase.empty(); });
+  }
+
+  /// Whether the rays may start at p >= 0, for an integral up to `end`, or up to infinity. With
+  /// `only_rising`, whether the phases' derivatives are not negative there either.
+  bool may_start_at(const rational& p, const std::optional<rational>& end, bool only_rising) {
+    start_ = p;
+    end_ = end;
+    return std::ranges::all_of(parts_, [&](const oscillation& part) {
+      growths_.clear();
+      n_ = static_cast<long>(part.phase.size());
+      if (n_ == 0) return true;
+      for (const node_id h : {part.amplitude.re, part.amplitude.im}) {
+        if (h == g_.number(0)) continue;
+        const auto of = growth_of(h);
+        if (!of || (!end && !(of->most < n_ - 1))) return false;
+      }
+      if (!only_rising) return true;
+      std::vector<node_id> phase{g_.number(0)};
+      phase.insert(phase.end(), part.phase.begin(), part.phase.end());
+      const std::vector<node_id> d = shifted(std::move(phase));
+      return std::all_of(d.begin() + 1, d.end(),
+                         [&](node_id c) { return !certainly_positive(-value_of(c)); });
+    });
+  }
+
+  /// About how often the fastest part turns between two numbers.
+  double turns_between(const rational& p, const rational& q) {
+    ball most(0, bits);
+    for (const oscillation& part : parts_) {
+      ball turn(0, bits);
+      for (std::size_t j = part.phase.size(); j-- > 0;) {
+        // (q^(j+1) - p^(j+1)) times the coefficient.
+        const auto n = static_cast<long>(j + 1);
+        turn += value_of(part.phase[j]) * (pow(ball(q, bits), n) - pow(ball(p, bits), n));
+      }
+      if (certainly_less(most, abs(turn))) most = abs(turn);
+    }
+    return most.is_bounded() ? static_cast<double>(upper_rational(most)) / 6.3 : 0;
+  }
+
+  /// The sum of the parts that do not oscillate, as a node of graph(), where there are any.
+  std::optional<node_id> steady_part() {
+    std::optional<node_id> sum;
+    for (const oscillation& part : parts_) {
+      if (!part.phase.empty()) continue;
+      sum = sum ? nodes_.sum(*sum, part.amplitude.re) : part.amplitude.re;
+    }
+    return sum;
+  }
+
+  /// The formulas in s of the parts that oscillate, on the rays from p, as nodes of graph().
+  std::vector<node_id> on_rays_from(const rational& p) {
+    start_ = p;
+    std::vector<node_id> result;
+    for (const oscillation& part : parts_) {
+      if (!part.phase.empty()) result.push_back(on_ray(part));
+    }
+    return result;
+  }
+  [[nodiscard]] const detail::graph& graph() const { return g_; }
+
+ private:
+  struct oscillation {
+    std::vector<node_id> phase;  // the coefficients of x, x^2, ...
+    complex_node amplitude;
+  };
+
+  ball value_of(node_id c) {
+    const auto known = values_.find(c);
+    if (known != values_.end()) return known->second;
+    ball value(0, bits);
+    if (const rational* q = g_.value(c)) {
+      value = ball(*q, bits);
+    } else {
+      detail::graph alone = g_;
+      alone.root = c;
+      value = detail::values_of_constants(detail::compile(alone, 0), bits).back();  // the root's
+    }
+    values_.emplace(c, value);
+    return value;
+  }
+
+  /// Re h exp(i phi) = Re conj(h) exp(-i phi).
+  bool make_leading_positive(oscillation& part) {
+    const ball leading = value_of(part.phase.back());
+    if (certainly_positive(leading)) return true;
+    if (!certainly_positive(-leading)) return false;
+    for (node_id& c : part.phase) c = nodes_.minus(c);
+    part.amplitude = nodes_.conjugate(part.amplitude);
+    return true;
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Growth in the sector
+
+  std::optional<growth> growth_of(node_id i) {
+    const auto known = growths_.find(i);
+    if (known != growths_.end()) return known->second;
+    std::optional<growth> found = growth_made(i);
+    growths_.emplace(i, found);
+    return found;
+  }
+  std::optional<growth> growth_made(node_id i) {
+    if (const auto c = detail::polynomial_in_variable(g_, i)) {
+      const auto found = of_polynomial(*c);
+      if (!found || found->least || c->size() <= 2) return found;
+    }
+    const node n = g_[i];
+    const auto left = [&] { return growth_of(n.left); };
+    switch (n.what) {
+      case operation::negate:
+        return left();
+      case operation::add:
+      case operation::subtract: {
+        const auto x = left();
+        const auto y = growth_of(n.right);
+        if (!x || !y) return std::nullopt;
+        return growth{std::max(x->most, y->most), std::nullopt};
+      }
+      case operation::multiply: {
+        const auto x = left();
+        const auto y = growth_of(n.right);
+        if (!x || !y) return std::nullopt;
+        growth result{x->most + y->most, std::nullopt};
+        if (x->least && y->least) result.least = *x->least + *y->least;
+        return result;
+      }
+      case operation::divide: {
+        const auto x = left();
+        const auto y = growth_of(n.right);
+        if (!x || !y || !y->least) return std::nullopt;
+        growth result{x->most - *y->least, std::nullopt};
+        if (x->least) result.least = *x->least - y->most;
+        return result;
+      }
+      case operation::power_integer: {
+        const auto x = left();
+        if (!x || (n.number < 0 && !x->least)) return std::nullopt;
+        if (n.number >= 0) {
+          growth result{x->most * n.number, std::nullopt};
+          if (x->least) result.least = *x->least * n.number;
+          return result;
+        }
+        return growth{*x->least * n.number, x->most * n.number};
+      }
+      default:
+        return growth_of_branch(n);
+    }
+  }
+  /// Of a power or a logarithm.
+  std::optional<growth> growth_of_branch(const node& n) {
+    const std::optional<rational> e = exponent_of(n);
+    if (!e && n.what != operation::log) return std::nullopt;
+    const auto c = detail::polynomial_in_variable(g_, n.left);
+    if (!c || c->empty()) return std::nullopt;
+    if (c->size() < 2) return std::nullopt;
+    if (start_ == 0 && c->size() == 2 && c->front() == g_.number(0)) {
+      if (e && *e > 0 && certainly_positive(value_of(c->back()))) return growth{*e, std::nullopt};
+      return std::nullopt;
+    }
+    if (c->size() > 3 || !lies_in_half_plane(*c, true)) return std::nullopt;
+    if (c->size() == 3 && !quadratic_of(*c).is_decided) return std::nullopt;
+    if (!e) return growth{rational(1, 1000), std::nullopt};
+    const rational exponent = *e * static_cast<long>(c->size() - 1);
+    return growth{exponent, exponent};
+  }
+  std::optional<growth> of_polynomial(const std::vector<node_id>& c) {
+    if (c.empty()) return growth{0, std::nullopt};
+    for (const node_id k : c) {
+      if (!value_of(k).is_bounded()) return std::nullopt;
+    }
+    const auto degree = static_cast<long>(c.size()) - 1;
+    growth result{degree, std::nullopt};
+    if (leading_term_is_greatest(c) || lies_in_half_plane(c, false) || has_root_elsewhere(c)) {
+      result.least = degree;
+    }
+    return result;
+  }
+  /// |c_d| > the sum of |c_j| p^(j-d) over j < d.
+  bool leading_term_is_greatest(const std::vector<node_id>& c) {
+    if (start_ == 0 && c.size() > 1) return false;
+    ball rest(0, bits);
+    for (std::size_t j = 0; j + 1 < c.size(); ++j) {
+      rest = (rest + abs(value_of(c[j]))) / ball(start_, bits);
+    }
+    return certainly_less(rest, abs(value_of(c.back())));
+  }
+  /// Whether a linear form has its root, which is real, neither in [start_, end_] nor beyond.
+  bool has_root_elsewhere(const std::vector<node_id>& c) {
+    if (c.size() != 2 || !end_) return false;
+    const ball at_start = value_of(c[0]) + value_of(c[1]) * ball(start_, bits);
+    const ball at_end = value_of(c[0]) + value_of(c[1]) * ball(*end_, bits);
+    return (certainly_positive(at_start) && certainly_positive(at_end)) ||
+           (certainly_positive(-at_start) && certainly_positive(-at_end));
+  }
+  /// The second case above; with `positive`, with those signs.
+  bool lies_in_half_plane(const std::vector<node_id>& c, bool positive) {
+    if (static_cast<long>(c.size()) - 1 > 2 * n_) return false;
+    std::vector<ball> d;
+    for (const node_id k : c) d.push_back(value_of(k));
+    const ball p(start_, bits);
+    for (std::size_t k = 0; k + 1 < d.size(); ++k) {
+      for (std::size_t j = d.size() - 1; j-- > k;) d[j] += p * d[j + 1];
+    }
+    const bool is_negative = !positive && certainly_positive(-d[0]);
+    for (std::size_t j = 0; j < d.size(); ++j) {
+      const ball own = is_negative ? -d[j] : d[j];
+      const bool may_be_0 =
+          j > 1 && j + 1 < d.size() && own.radius().is_zero() && contains_zero(own);
+      if (!may_be_0 && !certainly_positive(own)) return false;
+    }
+    return true;
+  }
+  /// The exponent of a root, or of a power that is no whole one.
+  [[nodiscard]] std::optional<rational> exponent_of(const node& n) const {
+    switch (n.what) {
+      case operation::sqrt:
+        return rational(1, 2);
+      case operation::root:
+        return rational(1, n.number);
+      case operation::power:
+        if (const rational* q = g_.value(n.right)) return *q;
+        return std::nullopt;
+      default:
+        return std::nullopt;
+    }
+  }
+
+  // -------------------------------------------------------------------------------------------
+  // Formulas in s
+
+  /// The coefficients around start_ of the polynomial with these coefficients.
+  std::vector<node_id> shifted(std::vector<node_id> c) {
+    for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+      for (std::size_t j = c.size() - 1; j-- > k;) {
+        c[j] = nodes_.sum(c[j], nodes_.product(g_.number(start_), c[j + 1]));
+      }
+    }
+    return c;
+  }
+  /// exp(i pi j/(2n)).
+  complex_node turn(long j, long n) {
+    const node_id zero = g_.number(0);
+    const node_id one = g_.number(1);
+    if (j % n == 0) {
+      switch (j / n % 4) {
+        case 0:
+          return {one, zero};
+        case 1:
+          return {zero, one};
+        case 2:
+          return {g_.number(-1), zero};
+        default:
+          return {zero, g_.number(-1)};
+      }
+    }
+    const node_id angle = nodes_.product(g_.number(rational(j, 2 * n)), g_.make(operation::pi));
+    return {nodes_.call("cos", angle), nodes_.call("sin", angle)};
+  }
+  /// The polynomial with these coefficients at z_, turned by so many angles theta more.
+  complex_node polynomial_at_z(const std::vector<node_id>& c, long more) {
+    const std::vector<node_id> d = shifted(c);
+    complex_node sum = nodes_.number(0);
+    for (std::size_t j = 0; j < d.size(); ++j) {
+      const auto n = static_cast<long>(j);
+      const node_id term = nodes_.product(d[j], detail::power(g_, s_, g_.number(n)));
+      sum = nodes_.add(sum, nodes_.multiply(turn(n + more, n_), nodes_.real(term)));
+    }
+    return sum;
+  }
+  /// h exp(i theta) at z_.
+  complex_node turned_amplitude(node_id h) {
+    const auto c = detail::polynomial_in_variable(g_, h);
+    if (c && c->size() <= most_expanded) return polynomial_at_z(*c, 1);
+    return nodes_.multiply(at_z(h), turn(1, n_));
+  }
+  node_id on_ray(const oscillation& part) {
+    n_ = static_cast<long>(part.phase.size());
+    z_ = nodes_.add(nodes_.number(start_), nodes_.multiply(turn(1, n_), nodes_.real(s_)));
+    at_z_.clear();
+    const complex_node unit{g_.number(0), g_.number(1)};
+    complex_node h = turned_amplitude(part.amplitude.re);
+    if (part.amplitude.im != g_.number(0)) {
+      h = nodes_.add(h, nodes_.multiply(unit, turned_amplitude(part.amplitude.im)));
+    }
+    std::vector<node_id> phase{g_.number(0)};
+    phase.insert(phase.end(), part.phase.begin(), part.phase.end());
+    const complex_node exponent = polynomial_at_z(phase, 0);
+    const complex_node wave{nodes_.call("cos", exponent.re), nodes_.call("sin", exponent.re)};
+    const node_id value = nodes_.multiply(h, wave).re;
+    return nodes_.product(nodes_.call("exp", nodes_.minus(exponent.im)), value);
+  }
+  /// The function that a node of the variable is, at z_.
+  complex_node at_z(node_id i) {
+    const auto known = at_z_.find(i);
+    if (known != at_z_.end()) return known->second;
+    const complex_node found = made_at_z(i);
+    at_z_.emplace(i, found);
+    return found;
+  }
+  complex_node made_at_z(node_id i) {
+    const auto c = detail::polynomial_in_variable(g_, i);
+    if (c && c->size() <= 1) return nodes_.real(i);
+    if (c && c->size() <= most_expanded) return polynomial_at_z(*c, 0);
+    const node n = g_[i];
+    switch (n.what) {
+      case operation::negate:
+        return nodes_.negate(at_z(n.left));
+      case operation::add:
+        return nodes_.add(at_z(n.left), at_z(n.right));
+      case operation::subtract:
+        return nodes_.add(at_z(n.left), nodes_.negate(at_z(n.right)));
+      case operation::multiply:
+        return nodes_.multiply(at_z(n.left), at_z(n.right));
+      case operation::divide:
+        return nodes_.divide(at_z(n.left), at_z(n.right));
+      case operation::power_integer:
+        return nodes_.power(at_z(n.left), n.number);
+      default:
+        break;
+    }
+    const std::optional<rational> e = exponent_of(n);
+    if (!e && n.what != operation::log) {
+      throw std::logic_error("turned rays: internal error: a function without a bound");
+    }
+    const complex_node w = at_z(n.left);
+    const node_id square = nodes_.sum(nodes_.product(w.re, w.re), nodes_.product(w.im, w.im));
+    const node_id angle = argument_at_z(*detail::polynomial_in_variable(g_, n.left));
+    if (!e) {
+      return {nodes_.product(g_.number(rational(1, 2)), nodes_.call("log", square)), angle};
+    }
+    // w^e = |w|^e exp(i e arg w).
+    const node_id turned = nodes_.product(g_.number(*e), angle);
+    const node_id power = detail::power(g_, square, g_.number(*e / 2));
+    return {nodes_.product(power, nodes_.call("cos", turned)),
+            nodes_.product(power, nodes_.call("sin", turned))};
+  }
+  /// The sum of the arguments of z - r over the roots r of the polynomial, all with Re r < Re z.
+  node_id argument_at_z(const std::vector<node_id>& c) {
+    const auto of = [&](node_id re, node_id im) {
+      return nodes_.call(
+          "atan", detail::divide(g_, nodes_.difference(z_.im, im), nodes_.difference(z_.re, re)));
+    };
+    const node_id zero = g_.number(0);
+    if (start_ == 0 && c.size() == 2 && c[0] == zero) {  // z = s exp(i theta)
+      return nodes_.product(g_.number(rational(1, 2 * n_)), g_.make(operation::pi));
+    }
+    if (c.size() == 2) return of(nodes_.minus(detail::divide(g_, c[0], c[1])), zero);
+    const quadratic q = quadratic_of(c);
+    const node_id root = nodes_.call("sqrt", q.has_real_roots ? q.square : nodes_.minus(q.square));
+    const node_id less = nodes_.difference(q.centre, root);
+    const node_id more = nodes_.sum(q.centre, root);
+    if (q.has_real_roots) return nodes_.sum(of(less, zero), of(more, zero));
+    return nodes_.sum(of(q.centre, root), of(q.centre, nodes_.minus(root)));
+  }
+  /// c_2 ((x - centre)^2 - square).
+  struct quadratic {
+    node_id centre;
+    node_id square;
+    bool is_decided;
+    bool has_real_roots;
+  };
+  quadratic quadratic_of(const std::vector<node_id>& c) {
+    const node_id twice = nodes_.product(g_.number(2), c[2]);
+    const node_id centre = nodes_.minus(detail::divide(g_, c[1], twice));
+    const node_id square =
+        nodes_.difference(nodes_.product(centre, centre), detail::divide(g_, c[0], c[2]));
+    const bool is_positive = certainly_positive(value_of(square));
+    return {centre, square, is_positive || certainly_positive(-value_of(square)), is_positive};
+  }
+
+  detail::graph g_;
+  complex_nodes nodes_;
+  node_id x_;
+  node_id s_;
+  rational start_;
+  std::optional<rational> end_;
+  long n_ = 0;  // the degree of the part's phase
+  std::vector<oscillation> parts_;
+  std::map<node_id, ball> values_;
+  std::map<node_id, std::optional<growth>> growths_;
+  complex_node z_{};
+  std::map<node_id, complex_node> at_z_;
+};
+
+/// The least whole number above it.
+rational next_integer(const rational& q) { return rational(integer(floor_of(q) + 1)); }
+
+}  // namespace
+}  // namespace turned_rays_impl
+
+std::optional<expression::rays> expression::on_turned_rays(const rational& from) const {
+  using turned_rays_impl::turned_rays;
+  if (variables_.size() != 1 || graph_->size() > turned_rays_impl::most_nodes) {
+    return std::nullopt;
+  }
+  try {
+    turned_rays turned(*graph_);
+    if (!turned.prepare()) return std::nullopt;
+    constexpr int most_doublings = 24;
+    const rational first = std::max(from, rational(0));
+    std::optional<rational> start;
+    for (const bool only_rising : {true, false}) {
+      rational p = first;
+      for (int k = 0; k < most_doublings && !start; ++k) {
+        if (turned.may_start_at(p, std::nullopt, only_rising)) start = p;
+        p = turned_rays_impl::next_integer(p * 2 - first);
+      }
+    }
+    if (!start) return std::nullopt;
+    rays result{*start, {}};
+    for (const detail::node_id root : turned.on_rays_from(*start)) {
+      result.parts.push_back(with_root(turned.graph(), root));
+      result.parts.back().variables_ = {"s"};
+    }
+    if (const auto root = turned.steady_part()) {
+      const expression steady = with_root(turned.graph(), *root);
+      const expression_names names{.variables = {"s"}, .definitions = {}};
+      result.parts.emplace_back(steady(symbol(*start) + symbol::variable(0)), names);
+    }
+    return result;
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+std::optional<expression::two_rays> expression::between_turned_rays(const rational& a,
+                                                                    const rational& b) const {
+  using turned_rays_impl::turned_rays;
+  if (variables_.size() != 1 || graph_->size() > turned_rays_impl::most_nodes || a < 0) {
+    return std::nullopt;
+  }
+  try {
+    turned_rays turned(*graph_);
+    if (!turned.prepare()) return std::nullopt;
+    // The sector from the start holds that from b.
+    two_rays result;
+    bool found = turned.may_start_at(a, b, false);
+    result.start = a;
+    for (int k = 20; k > 0 && !found; --k) {
+      result.start = a + (b - a) / rational(integer(1) << k);
+      found = turned.may_start_at(result.start, b, false);
+    }
+    if (!found) return std::nullopt;
+    result.turns = turned.turns_between(result.start, b);
+    const auto add_from = [&](const rational& p, std::vector<expression>& parts) {
+      for (const detail::node_id root : turned.on_rays_from(p)) {
+        parts.push_back(with_root(turned.graph(), root));
+        parts.back().variables_ = {"s"};
+      }
+    };
+    add_from(result.start, result.from_start);
+    add_from(b, result.from_end);
+    if (const auto steady = turned.steady_part()) {
+      result.steady.push_back(with_root(turned.graph(), *steady));
+    }
+    return result;
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+}  // namespace polhode

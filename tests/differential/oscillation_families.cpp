@@ -1,0 +1,131 @@
+// Integrals of sines and cosines of polynomials, to infinity and over long ranges, and of sums of
+// exponentials times powers.
+
+#include "integrals.hpp"
+
+namespace polhode::differential {
+namespace {
+
+const term x = "x";
+
+long few_digits(maker& m) { return m.one_in(3) ? m.between(2, 10) : m.between(11, 25); }
+
+/// Of this degree, with a positive leading coefficient.
+term phase(maker& m, long degree) {
+  term result = m.one_in(4) ? m.near(m.scattered(0.2, 4)) * power(x, degree)
+                            : m.rational_near(m.scattered(0.2, 4)) * power(x, degree);
+  for (long k = degree - 1; k >= 0; --k) {
+    if (m.one_in(2)) result = result + m.rational_near(m.within(-5, 5)) * power(x, k);
+  }
+  return result;
+}
+
+/// That tends to 0 like a power of x, without singular points beyond `from` > 0.
+term decaying(maker& m) {
+  const term c = m.rational_near(m.scattered(0.1, 5));
+  switch (m.between(0, 6)) {
+    case 0:
+      return 1 / (x + c);
+    case 1:
+      return power(x + c, -m.between(2, 4));
+    case 2:
+      return x / (power(x, 2) + c);
+    case 3:
+      return (x - c) / (power(x, 2) + x + c);
+    case 4:
+      return power(x, -m.between(1, 3));
+    case 5:
+      return 1 / call("sqrt", x);
+    default:
+      return power(x, -m.quotient(m.within(0.2, 2.5)));
+  }
+}
+
+term wave(maker& m, const term& phase) { return call(m.any_of({"sin", "cos"}), phase); }
+
+/// The derivative of what tends to 0.
+integral_case to_infinity(maker& m) {
+  const term f = decaying(m) * wave(m, phase(m, m.between(1, 4)));
+  const term from = m.near(m.scattered(0.1, 10));
+  integral_case c{derivative(f), from, "inf", few_digits(m)};
+  c.value = -substituted(f, "x", from);
+  c.is_cheap = true;
+  return c;
+}
+
+/// Squares and products: two phases, and parts that do not oscillate.
+integral_case products(maker& m) {
+  const term f = decaying(m) * wave(m, phase(m, m.between(1, 3))) *
+                 (m.one_in(2) ? wave(m, phase(m, m.between(1, 3))) : 1 + wave(m, phase(m, 2)));
+  const term from = m.near(m.scattered(0.2, 5));
+  integral_case c{derivative(f), from, "inf", few_digits(m)};
+  c.value = -substituted(f, "x", from);
+  c.is_cheap = true;
+  return c;
+}
+
+/// x^m cos(phi) with m >= n - 1: the integral over each half turn does not tend to 0.
+integral_case divergent(maker& m) {
+  const long n = m.between(1, 4);
+  const term e = n - 1 + (m.one_in(2) ? m.between(0, 2) : m.quotient(m.within(0, 1)));
+  integral_case c{power(x, e) * wave(m, phase(m, n)), m.rational_near(m.scattered(0.5, 3)), "inf",
+                  few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
+/// Over some thousand turns and more, with an amplitude of any growth.
+integral_case many_turns(maker& m) {
+  const long n = m.between(1, 3);
+  const term growing = m.any_of({term(1), x, power(x, 2), call("sqrt", x), power(x, term("1/3"))});
+  const term f = (m.one_in(2) ? growing : decaying(m)) * wave(m, phase(m, n));
+  const double least = n == 1 ? 2e4 : (n == 2 ? 300 : 50);
+  const term from = m.one_in(4) && !m.one_in(3) ? m.rational_near(m.scattered(0.01, 1))
+                                                : m.rational_near(m.scattered(0.5, 20));
+  integral_case c{derivative(f), from, from + m.rational_near(m.scattered(least, 10 * least)),
+                  m.between(5, 20)};
+  c.antiderivative = f;
+  c.is_cheap = true;
+  return c;
+}
+
+integral_case exponential_polynomials(maker& m) {
+  const auto linear = [&] {
+    const term slope = m.coefficient();
+    return m.one_in(3) ? slope * x + m.near(m.within(-2, 2)) : slope * x;
+  };
+  const auto factor = [&]() -> term {
+    switch (m.between(0, 5)) {
+      case 0:
+        return call("exp", linear());
+      case 1:
+        return power(x, m.between(1, 6));
+      case 2:
+        return call(m.any_of({"sinh", "cosh", "expm1"}), m.rational_near(m.within(-3, 3)) * x);
+      case 3:
+        return call(m.any_of({"sinpi", "cospi"}), m.rational_near(m.within(-3, 3)) * x);
+      default:
+        return wave(m, linear());
+    }
+  };
+  term f = factor();
+  for (long k = m.between(0, 2); k > 0; --k) f = m.one_in(3) ? f + factor() : f * factor();
+  if (m.one_in(5)) f = power(f, m.between(2, 3));
+  const auto [a, b] = m.range(-3, 3);
+  return {f, a, b, few_digits(m)};
+}
+
+}  // namespace
+
+std::vector<integral_family> oscillation_families() {
+  return {
+      {"oscillations to infinity", 10, to_infinity},
+      {"products of oscillations", 6, products},
+      {"oscillations that do not converge", 10, divergent},
+      {"many turns", 8, many_turns},
+      {"exponential polynomials", 30, exponential_polynomials},
+  };
+}
+
+}  // namespace polhode::differential

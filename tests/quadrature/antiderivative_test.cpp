@@ -1,0 +1,135 @@
+// Integrals by antiderivatives: rational numbers, and differences of entire functions.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/exact_integral.hpp"
+#include "polhode/quadrature/formula_end.hpp"
+#include "quadrature/integrals_by_digits.hpp"
+
+namespace polhode::test {
+namespace antiderivative_test {
+
+std::string exactly(const std::string& formula, const std::string& lower,
+                    const std::string& upper) {
+  const auto found = exact_integral(parse(formula), limit_of(lower), limit_of(upper));
+  return found ? to_text(*found) : "none";
+}
+
+TEST(ExactIntegral, OfRationalFunctions) {
+  EXPECT_EQ(exactly("x^3 - x/7", "0", "1"), "5/28");
+  EXPECT_EQ(exactly("1/x^2", "1", "2"), "1/2");
+  EXPECT_EQ(exactly("1/x^2", "2", "1"), "-1/2");
+  EXPECT_EQ(exactly("1/x^2", "1", "inf"), "1");
+  EXPECT_EQ(exactly("1/x^2", "-inf", "-2"), "1/2");
+  EXPECT_EQ(exactly("2*x/(1+x^2)^2", "0", "1"), "1/2");
+  EXPECT_EQ(exactly("(1-x^2)/(1+x^2)^2", "0", "2"), "2/5");
+  EXPECT_EQ(exactly("x + 1/x^3", "1", "2"), "15/8");
+  EXPECT_EQ(exactly("1/x - 1/x", "-1", "1"), "0");
+  EXPECT_EQ(exactly("(x^2-1)/(x-1)", "0", "2"), "4");
+  EXPECT_EQ(exactly("x^2", "3", "3"), "0");
+}
+
+TEST(ExactIntegral, IsNotFoundWhereThereIsNone) {
+  // Divergent.
+  EXPECT_EQ(exactly("1/x^2", "-1", "1"), "none");
+  EXPECT_EQ(exactly("1/x^2", "0", "1"), "none");
+  EXPECT_EQ(exactly("1/x^2", "-1", "0"), "none");
+  EXPECT_EQ(exactly("1/x^2", "-inf", "inf"), "none");
+  EXPECT_EQ(exactly("x", "0", "inf"), "none");
+  EXPECT_EQ(exactly("1/sqrt(x)^3", "0", "1"), "none");
+  EXPECT_EQ(exactly("1/sqrt(x)", "1", "inf"), "none");
+  // With logarithms and arcs, irrational breaks, and roots of what is negative.
+  EXPECT_EQ(exactly("1/x", "1", "2"), "none");
+  EXPECT_EQ(exactly("1/x + 1/x^2", "1", "2"), "none");
+  EXPECT_EQ(exactly("1/(1+x^2)", "0", "1"), "none");
+  EXPECT_EQ(exactly("abs(x^2-2)", "0", "2"), "none");
+  EXPECT_EQ(exactly("sqrt(x)", "0", "2"), "none");
+  EXPECT_EQ(exactly("sqrt(x)", "-1", "1"), "none");
+  EXPECT_EQ(exactly("root(x, 3)", "-1", "1"), "none");
+  EXPECT_EQ(exactly("floor(x^2)", "0", "2"), "none");
+  EXPECT_EQ(exactly("floor(1/x)", "1", "2"), "none");
+  EXPECT_EQ(exactly("exp(-x^2)", "0", "1"), "none");
+}
+
+TEST(ExactIntegral, OfRootsOfLinearForms) {
+  EXPECT_EQ(exactly("sqrt(x)", "0", "4"), "16/3");
+  EXPECT_EQ(exactly("sqrt(1-x)", "-3", "1"), "16/3");
+  EXPECT_EQ(exactly("1/sqrt(x)", "0", "4"), "4");
+  EXPECT_EQ(exactly("x*sqrt(1+x)", "0", "3"), "116/15");
+  EXPECT_EQ(exactly("x^(2/3)", "0", "8"), "96/5");
+  EXPECT_EQ(exactly("root(2*x+1, 3)/sqrt(2*x+1)", "0", "63/2"), "93/5");
+  EXPECT_EQ(exactly("1/(1+sqrt(x))^3", "0", "inf"), "1");
+  EXPECT_EQ(exactly("x^(-3/2)", "4", "inf"), "1");
+  EXPECT_EQ(exactly("(-x)^(-3/2)", "-inf", "-4"), "1");
+}
+
+TEST(ExactIntegral, OfKinksAndSteps) {
+  EXPECT_EQ(exactly("abs(x)", "-1", "2"), "5/2");
+  EXPECT_EQ(exactly("abs(abs(x)-1)", "-3", "3"), "5");
+  EXPECT_EQ(exactly("max(x, 1-x)", "0", "1"), "3/4");
+  EXPECT_EQ(exactly("min(x, x^2)", "0", "2"), "11/6");
+  EXPECT_EQ(exactly("sqrt(abs(x))", "-4", "4"), "32/3");
+  EXPECT_EQ(exactly("abs(x^3-x)/(1+abs(x))", "-1", "1"), "1/3");
+  EXPECT_EQ(exactly("max(0, (x-1)/(x-3))", "-1", "2"), "none");  // a logarithm
+  EXPECT_EQ(exactly("floor(x)", "0", "7/2"), "9/2");
+  EXPECT_EQ(exactly("ceil(x)", "-5/2", "1/2"), "-3/2");
+  EXPECT_EQ(exactly("floor(1-2*x)", "0", "1"), "-1/2");
+}
+
+TEST(ExactIntegral, OfManySteps) {
+  EXPECT_EQ(exactly("floor(x)", "0", "1e6"), "499999500000");
+  EXPECT_EQ(exactly("x-floor(x)", "0", "1e6"), "500000");
+  EXPECT_EQ(exactly("x-floor(x)", "1/3", "1e30+1/2"),
+            to_text(*parse("(1e30)/2 + 1/8 - 1/18", {}).rational_value()));
+  EXPECT_EQ(exactly("floor(x)^3", "0", "1e9"), "249999999500000000250000000000000000");
+  // As many pieces as are cut, and one period more.
+  EXPECT_EQ(exactly("floor(2*x)*ceil(x/3)", "0", "100"), "452761/2");
+  const auto whole = exact_integral(parse("floor(2*x)*ceil(x/3)*x"), 0, rational(6001, 7));
+  const auto part = exact_integral(parse("floor(2*x)*ceil(x/3)*x"), 0, 3);
+  const auto rest = exact_integral(parse("floor(2*x)*ceil(x/3)*x"), 3, rational(6001, 7));
+  ASSERT_TRUE(whole && part && rest);
+  EXPECT_EQ(*whole, *part + *rest);
+}
+
+TEST(ExactIntegral, ByTheEntireAntiderivative) {
+  EXPECT_EQ(exactly("sin(x)", "0", "pi"), "2");
+  EXPECT_EQ(exactly("cos(3*x)*cos(5*x)", "0", "pi"), "0");
+  EXPECT_EQ(exactly("exp(x)", "0", "log(3)"), "2");
+  EXPECT_EQ(exactly("x*sin(x)", "0", "pi"), "none");
+}
+
+TEST(Antiderivative, OfSumsOfExponentials) {
+  expect_known(
+      {
+          {"x*sin(x)", "0", "1e6", "-936752.4775266469582314846527274055564796"},
+          {"sin(x)+sin(pi*x)", "0", "1e6", "0.06324787246685521306146746492508122429190"},
+          {"x^20*exp(-x)", "0", "1", "0.01835046769725620632614475423173787510136"},
+          {"exp(x)*cos(3*x)", "0", "1", "-0.2540266753196400782083790878279597005138"},
+          {"x^3*sinpi(x)^2*cosh(x)", "0", "2", "4.562950911276741597263404974916156326693"},
+      },
+      0);
+}
+
+TEST(Antiderivative, IsChosenAndNamed) {
+  const auto with = [](const char* formula, const quadrature_rule& rule) {
+    return integrate(parse(formula), 0, 1, {.digits = 20, .rule = rule});
+  };
+  const integral found = with("x*exp(-x)", quadrature_rule::antiderivative);
+  ASSERT_EQ(found.verdict, status::certified);
+  EXPECT_EQ(found.account.rules, std::vector{quadrature_rule::antiderivative});
+  EXPECT_EQ(with("x*exp(-x^2)", quadrature_rule::antiderivative).why, reason::not_applicable);
+  // An exponent that is 0 and not seen to be.
+  const integral hidden =
+      with("exp((sqrt(5+2*sqrt(6))-sqrt(2)-sqrt(3))*x)", quadrature_rule::antiderivative);
+  EXPECT_EQ(hidden.verdict, status::not_certified);
+}
+
+}  // namespace antiderivative_test
+}  // namespace polhode::test

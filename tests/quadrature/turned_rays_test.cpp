@@ -1,0 +1,77 @@
+// Integrals over rays on which oscillations decay.
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrals_by_digits.hpp"
+
+namespace polhode::test {
+namespace turned_rays_test {
+
+TEST(TurnedRays, OfPolynomialPhases) {
+  expect_known(
+      {
+          {"cos(x^3/3+5*x)", "0", "inf", "0.0003403740594896786849473501611968751068279"},
+          {"cos(x^3/3-5*x)", "0", "inf", "1.101948209115900718316881477223515889731"},
+          {"cos(x^3/3-5*x)", "-inf", "inf", "2.203896418231801436633762954447031779462"},
+          {"cos(x^2+x)", "0", "inf", "0.2705135801622141442589008561578418628121"},
+          {"cos(x^2-x)", "-inf", "0", "0.2705135801622141442589008561578418628121"},
+          {"cos(x^2)/(1+x)", "0", "inf", "0.5334744570576480929526644193937333087885"},
+          {"sin(x^3)^2/(1+x^2)", "0", "inf", "0.4967611929414768162599919959747725871912"},
+          {"cos(x^4-3*x^2)", "0", "inf", "0.4516884417096685985173730228763697201092"},
+          {"cos(x^2)/sqrt(x)", "0", "inf", "1.674813393538172966167205444361664522758"},
+          {"sin(x)*log(x)/x", "1", "inf", "0.07512255319555633890622864852348729320916"},
+          {"cos(x)/sqrt(1+x^2)", "0", "inf", "0.4210244382407083333356273792126090361362"},
+      },
+      20'000);
+}
+
+TEST(TurnedRays, OfManyTurns) {
+  expect_known(
+      {
+          {"sin(1e6*x)/(1+x)", "0", "1", "5.316240237300373372546307821947219566557e-7"},
+          {"-sin(1e6*x)/(1-x)", "-1", "0", "5.316240237300373372546307821947219566557e-7"},
+          {"x*cos(x^2)", "0", "1000", "-0.1749967510856464760588262433903857345307"},
+          {"(1+x)*cos(x^2+2*x)", "-1", "999", "-0.06794052336516322409351731745112584593372"},
+      },
+      20'000);
+}
+
+TEST(TurnedRays, WhatDoesNotConvergeIsRefused) {
+  const auto to_infinity = [](const char* formula) {
+    return integrate(parse(formula), 1, end_point::infinity(), {.digits = 15}).verdict;
+  };
+  for (const char* formula : {"sin(x)", "x*cos(x^2)", "x^2*sin(x^3)", "x^(3/2)*cos(x^2+x)",
+                              "cos(x^2+x)*x", "log(x)*sin(x)", "1/x+cos(x^2)"}) {
+    EXPECT_EQ(to_infinity(formula), status::not_certified) << formula;
+  }
+  // Poles on the line, and at the start.
+  EXPECT_EQ(to_infinity("cos(x^2)/(x-3)"), status::not_certified);
+  EXPECT_EQ(to_infinity("cos(x^2)/(x-1)"), status::not_certified);
+  EXPECT_EQ(integrate(parse("cos(x^2)/x"), 0, end_point::infinity()).verdict,
+            status::not_certified);
+}
+
+// The quarter circle around 0 counts: the ray from 0 alone would give 0.
+TEST(TurnedRays, DoNotStartAtAPole) {
+  expect_known({{"sin(x)/x", "0", "1e6", "1.570795390043119081462208201142128556725"}}, 20'000);
+}
+
+TEST(TurnedRays, AreARule) {
+  const auto with = [](const char* formula, const end_point& a, const end_point& b) {
+    return integrate(parse(formula), a, b, {.digits = 20, .rule = quadrature_rule::turned_rays});
+  };
+  const integral few = with("sin(3*x)/(1+x)", 0, 1);
+  ASSERT_EQ(few.verdict, status::certified) << few.obstacle;
+  EXPECT_TRUE(
+      overlaps(few.enclosure, integrate(parse("sin(3*x)/(1+x)"), 0, 1, {.digits = 20}).enclosure));
+  EXPECT_EQ(with("exp(-x)*sin(x)/(1+x)", 0, 1).why, reason::not_applicable);
+  EXPECT_EQ(with("1/(1+x)", 0, 1).why, reason::not_applicable);
+}
+
+}  // namespace turned_rays_test
+}  // namespace polhode::test
