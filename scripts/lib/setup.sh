@@ -137,7 +137,7 @@ configure() {
   local tree=$root/build/$1 print
   print=$(fingerprint)
   if [[ -e $tree/build.ninja && $(cat "$tree/fingerprint" 2>/dev/null) == "$print" ]]; then return; fi
-  (cd "$root" && cmake --preset "$1") >&2 || {
+  (cd "$root" && cmake --preset "$@") >&2 || {
     command -v apt-get >/dev/null || say "$(needs)"
     die "cannot configure build/$1"
   }

@@ -189,6 +189,42 @@ TEST(Roots, ComplexRootsOfAPolynomial) {
   EXPECT_EQ(lines_of(as_csv.out).size(), 5U);
 }
 
+TEST(Roots, InARectangle) {
+  const outcome text =
+      run({"roots", "exp(z)-z", "--variable", "z", "--rectangle", "-5-5i..5+5i", "--digits", "15"});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_EQ(text.out,
+            "0.318131505204764... - 1.33723570143068...i  unique\n"
+            "0.318131505204764... + 1.33723570143068...i  unique\n"
+            "certified: 2 roots, with multiplicities 2, and no others in -5-5i..5+5i\n");
+  const outcome as_json =
+      run({"roots", "x^2+2*i", "--rectangle", "-2-2i..2+2i", "--format", "json"});
+  const json printed = json::parse(as_json.out);
+  EXPECT_EQ(printed.at("complete"), true);
+  EXPECT_EQ(printed.at("in"), "-2-2i..2+2i");
+  EXPECT_EQ(printed.at("roots").size(), 2U);
+  EXPECT_EQ(printed.at("roots")[0].at("inside"), true);
+  const outcome poles =
+      run({"roots", "1/(1+z^2)-z", "--variable", "z", "--rectangle", "-2-2i..2+2i"});
+  EXPECT_EQ(poles.status, 1);
+  EXPECT_NE(poles.out.find("2 parts are undecided: the pole of / near"), std::string::npos)
+      << poles.out;
+  for (const auto& [command, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"roots", "x-1", "--rectangle", "0"}, "such as -5-10i..5+10i"},
+           {{"roots", "x-1", "--rectangle", "0..sqrt(2)+i"}, "with rational parts"},
+           {{"roots", "x-1", "--rectangle", "1+i..-1-i"}, "to the left of the second, and below"},
+           {{"roots", "x-1", "--rectangle", "0..1"}, "to the left of the second, and below"},
+           {{"roots", "abs(x)-1", "--rectangle", "0..1+i"}, "abs is not analytic"},
+           {{"roots", "x-x", "--rectangle", "0..1+i"}, "0 everywhere"},
+           {{"roots", "i-1", "--variable", "i", "--rectangle", "0..1+i"}, "the imaginary unit"},
+           {{"roots", "x-1", "--rectangle", "0..1+i", "--complex"}, "leave --complex"},
+           {{"roots", "x-1", "0", "1", "--rectangle", "0..1+i"}, "the interval out"}}) {
+    const outcome result = run(command);
+    EXPECT_EQ(result.status, 2) << result.out;
+    EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
+  }
+}
+
 TEST(Roots, ComplexRootsAreRefusedWhereTheyHaveNoMeaning) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"roots", "sin(x)", "--complex"},

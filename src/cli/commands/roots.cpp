@@ -420,6 +420,7 @@ exit_status run(roots_options& options) {
   const long digits = options.digits.value();
   const std::string format = options.format.value();
   options.verify.expect_format(format);
+  if (options.rectangle) return run_roots_in_rectangle(options);
   if (options.complex) return run_complex_roots(options);
   if (options.is_system()) return run_system(options);
   if (!options.more_formulas.empty()) {
@@ -465,6 +466,9 @@ std::function<exit_status()> declare(CLI::App& app) {
   app.add_option("MORE", options->more_formulas, "More formulas of a system")->type_name("");
   app.add_flag("--complex", options->complex,
                "All complex roots of a polynomial, each with its multiplicity");
+  app.add_option("--rectangle", options->rectangle,
+                 "All complex roots of an analytic function between two corners")
+      ->type_name("LL..UR");
   app.add_option("--variable", options->variable, "The variable's name, if it is not x")
       ->type_name("NAME");
   options->threads.declare(
@@ -518,6 +522,7 @@ command roots_command() {
       "root.json\n"
       "  polhode roots \"sin(x^2)*(x^3-2)\" --in -5..5 --verify\n"
       "  polhode roots \"x^5-x-1\" --complex --digits 30\n"
+      "  polhode roots \"exp(z)-z\" --variable z --rectangle -5-10i..5+10i\n"
       "  polhode roots \"x^2+y^2-1\" \"x-y^3\" --in x=-2..2 --in y=-2..2\n\n"
       "Every root in the interval is in the list. Its verdict says what is proved of it:\n"
       "  unique         a simple root, the only one in its place\n"

@@ -3,6 +3,7 @@
 // What polhode roots was asked for, and the kinds of searches that are not those of one function in
 // an interval.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct roots_options {
   verify_option verify;
   time_limit_option time_limit;
   bool complex = false;
+  std::optional<std::string> rectangle;
 
   /// One --in NAME=LO..HI or more: the formulas are a system.
   [[nodiscard]] bool is_system() const;
@@ -47,6 +49,9 @@ void check_memory(const roots_options& options, double numbers);
 
 /// All complex roots of a polynomial.
 [[nodiscard]] exit_status run_complex_roots(const roots_options& options);
+
+/// All complex roots of an analytic function in a rectangle.
+[[nodiscard]] exit_status run_roots_in_rectangle(const roots_options& options);
 
 /// All roots of a system of equations in a box.
 [[nodiscard]] exit_status run_system(const roots_options& options);

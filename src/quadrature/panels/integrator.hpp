@@ -100,6 +100,7 @@ class integrator {
   static constexpr long most_ranges_in_a_row = 64;
   long ranges_in_a_row_ = 0;
   long short_panels_ = 0;  // that were halved again
+  long failures_ = 0;      // the same, in all
   bool takes_short_panels_ = false;
   std::vector<panel> panels_;
   double planned_nodes_ = 0;

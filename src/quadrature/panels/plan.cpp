@@ -309,7 +309,12 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
       return outcome::divergent;
     }
   }
-  if (p.level >= deepest_ || hopeless_) return obstructed_at(p);
+  // Where numbers cancel in f, as in a double zero under a root, panels beside a point at the distance d
+  // have to be as short as d^2: no end is in sight.
+  constexpr long most_failures = 40'000;
+  const bool is_endless = is_real && p.level >= short_level && !std::isfinite(own_nodes) &&
+                          ++failures_ > most_failures;
+  if (p.level >= deepest_ || hopeless_ || is_endless) return obstructed_at(p);
   const std::size_t before = panels_.size();
   const double nodes_before = planned_nodes_;
   const double most_own_nodes = std::min(bits + 32, most_nodes_of_a_rule);

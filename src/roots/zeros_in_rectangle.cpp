@@ -1,0 +1,375 @@
+#include "polhode/roots/zeros_in_rectangle.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/contour.hpp"
+
+namespace polhode {
+namespace zeros_impl {
+namespace {
+
+/// The set of all numbers between two, with p bits.
+ball between(const rational& low, const rational& high, precision p) {
+  return hull(ball(low, p), ball(high, p));
+}
+
+struct point {
+  rational re;
+  rational im;
+};
+
+/// |Re z - re| <= half and |Im z - im| <= half.
+struct square_around {
+  rational re;
+  rational im;
+  rational half;
+
+  [[nodiscard]] complex_rectangle as_rectangle() const {
+    return {re - half, re + half, im - half, im + half};
+  }
+};
+
+bool lies_in(const complex_rectangle& inner, const complex_rectangle& outer) {
+  return outer.left <= inner.left && inner.right <= outer.right && outer.bottom <= inner.bottom &&
+         inner.top <= outer.top;
+}
+bool meets(const complex_rectangle& x, const complex_rectangle& y) {
+  return x.left <= y.right && y.left <= x.right && x.bottom <= y.top && y.bottom <= x.top;
+}
+
+/// z1 to z2, which have one part in common.
+struct edge {
+  rational re1, im1, re2, im2;
+
+  [[nodiscard]] complex_ball set(precision p) const {
+    return {between(std::min(re1, re2), std::max(re1, re2), p),
+            between(std::min(im1, im2), std::max(im1, im2), p)};
+  }
+  [[nodiscard]] std::array<edge, 2> halves() const {
+    const rational re = (re1 + re2) / 2;
+    const rational im = (im1 + im2) / 2;
+    return {edge{re1, im1, re, im}, edge{re, im, re2, im2}};
+  }
+};
+
+/// arg z for Re z > 0, or Im z != 0; undefined where z may be on the other side.
+std::optional<ball> argument(const complex_ball& z) {
+  if (!z.is_bounded()) return std::nullopt;
+  const precision p = z.precision();
+  if (certainly_positive(z.re)) return atan(z.im / z.re);
+  if (certainly_positive(z.im)) return pi(p) / 2 - atan(z.re / z.im);
+  if (certainly_negative(z.im)) return -pi(p) / 2 - atan(z.re / z.im);
+  return std::nullopt;
+}
+
+class zero_search {
+ public:
+  zero_search(const expression& f, const complex_rectangle& where, const zeros_options& options)
+      : f_(complex_integrand_of(f)),
+        is_real_(f.variables().size() < 2),
+        whole_(where),
+        options_(options),
+        bits_(bits_for_digits(options.digits) + 64) {}
+
+  zeros_answer answer() {
+    struct part {
+      complex_rectangle box;
+      int depth;
+    };
+    std::vector<part> open{{whole_, 0}};
+    long looked_at = 0;
+    bool ended = false;
+    while (!open.empty()) {
+      const part next = open.back();
+      open.pop_back();
+      if (is_done(next.box)) continue;
+      ended = ended || ++looked_at > options_.most_parts ||
+              (options_.go_on && looked_at % 64 == 0 && !options_.go_on(result_.zeros.size()));
+      if (ended) {
+        result_.undecided.push_back({next.box, ""});
+        continue;
+      }
+      const region value = over(next.box, next.depth);
+      if (value.is_analytic()) {
+        if (!value.magnitude_lower().is_zero()) continue;
+        constexpr int first_depth = 2;
+        // Beside zeros that were not told apart it seldom helps.
+        const bool is_hard = next.depth % 8 != 0 && is_in_cluster(next.box);
+        if (next.depth >= first_depth && !is_hard) look_near(next.box);
+        if (is_done(next.box)) continue;
+        // So small that zeros which are still together may stay so.
+        constexpr int depth_of_clusters = 30;
+        if (next.depth >= depth_of_clusters && take_cluster(next.box)) continue;
+      }
+      constexpr int deepest_beside_cuts = 24;  // poles and branch cuts stay undecided
+      if (next.depth >= 2 * options_.most_depth ||
+          (!value.is_analytic() && next.depth >= deepest_beside_cuts)) {
+        result_.undecided.push_back(
+            {next.box, value.is_analytic() ? std::string() : in_words(value)});
+        continue;
+      }
+      for (const complex_rectangle& half : halves(next.box)) open.push_back({half, next.depth + 1});
+    }
+    sort_zeros();
+    return std::move(result_);
+  }
+
+ private:
+  /// By the real parts, to the digits asked for, then by the imaginary ones.
+  void sort_zeros() {
+    integer ten_to_digits;
+    mpz_ui_pow_ui(ten_to_digits.backend().data(), 10, static_cast<unsigned long>(options_.digits));
+    const auto place = [&](const complex_zero& z) {
+      const rational re = lower_rational(z.enclosure.re.middle());
+      return std::pair(floor_of(rational(re * ten_to_digits + rational(1, 2))),
+                       lower_rational(z.enclosure.im.middle()));
+    };
+    std::ranges::sort(result_.zeros, [&](const complex_zero& x, const complex_zero& y) {
+      return place(x) < place(y);
+    });
+  }
+
+  /// Squares with the same number of zeros, the small one wider than was asked for.
+  struct cluster {
+    complex_rectangle large;
+    complex_rectangle small;
+    long count;
+  };
+
+  static std::string in_words(const region& value) {
+    const std::string name(value.where());
+    switch (value.why()) {
+      case obstacle::pole:
+        return "the pole of " + name;
+      case obstacle::unknown:
+        return name + " of complex arguments is not available";
+      default:
+        return "the branch cut of " + name;
+    }
+  }
+
+  /// Along the longer side.
+  static std::array<complex_rectangle, 2> halves(const complex_rectangle& box) {
+    // Not in the middle, where zeros often are.
+    const rational share(17, 32);
+    complex_rectangle first = box;
+    complex_rectangle second = box;
+    if (box.right - box.left >= box.top - box.bottom) {
+      first.right = second.left = box.left + (box.right - box.left) * share;
+    } else {
+      first.top = second.bottom = box.bottom + (box.top - box.bottom) * share;
+    }
+    return {first, second};
+  }
+
+  [[nodiscard]] bool is_done(const complex_rectangle& box) const {
+    return std::ranges::any_of(done_, [&](const complex_rectangle& d) { return lies_in(box, d); });
+  }
+
+  [[nodiscard]] region over(const complex_rectangle& box, int depth) const {
+    constexpr int depth_of_doubles = 60;
+    const complex_ball set(between(box.left, box.right, 64 + depth),
+                           between(box.bottom, box.top, 64 + depth));
+    return f_.over(depth < depth_of_doubles ? region(set) : region::in_balls(set));
+  }
+
+  /// The zeros near a part: squares around what the secant method finds.
+  void look_near(const complex_rectangle& box) {
+    const rational size = std::max(rational(box.right - box.left), rational(box.top - box.bottom));
+    constexpr precision few_bits = 64;
+    constexpr long few_steps = 24;
+    const std::optional<point> rough = approximate(
+        {(box.left + box.right) / 2, (box.bottom + box.top) / 2}, size, few_bits, few_steps);
+    if (!rough || is_known(*rough)) return;
+    const auto centre = approximate(*rough, size / 1000, bits_, few_steps);
+    if (!centre) return;
+    for (rational half = size; half > size / 1000; half /= 4) {
+      const square_around large{centre->re, centre->im, half};
+      constexpr int few_pieces = 100;
+      const std::optional<long> count = zeros_in(large, 96, few_pieces);
+      if (!count || *count == 0) continue;
+      point of_zeros = *centre;
+      if (*count > 1) {  // there the steps converge slowly, and the values lose digits
+        const precision p = bits_ * *count;
+        if (const auto closer = approximate(*centre, half / 1000, p, few_steps + 2 * p)) {
+          of_zeros = *closer;
+        }
+      }
+      if (add(large, of_zeros, *count)) return;
+    }
+  }
+
+  /// Whether it is in a square that has been examined.
+  [[nodiscard]] bool is_known(const point& z) const { return is_done({z.re, z.re, z.im, z.im}); }
+
+  /// Adds the zeros of the large square, where a small one around z has as many. Where the small one has
+  /// not the digits asked for, the two are kept for take_cluster.
+  bool add(const square_around& large, const point& z, long count) {
+    const rational size = std::max(rational(abs(z.re)), rational(abs(z.im)));
+    integer ten_to_digits;
+    mpz_ui_pow_ui(ten_to_digits.backend().data(), 10, static_cast<unsigned long>(options_.digits));
+    const rational tiny = rational(1) / rational(integer(ten_to_digits * ten_to_digits));
+    const rational goal = std::max(rational(size / rational(ten_to_digits) / 2), tiny);
+    const precision p = bits_ * count + 64;
+    constexpr int many_pieces = 400;
+    const auto has_all = [&](const rational& half) {
+      const square_around small{z.re, z.im, half};
+      return lies_in(small.as_rectangle(), large.as_rectangle()) &&
+             zeros_in(small, p, many_pieces) == count;
+    };
+    const auto around = [&](const rational& half) {
+      return square_around{z.re, z.im, half}.as_rectangle();
+    };
+    for (const rational& half : {rational(goal / 16), goal}) {
+      if (meets_a_zero(around(half))) return false;
+      if (!has_all(half)) continue;
+      take(large.as_rectangle(), around(half), count);
+      return true;
+    }
+    rational half = large.half / 2;
+    if (meets_a_zero(around(half)) || !has_all(half)) return false;
+    while (half > goal && has_all(half / 4)) half /= 4;
+    clusters_.push_back({large.as_rectangle(), around(half), count});
+    return false;
+  }
+  /// The large square is done; the small one has all its zeros.
+  void take(const complex_rectangle& large, const complex_rectangle& small, long count) {
+    done_.push_back(large);
+    if (!meets(small, whole_)) return;  // they are beyond the rectangle
+    complex_ball enclosure(between(small.left, small.right, bits_ + 64),
+                           between(small.bottom, small.top, bits_ + 64));
+    // The conjugate of a zero is one, and there is no other in the large square.
+    const complex_rectangle conjugate{small.left, small.right, -small.top, -small.bottom};
+    const bool is_real =
+        is_real_ && count == 1 && meets(small, conjugate) && lies_in(conjugate, large);
+    if (is_real) enclosure.im = ball(0, bits_);
+    const bool is_inside =
+        is_real ? lies_in({small.left, small.right, 0, 0}, whole_) : lies_in(small, whole_);
+    result_.zeros.push_back({std::move(enclosure), count, is_inside});
+    small_.push_back(small);
+  }
+  [[nodiscard]] bool is_in_cluster(const complex_rectangle& box) const {
+    return std::ranges::any_of(clusters_, [&](const cluster& c) { return lies_in(box, c.large); });
+  }
+  /// Takes zeros that were not told apart, whose large square holds the part; false where there are
+  /// none.
+  bool take_cluster(const complex_rectangle& box) {
+    for (const cluster& c : clusters_) {
+      if (!lies_in(box, c.large) || meets_a_zero(c.small)) continue;
+      take(c.large, c.small, c.count);
+      return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool meets_a_zero(const complex_rectangle& r) const {
+    return std::ranges::any_of(small_, [&](const complex_rectangle& s) { return meets(s, r); });
+  }
+
+  /// A number near which f seems to have a zero; by the secant method from two numbers so far apart, in
+  /// so many steps at most, and not much further away.
+  [[nodiscard]] std::optional<point> approximate(const point& from, const rational& apart,
+                                                 precision p, long steps) const {
+    const auto f = f_.evaluator(p);
+    const complex_ball start = complex_ball(ball(from.re, p), ball(from.im, p)).middle();
+    const magnitude most = scale(ball(apart, p).magnitude_upper(), 3);
+    complex_ball z0 = start;
+    complex_ball z1 =
+        (start + complex_ball(ball(rational(apart / 16), p), ball(rational(apart / 24), p)))
+            .middle();
+    complex_ball f0 = f(z0).middle();
+    for (long step = 0; step < steps; ++step) {
+      const complex_ball f1 = f(z1).middle();
+      if (!f1.is_bounded()) return std::nullopt;
+      const complex_ball slope = f1 - f0;
+      if (f1.magnitude_upper().is_zero() || slope.magnitude_lower().is_zero()) break;
+      const complex_ball z2 = (z1 - f1 * (z1 - z0) / slope).middle();
+      if (!z2.is_bounded() || !((z2 - start).magnitude_upper() < most)) return std::nullopt;
+      z0 = std::exchange(z1, z2);
+      f0 = f1;
+    }
+    return point{lower_rational(z1.re), lower_rational(z1.im)};
+  }
+
+  /// The number of zeros inside the square, by the argument principle; nothing where it is not proved.
+  [[nodiscard]] std::optional<long> zeros_in(const square_around& s, precision p,
+                                             int most_pieces) const {
+    const complex_rectangle r = s.as_rectangle();
+    if (!is_analytic_on(r, p, 0)) return std::nullopt;
+    const auto f = f_.evaluator(p);
+    ball sum(0, p);
+    int pieces = most_pieces;
+    for (const edge& side :
+         {edge{r.left, r.bottom, r.right, r.bottom}, edge{r.right, r.bottom, r.right, r.top},
+          edge{r.right, r.top, r.left, r.top}, edge{r.left, r.top, r.left, r.bottom}}) {
+      if (!add_turns(side, f, p, pieces, sum)) return std::nullopt;
+    }
+    const ball turns = sum / (2 * pi(p));
+    const integer n = ceil_of(lower_rational(turns));
+    if (n != floor_of(upper_rational(turns)) || n < 0 || n > 1000) return std::nullopt;
+    return static_cast<long>(n);
+  }
+  [[nodiscard]] bool is_analytic_on(const complex_rectangle& r, precision p, int depth) const {
+    constexpr int deepest = 6;
+    const complex_ball set(between(r.left, r.right, p), between(r.bottom, r.top, p));
+    if (f_.over(region::in_balls(set)).is_analytic()) return true;
+    if (depth >= deepest) return false;
+    const auto both = halves(r);
+    return is_analytic_on(both[0], p, depth + 1) && is_analytic_on(both[1], p, depth + 1);
+  }
+  /// Adds the change of arg f along the edge, in so many pieces at most.
+  bool add_turns(const edge& along, const std::function<complex_ball(const complex_ball&)>& f,
+                 precision p, int& pieces, ball& sum) const {
+    if (--pieces < 0) return false;
+    const region value = f_.over(region::in_balls(along.set(p)));
+    if (value.is_analytic() && !value.magnitude_lower().is_zero()) {
+      const complex_ball first = f({ball(along.re1, p), ball(along.im1, p)});
+      const complex_ball last = f({ball(along.re2, p), ball(along.im2, p)});
+      if (const auto change = argument(last / first)) {
+        sum += *change;
+        return true;
+      }
+    }
+    const auto both = along.halves();
+    return add_turns(both[0], f, p, pieces, sum) && add_turns(both[1], f, p, pieces, sum);
+  }
+
+  detail::complex_integrand f_;
+  bool is_real_;  // for real arguments
+  complex_rectangle whole_;
+  const zeros_options& options_;
+  precision bits_;
+  zeros_answer result_;
+  std::vector<complex_rectangle> done_;   // the large squares
+  std::vector<complex_rectangle> small_;  // those around the zeros
+  std::vector<cluster> clusters_;
+};
+
+}  // namespace
+}  // namespace zeros_impl
+
+zeros_answer zeros_in_rectangle(const expression& f, const complex_rectangle& where,
+                                const zeros_options& options) {
+  if (options.digits < 1) {
+    throw std::invalid_argument("zeros_in_rectangle: digits must be at least 1");
+  }
+  if (!(where.left < where.right && where.bottom < where.top)) {
+    throw input_error(
+        "a rectangle from one corner to the same line; give the lower left and the "
+        "upper right corner, such as -5-10i and 5+10i");
+  }
+  if (f.is_formally_zero())
+    throw input_error("the formula is 0 everywhere; every number is a zero");
+  if (const auto name = f.function_not_analytic()) {
+    throw input_error(fmt::format("{} is not analytic in the complex plane", *name));
+  }
+  return zeros_impl::zero_search(f, where, options).answer();
+}
+
+}  // namespace polhode

@@ -1,0 +1,155 @@
+// Zeros of analytic functions in rectangles.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/roots/complex_roots.hpp"
+#include "polhode/roots/zeros_in_rectangle.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace zeros_in_rectangle_test {
+
+zeros_answer zeros_of(const std::string& formula, const complex_rectangle& where, long digits) {
+  return zeros_in_rectangle(parse(formula, {"z"}), where, {.digits = digits});
+}
+
+bool hold(const complex_ball& enclosure, const complex_ball& number) {
+  return overlaps(enclosure.re, number.re) && overlaps(enclosure.im, number.im);
+}
+
+/// One zero of the list has the number, and is simple.
+void expect_simple(const zeros_answer& found, const complex_ball& number, long digits) {
+  long count = 0;
+  for (const complex_zero& z : found.zeros) {
+    if (!hold(z.enclosure, number)) continue;
+    ++count;
+    EXPECT_EQ(z.multiplicity, 1);
+    EXPECT_TRUE(z.is_inside);
+    const magnitude size = max(number.magnitude_upper(), magnitude::power_of_two(-400));
+    const magnitude most = multiply_up(size, pow(ball(10, 64), -digits).magnitude_upper());
+    EXPECT_LE(z.enclosure.re.radius(), most);
+    EXPECT_LE(z.enclosure.im.radius(), most);
+  }
+  EXPECT_EQ(count, 1) << to_decimal(number, 10);
+}
+
+TEST(ZerosInRectangle, OfTheLogarithmsLattice) {
+  // exp(z) = 3 at log 3 + 2 pi i k.
+  const zeros_answer found = zeros_of("exp(z)-3", {-2, 3, -20, 20}, 40);
+  EXPECT_TRUE(found.is_complete());
+  ASSERT_EQ(found.zeros.size(), 7U);
+  constexpr precision p = 300;
+  for (long k = -3; k <= 3; ++k) {
+    expect_simple(found, {log(ball(3, p)), 2 * k * pi(p)}, 40);
+  }
+}
+
+TEST(ZerosInRectangle, AreRealWhereTheyAreTheirOwnConjugates) {
+  const zeros_answer found = zeros_of("z*exp(z)-1", {-1, 1, -1, 1}, 30);
+  EXPECT_TRUE(found.is_complete());
+  ASSERT_EQ(found.zeros.size(), 1U);
+  EXPECT_TRUE(found.zeros[0].enclosure.im.is_exact());
+  EXPECT_TRUE(contains_zero(found.zeros[0].enclosure.im));
+  EXPECT_TRUE(
+      overlaps(found.zeros[0].enclosure.re, parse("0.567143290409783872999968662210355550", {})
+                                                .value(120)
+                                                .enlarged(magnitude::power_of_two(-115))));
+}
+
+TEST(ZerosInRectangle, CountMultiplicities) {
+  const zeros_answer found = zeros_of("(1-cos(z))*(z^2+1)^3", {-7, 7, -2, 2}, 12);
+  EXPECT_TRUE(found.is_complete());
+  ASSERT_EQ(found.zeros.size(), 5U);
+  std::vector<long> counts;
+  for (const complex_zero& z : found.zeros) counts.push_back(z.multiplicity);
+  EXPECT_EQ(counts, (std::vector<long>{2, 3, 2, 3, 2}));
+}
+
+TEST(ZerosInRectangle, OfTheImaginaryUnit) {
+  const zeros_answer found =
+      zeros_in_rectangle(parse("z^2+2*i", {"z", "i"}), {-2, 2, -2, 2}, {.digits = 20});
+  EXPECT_TRUE(found.is_complete());
+  ASSERT_EQ(found.zeros.size(), 2U);
+  expect_simple(found, {ball(1, 200), ball(-1, 200)}, 20);
+  expect_simple(found, {ball(-1, 200), ball(1, 200)}, 20);
+}
+
+TEST(ZerosInRectangle, OnTheBoundaryAreFound) {
+  const zeros_answer found = zeros_of("exp(z)-1", {0, 1, 0, 7}, 10);
+  EXPECT_TRUE(found.is_complete());
+  ASSERT_EQ(found.zeros.size(), 2U);
+  for (const complex_zero& z : found.zeros) EXPECT_FALSE(z.is_inside);
+}
+
+TEST(ZerosInRectangle, BesidePolesAndCutsAreUndecided) {
+  const zeros_answer poles = zeros_of("1/(1+z^2)-z", {-2, 2, -2, 2}, 10);
+  EXPECT_FALSE(poles.is_complete());
+  EXPECT_EQ(poles.zeros.size(), 3U);
+  EXPECT_NE(poles.undecided.front().obstacle.find("pole"), std::string::npos);
+  const zeros_answer cuts = zeros_of("sqrt(z)+2", {-1, 5, -1, 1}, 10);  // has none
+  EXPECT_FALSE(cuts.is_complete());
+  EXPECT_TRUE(cuts.zeros.empty());
+  EXPECT_TRUE(zeros_of("exp(1/z)", {rational(1, 2), 5, -1, 1}, 10).is_complete());
+}
+
+TEST(ZerosInRectangle, RefuseWhatIsNotAnalytic) {
+  EXPECT_THROW((void)zeros_of("abs(z)-1", {-2, 2, -2, 2}, 10), input_error);
+  EXPECT_THROW((void)zeros_of("z-z", {-2, 2, -2, 2}, 10), input_error);
+  EXPECT_THROW((void)zeros_of("z", {2, 2, -2, 2}, 10), input_error);
+  EXPECT_THROW((void)zeros_of("z", {-2, 2, -2, 2}, 0), std::invalid_argument);
+}
+
+TEST(ZerosInRectangle, EndWhenTheyAreAskedTo) {
+  zeros_options how{.digits = 10};
+  how.most_parts = 10;
+  const zeros_answer few = zeros_in_rectangle(parse("sin(z^2)", {"z"}), {-5, 5, -5, 5}, how);
+  EXPECT_FALSE(few.is_complete());
+}
+
+/// Random polynomials, beside the roots by discs (complex_roots.hpp): a number of them in the rectangle.
+TEST(ZerosInRectangle, AreThoseOfPolynomials) {
+  support::random_source random(20261126);
+  for (support::repeat trial(12); trial.again();) {
+    std::vector<rational> c;
+    const long degree = random.between(1, 9);
+    for (long n = 0; n <= degree; ++n) {
+      c.emplace_back(random.between(-9, 9), random.between(1, 4));
+    }
+    if (c.back() == 0) c.back() = 1;
+    const rational_polynomial p(c);
+    std::string formula;
+    for (std::size_t n = 0; n < c.size(); ++n) {
+      formula += "+(" + to_text(c[n]) + ")*z^" + std::to_string(n);
+    }
+    const complex_rectangle where{
+        rational(random.between(-20, -1), 7), rational(random.between(1, 20), 7),
+        rational(random.between(-20, -1), 7), rational(random.between(1, 20), 7)};
+    SCOPED_TRACE(formula);
+    const zeros_answer found = zeros_of(formula, where, 15);
+    EXPECT_TRUE(found.is_complete());
+    long inside = 0;
+    for (const complex_root& r : complex_roots(p, 20).roots) {
+      const bool is_in = lower_rational(r.enclosure.re) > where.left &&
+                         upper_rational(r.enclosure.re) < where.right &&
+                         lower_rational(r.enclosure.im) > where.bottom &&
+                         upper_rational(r.enclosure.im) < where.top;
+      if (!is_in) continue;
+      inside += r.multiplicity;
+      long count = 0;
+      for (const complex_zero& z : found.zeros) count += hold(z.enclosure, r.enclosure) ? 1 : 0;
+      EXPECT_EQ(count, 1) << to_decimal(r.enclosure, 10);
+    }
+    long counted = 0;
+    for (const complex_zero& z : found.zeros) counted += z.is_inside ? z.multiplicity : 0;
+    EXPECT_EQ(counted, inside);
+  }
+}
+
+}  // namespace zeros_in_rectangle_test
+}  // namespace polhode
