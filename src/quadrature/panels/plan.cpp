@@ -310,10 +310,10 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
     }
   }
   // Where numbers cancel in f, as in a double zero under a root, panels beside a point at the distance d
-  // have to be as short as d^2: no end is in sight.
-  constexpr long most_failures = 40'000;
-  const bool is_endless = is_real && p.level >= short_level && !std::isfinite(own_nodes) &&
-                          ++failures_ > most_failures;
+  // have to be as short as d^2: no end is in sight, unless the caller says how deep it may go.
+  constexpr long most_failures = 3'000;
+  const bool is_endless = is_real && !options_.most_depth && p.level >= short_level &&
+                          !std::isfinite(own_nodes) && ++failures_ > most_failures;
   if (p.level >= deepest_ || hopeless_ || is_endless) return obstructed_at(p);
   const std::size_t before = panels_.size();
   const double nodes_before = planned_nodes_;
