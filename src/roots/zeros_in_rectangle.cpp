@@ -247,8 +247,7 @@ class zero_search {
                            between(small.bottom, small.top, bits_ + 64));
     // The conjugate of a zero is one, and there is no other in the large square.
     const complex_rectangle conjugate{small.left, small.right, -small.top, -small.bottom};
-    const bool is_real =
-        is_real_ && count == 1 && meets(small, conjugate) && lies_in(conjugate, large);
+    const bool is_real = is_real_ && count == 1 && lies_in(conjugate, large);
     if (is_real) enclosure.im = ball(0, bits_);
     const bool is_inside =
         is_real ? lies_in({small.left, small.right, 0, 0}, whole_) : lies_in(small, whole_);

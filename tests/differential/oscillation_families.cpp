@@ -23,9 +23,11 @@ term phase(maker& m, long degree) {
 /// That tends to 0 like a power of x, without singular points beyond `from` > 0.
 term decaying(maker& m) {
   const term c = m.rational_near(m.scattered(0.1, 5));
-  switch (m.between(0, 6)) {
+  switch (m.between(0, 7)) {
     case 0:
       return 1 / (x + c);
+    case 7:  // poles beside the axis
+      return 1 / (power(x - m.rational_near(m.within(0, 8)), 2) + c);
     case 1:
       return power(x + c, -m.between(2, 4));
     case 2:

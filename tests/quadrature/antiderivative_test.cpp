@@ -91,6 +91,7 @@ TEST(ExactIntegral, OfManySteps) {
   EXPECT_EQ(exactly("floor(x)^3", "0", "1e9"), "249999999500000000250000000000000000");
   // As many pieces as are cut, and one period more.
   EXPECT_EQ(exactly("floor(2*x)*ceil(x/3)", "0", "100"), "452761/2");
+  EXPECT_EQ(exactly("ceil(x/3)*floor(2*x)", "0", "100"), "452761/2");
   const auto whole = exact_integral(parse("floor(2*x)*ceil(x/3)*x"), 0, rational(6001, 7));
   const auto part = exact_integral(parse("floor(2*x)*ceil(x/3)*x"), 0, 3);
   const auto rest = exact_integral(parse("floor(2*x)*ceil(x/3)*x"), 3, rational(6001, 7));
@@ -125,6 +126,7 @@ TEST(Antiderivative, IsChosenAndNamed) {
   ASSERT_EQ(found.verdict, status::certified);
   EXPECT_EQ(found.account.rules, std::vector{quadrature_rule::antiderivative});
   EXPECT_EQ(with("x*exp(-x^2)", quadrature_rule::antiderivative).why, reason::not_applicable);
+  EXPECT_EQ(with("exp(x-x^2)", quadrature_rule::antiderivative).why, reason::not_applicable);
   // An exponent that is 0 and not seen to be.
   const integral hidden =
       with("exp((sqrt(5+2*sqrt(6))-sqrt(2)-sqrt(3))*x)", quadrature_rule::antiderivative);
