@@ -122,7 +122,7 @@ def grid(*quantities, a, b, c=None, **options):
 
     >>> import polhode
     >>> polhode.grid("meetings", a="1..9/2", b="0.1..0.5/1")[0, 0].tolist()
-    [[2.0, 1.0], [3.0, 2.0], [4.0, 2.0]]
+    [[0.0, 3.0], [1.0, 6.0], [2.0, 8.0]]
     """
     import numpy
     given = {"a": a, "b": b, "c": c, **options}
