@@ -93,7 +93,8 @@ class antiderivative {
 }  // namespace antiderivative_impl
 
 std::optional<expression> expression::entire_antiderivative() const {
-  if (variables_.size() != 1 || graph_->size() > antiderivative_impl::most_nodes) {
+  if (variables_.size() != 1 || graph_->size() > antiderivative_impl::most_nodes ||
+      detail::has_other_than_entire(*graph_)) {
     return std::nullopt;
   }
   try {

@@ -363,6 +363,54 @@ std::optional<std::vector<node_id>> polynomial_in_variable(graph& g, node_id of)
   return exponential_sum_impl::polynomial_nodes(g).of(of);
 }
 
+bool has_circular_functions(const graph& g) {
+  for (node_id i = 0; i <= g.root; ++i) {
+    switch (g[i].what) {
+      case operation::sin:
+      case operation::cos:
+      case operation::sinpi:
+      case operation::cospi:
+        return true;
+      default:
+        break;
+    }
+  }
+  return false;
+}
+
+bool has_other_than_entire(const graph& g) {
+  const std::vector<char> varies = varying(g);
+  for (node_id i = 0; i <= g.root; ++i) {
+    if (varies[i] == 0) continue;
+    const node& n = g[i];
+    switch (n.what) {
+      case operation::variable:
+      case operation::negate:
+      case operation::add:
+      case operation::subtract:
+      case operation::multiply:
+      case operation::exp:
+      case operation::expm1:
+      case operation::sin:
+      case operation::cos:
+      case operation::sinpi:
+      case operation::cospi:
+      case operation::sinh:
+      case operation::cosh:
+        break;
+      case operation::divide:
+        if (varies[n.right] != 0) return true;
+        break;
+      case operation::power_integer:
+        if (n.number < 0) return true;
+        break;
+      default:
+        return true;
+    }
+  }
+  return false;
+}
+
 std::optional<exponential_terms> exponential_terms_of(graph& g) {
   try {
     return exponential_sum_impl::decomposition(g).root();

@@ -481,7 +481,8 @@ rational next_integer(const rational& q) { return rational(integer(floor_of(q) +
 
 std::optional<expression::rays> expression::on_turned_rays(const rational& from) const {
   using turned_rays_impl::turned_rays;
-  if (variables_.size() != 1 || graph_->size() > turned_rays_impl::most_nodes) {
+  if (variables_.size() != 1 || graph_->size() > turned_rays_impl::most_nodes ||
+      !detail::has_circular_functions(*graph_)) {
     return std::nullopt;
   }
   try {
@@ -517,7 +518,8 @@ std::optional<expression::rays> expression::on_turned_rays(const rational& from)
 std::optional<expression::two_rays> expression::between_turned_rays(const rational& a,
                                                                     const rational& b) const {
   using turned_rays_impl::turned_rays;
-  if (variables_.size() != 1 || graph_->size() > turned_rays_impl::most_nodes || a < 0) {
+  if (variables_.size() != 1 || graph_->size() > turned_rays_impl::most_nodes ||
+      !detail::has_circular_functions(*graph_) || a < 0) {
     return std::nullopt;
   }
   try {
