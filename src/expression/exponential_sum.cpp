@@ -195,7 +195,7 @@ class decomposition {
     }
     if (n.what == operation::further) return of_steady_operands(i);
     if (!is_wave(n.what)) {
-      if (const maybe_terms found = of_steady_operands(i)) return found;
+      if (maybe_terms found = of_steady_operands(i)) return found;
     }
     const exponential_terms& x = known_.at(n.left);
     switch (n.what) {

@@ -22,7 +22,9 @@ namespace polhode::detail {
 struct complex_node {
   node_id re;
   node_id im;
-  friend auto operator<=>(const complex_node&, const complex_node&) = default;
+  friend bool operator<(const complex_node& x, const complex_node& y) {
+    return std::pair(x.re, x.im) < std::pair(y.re, y.im);
+  }
 };
 
 /// Complex numbers and functions as pairs of nodes.

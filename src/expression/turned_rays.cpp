@@ -71,7 +71,8 @@ struct growth {
 
 class turned_rays {
  public:
-  explicit turned_rays(const detail::graph& f) : g_(f), nodes_(g_), x_(g_.variable(0)), s_(x_) {}
+  explicit turned_rays(detail::graph f)
+      : g_(std::move(f)), nodes_(g_), x_(g_.variable(0)), s_(x_) {}
 
   /// Whether it is such a sum, and no part of it grows.
   bool prepare() {
@@ -192,7 +193,7 @@ class turned_rays {
   }
   std::optional<growth> growth_made(node_id i) {
     if (const auto c = detail::polynomial_in_variable(g_, i)) {
-      const auto found = of_polynomial(*c);
+      auto found = of_polynomial(*c);
       if (!found || found->least || c->size() <= 2) return found;
     }
     const node n = g_[i];
@@ -287,6 +288,7 @@ class turned_rays {
   bool lies_in_half_plane(const std::vector<node_id>& c, bool positive) {
     if (static_cast<long>(c.size()) - 1 > 2 * n_) return false;
     std::vector<ball> d;
+    d.reserve(c.size());
     for (const node_id k : c) d.push_back(value_of(k));
     const ball p(start_, bits);
     for (std::size_t k = 0; k + 1 < d.size(); ++k) {

@@ -71,10 +71,10 @@ std::optional<ball> argument(const complex_ball& z) {
 
 class zero_search {
  public:
-  zero_search(const expression& f, const complex_rectangle& where, const zeros_options& options)
+  zero_search(const expression& f, complex_rectangle where, const zeros_options& options)
       : f_(complex_integrand_of(f)),
         is_real_(f.variables().size() < 2),
-        whole_(where),
+        whole_(std::move(where)),
         options_(options),
         bits_(bits_for_digits(options.digits) + 64) {}
 

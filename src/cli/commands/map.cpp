@@ -409,7 +409,8 @@ shard read_shard(const map_options& options) {
   unsigned long number = 0;
   unsigned long count = 0;
   char rest = 0;
-  const bool is_read = text.size() < 20 && text.find_first_not_of("0123456789/") == text.npos &&
+  const bool is_read = text.size() < 20 &&
+                       text.find_first_not_of("0123456789/") == std::string::npos &&
                        std::sscanf(text.c_str(), "%lu/%lu%c", &number, &count, &rest) == 2;
   if (!is_read || number < 1 || number > count || count > 1'000'000) {
     throw usage_error(fmt::format("--shard {}: it must be I/N, the I-th of N shards, such as 1/8",

@@ -359,6 +359,7 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
     if (!rays || !(rays->turns > least_turns)) return std::nullopt;
     const auto integrands = [](const std::vector<expression>& parts) {
       std::vector<detail::integrand> made;
+      made.reserve(parts.size());
       for (const expression& part : parts) made.push_back(integrand_of(part));
       return made;
     };

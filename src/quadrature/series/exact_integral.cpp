@@ -265,11 +265,11 @@ std::optional<rational> exact_integral(const expression& f, const end_point& a,
     return found ? std::optional<rational>(-*found) : std::nullopt;
   }
   if (a.infinite_sign() == b.infinite_sign() && a.infinite_sign() != 0) return std::nullopt;
-  const maybe_end lower = a.exact();
-  const maybe_end upper = b.exact();
+  const maybe_end& lower = a.exact();
+  const maybe_end& upper = b.exact();
   if (!lower || !upper) return smooth_integral(f, lower, upper);
-  if (const auto sum = integral_of_stairs(f, *lower, *upper)) return sum;
-  if (const auto sum = integral_by_pieces(f, *lower, *upper)) return sum;
+  if (auto sum = integral_of_stairs(f, *lower, *upper)) return sum;
+  if (auto sum = integral_by_pieces(f, *lower, *upper)) return sum;
   return difference_at_ends(f, a, b);
 }
 
