@@ -43,6 +43,18 @@ TEST(FormulaIntegral, DivergentOnesAreRefused) {
   EXPECT_EQ(integrate(parse("1/x"), 1, end_point::infinity()).verdict, status::not_certified);
 }
 
+TEST(FormulaIntegral, EndlessPanelsAreGivenUpWithThePoint) {
+  for (const char* formula : {"sqrt(x^4-4*x^2+4)", "sqrt(x^2-2*sqrt(2)*x+2)"}) {
+    const integral found = integrate(parse(formula), 0, 3, {.digits = 30});
+    EXPECT_EQ(found.why, reason::not_analytic) << formula;
+    EXPECT_NE(found.obstacle.find("the branch cut of sqrt near x = 1.41"), std::string::npos)
+        << found.obstacle;
+  }
+  // Panels that turn too often fail as well, and end.
+  EXPECT_EQ(integrate(parse("cos(1e6*x)*sqrt(1-x)"), 0, 1, {.digits = 5}).verdict,
+            status::certified);
+}
+
 TEST(FormulaIntegral, LimitsAreAsExactAsTheirFormulas) {
   EXPECT_EQ(end_point_of(parse("1/3 + 1/6", {})).exact(), rational(1, 2));
   const end_point combination = end_point_of(parse("1 - 2*pi/3", {}));

@@ -26,6 +26,7 @@ struct panel {
 
   std::optional<complex_ball> closed_by;  // the range of F over it, where that is enough
   bool by_range_only = false;             // that it is, though nothing else is known of F there
+  bool is_analytic = false;               // F is, on the panel itself
   double rho = 0;      // else: F is analytic inside the Bernstein ellipse with this parameter ...
   magnitude supremum;  // ... and this is a bound of |F| there
   double log2_typical = 0;  // about log2 |F| at its middle, to search with

@@ -109,6 +109,7 @@ double integrator::try_panel(panel& p, double log2_goal) {
   const double goal = mean_goal(p, log2_goal);
   // So small that the bound is enough.
   const region over_panel = f(double_interval(-1.0, 1.0), double_interval(0));
+  p.is_analytic = over_panel.is_analytic();
   const double most = estimated_log2(over_panel.magnitude_upper());
   if (most <= goal) {
     p.closed_by = at_most(s, over_panel.magnitude_upper());
@@ -312,8 +313,9 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   // Where numbers cancel in f, as in a double zero under a root, panels beside a point at the distance d
   // have to be as short as d^2: no end is in sight, unless the caller says how deep it may go.
   constexpr long most_failures = 3'000;
-  const bool is_endless = is_real && !options_.most_depth && p.level >= short_level &&
-                          !std::isfinite(own_nodes) && ++failures_ > most_failures;
+  const bool has_failed = p.level >= short_level && !std::isfinite(own_nodes) && !p.is_analytic;
+  const bool is_endless =
+      is_real && !options_.most_depth && has_failed && ++failures_ > most_failures;
   if (p.level >= deepest_ || hopeless_ || is_endless) return obstructed_at(p);
   const std::size_t before = panels_.size();
   const double nodes_before = planned_nodes_;
