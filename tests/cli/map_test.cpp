@@ -15,8 +15,8 @@ namespace map_test {
 using words = std::vector<std::string>;
 
 words map_of(const words& more) {
-  words command{"map", "epsilon0",     "c0",    "--a",      "0.5..20/59",
-                "--b", "0.05..0.9/59", "--log", "--digits", "12"};
+  words command{"map",          "epsilon0", "--a",      "0.5..20/59", "--b",
+                "0.05..0.9/59", "--log",    "--digits", "12"};
   command.insert(command.end(), more.begin(), more.end());
   return command;
 }
@@ -85,7 +85,7 @@ TEST(Map, GoesOnAfterItWasKilled) {
   const scratch_directory scratch;
   const std::string blocks = scratch.path("blocks");
   const words command{"map",          "epsilon0", "--a", "0.5..20/99", "--b",
-                      "0.05..0.9/99", "--digits", "300", "--blocks",   blocks};
+                      "0.05..0.9/99", "--digits", "60",  "--blocks",   blocks};
   for (int k = 0; k < 5; ++k) {
     std::string script = "timeout -s KILL 0.3 polhode";
     for (const std::string& word : command) script += " '" + word + "'";
