@@ -144,7 +144,8 @@ class turned_rays {
     start_ = p;
     std::vector<node_id> result;
     for (const oscillation& part : parts_) {
-      if (!part.phase.empty()) result.push_back(on_ray(part));
+      if (part.phase.empty()) continue;
+      for (const node_id root : on_ray(part)) result.push_back(root);
     }
     return result;
   }
@@ -366,7 +367,8 @@ class turned_rays {
     if (c && c->size() <= most_expanded) return polynomial_at_z(*c, 1);
     return nodes_.multiply(at_z(h), turn(1, n_));
   }
-  node_id on_ray(const oscillation& part) {
+  /// The part's formula, in two summands where it has logarithms: their growth is known one by one.
+  std::vector<node_id> on_ray(const oscillation& part) {
     n_ = static_cast<long>(part.phase.size());
     z_ = nodes_.add(nodes_.number(start_), nodes_.multiply(turn(1, n_), nodes_.real(s_)));
     at_z_.clear();
@@ -379,8 +381,11 @@ class turned_rays {
     phase.insert(phase.end(), part.phase.begin(), part.phase.end());
     const complex_node exponent = polynomial_at_z(phase, 0);
     const complex_node wave{nodes_.call("cos", exponent.re), nodes_.call("sin", exponent.re)};
-    const node_id value = nodes_.multiply(h, wave).re;
-    return nodes_.product(nodes_.call("exp", nodes_.minus(exponent.im)), value);
+    const node_id decay = nodes_.call("exp", nodes_.minus(exponent.im));
+    const node_id first = nodes_.product(decay, nodes_.product(h.re, wave.re));
+    const node_id second = nodes_.minus(nodes_.product(decay, nodes_.product(h.im, wave.im)));
+    if (has_logarithm_ && second != g_.number(0)) return {first, second};
+    return {nodes_.product(decay, nodes_.multiply(h, wave).re)};
   }
   /// The function that a node of the variable is, at z_.
   complex_node at_z(node_id i) {
@@ -419,6 +424,7 @@ class turned_rays {
     const node_id square = nodes_.sum(nodes_.product(w.re, w.re), nodes_.product(w.im, w.im));
     const node_id angle = argument_at_z(*detail::polynomial_in_variable(g_, n.left));
     if (!e) {
+      has_logarithm_ = true;
       return {nodes_.product(g_.number(rational(1, 2)), nodes_.call("log", square)), angle};
     }
     // w^e = |w|^e exp(i e arg w).
@@ -472,6 +478,7 @@ class turned_rays {
   std::map<node_id, ball> values_;
   std::map<node_id, std::optional<growth>> growths_;
   complex_node z_{};
+  bool has_logarithm_ = false;
   std::map<node_id, complex_node> at_z_;
 };
 
