@@ -32,9 +32,13 @@ class rational_roots {
   explicit rational_roots(const rational_polynomial& p)
       : p_(p), leading_(abs(primitive_coefficients(p).back())) {}
 
-  /// Appends them in order; false where one of them is irrational.
+  /// Appends them in order; false where one of them is irrational, or the search would be long.
   bool add_inside(const rational& lower, const rational& upper,
                   std::vector<rational>& roots) const {
+    // 2 log2 L halvings, each with a chain of as many polynomials as the degree.
+    constexpr std::size_t most_work = 2000;
+    const std::size_t length = mpz_sizeinbase(leading_.backend().data(), 2);
+    if (length * static_cast<std::size_t>(p_.degree() + 1) > most_work) return false;
     long count = count_real_roots(p_, lower, upper);
     if (p_(lower) == 0) --count;
     if (p_(upper) == 0) --count;

@@ -62,8 +62,8 @@ constexpr std::size_t most_nodes = 300;  // of the formula
 constexpr precision bits = 192;
 constexpr std::size_t most_expanded = 8;  // coefficients of a polynomial that is taken as one
 
-/// |h(z)| <= C' |z|^most for great z in the sector; and C |z|^least <= |h(z)| everywhere in it, with
-/// C > 0, where `least` is known.
+/// |h(z)| <= C' |z|^most for great z in the sector. Where `least` is known, h has no zero in the
+/// sector, ends included, and C |z|^least <= |h(z)| for great z, with C > 0.
 struct growth {
   rational most;
   std::optional<rational> least;
@@ -244,8 +244,7 @@ class turned_rays {
     const std::optional<rational> e = exponent_of(n);
     if (!e && n.what != operation::log) return std::nullopt;
     const auto c = detail::polynomial_in_variable(g_, n.left);
-    if (!c || c->empty()) return std::nullopt;
-    if (c->size() < 2) return std::nullopt;
+    if (!c || c->size() < 2) return std::nullopt;
     if (start_ == 0 && c->size() == 2 && c->front() == g_.number(0)) {
       if (e && *e > 0 && certainly_positive(value_of(c->back()))) return growth{*e, std::nullopt};
       return std::nullopt;
@@ -277,7 +276,7 @@ class turned_rays {
     }
     return certainly_less(rest, abs(value_of(c.back())));
   }
-  /// Whether a linear form has its root, which is real, neither in [start_, end_] nor beyond.
+  /// The third case above: a linear form whose root is not in [start_, end_].
   bool has_root_elsewhere(const std::vector<node_id>& c) {
     if (c.size() != 2 || !end_) return false;
     const ball at_start = value_of(c[0]) + value_of(c[1]) * ball(start_, bits);
@@ -372,6 +371,7 @@ class turned_rays {
     n_ = static_cast<long>(part.phase.size());
     z_ = nodes_.add(nodes_.number(start_), nodes_.multiply(turn(1, n_), nodes_.real(s_)));
     at_z_.clear();
+    has_logarithm_ = false;
     const complex_node unit{g_.number(0), g_.number(1)};
     complex_node h = turned_amplitude(part.amplitude.re);
     if (part.amplitude.im != g_.number(0)) {
@@ -410,29 +410,43 @@ class turned_rays {
       case operation::multiply:
         return nodes_.multiply(at_z(n.left), at_z(n.right));
       case operation::divide:
+        if (const auto e = varying_exponent_at(n.right)) {
+          return nodes_.multiply(at_z(n.left), branch_at_z(g_[n.right].left, -*e));
+        }
         return nodes_.divide(at_z(n.left), at_z(n.right));
       case operation::power_integer:
+        if (const auto e = varying_exponent_at(n.left)) {
+          return branch_at_z(g_[n.left].left, *e * n.number);
+        }
         return nodes_.power(at_z(n.left), n.number);
       default:
         break;
     }
     const std::optional<rational> e = exponent_of(n);
-    if (!e && n.what != operation::log) {
+    if (e) return branch_at_z(n.left, *e);
+    if (n.what != operation::log) {
       throw std::logic_error("turned rays: internal error: a function without a bound");
     }
-    const complex_node w = at_z(n.left);
-    const node_id square = nodes_.sum(nodes_.product(w.re, w.re), nodes_.product(w.im, w.im));
-    const node_id angle = argument_at_z(*detail::polynomial_in_variable(g_, n.left));
-    if (!e) {
-      has_logarithm_ = true;
-      return {nodes_.product(g_.number(rational(1, 2)), nodes_.call("log", square)), angle};
-    }
-    // w^e = |w|^e exp(i e arg w).
-    const node_id turned = nodes_.product(g_.number(*e), angle);
-    const node_id power = detail::power(g_, square, g_.number(*e / 2));
+    has_logarithm_ = true;
+    const node_id size = nodes_.call("log", square_of_size(at_z(n.left)));
+    return {nodes_.product(g_.number(rational(1, 2)), size), argument_of(n.left)};
+  }
+  /// w^e = |w|^e exp(i e arg w) for the polynomial w that a node is.
+  complex_node branch_at_z(node_id of, const rational& e) {
+    const node_id power = detail::power(g_, square_of_size(at_z(of)), g_.number(e / 2));
+    const node_id turned = nodes_.product(g_.number(e), argument_of(of));
     return {nodes_.product(power, nodes_.call("cos", turned)),
             nodes_.product(power, nodes_.call("sin", turned))};
   }
+  /// The exponent of a root or power of what varies.
+  std::optional<rational> varying_exponent_at(node_id i) {
+    const auto c = detail::polynomial_in_variable(g_, i);
+    return c ? std::nullopt : exponent_of(g_[i]);
+  }
+  node_id square_of_size(const complex_node& w) {
+    return nodes_.sum(nodes_.product(w.re, w.re), nodes_.product(w.im, w.im));
+  }
+  node_id argument_of(node_id i) { return argument_at_z(*detail::polynomial_in_variable(g_, i)); }
   /// The sum of the arguments of z - r over the roots r of the polynomial, all with Re r < Re z.
   node_id argument_at_z(const std::vector<node_id>& c) {
     const auto of = [&](node_id re, node_id im) {
@@ -478,7 +492,7 @@ class turned_rays {
   std::map<node_id, ball> values_;
   std::map<node_id, std::optional<growth>> growths_;
   complex_node z_{};
-  bool has_logarithm_ = false;
+  bool has_logarithm_ = false;  // the part at z_
   std::map<node_id, complex_node> at_z_;
 };
 

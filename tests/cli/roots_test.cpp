@@ -196,7 +196,7 @@ TEST(Roots, InARectangle) {
   EXPECT_EQ(text.out,
             "0.318131505204764... - 1.33723570143068...i  unique\n"
             "0.318131505204764... + 1.33723570143068...i  unique\n"
-            "certified: 2 roots, with multiplicities 2, and no others in -5-5i..5+5i\n");
+            "certified: 2 roots, counted with multiplicities, and no others in -5-5i..5+5i\n");
   const outcome as_json =
       run({"roots", "x^2+2*i", "--rectangle", "-2-2i..2+2i", "--format", "json"});
   const json printed = json::parse(as_json.out);

@@ -23,9 +23,17 @@ term phase(maker& m, long degree) {
 /// That tends to 0 like a power of x, without singular points beyond `from` > 0.
 term decaying(maker& m) {
   const term c = m.rational_near(m.scattered(0.1, 5));
-  switch (m.between(0, 7)) {
+  switch (m.between(0, 10)) {
     case 0:
       return 1 / (x + c);
+    case 8: {  // three poles, of which two may lie to the right of 0
+      const auto positive = [&] { return m.rational_near(m.scattered(0.05, 5)); };
+      return 1 / (power(x, 3) + positive() * power(x, 2) + positive() * x + c);
+    }
+    case 9:  // the roots of what is under the root: real, or conjugate
+      return 1 / call("sqrt", power(x, 2) + m.rational_near(m.scattered(0.1, 5)) * x + c);
+    case 10:
+      return call("log", x + c) / (x + m.rational_near(m.scattered(0.1, 3)));
     case 7:  // poles beside the axis
       return 1 / (power(x - m.rational_near(m.within(0, 8)), 2) + c);
     case 1:

@@ -64,6 +64,23 @@ TEST(TurnedRays, DoNotStartAtAPole) {
   expect_known({{"sin(x)/x", "0", "1e6", "1.570795390043119081462208201142128556725"}}, 20'000);
 }
 
+/// Where the rays may start follows from the divisors: a pole between the axis and the ray would be left
+/// out. The other rules do not look for rays in these.
+TEST(TurnedRays, LeaveOutNoPole) {
+  for (const char* formula :
+       {"sin(x)/(x^3+3*x^2/2+x+4)", "cos(x)/(x^3+3*x^2/2+x+4)", "sin(2*x)/((x-2)^2+1/9)",
+        "cos(x)/(x^2+1)", "sin(x)/sqrt(x^2+3*x+1)", "cos(x)/sqrt(x^2+x/10+1)"}) {
+    const auto by = [&](const quadrature_rule& rule) {
+      return integrate(parse(formula), 0, end_point::infinity(), {.digits = 15, .rule = rule});
+    };
+    const integral rays = by(quadrature_rule::turned_rays);
+    const integral panels = by(quadrature_rule::gauss_legendre);
+    EXPECT_EQ(rays.verdict, status::certified) << formula << ": " << rays.obstacle;
+    EXPECT_EQ(panels.verdict, status::certified) << formula << ": " << panels.obstacle;
+    EXPECT_TRUE(overlaps(rays.enclosure, panels.enclosure)) << formula;
+  }
+}
+
 TEST(TurnedRays, AreARule) {
   const auto with = [](const char* formula, const end_point& a, const end_point& b) {
     return integrate(parse(formula), a, b, {.digits = 20, .rule = quadrature_rule::turned_rays});

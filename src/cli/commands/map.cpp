@@ -306,9 +306,10 @@ std::pair<double, double> as_doubles(std::string_view value, std::string_view ra
   }
   const rational exact = parse_rational(std::string(value));
   const auto middle = static_cast<double>(exact);
+  if (!std::isfinite(middle)) return {middle, std::numeric_limits<double>::infinity()};
   const rational distance = abs(exact - rational(middle)) + parse_rational(std::string(radius));
   auto bound = static_cast<double>(distance);
-  while (rational(bound) < distance) {
+  while (std::isfinite(bound) && rational(bound) < distance) {
     bound = std::nextafter(bound, std::numeric_limits<double>::infinity());
   }
   return {middle, bound};

@@ -144,8 +144,7 @@ std::string as_text(const zeros_answer& a, const std::string& where, long digits
         z.is_inside ? "" : ", on the boundary or beside it");
     count += static_cast<std::size_t>(z.multiplicity);
   }
-  const std::string roots =
-      fmt::format("{}, with multiplicities {}", counted(a.zeros.size(), "root"), count);
+  const std::string roots = counted(count, "root") + ", counted with multiplicities";
   if (!a.is_complete()) {
     return result + fmt::format("not certified: {}; {}\n", roots, undecided_text(a));
   }
@@ -242,6 +241,7 @@ exit_status run_roots_in_rectangle(const roots_options& options) {
     json result = as_json(f, options, *options.rectangle, a, digits);
     for (std::size_t k = 0; k < found.zeros.size(); ++k) {
       result["roots"][k]["inside"] = found.zeros[k].is_inside;
+      if (found.zeros[k].multiplicity > 1) result["roots"][k]["verdict"] = "cluster";
     }
     if (!a.complete) result["undecided"] = undecided_text(found);
     print(json_document_text("roots", result));
