@@ -1,5 +1,5 @@
-"""The build backend of `pip install .` (PEP 517): a wheel with the package and the program, built by
-CMake in build/release. It needs what scripts/python installs, and downloads nothing."""
+"""The build backend of `pip install .` (PEP 517): a wheel with the package and the programs, built
+by CMake in build/release. It needs what scripts/python installs, and downloads nothing."""
 
 import base64
 import hashlib

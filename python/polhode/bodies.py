@@ -7,8 +7,8 @@ import tempfile
 from ._polhode import ball, link_tensors
 from .program import PolhodeError, answer_of, run, run_for_bytes, text_of
 
-__all__ = ["Body", "PolhodeError", "certify", "check", "constants", "cost", "figures", "grid", "merged",
-           "run_scene", "table"]
+__all__ = ["Body", "PolhodeError", "certify", "check", "constants", "cost", "figures", "grid",
+           "merged", "run_scene", "table"]
 
 
 def _joined(numbers):

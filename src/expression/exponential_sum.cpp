@@ -159,6 +159,19 @@ class polynomial_nodes {
 };
 
 // ---------------------------------------------------------------------------------------------
+// Exponentials
+
+bool is_circular(operation what) {
+  return what == operation::sin || what == operation::cos || what == operation::sinpi ||
+         what == operation::cospi;
+}
+/// An exponential, or a function made of them.
+bool is_wave(operation what) {
+  return is_circular(what) || what == operation::exp || what == operation::expm1 ||
+         what == operation::sinh || what == operation::cosh;
+}
+
+// ---------------------------------------------------------------------------------------------
 // Sums of exponentials
 
 using maybe_terms = std::optional<exponential_terms>;
@@ -246,22 +259,6 @@ class decomposition {
       }
       default:
         return of_steady_operands(i);
-    }
-  }
-  /// An exponential, or a function made of them.
-  static bool is_wave(operation what) {
-    switch (what) {
-      case operation::exp:
-      case operation::expm1:
-      case operation::sin:
-      case operation::cos:
-      case operation::sinpi:
-      case operation::cospi:
-      case operation::sinh:
-      case operation::cosh:
-        return true;
-      default:
-        return false;
     }
   }
   /// What is made of steady operands is steady.
@@ -365,15 +362,7 @@ std::optional<std::vector<node_id>> polynomial_in_variable(graph& g, node_id of)
 
 bool has_circular_functions(const graph& g) {
   for (node_id i = 0; i <= g.root; ++i) {
-    switch (g[i].what) {
-      case operation::sin:
-      case operation::cos:
-      case operation::sinpi:
-      case operation::cospi:
-        return true;
-      default:
-        break;
-    }
+    if (exponential_sum_impl::is_circular(g[i].what)) return true;
   }
   return false;
 }
@@ -389,14 +378,6 @@ bool has_other_than_entire(const graph& g) {
       case operation::add:
       case operation::subtract:
       case operation::multiply:
-      case operation::exp:
-      case operation::expm1:
-      case operation::sin:
-      case operation::cos:
-      case operation::sinpi:
-      case operation::cospi:
-      case operation::sinh:
-      case operation::cosh:
         break;
       case operation::divide:
         if (varies[n.right] != 0) return true;
@@ -405,7 +386,7 @@ bool has_other_than_entire(const graph& g) {
         if (n.number < 0) return true;
         break;
       default:
-        return true;
+        if (!exponential_sum_impl::is_wave(n.what)) return true;
     }
   }
   return false;

@@ -347,6 +347,21 @@ std::vector<char> reachable(const graph& g) {
   return marks;
 }
 
+std::optional<rational> fractional_exponent_at(const graph& g, node_id i) {
+  const node& n = g[i];
+  switch (n.what) {
+    case operation::sqrt:
+      return rational(1, 2);
+    case operation::root:
+      return rational(1, n.number);
+    case operation::power:
+      if (const rational* e = g.value(n.right)) return *e;
+      return std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
 std::vector<char> varying(const graph& g) {
   const std::vector<char> used = reachable(g);
   std::vector<char> marks(g.size(), 0);

@@ -121,6 +121,9 @@ node_id double_factorial(graph& g, node_id x);
 /// Those of them that depend on a variable.
 [[nodiscard]] std::vector<char> varying(const graph& g);
 
+/// The exponent of the root, or of the power with an exponent that is no whole number, at a node.
+[[nodiscard]] std::optional<rational> fractional_exponent_at(const graph& g, node_id i);
+
 /// Copies what the root of `from` is made of into `to`, as it stands, with a node of `to` in the
 /// place of its variable. Returns where each node of `from` is in `to`. Throws
 /// std::invalid_argument where there is a variable, and nothing in its place.

@@ -1,5 +1,5 @@
-// Formulas that are algebraic between rational points: pieces without abs, min, max, floor and ceil,
-// polynomials in x and in floors of linear forms, and rational functions of a root.
+// Formulas that are algebraic between rational points: pieces without abs, min, max, floor and
+// ceil, polynomials in x and in floors of linear forms, and rational functions of a root.
 
 #include <algorithm>
 #include <functional>
@@ -25,8 +25,8 @@ constexpr node_id most_nodes = 300;  // of a formula
 // Rational roots
 
 /// The different roots of p inside a range, where all of them are rational. With L the leading
-/// coefficient of the multiple of p in coprime integers, the denominator of a rational root divides L,
-/// and two numbers with such denominators are at least 1/L^2 apart.
+/// coefficient of the multiple of p in coprime integers, the denominator of a rational root divides
+/// L, and two numbers with such denominators are at least 1/L^2 apart.
 class rational_roots {
  public:
   explicit rational_roots(const rational_polynomial& p)
@@ -311,7 +311,8 @@ class rooted : rewriting {
         g_.number(form_->alpha));
     const auto root = root_by([&](node_id i) -> std::optional<node_id> {
       if (g_[i].what == operation::variable) return x;
-      if (const auto e = exponent_at(i)) return detail::power(g_, u, g_.number(*e * q_));
+      if (const auto e = detail::fractional_exponent_at(g_, i))
+        return detail::power(g_, u, g_.number(*e * q_));
       return with_places(i);
     });
     const node_id slope =
@@ -323,27 +324,12 @@ class rooted : rewriting {
  private:
   static constexpr long most_degree = 64;  // of u^q
 
-  /// The exponent, no whole number, of a root or a power of what varies.
-  [[nodiscard]] std::optional<rational> exponent_at(node_id i) const {
-    const node& n = g_[i];
-    switch (n.what) {
-      case operation::sqrt:
-        return rational(1, 2);
-      case operation::root:
-        return rational(1, n.number);
-      case operation::power:
-        if (const rational* e = g_.value(n.right)) return *e;
-        return std::nullopt;
-      default:
-        return std::nullopt;
-    }
-  }
   /// The form that all roots are of, and the common denominator of the exponents.
   bool find_form() {
     integer q = 1;
     for (node_id i = 0; i < end_; ++i) {
       if (used_[i] == 0 || varies_[i] == 0) continue;
-      const auto e = exponent_at(i);
+      const auto e = detail::fractional_exponent_at(g_, i);
       if (!e) continue;
       q = lcm(q, denominator(*e));
       if (q > most_degree) return false;

@@ -1,41 +1,43 @@
 // Integrals of oscillations up to infinity over rays on which they decay.
 //
 // Let f = Re h exp(i phi) for x >= p, with a real polynomial phi of degree n >= 1 and leading
-// coefficient d_n > 0, and h analytic on {z: Re z >= p} with |h(z)| <= C |z|^m there, m < n - 1. Let
-// phi(p + w) = the sum of d_j w^j and theta = pi/(2n). Then
+// coefficient d_n > 0, and h analytic on {z: Re z >= p} with |h(z)| <= C |z|^m there, m < n - 1.
+// Let phi(p + w) = the sum of d_j w^j and theta = pi/(2n). Then
 //
 //   the integral of f from p to infinity = Re of the integral of
 //       exp(i theta) h(p + s e^(i theta)) exp(i phi(p + s e^(i theta))) ds from 0 to infinity.
 //
-// Proof: the sector 0 <= arg w <= theta lies in Re z >= p. Between the two rays Cauchy's theorem leaves
-// the arc w = R e^(i alpha), 0 <= alpha <= theta, on which sin(n alpha) >= 2 n alpha/pi and
+// Proof: the sector 0 <= arg w <= theta lies in Re z >= p. Between the two rays Cauchy's theorem
+// leaves the arc w = R e^(i alpha), 0 <= alpha <= theta, on which sin(n alpha) >= 2 n alpha/pi and
 // |sin(j alpha)| <= j alpha, so that Im phi >= alpha (2 n d_n R^n/pi - the sum of j |d_j| R^j over
-// 1 <= j < n) >= alpha d_n R^n/2 for great R. So the arc contributes at most the integral of C' R^(m+1)
-// exp(-alpha d_n R^n/2) over alpha, which is at most 2 C' R^(m+1-n)/d_n and tends to 0. On the ray
-// |exp(i phi)| = exp(-V), V = the sum of d_j sin(j theta) s^j with leading term d_n s^n: the integral over
-// it converges absolutely. So the one over the real axis converges to the same number.
+// 1 <= j < n) >= alpha d_n R^n/2 for great R. So the arc contributes at most the integral of C'
+// R^(m+1) exp(-alpha d_n R^n/2) over alpha, which is at most 2 C' R^(m+1-n)/d_n and tends to 0. On
+// the ray |exp(i phi)| = exp(-V), V = the sum of d_j sin(j theta) s^j with leading term d_n s^n:
+// the integral over it converges absolutely. So the one over the real axis converges to the same
+// number.
 //
 // Between two numbers p < q the same rays from p and from q have the difference
 //
 //   the integral of f from p to q = (that over the ray from p) - (that over the ray from q),
 //
-// for every m: the path from p + R e^(i theta) to q + R e^(i theta), on which Im phi >= d_n R^n/2 for
-// great R, contributes at most C R^m exp(-d_n R^n/2), which tends to 0.
+// for every m: the path from p + R e^(i theta) to q + R e^(i theta), on which Im phi >= d_n R^n/2
+// for great R, contributes at most C R^m exp(-d_n R^n/2), which tends to 0.
 //
 // h is made of the variable by sums, products, quotients, powers and logarithms. Its degree m comes
-// from these, that of a logarithm being any number above 0. A
-// divisor that is a polynomial with the coefficients c_j, d_j those around p, has no zero in the sector,
-// and is at least C |z|^d there, C > 0, in two cases:
+// from these, that of a logarithm being any number above 0. A divisor that is a polynomial with the
+// coefficients c_j, d_j those around p, has no zero in the sector, and is at least C |z|^d there, C
+// > 0, in two cases:
 //   p > 0 and |c_d| > the sum of |c_j| p^(j-d) over j < d, for |z| >= p there;
-//   d_0 > 0, d_1 > 0, d_j >= 0 (or all of the other sign), d <= 2n: for w = r e^(i alpha), j alpha lies in
-//   [0, pi], so that the imaginary part is at least d_1 r sin alpha > 0 unless alpha = 0, where the real
-//   part is at least d_0; and the quotient by |z|^d is continuous with a positive limit at infinity.
-// Between two rays there is a third: d = 1 and the root, which is real, is not in [p, q], the only real
-// points between the rays; at infinity as before.
-// In the second case, with positive signs, the polynomial w is never a number <= 0, so that the
-// principal branches of w^e and log w are analytic; for d <= 2 arg w is the sum of those of z - r over
-// the roots r, which have Re r < p (d_1 > 0 where they are not real), each in (-pi/2, pi/2). At p = 0, where x^e is not analytic, only e > 0 is allowed, and not in a divisor: then the contour's
-// part around 0 vanishes with its radius.
+//   d_0 > 0, d_1 > 0, d_j >= 0 (or all of the other sign), d <= 2n: for w = r e^(i alpha), j alpha
+//   lies in [0, pi], so that the imaginary part is at least d_1 r sin alpha > 0 unless alpha = 0,
+//   where the real part is at least d_0; and its limit inferior beside |z|^d is positive.
+// Between two rays there is a third: d = 1 and the root, which is real, is not in [p, q], the only
+// real points between the rays; at infinity as before. In the second case, with positive signs, the
+// polynomial w is never a number <= 0, so that the principal branches of w^e and log w are
+// analytic; for d <= 2 arg w is the sum of those of z - r over the roots r, which have Re r < p
+// (d_1 > 0 where they are not real), each in (-pi/2, pi/2). At p = 0, where x^e is not analytic,
+// only e > 0 is allowed, and not in a divisor: then the contour's part around 0 vanishes with its
+// radius.
 
 #include <algorithm>
 #include <optional>
@@ -236,12 +238,13 @@ class turned_rays {
         return growth{*x->least * n.number, x->most * n.number};
       }
       default:
-        return growth_of_branch(n);
+        return growth_of_branch(i);
     }
   }
   /// Of a power or a logarithm.
-  std::optional<growth> growth_of_branch(const node& n) {
-    const std::optional<rational> e = exponent_of(n);
+  std::optional<growth> growth_of_branch(node_id i) {
+    const node n = g_[i];
+    const std::optional<rational> e = detail::fractional_exponent_at(g_, i);
     if (!e && n.what != operation::log) return std::nullopt;
     const auto c = detail::polynomial_in_variable(g_, n.left);
     if (!c || c->size() < 2) return std::nullopt;
@@ -303,21 +306,6 @@ class turned_rays {
     }
     return true;
   }
-  /// The exponent of a root, or of a power that is no whole one.
-  [[nodiscard]] std::optional<rational> exponent_of(const node& n) const {
-    switch (n.what) {
-      case operation::sqrt:
-        return rational(1, 2);
-      case operation::root:
-        return rational(1, n.number);
-      case operation::power:
-        if (const rational* q = g_.value(n.right)) return *q;
-        return std::nullopt;
-      default:
-        return std::nullopt;
-    }
-  }
-
   // -------------------------------------------------------------------------------------------
   // Formulas in s
 
@@ -422,7 +410,7 @@ class turned_rays {
       default:
         break;
     }
-    const std::optional<rational> e = exponent_of(n);
+    const std::optional<rational> e = detail::fractional_exponent_at(g_, i);
     if (e) return branch_at_z(n.left, *e);
     if (n.what != operation::log) {
       throw std::logic_error("turned rays: internal error: a function without a bound");
@@ -441,7 +429,7 @@ class turned_rays {
   /// The exponent of a root or power of what varies.
   std::optional<rational> varying_exponent_at(node_id i) {
     const auto c = detail::polynomial_in_variable(g_, i);
-    return c ? std::nullopt : exponent_of(g_[i]);
+    return c ? std::nullopt : detail::fractional_exponent_at(g_, i);
   }
   node_id square_of_size(const complex_node& w) {
     return nodes_.sum(nodes_.product(w.re, w.re), nodes_.product(w.im, w.im));

@@ -3,10 +3,30 @@
 
 #include "polhode/quadrature/integrate.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "polhode/quadrature/rule.hpp"
 #include "quadrature/turned.hpp"
+
+namespace polhode {
+
+integral_account& integral_account::operator+=(const integral_account& other) {
+  evaluations += other.evaluations;
+  region_evaluations += other.region_evaluations;
+  panels += other.panels;
+  most_nodes = std::max(most_nodes, other.most_nodes);
+  terms += other.terms;
+  precision = std::max(precision, other.precision);
+  seconds_for_bounds += other.seconds_for_bounds;
+  seconds_for_sums += other.seconds_for_sums;
+  for (const quadrature_rule& rule : other.rules) {
+    if (std::ranges::find(rules, rule) == rules.end()) rules.push_back(rule);
+  }
+  return *this;
+}
+
+}  // namespace polhode
 
 namespace polhode::detail {
 

@@ -37,20 +37,6 @@ rational beyond(const end_point& x, int side) {
   return side > 0 ? upper_rational(at) : rational(-lower_rational(at));
 }
 
-void add(integral_account& all, const integral_account& more) {
-  all.evaluations += more.evaluations;
-  all.region_evaluations += more.region_evaluations;
-  all.panels += more.panels;
-  all.most_nodes = std::max(all.most_nodes, more.most_nodes);
-  all.terms += more.terms;
-  all.precision = std::max(all.precision, more.precision);
-  all.seconds_for_bounds += more.seconds_for_bounds;
-  all.seconds_for_sums += more.seconds_for_sums;
-  for (const quadrature_rule& rule : more.rules) {
-    if (std::ranges::find(all.rules, rule) == all.rules.end()) all.rules.push_back(rule);
-  }
-}
-
 /// The sum; its enclosure is undefined where a part's is.
 integral sum_of(const std::vector<part>& parts, const integrate_options& options,
                 integral_account& account) {
@@ -58,15 +44,15 @@ integral sum_of(const std::vector<part>& parts, const integrate_options& options
   result.enclosure = ball(0, bits_for_digits(options.digits) + 64);
   for (const part& p : parts) {
     const integral found = integrate_function(p.f, p.lower, p.upper, options);
-    add(account, found.account);
+    account += found.account;
     result.enclosure += p.sign * found.enclosure;
     if (!result.enclosure.is_bounded()) break;
   }
   return result;
 }
 
-/// The sum, first to few digits for its size, then to what it needs. Returns nullopt where a part has
-/// no enclosure, or the goal is not met with twice the digits.
+/// The sum, first to few digits for its size, then to what it needs. Returns nullopt where a part
+/// has no enclosure, or the goal is not met with twice the digits.
 std::optional<integral> sum_to_goal(const std::vector<part>& parts,
                                     const integrate_options& options) {
   integral_account account;

@@ -209,8 +209,8 @@ class zero_search {
   /// Whether it is in a square that has been examined.
   [[nodiscard]] bool is_known(const point& z) const { return is_done({z.re, z.re, z.im, z.im}); }
 
-  /// Adds the zeros of the large square, where a small one around z has as many. Where the small one has
-  /// not the digits asked for, the two are kept for take_cluster.
+  /// Adds the zeros of the large square, where a small one around z has as many. Where the small
+  /// one has not the digits asked for, the two are kept for take_cluster.
   bool add(const square_around& large, const point& z, long count) {
     const rational size = std::max(rational(abs(z.re)), rational(abs(z.im)));
     integer ten_to_digits;
@@ -271,8 +271,8 @@ class zero_search {
     return std::ranges::any_of(small_, [&](const complex_rectangle& s) { return meets(s, r); });
   }
 
-  /// A number near which f seems to have a zero; by the secant method from two numbers so far apart, in
-  /// so many steps at most, and not much further away.
+  /// A number near which f seems to have a zero; by the secant method from two numbers so far
+  /// apart, in so many steps at most, and not much further away.
   [[nodiscard]] std::optional<point> approximate(const point& from, const rational& apart,
                                                  precision p, long steps) const {
     const auto f = f_.evaluator(p);
@@ -296,7 +296,8 @@ class zero_search {
     return point{lower_rational(z1.re), lower_rational(z1.im)};
   }
 
-  /// The number of zeros inside the square, by the argument principle; nothing where it is not proved.
+  /// The number of zeros inside the square, by the argument principle; nothing where it is not
+  /// proved.
   [[nodiscard]] std::optional<long> zeros_in(const square_around& s, precision p,
                                              int most_pieces) const {
     const complex_rectangle r = s.as_rectangle();

@@ -110,14 +110,6 @@ struct sum_of_pieces {
   integral_account account;
 };
 
-void add_cost(integral_account& sum, const integral_account& more) {
-  sum.evaluations += more.evaluations;
-  sum.region_evaluations += more.region_evaluations;
-  sum.panels += more.panels;
-  sum.terms += more.terms;
-  sum.precision = std::max(sum.precision, more.precision);
-}
-
 std::string work_text(const integral_account& a) {
   std::string result;
   const auto append = [&](const std::string& part) {
@@ -137,7 +129,7 @@ sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<end
   sum_of_pieces sum;
   for (std::size_t k = 1; k < points.size(); ++k) {
     const integral part = detail::integrate_function(f, points[k - 1], points[k], how);
-    add_cost(sum.account, part.account);
+    sum.account += part.account;
     sum.enclosure += part.enclosure;
     if (part.verdict == status::certified) continue;
     sum.verdict = part.verdict;
@@ -163,7 +155,7 @@ sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<en
   const auto lost = static_cast<double>(sum.enclosure.radius().log2_floor() - goal.log2_floor());
   how.digits += static_cast<long>(std::ceil(lost * digits_per_bit)) + 2;
   sum_of_pieces finer = integrate_pieces(f, points, how);
-  add_cost(finer.account, sum.account);
+  finer.account += sum.account;
   return finer;
 }
 

@@ -28,7 +28,8 @@ inline end_point limit_of(const std::string& text) {
   return end_point_of(parse(text, {}));
 }
 
-/// Certified with the digits asked for, beside the value, and with at most so many evaluations of all kinds.
+/// Certified with the digits asked for, beside the value, and with at most so many evaluations of
+/// all kinds.
 inline void expect_known(const std::vector<known_to_digits>& all, long most_evaluations) {
   constexpr long digits = 30;
   for (const known_to_digits& k : all) {

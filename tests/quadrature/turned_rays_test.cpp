@@ -64,8 +64,8 @@ TEST(TurnedRays, DoNotStartAtAPole) {
   expect_known({{"sin(x)/x", "0", "1e6", "1.570795390043119081462208201142128556725"}}, 20'000);
 }
 
-/// Where the rays may start follows from the divisors: a pole between the axis and the ray would be left
-/// out. The other rules do not look for rays in these.
+/// Where the rays may start follows from the divisors: a pole between the axis and the ray would be
+/// left out. The other rules do not look for rays in these.
 TEST(TurnedRays, LeaveOutNoPole) {
   for (const char* formula :
        {"sin(x)/(x^3+3*x^2/2+x+4)", "cos(x)/(x^3+3*x^2/2+x+4)", "sin(2*x)/((x-2)^2+1/9)",

@@ -112,7 +112,8 @@ TEST(ZerosInRectangle, EndWhenTheyAreAskedTo) {
   EXPECT_FALSE(few.is_complete());
 }
 
-/// Random polynomials, beside the roots by discs (complex_roots.hpp): a number of them in the rectangle.
+/// Random polynomials, beside the roots by discs (complex_roots.hpp): a number of them in the
+/// rectangle.
 TEST(ZerosInRectangle, AreThoseOfPolynomials) {
   support::random_source random(20261126);
   for (support::repeat trial(12); trial.again();) {

@@ -233,16 +233,18 @@ class expression {
   /// worked out ("1/(x*log(x)^2)" is "1/s^2"). Wherever f(x) is defined for a real s, the formula
   /// has the same value. None where the formula is long, or has no value anywhere.
   [[nodiscard]] std::optional<expression> in_exponential(const expression* end, int side) const;
-  /// F with F' = f, entire, for a formula f of one variable that is a sum of products of powers x^n,
-  /// n >= 0, constants, and exponentials, sines and cosines of linear forms; so the integral of f
-  /// from a to b is F(b) - F(a) wherever F has values there. None for other formulas, and long ones.
+  /// F with F' = f, entire, for a formula f of one variable that is a sum of products of powers
+  /// x^n, n >= 0, constants, and exponentials, sines and cosines of linear forms; so the integral
+  /// of f from a to b is F(b) - F(a) wherever F has values there. None for other formulas, and long
+  /// ones.
   [[nodiscard]] std::optional<expression> entire_antiderivative() const;
   /// Formulas g_j in s with: the integral of f from `start` to infinity is the sum of those of the
   /// g_j from 0 to infinity, and the g_j decay where f oscillates.
   struct rays;
-  /// The rays for a formula f of one variable that is a sum of sines and cosines of polynomials times
-  /// rational functions of the variable and of powers and logarithms of polynomials, small enough for
-  /// its integral to converge; start >= from. Theorem and proof: turned_rays.cpp. None for other formulas, and long ones.
+  /// The rays for a formula f of one variable that is a sum of sines and cosines of polynomials
+  /// times rational functions of the variable and of powers and logarithms of polynomials, small
+  /// enough for its integral to converge; start >= from. Theorem and proof: turned_rays.cpp. None
+  /// for other formulas, and long ones.
   [[nodiscard]] std::optional<rays> on_turned_rays(const rational& from) const;
   /// The integral of such an f, whatever its size, from a start in [a, b] to b as those of
   /// `from_start`, less those of `from_end`, from 0 to infinity, and that of `steady`, if there is
@@ -255,8 +257,8 @@ class expression {
   struct piece;
   /// f between a and b, a formula of one variable in which abs, min, max, floor and ceil are of
   /// rational functions of x and of each other, in pieces: each with a formula that has none of
-  /// these and the same values. None where they meet at an irrational point, where there are none of
-  /// them, or more than `most` pieces.
+  /// these and the same values. None where they meet at an irrational point, where there are none
+  /// of them, or more than `most` pieces.
   [[nodiscard]] std::optional<std::vector<piece>> pieces(const rational& a, const rational& b,
                                                          std::size_t most) const;
   /// T > 0 and n where f is a polynomial in x and in floor and ceil of linear forms: then for all s
@@ -264,7 +266,8 @@ class expression {
   struct staircase;
   [[nodiscard]] std::optional<staircase> as_staircase() const;
   /// f(x) dx/du as a formula in u with x = (u^q - beta)/alpha, where roots and powers in f are of
-  /// alpha x + beta alone, and u = (alpha x + beta)^(1/q) makes them whole powers; for alpha x + beta > 0.
+  /// alpha x + beta alone, and u = (alpha x + beta)^(1/q) makes them whole powers; for alpha x +
+  /// beta > 0.
   struct in_root;
   [[nodiscard]] std::optional<in_root> by_root() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,

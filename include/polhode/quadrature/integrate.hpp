@@ -87,6 +87,9 @@ struct integral_account {
   polhode::precision precision = 0;
   double seconds_for_bounds = 0;
   double seconds_for_sums = 0;
+
+  /// What both cost: sums, the greatest most_nodes and precision, the rules of both.
+  integral_account& operator+=(const integral_account& other);
 };
 
 /// An integral with its proof, or how far it got. T: ball, or complex_ball.

@@ -78,7 +78,8 @@ class panel_rule : public quadrature_strategy {
 /// A rule to choose, by name or by its object; `automatic` leaves the choice to `integrate`.
 class quadrature_rule {
  public:
-  /// An antiderivative or a series where there is one, otherwise Gauss-Legendre or trapezoid on panels.
+  /// An antiderivative or a series where there is one, otherwise Gauss-Legendre or trapezoid on
+  /// panels.
   static const quadrature_rule automatic;
   /// Of sums of products of powers of x, exponentials, sines and cosines of linear forms.
   static const quadrature_rule antiderivative;

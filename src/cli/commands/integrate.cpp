@@ -423,7 +423,8 @@ std::string counts_text(const counted_calls& calls) {
                      calls.nodes.load());
 }
 
-/// The integral where it is a rational number, unless a rule, a certificate or a second opinion is asked for.
+/// The integral where it is a rational number, unless a rule, a certificate or a second opinion is
+/// asked for.
 std::optional<rational> known_integral(const expression& f, const end_point& a, const end_point& b,
                                        const integrate_command_options& options) {
   if (options.certificate.is_given() || options.verify.given ||

@@ -66,8 +66,8 @@ struct grid {
   }
 };
 
-/// N + 1 numbers, each the product of the one before and the same factor, to six digits; the ends as
-/// they are.
+/// N + 1 numbers, each the product of the one before and the same factor, to six digits; the ends
+/// as they are.
 std::vector<rational> in_equal_ratios(const std::string& option, const std::string& text,
                                       const motion_range& range) {
   const auto low = static_cast<double>(range.low);
@@ -213,8 +213,8 @@ std::string rows_of_block(const grid& g, std::size_t block, detail::worker_threa
 // ---------------------------------------------------------------------------------------------
 // Blocks in a directory
 
-/// A directory with map.json, which says of what map it is, and a file for each block that is done. A
-/// file ends with its SHA-256 digest: one that was not written whole is computed again.
+/// A directory with map.json, which says of what map it is, and a file for each block that is done.
+/// A file ends with its SHA-256 digest: one that was not written whole is computed again.
 class block_directory {
  public:
   explicit block_directory(std::string path) : path_(std::move(path)) {}
@@ -362,7 +362,8 @@ exit_status print_map(const grid& g, const std::string& rows, const std::string&
                                                       : exit_status::not_certified;
 }
 
-/// All rows from a directory; nothing, and how many blocks are missing and which is the first, else.
+/// All rows from a directory; nothing, and how many blocks are missing and which is the first,
+/// else.
 struct collected {
   std::string rows;
   std::size_t missing = 0;

@@ -1,5 +1,5 @@
-// polhode roots --complex and --rectangle: all complex roots of a polynomial, and those of an analytic
-// function in a rectangle, each proved.
+// polhode roots --complex and --rectangle: all complex roots of a polynomial, and those of an
+// analytic function in a rectangle, each proved.
 
 #include <algorithm>
 #include <chrono>

@@ -22,8 +22,8 @@ struct motion_range {
   /// low + k (high - low)/steps, exactly.
   [[nodiscard]] std::vector<rational> values() const;
 };
-/// Reads LO..HI/N, LO..HI or one number, that the option gives. Throws usage_error for anything else, for LO not below HI, and for
-/// N not from 1 to most_steps.
+/// Reads LO..HI/N, LO..HI or one number, that the option gives. Throws usage_error for anything
+/// else, for LO not below HI, and for N not from 1 to most_steps.
 [[nodiscard]] motion_range read_motions(const std::string& text, const std::string& option = "--c");
 /// Reads LO..HI, both ends in the body's range; throws usage_error.
 [[nodiscard]] motion_range read_motion_range(const std::string& text, const body& rigid);

@@ -310,8 +310,9 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
       return outcome::divergent;
     }
   }
-  // Where numbers cancel in f, as in a double zero under a root, panels beside a point at the distance d
-  // have to be as short as d^2: no end is in sight, unless the caller says how deep it may go.
+  // Where numbers cancel in f, as in a double zero under a root, panels beside a point at the
+  // distance d have to be as short as d^2: no end is in sight, unless the caller says how deep it
+  // may go.
   constexpr long most_failures = 3'000;
   const bool has_failed = p.level >= short_level && !std::isfinite(own_nodes) && !p.is_analytic;
   const bool is_endless =

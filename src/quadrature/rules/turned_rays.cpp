@@ -15,8 +15,8 @@ class turned_rays_strategy final : public quadrature_strategy {
     return "for sines and cosines of polynomials that turn often";
   }
   [[nodiscard]] bool is_automatic() const override { return true; }
-  /// Unless it is asked for, only over a range in which panels would be many; what is up to infinity is
-  /// tried by panels first (integrate_function).
+  /// Unless it is asked for, only over a range in which panels would be many; what is up to
+  /// infinity is tried by panels first (integrate_function).
   [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
                                                 const end_point& b,
                                                 const integrate_options& options) const override {

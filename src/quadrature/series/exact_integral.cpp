@@ -17,8 +17,8 @@ std::size_t bits_of(const rational& q) {
                   mpz_sizeinbase(mpq_denref(q.backend().data()), 2));
 }
 
-/// f(u/v) = (the sum of c_n u^n v^(N-n)) / (d v^N) for f with coefficients c_n / d: in integers, with one quotient at the
-/// end.
+/// f(u/v) = (the sum of c_n u^n v^(N-n)) / (d v^N) for f with coefficients c_n / d: in integers,
+/// with one quotient at the end.
 rational value_at(const std::vector<integer>& c, const integer& d, const rational& x) {
   const integer u = numerator(x);
   const integer v = denominator(x);
@@ -92,8 +92,8 @@ std::optional<std::vector<rational>> solution(std::vector<std::vector<rational>>
   return c;
 }
 
-/// C with (C/D)' = P/Q, deg C < deg D = deg gcd(Q, Q'), for deg P < deg Q and P and Q coprime, where
-/// there is one. With S = Q/D and W = D' S/D, a polynomial, the equation is P = C' S - C W
+/// C with (C/D)' = P/Q, deg C < deg D = deg gcd(Q, Q'), for deg P < deg Q and P and Q coprime,
+/// where there is one. With S = Q/D and W = D' S/D, a polynomial, the equation is P = C' S - C W
 /// (M. V. Ostrogradsky, 1845): in general P/Q = (C/D)' + A/S, and the integral of A/S is a sum of
 /// logarithms, a rational function only for A = 0.
 std::optional<rational_polynomial> rational_part(const rational_polynomial& p,
@@ -201,9 +201,9 @@ std::optional<rational> integral_by_pieces(const expression& f, const rational& 
 }
 
 /// From a to b, a < b, of a polynomial in x and in floors. With the period T and the degree n the
-/// integral over the k-th period from a is a polynomial I(k) of degree at most n. So the sum of I(k)
-/// over 0 <= k < K is the sum over j <= n of binomial(K, j + 1) times the j-th difference of I at 0
-/// (Newton).
+/// integral over the k-th period from a is a polynomial I(k) of degree at most n. So the sum of
+/// I(k) over 0 <= k < K is the sum over j <= n of binomial(K, j + 1) times the j-th difference of I
+/// at 0 (Newton).
 std::optional<rational> integral_of_stairs(const expression& f, const rational& a,
                                            const rational& b) {
   const auto stairs = f.as_staircase();
