@@ -9,8 +9,8 @@ using odeint_state = std::array<double, 7>;  // J, then w, x, y, z
 
 class equations {
  public:
-  explicit equations(const triple<rational>& moments) {
-    for (std::size_t i = 0; i < 3; ++i) inverse_[i] = static_cast<double>(rational(1 / moments[i]));
+  explicit equations(const std::array<rational, 6>& tensor) {
+    for (std::size_t i = 0; i < 3; ++i) inverse_[i] = static_cast<double>(rational(1 / tensor[i]));
   }
   void operator()(const odeint_state& x, odeint_state& slope, double) const {
     const auto& [jx, jy, jz, w, a, b, c] = x;
@@ -38,7 +38,7 @@ integrated_rotation rotation_by_dopri5(const initial_state& start, double t, dou
   namespace ode = boost::numeric::odeint;
   ode::integrate_adaptive(
       ode::make_controlled<ode::runge_kutta_dopri5<odeint_state>>(tolerance, tolerance),
-      equations(start.moments()), x, 0.0, t, 1e-3);
+      equations(start.tensor().tensor()), x, 0.0, t, 1e-3);
   return {{x[0], x[1], x[2]}, {x[3], x[4], x[5], x[6]}};
 }
 

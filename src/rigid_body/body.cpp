@@ -118,10 +118,13 @@ body::body(std::shared_ptr<const inertia_tensor> irrational)
       tensor_(std::move(irrational)) {}
 
 body body::from_inertia_tensor(const std::array<rational, 6>& given) {
-  auto tensor = std::make_shared<const inertia_tensor>(given);
-  const auto& [x, y, z] = tensor->exact_moments();
+  return from_inertia_tensor(std::make_shared<const inertia_tensor>(given));
+}
+
+body body::from_inertia_tensor(std::shared_ptr<const inertia_tensor> given) {
+  const auto& [x, y, z] = given->exact_moments();
   if (x && y && z) return from_moments({*x, *y, *z});
-  return body(std::move(tensor));
+  return body(std::move(given));
 }
 
 body_kind body::kind() const {

@@ -11,12 +11,11 @@ jacobi_start jacobi_start_of(const initial_state& state) {
                       ": J does not move in the body, and has no place in a period");
   }
   const bool oscillating = state.regime() == regime::oscillating;
-  const auto [x2, y2, z2] = state.motion().greatest_squares();
-  const triple<rational> greatest{x2.exact(), y2.exact(), z2.exact()};
-  const triple<rational>& squares = state.direction_squares();
+  const triple<exact_real> greatest = state.motion().greatest_squares();
+  const triple<exact_real>& squares = state.direction_squares();
   const triple<int>& senses = state.direction_signs();
-  const rational x(squares[0] / greatest[0]);
-  const rational z(squares[2] / greatest[2]);
+  const exact_real x = squares[0] / greatest[0];
+  const exact_real z = squares[2] / greatest[2];
   jacobi_start result;
   result.sine = senses[1];
   result.cosine = oscillating ? senses[2] : -senses[0];
@@ -27,7 +26,7 @@ jacobi_start jacobi_start_of(const initial_state& state) {
 }
 
 ball jacobi_start::distance(precision p) const {
-  return sqrt(ball(sine2, p)) * carlson_rf(ball(cosine2, p), ball(delta2, p), ball(1, p));
+  return sqrt(sine2.at(p)) * carlson_rf(cosine2.at(p), delta2.at(p), ball(1, p));
 }
 
 }  // namespace polhode

@@ -28,6 +28,10 @@ void check_range(const body& rigid, const rational& c, const rational& u) {
   }
 }
 
+ball geometric_phase_of(const motion& of, precision p) {
+  return of.phase(p) - (1 + of.c()) * of.period(p);
+}
+
 }  // namespace
 
 ball phase_integral(const body& rigid, const rational& c, const rational& u, precision p) {
@@ -61,7 +65,7 @@ ball dynamic_phase(const body& rigid, const rational& c, precision p) {
 }
 
 ball geometric_phase(const body& rigid, const rational& c, precision p) {
-  return montgomery_phase(rigid, c, p) - dynamic_phase(rigid, c, p);
+  return geometric_phase_of(motion(rigid, c), p);
 }
 
 ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
@@ -74,10 +78,14 @@ ball montgomery_phase_limit(const body& rigid, const rational& c, precision p) {
 }
 
 certain_number montgomery_phase_to_digits(const body& rigid, const rational& c, long digits) {
+  return montgomery_phase_to_digits(motion(rigid, c), digits);
+}
+
+certain_number montgomery_phase_to_digits(const motion& of, long digits) {
   work_count work;
   const auto phase = [&](precision p) {
     ++work.integrals;
-    return montgomery_phase(rigid, c, p);
+    return of.phase(p);
   };
   certain_number result = detail::number_to_digits(phase, digits, detail::guard_for(digits));
   result.work = work;
@@ -100,11 +108,15 @@ certain_number dynamic_phase_to_digits(const body& rigid, const rational& c, lon
 }
 
 certain_number geometric_phase_to_digits(const body& rigid, const rational& c, long digits) {
-  const precision sizes = size_in_bits(rigid.a()) + size_in_bits(rigid.b()) + size_in_bits(c);
+  return geometric_phase_to_digits(motion(rigid, c), digits);
+}
+
+certain_number geometric_phase_to_digits(const motion& of, long digits) {
+  const precision sizes = size_in_bits(of.a()) + size_in_bits(of.b()) + size_in_bits(of.c());
   work_count work;
   const auto phase = [&](precision p) {
     work.integrals += 2;
-    return geometric_phase(rigid, c, p);
+    return geometric_phase_of(of, p);
   };
   certain_number result =
       detail::number_to_digits(phase, digits, 2 * sizes + detail::guard_for(digits));

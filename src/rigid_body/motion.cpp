@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-regime regime_by(const exact_real& a, const exact_real& b, const rational& c) {
+regime regime_by(const exact_real& a, const exact_real& b, const exact_real& c) {
   const std::strong_ordering least = -b <=> c;
   const std::strong_ordering greatest = a <=> c;
   if (std::is_gt(least) || std::is_lt(greatest)) {
@@ -21,8 +21,9 @@ regime regime_by(const exact_real& a, const exact_real& b, const rational& c) {
   }
   if (std::is_eq(least)) return regime::equilibrium_x;
   if (std::is_eq(greatest)) return regime::equilibrium_z;
-  if (c == 0) return regime::separatrix;
-  return c < 0 ? regime::oscillating : regime::rotating;
+  const int sign = c.sign();
+  if (sign == 0) return regime::separatrix;
+  return sign < 0 ? regime::oscillating : regime::rotating;
 }
 
 }  // namespace
@@ -57,7 +58,13 @@ std::string to_text(regime r) {
 
 motion::motion(const body& rigid, const rational& c) : motion(rigid.a(), rigid.b(), c) {}
 
-motion::motion(exact_real a, exact_real b, rational c)
+motion::motion(exact_real a, exact_real b, exact_real c, polhode::regime known)
+    : a_(std::move(a)),
+      b_(std::move(b)),
+      c_(std::move(c)),
+      regime_(known == regime::equilibrium_y ? regime::separatrix : known) {}
+
+motion::motion(exact_real a, exact_real b, exact_real c)
     : a_(std::move(a)), b_(std::move(b)), c_(std::move(c)) {
   if (a_.sign() < 0) throw input_error("a = " + to_text(a_) + ": it must not be negative");
   if (b_.sign() < 0 || b_ >= 1) {
@@ -80,7 +87,7 @@ exact_real motion::lambda2() const {
   return first * second;
 }
 
-exact_real motion::m1() const { return rational(abs(c_)) * (a_ + b_) / lambda2(); }
+exact_real motion::m1() const { return (is_about_x(regime_) ? -c_ : c_) * (a_ + b_) / lambda2(); }
 
 exact_real motion::kappa() const {
   const auto [first, second] = factors_of_lambda2();
@@ -96,7 +103,7 @@ std::array<exact_real, 3> motion::greatest_squares() const {
 }
 
 exact_real motion::turning_point() const {
-  return is_about_x(regime_) && b_.sign() != 0 ? rational(-c_) / b_ : exact_real(0);
+  return is_about_x(regime_) && b_.sign() != 0 ? -c_ / b_ : exact_real(0);
 }
 
 ball motion::period(precision p, work_count* work) const {
@@ -118,7 +125,7 @@ ball motion::period(precision p, work_count* work) const {
 ball motion::phase(precision p) const {
   refuse_unless_periodic();
   // At a turning point c + b u = 0.
-  const exact_real last = is_about_x(regime_) && b_.sign() != 0 ? exact_real(0) : exact_real(c_);
+  const exact_real last = is_about_x(regime_) && b_.sign() != 0 ? exact_real(0) : c_;
   return 2 * detail::phase_integral_of(a_, b_, c_, turning_point(), last, p);
 }
 
@@ -141,7 +148,7 @@ void motion::refuse_unless_periodic() const {
 // ---------------------------------------------------------------------------------------------
 // The phase's integral
 
-ball detail::phase_integral_of(const exact_real& a, const exact_real& b, const rational& c,
+ball detail::phase_integral_of(const exact_real& a, const exact_real& b, const exact_real& c,
                                const exact_real& u, const exact_real& last, precision p) {
   const exact_real left = 1 - u;
   const exact_real total = a + b;

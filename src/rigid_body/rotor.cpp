@@ -66,10 +66,9 @@ T rotor<T>::mean_precession() const {
   if (is_equilibrium(state().regime())) {
     return motion_->number(2 * pi(rates.turns.precision()) * rates.turns);
   }
-  const auto middle = static_cast<std::size_t>(state().order()[1]);
-  const rational square(state().squared_momentum() /
-                        (state().moments()[middle] * state().moments()[middle]));
-  return motion_->number(sqrt(ball(square, rates.turns.precision())));
+  const exact_real& middle = state().tensor().moments()[1];
+  const exact_real square = state().squared_momentum() / (middle * middle);
+  return motion_->number(sqrt(square.at(rates.turns.precision())));
 }
 
 template class rotor<ball>;

@@ -16,10 +16,13 @@ inline constexpr precision spare_bits = 128;
                                       precision p) {
   const magnitude size = by.size.magnitude_lower();
   bool good = true;
+  triple<magnitude> moments;
+  moments.fill(by.moments[2].magnitude_upper());
+  for (std::size_t i = 0; i < 3 && by.along; ++i)
+    moments[index(by.along->order[i])] = by.moments[i].magnitude_upper();
   for (std::size_t i = 0; i < 3; ++i) {
-    const magnitude moment = by.moments[i].magnitude_upper();
     good = good && within(x.momentum[i], size, p) &&
-           within(x.angular_velocity[i], divide_down(size, moment), p);
+           within(x.angular_velocity[i], divide_down(size, moments[i]), p);
   }
   return good;
 }

@@ -12,8 +12,8 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
   prepared<ball> r;
   r.bits = bits;
   r.kind = state.regime();
-  r.order = state.order();
-  r.signs = state.signs();
+  r.along = state.along_body_axes();
+  r.axes = state.frame(bits);
   rotor_tables tables(state, bits + spare);
   r.rates = std::move(tables.rates);
   rotor_tables working(state, bits);
@@ -30,7 +30,7 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
     r.amplitude[1] = scale(r.amplitude[1], -power);
   }
   r.size = std::move(working.size);
-  for (std::size_t i = 0; i < 3; ++i) r.moments[i] = ball(state.moments()[i], bits);
+  for (std::size_t i = 0; i < 3; ++i) r.moments[i] = state.tensor().moments()[i].at(bits);
 
   const moment<ball> start = reduced(r.rates, r.kind, 0, bits);
   const theta_point<ball> at = r.point<true>(start.cycle);
@@ -39,10 +39,7 @@ prepared<ball> prepare(const initial_state& state, precision bits, precision spa
       frame(r.direction_at(at, start.odd), r.across, of_turns(start.fraction), at.x, at.y);
   const matrix3<ball> given = state.attitude(bits);
   for (std::size_t row = 0; row < 3; ++row) {
-    triple<ball> principal;
-    for (std::size_t i = 0; i < 3; ++i) {
-      principal[i] = given[row][index(r.order[i])] * r.signs[i];
-    }
+    const triple<ball> principal = r.in_principal(given[row]);
     for (std::size_t i = 0; i < 3; ++i) r.base[row][i] = dot(principal, turned[i]);
   }
   return r;

@@ -2,6 +2,8 @@
 
 // What a rotation needs at every time, in the scalars of the samples; and from it a sample at a reduced time.
 
+#include <optional>
+
 #include "rigid_body/rotor_frame.hpp"
 #include "rigid_body/rotor_time.hpp"
 
@@ -21,10 +23,11 @@ struct prepared {
   triple<T> amplitude;
   T across;
   T size;
+  /// The principal ones; and the principal axes in the body axes, by rows, where they are not along them.
   triple<T> moments;
-  triple<int> order;
-  triple<int> signs;
-  /// R = base * frame * (principal axes from body axes).
+  std::optional<axis_order> along;
+  matrix3<T> axes;
+  /// R = base * frame * (from body axes to principal axes).
   matrix3<T> base;
   /// Phi at time 0.
   T phase_0;
@@ -43,11 +46,16 @@ struct prepared {
     j[0] = T(j[0] * across);
     j[1] = T(j[1] * across);
     rotor_sample<T> r;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t axis = index(order[i]);
-      r.momentum[axis] = T(size * negated_if(signs[i] < 0, j[i]));
-      r.angular_velocity[axis] = T(r.momentum[axis] / moments[axis]);
+    for (std::size_t i = 0; i < 3 && along; ++i) {
+      const std::size_t axis = index(along->order[i]);
+      r.momentum[axis] = T(size * negated_if(along->signs[i] < 0, j[i]));
+      r.angular_velocity[axis] = T(r.momentum[axis] / moments[i]);
     }
+    if (along) return r;
+    for (T& one : j) one = T(size * one);
+    r.momentum = in_body(j);
+    for (std::size_t i = 0; i < 3; ++i) j[i] = T(j[i] / moments[i]);
+    r.angular_velocity = in_body(j);
     return r;
   }
   [[nodiscard]] rotor_attitude<T> attitude(const moment<T>& at) const {
@@ -59,10 +67,26 @@ struct prepared {
     r.phase = T(scaled(pi_of<T>(bits_in(at.whole)), 1) * T(at.whole + at.fraction) - phase_0);
     const matrix3<T> turned = frame(j, across, of_turns(at.fraction), p.x, p.y);
     r.direction = turned[2];
+    for (std::size_t row = 0; row < 3; ++row) {
+      r.matrix[row] = in_body(
+          {dot(base[row], turned, 0), dot(base[row], turned, 1), dot(base[row], turned, 2)});
+    }
+    return r;
+  }
+  /// From the principal axes to the body axes.
+  [[nodiscard]] triple<T> in_body(const triple<T>& principal) const {
+    if (!along) return {dot(principal, axes, 0), dot(principal, axes, 1), dot(principal, axes, 2)};
+    triple<T> r;
+    for (std::size_t i = 0; i < 3; ++i)
+      r[index(along->order[i])] = negated_if(along->signs[i] < 0, principal[i]);
+    return r;
+  }
+  /// From the body axes to the principal axes.
+  [[nodiscard]] triple<T> in_principal(const triple<T>& body) const {
+    triple<T> r;
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t row = 0; row < 3; ++row) {
-        r.matrix[row][index(order[i])] = negated_if(signs[i] < 0, dot(base[row], turned, i));
-      }
+      r[i] = along ? negated_if(along->signs[i] < 0, body[index(along->order[i])])
+                   : dot(body, axes[i]);
     }
     return r;
   }
@@ -90,8 +114,8 @@ prepared<T> as_scalars(const prepared<ball>& x) {
   r.across = as_scalar<T>(x.across, bits);
   r.size = as_scalar<T>(x.size, bits);
   r.moments = as_scalars<T>(x.moments, bits);
-  r.order = x.order;
-  r.signs = x.signs;
+  r.along = x.along;
+  if (!r.along) r.axes = as_scalars<T>(x.axes, bits);
   r.base = as_scalars<T>(x.base, bits);
   r.phase_0 = as_scalar<T>(x.phase_0, bits);
   r.work = x.work;

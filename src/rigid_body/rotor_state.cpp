@@ -10,8 +10,6 @@ namespace {
 
 int sign_of_rational(const rational& q) { return q > 0 ? 1 : (q < 0 ? -1 : 0); }
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
 void refuse_rest(const triple<rational>& v, const char* what) {
   if (v[0] != 0 || v[1] != 0 || v[2] != 0) return;
   throw input_error(std::string(what) + " 0, 0, 0: the body rests; one component must not be 0");
@@ -46,6 +44,23 @@ initial_state initial_state::from_momentum(const triple<rational>& moments,
   return from_squared_momentum(moments, squares, senses);
 }
 
+initial_state initial_state::from_tensor(std::shared_ptr<const principal_axes> tensor,
+                                         const triple<rational>& momentum) {
+  refuse_rest(momentum, "angular momentum");
+  initial_state s(std::move(tensor));
+  const triple<rational> omega = s.axes_->solved(momentum);
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.squared_momentum_ += momentum[i] * momentum[i];
+    s.twice_energy_ += momentum[i] * omega[i];
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.squares_[i] = s.axes_->square_along(i, momentum) / s.squared_momentum_;
+    s.senses_[i] = s.axes_->sense_along(i, momentum);
+  }
+  s.settle();
+  return s;
+}
+
 initial_state initial_state::from_squared_momentum(const triple<rational>& moments,
                                                    const triple<rational>& squares,
                                                    const triple<int>& senses) {
@@ -58,12 +73,19 @@ initial_state initial_state::from_squared_momentum(const triple<rational>& momen
                       " does not go with the sign " + std::to_string(sense) +
                       "; it must be positive with -1 or 1, or 0 with 0");
   }
-  initial_state s;
-  s.moments_ = moments;
-  s.squared_momentum_ = squares[0] + squares[1] + squares[2];
-  triple<rational> shares = squares;
-  for (rational& share : shares) share /= s.squared_momentum_;
-  s.settle(shares, senses);
+  initial_state s(std::make_shared<const principal_axes>(
+      std::array<rational, 6>{moments[0], moments[1], moments[2], 0, 0, 0}));
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.squared_momentum_ += squares[i];
+    s.twice_energy_ += squares[i] / moments[i];
+  }
+  const auto [order, signs] = *s.axes_->along_given_axes();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<std::size_t>(order[i]);
+    s.squares_[i] = rational(squares[axis] / s.squared_momentum_);
+    s.senses_[i] = senses[axis] * signs[i];
+  }
+  s.settle();
   return s;
 }
 
@@ -84,48 +106,62 @@ initial_state initial_state::at_middle_of_twist(const body& rigid, const rationa
   const auto [x2, y2, z2] = polhode::motion(rigid, c).greatest_squares();
   const rational& x = x2.exact();
   const rational& z = z2.exact();
-  initial_state s;
-  s.moments_ = {rational(1 / (1 - rigid.b().exact())), 1, rational(1 / (1 + rigid.a().exact()))};
-  s.squared_momentum_ = 1;
-  s.settle({x, 0, z}, {-sign_of_rational(x), 0, sign_of_rational(z)});
-  return s;
+  return from_squared_momentum(
+      {rational(1 / (1 - rigid.b().exact())), 1, rational(1 / (1 + rigid.a().exact()))}, {x, 0, z},
+      {-sign_of_rational(x), 0, sign_of_rational(z)});
 }
 
-void initial_state::settle(const triple<rational>& squares, const triple<int>& senses) {
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](int i, int j) { return moments_[index(i)] > moments_[index(j)]; });
-  triple<rational> sorted;
-  for (std::size_t i = 0; i < 3; ++i) {
-    sorted[i] = moments_[index(order_[i])];
-    squares_[i] = squares[index(order_[i])];
-    senses_[i] = senses[index(order_[i])];
-  }
-  const auto& [x, y, z] = sorted;
-  const rational a(y / z - 1);
-  const rational b(1 - y / x);
-  // 2 I_y H/J^2 = (1-b) J_x^2 + J_y^2 + (1+a) J_z^2 over J^2.
-  motion_ = polhode::motion(a, b, rational(a * squares_[2] - b * squares_[0]));
-  // J x omega = 0, no two components of J belonging to different moments: c is -b or a, or J is along y.
+/// 2 H/J^2 is a rational number q > 0, and c = q I_y - 1 is rational where I_y is, and else
+/// irrational: its sign is decided. Where moments are irrational they are different, and the motion is
+/// an equilibrium where J is along an axis, two of its components being 0, which principal_axes
+/// decides; by comparing c with a and -b enclosures would not.
+void initial_state::settle() {
+  const auto& [x, y, z] = axes_->moments();
+  const exact_real a = y / z - 1;
+  const exact_real b = 1 - y / x;
+  const exact_real c = y * rational(twice_energy_ / squared_momentum_) - 1;
+  const bool along_x = senses_[1] == 0 && senses_[2] == 0;
   const bool along_y = senses_[0] == 0 && senses_[2] == 0;
-  regime_ = motion_.regime() == polhode::regime::separatrix && along_y
-                ? polhode::regime::equilibrium_y
-                : motion_.regime();
+  const bool along_z = senses_[0] == 0 && senses_[1] == 0;
+  if (axes_->rational_moments()) {
+    motion_ = polhode::motion(a, b, c);
+  } else {
+    const int sign = c.sign();
+    motion_ = polhode::motion(a, b, c,
+                              along_x     ? regime::equilibrium_x
+                              : along_z   ? regime::equilibrium_z
+                              : sign == 0 ? regime::separatrix
+                              : sign < 0  ? regime::oscillating
+                                          : regime::rotating);
+  }
+  regime_ =
+      motion_.regime() == regime::separatrix && along_y ? regime::equilibrium_y : motion_.regime();
 
-  // Right-handed: an odd order turns y about. Then a half turn about an axis, which changes the signs of the other two.
-  const bool odd = (order_[0] + 1) % 3 != order_[1];
-  signs_ = {1, odd ? -1 : 1, 1};
-  const bool separatrix = regime_ == polhode::regime::separatrix;
-  const bool turn_x = (regime_ == polhode::regime::oscillating || separatrix) && senses_[0] > 0;
-  const bool turn_z = (regime_ == polhode::regime::rotating || separatrix) && senses_[2] < 0;
-  if (turn_x) signs_[0] = -signs_[0];
-  if (turn_z) signs_[2] = -signs_[2];
-  if (turn_x != turn_z) signs_[1] = -signs_[1];
+  // A half turn about an axis changes the signs of the other two.
+  const bool separatrix = regime_ == regime::separatrix;
+  const bool turn_x = (regime_ == regime::oscillating || separatrix) && senses_[0] > 0;
+  const bool turn_z = (regime_ == regime::rotating || separatrix) && senses_[2] < 0;
+  if (turn_x) signs_[0] = -1;
+  if (turn_z) signs_[2] = -1;
+  if (turn_x != turn_z) signs_[1] = -1;
   for (std::size_t i = 0; i < 3; ++i) senses_[i] *= signs_[i];
 }
 
-rational initial_state::twice_energy() const {
-  const rational& middle = moments_[index(order_[1])];
-  return rational((1 + c()) * squared_momentum_ / middle);
+std::optional<axis_order> initial_state::along_body_axes() const {
+  auto result = axes_->along_given_axes();
+  if (result) {
+    for (std::size_t i = 0; i < 3; ++i) result->signs[i] *= signs_[i];
+  }
+  return result;
+}
+
+matrix3<ball> initial_state::frame(precision p) const {
+  matrix3<ball> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = axes_->axis(i, p);
+    for (ball& one : result[i]) one *= signs_[i];
+  }
+  return result;
 }
 
 void refuse_unless_rotation(const matrix3<rational>& rows) {

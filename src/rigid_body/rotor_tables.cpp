@@ -49,45 +49,41 @@ ball rotor_tables::counted_agm(const ball& second) {
 }
 
 /// alpha with sc(alpha | 1-m) = 1/sqrt kappa: s R_F(1, 1 + m s^2, 1 + s^2), s = 1/sqrt kappa (DLMF 22.15.20).
-ball rotor_tables::pole(const rational& m, const rational& kappa, precision bits) {
-  const rational square(1 / kappa);
+ball rotor_tables::pole(const exact_real& m, const exact_real& kappa, precision bits) {
+  const exact_real square = 1 / kappa;
   ++work.integrals;
-  return sqrt(ball(square, bits)) * carlson_rf(ball(1, bits), ball(rational(1 + m * square), bits),
-                                               ball(rational(1 + square), bits));
+  return sqrt(square.at(bits)) *
+         carlson_rf(ball(1, bits), (1 + m * square).at(bits), (1 + square).at(bits));
 }
 
 rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size_t terms)
     : terms_(terms) {
-  const rational& b = state.b();
-  const auto middle = static_cast<std::size_t>(state.order()[1]);
-  const rational& moment = state.moments()[middle];
+  const motion& of = state.motion();
+  const exact_real& moment = state.tensor().moments()[1];
   size = sqrt(ball(state.squared_momentum(), bits));
-  const ball unit = sqrt(ball(rational(state.squared_momentum() / (moment * moment)), bits));
+  const ball unit = sqrt((state.squared_momentum() / (moment * moment)).at(bits));
   const ball per_turn = unit / scale(pi(bits), 1);
-  const triple<rational>& squares = state.direction_squares();
-  const triple<int>& senses = state.direction_signs();
 
   if (is_equilibrium(state.regime())) {
-    for (std::size_t i = 0; i < 3; ++i) amplitude[i] = sqrt(ball(squares[i], bits)) * senses[i];
+    for (std::size_t i = 0; i < 3; ++i)
+      amplitude[i] = sqrt(state.direction_squares()[i].at(bits)) * state.direction_signs()[i];
     // J parallel to omega: omega = J/I with 2 H/J^2 = 1/I.
-    rates = {ball(0, bits), ball(0, bits), per_turn * rational(1 + state.c()), ball(0, bits), 0};
+    rates = {ball(0, bits), ball(0, bits), per_turn * (1 + of.c()), ball(0, bits), 0};
     return;
   }
 
-  const motion& of = state.motion();
   const bool oscillating = of.regime() == regime::oscillating;
   const bool forever = of.regime() == regime::separatrix;
-  const rational m1 = of.m1().exact();
-  const rational m(1 - m1);
-  const rational kappa = of.kappa().exact();
+  const exact_real m = 1 - of.m1();
   const auto [x2, y2, z2] = of.greatest_squares();
   const ball lambda = sqrt(of.lambda2().at(bits));
-  const ball agm1 = forever ? ball(0, bits) : counted_agm(sqrt(ball(m1, bits)));
+  const ball agm1 = forever ? ball(0, bits) : counted_agm(sqrt(of.m1().at(bits)));
 
-  if (2 * m > 1) {
-    set_hyperbolic(b, m, m1, kappa, agm1, lambda, bits);
+  // Either holds for every m; the nome is the smaller, and where m is about 1/2 both are.
+  if (certainly_less(ball(rational(1, 2), 64), m.at(64))) {
+    set_hyperbolic(of, m, agm1, lambda, bits);
   } else {
-    set_circular(b, m, kappa, agm1, lambda, bits);
+    set_circular(of, m, agm1, lambda, bits);
   }
   amplitude = {-sqrt(x2.at(bits)), sqrt(y2.at(bits)), sqrt(z2.at(bits))};
   amplitude[0] *= oscillating ? series.of_dn : series.of_cn;
@@ -108,19 +104,20 @@ rotor_tables::rotor_tables(const initial_state& state, precision bits, std::size
   rates.turns = per_turn * mu_;
 }
 
-void rotor_tables::set_circular(const rational& b, const rational& m, const rational& kappa,
-                                const ball& agm1, const ball& lambda, precision bits) {
+void rotor_tables::set_circular(const motion& of, const exact_real& m, const ball& agm1,
+                                const ball& lambda, precision bits) {
+  const exact_real kappa = of.kappa();
   const ball one(1, bits);
   series.hyperbolic = false;
   series.scale = pi(bits);
   ball& q = series.nome;
-  q = m == 0 ? ball(0, bits) : exp(-(pi(bits) * agm1 / counted_agm(sqrt(ball(m, bits)))));
+  q = m.sign() == 0 ? ball(0, bits) : exp(-(pi(bits) * agm1 / counted_agm(sqrt(m.at(bits)))));
   const std::size_t count = terms_ > 0 ? terms_ : terms_for(q, bits);
   const std::vector<ball> squares = square_powers(q, count);
 
   // E = e^(-2 eta), where for kappa = 0 (then m = 0 too) eta is infinite: tanh eta = 1.
   ball rate = one;  // Y
-  if (kappa == 0) {
+  if (kappa.sign() == 0) {
     series.lag_sine = {one};
     series.lag_cosine = {one};
   } else {
@@ -176,24 +173,23 @@ void rotor_tables::set_circular(const rational& b, const rational& m, const rati
   set_factors(odd, squares);
   series.even.assign(squares.begin(), squares.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t n = 0; n < count; ++n) series.odd.push_back(alternating(odd[n], n));
-  mu_ = rational(1 - b) + lambda * agm1 * rate;
+  mu_ = (1 - of.b()) + lambda * agm1 * rate;
   rates.slip = ball(rational(1, 2), bits);
 }
 
-void rotor_tables::set_hyperbolic(const rational& b, const rational& m, const rational& m1,
-                                  const rational& kappa, const ball& agm1, const ball& lambda,
-                                  precision bits) {
+void rotor_tables::set_hyperbolic(const motion& of, const exact_real& m, const ball& agm1,
+                                  const ball& lambda, precision bits) {
   const ball one(1, bits);
-  const ball agm0 = counted_agm(sqrt(ball(m, bits)));  // pi/(2K')
+  const ball agm0 = counted_agm(sqrt(m.at(bits)));  // pi/(2K')
   series.hyperbolic = true;
-  const bool forever = m1 == 0;
+  const bool forever = of.regime() == regime::separatrix;
   series.scale = forever ? one : pi(bits) * agm0 / agm1;
   ball& p = series.nome;
   p = forever ? ball(0, bits) : exp(-series.scale);
   const std::size_t count = terms_ > 0 ? terms_ : terms_for(p, bits);
   const std::vector<ball> squares = square_powers(p, count);
 
-  const ball beta = pole(m, kappa, bits) * agm0;
+  const ball beta = pole(m, of.kappa(), bits) * agm0;
   const auto [sine, cosine] = sin_cos(beta);
   const ball twice = 2 - scale(square(sine), 2);  // 2 cos 2 beta
   ball before(2, bits);
@@ -233,7 +229,7 @@ void rotor_tables::set_hyperbolic(const rational& b, const rational& m, const ra
     below = below.enlarged(tail);
   }
   set_factors(odd, squares);
-  mu_ = rational(1 - b) + lambda * agm0 * above / (sine * below);
+  mu_ = (1 - of.b()) + lambda * agm0 * above / (sine * below);
   rates.slip = rational(1, 2) - beta / pi(bits);
 }
 

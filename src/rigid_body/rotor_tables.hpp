@@ -28,12 +28,12 @@ struct rotor_tables {
   work_count work;
 
  private:
-  void set_circular(const rational& b, const rational& m, const rational& kappa, const ball& agm1,
-                    const ball& lambda, precision bits);
-  void set_hyperbolic(const rational& b, const rational& m, const rational& m1,
-                      const rational& kappa, const ball& agm1, const ball& lambda, precision bits);
+  void set_circular(const motion& of, const exact_real& m, const ball& agm1, const ball& lambda,
+                    precision bits);
+  void set_hyperbolic(const motion& of, const exact_real& m, const ball& agm1, const ball& lambda,
+                      precision bits);
   [[nodiscard]] ball counted_agm(const ball& second);
-  [[nodiscard]] ball pole(const rational& m, const rational& kappa, precision bits);
+  [[nodiscard]] ball pole(const exact_real& m, const exact_real& kappa, precision bits);
   void set_factors(const std::vector<ball>& odd_powers, const std::vector<ball>& even_powers);
   std::size_t terms_;
   /// The mean of phi' in the formula, in units of |J|/I_y: mu of rotor_series.hpp.

@@ -222,7 +222,7 @@ ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, con
   const precision p = s.precision();
   const bool oscillating = of.regime() == regime::oscillating;
   const exact_real& b = of.b();
-  const rational& c = of.c();
+  const exact_real& c = of.c();
   const exact_real total = of.a() + b;
   const exact_real end = b + c;
   const ball one(1, p);
@@ -233,14 +233,13 @@ ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, con
   const ball t2 = square(tangent);
   const ball rf = carlson_rf(one, 1 + s2, other);
   const ball rd = carlson_rd(oscillating ? other : one, 1 + s2, z);
-  const ball sum =
-      (1 - b).at(p) * rf + (b * rational(1 + c) / (3 * end)).at(p) * way.eta() * t2 * rd;
+  const ball sum = (1 - b).at(p) * rf + (b * (1 + c) / (3 * end)).at(p) * way.eta() * t2 * rd;
   ball change = -scale(sqrt(way.eta() / (total * end * end * end).at(p)) * tangent * sum, -1);
   if (n != 0) {
     const ball whole = oscillating ? -oscillating_half_phase_slope(
                                          rigid, {of.turning_point().at(p), (end / b).at(p)}) /
                                          b.at(p)
-                                   : rotating_half_phase_slope(rigid, ball(c, p));
+                                   : rotating_half_phase_slope(rigid, c.at(p));
     change += n * whole;
   }
   const ball inverse_h = sqrt((total * end).at(p) * ((1 + s2) * z)) / (way.rate(s) * (1 + t2));
@@ -282,13 +281,16 @@ twist twist_at(const body& rigid, const rational& c, precision p, with_slope slo
 }
 
 twist twist_to_digits(const body& rigid, const rational& c, long digits, with_slope slope) {
-  const motion of(rigid, c);
+  return twist_to_digits(rigid, motion(rigid, c), digits, slope);
+}
+
+twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slope slope) {
   of.refuse_equilibrium();
   twist result;
   result.motion = of.regime();
   const auto at = branch_of(of);
   if (at) {
-    const precision most = detail::guard_for(digits) + 4 * (at->lost + size_in_bits(c));
+    const precision most = detail::guard_for(digits) + 4 * (at->lost + size_in_bits(of.c()));
     const precision needed = bits_for_digits(digits);
     for (precision guard = 0; guard <= most; guard = 2 * guard + 32) {
       const work_count before = result.work;

@@ -1,15 +1,23 @@
 // What a motion conserves.
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "scene/matrix.hpp"
 #include "scene/motion.hpp"
 #include "scene/scene_motion.hpp"
 
 namespace polhode::detail {
+namespace {
+
+triple<ball> product(const matrix3<ball>& x, const triple<ball>& v) {
+  triple<ball> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = x[i][0] * v[0] + x[i][1] * v[1] + x[i][2] * v[2];
+  return result;
+}
+
+}  // namespace
 
 work_count audit_motion(const effect_context& x, precision p,
                         const std::function<void(const std::string&, const ball&)>& expect_zero) {
-  const initial_state start = state_of(x.what);
+  const initial_state& start = x.start();
   const rotor<ball> turning(start, p);
   const rotor_sample<ball> begin = turning.sample(rational(0));
   const triple<ball> in_space = product(turning.attitude(rational(0)).matrix, begin.momentum);
@@ -22,14 +30,15 @@ work_count audit_motion(const effect_context& x, precision p,
   std::optional<ball> momentum;
   std::optional<ball> direction;
   rational size = 0;  // at least |J|, and at most sqrt(3) times that
-  for (const rational& one : momentum_of(x.what)) size += abs(one);
+  for (const rational& one : *x.what.state->momentum) size += abs(one);
+  const rational middle = rational_below(start.tensor().moments()[1], 32);
   for (const long time : {1L, 10L, 100L}) {
-    const rational t(time * start.moments()[1] / size);
+    const rational t(time * middle / size);
     const rotor_sample<ball> sample = turning.sample(t);
     ball twice_energy(0, p);
     ball square(0, p);
     for (std::size_t i = 0; i < 3; ++i) {
-      twice_energy += polhode::square(sample.momentum[i]) / start.moments()[i];
+      twice_energy += sample.momentum[i] * sample.angular_velocity[i];
       square += polhode::square(sample.momentum[i]);
     }
     note(energy, twice_energy / start.twice_energy() - 1);

@@ -125,18 +125,18 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
 }
 
 std::string violation(const scene_body& of) {
-  if (!of.margin) return "the greatest moment is above the sum of the others";
-  const rational_vector& m = *of.moments;
+  const auto& m = of.moments();
   return "the triangle inequality is violated: the greatest moment " + shown(m[0]) +
-         " is above the sum of the others " + shown(rational(m[1] + m[2])) + " by " +
-         shown(rational(-*of.margin));
+         " is above the sum of the others " + shown(m[1] + m[2]) + " by " +
+         shown(-of.axes->margin());
 }
 
 }  // namespace
 
-std::string shown(const rational& q) {
+std::string shown(const exact_real& x) {
   constexpr precision longest = 200;
-  return size_in_bits(q) <= longest ? to_text(q) : "about " + to_decimal(ball(q, 64).middle(), 6);
+  if (x.is_rational() && size_in_bits(x) <= longest) return to_text(x);
+  return "about " + to_decimal(x.at(64).middle(), 6);
 }
 
 std::optional<unit> read_unit(section& from, const std::string& key,
@@ -228,11 +228,6 @@ scene_body read_body(section body, const std::filesystem::path& directory, text_
     remarks.emplace_back(
         "moments with uncertainties: planarity and inertial_defect are of all bodies within them, "
         "all other effects of the middle values");
-  }
-  if (result.tensor) {
-    remarks.emplace_back(
-        "the principal moments are irrational: planarity and inertial_defect are certified, other "
-        "effects need rational moments");
   }
   return result;
 }

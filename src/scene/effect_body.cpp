@@ -15,9 +15,7 @@ std::string yes_or_no(bool holds) { return holds ? "yes" : "no"; }
 void add_constant(effect_result& to, const std::string& name, const std::optional<rational>& exact,
                   const enclosing_function& f, const effect_context& x) {
   if (exact) return add_exact(to, name, *exact);
-  const scene_body& of = x.what.body;
-  const precision sizes = of.tensor ? of.tensor->lost_bits()
-                                    : size_in_bits(of.rigid->a()) + size_in_bits(of.rigid->b());
+  const precision sizes = size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b());
   add(to, name,
       enclose_to_digits(f, x.working_digits(),
                         8 * sizes + 15 * bits_for_digits(x.working_digits()) + 1024));
@@ -35,20 +33,19 @@ effect_result planarity(const effect_context& x) {
     return result;
   }
   if (of.ranges) return result;
-  if (of.margin) {
-    if (!of.has_unit) {
-      add_exact(result, "margin", *of.margin);
-    } else if (of.size.power == 0) {
-      add_exact(result, "margin", *of.margin * of.size.factor, "kg m^2");
-    } else {
-      const precision p = bits_for_digits(x.working_digits()) + 64;
-      add(result, "margin", of.size.at(p) * *of.margin, "kg m^2");
-    }
-    add_exact(result, "relative_margin", *of.margin / (*of.moments)[0]);
-    result.remarks.emplace_back("margin = I_y + I_z - I_x" +
-                                std::string(of.has_unit ? "" : ", in the unit of the moments") +
-                                ", negative where the triangle inequality is violated");
+  const exact_real margin = of.axes->margin();
+  if (!of.has_unit) {
+    add(result, "margin", margin, x.working_digits());
+  } else if (of.size.power == 0) {
+    add(result, "margin", margin * of.size.factor, x.working_digits(), "kg m^2");
+  } else {
+    const precision p = bits_for_digits(x.working_digits()) + 64;
+    add(result, "margin", of.size.at(p) * margin, "kg m^2");
   }
+  add(result, "relative_margin", margin / of.moments()[0], x.working_digits());
+  result.remarks.emplace_back("margin = I_y + I_z - I_x" +
+                              std::string(of.has_unit ? "" : ", in the unit of the moments") +
+                              ", negative where the triangle inequality is violated");
   return result;
 }
 
@@ -67,28 +64,14 @@ effect_result inertial_defect(const effect_context& x) {
                       {"J", of.ranges->second_geometric_constant(p), {}, "", true}};
     return result;
   }
-  if (of.tensor) {
-    const inertia_tensor& tensor = *of.tensor;
-    const auto one_if_planar =
-        of.kind == body_kind::planar ? std::optional<rational>(1) : std::nullopt;
-    add_constant(
-        result, "a", {}, [&](precision p) { return tensor.a(p); }, x);
-    add_constant(
-        result, "b", {}, [&](precision p) { return tensor.b(p); }, x);
-    add_constant(
-        result, "I", one_if_planar, [&](precision p) { return tensor.geometric_constant(p); }, x);
-    add_constant(
-        result, "J", {}, [&](precision p) { return tensor.second_geometric_constant(p); }, x);
-    return result;
-  }
-  if (!of.rigid) {
+  if (!of.axes->rigid()) {
     result.remarks.emplace_back(
         "two moments are equal, a symmetric top: there is no intermediate axis, and a or b is 0");
     return result;
   }
-  const body& rigid = *of.rigid;
-  add_exact(result, "a", rigid.a().exact());
-  add_exact(result, "b", rigid.b().exact());
+  const body& rigid = x.rigid();
+  add(result, "a", rigid.a(), x.working_digits());
+  add(result, "b", rigid.b(), x.working_digits());
   add_constant(
       result, "I", rigid.exact_geometric_constant(),
       [&](precision p) { return rigid.geometric_constant(p); }, x);
@@ -146,7 +129,7 @@ effect_result tennis_racket(const effect_context& x) {
         ": the angular momentum does not move in the body, and there is no epsilon(c)");
     return result;
   }
-  const twist t = twist_to_digits(rigid, x.c(), x.digits());
+  const twist t = twist_to_digits(rigid, x.motion(), x.digits());
   result.work += t.work;
   if (t.verdict != status::certified) {
     not_certified(result, "epsilon(c) was not certified (" + to_text(t.why) + ")");
@@ -162,9 +145,9 @@ effect_result tennis_racket(const effect_context& x) {
 effect_result signature(const effect_context& x) {
   effect_result result;
   const body& rigid = x.rigid();
-  const rational& b = rigid.b().exact();
-  const rational excess(1 - 2 * b - rigid.a().exact() * b);
-  const bool physical = excess >= 0;
+  const bool physical = rigid.kind() != body_kind::non_physical;
+  const exact_real excess =
+      rigid.kind() == body_kind::planar ? 0 : 1 - 2 * rigid.b() - rigid.a() * rigid.b();
   result.words = {
       {"physical", yes_or_no(physical)},
       {"phase_of_oscillations_above_2_pi", yes_or_no(physical)},
@@ -173,8 +156,10 @@ effect_result signature(const effect_context& x) {
       {"full_turn", yes_or_no(has_full_turn(rigid))},
   };
   // The witnesses: the sign of 1 - 2b - ab is that of I - 1; 2 pi I bounds the phase from below, and is approached.
-  add_exact(result, "one_minus_2b_minus_ab", excess);
-  const certain_number bound = montgomery_phase_limit_to_digits(rigid, rational(-b), x.digits());
+  add(result, "one_minus_2b_minus_ab", excess, x.working_digits());
+  // Of any motion that oscillates: -b < c < 0.
+  const certain_number bound = montgomery_phase_limit_to_digits(
+      rigid, rational(-rational_below(rigid.b(), 32) / 2), x.digits());
   add(result, "greatest_lower_bound_of_phase", bound, "rad");
   add_exact(result, "intersections", rational(intersection_count(rigid)));
   result.remarks.emplace_back(

@@ -16,11 +16,13 @@ struct effect_context {
   /// The results of the effects that this one comes after.
   std::map<std::string, const effect_result*> before;
 
-  [[nodiscard]] const body& rigid() const { return *what.body.rigid; }
-  [[nodiscard]] const rational& c() const { return *what.state->c; }
-  [[nodiscard]] polhode::motion motion() const { return {rigid(), c()}; }
-  [[nodiscard]] polhode::regime regime() const { return regime_of(rigid(), c()); }
-  [[nodiscard]] bool has_motion() const { return what.state && what.state->c; }
+  [[nodiscard]] const body& rigid() const { return *what.body.axes->rigid(); }
+  [[nodiscard]] const polhode::motion& motion() const { return *what.state->motion; }
+  [[nodiscard]] const exact_real& c() const { return motion().c(); }
+  [[nodiscard]] polhode::regime regime() const { return motion().regime(); }
+  [[nodiscard]] bool has_motion() const { return what.state && what.state->motion; }
+  /// The scene's, with the rotor's start.
+  [[nodiscard]] const initial_state& start() const { return *what.state->start; }
   [[nodiscard]] long digits() const { return what.digits; }
   /// Digits of what other effects compute with: they lose a few.
   [[nodiscard]] long working_digits() const { return what.digits + 15; }
@@ -34,6 +36,9 @@ void add(effect_result& to, const std::string& name, const ball& value,
          const std::string& unit = "");
 void add_exact(effect_result& to, const std::string& name, const rational& value,
                const std::string& unit = "");
+/// As the rational number that it is, or to so many digits.
+void add(effect_result& to, const std::string& name, const exact_real& value, long digits,
+         const std::string& unit = "");
 /// Makes the result not certified where this number is not; else adds it. Its work is counted in either case.
 void add(effect_result& to, const std::string& name, const certain_number& value,
          const std::string& unit = "");

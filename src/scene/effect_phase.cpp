@@ -15,9 +15,7 @@ namespace {
 
 /// Exactly about the intermediate axis, where that is known.
 bool is_on_middle_axis(const effect_context& x) {
-  if (x.regime() != regime::separatrix || !x.what.state->momentum) return false;
-  const auto& j = *x.what.state->momentum;
-  return j[0] == 0 && j[2] == 0;
+  return x.what.state->start && x.start().regime() == regime::equilibrium_y;
 }
 constexpr const char* middle_axis = "exactly about the intermediate axis: an unstable equilibrium";
 
@@ -66,7 +64,7 @@ effect_result curve(const effect_context& x, const std::string& column, const st
 effect_result regime_effect(const effect_context& x) {
   effect_result result;
   result.words = {{"regime", to_text(x.regime())}};
-  add_exact(result, "c", x.c());
+  add(result, "c", x.c(), x.working_digits());
   if (is_on_middle_axis(x)) result.remarks.emplace_back(middle_axis);
   return result;
 }
@@ -93,16 +91,16 @@ effect_result montgomery_phase_effect(const effect_context& x) {
   effect_result result;
   remark_unless_periodic(result, x, "phase");
   if (!is_periodic(x.regime())) return result;
-  const certain_number phase = montgomery_phase_to_digits(x.rigid(), x.c(), x.working_digits());
+  const certain_number phase = montgomery_phase_to_digits(x.motion(), x.working_digits());
   add(result, "phase", phase, "rad");
   if (phase.verdict != status::certified) return result;
-  const ball dynamic = rational(1 + x.c()) * x.number("period", "natural_period");
+  const ball dynamic = (1 + x.c()) * x.number("period", "natural_period");
   add(result, "dynamic", dynamic, "rad");
   const ball geometric = phase.enclosure - dynamic;
   if (to_decimal_enclosure(geometric, x.digits()).has(x.digits())) {
     add(result, "geometric", geometric, "rad");
   } else {  // it cancels near c = -b
-    add(result, "geometric", geometric_phase_to_digits(x.rigid(), x.c(), x.digits()), "rad");
+    add(result, "geometric", geometric_phase_to_digits(x.motion(), x.digits()), "rad");
   }
   return result;
 }

@@ -25,8 +25,8 @@ const std::vector<effect>& registry() {
   const effect_needs distinct{.distinct = true};
   const effect_needs motion{.distinct = true, .motion = true};
   const effect_needs start{.distinct = true, .motion = true, .start = true};
-  const effect_needs series{.start = true, .frame = true, .time = true};
-  const effect_needs checked{.distinct = true, .motion = true, .start = true, .frame = true};
+  const effect_needs series{.start = true, .time = true};
+  const effect_needs checked{.distinct = true, .motion = true, .start = true};
   static const std::vector<effect> effects{
       {{"planarity", "physical, planar or non-physical, with the margin", any, {}},
        detail::planarity},
@@ -192,15 +192,9 @@ const ball& effect_context::number(const std::string& effect, const std::string&
 
 ball natural_time(const scene& what, precision p) {
   if (what.time_kind == scene::time_scale::natural) return ball(1, p);
-  const scene_body& of = what.body;
-  rational square = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const rational& one = (*what.state->momentum)[i];
-    square += one * one / of.axes[i].square;
-  }
-  const rational y = (*of.moments)[1];
-  const pi_scale unit = of.size / what.state->momentum_size / what.time_unit.size;
-  return unit.at(p) * sqrt(ball(rational(y * y / square), p));
+  const exact_real& y = what.body.moments()[1];
+  const pi_scale unit = what.body.size / what.state->momentum_size / what.time_unit.size;
+  return unit.at(p) * sqrt((y * y / what.state->start->squared_momentum()).at(p));
 }
 
 void add(effect_result& to, const std::string& name, const ball& value, const std::string& unit) {
@@ -209,6 +203,11 @@ void add(effect_result& to, const std::string& name, const ball& value, const st
 void add_exact(effect_result& to, const std::string& name, const rational& value,
                const std::string& unit) {
   to.numbers.push_back({name, {}, value, unit});
+}
+void add(effect_result& to, const std::string& name, const exact_real& value, long digits,
+         const std::string& unit) {
+  if (value.is_rational()) return add_exact(to, name, value.exact(), unit);
+  add(to, name, value.at(bits_for_digits(digits) + 32), unit);
 }
 void add(effect_result& to, const std::string& name, const certain_number& value,
          const std::string& unit) {

@@ -10,12 +10,8 @@
 namespace polhode::detail {
 namespace {
 
-/// J_y is 0 at u = 2K n, and at u = 0 on the separatrix, in the solution of rotor.hpp: half turns about principal axes, which are
-/// symmetries of the motion, have turned its start there.
-jacobi_start start_of(const effect_context& x) {
-  return jacobi_start_of(initial_state::from_squared_momentum(
-      *x.what.body.moments, direction_squares(x.what), momentum_senses(x.what)));
-}
+// J_y is 0 at u = 2K n, and at u = 0 on the separatrix, in the solution of rotor.hpp: half turns about
+// principal axes, which are symmetries of the motion, have turned its start there.
 
 /// u_0/(2K) where it is a multiple of 1/2.
 std::optional<rational> exact_share(const jacobi_start& at) {
@@ -44,13 +40,13 @@ ball natural(const effect_context& x, const rational& time, precision p) {
 }
 
 void separatrix_flip(const effect_context& x, effect_result& result) {
-  const rational_vector squares = direction_squares(x.what);
-  const int side = start_of(x).sine;
+  const triple<exact_real>& squares = x.start().direction_squares();
+  const int side = jacobi_start_of(x.start()).sine;
   result.remarks.emplace_back("on the separatrix: it turns over once in all time");
   // artanh y = log((1 + y)/sqrt(1 - y^2)), and 1 - y^2 is the sum of the other squares.
-  const rational rest(squares[0] + squares[2]);
+  const exact_real rest = squares[0] + squares[2];
   const auto time = [&](precision p) {
-    const ball distance = log((1 + sqrt(ball(squares[1], p))) / sqrt(ball(rest, p))) /
+    const ball distance = log((1 + sqrt(squares[1].at(p))) / sqrt(rest.at(p))) /
                           sqrt((x.rigid().a() * x.rigid().b()).at(p)) * natural_time(x.what, p);
     return side > 0 ? -distance : distance;
   };
@@ -85,9 +81,8 @@ void separatrix_flip(const effect_context& x, effect_result& result) {
 
 effect_result flips(const effect_context& x) {
   effect_result result;
-  const rational_vector& j = *x.what.state->momentum;
   const std::string unit = x.what.time_unit.name;
-  if (x.regime() == regime::separatrix && (j[0] != 0 || j[2] != 0)) {
+  if (x.start().regime() == regime::separatrix) {
     separatrix_flip(x, result);
     return result;
   }
@@ -99,7 +94,7 @@ effect_result flips(const effect_context& x) {
             : to_text(x.regime()) + ", in which it stays");
     return result;
   }
-  const jacobi_start at = start_of(x);
+  const jacobi_start at = jacobi_start_of(x.start());
   const auto exact = exact_share(at);
   const ball& shared = x.number("period", "natural_period");
   const auto period = [&](precision p) {

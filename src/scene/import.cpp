@@ -208,33 +208,11 @@ std::vector<found_inertia> inertias_in(const std::string& text, reader::purpose 
 }
 
 void settle(link_inertia& link, const tensor_entries& given) {
-  if (const auto equal = equal_principal_moments(given)) {
-    refuse_unless_positive(*equal);
-    for (std::size_t i = 0; i < 3; ++i) link.moments[i] = (*equal)[i];
-  } else {
-    const body rigid = body::from_inertia_tensor(given);
-    link.rigid = rigid;
-    if (const auto& tensor = rigid.irrational_tensor()) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::optional<rational>& exact = tensor->exact_moments()[i];
-        link.moments[i] = exact ? exact_real(*exact)
-                                : exact_real::irrational(
-                                      [tensor, i](precision p) { return tensor->moments(p)[i]; },
-                                      tensor->lost_bits());
-      }
-      link.kind = rigid.kind();
-      const rational trace(given[0] + given[1] + given[2]);
-      link.margin = link.kind == body_kind::planar ? exact_real(0) : trace - 2 * link.moments[0];
-      return;
-    }
-    for (std::size_t i = 0; i < 3; ++i) link.moments[i] = (*rigid.moments())[i];
-  }
-  const auto& [x, y, z] = link.moments;
-  link.margin = y + z - x;
-  const int sign = link.margin.sign();
-  link.kind = sign > 0   ? body_kind::physical
-              : sign < 0 ? body_kind::non_physical
-                         : body_kind::planar;
+  const principal_axes axes(given);
+  link.moments = axes.moments();
+  link.kind = axes.kind();
+  link.margin = axes.margin();
+  link.rigid = axes.rigid();
 }
 
 }  // namespace

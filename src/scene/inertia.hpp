@@ -6,13 +6,10 @@
 
 namespace polhode::detail {
 
-[[nodiscard]] rational dot(const rational_vector& x, const rational_vector& y);
-
 /// xx, yy, zz, xy, xz, yz.
 using tensor_entries = std::array<rational, 6>;
 
-/// The body with this tensor, in `size` kg m^2 or relative: its moments, principal axes and kind, where the principal moments are
-/// rational; its kind alone where they are not. Throws input_error where it is not positive definite.
+/// The body with this tensor, in `size` kg m^2 or relative. Throws input_error as principal_axes does.
 [[nodiscard]] scene_body body_of_tensor(const tensor_entries& given);
 
 /// The same of principal moments about the given axes.
@@ -46,7 +43,7 @@ struct imported_inertia {
 [[nodiscard]] scene_state read_state(section from, const scene_body& of, scene& whole);
 
 /// For a message: as it is where it is short, else about.
-[[nodiscard]] std::string shown(const rational& q);
+[[nodiscard]] std::string shown(const exact_real& x);
 
 /// The unit under this key, one of those; input_error with the nearest one.
 [[nodiscard]] std::optional<unit> read_unit(section& from, const std::string& key,

@@ -11,39 +11,19 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/rigid_body/rotor.hpp"
 #include "scene/exact_quaternion.hpp"
-#include "scene/matrix.hpp"
 #include "scene/scene_motion.hpp"
 
 namespace polhode::detail {
 namespace {
 
 template <class T>
-T number_of(const rational& q, precision p);
-template <>
-ball number_of<ball>(const rational& q, precision p) {
-  return {q, p};
-}
-template <>
-double number_of<double>(const rational& q, precision) {
-  return static_cast<double>(q);
-}
-template <class T>
-T number_of(const ball& x, precision) {
+T number_of(const ball& x) {
   if constexpr (std::same_as<T, ball>) {
     return x;
   } else {
     return midpoint(x).convert_to<T>();
   }
 }
-template <class T, class From>
-matrix3<T> numbers_of(const matrix3<From>& x, precision p) {
-  matrix3<T> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = number_of<T>(x[i][k], p);
-  }
-  return result;
-}
-
 std::vector<rational> times_of(const scene_time& time) {
   if (time.samples == 1) return {time.from};
   std::vector<rational> result;
@@ -91,10 +71,8 @@ void continue_signs(effect_table& table) {
 class momentum_at_0 {
  public:
   momentum_at_0(const scene& what, const scene_motion& path, precision p) {
-    const matrix3<rational> frame = frame_of(what.body);
-    const triple<rational> momentum = momentum_of(what);
-    triple<rational> omega;
-    for (std::size_t i = 0; i < 3; ++i) omega[i] = momentum[i] / (*what.body.moments)[i];
+    const triple<rational>& momentum = *what.state->momentum;
+    const triple<rational> omega = what.body.axes->solved(momentum);
     steady_ = is_equilibrium(path.state().regime());
     const rational square = path.state().squared_momentum();
     const auto size = rational_root(square);
@@ -106,7 +84,7 @@ class momentum_at_0 {
       row_.push_back(one);
       exact_.emplace_back();
     };
-    for (const rational& one : product(frame, momentum)) {
+    for (const rational& one : momentum) {
       if (size || one == 0) {
         add_rational(size ? rational(one / *size) : one);
       } else {
@@ -114,7 +92,7 @@ class momentum_at_0 {
       }
     }
     const pi_scale& unit = path.unit();
-    for (const rational& one : product(frame, omega)) {
+    for (const rational& one : omega) {
       if (unit.power == 0 || one == 0) {
         add_rational(one * unit.factor);
       } else {
@@ -146,12 +124,8 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   const scene_motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
   work += turning.work();
-  const auto frame = numbers_of<T>(frame_of(x.what.body), p);
-  const T unit = number_of<T>(path.unit().at(p), p);
-  const T size = number_of<T>(sqrt(ball(path.state().squared_momentum(), p)), p);
-  triple<T> inverse;
-  for (std::size_t i = 0; i < 3; ++i)
-    inverse[i] = number_of<T>(rational(1 / (*x.what.body.moments)[i]), p);
+  const T unit = number_of<T>(path.unit().at(p));
+  const T size = number_of<T>(sqrt(ball(path.state().squared_momentum(), p)));
   const momentum_at_0 known(x.what, path, p);
   const std::string& time = x.what.time_unit.name;
   const std::string rate = x.what.time_kind == scene::time_scale::natural ? "J/I_y" : "rad/" + time;
@@ -161,19 +135,12 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
                                     return known.row();
                                   const rotor_time at = path.at(t);
                                   const rotor_sample<T> sample = turning.sample(at.t);
-                                  triple<T> j;
-                                  triple<T> omega;
-                                  for (std::size_t i = 0; i < 3; ++i) {
-                                    const T here = path.momentum(sample.momentum[i], at);
-                                    j[i] = here / size;
-                                    omega[i] = here * inverse[i] * unit;
-                                  }
-                                  const triple<T> j_given = product(frame, j);
-                                  const triple<T> omega_given = product(frame, omega);
                                   std::vector<ball> row;
                                   row.reserve(6);
-                                  for (const T& one : j_given) row.push_back(in_ball(one));
-                                  for (const T& one : omega_given) row.push_back(in_ball(one));
+                                  for (const T& one : sample.momentum)
+                                    row.push_back(in_ball(T(path.momentum(one, at) / size)));
+                                  for (const T& one : sample.angular_velocity)
+                                    row.push_back(in_ball(T(path.velocity(one, at) * unit)));
                                   return row;
                                 });
   if (table.certified) known.note_exact(table);
@@ -207,11 +174,6 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
   const scene_motion path(x.what, p);
   const rotor<T> turning(path.state(), p);
   work += turning.work();
-  const auto frame = numbers_of<T>(frame_of(x.what.body), p);
-  const auto start = numbers_of<T>(attitude_at_0(x.what, path.state(), p), p);
-  // The rotor begins with the principal axes along those of space: R(t) = R_0 P R_rotor(t) P^T in the given frame.
-  const matrix3<T> before = product(start, frame);
-  const matrix3<T> after = transposed(frame);
   effect_table table =
       table_of(x, {"t", "q_w", "q_x", "q_y", "q_z", "phi"},
                {x.what.time_unit.name, "", "", "", "", "rad"}, [&](const rational& t) {
@@ -221,7 +183,6 @@ effect_table attitude_table(const effect_context& x, precision p, work_count& wo
                  for (auto& row : attitude.matrix) {
                    for (T& entry : row) entry = path.attitude(entry, at);
                  }
-                 attitude.matrix = product(product(before, attitude.matrix), after);
                  std::vector<ball> row;
                  row.reserve(5);
                  const bool is_start = std::same_as<T, ball> && t == 0;
@@ -268,24 +229,6 @@ void check_rows(effect_result& result, const scene_time& time,
                                        " has fewer digits than asked for");
     }
   }
-}
-
-rational_vector direction_squares(const scene& what) {
-  rational_vector squares;
-  rational sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const rational& one = (*what.state->momentum)[i];
-    squares[i] = one * one / what.body.axes[i].square;
-    sum += squares[i];
-  }
-  for (rational& one : squares) one /= sum;
-  return squares;
-}
-
-std::array<int, 3> momentum_senses(const scene& what) {
-  std::array<int, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) result[i] = (*what.state->momentum)[i].sign();
-  return result;
 }
 
 effect_result momentum(const effect_context& x) {

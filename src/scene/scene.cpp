@@ -87,10 +87,10 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
     if (has_unit) from.refuse("unit", "c has no unit: contradictory");
     if (result.quaternion || result.matrix || result.euler)
       from.refuse("an attitude goes with omega or momentum, which tell where the body starts");
-    if (!of.rigid) from.refuse("c", "c needs a body with three different rational moments");
-    result.c = from.number("c");
+    if (!of.axes->rigid()) from.refuse("c", "c needs a body with three different moments");
+    const rational c = from.number("c");
     try {
-      (void)regime_of(*of.rigid, *result.c);
+      result.motion.emplace(*of.axes->rigid(), c);
     } catch (const input_error& error) {
       from.refuse("c", error.what());
     }
@@ -99,10 +99,6 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
   const std::string key = by_omega ? "omega" : "momentum";
   const rational_vector given =
       nonzero(from, key, by_omega ? "the angular velocity" : "the angular momentum");
-  if (!of.moments)
-    from.refuse(key,
-                "the principal axes of this body are irrational, so that a state in them is not "
-                "exact; give its principal moments");
   const auto size = read_unit(from, "unit", by_omega ? angular_velocity_units() : momentum_units());
   if (by_momentum && size.has_value() != of.has_unit) {
     from.refuse(key, size ? "contradictory units: the momentum has a unit and the moments of "
@@ -110,12 +106,12 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
                           : "contradictory units: the moments of inertia have a unit and the "
                             "momentum has none; give [state] a unit");
   }
-  rational_vector momentum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const rational along(dot(given, of.axes[i].direction));
-    momentum[i] = by_omega ? rational((*of.moments)[i] * along) : along;
-  }
-  result.momentum = momentum;
+  result.momentum = by_omega ? of.axes->times(given) : given;
+  result.start = initial_state::from_tensor(of.axes, *result.momentum);
+  if (result.quaternion) result.start->set_quaternion(*result.quaternion);
+  if (result.matrix) result.start->set_matrix(*result.matrix);
+  if (result.euler) result.start->set_euler_angles(*result.euler, result.euler_unit);
+  if (of.axes->rigid()) result.motion = result.start->motion();
   if (size) {
     result.momentum_size = by_omega ? of.size * size->size : size->size;
     whole.time_kind = scene::time_scale::si;
@@ -125,15 +121,6 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
     whole.time_kind = scene::time_scale::as_given;
     whole.time_unit = {by_omega ? "1/omega" : "I/J", {1, 0}};
   }
-  if (!of.rigid) return result;
-  rational twice_energy = 0;
-  rational square = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const rational one(momentum[i] * momentum[i] / of.axes[i].square);
-    square += one;
-    twice_energy += one / (*of.moments)[i];
-  }
-  result.c = (*of.moments)[1] * twice_energy / square - 1;
   return result;
 }
 
@@ -171,16 +158,6 @@ scene_time read_time(section from, scene& whole) {
   }
   whole.time_unit = *size;
   return result;
-}
-
-bool is_square(const rational& q) {
-  return mpz_perfect_square_p(numerator(q).backend().data()) != 0 &&
-         mpz_perfect_square_p(denominator(q).backend().data()) != 0;
-}
-bool has_rational_axes(const scene_body& of) {
-  return of.moments && std::all_of(of.axes.begin(), of.axes.end(), [](const principal_axis& axis) {
-           return is_square(axis.square);
-         });
 }
 
 std::vector<rational> read_sweep_values(section& sweep, const std::string& key) {
@@ -225,21 +202,15 @@ void read_sweep(section sweep, scene& result, const replacements& replaced) {
 
 /// What an effect lacks in this scene; empty where it has everything.
 std::string missing_for(const effect_needs& needs, const scene& what) {
-  if (needs.distinct && !what.body.rigid) {
-    return what.body.tensor
-               ? "principal moments that are rational numbers, and this body's are not"
-               : "three different moments, and this body is a symmetric top, which has no "
-                 "intermediate axis";
+  if (needs.distinct && !what.body.axes->rigid()) {
+    return "three different moments, and this body is a symmetric top, which has no intermediate "
+           "axis";
   }
   if ((needs.motion || needs.start) && !what.state)
     return "a state: give [state] omega, momentum or c";
   if (needs.start && !what.state->momentum) {
     return "the direction of the angular momentum in the body: give [state] omega or momentum in "
            "place of c";
-  }
-  if (needs.frame && !has_rational_axes(what.body)) {
-    return "principal axes along vectors of rational length, and this tensor's are not; give its "
-           "principal moments";
   }
   if (needs.time && !what.time) return "a time: give [time] to";
   return "";
@@ -265,12 +236,12 @@ void read_effects(section from, scene& result) {
     if (std::find(result.want.begin(), result.want.end(), name) == result.want.end())
       result.want.push_back(name);
   }
-  if (result.c_range && result.body.rigid) {
+  if (result.c_range && result.body.axes->rigid()) {
     const auto& [low, high] = *result.c_range;
     if (low >= high) from.refuse("c", "the lower end must be below the upper one");
     for (const rational& end : {low, high}) {
       try {
-        (void)regime_of(*result.body.rigid, end);
+        (void)regime_of(*result.body.axes->rigid(), end);
       } catch (const input_error& error) {
         from.refuse("c", error.what());
       }
@@ -308,9 +279,9 @@ scene read_sections(const std::string& text, const std::filesystem::path& direct
   if (!root.has("body")) root.refuse("there is no [body]");
   if (!root.has("effects")) root.refuse("there are no [effects]; give want = [\"period\"]");
   result.body = read_body(root.table("body"), directory, files, result.remarks);
-  if (result.in_double && result.body.moments) {
-    for (const rational& moment : *result.body.moments) {
-      if (std::isnormal(static_cast<double>(moment))) continue;
+  if (result.in_double) {
+    for (const exact_real& moment : result.body.moments()) {
+      if (std::isnormal(midpoint(moment.at(64)).convert_to<double>())) continue;
       root.refuse("precision", "in double " + detail::shown(moment) +
                                    " has no room; give moments in another unit, or digits = 15");
     }

@@ -1,23 +1,11 @@
 #pragma once
 
-// A scene's body, start and times as a rotor takes them: principal axes, and the units of the moments and the momentum given.
+// A scene's start and times as a rotor takes them: in the units of the moments and the momentum given.
 
 #include "polhode/rigid_body/rotor.hpp"
 #include "polhode/scene/scene.hpp"
 
 namespace polhode::detail {
-
-/// The rotation, of which the columns are unit vectors along the principal axes: from the principal frame to the given one.
-[[nodiscard]] matrix3<rational> frame_of(const scene_body& of);
-
-/// J in the principal axes.
-[[nodiscard]] triple<rational> momentum_of(const scene& what);
-
-/// The start in the principal axes, which lie along those of space.
-[[nodiscard]] initial_state state_of(const scene& what);
-
-/// The attitude at time 0, from the given frame to space; `any` is a state, whose attitude is replaced.
-[[nodiscard]] matrix3<ball> attitude_at_0(const scene& what, initial_state any, precision p);
 
 /// A time as the rotor has it, in moment/momentum: an exact number, and how far from it the true time may be, which has pi in it where
 /// angles are in degrees.
@@ -36,14 +24,19 @@ class scene_motion {
   /// A bound of |omega|, in the rotor's units.
   [[nodiscard]] const magnitude& attitude_speed() const { return attitude_speed_; }
   [[nodiscard]] rotor_time at(const rational& t) const;
-  /// The enclosure of a component of J, or of an entry of R, at the true time, from that at the rotor's; a double stays as it is.
+  /// The enclosure of a component of J, of omega, or of an entry of R, at the true time, from that at
+  /// the rotor's; a double stays as it is.
   [[nodiscard]] ball momentum(const ball& x, const rotor_time& at) const {
     return x.enlarged(multiply_up(momentum_speed_, at.off));
+  }
+  [[nodiscard]] ball velocity(const ball& x, const rotor_time& at) const {
+    return x.enlarged(multiply_up(velocity_speed_, at.off));
   }
   [[nodiscard]] ball attitude(const ball& x, const rotor_time& at) const {
     return x.enlarged(multiply_up(attitude_speed_, at.off));
   }
   static double momentum(double x, const rotor_time&) { return x; }
+  static double velocity(double x, const rotor_time&) { return x; }
   static double attitude(double x, const rotor_time&) { return x; }
 
  private:
@@ -51,6 +44,7 @@ class scene_motion {
   precision p_;
   initial_state state_;
   magnitude momentum_speed_;
+  magnitude velocity_speed_;
   magnitude attitude_speed_;
 };
 

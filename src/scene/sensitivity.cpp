@@ -37,35 +37,35 @@ struct derivatives {
 };
 
 derivatives derivatives_at(const motion& of, precision p) {
-  const rational& a = of.a().exact();
-  const rational& b = of.b().exact();
-  const rational& c = of.c();
-  const rational total(a + b);
-  const rational x_end(b + c);
-  const rational z_end(a - c);
+  const exact_real& a = of.a();
+  const exact_real& b = of.b();
+  const exact_real& c = of.c();
+  const exact_real total = a + b;
+  const exact_real x_end = b + c;
+  const exact_real z_end = a - c;
   const bool rotating = of.regime() == regime::rotating;
-  const rational l = of.lambda2().exact();
-  const rational m1 = of.m1().exact();
+  const exact_real l = of.lambda2();
+  const exact_real m1 = of.m1();
   const std::array<exact_real, 3> greatest = of.greatest_squares();
   // In a, b, c.
-  const std::array<rational, 3> dl =
-      rotating ? std::array<rational, 3>{x_end, a, a} : std::array<rational, 3>{b, z_end, -b};
-  const std::array<rational, 3> dm1 =
-      rotating ? std::array<rational, 3>{-c * b / (x_end * a * a), -c * z_end / (a * x_end * x_end),
-                                         total * b / (a * x_end * x_end)}
-               : std::array<rational, 3>{c * x_end / (b * z_end * z_end), c * a / (b * b * z_end),
-                                         -total * a / (b * z_end * z_end)};
-  const ball lambda = sqrt(ball(l, p));
-  const ball y(m1, p);
+  const triple<exact_real> dl =
+      rotating ? triple<exact_real>{x_end, a, a} : triple<exact_real>{b, z_end, -b};
+  const triple<exact_real> dm1 =
+      rotating ? triple<exact_real>{-c * b / (x_end * a * a), -c * z_end / (a * x_end * x_end),
+                                    total * b / (a * x_end * x_end)}
+               : triple<exact_real>{c * x_end / (b * z_end * z_end), c * a / (b * b * z_end),
+                                    -total * a / (b * z_end * z_end)};
+  const ball lambda = sqrt(l.at(p));
+  const ball y = m1.at(p);
   const ball rf = carlson_rf(ball(0, p), y, ball(1, p));
   const ball rd = carlson_rd(ball(0, p), ball(1, p), y);
   const auto slope = [&](std::size_t q) {
-    return 4 / lambda * (-rd * rational(dm1[q] / 6) - rf * rational(dl[q] / (2 * l)));
+    return 4 / lambda * (-rd * (dm1[q] / 6) - rf * (dl[q] / (2 * l)));
   };
   derivatives result;
   result.period = 4 * rf / lambda;
   result.of_period = {slope(0), slope(1), slope(2)};
-  const ball quarter = complete_legendre(ball(rational(1 - m1), p), y).b;
+  const ball quarter = complete_legendre((1 - m1).at(p), y).b;
   ball x2;
   ball z2;
   if (rotating) {
@@ -75,7 +75,7 @@ derivatives derivatives_at(const motion& of, precision p) {
     z2 = 4 * greatest[2] * quarter / lambda;
     x2 = (a * z2 - c * result.period) / b;
   }
-  const rational factor(1 + c);
+  const exact_real factor = 1 + c;
   result.of_phase = {factor * result.of_period.a + scale(z2, -1),
                      factor * result.of_period.b - scale(x2, -1),
                      factor * result.of_period.c + scale(result.period, -1)};
@@ -94,10 +94,10 @@ struct by_moments {
   std::array<ball, 3> of_phase;
 };
 by_moments by_moments_of(const effect_context& x, const derivatives& d) {
-  const rational_vector& m = *x.what.body.moments;
-  const rational_vector j = direction_squares(x.what);
+  const triple<exact_real>& m = x.what.body.moments();
+  const triple<exact_real>& j = x.start().direction_squares();
   // I da/dI, I db/dI, I dc/dI.
-  const std::array<rational_vector, 3> chain{
+  const std::array<triple<exact_real>, 3> chain{
       {{0, m[1] / m[0], -m[1] * j[0] / m[0]},
        {m[1] / m[2], -m[1] / m[0], m[1] * (j[0] / m[0] + j[2] / m[2])},
        {-m[1] / m[2], 0, -m[1] * j[2] / m[2]}}};
@@ -169,7 +169,7 @@ ball difference_of_slopes(const effect_context& x, precision p) {
   const exact_real u = of.turning_point();
   const ball direct =
       of.regime() == regime::rotating
-          ? 2 * rotating_half_phase_slope(x.rigid(), ball(of.c(), p))
+          ? 2 * rotating_half_phase_slope(x.rigid(), of.c().at(p))
           : -2 * oscillating_half_phase_slope(x.rigid(), {u.at(p), (1 - u).at(p)}) / of.b().at(p);
   return direct / by_identity - 1;
 }

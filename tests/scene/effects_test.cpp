@@ -405,6 +405,55 @@ TEST(Sensitivity, InTheMoments) {
   }
 }
 
+// A box turned by 45 degrees has the moments 3, 2, 3/2 about axes along (1, 1, 0), (1, -1, 0) and z; one
+// turned by a little more or less has irrational moments beside them, and nearly the same motion.
+TEST(Effects, OfATurnedBox) {
+  const auto of = [](const std::string& xx) {
+    return report_of("[body]\ntensor = [[\"" + xx +
+                         "\", 0.5, 0], [0.5, 2.5, 0], [0, 0, 1.5]]\n[state]\nomega = [1, 0, 0.3]\n"
+                         "[time]\nto = 20\nsamples = 3\n",
+                     {"planarity", "signature", "regime", "period", "montgomery_phase",
+                      "mean_precession", "sensitivity", "flips", "momentum", "attitude", "audit",
+                      "tennis_racket", "intersections"});
+  };
+  const scene_report box = of("2.5");
+  EXPECT_EQ(box.verdict, status::certified);
+  const rational square(rational(9, 2) + rational(4, 2) + rational(81, 400));
+  const rational c(2 * (rational(3, 2) + rational(2, 2) + rational(27, 200)) / square - 1);
+  EXPECT_EQ(box.find("regime")->numbers[0].exact, c);
+  const body rigid(rational(1, 3), rational(1, 3));
+  EXPECT_TRUE(overlaps(number(box, "montgomery_phase", "phase"), montgomery_phase(rigid, c, 200)));
+  const scene_report beside = of("2.5" + std::string(40, '0') + "1");
+  EXPECT_EQ(beside.verdict, status::certified);
+  EXPECT_EQ(beside.find("audit")->words, box.find("audit")->words);
+  const ball apart(parse_rational("1e-35"), 64);
+  std::size_t compared = 0;
+  for (const effect_result& effect : box.effects) {
+    if (effect.name == "audit") continue;
+    const effect_result& other = *beside.find(effect.name);
+    ASSERT_EQ(effect.numbers.size(), other.numbers.size());
+    for (const effect_number& n : effect.numbers) {
+      const auto value = [](const effect_number& x) {
+        return x.exact ? ball(*x.exact, 200) : x.enclosure;
+      };
+      const auto same = std::find_if(other.numbers.begin(), other.numbers.end(),
+                                     [&](const effect_number& x) { return x.name == n.name; });
+      ASSERT_NE(same, other.numbers.end()) << n.name;
+      EXPECT_TRUE(certainly_less(abs(value(n) - value(*same)), apart))
+          << effect.name << " " << n.name;
+      ++compared;
+    }
+    if (!effect.table) continue;
+    for (std::size_t i = 0; i < effect.table->rows.size(); ++i) {
+      for (std::size_t k = 0; k < effect.table->rows[i].size(); ++k) {
+        EXPECT_TRUE(certainly_less(abs(effect.table->rows[i][k] - other.table->rows[i][k]), apart))
+            << effect.name << " " << i << " " << k;
+      }
+    }
+  }
+  EXPECT_GT(compared, 40U);
+}
+
 TEST(Series, BeginWithTheStateAndKeepTheMomentum) {
   // In degrees, so that the rotor's time is irrational; in axes that are not principal; from a turned attitude.
   const scene_report report = report_of(

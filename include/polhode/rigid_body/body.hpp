@@ -41,6 +41,7 @@ class body {
   /// The inertia tensor in any axes, by its entries xx, yy, zz, xy, xz, yz. Throws input_error as
   /// inertia_tensor does.
   static body from_inertia_tensor(const std::array<rational, 6>& given);
+  static body from_inertia_tensor(std::shared_ptr<const inertia_tensor> given);
 
   [[nodiscard]] const exact_real& a() const { return a_; }
   [[nodiscard]] const exact_real& b() const { return b_; }

@@ -6,12 +6,12 @@
 
 namespace polhode {
 
-/// sn, cn, dn of u_0, by their squares, which are rational, and the signs -1, 0, 1 of sn and cn; dn >= 0. On the separatrix these are
+/// sn, cn, dn of u_0, by their squares and the signs -1, 0, 1 of sn and cn; dn >= 0. On the separatrix these are
 /// tanh u_0 and, twice, sech u_0.
 struct jacobi_start {
   int sine = 0;
   int cosine = 0;
-  rational sine2, cosine2, delta2;
+  exact_real sine2 = 0, cosine2 = 0, delta2 = 0;
 
   /// The distance of u_0 from the nearest zero of sn, in [0, K], to about p bits:
   ///   sqrt(sn^2) R_F(cn^2, dn^2, 1)   (DLMF 19.25.5).

@@ -26,6 +26,8 @@
 
 namespace polhode {
 
+class motion;
+
 /// F(c,u), to about p bits. Throws input_error unless -b < c <= a, 0 <= u < 1 and b u + c >= 0, and for c = u = 0, where it
 /// is infinite.
 [[nodiscard]] ball phase_integral(const body& rigid, const rational& c, const rational& u,
@@ -65,6 +67,7 @@ struct certain_number {
 /// The Montgomery phase to `digits` certain significant digits: the precision is raised until they are certain.
 [[nodiscard]] certain_number montgomery_phase_to_digits(const body& rigid, const rational& c,
                                                         long digits);
+[[nodiscard]] certain_number montgomery_phase_to_digits(const motion& of, long digits);
 
 /// The same of montgomery_phase_limit.
 [[nodiscard]] certain_number montgomery_phase_limit_to_digits(const body& rigid, const rational& c,
@@ -77,6 +80,7 @@ struct certain_number {
                                                      long digits);
 [[nodiscard]] certain_number geometric_phase_to_digits(const body& rigid, const rational& c,
                                                        long digits);
+[[nodiscard]] certain_number geometric_phase_to_digits(const motion& of, long digits);
 
 /// By how much the phase is above its greatest lower bound, to so many certain digits of this difference, which
 /// cancels near the end: of the order of 1 - u = 1 + c/b or of a - c.

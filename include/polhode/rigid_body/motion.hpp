@@ -35,11 +35,15 @@ class motion {
   motion(const body& rigid, const rational& c);
   /// Moments may be equal: a = 0 where I_y = I_z, b = 0 where I_x = I_y. Throws input_error for a < 0, for b outside [0, 1), and
   /// for c outside [-b, a].
-  motion(exact_real a, exact_real b, rational c);
+  motion(exact_real a, exact_real b, exact_real c);
+  /// The same where the regime has been decided exactly, as that of a state: where a, b and c are
+  /// irrational, c = a and c = -b are not seen by comparing enclosures. equilibrium_y is taken as the
+  /// separatrix.
+  motion(exact_real a, exact_real b, exact_real c, polhode::regime known);
 
   [[nodiscard]] const exact_real& a() const { return a_; }
   [[nodiscard]] const exact_real& b() const { return b_; }
-  [[nodiscard]] const rational& c() const { return c_; }
+  [[nodiscard]] const exact_real& c() const { return c_; }
   /// By c; so never equilibrium_y.
   [[nodiscard]] polhode::regime regime() const { return regime_; }
 
@@ -82,7 +86,7 @@ class motion {
 
   exact_real a_;
   exact_real b_;
-  rational c_;
+  exact_real c_;
   polhode::regime regime_;
 };
 

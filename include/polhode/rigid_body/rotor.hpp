@@ -1,20 +1,23 @@
 #pragma once
 
-// The free rotation of a rigid body in closed form, at any time: its angular momentum in the body and its attitude in space.
+// The free rotation of a rigid body in closed form, at any time: its angular momentum in the body and
+// its attitude in space.
 //
-// Conventions. The body axes are principal axes, right-handed, in the order in which the moments are given; moments may be
-// equal. The attitude is the matrix R that takes coordinates in the body to coordinates in space: its columns are the body
-// axes as seen in space. The angular momentum J and the angular velocity omega are given in the body axes, omega_i = J_i/I_i;
+// Conventions. The body axes are those in which the inertia tensor T is given, or the moments: then
+// they are principal axes. Moments may be equal. The attitude is the matrix R that takes coordinates
+// in the body to coordinates in space: its columns are the body axes as seen in space. The angular
+// momentum J and the angular velocity omega are given in the body axes, J = T omega;
 //   dJ/dt = J x omega,   dR/dt = R [omega]x,   and R J does not change.
 // Units are the caller's: time is in the unit that makes momentum/moment its inverse.
 //
-// Principal axes x, y, z are those of the greatest, the intermediate and the least moment, turned so that they are right-handed and
-// J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): half turns about principal axes are symmetries of the motion.
+// Principal axes x, y, z are those of principal_axes.hpp, turned by half turns about them so that
+// J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): these are symmetries of the motion.
 // There, in units of |J| and I_y/|J|, J is one of the three solutions of motion.hpp. Which of them
-// it is, and whether the motion is steady, is decided in rationals. About J the body turns by the angle phi of the paper's Euler
-// angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an elliptic integral of the third kind; here it is had from
-// theta functions (C. G. J. Jacobi, J. reine angew. Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and
-// the bounds of what its series leave out.
+// it is, and whether the motion is steady, is decided exactly. About J the body turns by the angle
+// phi of the paper's Euler angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an elliptic
+// integral of the third kind; here it is had from theta functions (C. G. J. Jacobi, J. reine angew.
+// Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and the bounds of what
+// its series leave out.
 
 #include <array>
 #include <concepts>
@@ -23,6 +26,7 @@
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/rigid_body/motion.hpp"
+#include "polhode/rigid_body/principal_axes.hpp"
 
 namespace polhode {
 
@@ -46,6 +50,9 @@ class initial_state {
                                      const triple<rational>& momentum);
   static initial_state from_angular_velocity(const triple<rational>& moments,
                                              const triple<rational>& omega);
+  /// The same of a body by its inertia tensor, and J in the axes of the tensor.
+  static initial_state from_tensor(std::shared_ptr<const principal_axes> tensor,
+                                   const triple<rational>& momentum);
   /// The momentum by the squares of its components and their signs -1, 0, 1: the components themselves may be irrational. Throws
   /// input_error, too, where these contradict each other.
   static initial_state from_squared_momentum(const triple<rational>& moments,
@@ -63,40 +70,38 @@ class initial_state {
   void set_euler_angles(const triple<rational>& phi_theta_psi,
                         angle_unit unit = angle_unit::radians);
 
-  [[nodiscard]] const triple<rational>& moments() const { return moments_; }
+  /// The tensor with its principal axes, before the half turns.
+  [[nodiscard]] const principal_axes& tensor() const { return *axes_; }
   /// J^2 and 2 H.
   [[nodiscard]] const rational& squared_momentum() const { return squared_momentum_; }
-  [[nodiscard]] rational twice_energy() const;
-  /// Of the principal axes: a >= 0 and 0 <= b < 1, which are 0 where moments are equal; c.
-  [[nodiscard]] const rational& a() const { return motion_.a().exact(); }
-  [[nodiscard]] const rational& b() const { return motion_.b().exact(); }
-  [[nodiscard]] const rational& c() const { return motion_.c(); }
-  /// The motion with these a, b and c.
+  [[nodiscard]] const rational& twice_energy() const { return twice_energy_; }
+  /// The motion with its a, b and c: a >= 0 and 0 <= b < 1 are 0 where moments are equal.
   [[nodiscard]] const polhode::motion& motion() const { return motion_; }
   /// That of the motion, but equilibrium_y where J is exactly along y. An equilibrium is J parallel to omega; of a spherical top
   /// every motion is one.
   [[nodiscard]] polhode::regime regime() const { return regime_; }
-  /// Which body axis (0, 1, 2) is x, y, z, and its sign: J_x = signs()[0] J[order()[0]].
-  [[nodiscard]] const triple<int>& order() const { return order_; }
-  [[nodiscard]] const triple<int>& signs() const { return signs_; }
+  /// The principal axes where each is a body axis or the opposite of one: J_x = signs[0] J[order[0]].
+  [[nodiscard]] std::optional<axis_order> along_body_axes() const;
+  /// Unit vectors along x, y, z in the body axes, by rows, to about p bits.
+  [[nodiscard]] matrix3<ball> frame(precision p) const;
   /// J_x^2/J^2, J_y^2/J^2, J_z^2/J^2 and the signs (-1, 0, 1) of J_x, J_y, J_z in the principal axes.
-  [[nodiscard]] const triple<rational>& direction_squares() const { return squares_; }
+  [[nodiscard]] const triple<exact_real>& direction_squares() const { return squares_; }
   [[nodiscard]] const triple<int>& direction_signs() const { return senses_; }
   /// R at time 0, to about p bits.
   [[nodiscard]] matrix3<ball> attitude(precision p) const;
 
  private:
-  initial_state() = default;
-  /// From moments, order of the axes, squares and signs of J's components in the body axes.
-  void settle(const triple<rational>& squares, const triple<int>& senses);
+  explicit initial_state(std::shared_ptr<const principal_axes> axes) : axes_(std::move(axes)) {}
+  /// From J^2 and 2 H, and the squares, over J^2, and signs of J's components in the principal axes.
+  void settle();
 
-  triple<rational> moments_;
+  std::shared_ptr<const principal_axes> axes_;
   rational squared_momentum_;
+  rational twice_energy_;
   polhode::motion motion_{0, 0, 0};
   polhode::regime regime_ = motion_.regime();
-  triple<int> order_{0, 1, 2};
   triple<int> signs_{1, 1, 1};
-  triple<rational> squares_;
+  triple<exact_real> squares_{0, 0, 0};
   triple<int> senses_{0, 0, 0};
   matrix3<rational> matrix_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::optional<triple<rational>> angles_;  // in the place of matrix_
@@ -144,7 +149,8 @@ class rotor_motion;
 /// The motion from a state; T is ball, mpfr_float or double, from the same templates. All that does not depend on time is computed once.
 /// A sample costs the same at every time (but for log2(t/T) bits more), momentum without any integral of the third kind. May be
 /// used by many threads at once; copies share what they hold.
-///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of |J|/I_i and of 1: precision is
+///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of |J|/I_i and of 1, where
+///               I_i is the moment along the component's axis and, where that is no principal axis, I_z: precision is
 ///               raised until they do (by up to 2^18 bits: beyond, they are as wide as they are). p = precision.
 ///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same sense.
 ///   double      the state and t are taken as the exact numbers they are; then the error of J is a few units of |J| in the last

@@ -20,6 +20,7 @@
 // the turning point) n changes, and epsilon does not jump.
 
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/motion.hpp"
 
 namespace polhode {
 
@@ -46,8 +47,11 @@ enum class with_slope : bool { no, yes };
 [[nodiscard]] twist twist_at(const body& rigid, const rational& c, precision p,
                              with_slope slope = with_slope::yes);
 
-/// The same to so many certain significant digits, of the slope too where it is asked for.
+/// The same to so many certain significant digits, of the slope too where it is asked for. The second
+/// form takes a motion of this body.
 [[nodiscard]] twist twist_to_digits(const body& rigid, const rational& c, long digits,
+                                    with_slope slope = with_slope::yes);
+[[nodiscard]] twist twist_to_digits(const body& rigid, const motion& of, long digits,
                                     with_slope slope = with_slope::yes);
 
 /// The defect in the limit a -> infinity, b -> 0, with chi = a b and beta = c/b, to about p bits:

@@ -19,10 +19,9 @@ namespace polhode {
 
 /// What an effect needs of a scene.
 struct effect_needs {
-  bool distinct = false;  // three different rational moments
+  bool distinct = false;  // three different moments
   bool motion = false;    // c
   bool start = false;     // the angular momentum in the body
-  bool frame = false;     // principal axes along rational unit vectors
   bool time = false;      // when
 };
 

@@ -4,12 +4,11 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "polhode/rigid_body/inertia_tensor.hpp"
-#include "polhode/rigid_body/regime.hpp"
 #include "polhode/rigid_body/rotor.hpp"
 #include "polhode/scene/body_file.hpp"
 #include "polhode/scene/document.hpp"
@@ -18,12 +17,6 @@
 namespace polhode {
 
 using rational_vector = std::array<rational, 3>;
-
-/// A principal axis in the frame in which the body was given, not normalised: its direction is direction/sqrt(square).
-struct principal_axis {
-  rational_vector direction;
-  rational square = 1;
-};
 
 /// A homogeneous solid of which a body is composed: a "box", "cylinder" or "ellipsoid".
 struct body_solid {
@@ -37,36 +30,34 @@ struct body_solid {
 struct scene_body {
   std::string name;
   std::string source;
-  /// I_x >= I_y >= I_z, in `size` kg m^2 where has_unit, else relative to each other. Where they are irrational: none.
-  std::optional<rational_vector> moments;
+  /// The tensor about the axes in which the body was given, in `size` kg m^2 where has_unit, else
+  /// relative, with its principal moments and axes.
+  std::shared_ptr<const principal_axes> axes;
   pi_scale size;
   bool has_unit = false;
-  /// Of I_x, I_y, I_z. Where the moments are rational; where two are equal, one of the frames there are.
-  std::array<principal_axis, 3> axes;
-  /// Where the moments are rational and different.
-  std::optional<body> rigid;
   /// Where uncertainties were given; and the moments' own, in the order of `moments`: each in value - sigma .. value + sigma.
   std::optional<uncertain_body> ranges;
   std::array<uncertain_moment, 3> uncertainties;
-  /// Where the principal moments are irrational.
-  std::optional<inertia_tensor> tensor;
   /// Where it was given by solids.
   std::vector<body_solid> solids;
   /// Of the file from which it was imported.
   std::optional<std::string> file;
   /// Of all members of the ranges.
   body_kind kind = body_kind::undecided;
-  /// I_y + I_z - I_x in their unit where the moments are known and rational: negative where the triangle inequality is violated.
-  std::optional<rational> margin;
+
+  /// I_x >= I_y >= I_z.
+  [[nodiscard]] const std::array<exact_real, 3>& moments() const { return axes->moments(); }
 };
 
 /// The state at time 0.
 struct scene_state {
-  /// c = 2 I_y H/J^2 - 1 in [-b, a]. Where the body has three different rational moments.
-  std::optional<rational> c;
-  /// The angular momentum in the body's principal axes: component i is momentum[i]/sqrt(axes[i].square) in units of
-  /// momentum_size, absolute where the time is. Missing where the motion was given by c alone.
+  /// With c = 2 I_y H/J^2 - 1 in [-b, a]. Where the body has three different moments.
+  std::optional<polhode::motion> motion;
+  /// The angular momentum in the axes in which the body was given, in units of momentum_size,
+  /// absolute where the time is; and the rotor's start, with the attitude, from that frame to that of
+  /// space. Missing where the motion was given by c alone.
   std::optional<rational_vector> momentum;
+  std::optional<initial_state> start;
   pi_scale momentum_size;
   /// The attitude, as a quaternion w, x, y, z that is not normalised: from the frame in which the body was given to that of space.
   std::optional<std::array<rational, 4>> quaternion;

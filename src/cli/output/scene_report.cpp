@@ -75,18 +75,19 @@ json body_json(const scene_body& of, long digits) {
   if (!of.name.empty()) result["name"] = of.name;
   if (!of.source.empty()) result["source"] = of.source;
   result["kind"] = to_text(of.kind);
-  if (of.moments) {
-    constexpr const char* names[] = {"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto exact = [&](const rational& q) { return number_json({"", {}, q, ""}, digits); };
-      result["moments"][names[i]] = exact((*of.moments)[i]);
-      if (!of.ranges) continue;
-      const auto& [value, sigma] = of.uncertainties[i];
-      result["ranges"][names[i]] = {{"from", exact(value - sigma)}, {"to", exact(value + sigma)}};
-      result["sigma"][names[i]] = exact(sigma);
-    }
+  constexpr const char* names[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto exact = [&](const rational& q) { return number_json({"", {}, q, ""}, digits); };
+    const exact_real& moment = of.moments()[i];
+    result["moments"][names[i]] = moment.is_rational()
+                                      ? exact(moment.exact())
+                                      : to_json(moment.at(bits_for_digits(digits) + 32), digits);
+    if (!of.ranges) continue;
+    const auto& [value, sigma] = of.uncertainties[i];
+    result["ranges"][names[i]] = {{"from", exact(value - sigma)}, {"to", exact(value + sigma)}};
+    result["sigma"][names[i]] = exact(sigma);
   }
-  if (of.has_unit && of.moments) {
+  if (of.has_unit) {
     const precision p = bits_for_digits(digits) + 64;
     result["unit_in_kg_m2"] =
         of.size.power == 0 ? exact_json(of.size.factor, digits) : to_json(of.size.at(p), digits);

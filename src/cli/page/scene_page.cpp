@@ -45,8 +45,7 @@ json first_column(const effect_table& table, std::size_t stride) {
 /// The moments, the greatest 1.
 std::array<double, 3> relative_moments(const scene_body& of) {
   std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = static_cast<double>(rational((*of.moments)[i] / (*of.moments)[0]));
+  for (std::size_t i = 0; i < 3; ++i) result[i] = drawn((of.moments()[i] / of.moments()[0]).at(64));
   return result;
 }
 
@@ -64,10 +63,9 @@ std::array<double, 3> half_sides(const scene_body& of) {
 
 json axes_of(const scene_body& of) {
   json result = json::array();
-  for (const principal_axis& axis : of.axes) {
-    const double length = std::sqrt(static_cast<double>(axis.square));
+  for (std::size_t i = 0; i < 3; ++i) {
     json one = json::array();
-    for (const rational& x : axis.direction) one.push_back(static_cast<double>(x) / length);
+    for (const ball& x : of.axes->axis(i, 64)) one.push_back(drawn(x));
     result.push_back(std::move(one));
   }
   return result;
