@@ -188,21 +188,23 @@ void initial_state::set_matrix(const matrix3<rational>& rows) {
   angles_.reset();
 }
 
-void initial_state::set_quaternion(const std::array<rational, 4>& wxyz) {
+matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz) {
   const auto& [w, x, y, z] = wxyz;
   const rational norm(w * w + x * x + y * y + z * z);
   if (norm == 0) {
     throw input_error(
         "attitude quaternion 0, 0, 0, 0: it must not be 0, and stands for itself over its norm");
   }
-  // v -> q v q^* / |q|^2.
-  matrix_ = {
-      {{rational((w * w + x * x - y * y - z * z) / norm), rational(2 * (x * y - w * z) / norm),
-        rational(2 * (x * z + w * y) / norm)},
-       {rational(2 * (x * y + w * z) / norm), rational((w * w - x * x + y * y - z * z) / norm),
-        rational(2 * (y * z - w * x) / norm)},
-       {rational(2 * (x * z - w * y) / norm), rational(2 * (y * z + w * x) / norm),
-        rational((w * w - x * x - y * y + z * z) / norm)}}};
+  return {{{rational((w * w + x * x - y * y - z * z) / norm), rational(2 * (x * y - w * z) / norm),
+            rational(2 * (x * z + w * y) / norm)},
+           {rational(2 * (x * y + w * z) / norm), rational((w * w - x * x + y * y - z * z) / norm),
+            rational(2 * (y * z - w * x) / norm)},
+           {rational(2 * (x * z - w * y) / norm), rational(2 * (y * z + w * x) / norm),
+            rational((w * w - x * x - y * y + z * z) / norm)}}};
+}
+
+void initial_state::set_quaternion(const std::array<rational, 4>& wxyz) {
+  matrix_ = rotation_of(wxyz);
   angles_.reset();
 }
 

@@ -112,12 +112,7 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
   }
   const imported_inertia imported = import_inertia(files[path], link);
   scene_body result = body_of_tensor(imported.tensor);
-  if (imported.is_turned) {
-    remarks.emplace_back(
-        "the inertia's frame in the file is turned by at most 1e-12 against the link's axes: that "
-        "is "
-        "taken as 0");
-  }
+  if (!imported.remark.empty()) remarks.push_back(imported.remark);
   result.name = imported.name;
   result.has_unit = true;  // all three formats are in kg m^2
   result.file = path;

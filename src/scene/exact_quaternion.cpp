@@ -45,20 +45,6 @@ exact_quaternion quaternion_of(const matrix3<rational>& m) {
   return result;
 }
 
-matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz) {
-  const auto& [w, x, y, z] = wxyz;
-  const rational square(w * w + x * x + y * y + z * z);
-  const std::array<std::array<rational, 3>, 3> twice{
-      {{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-       {2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-       {2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}}};
-  matrix3<rational> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) result[i][k] = twice[i][k] / square;
-  }
-  return result;
-}
-
 /// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and at 0 radians.
 std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
   if (angle < 0) angle = -angle;

@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/quoted.hpp"
-#include "polhode/rigid_body/inertia_tensor.hpp"
+#include "polhode/rigid_body/rotor.hpp"
 #include "polhode/scene/link_inertias.hpp"
 #include "scene/inertia.hpp"
 
@@ -18,15 +18,34 @@ struct found_inertia {
   std::string name;
   long line = 0;
   tensor_entries tensor;
-  bool is_turned = false;
+  std::string remark;   // of imported_inertia
   std::string problem;  // with its line
 };
+
+/// R T R^T.
+tensor_entries turned(const tensor_entries& t, const matrix3<rational>& rotation) {
+  const auto& [xx, yy, zz, xy, xz, yz] = t;
+  const matrix3<rational> rows{{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}}};
+  const auto entry = [&](std::size_t i, std::size_t k) {
+    rational sum = 0;
+    for (std::size_t m = 0; m < 3; ++m) {
+      for (std::size_t n = 0; n < 3; ++n) sum += rotation[i][m] * rows[m][n] * rotation[k][n];
+    }
+    return sum;
+  };
+  return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
+}
+
+bool are_zero(const std::vector<rational>& x, std::size_t from) {
+  return std::all_of(x.begin() + static_cast<std::ptrdiff_t>(from), x.end(),
+                     [](const rational& one) { return one == 0; });
+}
 
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
  public:
-  /// For one body a turned frame is refused, and so is what is no number. Of the invariants of all
-  /// a frame is of no matter, and a link that is refused is found with its problem.
+  /// For one body the frame is read, and what is no number refused. Of the invariants of all a frame
+  /// is of no matter, and a link that is refused is found with its problem.
   enum class purpose { one_body, all_invariants };
   reader(const std::string& text, purpose what) : text_(&text), purpose_(what) {}
 
@@ -45,7 +64,7 @@ class reader : public pugi::xml_tree_walker {
 
  private:
   void read(const pugi::xml_node& node) {
-    is_turned_ = purpose_ == purpose::one_body && refuse_turned_frame(node);
+    frame_ = purpose_ == purpose::one_body ? frame_of(node) : frame{};
     if (node.attribute("diaginertia") || node.attribute("fullinertia")) {
       add(node, from_mujoco(node));
     } else if (const pugi::xml_node inertia = node.child("inertia")) {
@@ -78,68 +97,94 @@ class reader : public pugi::xml_tree_walker {
       refuse(node, error.what());
     }
   }
-  /// The entries are about the axes of a frame of their own: only where these are the link's are
-  /// they taken, or where they are turned by no more than `least_turn`, which is remembered. Its
-  /// place, the centre of mass, is of no matter. Returns whether the frame is turned at all.
-  bool refuse_turned_frame(const pugi::xml_node& node) const {
-    bool is_turned = false;
-    const auto numbers = [&](const pugi::xml_node& at, const std::string& text) {
-      std::vector<rational> result;
-      std::istringstream words(text);
-      for (std::string word; words >> word;) result.push_back(number(at, word));
-      return result;
-    };
-    // Angles, in radians or degrees.
-    const auto check_angles = [&](const pugi::xml_node& at, const std::vector<rational>& all,
-                                  std::size_t from) {
-      for (std::size_t i = from; i < all.size(); ++i) {
-        if (all[i] == 0) continue;
-        if (abs(all[i]) > least_turn()) refuse(at, turned);
-        is_turned = true;
-      }
-    };
-    // A quaternion from numbers[from] on, with the real part at `real`: the angle is at most 2
-    // |v|/|w|.
-    const auto check_quaternion = [&](const pugi::xml_node& at, const std::vector<rational>& all,
-                                      std::size_t from, std::size_t real) {
-      constexpr std::size_t places = 4;
-      if (all.size() != from + places) refuse(at, "a quaternion must be 4 numbers");
-      const rational size(abs(all[real]) * least_turn() / 4);
-      if (size == 0) refuse(at, turned);
-      for (std::size_t i = from; i < all.size(); ++i) {
-        if (i == real || all[i] == 0) continue;
-        if (abs(all[i]) * 2 > size) refuse(at, turned);
-        is_turned = true;
-      }
-    };
+  /// How the frame about which the inertia is given is turned against the link's. Its place, the
+  /// centre of mass, is of no matter.
+  struct frame {
+    /// From the inertia's axes to the link's, where a quaternion says it.
+    std::optional<matrix3<rational>> rotation;
+    /// Of angles or vectors, which make no rational rotation.
+    std::string remark;
+  };
+  frame frame_of(const pugi::xml_node& node) const {
     if (const pugi::xml_node origin = node.child("origin")) {  // URDF
-      check_angles(origin, numbers(origin, origin.attribute("rpy").value()), 0);
+      const pugi::xml_attribute rpy = origin.attribute("rpy");
+      return rpy ? by_angles("rpy", numbers(origin, rpy.value(), 3), 0) : frame{};
     }
-    if (const pugi::xml_node pose =
-            node.child("pose")) {  // SDF: x y z, and roll pitch yaw or a quaternion
+    if (const pugi::xml_node pose = node.child("pose")) {  // SDF, after the place
       constexpr std::size_t places = 3;
-      const std::vector<rational> all = numbers(pose, pose.text().get());
       if (std::string_view(pose.attribute("rotation_format").value()) == "quat_xyzw") {
-        check_quaternion(pose, all, places, all.size() - 1);
-      } else {
-        check_angles(pose, all, places);
+        const auto all = numbers(pose, pose.text().get(), places + 4);
+        return by_quaternion(pose, {all[6], all[3], all[4], all[5]});
       }
+      return by_angles("pose", numbers(pose, pose.text().get(), places + 3), places);
     }
-    if (const pugi::xml_attribute quaternion = node.attribute("quat")) {  // MuJoCo: w x y z
-      check_quaternion(node, numbers(node, quaternion.value()), 0, 0);
-    }
-    for (const char* key : {"euler", "axisangle", "xyaxes", "zaxis"}) {  // MuJoCo
-      if (node.attribute(key)) refuse(node, turned);
-    }
-    return is_turned;
+    frame result;
+    int given = 0;
+    const auto read = [&](const char* key, std::size_t count, const auto& make) {
+      const pugi::xml_attribute attribute = node.attribute(key);
+      if (!attribute) return;
+      if (++given > 1)
+        refuse(node,
+               "its frame is turned twice; give one of quat, euler, axisangle, xyaxes, zaxis");
+      result = make(numbers(node, attribute.value(), count));
+    };
+    const auto unless = [](bool is_identity, const char* key) {
+      return is_identity ? frame{} : frame{{}, own_axes(key)};
+    };
+    read("quat", 4, [&](const auto& x) { return by_quaternion(node, {x[0], x[1], x[2], x[3]}); });
+    read("euler", 3, [&](const auto& x) { return by_angles("euler", x, 0); });
+    read("axisangle", 4, [&](const auto& x) { return unless(x[3] == 0, "axisangle"); });
+    read("xyaxes", 6, [&](const auto& x) {
+      return unless(x[0] > 0 && x[1] == 0 && x[2] == 0 && x[4] > 0 && x[5] == 0, "xyaxes");
+    });
+    read("zaxis", 3,
+         [&](const auto& x) { return unless(x[0] == 0 && x[1] == 0 && x[2] > 0, "zaxis"); });
+    if (given > 0 && node.attribute("fullinertia"))
+      refuse(node, "fullinertia goes with no turned frame; give diaginertia, or no frame");
+    return result;
   }
-  /// What a program for drawing leaves of an angle of 0, and far below what is measured.
-  static rational least_turn() { return {1, 1'000'000'000'000}; }
-  static constexpr const char* turned =
-      "its frame is turned against the link's; give the inertia about the link's own axes";
+  std::vector<rational> numbers(const pugi::xml_node& at, const std::string& text,
+                                std::size_t count) const {
+    std::vector<rational> result;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) result.push_back(number(at, word));
+    if (result.size() != count) {
+      refuse(at, "its frame has " + std::to_string(result.size()) + " numbers, and must have " +
+                     std::to_string(count));
+    }
+    return result;
+  }
+  frame by_quaternion(const pugi::xml_node& at, const std::array<rational, 4>& wxyz) const {
+    if (wxyz[1] == 0 && wxyz[2] == 0 && wxyz[3] == 0 && wxyz[0] != 0) return {};
+    try {
+      return {rotation_of(wxyz), ""};
+    } catch (const input_error& error) {
+      refuse(at, error.what());
+    }
+  }
+  /// In radians or degrees, from angles[first] on. Up to 1e-12 they are what a program for drawing
+  /// leaves of 0, and far below what is measured.
+  static frame by_angles(const char* key, const std::vector<rational>& angles, std::size_t first) {
+    if (are_zero(angles, first)) return {};
+    const rational least(1, 1'000'000'000'000);
+    const bool is_tiny =
+        std::all_of(angles.begin() + static_cast<std::ptrdiff_t>(first), angles.end(),
+                    [&](const rational& x) { return abs(x) <= least; });
+    if (!is_tiny) return {{}, own_axes(key)};
+    return {{},
+            "the inertia's frame in the file is turned by at most 1e-12 against the link's axes: "
+            "that is taken as 0"};
+  }
+  static std::string own_axes(const char* key) {
+    return std::string(
+               "the axes are those of the inertia's own frame, which the file turns "
+               "against the link's by ") +
+           key + ", a rotation that is not rational";
+  }
   void add(const pugi::xml_node& node, tensor_entries tensor, std::string problem = "") {
     const std::string name = node.parent().attribute("name").value();
-    found.push_back({name, line_of(node), std::move(tensor), is_turned_, std::move(problem)});
+    if (frame_.rotation) tensor = turned(tensor, *frame_.rotation);
+    found.push_back({name, line_of(node), std::move(tensor), frame_.remark, std::move(problem)});
   }
   /// URDF has attributes, SDF elements.
   tensor_entries from_entries(const pugi::xml_node& node) const {
@@ -180,7 +225,7 @@ class reader : public pugi::xml_tree_walker {
 
   const std::string* text_;
   purpose purpose_;
-  bool is_turned_ = false;
+  frame frame_;
   mutable std::size_t counted_to_ = 0;
   mutable long counted_ = 1;
 };
@@ -234,7 +279,7 @@ imported_inertia import_inertia(const std::string& text, const std::optional<std
         "there are " + std::to_string(chosen.size()) + " inertias" +
         (link ? " of " + detail::quoted(*link) : "; choose one by \"link\": " + names));
   }
-  return {chosen.front().name, chosen.front().tensor, chosen.front().is_turned};
+  return {chosen.front().name, chosen.front().tensor, chosen.front().remark};
 }
 
 }  // namespace polhode::detail

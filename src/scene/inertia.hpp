@@ -29,9 +29,11 @@ struct composed {
 /// A body from the text of a URDF, SDF or MuJoCo file; `link` chooses where there are several. Throws input_error.
 struct imported_inertia {
   std::string name;
+  /// About the link's axes; where the file turns the inertia's frame by numbers that make no rational
+  /// rotation, about those of that frame.
   tensor_entries tensor;
-  /// Its frame is turned against the link's, by so little that it is taken as not turned.
-  bool is_turned = false;
+  /// Which axes these are, where they are not the link's exactly.
+  std::string remark;
 };
 [[nodiscard]] imported_inertia import_inertia(const std::string& text,
                                               const std::optional<std::string>& link);

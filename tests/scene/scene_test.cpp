@@ -197,7 +197,8 @@ TEST(SceneBody, Imports) {
   const std::string frame = "<pose rotation_format='quat_xyzw'>";
   EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 0 0 0 1</pose>")), 0U);
   EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 0 0 0 -2</pose>")), 0U);
-  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 1e-16 0 0 1</pose>")), 1U);
+  // A quaternion's rotation is rational, and the tensor is turned exactly.
+  EXPECT_EQ(remarks_with("i.sdf", posed(frame + "1 2 3 1e-16 0 0 1</pose>")), 0U);
   EXPECT_EQ(remarks_with("i.sdf", posed("<pose>1 2 3 0 -1e-16 0</pose>")), 1U);
   EXPECT_EQ(remarks_with("i.urdf",
                          "<robot><link><inertial><origin rpy='0 0 1e-12'/><inertia ixx='3' "
@@ -206,15 +207,44 @@ TEST(SceneBody, Imports) {
   EXPECT_EQ(remarks_with("i.xml",
                          "<mujoco><body><inertial quat='1 0 -1e-17 0' mass='1' "
                          "diaginertia='3 2 1'/></body></mujoco>"),
-            1U);
-  for (const std::string& turned :
-       {frame + "1 2 3 0 0 1 0</pose>", frame + "1 2 3 1e-12 0 0 1</pose>",
-        frame + "1 2 3 0 0 0</pose>", frame + "0 0 0 0 0 0 0</pose>",
-        std::string("<pose>1 2 3 0 1e-11 0</pose>")}) {
-    write("j.sdf", posed(turned));
-    refused("file = \"j.sdf\"",
-            {"line 1", turned.find("3 0 0 0</") != std::string::npos ? "4 numbers" : "turned"});
+            0U);
+  for (const char* identity : {"euler='0 0 0'", "axisangle='1 2 3 0'", "xyaxes='2 0 0 1 3 0'",
+                               "zaxis='0 0 2'", "quat='-2 0 0 0'"}) {
+    EXPECT_EQ(remarks_with("i.xml", std::string("<mujoco><body><inertial ") + identity +
+                                        " diaginertia='3 2 1'/></body></mujoco>"),
+              0U);
   }
+  for (const char* turned :
+       {"euler='0 1 0'", "axisangle='1 2 3 0.1'", "xyaxes='2 0 0 1 3 1'", "zaxis='0 0 -2'"}) {
+    EXPECT_EQ(remarks_with("i.xml", std::string("<mujoco><body><inertial ") + turned +
+                                        " diaginertia='3 2 1'/></body></mujoco>"),
+              1U);
+  }
+  EXPECT_EQ(remarks_with("i.sdf", posed("<pose>1 2 3 0 1e-11 0</pose>")), 1U);
+  // Half a turn about (1, 0, 1): x and z change places, and y is turned about.
+  write("j.sdf", posed(frame + "1 2 3 0.5 0 0.5 0</pose>"));
+  EXPECT_EQ(from("file = \"j.sdf\"").body.axes->tensor(),
+            (std::array<rational, 6>{1, 2, 3, 0, 0, 0}));
+  // By 2 atan(1/2) about z: the cosine is 3/5, the sine 4/5.
+  write("j.xml", "<mujoco><body><inertial quat='2 0 0 1' diaginertia='3 2 1'/></body></mujoco>");
+  EXPECT_EQ(from("file = \"j.xml\"").body.axes->tensor(),
+            (std::array<rational, 6>{rational(3 * 9 + 2 * 16, 25), rational(3 * 16 + 2 * 9, 25), 1,
+                                     rational(12, 25), 0, 0}));
+  for (const auto& [pose, word] :
+       {std::pair(frame + "1 2 3 0 0 0</pose>", "must have 7"),
+        std::pair(frame + "0 0 0 0 0 0 0</pose>", "must not be 0"),
+        std::pair(std::string("<pose>1 2 3 0 1e-11</pose>"), "must have 6")}) {
+    write("j.sdf", posed(pose));
+    refused("file = \"j.sdf\"", {"line 1", word});
+  }
+  write("k.xml",
+        "<mujoco><body><inertial quat='2 0 0 1' euler='1 0 0' diaginertia='3 2 "
+        "1'/></body></mujoco>");
+  refused("file = \"k.xml\"", {"line 1", "turned twice"});
+  write("l.xml",
+        "<mujoco><body><inertial quat='2 0 0 1' fullinertia='3 2 1 0 0 "
+        "0'/></body></mujoco>");
+  refused("file = \"l.xml\"", {"line 1", "fullinertia"});
   write("g.urdf", std::string(100'000, '<') + "a");
   refused("file = \"g.urdf\"", {"no XML"});
   std::string deep;

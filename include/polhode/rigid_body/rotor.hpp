@@ -41,6 +41,9 @@ enum class angle_unit { radians, degrees };
 /// Throws input_error for what is no rotation: rows with R R^T not exactly 1, or of determinant -1.
 void refuse_unless_rotation(const matrix3<rational>& rows);
 
+/// v -> q v q^*/|q|^2 of a quaternion w + x i + y j + z k, by rows. Throws input_error for 0.
+[[nodiscard]] matrix3<rational> rotation_of(const std::array<rational, 4>& wxyz);
+
 /// A body with its motion at time 0, exact.
 class initial_state {
  public:
