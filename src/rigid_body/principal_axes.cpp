@@ -135,7 +135,7 @@ exact_real principal_axes::margin() const {
   return trace_of(tensor_) - 2 * moments_[0];
 }
 
-/// u P w, where P is the projector onto the i-th axis, which is irrational: (u v_i)(v_i w). With the
+/// u P w, where P is the projector onto the i-th axis: (u v_i)(v_i w). Of an irrational axis, with the
 /// i-th moment m and the others m', m'', Lagrange's interpolation gives
 ///   P = (T - m')(T - m'')/((m - m')(m - m'')) = (T^2 - (tr T - m) T + (det T/m))/((m - m')(m - m'')),
 /// as m' + m'' = tr T - m and m' m'' = det T/m. So u P w is N/(m (m - m')(m - m'')) with
@@ -147,6 +147,10 @@ exact_real principal_axes::margin() const {
 /// S = tr T - r, Q = det T/r, and is irrational: N = (gamma - beta Q) + (alpha + beta S) m is 0 only
 /// where both of these are.
 exact_real principal_axes::projected(std::size_t i, const vector& u, const vector& w) const {
+  if (axes_[i].direction) {
+    const vector& d = *axes_[i].direction;
+    return rational(dot(u, d) * dot(d, w) / dot(d, d));
+  }
   const rational trace = trace_of(tensor_);
   const rational determinant = determinant_of(tensor_);
   const vector tu = times(u);
@@ -168,10 +172,14 @@ exact_real principal_axes::projected(std::size_t i, const vector& u, const vecto
 }
 
 exact_real principal_axes::square_along(std::size_t i, const vector& w) const {
-  if (!axes_[i].direction) return projected(i, w, w);
-  const vector& d = *axes_[i].direction;
-  const rational along = dot(d, w);
-  return rational(along * along / dot(d, d));
+  return projected(i, w, w);
+}
+
+std::array<exact_real, 6> principal_axes::projector(std::size_t i) const {
+  const auto entry = [&](std::size_t k, std::size_t l) {
+    return projected(i, unit_vector(k), unit_vector(l));
+  };
+  return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
 
 int principal_axes::sense_along(std::size_t i, const vector& w) const {
@@ -248,6 +256,25 @@ vector principal_axes::solved(const vector& w) const {
     const vector column = cross(rows[(i + 1) % 3], rows[(i + 2) % 3]);
     for (std::size_t k = 0; k < 3; ++k) result[k] += column[k] * w[i] / determinant;
   }
+  return result;
+}
+
+ball nearest_physical_tensor::distance(precision p) const {
+  return excess.at(p + 8) / sqrt(ball(3, p + 8));
+}
+
+std::optional<nearest_physical_tensor> nearest_physical(const principal_axes& of) {
+  if (of.kind() != body_kind::non_physical) return std::nullopt;
+  nearest_physical_tensor result;
+  result.excess = -of.margin();
+  const exact_real third = result.excess / 3;
+  const std::array<exact_real, 6> projector = of.projector(0);
+  for (std::size_t i = 0; i < 6; ++i) {
+    result.tensor[i] = of.tensor()[i] - 2 * third * projector[i];
+    if (i < 3) result.tensor[i] = result.tensor[i] + third;
+  }
+  const auto& [x, y, z] = of.moments();
+  result.moments = {x - third, y + third, z + third};
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/scene/body_file.hpp"
+#include "polhode/scene/link_inertias.hpp"
 #include "scene/inertia.hpp"
 
 namespace polhode::detail {
@@ -104,9 +105,7 @@ scene_body of_file(section& from, const std::filesystem::path& directory, text_f
     result.file = path;
     return result;
   }
-  const std::vector<std::string> extensions{".urdf", ".sdf", ".xml", ".mjcf"};
-  if (std::find(extensions.begin(), extensions.end(), given.extension().string()) ==
-      extensions.end()) {
+  if (!is_robot_file(path)) {
     throw input_error(detail::quoted(given.string()) +
                       ": it must be a .json, .urdf, .sdf, .xml or .mjcf file");
   }

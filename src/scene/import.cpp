@@ -1,6 +1,8 @@
 // Inertia from the files of robot simulators.
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
 
@@ -260,26 +262,35 @@ void settle(link_inertia& link, const tensor_entries& given) {
   link.rigid = axes.rigid();
 }
 
+/// The one of this name, or the only one.
+template <class Link>
+Link& chosen(std::vector<Link>& found, const std::optional<std::string>& link) {
+  Link* result = nullptr;
+  std::size_t count = 0;
+  std::string names;
+  for (Link& one : found) {
+    constexpr std::size_t most_shown = 200;
+    if (names.size() < most_shown) names += (names.empty() ? "" : ", ") + detail::quoted(one.name);
+    if (link && one.name != *link) continue;
+    result = &one;
+    ++count;
+  }
+  if (count == 0)
+    throw input_error("there is no inertia of " + detail::quoted(*link) + "; there are those of " +
+                      names);
+  if (count > 1) {
+    throw input_error("there are " + std::to_string(count) + " inertias" +
+                      (link ? " of " + detail::quoted(*link) : "; choose the link: " + names));
+  }
+  return *result;
+}
+
 }  // namespace
 
 imported_inertia import_inertia(const std::string& text, const std::optional<std::string>& link) {
   std::vector<found_inertia> found = inertias_in(text, reader::purpose::one_body);
-  std::vector<found_inertia> chosen;
-  std::string names;
-  for (found_inertia& one : found) {
-    constexpr std::size_t most_shown = 200;
-    if (names.size() < most_shown) names += (names.empty() ? "" : ", ") + detail::quoted(one.name);
-    if (!link || one.name == *link) chosen.push_back(std::move(one));
-  }
-  if (chosen.empty())
-    throw input_error("there is no inertia of " + detail::quoted(*link) + "; there are those of " +
-                      names);
-  if (chosen.size() > 1) {
-    throw input_error(
-        "there are " + std::to_string(chosen.size()) + " inertias" +
-        (link ? " of " + detail::quoted(*link) : "; choose one by \"link\": " + names));
-  }
-  return {chosen.front().name, chosen.front().tensor, chosen.front().remark};
+  found_inertia& one = chosen(found, link);
+  return {one.name, one.tensor, one.remark};
 }
 
 }  // namespace polhode::detail
@@ -305,6 +316,23 @@ std::vector<link_inertia> read_link_inertias(const std::string& text) {
     result.push_back(std::move(link));
   }
   return result;
+}
+
+bool is_robot_file(const std::string& path) {
+  constexpr std::array extensions{".urdf", ".sdf", ".xml", ".mjcf"};
+  const std::string own = std::filesystem::path(path).extension().string();
+  return std::any_of(extensions.begin(), extensions.end(),
+                     [&own](const char* one) { return own == one; });
+}
+
+body read_link_body(const std::string& text, const std::optional<std::string>& link) {
+  std::vector<link_inertia> links = read_link_inertias(text);
+  const link_inertia& one = detail::chosen(links, link);
+  if (!one.problem.empty()) throw input_error(one.problem);
+  if (one.rigid) return *one.rigid;
+  throw input_error("line " + std::to_string(one.line) + ": " + detail::quoted(one.name) +
+                    ": two principal moments are equal, a symmetric top, which has no intermediate "
+                    "axis");
 }
 
 }  // namespace polhode

@@ -101,6 +101,47 @@ TEST(BodyCommand, Tensors) {
   expect_refused({"phase", "--tensor", "2,2,2,0,0,0", "--c", "0.5"}, {"moments are equal"});
 }
 
+TEST(BodyCommand, NearestPhysicalTensor) {
+  // 5, 2, 1 has the excess 2: 13/3, 8/3, 5/3 is planar, at the distance 2/sqrt(3).
+  const std::string text = certified({"body", "--tensor", "2,5,1,0,0,0", "--nearest"});
+  EXPECT_NE(text.find("at the distance 1.1547005383792515290182975610039149112952035025402...:\n"
+                      "  xx = 8/3 exactly\n  yy = 13/3 exactly\n  zz = 5/3 exactly\n"),
+            std::string::npos)
+      << text;
+  const json one = json::parse(
+      certified({"body", "--tensor", "5,2,1,0.1,0,-0.2", "--nearest", "--format", "json"}));
+  const json& nearest = one.at("nearest");
+  // It is a body of its own, planar to all the digits that were printed.
+  std::string entries;
+  for (const char* name : {"xx", "yy", "zz", "xy", "xz", "yz"}) {
+    entries +=
+        (entries.empty() ? "" : ",") + nearest.at("tensor").at(name).at("value").get<std::string>();
+  }
+  const json again = json::parse(certified({"body", "--tensor", entries, "--format", "json"}));
+  EXPECT_EQ(again.at("moments").at("x").at("value").get<std::string>().substr(0, 40),
+            nearest.at("moments").at("x").at("value").get<std::string>().substr(0, 40));
+  EXPECT_FALSE(
+      json::parse(certified({"body", "--moments", "3,2.5,2", "--nearest", "--format", "json"}))
+          .contains("nearest"));
+  expect_refused({"body", "--ab", "1,0.9", "--nearest"}, {"--nearest", "--tensor"});
+}
+
+TEST(BodyCommand, ALinkOfARobotIsABody) {
+  const scratch_directory scratch;
+  const std::string path = scratch.path("robot.urdf");
+  std::ofstream(path)
+      << "<robot><link name=\"a\"><inertial><inertia ixx=\"3\" iyy=\"2\" izz=\"1.5\"/>"
+         "</inertial></link>\n<link name=\"top\"><inertial><inertia ixx=\"1\" "
+         "iyy=\"1\" izz=\"1\"/></inertial></link></robot>";
+  EXPECT_EQ(certified({"racket", "--body", path + "#a"}),
+            certified({"racket", "--moments", "3,2,1.5"}));
+  EXPECT_EQ(certified({"table", "epsilon0", "--body", path + "#a", "--body", path + "#a"}),
+            certified({"table", "epsilon0", "--moments", "3,2,1.5", "--moments", "3,2,1.5"}));
+  expect_refused({"phase", "--body", path, "--c", "0.1"}, {"2 inertias", "\"a\", \"top\""});
+  expect_refused({"phase", "--body", path + "#b", "--c", "0.1"}, {"no inertia of \"b\""});
+  expect_refused({"phase", "--body", path + "#top", "--c", "0.1"}, {"line 2", "symmetric top"});
+}
+
 TEST(BodyCommand, EveryLinkOfARobot) {
   const scratch_directory scratch;
   const std::string path = scratch.path("robot.urdf");

@@ -125,6 +125,57 @@ TEST(PrincipalAxes, TellTheKindAndTheMargin) {
   EXPECT_THROW(principal_axes({1, 1, 1, 1, 1, 1}), input_error);  // 3, 0, 0
 }
 
+ball distance_between(const std::array<rational, 6>& x, const std::array<exact_real, 6>& y) {
+  ball sum(0, bits);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const ball one = square(x[i] - y[i].at(bits));
+    sum += i < 3 ? one : 2 * one;
+  }
+  return sqrt(sum);
+}
+
+TEST(NearestPhysicalTensor, IsPlanarAndNoOtherIsNearer) {
+  support::random_source random(3902);
+  int seen = 0;
+  for (support::repeat trial(60); trial.again();) {
+    const std::array<rational, 6> t = support::random_tensor(random, 20);
+    const principal_axes axes(t);
+    const auto nearest = nearest_physical(axes);
+    EXPECT_EQ(nearest.has_value(), axes.kind() == body_kind::non_physical);
+    if (!nearest) continue;
+    ++seen;
+    const ball distance = nearest->distance(bits);
+    EXPECT_TRUE(overlaps(distance, distance_between(t, nearest->tensor)));
+    const auto& [x, y, z] = nearest->moments;
+    EXPECT_TRUE(overlaps(x.at(bits), (y + z).at(bits)));
+    // The moments are those of the tensor: the sums of their first and second powers agree.
+    const auto& n = nearest->tensor;
+    EXPECT_TRUE(overlaps((x + y + z).at(bits), (n[0] + n[1] + n[2]).at(bits)));
+    EXPECT_TRUE(
+        overlaps((x * x + y * y + z * z).at(bits),
+                 square(n[0].at(bits)) + square(n[1].at(bits)) + square(n[2].at(bits)) +
+                     2 * (square(n[3].at(bits)) + square(n[4].at(bits)) + square(n[5].at(bits)))));
+    // Physical tensors beside it are farther away.
+    for (int other = 0; other < 5; ++other) {
+      std::array<exact_real, 6> beside = nearest->tensor;
+      std::array<rational, 6> rounded{};
+      for (std::size_t i = 0; i < 6; ++i) {
+        rounded[i] = lower_rational(beside[i].at(100).middle()) +
+                     lower_rational(distance.with_precision(60).middle()) *
+                         rational(random.between(-9, 9), 90);
+        beside[i] = rounded[i];
+      }
+      try {
+        if (principal_axes(rounded).kind() == body_kind::non_physical) continue;
+      } catch (const input_error&) {
+        continue;
+      }
+      EXPECT_FALSE(certainly_less(distance_between(t, beside), distance));
+    }
+  }
+  EXPECT_GT(seen, 0);
+}
+
 }  // namespace
 }  // namespace principal_axes_test
 }  // namespace polhode

@@ -175,7 +175,7 @@ TEST(SceneBody, Imports) {
     for (const std::string& word : words)
       EXPECT_NE(why.find(word), std::string::npos) << word << " in: " << why;
   };
-  refused("file = \"a.urdf\"", {"line 2", "choose one", "base", "arm"});
+  refused("file = \"a.urdf\"", {"line 2", "choose the link", "base", "arm"});
   refused("file = \"a.urdf\"\nlink = \"leg\"", {"\"leg\"", "arm"});
   refused("file = \"d.xml\"", {"diaginertia must be 3 numbers"});
   refused("file = \"missing.sdf\"", {"No such file"});

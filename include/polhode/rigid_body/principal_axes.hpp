@@ -51,6 +51,9 @@ class principal_axes {
   /// The sign of v_i w: -1, 0 or 1.
   [[nodiscard]] int sense_along(std::size_t i, const vector& w) const;
 
+  /// The entries of v_i v_i^T, the projector onto the axis.
+  [[nodiscard]] std::array<exact_real, 6> projector(std::size_t i) const;
+
   /// The tensor times a vector, and its inverse times a vector.
   [[nodiscard]] vector times(const vector& w) const;
   [[nodiscard]] vector solved(const vector& w) const;
@@ -76,5 +79,26 @@ class principal_axes {
   std::shared_ptr<const inertia_tensor> irrational_;
   std::optional<body> rigid_;
 };
+
+/// The physical tensor that is nearest to a non-physical one in the Frobenius norm.
+struct nearest_physical_tensor {
+  /// The norm of the difference, d/sqrt(3) with d = I_x - I_y - I_z > 0.
+  exact_real excess = 0;  // d
+  [[nodiscard]] ball distance(precision p) const;
+  /// xx, yy, zz, xy, xz, yz; and its principal moments: it is planar.
+  std::array<exact_real, 6> tensor{0, 0, 0, 0, 0, 0};
+  std::array<exact_real, 3> moments{0, 0, 0};
+};
+
+/// Nothing where the tensor is physical.
+///
+/// It is T + (d/3)(1 - 2 v_x v_x^T), with the moments I_x - d/3, I_y + d/3, I_z + d/3. Proof. For
+/// symmetric A and B with the eigenvalues a_i and b_i, each in descending order, the squared norm of
+/// A - B is at least the sum of (a_i - b_i)^2 (A. J. Hoffman, H. W. Wielandt, Duke Math. J. 20, 1953).
+/// The moments of a physical B have b_1 <= b_2 + b_3, a half-space at the distance d/sqrt(3) from
+/// (I_x, I_y, I_z), of which the nearest point is the one above. It is in descending order, as I_x -
+/// I_y = d + I_z > 2d/3, and positive; the tensor has it with the axes of T and attains the bound. It
+/// is the only one: the B with 2 b_1 <= tr B are a convex set.
+[[nodiscard]] std::optional<nearest_physical_tensor> nearest_physical(const principal_axes& of);
 
 }  // namespace polhode

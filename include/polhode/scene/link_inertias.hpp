@@ -35,4 +35,11 @@ struct link_inertia {
 /// text is no XML, or has no inertia.
 [[nodiscard]] std::vector<link_inertia> read_link_inertias(const std::string& text);
 
+/// Whether a file of this name is a robot description: .urdf, .sdf, .xml or .mjcf.
+[[nodiscard]] bool is_robot_file(const std::string& path);
+
+/// The body of one link; `link` chooses where there are several. Throws input_error where it is not
+/// one of them, where its inertia is no body's, and where it is a symmetric top.
+[[nodiscard]] body read_link_body(const std::string& text, const std::optional<std::string>& link);
+
 }  // namespace polhode

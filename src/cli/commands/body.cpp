@@ -24,6 +24,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/rigid_body/inertia_tensor.hpp"
+#include "polhode/scene/link_inertias.hpp"
 
 namespace polhode::cli {
 namespace body_impl {
@@ -33,6 +34,7 @@ struct body_options {
   body_option which;
   std::optional<std::string> robot;
   bool allow_non_physical = false;
+  bool nearest = false;
   std::optional<std::string> sigma;
   digits_option digits;
   format_option format{{"text", "json", "csv"}};
@@ -95,6 +97,7 @@ struct answer {
   bool is_uncertain = false;
   std::vector<number> numbers;
   body_kind kind = body_kind::undecided;
+  std::optional<nearest_physical_tensor> nearest;
 };
 
 answer answer_of(const body& rigid, long digits) {
@@ -157,7 +160,8 @@ std::string text_of(const answer& a, long digits) {
   if (a.is_uncertain && a.kind != body_kind::undecided) {
     return result + to_text(a.kind) + ": all within these ranges\n";
   }
-  return result + described(a.kind) + '\n';
+  result += described(a.kind) + '\n';
+  return a.nearest ? result + nearest_text(*a.nearest, digits) : result;
 }
 
 std::string json_of(const answer& a, long digits) {
@@ -170,6 +174,7 @@ std::string json_of(const answer& a, long digits) {
     for (const int given : a.order) result["order"].push_back(given + 1);
   }
   for (const number& n : a.numbers) result[n.name] = as_json(n, digits);
+  if (a.nearest) result["nearest"] = nearest_json(*a.nearest, digits);
   return json_document_text("body", result);
 }
 
@@ -188,7 +193,8 @@ exit_status run_links(const body_options& options, long digits) {
                     "--body FILE",
                     in_quotes(*options.robot)));
   }
-  return print_links(*options.robot, options.format.value(), digits, options.allow_non_physical);
+  return print_links(*options.robot,
+                     {options.format.value(), digits, options.allow_non_physical, options.nearest});
 }
 
 exit_status run(const body_options& options) {
@@ -202,8 +208,13 @@ exit_status run(const body_options& options) {
     throw usage_error("--format csv and --allow-non-physical are for a robot's FILE");
   }
   const auto uncertain = options.which.uncertain(options.sigma);
-  const answer a =
-      uncertain ? answer_of(*uncertain, digits) : answer_of(options.which.value(), digits);
+  answer a = uncertain ? answer_of(*uncertain, digits) : answer_of(options.which.value(), digits);
+  if (options.nearest) {
+    const auto tensor = options.which.tensor_entries();
+    if (!tensor || uncertain)
+      throw usage_error("--nearest is of one body by --tensor, --moments or --body, or of a robot");
+    a.nearest = nearest_physical(principal_axes(*tensor));
+  }
   print(json_wanted ? json_of(a, digits) : text_of(a, digits));
   return a.kind == body_kind::undecided ? exit_status::not_certified : exit_status::all_certified;
 }
@@ -215,6 +226,8 @@ std::function<exit_status()> declare(CLI::App& app) {
       ->type_name("");
   app.add_flag("--allow-non-physical", options->allow_non_physical,
                "Exit with status 0 where links are non-physical, too");
+  app.add_flag("--nearest", options->nearest,
+               "Of what is non-physical, the nearest physical tensor in the Frobenius norm");
   options->which.declare(app);
   app.add_option("--sigma", options->sigma,
                  "How far each moment may be from the one given with --moments")
@@ -235,6 +248,8 @@ command body_command() {
       "  polhode body --moments 3,2,1\n"
       "  polhode body --moments 3.01,2,1 --sigma 0.1,0.1,0.05\n"
       "  polhode body --tensor 2,3,4,0.1,0,-0.2\n"
+      "  polhode body --tensor 5,2,1,0.1,0,-0.2 --nearest\n"
+      "  polhode body --body scenes/robot_arm.urdf#forearm\n"
       "  polhode body scenes/robot_arm.urdf --format csv\n\n"
       "Numbers are decimals or quotients (629/10000), read exactly; the kind is decided without\n"
       "rounding. I = (1-b)/sqrt(b(a+b)) and J = (a+1)/sqrt(a(a+b)) - 1 are the paper's geometric\n"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -38,6 +37,17 @@ struct counts {
   std::size_t refused = 0;
 };
 
+std::optional<nearest_physical_tensor> nearest_of(const link_inertia& link, bool wanted) {
+  if (!wanted || is_refused(link) || link.kind != body_kind::non_physical) return std::nullopt;
+  return nearest_physical(principal_axes(link.tensor));
+}
+
+ball distance_of(const nearest_physical_tensor& x, long digits) {
+  return x.distance(bits_for_digits(digits) + 32);
+}
+
+constexpr const char* unit_of_inertia = "kg m^2";
+
 counts counts_of(const std::vector<link_inertia>& links) {
   counts result;
   for (const link_inertia& link : links) {
@@ -62,7 +72,7 @@ std::string short_decimal(const std::optional<ball>& x) {
   return x ? to_decimal_enclosure(*x, shown).value : "-";
 }
 
-std::string as_text(const std::vector<link_inertia>& links) {
+std::string as_text(const std::vector<link_inertia>& links, bool nearest) {
   constexpr long shown = 4;
   const char* row = "{:<12}  {:>10}  {:>10}  {:>10}  {:>10}  {:>7}  {:>7}  {}\n";
   std::string result =
@@ -83,6 +93,10 @@ std::string as_text(const std::vector<link_inertia>& links) {
       result += line + '\n';
     }
   }
+  for (const link_inertia& link : links) {
+    if (const auto x = nearest_of(link, nearest))
+      result += link.name + ": " + nearest_text(*x, shown, unit_of_inertia);
+  }
   const counts n = counts_of(links);
   result +=
       fmt::format("{} link{}: {} physical, {} planar, {} non-physical, {} refused\n", links.size(),
@@ -90,7 +104,7 @@ std::string as_text(const std::vector<link_inertia>& links) {
   return result + "moments and margin, I_y + I_z - I_x, in kg m^2; digits cut off\n";
 }
 
-std::string as_csv(const std::vector<link_inertia>& links, long digits) {
+std::string as_csv(const std::vector<link_inertia>& links, long digits, bool nearest) {
   const auto quoted = [](const std::string& text) {
     std::string result = "\"";
     for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -99,26 +113,41 @@ std::string as_csv(const std::vector<link_inertia>& links, long digits) {
   const auto cell = [&](const std::optional<ball>& x) {
     return x ? to_decimal_enclosure(*x, digits).value : "";
   };
-  std::string result = "link,line,kind,margin,I_x,I_y,I_z,I,J,remark\n";
+  std::string result = "link,line,kind,margin,I_x,I_y,I_z,I,J,remark";
+  if (nearest) {
+    result += ",distance";
+    for (const char* entry : tensor_entry_names) result += fmt::format(",nearest_{}", entry);
+  }
+  result += '\n';
   for (const link_inertia& link : links) {
     result += fmt::format("{},{},", quoted(link.name), link.line);
     if (is_refused(link)) {
-      result += "refused,,,,,,," + quoted(link.problem) + '\n';
+      result += "refused,,,,,,," + quoted(link.problem) + (nearest ? ",,,,,,,\n" : "\n");
       continue;
     }
     result += fmt::format("{},{}", to_text(link.kind), decimal_of(link.margin, digits));
     for (const exact_real& moment : link.moments) result += ',' + decimal_of(moment, digits);
-    result += fmt::format(",{},{},\n", cell(constant_of(link, digits, &body::geometric_constant)),
+    result += fmt::format(",{},{},", cell(constant_of(link, digits, &body::geometric_constant)),
                           cell(constant_of(link, digits, &body::second_geometric_constant)));
+    if (const auto x = nearest_of(link, nearest)) {
+      result += ',' + cell(distance_of(*x, digits));
+      for (const exact_real& entry : x->tensor) result += ',' + decimal_of(entry, digits);
+    } else if (nearest) {
+      result += ",,,,,,,";
+    }
+    result += '\n';
   }
   return result;
 }
 
-std::string as_json(const std::vector<link_inertia>& links, long digits) {
-  const auto measured = [&](const exact_real& x) {
-    json number = exact_json(x, digits);
-    number["unit"] = "kg m^2";
-    return number;
+json measured(json number, const std::string& unit) {
+  if (!unit.empty()) number["unit"] = unit;
+  return number;
+}
+
+std::string as_json(const std::vector<link_inertia>& links, long digits, bool nearest) {
+  const auto in_unit = [&](const exact_real& x) {
+    return measured(exact_json(x, digits), unit_of_inertia);
   };
   json result{{"verdict",
                to_text(counts_of(links).refused == 0 ? status::certified : status::not_certified)},
@@ -130,9 +159,9 @@ std::string as_json(const std::vector<link_inertia>& links, long digits) {
       one["remark"] = link.problem;
     } else {
       one["kind"] = to_text(link.kind);
-      one["margin"] = measured(link.margin);
+      one["margin"] = in_unit(link.margin);
       constexpr std::array names{"x", "y", "z"};
-      for (std::size_t i = 0; i < 3; ++i) one["moments"][names[i]] = measured(link.moments[i]);
+      for (std::size_t i = 0; i < 3; ++i) one["moments"][names[i]] = in_unit(link.moments[i]);
       if (const auto x = constant_of(link, digits, &body::geometric_constant)) {
         one["geometric_constant"] = to_json(*x, digits);
         one["second_geometric_constant"] =
@@ -140,6 +169,8 @@ std::string as_json(const std::vector<link_inertia>& links, long digits) {
       } else {
         one["remark"] = "two moments are equal, a symmetric top: there is no intermediate axis";
       }
+      if (const auto x = nearest_of(link, nearest))
+        one["nearest"] = nearest_json(*x, digits, unit_of_inertia);
     }
     result["links"].push_back(std::move(one));
   }
@@ -149,15 +180,33 @@ std::string as_json(const std::vector<link_inertia>& links, long digits) {
 }  // namespace
 }  // namespace body_links_impl
 
-bool is_robot_file(const std::string& path) {
-  constexpr std::array extensions{".urdf", ".sdf", ".xml", ".mjcf"};
-  const std::string own = std::filesystem::path(path).extension().string();
-  return std::any_of(extensions.begin(), extensions.end(),
-                     [&own](const char* one) { return own == one; });
+json nearest_json(const nearest_physical_tensor& x, long digits, const std::string& unit) {
+  using namespace body_links_impl;
+  json result{{"distance", measured(to_json(distance_of(x, digits), digits), unit)}};
+  for (std::size_t i = 0; i < x.tensor.size(); ++i)
+    result["tensor"][tensor_entry_names[i]] = measured(exact_json(x.tensor[i], digits), unit);
+  constexpr std::array names{"x", "y", "z"};
+  for (std::size_t i = 0; i < 3; ++i)
+    result["moments"][names[i]] = measured(exact_json(x.moments[i], digits), unit);
+  return result;
 }
 
-exit_status print_links(const std::string& path, const std::string& format, long digits,
-                        bool allow_non_physical) {
+std::string nearest_text(const nearest_physical_tensor& x, long digits, const std::string& unit) {
+  std::string result = fmt::format("nearest physical tensor, at the distance {}{}:\n",
+                                   to_decimal(body_links_impl::distance_of(x, digits), digits),
+                                   unit.empty() ? "" : ' ' + unit);
+  for (std::size_t i = 0; i < x.tensor.size(); ++i) {
+    const exact_real& entry = x.tensor[i];
+    result += fmt::format(
+        "  {} = {}\n", tensor_entry_names[i],
+        !entry.is_rational() ? to_decimal(entry.at(bits_for_digits(digits) + 32), digits)
+        : is_short(entry.exact(), digits) ? to_text(entry) + " exactly"
+                                          : with_dots(leading_digits_of(entry.exact(), digits)));
+  }
+  return result;
+}
+
+exit_status print_links(const std::string& path, const links_wanted& wanted) {
   const std::vector<link_inertia> links = [&] {
     try {
       return read_link_inertias(read_text_file(path));
@@ -166,11 +215,11 @@ exit_status print_links(const std::string& path, const std::string& format, long
     }
   }();
   using namespace body_links_impl;
-  print(format == "json"  ? as_json(links, digits)
-        : format == "csv" ? as_csv(links, digits)
-                          : as_text(links));
+  print(wanted.format == "json"  ? as_json(links, wanted.digits, wanted.nearest)
+        : wanted.format == "csv" ? as_csv(links, wanted.digits, wanted.nearest)
+                                 : as_text(links, wanted.nearest));
   const counts n = counts_of(links);
-  const bool is_right = n.refused == 0 && (n.non_physical == 0 || allow_non_physical);
+  const bool is_right = n.refused == 0 && (n.non_physical == 0 || wanted.allow_non_physical);
   return is_right ? exit_status::all_certified : exit_status::not_certified;
 }
 

@@ -1,5 +1,6 @@
 #include "body_option.hpp"
 
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include "cli/output/errors.hpp"
 #include "formula.hpp"
 #include "polhode/scene/body_file.hpp"
+#include "polhode/scene/link_inertias.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -74,8 +76,18 @@ body body_in(const body_file& file) {
   if (file.rotational) return body::from_rotational_constants(*file.rotational);
   return body::from_inertia_tensor(*file.tensor);
 }
-body body_by_file(const std::string& path) {
-  return reading("--body", path, [&] { return body_in(read_body_file(path)); });
+/// robot.urdf#link: the file, and the link where one is chosen.
+std::pair<std::string, std::optional<std::string>> without_link(const std::string& path) {
+  const std::size_t mark = path.rfind('#');
+  if (mark == std::string::npos || !is_robot_file(path.substr(0, mark))) return {path, {}};
+  return {path.substr(0, mark), path.substr(mark + 1)};
+}
+body body_by_file(const std::string& given) {
+  return reading("--body", given, [&] {
+    const auto [path, link] = without_link(given);
+    return is_robot_file(path) ? read_link_body(read_text_file(path), link)
+                               : body_in(read_body_file(path));
+  });
 }
 
 uncertain_body with_ranges(const std::array<rational, 3>& moments,
@@ -96,7 +108,11 @@ constexpr std::array<body_option_text, 5> body_options{
       "The body by its rotational constants, in any order and unit:\nmoments as 1/A, 1/B, 1/C",
       "A,B,C"},
      {"--tensor", "The body by its inertia tensor, in any axes and unit", "XX,YY,ZZ,XY,XZ,YZ"},
-     {"--body", "The body in a JSON file: ab, moments (and sigma), rotational or tensor", "FILE"}}};
+     {"--body",
+      "The body in a JSON file: ab, moments (and sigma), rotational or tensor;\nor a link of a "
+      "robot: "
+      "FILE.urdf, .sdf, .xml or .mjcf, and #LINK",
+      "FILE"}}};
 
 constexpr const char* no_body =
     "there is no body; give --ab 12.65,0.0629 or --moments 3,2,1 or --rotational 27.88,14.52,9.28 "
@@ -130,6 +146,20 @@ body body_option::value() const {
   return body_by_file(*file);
 }
 
+std::optional<std::array<rational, 6>> body_option::tensor_entries() const {
+  const auto diagonal = [](const std::array<rational, 3>& m) {
+    return std::array<rational, 6>{m[0], m[1], m[2], 0, 0, 0};
+  };
+  if (moments) return diagonal(read_triple("--moments", *moments));
+  if (tensor) return read_numbers<6>("--tensor", *tensor, "2,3,4,0.1,0,-0.2");
+  if (!file || is_robot_file(without_link(*file).first)) return std::nullopt;
+  return reading("--body", *file, [&]() -> std::optional<std::array<rational, 6>> {
+    const body_file read = read_body_file(*file);
+    if (read.moments) return diagonal(*read.moments);
+    return read.tensor;
+  });
+}
+
 std::optional<uncertain_body> body_option::uncertain(
     const std::optional<std::string>& sigma) const {
   if (sigma) {
@@ -145,6 +175,7 @@ std::optional<uncertain_body> body_option::uncertain(
     }
   }
   if (!file || ab || moments || rotational || tensor) return std::nullopt;
+  if (is_robot_file(without_link(*file).first)) return std::nullopt;
   return reading("--body", *file, [&]() -> std::optional<uncertain_body> {
     const body_file read = read_body_file(*file);
     if (!read.sigma) return std::nullopt;
