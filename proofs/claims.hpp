@@ -8,6 +8,7 @@
 // clang-format off
 #define POLHODE_CLAIMS(claim_about) \
   claim_about(physical, body) \
+  claim_about(reduced_system, none) \
   claim_about(montgomery_oscillating, body) \
   claim_about(montgomery_rotating, body) \
   claim_about(first_equation, body) \

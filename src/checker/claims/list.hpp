@@ -7,6 +7,7 @@
 // clang-format off
 #define POLHODE_CHECKER_CLAIMS(claim_named) \
   claim_named(physical) \
+  claim_named(reduced_system) \
   claim_named(montgomery_oscillating) \
   claim_named(montgomery_rotating) \
   claim_named(first_equation) \
