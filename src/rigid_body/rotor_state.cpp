@@ -208,9 +208,15 @@ void initial_state::set_quaternion(const std::array<rational, 4>& wxyz) {
   angles_.reset();
 }
 
-void initial_state::set_euler_angles(const triple<rational>& phi_theta_psi, angle_unit unit) {
-  angles_ = phi_theta_psi;
+void initial_state::set_euler_angles(const triple<rational>& angles, angle_unit unit,
+                                     const triple<int>& axes) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (axes[i] >= 0 && axes[i] < 3 && (i == 0 || axes[i] != axes[i - 1])) continue;
+    throw input_error("Euler angles: the axes must be three of 0, 1, 2, none after itself");
+  }
+  angles_ = angles;
   unit_ = unit;
+  angle_axes_ = axes;
 }
 
 matrix3<ball> initial_state::attitude(precision p) const {
@@ -221,21 +227,27 @@ matrix3<ball> initial_state::attitude(precision p) const {
     }
     return r;
   }
-  triple<ball> s;
-  triple<ball> c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) r[i][j] = ball(i == j ? 1 : 0, p);
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     const rational& angle = (*angles_)[i];
     // Of a large angle p bits are wanted behind the point.
     const precision bits = p + 8 + bits_before_point(angle);
     ball x(angle, bits);
     if (unit_ == angle_unit::degrees) x = ball(rational(angle / 180), bits) * pi(bits);
-    sin_cos(s[i], c[i], x);
-    s[i] = s[i].with_precision(p);
-    c[i] = c[i].with_precision(p);
+    const auto [sine, cosine] = sin_cos(x);
+    const ball s = sine.with_precision(p);
+    const ball c = cosine.with_precision(p);
+    // By the rotation about e_k, which takes e_m to c e_m + s e_n.
+    const auto m = static_cast<std::size_t>((angle_axes_[i] + 1) % 3);
+    const auto n = static_cast<std::size_t>((angle_axes_[i] + 2) % 3);
+    for (triple<ball>& row : r) {
+      const ball before = row[m];
+      row[m] = c * before + s * row[n];
+      row[n] = c * row[n] - s * before;
+    }
   }
-  r[0] = {c[0] * c[2] - s[0] * c[1] * s[2], -(c[0] * s[2]) - s[0] * c[1] * c[2], s[0] * s[1]};
-  r[1] = {s[0] * c[2] + c[0] * c[1] * s[2], c[0] * c[1] * c[2] - s[0] * s[2], -(c[0] * s[1])};
-  r[2] = {s[1] * s[2], s[1] * c[2], c[1]};
   return r;
 }
 

@@ -95,10 +95,79 @@ exact_quaternion quaternion_of(const rational_vector& phi_theta_psi, angle_unit 
   return result;
 }
 
+constexpr precision bits_of_search = 256;
+
+mpfr_float in_mpfr(const rational& q) { return midpoint(ball(q, bits_of_search)); }
+
+/// (x + x^-T)/2, with the cofactors over the determinant as x^-T.
+matrix3<mpfr_float> polar_step(const matrix3<mpfr_float>& x) {
+  matrix3<mpfr_float> cofactors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& u = x[(i + 1) % 3];
+    const auto& v = x[(i + 2) % 3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t m = (k + 1) % 3;
+      const std::size_t n = (k + 2) % 3;
+      cofactors[i][k] = u[m] * v[n] - u[n] * v[m];
+    }
+  }
+  const mpfr_float determinant =
+      x[0][0] * cofactors[0][0] + x[0][1] * cofactors[0][1] + x[0][2] * cofactors[0][2];
+  matrix3<mpfr_float> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      result[i][k] = (x[i][k] + cofactors[i][k] / determinant) / 2;
+  }
+  return result;
+}
+
+/// To 128 bits.
+rational rounded(const mpfr_float& x) {
+  constexpr int bits = 128;
+  integer n;
+  mpfr_get_z(n.backend().data(), mpfr_float(ldexp(x, bits)).backend().data(), MPFR_RNDN);
+  return {n, integer(1) << bits};
+}
+
 }  // namespace
 
+projected_rotation nearest_rotation(const matrix3<rational>& rows) {
+  matrix3<mpfr_float> x;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) x[i][k] = in_mpfr(rows[i][k]);
+  }
+  constexpr int steps = 60;  // it converges quadratically, after halving what is large
+  for (int i = 0; i < steps; ++i) x = polar_step(x);
+  // 4 q q_k for each component q_k, with the q of the greatest size.
+  const std::array<std::array<mpfr_float, 4>, 4> products{
+      {{1 + x[0][0] + x[1][1] + x[2][2], x[2][1] - x[1][2], x[0][2] - x[2][0], x[1][0] - x[0][1]},
+       {x[2][1] - x[1][2], 1 + x[0][0] - x[1][1] - x[2][2], x[0][1] + x[1][0], x[0][2] + x[2][0]},
+       {x[0][2] - x[2][0], x[0][1] + x[1][0], 1 - x[0][0] + x[1][1] - x[2][2], x[1][2] + x[2][1]},
+       {x[1][0] - x[0][1], x[0][2] + x[2][0], x[1][2] + x[2][1], 1 - x[0][0] - x[1][1] + x[2][2]}}};
+  std::size_t greatest = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (products[i][i] > products[greatest][greatest]) greatest = i;
+  }
+  projected_rotation result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!isfinite(products[greatest][i])) throw input_error("the matrix has no nearest rotation");
+    result.quaternion[i] = rounded(products[greatest][i]);
+  }
+  const matrix3<rational> rotation = rotation_of(result.quaternion);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const rational off(rows[i][k] - rotation[i][k]);
+      result.squared_distance += off * off;
+    }
+  }
+  return result;
+}
+
 exact_quaternion quaternion_at_0(const scene_state& state) {
-  if (state.euler) return quaternion_of(*state.euler, state.euler_unit);
+  if (state.euler) {
+    if (state.euler_axes != triple<int>{2, 0, 2}) return {};
+    return quaternion_of(*state.euler, state.euler_unit);
+  }
   if (state.matrix) return quaternion_of(*state.matrix);
   if (state.quaternion) return quaternion_of(rotation_of(*state.quaternion));
   return {rational(1), rational(0), rational(0), rational(0)};

@@ -8,8 +8,10 @@
 
 #include "base/nearest_name.hpp"
 #include "base/quoted.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/scene/effects.hpp"
+#include "scene/exact_quaternion.hpp"
 #include "scene/inertia.hpp"
 
 namespace polhode {
@@ -18,6 +20,7 @@ namespace {
 
 std::string time_of(const std::string& angular_velocity) {
   if (angular_velocity == "rpm") return "min";
+  if (angular_velocity == "Hz") return "s";
   return angular_velocity.substr(angular_velocity.find('/') + 1);
 }
 
@@ -26,30 +29,87 @@ unit unit_named(const std::vector<unit>& units, const std::string& name) {
                        [&](const unit& one) { return one.name == name; });
 }
 
-void read_attitude(section& from, scene_state& result) {
-  const int given = int{from.has("quaternion")} + int{from.has("matrix")} + int{from.has("euler")};
-  if (given > 1) from.refuse("the attitude is given twice; give one of quaternion, matrix, euler");
-  if (from.find("quaternion")) {
-    const auto q = from.numbers("quaternion", 4);
-    if (std::all_of(q.begin(), q.end(), [](const rational& x) { return x == 0; })) {
-      from.refuse("quaternion", "it must not be 0");
+std::array<rational, 4> nonzero_quaternion(section& from, const char* key,
+                                           const std::array<std::size_t, 4>& wxyz) {
+  const auto q = from.numbers(key, 4);
+  if (std::all_of(q.begin(), q.end(), [](const rational& x) { return x == 0; }))
+    from.refuse(key, "it must not be 0");
+  return {q[wxyz[0]], q[wxyz[1]], q[wxyz[2]], q[wxyz[3]]};
+}
+
+void read_matrix(section& from, scene_state& result, std::vector<std::string>& remarks) {
+  const auto entries = from.matrix("matrix", 3);
+  matrix3<rational> rows;
+  for (std::size_t i = 0; i < 3; ++i) rows[i] = {entries[i][0], entries[i][1], entries[i][2]};
+  const bool project = from.flag("project", false);
+  try {
+    if (!project) {
+      refuse_unless_rotation(rows);
+      result.matrix = rows;
+      return;
     }
-    result.quaternion = {q[0], q[1], q[2], q[3]};
+    const projected_rotation nearest = nearest_rotation(rows);
+    const ball distance = sqrt(ball(nearest.squared_distance, 64));
+    if (nearest.squared_distance > rational(1, 100)) {
+      throw input_error("the nearest rotation is at the distance " +
+                        to_decimal_enclosure(distance, 3).value +
+                        ": too far for a rounded rotation, at most 0.1");
+    }
+    result.quaternion = nearest.quaternion;
+    remarks.push_back("matrix: projected to the nearest rotation, at the distance " +
+                      to_decimal_enclosure(distance, 3).value + " in the Frobenius norm");
+  } catch (const input_error& error) {
+    from.refuse("matrix", error.what());
+  }
+}
+
+/// "zxz", "321": three axes, none after itself.
+triple<int> read_axes(section& from) {
+  const std::string name = from.text("euler_sequence");
+  triple<int> result{};
+  bool right = name.size() == result.size();
+  for (std::size_t i = 0; i < result.size() && right; ++i) {
+    const std::size_t letter = std::string_view("xyz").find(name[i]);
+    const std::size_t digit = std::string_view("123").find(name[i]);
+    right = letter < 3 || digit < 3;
+    result[i] = static_cast<int>(std::min(letter, digit));
+    right = right && (i == 0 || result[i] != result[i - 1]);
+  }
+  if (!right) {
+    from.refuse("euler_sequence",
+                detail::quoted(name) +
+                    ": it must be three axes, none after itself, such as \"zxz\" or "
+                    "\"321\"");
+  }
+  return result;
+}
+
+void read_attitude(section& from, scene_state& result, std::vector<std::string>& remarks) {
+  int given = 0;
+  for (const char* key : {"quaternion", "quaternion_xyzw", "mrp", "matrix", "euler"})
+    given += int{from.has(key)};
+  if (given > 1) {
+    from.refuse(
+        "the attitude is given twice; give one of quaternion, quaternion_xyzw, mrp, matrix, euler");
+  }
+  if (from.find("quaternion"))
+    result.quaternion = nonzero_quaternion(from, "quaternion", {0, 1, 2, 3});
+  if (from.find("quaternion_xyzw"))
+    result.quaternion = nonzero_quaternion(from, "quaternion_xyzw", {3, 0, 1, 2});
+  if (from.find("mrp")) {
+    // tan(angle/4) times the axis: q = (1 - m^2, 2 m)/(1 + m^2).
+    const auto m = from.numbers("mrp", 3);
+    result.quaternion = {rational(1 - m[0] * m[0] - m[1] * m[1] - m[2] * m[2]), rational(2 * m[0]),
+                         rational(2 * m[1]), rational(2 * m[2])};
   }
   if (from.find("matrix")) {
-    const auto entries = from.matrix("matrix", 3);
-    matrix3<rational> rows;
-    for (std::size_t i = 0; i < 3; ++i) rows[i] = {entries[i][0], entries[i][1], entries[i][2]};
-    try {
-      refuse_unless_rotation(rows);
-    } catch (const input_error& error) {
-      from.refuse("matrix", error.what());
-    }
-    result.matrix = rows;
+    read_matrix(from, result, remarks);
+  } else if (from.find("project")) {
+    from.refuse("project", "it goes with matrix");
   }
-  const bool has_unit = from.find("euler_unit") != nullptr;
   if (!from.find("euler")) {
-    if (has_unit) from.refuse("euler_unit", "it goes with euler");
+    for (const char* key : {"euler_unit", "euler_sequence"})
+      if (from.find(key)) from.refuse(key, "it goes with euler");
     return;
   }
   const auto angles = from.numbers("euler", 3);
@@ -58,6 +118,7 @@ void read_attitude(section& from, scene_state& result) {
   refuse_unless_known(from.at("euler_unit"), from.path_of("euler_unit"), unit_name, {"rad", "deg"},
                       "the unit");
   result.euler_unit = unit_name == "deg" ? angle_unit::degrees : angle_unit::radians;
+  if (from.find("euler_sequence")) result.euler_axes = read_axes(from);
 }
 
 rational_vector nonzero(section& from, const std::string& key, const char* what) {
@@ -76,7 +137,7 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
   const bool by_momentum = from.find("momentum") != nullptr;
   const bool by_c = from.find("c") != nullptr;
   const bool has_unit = from.find("unit") != nullptr;
-  read_attitude(from, result);
+  read_attitude(from, result, whole.remarks);
   from.finish();
   if (int{by_omega} + int{by_momentum} + int{by_c} != 1) {
     from.refuse(by_omega || by_momentum || by_c
@@ -110,7 +171,8 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
   result.start = initial_state::from_tensor(of.axes, *result.momentum);
   if (result.quaternion) result.start->set_quaternion(*result.quaternion);
   if (result.matrix) result.start->set_matrix(*result.matrix);
-  if (result.euler) result.start->set_euler_angles(*result.euler, result.euler_unit);
+  if (result.euler)
+    result.start->set_euler_angles(*result.euler, result.euler_unit, result.euler_axes);
   if (of.axes->rigid()) result.motion = result.start->motion();
   if (size) {
     result.momentum_size = by_omega ? of.size * size->size : size->size;

@@ -135,6 +135,14 @@ long section::count(const std::string& key, long by_default, long least, long mo
   return static_cast<long>(numerator(n));
 }
 
+bool section::flag(const std::string& key, bool by_default) {
+  const document_value* value = find(key);
+  if (!value) return by_default;
+  if (value->type != document_value::kind::boolean)
+    refuse(key, std::string("it is ") + name_of(value->type) + "; it must be true or false");
+  return value->text == "true";
+}
+
 std::string section::text(const std::string& key) {
   const document_value& value = at(key);
   if (value.type != document_value::kind::text) {

@@ -454,6 +454,49 @@ TEST(Effects, OfATurnedBox) {
   EXPECT_GT(compared, 40U);
 }
 
+// One attitude in every form that a scene takes: a turn by 2 atan(1/2) about z and one by 90 degrees
+// about x.
+TEST(Series, TakeTheAttitudeInEveryForm) {
+  const auto attitude = [](const std::string& keys) {
+    const scene_report report =
+        report_of("[body]\nmoments = [3, 2, 1.5]\n[state]\nomega = [1, 2, 3]\n" + keys +
+                      "\n[time]\nto = 1\nsamples = 2\n",
+                  {"attitude"});
+    EXPECT_EQ(report.verdict, status::certified) << keys;
+    return report.find("attitude")->table->rows;
+  };
+  const auto expect_same = [](const std::vector<std::vector<ball>>& x,
+                              const std::vector<std::vector<ball>>& y, const std::string& what) {
+    for (std::size_t row = 0; row < 2; ++row) {
+      ball product(0, 128);  // of unit quaternions: 1 or -1 where they are one attitude
+      for (std::size_t k = 0; k < 4; ++k) product += x[row][k] * y[row][k];
+      EXPECT_TRUE(certainly_less(ball(parse_rational("0.9999999999999999999"), 128), abs(product)))
+          << what;
+    }
+  };
+  const auto about_z = attitude("quaternion = [2, 0, 0, 1]");
+  for (const char* other :
+       {"quaternion_xyzw = [0, 0, 1, 2]", "mrp = [0, 0, \"0.2360679774997896964091736687\"]",
+        "matrix = [[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]",
+        "matrix = [[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]\nproject = true",
+        "euler = [\"0.92729521800161223242851246292\", 0, 0]\neuler_unit = \"rad\"\n"
+        "euler_sequence = \"321\"",
+        "euler = [0, 0, \"0.92729521800161223242851246292\"]\neuler_unit = \"rad\""}) {
+    expect_same(about_z, attitude(other), other);
+  }
+  // Yaw, then roll.
+  expect_same(attitude("matrix = [[0.6, 0, 0.8], [0.8, 0, -0.6], [0, 1, 0]]"),
+              attitude("euler = [\"0.92729521800161223242851246292\", 0, "
+                       "\"1.57079632679489661923132169164\"]\neuler_unit = \"rad\"\n"
+                       "euler_sequence = \"zyx\""),
+              "zyx");
+  const scene_report rounded = report_of(
+      "[body]\nmoments = [3, 2, 1.5]\n[state]\nomega = [1, 2, 3]\nmatrix = [[0.7071, -0.7071, 0], "
+      "[0.7072, 0.7071, 0], [0, 0, 1]]\nproject = true\n[time]\nto = 1\nsamples = 2\n",
+      {"attitude"});
+  EXPECT_EQ(rounded.verdict, status::certified);
+}
+
 TEST(Series, BeginWithTheStateAndKeepTheMomentum) {
   // In degrees, so that the rotor's time is irrational; in axes that are not principal; from a turned attitude.
   const scene_report report = report_of(

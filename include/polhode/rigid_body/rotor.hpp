@@ -69,9 +69,11 @@ class initial_state {
   /// determinant -1, a quaternion w + x i + y j + z k of norm 0 (another norm is divided out: it enters R squared).
   void set_matrix(const matrix3<rational>& rows);
   void set_quaternion(const std::array<rational, 4>& wxyz);
-  /// R = R_z(phi) R_x(theta) R_z(psi), the classical z-x-z.
-  void set_euler_angles(const triple<rational>& phi_theta_psi,
-                        angle_unit unit = angle_unit::radians);
+  /// R = R_i(first) R_j(second) R_k(third) about the axes i, j, k of the body (0 for x), each turned with
+  /// it: z-x-z, the classical phi, theta, psi, or 2, 1, 0 for yaw, pitch and roll. Throws input_error
+  /// where an axis follows itself.
+  void set_euler_angles(const triple<rational>& angles, angle_unit unit = angle_unit::radians,
+                        const triple<int>& axes = {2, 0, 2});
 
   /// The tensor with its principal axes, before the half turns.
   [[nodiscard]] const principal_axes& tensor() const { return *axes_; }
@@ -109,6 +111,7 @@ class initial_state {
   matrix3<rational> matrix_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::optional<triple<rational>> angles_;  // in the place of matrix_
   angle_unit unit_ = angle_unit::radians;
+  triple<int> angle_axes_{2, 0, 2};
 };
 
 /// In the body axes.

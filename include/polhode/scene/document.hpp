@@ -69,6 +69,8 @@ class section {
   measured_number measured(const std::string& key);
   /// A whole number from least to most.
   long count(const std::string& key, long by_default, long least, long most);
+  /// true or false.
+  bool flag(const std::string& key, bool by_default);
   std::string text(const std::string& key);
   std::optional<std::string> optional_text(const std::string& key);
   std::vector<rational> numbers(const std::string& key, std::size_t how_many);

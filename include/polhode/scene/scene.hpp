@@ -63,9 +63,10 @@ struct scene_state {
   std::optional<std::array<rational, 4>> quaternion;
   /// Or as its matrix, by rows.
   std::optional<matrix3<rational>> matrix;
-  /// Or as R_z(phi) R_x(theta) R_z(psi).
+  /// Or by angles about axes of the body, each turned with it (initial_state::set_euler_angles).
   std::optional<rational_vector> euler;
   angle_unit euler_unit = angle_unit::radians;
+  triple<int> euler_axes{2, 0, 2};
   long line = 0;
 };
 

@@ -39,7 +39,7 @@ struct unit {
 [[nodiscard]] const std::vector<unit>& time_units();
 /// Of a frequency, with the speed of light for wave numbers, 1/cm (exact in the SI, 2019).
 [[nodiscard]] const std::vector<unit>& rotational_units();
-/// An angle over a time, "rad/s", "deg/day", "rev/min", and "rpm".
+/// An angle over a time, "rad/s", "deg/day", "rev/min", and "rpm" and "Hz".
 [[nodiscard]] const std::vector<unit>& angular_velocity_units();
 [[nodiscard]] const std::vector<unit>& angle_units();
 
