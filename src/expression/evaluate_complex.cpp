@@ -5,6 +5,7 @@
 // a point decides, and a set on which that is not the same has no answer.
 
 #include "polhode/arithmetic/special_functions.hpp"
+#include "polhode/elliptic/complex.hpp"
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode::detail {
@@ -119,6 +120,16 @@ region regions::log1p(const region& z) { return log(z + 1); }
 region regions::sinpi(const region& z) { return sine_of_half_turns(z); }
 region regions::cospi(const region& z) { return cosine_of_half_turns(z); }
 region regions::hypot(const region& z, const region& w) { return sqrt(square(z) + square(w)); }
+/// Both sides are analytic in z and w where Re z > 0 and Re w > 0: z^2 and w^2 are off the cut (-oo, 0] of
+/// R_F, and they agree for z, w > 0.
+region regions::agm(const region& z, const region& w) {
+  if (!z.is_analytic()) return z;
+  if (!w.is_analytic()) return w;
+  const int least = std::min(sign_of_real_part(z), sign_of_real_part(w));
+  if (least <= 0)
+    return region::blocked(least < 0 ? obstacle::unknown : obstacle::branch_cut, "agm");
+  return region(pi_for(z)) / (carlson_rf(region(double_interval(0)), square(z), square(w)) * 2);
+}
 region regions::atan2(const region& y, const region& x) { return angle_of(y, x); }
 region regions::root(const region& z, long n) {
   if (n % 2 == 0 || !z.is_analytic()) return principal_root(z, n);

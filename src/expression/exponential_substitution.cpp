@@ -8,6 +8,8 @@
 //   (exp(a) p)^y = exp(a y) p^y for p > 0, and for all p where y is a whole number,
 //   (exp(a) p)^(1/n) = exp(a/n) p^(1/n),  log(exp(a) p) = a + log p,  |exp(a) p| = exp(a) |p|,
 //   alpha + beta exp(w) = beta exp(w) where the exact rules show that alpha = 0,
+//   log_gamma(w) = log_gamma(1 + w) - log |w|, gamma(w) = gamma(1 + w)/w,
+//   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5),
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
 
 #include <optional>
@@ -202,6 +204,22 @@ class substitution {
         const value& x = *values_[n.left];
         return {x.kappa, x.v, call("abs", {x.rest}), std::nullopt};
       }
+      case operation::log_gamma: {
+        const value& x = *values_[n.left];
+        if (!tends_to_0(x)) break;
+        const node_id rest = x.rest == one_ ? zero_ : call("log", {call("abs", {x.rest})});
+        const node_id further = call("log_gamma", {add(g_, one_, plain(x))});
+        return as_it_is(subtract(g_, further, add(g_, exponent(x), rest)));
+      }
+      case operation::gamma: {
+        const value& x = *values_[n.left];
+        if (!tends_to_0(x)) break;
+        const node_id further = call("gamma", {add(g_, one_, plain(x))});
+        return {negate(g_, x.kappa), negate(g_, x.v), divide(g_, further, x.rest), std::nullopt};
+      }
+      case operation::further:
+        if (auto complete = complete_integral(i)) return *complete;
+        break;
       case operation::sin:
       case operation::cos:
         if (auto moved = by_quarter_turns(n)) return *moved;
@@ -260,6 +278,29 @@ class substitution {
     if (is_constant(y)) return scaled(x, y, rest);
     const auto [kappa, v] = split(multiply(g_, exponent(x), y));
     return {kappa, v, rest, std::nullopt};
+  }
+  /// The exponential that is taken out of it falls with s; at an infinite end there is none.
+  [[nodiscard]] bool tends_to_0(const value& x) const {
+    return growth_ != one_ && x.kappa == growth_;
+  }
+  /// 1 - m, and of a square m = k^2 as (1 - k)(1 + k).
+  value complement(node_id i) {
+    const node n = f_[i];
+    const value one = constant(one_);
+    if (n.what != operation::power_integer || n.number != 2) return sum(one, *values_[i], true);
+    const value& k = *values_[n.left];
+    return product(sum(one, k, true), sum(one, k, false));
+  }
+  /// ellipticK towards its logarithmic end.
+  std::optional<value> complete_integral(node_id i) {
+    const detail::further_call& f = f_.call_at(i);
+    if (f.function->what.name != "ellipticK") return std::nullopt;
+    const value left = complement(f.operands.front());
+    if (!tends_to_0(left)) return std::nullopt;
+    const node_id half = g_.number(rational(1, 2));
+    const node_id modulus = plain(scaled(left, half, call("sqrt", {left.rest})));
+    const node_id inverse = divide(g_, one_, call("agm", {one_, modulus}));
+    return as_it_is(multiply(g_, multiply(g_, half, g_.make(operation::pi)), inverse));
   }
   value scaled(const value& x, node_id y, node_id rest) {
     return {times(x.kappa, y), times(x.v, y), rest, std::nullopt};

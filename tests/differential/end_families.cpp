@@ -514,6 +514,47 @@ integral_case divergent_growth(maker& m) {
   return r;
 }
 
+/// Special functions at the ends of their domains, beside the same by other functions.
+integral_case special_end(maker& m) {
+  const auto lower = [&] { return power(x, m.exponent_between(-0.9, 2)); };
+  const auto upper = [&] { return power(1 - x, m.exponent_between(-0.9, 2)); };
+  const auto same = [&](const term& f, const term& g) {
+    integral_case r{f, 0, 1, few_digits(m)};
+    r.parts = {{g, 0, 1, few_digits(m)}};
+    return r;
+  };
+  switch (m.between(0, 5)) {
+    case 0: {
+      const term w = lower();
+      return same(w * call("log_gamma", x), w * (call("log_gamma", 1 + x) - call("log", x)));
+    }
+    case 1: {
+      const term w = x * lower();
+      return same(w * call("gamma", x), w / x * call("gamma", 1 + x));
+    }
+    case 2: {
+      const term w = upper();
+      return same(w * call("ellipticK", x),
+                  substituted(w, "x", 1 - x) * term("pi") / (2 * call("agm", 1, call("sqrt", x))));
+    }
+    case 3: {
+      const term w = m.one_in(2) ? lower() : upper();
+      return same(w * call("agm", 1, x), w * call("agm", x, 1));
+    }
+    case 4: {
+      const term w = upper();
+      return same(w * call("log_gamma", 1 - x), substituted(w, "x", 1 - x) * call("log_gamma", x));
+    }
+    default: {
+      integral_case r{m.one_in(2) ? call("gamma", x) * regular(m)
+                                  : call("ellipticK", x) / power(1 - x, m.between(1, 2)),
+                      0, 1, few_digits(m)};
+      r.diverges = true;
+      return r;
+    }
+  }
+}
+
 /// Of limits whose sizes have nothing in common.
 integral_case many_orders(maker& m) {
   const term low = m.decimal(m.scattered(1e-200, 1e-3));
@@ -541,6 +582,7 @@ std::vector<integral_family> end_families() {
           {"by an exponential", 14, mostly_cheap(by_exponential)},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
+          {"special functions at ends", 8, mostly_cheap(special_end)},
           {"whole line", 7, mostly_cheap(whole_line)},
           {"extreme sizes", 7, mostly_cheap(extreme_sizes)},
           {"many orders of magnitude", 6, mostly_cheap(many_orders)}};

@@ -12,6 +12,7 @@ namespace polhode {
 namespace growth_bound_test {
 
 constexpr precision p = 4000;
+constexpr precision few = 400;  // of functions that take long, and not so near the end
 
 struct looked_at {
   growth_bound bound;
@@ -118,14 +119,14 @@ TEST(GrowthBound, HoldsTheFunction) {
 
 /// The greatest quotient of the value and the upper bound at t = r 2^-k; and of the lower bound and the value.
 void expect_attained(const std::string& text, double r, const rational& upper,
-                     const rational& lower) {
+                     const rational& lower, precision bits = p, long most = 200) {
   const auto [g, f, reach] = look(text, r);
   ASSERT_FALSE(g.is_blocked()) << text;
-  const auto at = f.evaluator<ball>(p);
+  const auto at = f.evaluator<ball>(bits);
   bool is_near_upper = false;
   bool is_near_lower = lower == 0;
-  for (long k = 0; k < 200; ++k) {
-    const ball t = scale(ball::exactly(r) * ball(1, p), -k);
+  for (long k = 0; k < most; ++k) {
+    const ball t = scale(ball::exactly(r) * ball(1, bits), -k);
     const ball value = abs(at(t));
     if (certainly_less(power_bound(g.factor(), g.exponent(), t) * upper, value))
       is_near_upper = true;
@@ -160,11 +161,52 @@ TEST(GrowthBound, IsNearlyAttained) {
   expect_attained("atan(x^(-pi))", 0x1p-4, nearly, 0);
   expect_attained("tanh(x^(-pi))", 0x1p-4, nearly, 0);
   expect_attained("erf(x^(-pi))", 0x1p-4, nearly, 0);
+  expect_attained("gamma(x)", 0.25, nearly, rational(2, 5), few, 40);
+  expect_attained("log_gamma(x)", 0.25, rational(1, 3), rational(1, 5), few, 40);
+  expect_attained("agm(1,x)", 0.25, rational(4, 5), rational(4, 5), few, 40);
+  expect_attained("1/agm(2,3*exp(-1/x))", 0.25, rational(1, 4), rational(1, 2), few, 6);
+  expect_attained("1/gamma(1/x)", 0.25, nearly, 0, few, 6);
+  expect_attained("ellipticK(x)", 0.25, nearly, rational(9, 10), few, 40);
+}
+
+/// At t from r down to r/2^12, and for q < 0 down to r/16.
+void expect_few_bounds(const std::string& text, double r, long q = 1) {
+  const auto [g, f, reach] = look(text, r, q);
+  ASSERT_FALSE(g.is_blocked()) << text << ": " << g.where();
+  const auto at = f.evaluator<ball>(few);
+  for (long n = 0; n < 16; ++n) {
+    const ball t = q > 0
+                       ? scale(ball(rational(16 - n % 4, 16), few) * ball::exactly(r), -(n - n / 4))
+                       : ball::exactly(r) * ball(rational(16 - n, 16), few);
+    const ball value = at(q > 0 ? t : 1 / t);
+    ASSERT_TRUE(value.is_bounded()) << text << " at " << t;
+    EXPECT_FALSE(certainly_less(power_bound(g.factor(), g.exponent(), t), abs(value)))
+        << text << " at " << t << ": " << value;
+    EXPECT_FALSE(certainly_less(abs(value), power_bound(g.least_factor(), g.least_exponent(), t)))
+        << text << " at " << t << ": " << value;
+  }
+}
+
+TEST(GrowthBound, HoldsSpecialFunctions) {
+  for (const double r : {0.25, 0x1p-5}) {
+    for (const char* text :
+         {"gamma(x)", "log_gamma(x)", "log(gamma(x^sqrt(2)))", "x^pi*gamma(x)", "1/gamma(x)",
+          "gamma(1+x^pi)", "log_gamma(3/2+cos(log(x))/4)", "agm(1,x)", "agm(x^pi,3)/x",
+          "1/agm(1,x^sqrt(2))", "1/agm(2,3*exp(-1/x))", "1/agm(1,exp(-sqrt(x)))",
+          "x/agm(1,exp(-1/x)*(1+x))", "1/gamma(1/x)", "ellipticK(x^sqrt(2))",
+          "ellipticK(sin(log(x))/2)"}) {
+      expect_few_bounds(text, r);
+    }
+    for (const char* text :
+         {"1/gamma(x)", "x^3/gamma(x+1/2)", "log_gamma(x)", "log_gamma(2*x)/x^2"}) {
+      expect_few_bounds(text, r, -1);
+    }
+  }
 }
 
 TEST(GrowthBound, WhatIsNotFollowedIsBlocked) {
-  for (const char* text : {"gamma(x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))",
-                           "1/cos(log(x))", "ellipticK(x)^sqrt(2)"}) {
+  for (const char* text : {"gamma(1/x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))",
+                           "1/cos(log(x))", "ellipticK(1-x)", "agm(1,cos(log(x)))"}) {
     EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
   }
   EXPECT_TRUE(look("cos(x^(-pi))*x^sqrt(2)", 0.25).bound.oscillates());
@@ -188,11 +230,36 @@ TEST(GrowthBound, IntegralsOfItAreKnown) {
   check("log(log(1/x))", rational(1, 3), "0.21776067270380014874046904785");
   check("x^x", 1, "0.783430510712134407059264386526975469407681990146930958255417822");
   check("x^(-x)", 1, "1.29128599706266354040728259059560054149861936827452231731000244");
+  // J. L. Raabe (1843); the constant of Fransen and Robinson (OEIS A058655); DLMF 19.8.5 and the
+  // moments of K and K' (DLMF 19.13).
+  check("log_gamma(x)", 1, "log(2*pi)/2");
+  check("log_gamma(1-x)", 1, "log(2*pi)/2");
+  check("log(gamma(x))", 1, "log(2*pi)/2");
+  check("1/gamma(x)", end_point::infinity(), "2.8077702420285193652215011865577729323081");
+  check("1/agm(1,x)", 1, "pi/2");
+  check("x/agm(1,x)", 1, "2/pi");
+  check("ellipticK(x)", 1, "2");
+  check("ellipticK(1-x)", 1, "2");
+  check("ellipticK(2*x)", rational(1, 2), "1");
+  check("ellipticK(x)/sqrt(x)", 1, "4*catalan");
+  check("ellipticK(x)/sqrt(1-x)", 1, "pi^2/2");
+  check("ellipticK(x^2)", 1, "2*catalan");
+  check("ellipticK(x^2)/(1+x)", 1, "pi^2/8");
+}
+
+TEST(GrowthBound, DivergenceIsProved) {
+  for (const char* text : {"gamma(x)", "gamma(1-x)", "ellipticK(x)/(1-x)", "log_gamma(x)/x",
+                           "1/(x*agm(1,x))", "x^pi/x^5"}) {
+    const integral found = integrate(parse(text), 0, 1, {.digits = 10});
+    EXPECT_EQ(found.verdict, status::not_certified) << text;
+    EXPECT_EQ(found.why, reason::not_integrable) << text;
+  }
 }
 
 TEST(GrowthBound, DivergentIntegralsAreRefused) {
   for (const char* text : {"x^(-sqrt(2))", "x^(-pi/3)", "x^(-sqrt(1+1e-8))", "1/(x*log(x))",
-                           "1/(x^sqrt(2)*(2+cos(log(x))))", "x^(-1-x)", "log(log(1/x))/x"}) {
+                           "1/(x^sqrt(2)*(2+cos(log(x))))", "x^(-1-x)", "log(log(1/x))/x",
+                           "gamma(x)", "log_gamma(x)/x", "1/(x*agm(1,x))"}) {
     EXPECT_NE(integrate(parse(text), 0, rational(1, 4), {.digits = 10, .most_evaluations = 20000})
                   .verdict,
               status::certified)

@@ -49,7 +49,8 @@ struct supplement<complex_ball> {
   static complex_ball root(const complex_ball& z, long n);
 };
 
-/// agm is not available (obstacle::unknown); log_gamma for Re z > 0.
+/// log_gamma(z) for Re z > 0; agm(z, w) for Re z > 0 and Re w > 0. On other sides they are not
+/// available (obstacle::unknown), on sets of both sides blocked by a cut.
 template <>
 struct supplement<region> {
   static region expm1(const region& z);
@@ -57,6 +58,8 @@ struct supplement<region> {
   static region sinpi(const region& z);
   static region cospi(const region& z);
   static region hypot(const region& z, const region& w);
+  /// pi/(2 R_F(0, z^2, w^2)) (DLMF 19.22.1).
+  static region agm(const region& z, const region& w);
   static region atan2(const region& y, const region& x);
   static region root(const region& z, long n);
   /// erf is entire: with m real, erf(z) - erf(m) is z - m times a mean of its derivative over the segment

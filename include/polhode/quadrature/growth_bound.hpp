@@ -72,7 +72,15 @@ class growth_bound {
   friend growth_bound atan(const growth_bound& x);
   friend growth_bound tanh(const growth_bound& x);
   friend growth_bound erf(const growth_bound& x);
+  friend growth_bound gamma(const growth_bound& x);
+  friend growth_bound log_gamma(const growth_bound& x);
+  friend growth_bound agm(const growth_bound& x, const growth_bound& y);
   friend growth_bound abs(const growth_bound& x);
+
+  /// A ball that holds v(t) for all 0 < t <= r; undefined where v is not known to be bounded.
+  [[nodiscard]] ball values() const;
+  /// A function with these values; blocked where they are not bounded.
+  [[nodiscard]] growth_bound bounded_like(std::string_view name, const ball& value) const;
 
   /// A constant beside this one.
   [[nodiscard]] growth_bound constant_like(const rational& q) const;
@@ -89,8 +97,13 @@ class growth_bound {
                                   const ball& least, const rational& a, int sign,
                                   end_series series) const;
   void improve_by_series();
+  /// C r^b of a positive function that does not grow towards t = 0, c r^a of one that does not fall;
+  /// undefined of others.
+  [[nodiscard]] ball greatest_value() const;
+  [[nodiscard]] ball least_value() const;
   /// r^e for e >= 0, upper and lower.
   [[nodiscard]] ball power_of_r(const rational& e) const;
+  [[nodiscard]] growth_bound exponential() const;
   /// x^y for x > 0 and every y in the ball.
   [[nodiscard]] growth_bound to_the(const ball& y, std::string_view name, end_series series) const;
 
@@ -100,10 +113,11 @@ class growth_bound {
   ball least_ = ball(0, 64);  // c
   rational lower_exponent_;   // a
   int sign_ = 0;
-  std::optional<ball> constant_;                 // where it is one
-  std::shared_ptr<const growth_bound> inverse_;  // 1 divided by it, where that is remembered
-  end_series series_;                            // blocked where there is none
-  end_series one_;                               // the number 1, for constants
+  std::optional<ball> constant_;                   // where it is one
+  std::shared_ptr<const growth_bound> inverse_;    // 1 divided by it, where that is remembered
+  std::shared_ptr<const growth_bound> logarithm_;  // of an exponential: what it is of
+  end_series series_;                              // blocked where there is none
+  end_series one_;                                 // the number 1, for constants
   bool blocked_ = true;
   bool nowhere_defined_ = false;
   bool oscillates_ = false;

@@ -102,7 +102,11 @@ bool is_right_of_zero(const region& z) { return certainly_positive(z.to_complex_
 
 region log_gamma(const region& z) {
   if (!z.is_analytic()) return z;
-  if (!is_right_of_zero(z)) return region::blocked(obstacle::unknown, "log_gamma");
+  // Of a set on both sides smaller ones may be right of 0.
+  if (!is_right_of_zero(z)) {
+    return region::blocked(z.re().upper() > 0 ? obstacle::branch_cut : obstacle::unknown,
+                           "log_gamma");
+  }
   // log Gamma(m) and z - m times a mean of the derivative over the segment between them.
   const auto [set, m] = about_middle(z);
   return series_of_log(m) + (set - m) * series_of_derivative(set).convex_hull();
@@ -113,7 +117,8 @@ region gamma(const region& z) {
   // Gamma(z) = Gamma(z + n)/(z (z + 1) ... (z + n - 1)), n such that Re z + n > 0.
   constexpr double most_steps = 1000;
   const double left = z.re().lower();
-  if (left < -most_steps) return region::blocked(obstacle::unknown, "gamma");
+  if (left < -most_steps)
+    return region::blocked(z.re().upper() > 0 ? obstacle::pole : obstacle::unknown, "gamma");
   const long steps = is_right_of_zero(z) ? 0 : static_cast<long>(std::floor(-left)) + 1;
   region divisor(double_interval(1));
   for (long k = 0; k < steps; ++k) divisor *= z + k;

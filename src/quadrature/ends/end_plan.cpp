@@ -84,28 +84,41 @@ end_series series_at_end(const series_function& f, const end_of_range& end, long
   return *found;
 }
 
-/// What the growth of f proves where it has no series: that it is integrable, and how small the part beside the end is.
+/// What the growth of f proves where it has no series: that it is integrable, and how small the part
+/// beside the end is; or that it is not, as |f| >= c t^a with one sign and a <= -1.
 std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end) {
   if (!f.growth) return std::nullopt;
   // Beside another point regions of 1 - x, say, are found by halving alone, in a thousand panels.
   const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;
   if (!end.infinite && !is_at_0) return std::nullopt;
   const long q = end.infinite ? -1 : 1;
-  for (const double r : {0x1p-2, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32}) {
+  // The plan whose bound of the part up to t, C t^(M+1)/(M+1), is small from the greatest t on.
+  std::optional<end_plan> best;
+  double farthest = 0;
+  for (const double r : {0x1p-2, 0x1p-3, 0x1p-4, 0x1p-5, 0x1p-6, 0x1p-8, 0x1p-16, 0x1p-32}) {
     const growth_bound g =
         f.growth(growth_bound::argument(exactly(end.at), exactly(end.distance), q, r));
     if (g.is_blocked() || g.factor().is_infinite() || g.oscillates()) continue;
     end_plan plan;
     plan.exponent = g.exponent() + (q - 1);
-    if (plan.exponent <= -1) continue;
-    plan.how = manner::exponential;
+    const bool diverges =
+        g.least_exponent() + (q - 1) <= -1 && g.sign() != 0 && !g.least_factor().is_zero();
+    if (plan.exponent <= -1 && !diverges) continue;
+    plan.how = diverges ? manner::divergent : manner::exponential;
     plan.q = q;
     plan.r = r;
     plan.bounds = {g.factor()};
     plan.has_growth_only = true;
-    return plan;
+    if (diverges) return plan;
+    constexpr double wanted_bits = 128;
+    const double factor = g.factor().is_zero() ? 0 : static_cast<double>(g.factor().log2_floor());
+    const double small_from =
+        std::min(r, std::exp2(-(wanted_bits + factor) / static_cast<double>(plan.exponent + 1)));
+    if (best && small_from <= farthest) continue;
+    farthest = small_from;
+    best = plan;
   }
-  return std::nullopt;
+  return best;
 }
 
 /// The plan for x = p + s tau^(q d) from one for x = p + s t^q without logarithms, where d (M + 1)

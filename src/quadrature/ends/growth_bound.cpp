@@ -4,6 +4,7 @@
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
 
 namespace polhode {
 
@@ -162,6 +163,7 @@ growth_bound growth_bound::reciprocal_of(const growth_bound& y) {
 growth_bound operator-(const growth_bound& x) {
   if (x.blocked_) return x;
   growth_bound result = x;
+  result.logarithm_ = nullptr;
   if (x.inverse_) result.inverse_ = std::make_shared<const growth_bound>(-*x.inverse_);
   result.sign_ = -x.sign_;
   result.series_ = -x.series_;
@@ -211,12 +213,17 @@ growth_bound operator*(const growth_bound& x, const growth_bound& y) {
       x.lower_exponent_ + y.lower_exponent_, x.sign_ * y.sign_, x.series_ * y.series_);
   result.oscillates_ = x.oscillates_ || y.oscillates_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ * *y.constant_;
+  if ((x.logarithm_ || y.logarithm_) && x.sign_ > 0 && y.sign_ > 0) {
+    growth_bound logarithm = log(x) + log(y);
+    if (!logarithm.blocked_)
+      result.logarithm_ = std::make_shared<const growth_bound>(std::move(logarithm));
+  }
   return result;
 }
 
 growth_bound operator/(const growth_bound& x, const growth_bound& y) {
+  if (!x.blocked_ && y.inverse_) return x * *y.inverse_;
   if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
-  if (y.inverse_) return x * *y.inverse_;
   growth_bound result = x.made(
       "a quotient", x.most_ / y.least_, x.upper_exponent_ - y.lower_exponent_, x.least_ / y.most_,
       x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
@@ -306,6 +313,13 @@ growth_bound root(const growth_bound& x, long n) {
 /// falls for u >= k, e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a k) t^(-a k), at most 1.
 growth_bound exp(const growth_bound& x) {
   if (x.blocked_) return x;
+  growth_bound result = x.exponential();
+  if (!result.blocked_) result.logarithm_ = std::make_shared<const growth_bound>(x);
+  return result;
+}
+
+growth_bound growth_bound::exponential() const {
+  const growth_bound& x = *this;
   const end_series series = exp(x.series_);
   if (x.upper_exponent_ >= 0) {
     const ball size = upper_end(x.most_ * x.power_of_r(x.upper_exponent_));
@@ -336,6 +350,7 @@ growth_bound exp(const growth_bound& x) {
 /// c r^a > 1 it is positive, and log x >= log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
 growth_bound log(const growth_bound& x) {
   if (x.blocked_) return x;
+  if (x.logarithm_) return *x.logarithm_;
   if (x.sign_ < 0) return growth_bound::undefined("log");
   if (x.sign_ == 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
   const ball log_most = log(x.most_);
@@ -387,6 +402,103 @@ POLHODE_BOUNDED(tanh, ball(1, bits), true, false)
 growth_bound erf(const growth_bound& x) {
   if (x.blocked_) return x;
   return x.made("erf", ball(1, bits), 0, ball(0, bits), 0, x.sign_, end_series::blocked("erf"));
+}
+
+ball growth_bound::greatest_value() const {
+  if (blocked_ || sign_ <= 0 || upper_exponent_ < 0) return ball::undefined(bits);
+  return upper_end(most_ * power_of_r(upper_exponent_));
+}
+ball growth_bound::least_value() const {
+  if (blocked_ || sign_ <= 0 || lower_exponent_ > 0) return ball::undefined(bits);
+  return lower_end(least_ / power_of_r(-lower_exponent_));
+}
+
+ball growth_bound::values() const {
+  if (blocked_ || upper_exponent_ < 0) return ball::undefined(bits);
+  if (sign_ < 0) return -(-*this).values();
+  const ball most = upper_end(most_ * power_of_r(upper_exponent_));
+  if (sign_ == 0) return hull(-most, most);
+  const ball least = least_value();
+  return hull(least.is_bounded() ? least : ball(0, bits), most);
+}
+
+growth_bound growth_bound::bounded_like(std::string_view name, const ball& value) const {
+  if (!value.is_bounded()) return blocked(name);
+  const int sign = certainly_positive(value) ? 1 : certainly_negative(value) ? -1 : 0;
+  return made(name, abs(value), 0, abs(value), 0, sign, end_series::blocked(name));
+}
+
+/// For 0 < v <= 1: Gamma(v) = Gamma(1+v)/v with 1/2 < Gamma(1+v) <= 1, since log Gamma is convex, 0 at 1
+/// and at 2, and above its tangent at 1, of the slope -0.577... > -log 2.
+///
+/// For v >= u = c t^a with u_r = c r^a >= s >= 3 and 0 <= k <= s/2: Gamma grows from 2 on, so that
+/// Gamma(v) >= Gamma(u); and Gamma(u) u^-k grows for u >= s, as u digamma(u) >= u log u - 1 >= u/2 >= k by
+/// digamma(u) > log u - 1/u (H. Alzer, Math. Comp. 66, 1997). So Gamma(u) >= Gamma(u_r) (u/u_r)^k >=
+/// Gamma(s) (t/r)^(a k), which bounds 1/Gamma(v). Gamma itself has no bound by a power.
+growth_bound gamma(const growth_bound& x) {
+  if (x.blocked_) return x;
+  const end_series none = end_series::blocked("gamma");
+  const ball one(1, bits);
+  if (certainly_less_equal(x.greatest_value(), one))
+    return x.made("gamma", one, 0, ball(rational(1, 2), bits), 0, 1, none) / x;
+  const ball value = gamma(x.values());
+  if (certainly_positive(value)) return x.bounded_like("gamma", value);
+  growth_bound result = growth_bound::blocked("gamma");
+  const ball u = x.least_value();
+  if (x.lower_exponent_ < 0 && certainly_less_equal(ball(3, bits), u)) {
+    constexpr long enough = 64;
+    const ball s = min(u, ball(enough, bits));
+    const long k = static_cast<long>(floor_of(rational(lower_rational(s) / 2)));
+    const rational exponent = -x.lower_exponent_ * k;
+    result.inverse_ = std::make_shared<const growth_bound>(
+        x.made("gamma", 1 / (gamma(lower_end(s)) * x.power_of_r(exponent)), exponent, ball(0, bits),
+               0, 1, none));
+  }
+  return result;
+}
+
+/// For 0 < v <= 1: -log v - 1 < log Gamma(v) <= -log v, as above. For v >= 2: 0 <= log Gamma(v) <= v log v,
+/// the integral of digamma(v) < log v from 1 on (ibid.) being at most v log v - v + 1.
+growth_bound log_gamma(const growth_bound& x) {
+  if (x.blocked_) return x;
+  const end_series none = end_series::blocked("log_gamma");
+  const ball one(1, bits);
+  if (certainly_less_equal(x.greatest_value(), one))
+    return x.made("log_gamma", one, 0, ball(0, bits), 0, 0, none) - log(x);
+  const ball value = log_gamma(x.values());
+  if (value.is_bounded()) return x.bounded_like("log_gamma", value);
+  if (!certainly_less_equal(ball(2, bits), x.least_value()))
+    return growth_bound::blocked("log_gamma");
+  const growth_bound product = x * log(x);
+  if (product.blocked_) return product;
+  return x.made("log_gamma", product.most_, product.upper_exponent_, ball(0, bits), 0, 0, none);
+}
+
+/// sqrt(x y) <= agm(x, y) <= (x + y)/2 for x, y >= 0. And for a constant x and y <= x/2, of which the
+/// logarithm is known, 1/agm(x, y) <= (6/5) log(2 x/y)/x. Proof. With q = y/x and C. F. Gauss's
+///   1/agm(1, q) = (2/pi) the integral over (0, pi/2) of dw/sqrt(sin^2 w + q^2 cos^2 w),
+/// sin w >= 2 w/pi gives q^2 + (1 - q^2) 4 w^2/pi^2 as a lower bound of the radicand, so that it is at
+/// most arsinh(sqrt(1 - q^2)/q)/sqrt(1 - q^2) = log((1 + sqrt(1 - q^2))/q)/sqrt(1 - q^2), and
+/// 1/sqrt(1 - q^2) <= 2/sqrt(3) < 6/5.
+growth_bound agm(const growth_bound& x, const growth_bound& y) {
+  if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
+  if (x.sign_ <= 0 || y.sign_ <= 0) return growth_bound::blocked("agm");
+  if (y.constant_ && !x.constant_) return agm(y, x);
+  const end_series none = end_series::blocked("agm");
+  const growth_bound sum = x + y;
+  const growth_bound product = x * y;
+  growth_bound result = x.made("agm", sum.most_ / 2, sum.upper_exponent_, sqrt(product.least_),
+                               product.lower_exponent_ / 2, 1, none);
+  if (!x.constant_ || !y.logarithm_ ||
+      !certainly_less_equal(y.greatest_value(), lower_end(*x.constant_ / 2))) {
+    return result;
+  }
+  const growth_bound logarithm = y.constant_like(log(2 * *x.constant_)) - *y.logarithm_;
+  if (logarithm.blocked_) return result;
+  result.inverse_ = std::make_shared<const growth_bound>(
+      x.made("agm", 6 * logarithm.most_ / (5 * *x.constant_), logarithm.upper_exponent_,
+             2 / sum.most_, -sum.upper_exponent_, 1, none));
+  return result;
 }
 
 growth_bound abs(const growth_bound& x) {

@@ -82,10 +82,15 @@ struct supplement<growth_bound> {
   }
   template <class F, class Range>
   static growth_bound further(const F& f, const Range& x) {
+    std::vector<ball> values;
+    values.reserve(x.size());
     for (const growth_bound& v : x) {
-      if (v.is_nowhere_defined()) return v;
+      if (v.is_blocked())
+        return v.is_nowhere_defined() ? v : growth_bound::blocked(name_of_function(f));
+      values.push_back(v.values());
     }
-    return growth_bound::blocked(name_of_function(f));
+    const growth_bound& any = x.front();
+    return any.bounded_like(name_of_function(f), f.value(values));
   }
 };
 
