@@ -120,15 +120,17 @@ region regions::log1p(const region& z) { return log(z + 1); }
 region regions::sinpi(const region& z) { return sine_of_half_turns(z); }
 region regions::cospi(const region& z) { return cosine_of_half_turns(z); }
 region regions::hypot(const region& z, const region& w) { return sqrt(square(z) + square(w)); }
-/// Both sides are analytic in z and w where Re z > 0 and Re w > 0: z^2 and w^2 are off the cut (-oo, 0] of
-/// R_F, and they agree for z, w > 0.
+/// By agm(z, w) = agm((z + w)/2, sqrt(z w)). Both sides are analytic where Re z > 0 and Re w > 0: the
+/// square of (z + w)/2 and z w are off the cut (-oo, 0] of R_F; and they agree for z, w > 0.
 region regions::agm(const region& z, const region& w) {
   if (!z.is_analytic()) return z;
   if (!w.is_analytic()) return w;
   const int least = std::min(sign_of_real_part(z), sign_of_real_part(w));
   if (least <= 0)
     return region::blocked(least < 0 ? obstacle::unknown : obstacle::branch_cut, "agm");
-  return region(pi_for(z)) / (carlson_rf(region(double_interval(0)), square(z), square(w)) * 2);
+  const region integral = carlson_rf(region(double_interval(0)), square((z + w) / 2), z * w);
+  if (!integral.is_analytic()) return region::blocked(integral.why(), "agm");
+  return region(pi_for(z)) / (integral * 2);
 }
 region regions::atan2(const region& y, const region& x) { return angle_of(y, x); }
 region regions::root(const region& z, long n) {

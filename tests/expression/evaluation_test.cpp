@@ -531,7 +531,7 @@ TEST(Regions, HoldTheContinuationsAtTheirMembers) {
       "x^x",          "2^x",         "hypot(x, 2)",     "hypot(x, x + 1)", "atan2(x, 2)",
       "atan2(x, -2)", "atan2(2, x)", "atan2(x, x - 1)", "abs(x)",          "min(x, 1)",
       "max(x, -1)",   "floor(x)",    "ceil(x)",         "log2(x)",         "sech(x)",
-      "csch(x)"};
+      "csch(x)",      "agm(x, 2)",   "agm(3, x^2 + 1)"};
   for (const char* text : formulas) {
     const expression f = read(text);
     SCOPED_TRACE(text);
@@ -567,8 +567,12 @@ TEST(Regions, RefuseWhatIsNotAnalyticOrNotAvailable) {
   const region right(double_interval(1, 2), double_interval(-1, 1));
   const region across(double_interval(-1, 1), double_interval(-1, 1));
   refused("gamma(x)", across, obstacle::pole, "gamma");
-  refused("log_gamma(x)", across, obstacle::unknown, "log_gamma");
-  refused("agm(x, 1)", right, obstacle::unknown, "agm");
+  refused("log_gamma(x)", across, obstacle::branch_cut, "log_gamma");
+  refused("log_gamma(x)", -right, obstacle::unknown, "log_gamma");
+  refused("agm(x, 1)", across, obstacle::branch_cut, "agm");
+  refused("agm(x, 1)", -right, obstacle::unknown, "agm");
+  const region narrow(double_interval(1, 1.25), double_interval(-0.25, 0.25));
+  EXPECT_TRUE(read("agm(x, 1)")(narrow).is_analytic());
   refused("cbrt(x)", across, obstacle::branch_cut, "root");
   refused("root(x, 4)", across, obstacle::branch_cut, "log");
   refused("x^(1/3)", across, obstacle::branch_cut, "pow");

@@ -108,16 +108,12 @@ TEST(FunctionTable, AComplexBallOffTheRealLineIsUndefinedWhereThereIsNoFunctionO
   }
 }
 
-TEST(FunctionTable, ARegionIsRefusedByNameWhereThereIsNoFunctionOfIt) {
-  EXPECT_EQ(names_where([](const row& r) { return !r.regions_have_it; }),
-            (std::set<std::string>{"agm"}));
+TEST(FunctionTable, ARegionHasEveryFunction) {
+  EXPECT_EQ(names_where([](const row& r) { return !r.regions_have_it; }), std::set<std::string>{});
   for (const row& r : rows()) {
     const double_interval re = double_interval::from_ball(ball(r.point(), 90));
     const region value = r.formula()(region(re, double_interval(-1, 1) / 64));
-    EXPECT_EQ(value.is_analytic(), r.regions_have_it) << r.call();
-    if (r.regions_have_it) continue;
-    EXPECT_EQ(value.why(), obstacle::unknown) << r.call();
-    EXPECT_EQ(value.where(), r.name);
+    EXPECT_TRUE(value.is_analytic()) << r.call();
   }
 }
 

@@ -114,8 +114,8 @@ TEST(ByAnExponential, HaveTheKnownValues) {
 
 // Of functions of which no arithmetic of ends knows anything: refused, or certified, and no crash.
 TEST(ByAnExponential, UnknownFunctionsAreRefused) {
-  for (const char* f : {"log1p(gamma(x))*exp(-x)", "expm1(-gamma(x))", "log1p(agm(1,x))*exp(-x^pi)",
-                        "sinpi(log_gamma(x))/x^2", "cospi(agm(x,2))/x^pi"}) {
+  for (const char* f : {"log1p(gamma(x))*exp(-x)", "expm1(-gamma(x))", "sinpi(log_gamma(x))/x^2",
+                        "cospi(agm(x,2))/x^pi"}) {
     const integral i = integrate(parse(f), 1, end_point::infinity(), {.digits = 10});
     EXPECT_EQ(i.verdict, status::not_certified) << f;
   }

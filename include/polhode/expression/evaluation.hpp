@@ -58,7 +58,7 @@ struct supplement<region> {
   static region sinpi(const region& z);
   static region cospi(const region& z);
   static region hypot(const region& z, const region& w);
-  /// pi/(2 R_F(0, z^2, w^2)) (DLMF 19.22.1).
+  /// pi/(2 R_F(0, ((z + w)/2)^2, z w)) (DLMF 19.22.1).
   static region agm(const region& z, const region& w);
   static region atan2(const region& y, const region& x);
   static region root(const region& z, long n);
