@@ -128,6 +128,30 @@ TEST(Map, RefusesWhatItCannotDo) {
   refused({"merge", blocks}, "is not as this version of polhode writes it");
 }
 
+TEST(Map, IsDrawnWithItsCurves) {
+  const words plane{"--a", "0.1..9/10", "--b", "0.02..0.9/10"};
+  const auto drawn = [&](const words& before, const words& after) {
+    words command = before;
+    command.insert(command.end(), plane.begin(), plane.end());
+    command.insert(command.end(), after.begin(), after.end());
+    return run(command);
+  };
+  const outcome svg = drawn({"map", "epsilon0"}, {"--log", "--format", "svg"});
+  if (svg.status == 1 && svg.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << svg.err;
+  EXPECT_EQ(svg.status, 0) << svg.err;
+  for (const char* word :
+       {"<svg", "epsilon0 over the plane of bodies", "I = 1<", "I = 2/3<", "J = 1<", "J = 2<"}) {
+    EXPECT_NE(svg.out.find(word), std::string::npos) << word;
+  }
+  EXPECT_EQ(drawn({"map", "physical"}, {"--format", "png"}).out.rfind("\x89PNG", 0), 0U);
+  for (const words& quantities :
+       {words{"map", "epsilon0", "c0"}, {"map", "phase", "--c", "0.01"}}) {
+    const outcome refused = drawn(quantities, {"--format", "svg"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("of one quantity"), std::string::npos) << refused.err;
+  }
+}
+
 TEST(Map, AsNumPyHasIt) {
   const std::string file = printed(
       {"map", "meetings", "physical", "--a", "1..9/3", "--b", "0.1..0.5/1", "--format", "npy"});

@@ -33,6 +33,7 @@
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
+#include "map_picture.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quantities.hpp"
 
@@ -315,9 +316,8 @@ std::pair<double, double> as_doubles(std::string_view value, std::string_view ra
   return {middle, bound};
 }
 
-/// NumPy's format 1.0: doubles [quantity][0: value, 1: radius][a][b] and, for motions, [c].
-std::string as_npy(const grid& g, const std::string& rows) {
-  static_assert(std::endian::native == std::endian::little);
+/// The numbers of the rows: [quantity][0: value, 1: radius][point].
+std::vector<double> numbers_of(const grid& g, const std::string& rows) {
   const std::size_t columns = 2 * g.chosen.size();
   const std::size_t before = g.c ? 6 : 4;
   const std::size_t points = g.points();
@@ -338,6 +338,13 @@ std::string as_npy(const grid& g, const std::string& rows) {
     }
     at = end + 1;
   }
+  return numbers;
+}
+
+/// NumPy's format 1.0: doubles [quantity][0: value, 1: radius][a][b] and, for motions, [c].
+std::string as_npy(const grid& g, const std::string& rows) {
+  static_assert(std::endian::native == std::endian::little);
+  const std::vector<double> numbers = numbers_of(g, rows);
   std::string shape =
       fmt::format("{}, 2, {}, {}", g.chosen.size(), g.a_values.size(), g.b_values.size());
   if (g.c) shape += fmt::format(", {}", g.c_values.size());
@@ -356,8 +363,31 @@ std::string as_npy(const grid& g, const std::string& rows) {
   return result;
 }
 
+bool is_picture(const std::string& format) { return format == "svg" || format == "png"; }
+
+/// Throws usage_error where there is no picture of the map.
+void check_picture(const grid& g) {
+  constexpr std::size_t most = 1'000'000;
+  if (g.quantities.size() != 1 || g.c || g.a_values.size() < 2 || g.b_values.size() < 2 ||
+      g.points() > most) {
+    throw usage_error(
+        "a picture is of one quantity over steps of a and b, without --c, and of at most 1000000 "
+        "points; give --format csv or npy");
+  }
+}
+
+std::string as_picture(const grid& g, const std::string& rows, const std::string& format) {
+  map_values map{g.quantities.front(), {}, {}, numbers_of(g, rows), g.log};
+  map.values.resize(g.points());  // without the radii
+  for (const rational& a : g.a_values) map.a.push_back(static_cast<double>(a));
+  for (const rational& b : g.b_values) map.b.push_back(static_cast<double>(b));
+  return map_picture(map, format);
+}
+
 exit_status print_map(const grid& g, const std::string& rows, const std::string& format) {
-  print(format == "npy" ? as_npy(g, rows) : header_of(g) + rows);
+  print(is_picture(format) ? as_picture(g, rows, format)
+        : format == "npy"  ? as_npy(g, rows)
+                           : header_of(g) + rows);
   return rows.find("undecided,") == std::string::npos ? exit_status::all_certified
                                                       : exit_status::not_certified;
 }
@@ -394,7 +424,7 @@ struct map_options {
   std::optional<std::string> shard;
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
-  format_option format{{"csv", "npy"}};
+  format_option format{{"csv", "npy", "svg", "png"}};
   time_limit_option time_limit;
 };
 
@@ -431,6 +461,7 @@ exit_status run(const map_options& options) {
   g.digits = options.digits.value();
   g = completed(std::move(g));
   const std::string& format = options.format.value();
+  if (is_picture(format)) check_picture(g);
   const shard own = read_shard(options);
   const progress line;
   detail::worker_threads threads(static_cast<int>(options.threads.value()));
@@ -506,7 +537,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 
 struct merge_options {
   std::string directory;
-  format_option format{{"csv", "npy"}};
+  format_option format{{"csv", "npy", "svg", "png"}};
 };
 
 std::function<exit_status()> declare_merge(CLI::App& app) {
@@ -516,6 +547,7 @@ std::function<exit_status()> declare_merge(CLI::App& app) {
   return [options] {
     const block_directory directory(options->directory);
     const grid g = directory.read_head();
+    if (is_picture(options->format.value())) check_picture(g);
     const collected all = collect(g, directory);
     if (all.missing > 0) {
       throw usage_error(fmt::format(
@@ -531,20 +563,25 @@ std::function<exit_status()> declare_merge(CLI::App& app) {
 }  // namespace map_impl
 
 command map_command() {
-  return {"map", "Compute quantities over a grid of bodies, every number certified",
-          "  polhode map epsilon0 c0 --a 0.1..10/40 --b 0.1..0.9/40 --log > map.csv\n"
-          "  polhode map phase --a 1..3/2 --b 0.2..0.8/3 --c -0.1..0.1/4 --digits 30\n"
-          "  polhode map meetings --a 1..9/8 --b 0.1..0.9/8 --format npy > map.npy\n"
-          "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n\n"
-          "A row has a, b, c where it is asked for, and of each quantity the value and its radius: "
-          "\"none\"\n"
-          "where it does not exist, \"undecided\" where it is not certified (exit status 1). npy "
-          "has doubles\n"
-          "[quantity][value, radius][a][b][c], whose radius holds the rounding to a double too.\n"
-          "With --blocks a run that was killed goes on where it was, and shards that ran on any "
-          "machines\n"
-          "with that directory make one map, the same to the last byte.\n",
-          map_impl::declare};
+  return {
+      "map", "Compute quantities over a grid of bodies, every number certified",
+      "  polhode map epsilon0 c0 --a 0.1..10/40 --b 0.1..0.9/40 --log > map.csv\n"
+      "  polhode map phase --a 1..3/2 --b 0.2..0.8/3 --c -0.1..0.1/4 --digits 30\n"
+      "  polhode map meetings --a 1..9/8 --b 0.1..0.9/8 --format npy > map.npy\n"
+      "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --log --format png > map.png\n"
+      "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n\n"
+      "A row has a, b, c where it is asked for, and of each quantity the value and its radius: "
+      "\"none\"\n"
+      "where it does not exist, \"undecided\" where it is not certified (exit status 1). npy "
+      "has doubles\n"
+      "[quantity][value, radius][a][b][c], whose radius holds the rounding to a double too. svg "
+      "and\n"
+      "png show one quantity as colours, with the curves I = 1, I = 2/(2n+1), J = 1 and J = 2 "
+      "(gnuplot).\n"
+      "With --blocks a run that was killed goes on where it was, and shards that ran on any "
+      "machines\n"
+      "with that directory make one map, the same to the last byte.\n",
+      map_impl::declare};
 }
 
 command merge_command() {

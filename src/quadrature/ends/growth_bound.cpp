@@ -470,7 +470,7 @@ growth_bound log_gamma(const growth_bound& x) {
   if (!certainly_less_equal(ball(2, bits), x.least_value()))
     return growth_bound::blocked("log_gamma");
   const growth_bound product = x * log(x);
-  if (product.blocked_) return product;
+  if (product.blocked_) return growth_bound::blocked("log_gamma");
   return x.made("log_gamma", product.most_, product.upper_exponent_, ball(0, bits), 0, 0, none);
 }
 

@@ -1,0 +1,145 @@
+#include "map_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/output/gnuplot.hpp"
+
+namespace polhode::cli {
+namespace map_picture_impl {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+std::string number_of(double x) { return std::isfinite(x) ? fmt::format("{:.9g}", x) : "NaN"; }
+
+/// A curve by its points; pairs of NaN where it is not on the map.
+struct curve {
+  std::string name;
+  std::vector<std::pair<double, double>> points;
+};
+
+/// So many numbers from one end to the other, on the scale of the axis.
+std::vector<double> along(double low, double high, bool log) {
+  constexpr int steps = 500;
+  std::vector<double> result;
+  for (int k = 0; k <= steps; ++k) {
+    const double t = static_cast<double>(k) / steps;
+    result.push_back(log ? std::exp((1 - t) * std::log(low) + t * std::log(high))
+                         : (1 - t) * low + t * high);
+  }
+  return result;
+}
+
+bool is_between(double x, const std::vector<double>& axis) {
+  return x >= axis.front() && x <= axis.back();
+}
+
+/// 1, 2 and 5 times the powers of ten on an axis, as gnuplot's list of tics.
+std::string tics_on(const std::vector<double>& axis) {
+  std::string result;
+  const int first = static_cast<int>(std::floor(std::log10(axis.front())));
+  const int last = static_cast<int>(std::ceil(std::log10(axis.back())));
+  for (int k = first; k <= last; ++k) {
+    for (const int digit : {1, 2, 5}) {
+      const double x = digit * std::pow(10.0, k);
+      if (is_between(x, axis)) result += fmt::format("{}{:g}", result.empty() ? "" : ", ", x);
+    }
+  }
+  return result;
+}
+
+/// I = q is (q^2 - 1) b^2 + (q^2 a + 2) b = 1, and J = q with p = (q + 1)^2 is (p - 1) a^2 + (p b - 2) a
+/// = 1: each has one positive root.
+std::vector<curve> curves_over(const map_values& map) {
+  std::vector<curve> result;
+  const auto add = [&](std::string name, const std::vector<std::pair<double, double>>& points) {
+    curve one{std::move(name), {}};
+    bool is_seen = false;
+    for (const auto& [a, b] : points) {
+      const bool is_on_map = is_between(a, map.a) && is_between(b, map.b);
+      is_seen = is_seen || is_on_map;
+      one.points.emplace_back(is_on_map ? a : no_number, is_on_map ? b : no_number);
+    }
+    if (is_seen) result.push_back(std::move(one));
+  };
+  // Of x^2 square + x linear = 1.
+  const auto positive_root = [](double square, double linear) {
+    return 2 / (linear + std::sqrt(linear * linear + 4 * square));
+  };
+  const auto defect = [&](const std::string& name, double q) {
+    std::vector<std::pair<double, double>> points;
+    for (const double a : along(map.a.front(), map.a.back(), map.log))
+      points.emplace_back(a, positive_root(q * q - 1, q * q * a + 2));
+    add("I = " + name, points);
+  };
+  defect("2", 2);
+  defect("1", 1);
+  constexpr int most = 6;
+  for (int n = 1; n < most; ++n) defect(fmt::format("2/{}", 2 * n + 1), 2.0 / (2 * n + 1));
+  for (const double q : {1.0, 2.0}) {
+    std::vector<std::pair<double, double>> points;
+    const double p = (q + 1) * (q + 1);
+    for (const double b : along(map.b.front(), map.b.back(), map.log))
+      points.emplace_back(positive_root(p - 1, p * b - 2), b);
+    add(fmt::format("J = {}", q), points);
+  }
+  return result;
+}
+
+}  // namespace
+}  // namespace map_picture_impl
+
+std::string map_picture(const map_values& map, const std::string& format) {
+  using namespace map_picture_impl;
+  const std::vector<curve> curves = curves_over(map);
+  const auto is_whole = [](double x) { return !std::isfinite(x) || x == std::floor(x); };
+  const bool are_counts = std::all_of(map.values.begin(), map.values.end(), is_whole);
+  std::string program =
+      format == "svg" ? "set terminal svg size 900,700 font 'Helvetica,15' background 'white'\n"
+                      : "set terminal pngcairo size 1350,1050 font 'Sans,16' linewidth 1.5\n";
+  program += "$map << EOD\n";
+  for (std::size_t i = 0; i < map.a.size(); ++i) {
+    for (std::size_t k = 0; k < map.b.size(); ++k) {
+      program += fmt::format("{} {} {}\n", number_of(map.a[i]), number_of(map.b[k]),
+                             number_of(map.values[i * map.b.size() + k]));
+    }
+    program += '\n';
+  }
+  program += "EOD\n";
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    program += fmt::format("$curve{} << EOD\n", i);
+    for (const auto& [a, b] : curves[i].points)
+      program += std::isnan(a) ? "\n" : fmt::format("{} {} 0\n", number_of(a), number_of(b));
+    program += "EOD\n";
+  }
+  const bool has_unit = map.quantity.starts_with("epsilon");
+  program += fmt::format(
+      "set view map\nset xlabel 'a = I_y/I_z - 1'\nset ylabel 'b = 1 - I_y/I_x'\n"
+      "set cblabel '{}{}'\nset title '{} over the plane of bodies'\n"
+      "set xrange [{}:{}]\nset yrange [{}:{}]\nset tics out nomirror\nset lmargin at screen 0.12\n"
+      "set rmargin at screen 0.82\nset bmargin at screen 0.24\nset tmargin at screen 0.92\n"
+      "set key at screen 0.5, 0.06 center horizontal maxrows 2\nset pm3d map corners2color {}\n{}"
+      "set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#d7301f', 3 '#67001f')\n"
+      "splot $map using 1:2:3 with pm3d notitle",
+      map.quantity, has_unit ? " [rad]" : "", map.quantity, number_of(map.a.front()),
+      number_of(map.a.back()), number_of(map.b.front()), number_of(map.b.back()),
+      are_counts ? "c1" : "mean",
+      map.log ? fmt::format("set logscale xy\nset xtics ({})\nset ytics ({})\n", tics_on(map.a),
+                            tics_on(map.b))
+              : "");
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const bool is_rotating = curves[i].name.front() == 'J';
+    const std::string colour = is_rotating ? "rgb 'black'" : fmt::format("{}", i + 1);
+    program += fmt::format(", $curve{} using 1:2:3 with lines lw 2 lc {} dt {} title '{}'", i,
+                           colour, i % 4 + 1, curves[i].name);
+  }
+  return run_gnuplot(program + '\n', "give --format csv");
+}
+
+}  // namespace polhode::cli
