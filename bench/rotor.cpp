@@ -36,6 +36,10 @@ std::vector<measured_motion> motions() {
       {"c = 1e-15", initial_state::at_middle_of_twist(rigid, parse_rational("1e-15"))},
       {"c = -1e-300", initial_state::at_middle_of_twist(rigid, parse_rational("-1e-300"))},
       {"symmetric", initial_state::from_momentum({2, 2, 1}, {1, 1, 1})},
+      {"tensor", initial_state::from_tensor(
+                     std::make_shared<const principal_axes>(std::array<rational, 6>{
+                         3, 2, rational(3, 2), rational(1, 10), rational(1, 5), rational(-3, 10)}),
+                     {3, 1, rational(1, 2)})},
   };
 }
 

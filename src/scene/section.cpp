@@ -85,6 +85,21 @@ rational section::number_at(const document_value& value, const std::string& path
   return std::move(result.value);
 }
 
+measured_number parse_measured(const std::string& text) {
+  measured_number result;
+  std::string number = text;
+  for (const std::string& sign : {std::string("±"), std::string("+-"), std::string("+/-")}) {
+    const auto place = number.find(sign);
+    if (place == std::string::npos) continue;
+    result.sigma = parse_rational(stripped(number.substr(place + sign.size())));
+    if (*result.sigma < 0) throw input_error("an uncertainty must not be negative");
+    number = number.substr(0, place);
+    break;
+  }
+  result.value = parse_rational(stripped(number));
+  return result;
+}
+
 measured_number section::measured_at(const document_value& value, const std::string& path) {
   using kind = document_value::kind;
   if (value.type != kind::number && value.type != kind::text) {
@@ -94,21 +109,15 @@ measured_number section::measured_at(const document_value& value, const std::str
   }
   replaced_->seen.insert(path);
   measured_number result;
-  std::string number = value.text;
   try {
-    for (const std::string& sign : {std::string("±"), std::string("+-"), std::string("+/-")}) {
-      const auto place = number.find(sign);
-      if (place == std::string::npos || value.type != kind::text) continue;
-      result.sigma = parse_rational(stripped(number.substr(place + sign.size())));
-      number = number.substr(0, place);
-      break;
+    if (value.type == kind::text) {
+      result = parse_measured(value.text);
+    } else {
+      result.value = parse_rational(value.text);
     }
-    result.value = parse_rational(stripped(number));
   } catch (const input_error& error) {
     refuse_value(value, path, error.what());
   }
-  if (result.sigma && *result.sigma < 0)
-    refuse_value(value, path, "an uncertainty must not be negative");
   const auto replaced = replaced_->numbers.find(path);
   if (replaced != replaced_->numbers.end()) result.value = replaced->second;
   return result;

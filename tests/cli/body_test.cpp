@@ -101,6 +101,19 @@ TEST(BodyCommand, Tensors) {
   expect_refused({"phase", "--tensor", "2,2,2,0,0,0", "--c", "0.5"}, {"moments are equal"});
 }
 
+TEST(BodyCommand, UncertaintiesStandBesideTheMoments) {
+  EXPECT_EQ(run({"body", "--moments", "3.01±0.1,2,1 +- 0.05"}).out,
+            run({"body", "--moments", "3.01,2,1", "--sigma", "0.1,0,0.05"}).out);
+  EXPECT_EQ(run({"body", "--moments", "2.5±0.01,2,1.5"}).status, 0);
+  expect_refused({"body", "--moments", "3±0.1,2,1", "--sigma", "0.1,0,0"}, {"uncertainties"});
+  expect_refused({"phase", "--moments", "3±0.1,2,1", "--c", "0.1"},
+                 {"uncertainties", "polhode body"});
+  expect_refused({"body", "--moments", "3±-0.1,2,1"}, {"negative"});
+  expect_refused({"body", "--moments", "3±,2,1"}, {"--moments"});
+  expect_refused({"body", "--moments", "1±2,2,1"}, {"--moments"});
+  expect_refused({"body", "--moments", "3±0.1,2,1", "--nearest"}, {"uncertainties"});
+}
+
 TEST(BodyCommand, NearestPhysicalTensor) {
   // 5, 2, 1 has the excess 2: 13/3, 8/3, 5/3 is planar, at the distance 2/sqrt(3).
   const std::string text = certified({"body", "--tensor", "2,5,1,0,0,0", "--nearest"});

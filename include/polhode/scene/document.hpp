@@ -53,6 +53,9 @@ struct measured_number {
   std::optional<rational> sigma;
 };
 
+/// Throws input_error where it is none, or its uncertainty is negative.
+[[nodiscard]] measured_number parse_measured(const std::string& text);
+
 /// A table being read key by key. Every key has to be read, or finish() refuses it.
 class section {
  public:

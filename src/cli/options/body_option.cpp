@@ -1,5 +1,6 @@
 #include "body_option.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "cli/output/errors.hpp"
 #include "formula.hpp"
 #include "polhode/scene/body_file.hpp"
+#include "polhode/scene/document.hpp"
 #include "polhode/scene/link_inertias.hpp"
 
 namespace polhode::cli {
@@ -46,6 +48,34 @@ std::array<rational, Count> read_numbers(const std::string& option, const std::s
   return result;
 }
 
+/// The moments, each with its uncertainty where it has one: 2.6±0.1,2,1.
+std::array<measured_number, 3> read_measured(const std::string& text) {
+  const std::vector<std::string> parts = parts_between_commas(text);
+  std::array<measured_number, 3> result;
+  if (parts.size() != result.size()) {
+    throw usage_error(fmt::format(
+        "--moments {}: it must be 3 numbers between commas, such as 3,2,1", in_quotes(text)));
+  }
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = reading("--moments", text, [&] { return parse_measured(parts[i]); });
+  return result;
+}
+bool are_uncertain(const std::array<measured_number, 3>& moments) {
+  return std::any_of(moments.begin(), moments.end(),
+                     [](const measured_number& one) { return one.sigma.has_value(); });
+}
+/// Of one body.
+std::array<rational, 3> read_moments(const std::string& text) {
+  const auto moments = read_measured(text);
+  if (are_uncertain(moments)) {
+    throw usage_error(
+        fmt::format("--moments {}: it has uncertainties, and this needs one body; ranges are for "
+                    "`polhode body` and for scenes",
+                    in_quotes(text)));
+  }
+  return {moments[0].value, moments[1].value, moments[2].value};
+}
+
 std::array<rational, 3> read_triple(const std::string& option, const std::string& text) {
   return read_numbers<3>(option, text, "3,2,1");
 }
@@ -55,7 +85,7 @@ body body_by_ab(const std::string& text) {
   return reading("--ab", text, [&a = a, &b = b] { return body(a, b); });
 }
 body body_by_moments(const std::string& text) {
-  const auto moments = read_triple("--moments", text);
+  const auto moments = read_moments(text);
   return reading("--moments", text, [&] { return body::from_moments(moments); });
 }
 body body_by_rotational_constants(const std::string& text) {
@@ -150,7 +180,7 @@ std::optional<std::array<rational, 6>> body_option::tensor_entries() const {
   const auto diagonal = [](const std::array<rational, 3>& m) {
     return std::array<rational, 6>{m[0], m[1], m[2], 0, 0, 0};
   };
-  if (moments) return diagonal(read_triple("--moments", *moments));
+  if (moments) return diagonal(read_moments(*moments));
   if (tensor) return read_numbers<6>("--tensor", *tensor, "2,3,4,0.1,0,-0.2");
   if (!file || is_robot_file(without_link(*file).first)) return std::nullopt;
   return reading("--body", *file, [&]() -> std::optional<std::array<rational, 6>> {
@@ -165,7 +195,7 @@ std::optional<uncertain_body> body_option::uncertain(
   if (sigma) {
     if (!moments || ab || rotational || tensor || file)
       throw usage_error("--sigma is for --moments");
-    const auto values = read_triple("--moments", *moments);
+    const auto values = read_moments(*moments);
     const auto widths = read_triple("--sigma", *sigma);
     try {
       return with_ranges(values, widths);
@@ -173,6 +203,16 @@ std::optional<uncertain_body> body_option::uncertain(
       throw usage_error(fmt::format("--moments {} --sigma {}: {}", in_quotes(*moments),
                                     in_quotes(*sigma), error.what()));
     }
+  }
+  if (moments && !ab && !rotational && !tensor && !file) {
+    const auto values = read_measured(*moments);
+    if (!are_uncertain(values)) return std::nullopt;
+    std::array<rational, 3> widths;
+    for (std::size_t i = 0; i < 3; ++i) widths[i] = values[i].sigma.value_or(rational(0));
+    return reading("--moments", *moments, [&] {
+      return std::optional(
+          with_ranges({values[0].value, values[1].value, values[2].value}, widths));
+    });
   }
   if (!file || ab || moments || rotational || tensor) return std::nullopt;
   if (is_robot_file(without_link(*file).first)) return std::nullopt;
