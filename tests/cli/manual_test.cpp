@@ -145,7 +145,7 @@ TEST(Help, HasExamplesThatRun) {
   EXPECT_GE(names.size(), 13U);
   // Not certified, as each should show: moments that may be of a non-physical body.
   const std::set<std::string> undecided{
-      "polhode body --moments 3.01,2,1 --sigma 0.1,0.1,0.05",
+      "polhode body --moments 3.01±0.1,2,1±0.05",
       "polhode scene scenes/*.toml --out results --page --plot svg"};
   const scratch_directory directory;
   make_tree(directory);
