@@ -120,8 +120,8 @@ region regions::log1p(const region& z) { return log(z + 1); }
 region regions::sinpi(const region& z) { return sine_of_half_turns(z); }
 region regions::cospi(const region& z) { return cosine_of_half_turns(z); }
 region regions::hypot(const region& z, const region& w) { return sqrt(square(z) + square(w)); }
-/// By agm(z, w) = agm((z + w)/2, sqrt(z w)). Both sides are analytic where Re z > 0 and Re w > 0: the
-/// square of (z + w)/2 and z w are off the cut (-oo, 0] of R_F; and they agree for z, w > 0.
+/// By agm(z, w) = agm((z + w)/2, sqrt(z w)). Both sides are analytic where Re z > 0 and Re w > 0:
+/// the square of (z + w)/2 and z w are off the cut (-oo, 0] of R_F; and they agree for z, w > 0.
 region regions::agm(const region& z, const region& w) {
   if (!z.is_analytic()) return z;
   if (!w.is_analytic()) return w;

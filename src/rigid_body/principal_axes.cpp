@@ -84,7 +84,8 @@ void principal_axes::set_along_given_axes() {
 }
 
 /// Two moments are equal, and all three are rational: the axis of the third is an eigenvector, the
-/// others are any two at right angles to it. All three are not equal, as the tensor is not diagonal.
+/// others are any two at right angles to it. All three are not equal, as the tensor is not
+/// diagonal.
 void principal_axes::set_symmetric(const vector& moments) {
   refuse_unless_positive(moments);
   for (std::size_t i = 0; i < 3; ++i) moments_[i] = moments[i];
@@ -135,17 +136,17 @@ exact_real principal_axes::margin() const {
   return trace_of(tensor_) - 2 * moments_[0];
 }
 
-/// u P w, where P is the projector onto the i-th axis: (u v_i)(v_i w). Of an irrational axis, with the
-/// i-th moment m and the others m', m'', Lagrange's interpolation gives
+/// u P w, where P is the projector onto the i-th axis: (u v_i)(v_i w). Of an irrational axis, with
+/// the i-th moment m and the others m', m'', Lagrange's interpolation gives
 ///   P = (T - m')(T - m'')/((m - m')(m - m'')) = (T^2 - (tr T - m) T + (det T/m))/((m - m')(m - m'')),
 /// as m' + m'' = tr T - m and m' m'' = det T/m. So u P w is N/(m (m - m')(m - m'')) with
 ///   N = gamma + alpha m + beta m^2,
 ///   alpha = (T u)(T w) - tr T (u T w), beta = u T w, gamma = det T (u w).
 /// N = 0 is decided in rationals. Where no moment is rational, the characteristic polynomial has no
 /// rational root and, being of degree 3, is irreducible: m is of degree 3, and N is 0 only where
-/// alpha, beta and gamma are. Where one other moment r is rational, m is a root of X^2 - S X + Q with
-/// S = tr T - r, Q = det T/r, and is irrational: N = (gamma - beta Q) + (alpha + beta S) m is 0 only
-/// where both of these are.
+/// alpha, beta and gamma are. Where one other moment r is rational, m is a root of X^2 - S X + Q
+/// with S = tr T - r, Q = det T/r, and is irrational: N = (gamma - beta Q) + (alpha + beta S) m is
+/// 0 only where both of these are.
 exact_real principal_axes::projected(std::size_t i, const vector& u, const vector& w) const {
   if (axes_[i].direction) {
     const vector& d = *axes_[i].direction;

@@ -23,7 +23,8 @@ struct prepared {
   triple<T> amplitude;
   T across;
   T size;
-  /// The principal ones; and the principal axes in the body axes, by rows, where they are not along them.
+  /// The principal ones; and the principal axes in the body axes, by rows, where they are not along
+  /// them.
   triple<T> moments;
   std::optional<axis_order> along;
   matrix3<T> axes;

@@ -112,8 +112,8 @@ initial_state initial_state::at_middle_of_twist(const body& rigid, const rationa
 }
 
 /// 2 H/J^2 is a rational number q > 0, and c = q I_y - 1 is rational where I_y is, and else
-/// irrational: its sign is decided. Where moments are irrational they are different, and the motion is
-/// an equilibrium where J is along an axis, two of its components being 0, which principal_axes
+/// irrational: its sign is decided. Where moments are irrational they are different, and the motion
+/// is an equilibrium where J is along an axis, two of its components being 0, which principal_axes
 /// decides; by comparing c with a and -b enclosures would not.
 void initial_state::settle() {
   const auto& [x, y, z] = axes_->moments();

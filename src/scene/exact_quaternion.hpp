@@ -26,8 +26,8 @@ struct projected_rotation {
 };
 
 /// The rotation nearest to a matrix, its orthogonal polar factor (N. J. Higham, SIAM J. Sci. Stat.
-/// Comput. 7, 1986), but for some 2^-120: a rational rotation beside it, whose distance is exact. Throws
-/// input_error where Newton's iteration does not find it.
+/// Comput. 7, 1986), but for some 2^-120: a rational rotation beside it, whose distance is exact.
+/// Throws input_error where Newton's iteration does not find it.
 [[nodiscard]] projected_rotation nearest_rotation(const matrix3<rational>& rows);
 
 }  // namespace polhode::detail

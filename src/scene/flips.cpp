@@ -10,8 +10,8 @@
 namespace polhode::detail {
 namespace {
 
-// J_y is 0 at u = 2K n, and at u = 0 on the separatrix, in the solution of rotor.hpp: half turns about
-// principal axes, which are symmetries of the motion, have turned its start there.
+// J_y is 0 at u = 2K n, and at u = 0 on the separatrix, in the solution of rotor.hpp: half turns
+// about principal axes, which are symmetries of the motion, have turned its start there.
 
 /// u_0/(2K) where it is a multiple of 1/2.
 std::optional<rational> exact_share(const jacobi_start& at) {

@@ -46,8 +46,8 @@ bool are_zero(const std::vector<rational>& x, std::size_t from) {
 // NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 class reader : public pugi::xml_tree_walker {
  public:
-  /// For one body the frame is read, and what is no number refused. Of the invariants of all a frame
-  /// is of no matter, and a link that is refused is found with its problem.
+  /// For one body the frame is read, and what is no number refused. Of the invariants of all a
+  /// frame is of no matter, and a link that is refused is found with its problem.
   enum class purpose { one_body, all_invariants };
   reader(const std::string& text, purpose what) : text_(&text), purpose_(what) {}
 

@@ -9,7 +9,8 @@ namespace polhode::detail {
 /// xx, yy, zz, xy, xz, yz.
 using tensor_entries = std::array<rational, 6>;
 
-/// The body with this tensor, in `size` kg m^2 or relative. Throws input_error as principal_axes does.
+/// The body with this tensor, in `size` kg m^2 or relative. Throws input_error as principal_axes
+/// does.
 [[nodiscard]] scene_body body_of_tensor(const tensor_entries& given);
 
 /// The same of principal moments about the given axes.
@@ -29,8 +30,8 @@ struct composed {
 /// A body from the text of a URDF, SDF or MuJoCo file; `link` chooses where there are several. Throws input_error.
 struct imported_inertia {
   std::string name;
-  /// About the link's axes; where the file turns the inertia's frame by numbers that make no rational
-  /// rotation, about those of that frame.
+  /// About the link's axes; where the file turns the inertia's frame by numbers that make no
+  /// rational rotation, about those of that frame.
   tensor_entries tensor;
   /// Which axes these are, where they are not the link's exactly.
   std::string remark;

@@ -1,6 +1,7 @@
 #pragma once
 
-// A scene's start and times as a rotor takes them: in the units of the moments and the momentum given.
+// A scene's start and times as a rotor takes them: in the units of the moments and the momentum
+// given.
 
 #include "polhode/rigid_body/rotor.hpp"
 #include "polhode/scene/scene.hpp"
@@ -24,8 +25,8 @@ class scene_motion {
   /// A bound of |omega|, in the rotor's units.
   [[nodiscard]] const magnitude& attitude_speed() const { return attitude_speed_; }
   [[nodiscard]] rotor_time at(const rational& t) const;
-  /// The enclosure of a component of J, of omega, or of an entry of R, at the true time, from that at
-  /// the rotor's; a double stays as it is.
+  /// The enclosure of a component of J, of omega, or of an entry of R, at the true time, from that
+  /// at the rotor's; a double stays as it is.
   [[nodiscard]] ball momentum(const ball& x, const rotor_time& at) const {
     return x.enlarged(multiply_up(momentum_speed_, at.off));
   }

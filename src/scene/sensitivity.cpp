@@ -164,7 +164,7 @@ effect_result sensitivity(const effect_context& x) {
 namespace {
 /// Two routes to the phase's slope: the identity, and the integral differentiated (half_phase.hpp).
 ball difference_of_slopes(const effect_context& x, precision p) {
-  const motion of = x.motion();
+  const motion& of = x.motion();
   const ball by_identity = derivatives_at(of, p).of_phase.c;
   const exact_real u = of.turning_point();
   const ball direct =

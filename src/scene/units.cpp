@@ -35,8 +35,8 @@ const std::vector<unit>& density_units() {
   return units;
 }
 
-// The pound is 0.45359237 kg, the ounce its sixteenth, the foot 0.3048 m; the slug is the mass that a
-// pound of force, 0.45359237 kg times 9.80665 m/s^2, accelerates by 1 ft/s^2.
+// The pound is 0.45359237 kg, the ounce its sixteenth, the foot 0.3048 m; the slug is the mass that
+// a pound of force, 0.45359237 kg times 9.80665 m/s^2, accelerates by 1 ft/s^2.
 const std::vector<unit>& inertia_units() {
   static const std::vector<unit> units = [] {
     const rational pound = decimal("0.45359237");

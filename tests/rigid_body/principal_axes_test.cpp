@@ -54,7 +54,8 @@ void expect_axes_of(const std::array<rational, 6>& t) {
                            v[0][1] * (v[1][0] * v[2][2] - v[1][2] * v[2][0]) +
                            v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
   EXPECT_TRUE(contains(determinant, 1L));
-  // The components of vectors: of all kinds of w, also of the axes themselves where they are rational.
+  // The components of vectors: of all kinds of w, also of the axes themselves where they are
+  // rational.
   for (const triple<rational>& w : {triple<rational>{1, 0, 0},
                                     {0, 1, 0},
                                     {0, 0, 1},

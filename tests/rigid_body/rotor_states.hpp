@@ -71,8 +71,8 @@ inline any_state random_state(random_source& random, long most_power) {
 }
 
 /// A positive definite tensor, xx, yy, zz, xy, xz, yz: principal moments that are three irrational
-/// numbers, or one rational one and two irrational ones, nearly equal or very different, or all three
-/// rational about turned axes, two of them equal now and then.
+/// numbers, or one rational one and two irrational ones, nearly equal or very different, or all
+/// three rational about turned axes, two of them equal now and then.
 inline std::array<rational, 6> random_tensor(random_source& random, long most_power) {
   using matrix = std::array<std::array<rational, 3>, 3>;
   const auto entry = [&] { return rational(random.between(-9, 9), random.between(1, 9)); };

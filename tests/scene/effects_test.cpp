@@ -405,8 +405,9 @@ TEST(Sensitivity, InTheMoments) {
   }
 }
 
-// A box turned by 45 degrees has the moments 3, 2, 3/2 about axes along (1, 1, 0), (1, -1, 0) and z; one
-// turned by a little more or less has irrational moments beside them, and nearly the same motion.
+// A box turned by 45 degrees has the moments 3, 2, 3/2 about axes along (1, 1, 0), (1, -1, 0) and
+// z; one turned by a little more or less has irrational moments beside them, and nearly the same
+// motion.
 TEST(Effects, OfATurnedBox) {
   const auto of = [](const std::string& xx) {
     return report_of("[body]\ntensor = [[\"" + xx +
@@ -454,8 +455,8 @@ TEST(Effects, OfATurnedBox) {
   EXPECT_GT(compared, 40U);
 }
 
-// One attitude in every form that a scene takes: a turn by 2 atan(1/2) about z and one by 90 degrees
-// about x.
+// One attitude in every form that a scene takes: a turn by 2 atan(1/2) about z and one by 90
+// degrees about x.
 TEST(Series, TakeTheAttitudeInEveryForm) {
   const auto attitude = [](const std::string& keys) {
     const scene_report report =

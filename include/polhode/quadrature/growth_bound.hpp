@@ -97,8 +97,8 @@ class growth_bound {
                                   const ball& least, const rational& a, int sign,
                                   end_series series) const;
   void improve_by_series();
-  /// C r^b of a positive function that does not grow towards t = 0, c r^a of one that does not fall;
-  /// undefined of others.
+  /// C r^b of a positive function that does not grow towards t = 0, c r^a of one that does not
+  /// fall; undefined of others.
   [[nodiscard]] ball greatest_value() const;
   [[nodiscard]] ball least_value() const;
   /// r^e for e >= 0, upper and lower.

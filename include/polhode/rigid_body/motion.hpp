@@ -37,8 +37,8 @@ class motion {
   /// for c outside [-b, a].
   motion(exact_real a, exact_real b, exact_real c);
   /// The same where the regime has been decided exactly, as that of a state: where a, b and c are
-  /// irrational, c = a and c = -b are not seen by comparing enclosures. equilibrium_y is taken as the
-  /// separatrix.
+  /// irrational, c = a and c = -b are not seen by comparing enclosures. equilibrium_y is taken as
+  /// the separatrix.
   motion(exact_real a, exact_real b, exact_real c, polhode::regime known);
 
   [[nodiscard]] const exact_real& a() const { return a_; }

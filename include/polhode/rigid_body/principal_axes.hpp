@@ -11,22 +11,22 @@
 
 namespace polhode {
 
-/// Principal axes x, y, z of which each is one of the axes 0, 1, 2 in which the tensor was given, or
-/// the opposite of one.
+/// Principal axes x, y, z of which each is one of the axes 0, 1, 2 in which the tensor was given,
+/// or the opposite of one.
 struct axis_order {
   std::array<int, 3> order{0, 1, 2};
   std::array<int, 3> signs{1, 1, 1};
 };
 
-/// Unit vectors v_x, v_y, v_z along the axes of the moments I_x >= I_y >= I_z, right-handed. Of v_x and
-/// of v_y the first component that is not 0 is positive. Where moments are equal, one of the frames
-/// that there are.
+/// Unit vectors v_x, v_y, v_z along the axes of the moments I_x >= I_y >= I_z, right-handed. Of v_x
+/// and of v_y the first component that is not 0 is positive. Where moments are equal, one of the
+/// frames that there are.
 class principal_axes {
  public:
   using vector = std::array<rational, 3>;
 
-  /// The entries xx, yy, zz, xy, xz, yz. Throws input_error where a principal moment is not positive,
-  /// and as inertia_tensor does where an entry has too many bits.
+  /// The entries xx, yy, zz, xy, xz, yz. Throws input_error where a principal moment is not
+  /// positive, and as inertia_tensor does where an entry has too many bits.
   explicit principal_axes(const std::array<rational, 6>& tensor);
 
   /// xx, yy, zz, xy, xz, yz, as given.
@@ -93,12 +93,12 @@ struct nearest_physical_tensor {
 /// Nothing where the tensor is physical.
 ///
 /// It is T + (d/3)(1 - 2 v_x v_x^T), with the moments I_x - d/3, I_y + d/3, I_z + d/3. Proof. For
-/// symmetric A and B with the eigenvalues a_i and b_i, each in descending order, the squared norm of
-/// A - B is at least the sum of (a_i - b_i)^2 (A. J. Hoffman, H. W. Wielandt, Duke Math. J. 20, 1953).
-/// The moments of a physical B have b_1 <= b_2 + b_3, a half-space at the distance d/sqrt(3) from
-/// (I_x, I_y, I_z), of which the nearest point is the one above. It is in descending order, as I_x -
-/// I_y = d + I_z > 2d/3, and positive; the tensor has it with the axes of T and attains the bound. It
-/// is the only one: the B with 2 b_1 <= tr B are a convex set.
+/// symmetric A and B with the eigenvalues a_i and b_i, each in descending order, the squared norm
+/// of A - B is at least the sum of (a_i - b_i)^2 (A. J. Hoffman, H. W. Wielandt, Duke Math. J. 20,
+/// 1953). The moments of a physical B have b_1 <= b_2 + b_3, a half-space at the distance d/sqrt(3)
+/// from (I_x, I_y, I_z), of which the nearest point is the one above. It is in descending order, as
+/// I_x - I_y = d + I_z > 2d/3, and positive; the tensor has it with the axes of T and attains the
+/// bound. It is the only one: the B with 2 b_1 <= tr B are a convex set.
 [[nodiscard]] std::optional<nearest_physical_tensor> nearest_physical(const principal_axes& of);
 
 }  // namespace polhode

@@ -1,12 +1,12 @@
 #pragma once
 
-// The free rotation of a rigid body in closed form, at any time: its angular momentum in the body and
-// its attitude in space.
+// The free rotation of a rigid body in closed form, at any time: its angular momentum in the body
+// and its attitude in space.
 //
 // Conventions. The body axes are those in which the inertia tensor T is given, or the moments: then
-// they are principal axes. Moments may be equal. The attitude is the matrix R that takes coordinates
-// in the body to coordinates in space: its columns are the body axes as seen in space. The angular
-// momentum J and the angular velocity omega are given in the body axes, J = T omega;
+// they are principal axes. Moments may be equal. The attitude is the matrix R that takes
+// coordinates in the body to coordinates in space: its columns are the body axes as seen in space.
+// The angular momentum J and the angular velocity omega are given in the body axes, J = T omega;
 //   dJ/dt = J x omega,   dR/dt = R [omega]x,   and R J does not change.
 // Units are the caller's: time is in the unit that makes momentum/moment its inverse.
 //
@@ -69,9 +69,9 @@ class initial_state {
   /// determinant -1, a quaternion w + x i + y j + z k of norm 0 (another norm is divided out: it enters R squared).
   void set_matrix(const matrix3<rational>& rows);
   void set_quaternion(const std::array<rational, 4>& wxyz);
-  /// R = R_i(first) R_j(second) R_k(third) about the axes i, j, k of the body (0 for x), each turned with
-  /// it: z-x-z, the classical phi, theta, psi, or 2, 1, 0 for yaw, pitch and roll. Throws input_error
-  /// where an axis follows itself.
+  /// R = R_i(first) R_j(second) R_k(third) about the axes i, j, k of the body (0 for x), each
+  /// turned with it: z-x-z, the classical phi, theta, psi, or 2, 1, 0 for yaw, pitch and roll.
+  /// Throws input_error where an axis follows itself.
   void set_euler_angles(const triple<rational>& angles, angle_unit unit = angle_unit::radians,
                         const triple<int>& axes = {2, 0, 2});
 
@@ -85,7 +85,8 @@ class initial_state {
   /// That of the motion, but equilibrium_y where J is exactly along y. An equilibrium is J parallel to omega; of a spherical top
   /// every motion is one.
   [[nodiscard]] polhode::regime regime() const { return regime_; }
-  /// The principal axes where each is a body axis or the opposite of one: J_x = signs[0] J[order[0]].
+  /// The principal axes where each is a body axis or the opposite of one: J_x = signs[0]
+  /// J[order[0]].
   [[nodiscard]] std::optional<axis_order> along_body_axes() const;
   /// Unit vectors along x, y, z in the body axes, by rows, to about p bits.
   [[nodiscard]] matrix3<ball> frame(precision p) const;
@@ -97,7 +98,8 @@ class initial_state {
 
  private:
   explicit initial_state(std::shared_ptr<const principal_axes> axes) : axes_(std::move(axes)) {}
-  /// From J^2 and 2 H, and the squares, over J^2, and signs of J's components in the principal axes.
+  /// From J^2 and 2 H, and the squares, over J^2, and signs of J's components in the principal
+  /// axes.
   void settle();
 
   std::shared_ptr<const principal_axes> axes_;

@@ -47,8 +47,8 @@ enum class with_slope : bool { no, yes };
 [[nodiscard]] twist twist_at(const body& rigid, const rational& c, precision p,
                              with_slope slope = with_slope::yes);
 
-/// The same to so many certain significant digits, of the slope too where it is asked for. The second
-/// form takes a motion of this body.
+/// The same to so many certain significant digits, of the slope too where it is asked for. The
+/// second form takes a motion of this body.
 [[nodiscard]] twist twist_to_digits(const body& rigid, const rational& c, long digits,
                                     with_slope slope = with_slope::yes);
 [[nodiscard]] twist twist_to_digits(const body& rigid, const motion& of, long digits,

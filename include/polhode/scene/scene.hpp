@@ -54,8 +54,8 @@ struct scene_state {
   /// With c = 2 I_y H/J^2 - 1 in [-b, a]. Where the body has three different moments.
   std::optional<polhode::motion> motion;
   /// The angular momentum in the axes in which the body was given, in units of momentum_size,
-  /// absolute where the time is; and the rotor's start, with the attitude, from that frame to that of
-  /// space. Missing where the motion was given by c alone.
+  /// absolute where the time is; and the rotor's start, with the attitude, from that frame to that
+  /// of space. Missing where the motion was given by c alone.
   std::optional<rational_vector> momentum;
   std::optional<initial_state> start;
   pi_scale momentum_size;

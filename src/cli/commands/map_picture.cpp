@@ -54,8 +54,8 @@ std::string tics_on(const std::vector<double>& axis) {
   return result;
 }
 
-/// I = q is (q^2 - 1) b^2 + (q^2 a + 2) b = 1, and J = q with p = (q + 1)^2 is (p - 1) a^2 + (p b - 2) a
-/// = 1: each has one positive root.
+/// I = q is (q^2 - 1) b^2 + (q^2 a + 2) b = 1, and J = q with p = (q + 1)^2 is (p - 1) a^2 + (p b -
+/// 2) a = 1: each has one positive root.
 std::vector<curve> curves_over(const map_values& map) {
   std::vector<curve> result;
   const auto add = [&](std::string name, const std::vector<std::pair<double, double>>& points) {

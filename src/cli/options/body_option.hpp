@@ -21,8 +21,8 @@ struct body_option {
   std::optional<std::string> file;
 
   void declare(CLI::App& app);
-  /// Throws usage_error where not exactly one was given, where it cannot be read or is not a body, and
-  /// for a file with sigma.
+  /// Throws usage_error where not exactly one was given, where it cannot be read or is not a body,
+  /// and for a file with sigma.
   [[nodiscard]] body value() const;
   /// Its inertia tensor xx, yy, zz, xy, xz, yz, where it is given by that or by its moments.
   [[nodiscard]] std::optional<std::array<rational, 6>> tensor_entries() const;

@@ -84,8 +84,8 @@ end_series series_at_end(const series_function& f, const end_of_range& end, long
   return *found;
 }
 
-/// What the growth of f proves where it has no series: that it is integrable, and how small the part
-/// beside the end is; or that it is not, as |f| >= c t^a with one sign and a <= -1.
+/// What the growth of f proves where it has no series: that it is integrable, and how small the
+/// part beside the end is; or that it is not, as |f| >= c t^a with one sign and a <= -1.
 std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end) {
   if (!f.growth) return std::nullopt;
   // Beside another point regions of 1 - x, say, are found by halving alone, in a thousand panels.

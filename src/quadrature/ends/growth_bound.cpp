@@ -428,13 +428,14 @@ growth_bound growth_bound::bounded_like(std::string_view name, const ball& value
   return made(name, abs(value), 0, abs(value), 0, sign, end_series::blocked(name));
 }
 
-/// For 0 < v <= 1: Gamma(v) = Gamma(1+v)/v with 1/2 < Gamma(1+v) <= 1, since log Gamma is convex, 0 at 1
-/// and at 2, and above its tangent at 1, of the slope -0.577... > -log 2.
+/// For 0 < v <= 1: Gamma(v) = Gamma(1+v)/v with 1/2 < Gamma(1+v) <= 1, since log Gamma is convex, 0
+/// at 1 and at 2, and above its tangent at 1, of the slope -0.577... > -log 2.
 ///
 /// For v >= u = c t^a with u_r = c r^a >= s >= 3 and 0 <= k <= s/2: Gamma grows from 2 on, so that
-/// Gamma(v) >= Gamma(u); and Gamma(u) u^-k grows for u >= s, as u digamma(u) >= u log u - 1 >= u/2 >= k by
-/// digamma(u) > log u - 1/u (H. Alzer, Math. Comp. 66, 1997). So Gamma(u) >= Gamma(u_r) (u/u_r)^k >=
-/// Gamma(s) (t/r)^(a k), which bounds 1/Gamma(v). Gamma itself has no bound by a power.
+/// Gamma(v) >= Gamma(u); and Gamma(u) u^-k grows for u >= s, as u digamma(u) >= u log u - 1 >= u/2
+/// >= k by digamma(u) > log u - 1/u (H. Alzer, Math. Comp. 66, 1997). So Gamma(u) >= Gamma(u_r)
+/// (u/u_r)^k >= Gamma(s) (t/r)^(a k), which bounds 1/Gamma(v). Gamma itself has no bound by a
+/// power.
 growth_bound gamma(const growth_bound& x) {
   if (x.blocked_) return x;
   const end_series none = end_series::blocked("gamma");
@@ -457,8 +458,8 @@ growth_bound gamma(const growth_bound& x) {
   return result;
 }
 
-/// For 0 < v <= 1: -log v - 1 < log Gamma(v) <= -log v, as above. For v >= 2: 0 <= log Gamma(v) <= v log v,
-/// the integral of digamma(v) < log v from 1 on (ibid.) being at most v log v - v + 1.
+/// For 0 < v <= 1: -log v - 1 < log Gamma(v) <= -log v, as above. For v >= 2: 0 <= log Gamma(v) <=
+/// v log v, the integral of digamma(v) < log v from 1 on (ibid.) being at most v log v - v + 1.
 growth_bound log_gamma(const growth_bound& x) {
   if (x.blocked_) return x;
   const end_series none = end_series::blocked("log_gamma");
@@ -474,11 +475,11 @@ growth_bound log_gamma(const growth_bound& x) {
   return x.made("log_gamma", product.most_, product.upper_exponent_, ball(0, bits), 0, 0, none);
 }
 
-/// sqrt(x y) <= agm(x, y) <= (x + y)/2 for x, y >= 0. And for a constant x and y <= x/2, of which the
-/// logarithm is known, 1/agm(x, y) <= (6/5) log(2 x/y)/x. Proof. With q = y/x and C. F. Gauss's
+/// sqrt(x y) <= agm(x, y) <= (x + y)/2 for x, y >= 0. And for a constant x and y <= x/2, of which
+/// the logarithm is known, 1/agm(x, y) <= (6/5) log(2 x/y)/x. Proof. With q = y/x and C. F. Gauss's
 ///   1/agm(1, q) = (2/pi) the integral over (0, pi/2) of dw/sqrt(sin^2 w + q^2 cos^2 w),
-/// sin w >= 2 w/pi gives q^2 + (1 - q^2) 4 w^2/pi^2 as a lower bound of the radicand, so that it is at
-/// most arsinh(sqrt(1 - q^2)/q)/sqrt(1 - q^2) = log((1 + sqrt(1 - q^2))/q)/sqrt(1 - q^2), and
+/// sin w >= 2 w/pi gives q^2 + (1 - q^2) 4 w^2/pi^2 as a lower bound of the radicand, so that it is
+/// at most arsinh(sqrt(1 - q^2)/q)/sqrt(1 - q^2) = log((1 + sqrt(1 - q^2))/q)/sqrt(1 - q^2), and
 /// 1/sqrt(1 - q^2) <= 2/sqrt(3) < 6/5.
 growth_bound agm(const growth_bound& x, const growth_bound& y) {
   if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
