@@ -12,6 +12,7 @@
 //   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5),
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -19,6 +20,7 @@
 
 #include "exact_value.hpp"
 #include "graph.hpp"
+#include "polhode/expression/elliptic_functions.hpp"
 
 namespace polhode {
 namespace exponential_substitution_impl {
@@ -294,7 +296,11 @@ class substitution {
   /// ellipticK towards its logarithmic end.
   std::optional<value> complete_integral(node_id i) {
     const detail::further_call& f = f_.call_at(i);
-    if (f.function->what.name != "ellipticK") return std::nullopt;
+    // A function of this name in another list may be anything.
+    const further_functions& own = *elliptic_functions();
+    const auto is_called = [&](const further_function& one) { return &one == f.function; };
+    if (f.function->what.name != "ellipticK" || std::ranges::none_of(own, is_called))
+      return std::nullopt;
     const value left = complement(f.operands.front());
     if (!tends_to_0(left)) return std::nullopt;
     const node_id half = g_.number(rational(1, 2));

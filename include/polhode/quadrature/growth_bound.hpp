@@ -89,8 +89,9 @@ class growth_bound {
  private:
   [[nodiscard]] static growth_bound undefined(std::string_view where);
   /// Of two of which one is blocked: the one that is nowhere defined, if one is.
-  [[nodiscard]] static const growth_bound& blocked_one(const growth_bound& x,
-                                                       const growth_bound& y);
+  [[nodiscard]] static growth_bound blocked_one(const growth_bound& x, const growth_bound& y);
+  /// A function of this one, which is blocked.
+  [[nodiscard]] growth_bound passed_on() const;
   [[nodiscard]] growth_bound constant_of(const ball& x, end_series series) const;
   /// With these bounds and this series, of which the better ones are kept. Blocked where the bounds are no numbers and the series is blocked.
   [[nodiscard]] growth_bound made(std::string_view name, const ball& most, const rational& b,

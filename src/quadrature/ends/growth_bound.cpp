@@ -68,10 +68,18 @@ growth_bound growth_bound::undefined(std::string_view where) {
   return result;
 }
 
-const growth_bound& growth_bound::blocked_one(const growth_bound& x, const growth_bound& y) {
-  if (x.nowhere_defined_) return x;
-  if (y.nowhere_defined_) return y;
-  return x.blocked_ ? x : y;
+/// What is blocked stays so in every function of it. Only the division reads what is remembered of 1
+/// divided by a blocked one, which is not so of a function of it.
+growth_bound growth_bound::passed_on() const {
+  growth_bound result = blocked(where_);
+  result.nowhere_defined_ = nowhere_defined_;
+  return result;
+}
+
+growth_bound growth_bound::blocked_one(const growth_bound& x, const growth_bound& y) {
+  if (x.nowhere_defined_) return x.passed_on();
+  if (y.nowhere_defined_) return y.passed_on();
+  return (x.blocked_ ? x : y).passed_on();
 }
 
 ball growth_bound::power_of_r(const rational& e) const {
@@ -146,11 +154,11 @@ growth_bound growth_bound::constant_of(const ball& x, end_series series) const {
   return result;
 }
 growth_bound growth_bound::constant_like(const rational& q) const {
-  if (blocked_) return *this;
+  if (blocked_) return passed_on();
   return constant_of(ball(q, 192), one_.constant_like(q));
 }
 growth_bound growth_bound::constant_like(const ball& x) const {
-  if (blocked_) return *this;
+  if (blocked_) return passed_on();
   return constant_of(x, one_.constant_like(x));
 }
 
@@ -161,10 +169,10 @@ growth_bound growth_bound::reciprocal_of(const growth_bound& y) {
 }
 
 growth_bound operator-(const growth_bound& x) {
-  if (x.blocked_) return x;
-  growth_bound result = x;
+  growth_bound result = x.blocked_ ? x.passed_on() : x;
   result.logarithm_ = nullptr;
   if (x.inverse_) result.inverse_ = std::make_shared<const growth_bound>(-*x.inverse_);
+  if (x.blocked_) return result;
   result.sign_ = -x.sign_;
   result.series_ = -x.series_;
   if (x.constant_) result.constant_ = -*x.constant_;
@@ -258,7 +266,7 @@ growth_bound growth_bound::to_the(const ball& y, std::string_view name, end_seri
 }
 
 growth_bound pow(const growth_bound& x, long n) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   growth_bound result = x.to_the(ball(n, 64), "a power", pow(x.series_, n));
   if (n % 2 != 0) result.sign_ = x.sign_;
   if (n % 2 == 0 && x.sign_ == 0 && !certainly_positive(x.least_)) result.sign_ = 0;
@@ -289,7 +297,7 @@ growth_bound pow(const growth_bound& x, const growth_bound& y) {
 }
 
 growth_bound sqrt(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   if (x.sign_ < 0) return growth_bound::undefined("sqrt");
   if (x.sign_ <= 0 && x.series_.is_blocked()) return growth_bound::blocked("sqrt");
   const end_series series = sqrt(x.series_);
@@ -301,7 +309,7 @@ growth_bound sqrt(const growth_bound& x) {
 }
 
 growth_bound root(const growth_bound& x, long n) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   if (x.sign_ < 0 && n % 2 != 0) return -root(-x, n);
   if (x.sign_ < 0) return growth_bound::undefined("root");
   if (x.sign_ <= 0) return growth_bound::blocked("root");
@@ -312,7 +320,7 @@ growth_bound root(const growth_bound& x, long n) {
 /// For x <= -u with u = c t^a, a < 0: let u_r = c r^a, the least u, and 0 <= k <= u_r. As e^-u u^k
 /// falls for u >= k, e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a k) t^(-a k), at most 1.
 growth_bound exp(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   growth_bound result = x.exponential();
   if (!result.blocked_) result.logarithm_ = std::make_shared<const growth_bound>(x);
   return result;
@@ -349,7 +357,7 @@ growth_bound growth_bound::exponential() const {
 /// log x lies between log c + a log t and log C + b log t. Where b > 0 and C r^b < 1 it is negative, and |log x| >= |log(C r^b)|; where a < 0 and
 /// c r^a > 1 it is positive, and log x >= log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
 growth_bound log(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   if (x.logarithm_) return *x.logarithm_;
   if (x.sign_ < 0) return growth_bound::undefined("log");
   if (x.sign_ == 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
@@ -385,7 +393,7 @@ growth_bound log(const growth_bound& x) {
 // |f| is at most the bound, and, where f is odd with |f'| <= 1, at most |v|.
 #define POLHODE_BOUNDED(f, bound, odd, periodic)                                               \
   growth_bound f(const growth_bound& x) {                                                      \
-    if (x.blocked_) return x;                                                                  \
+    if (x.blocked_) return x.passed_on();                                                      \
     const bool by_itself = (odd) && x.upper_exponent_ > 0;                                     \
     growth_bound result =                                                                      \
         x.made(#f, by_itself ? x.most_ : (bound), by_itself ? x.upper_exponent_ : rational(0), \
@@ -400,7 +408,7 @@ POLHODE_BOUNDED(tanh, ball(1, bits), true, false)
 #undef POLHODE_BOUNDED
 
 growth_bound erf(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   return x.made("erf", ball(1, bits), 0, ball(0, bits), 0, x.sign_, end_series::blocked("erf"));
 }
 
@@ -437,7 +445,7 @@ growth_bound growth_bound::bounded_like(std::string_view name, const ball& value
 /// (u/u_r)^k >= Gamma(s) (t/r)^(a k), which bounds 1/Gamma(v). Gamma itself has no bound by a
 /// power.
 growth_bound gamma(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   const end_series none = end_series::blocked("gamma");
   const ball one(1, bits);
   if (certainly_less_equal(x.greatest_value(), one))
@@ -461,7 +469,7 @@ growth_bound gamma(const growth_bound& x) {
 /// For 0 < v <= 1: -log v - 1 < log Gamma(v) <= -log v, as above. For v >= 2: 0 <= log Gamma(v) <=
 /// v log v, the integral of digamma(v) < log v from 1 on (ibid.) being at most v log v - v + 1.
 growth_bound log_gamma(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   const end_series none = end_series::blocked("log_gamma");
   const ball one(1, bits);
   if (certainly_less_equal(x.greatest_value(), one))
@@ -503,7 +511,7 @@ growth_bound agm(const growth_bound& x, const growth_bound& y) {
 }
 
 growth_bound abs(const growth_bound& x) {
-  if (x.blocked_) return x;
+  if (x.blocked_) return x.passed_on();
   growth_bound result = x.sign_ < 0 ? -x : x;
   if (x.sign_ == 0) {
     result.inverse_ = nullptr;
