@@ -205,6 +205,14 @@ TEST(GrowthBound, HoldsSpecialFunctions) {
 }
 
 TEST(GrowthBound, WhatIsNotFollowedIsBlocked) {
+  // What is known of 1/gamma is not so of functions of gamma.
+  for (const char* text :
+       {"1/sqrt(gamma(1/x))", "1/log(gamma(1/x))", "1/(gamma(1/x)*exp(-1/x))", "1/(1+gamma(1/x))",
+        "1/abs(gamma(1/x))", "1/exp(gamma(1/x))", "1/sin(gamma(1/x))", "1/root(gamma(1/x), 3)",
+        "1/(gamma(1/x)/x)", "1/gamma(1/x)^(1/4)", "1/(gamma(1/x)-5)"}) {
+    EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
+  }
+  EXPECT_EQ(look("x/(-gamma(1/x))", 0.25).bound.sign(), -1);
   for (const char* text : {"gamma(1/x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))",
                            "1/cos(log(x))", "ellipticK(1-x)", "agm(1,cos(log(x)))"}) {
     EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
@@ -257,9 +265,10 @@ TEST(GrowthBound, DivergenceIsProved) {
 }
 
 TEST(GrowthBound, DivergentIntegralsAreRefused) {
-  for (const char* text : {"x^(-sqrt(2))", "x^(-pi/3)", "x^(-sqrt(1+1e-8))", "1/(x*log(x))",
-                           "1/(x^sqrt(2)*(2+cos(log(x))))", "x^(-1-x)", "log(log(1/x))/x",
-                           "gamma(x)", "log_gamma(x)/x", "1/(x*agm(1,x))"}) {
+  for (const char* text :
+       {"x^(-sqrt(2))", "x^(-pi/3)", "x^(-sqrt(1+1e-8))", "1/(x*log(x))",
+        "1/(x^sqrt(2)*(2+cos(log(x))))", "x^(-1-x)", "log(log(1/x))/x", "1/(x^2*log(gamma(1/x)))",
+        "gamma(x)", "log_gamma(x)/x", "1/(x*agm(1,x))"}) {
     EXPECT_NE(integrate(parse(text), 0, rational(1, 4), {.digits = 10, .most_evaluations = 20000})
                   .verdict,
               status::certified)
