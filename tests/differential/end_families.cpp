@@ -523,7 +523,23 @@ integral_case special_end(maker& m) {
     r.parts = {{g, 0, 1, few_digits(m)}};
     return r;
   };
-  switch (m.between(0, 5)) {
+  switch (m.between(0, 7)) {
+    case 6: {  // log gamma(x) grows as x log x
+      const term g = m.one_in(2) ? call("log_gamma", x) : call("log", call("gamma", x));
+      integral_case r{m.one_in(2) ? 1 / g : 1 / call("sqrt", g), m.near(m.within(3, 9)), "inf",
+                      few_digits(m)};
+      r.diverges = true;
+      return r;
+    }
+    case 7: {
+      const term g = call("gamma", x + m.rational_near(m.within(0.2, 3)));
+      const term f = m.any_of({term("1"), x, call("sqrt", x)});
+      const term from = m.near(m.within(0.1, 4));
+      const term to = m.near(m.within(200, 300));
+      integral_case r{f / (m.one_in(2) ? g : -g), from, "inf", few_digits(m)};
+      r.parts = {{r.integrand, from, to, few_digits(m)}, {r.integrand, to, "inf", few_digits(m)}};
+      return r;
+    }
     case 0: {
       const term w = lower();
       return same(w * call("log_gamma", x), w * (call("log_gamma", 1 + x) - call("log", x)));
