@@ -526,7 +526,8 @@ integral_case special_end(maker& m) {
   switch (m.between(0, 7)) {
     case 6: {  // log gamma(x) grows as x log x
       const term g = m.one_in(2) ? call("log_gamma", x) : call("log", call("gamma", x));
-      integral_case r{m.one_in(2) ? 1 / g : 1 / call("sqrt", g), m.near(m.within(3, 9)), "inf",
+      const term faster = call("gamma", x) * call("exp", -power(x, 2));
+      integral_case r{1 / m.any_of({g, call("sqrt", g), faster}), m.near(m.within(3, 9)), "inf",
                       few_digits(m)};
       r.diverges = true;
       return r;
