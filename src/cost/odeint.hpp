@@ -17,8 +17,8 @@ struct integrated_rotation {
   [[nodiscard]] matrix3<double> matrix() const;
 };
 
-/// Hypothesis: the body axes are principal axes. By dopri5 with step size control, from time 0 to t, with that relative and absolute tolerance: what one who simulates a free body
-/// writes.
+/// By dopri5 with step size control, from time 0 to t, with that relative and absolute tolerance:
+/// what one who simulates a free body writes. Hypothesis: the body axes are principal axes.
 [[nodiscard]] integrated_rotation rotation_by_dopri5(const initial_state& start, double t,
                                                      double tolerance);
 

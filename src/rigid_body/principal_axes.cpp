@@ -138,7 +138,8 @@ exact_real principal_axes::margin() const {
 
 /// u P w, where P is the projector onto the i-th axis: (u v_i)(v_i w). Of an irrational axis, with
 /// the i-th moment m and the others m', m'', Lagrange's interpolation gives
-///   P = (T - m')(T - m'')/((m - m')(m - m'')) = (T^2 - (tr T - m) T + (det T/m))/((m - m')(m - m'')),
+///   P = (T - m')(T - m'')/((m - m')(m - m''))
+///     = (T^2 - (tr T - m) T + (det T/m))/((m - m')(m - m'')),
 /// as m' + m'' = tr T - m and m' m'' = det T/m. So u P w is N/(m (m - m')(m - m'')) with
 ///   N = gamma + alpha m + beta m^2,
 ///   alpha = (T u)(T w) - tr T (u T w), beta = u T w, gamma = det T (u w).

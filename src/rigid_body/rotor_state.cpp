@@ -100,8 +100,8 @@ initial_state initial_state::from_angular_velocity(const triple<rational>& momen
 initial_state initial_state::at_middle_of_twist(const body& rigid, const rational& c) {
   if (rigid.irrational_tensor()) {
     throw input_error(
-        "the body's principal moments are irrational, and a motion in time needs rational ones; "
-        "give the moments as decimals");
+        "the body's principal moments are irrational, and this start needs rational ones; give the "
+        "tensor and the angular momentum");
   }
   const auto [x2, y2, z2] = polhode::motion(rigid, c).greatest_squares();
   const rational& x = x2.exact();

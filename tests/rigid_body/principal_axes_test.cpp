@@ -126,6 +126,37 @@ TEST(PrincipalAxes, TellTheKindAndTheMargin) {
   EXPECT_THROW(principal_axes({1, 1, 1, 1, 1, 1}), input_error);  // 3, 0, 0
 }
 
+// About an axis with a rational moment, beside two that are (5 +- sqrt 5)/2; and c = 0 exactly,
+// where 2 H I_y = J^2, for I_y = 5/2 and J = (2 v, v, w) or (0, v, w).
+TEST(InitialState, RegimesOfIrrationalBodiesAreDecided) {
+  const auto regime_of_state = [](const rational& zz, const triple<rational>& j) {
+    return initial_state::from_tensor(
+               std::make_shared<const principal_axes>(std::array<rational, 6>{2, 3, zz, 1, 0, 0}),
+               j)
+        .regime();
+  };
+  EXPECT_EQ(regime_of_state(4, {0, 0, 1}), regime::equilibrium_x);
+  EXPECT_EQ(regime_of_state(3, {0, 0, -7}), regime::equilibrium_y);
+  EXPECT_EQ(regime_of_state(1, {0, 0, 1}), regime::equilibrium_z);
+  const rational tiny = support::power_of_ten(-60);
+  EXPECT_EQ(regime_of_state(4, {tiny, 0, 1}), regime::oscillating);
+  EXPECT_EQ(regime_of_state(1, {tiny, 0, 1}), regime::rotating);
+  const rational middle(5, 2);
+  EXPECT_EQ(regime_of_state(middle, {2, 1, 3}), regime::separatrix);
+  EXPECT_EQ(regime_of_state(middle, {0, -1, 5}), regime::separatrix);
+  EXPECT_EQ(regime_of_state(middle, {2, 1 + tiny, 3}), regime::oscillating);
+  EXPECT_EQ(regime_of_state(middle, {2, 1 - tiny, 3}), regime::rotating);
+  // The separatrix of an irrational body in time: energy and momentum stay.
+  const rotor<ball> turning(
+      initial_state::from_tensor(
+          std::make_shared<const principal_axes>(std::array<rational, 6>{2, 3, middle, 1, 0, 0}),
+          {2, 1, 3}),
+      100);
+  const auto [j, omega] = turning.sample(rational(7, 3));
+  EXPECT_TRUE(contains(dot(j, j), 14L));
+  EXPECT_TRUE(contains(dot(j, omega), rational(28, 5)));
+}
+
 ball distance_between(const std::array<rational, 6>& x, const std::array<exact_real, 6>& y) {
   ball sum(0, bits);
   for (std::size_t i = 0; i < 6; ++i) {

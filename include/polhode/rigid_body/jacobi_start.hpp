@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-/// sn, cn, dn of u_0, by their squares and the signs -1, 0, 1 of sn and cn; dn >= 0. On the separatrix these are
-/// tanh u_0 and, twice, sech u_0.
+/// sn, cn, dn of u_0, by their squares and the signs -1, 0, 1 of sn and cn; dn >= 0. On the
+/// separatrix these are tanh u_0 and, twice, sech u_0.
 struct jacobi_start {
   int sine = 0;
   int cosine = 0;

@@ -82,8 +82,9 @@ class principal_axes {
 
 /// The physical tensor that is nearest to a non-physical one in the Frobenius norm.
 struct nearest_physical_tensor {
-  /// The norm of the difference, d/sqrt(3) with d = I_x - I_y - I_z > 0.
-  exact_real excess = 0;  // d
+  /// d = I_x - I_y - I_z > 0.
+  exact_real excess = 0;
+  /// The norm of the difference, d/sqrt(3).
   [[nodiscard]] ball distance(precision p) const;
   /// xx, yy, zz, xy, xz, yz; and its principal moments: it is planar.
   std::array<exact_real, 6> tensor{0, 0, 0, 0, 0, 0};

@@ -11,13 +11,13 @@
 // Units are the caller's: time is in the unit that makes momentum/moment its inverse.
 //
 // Principal axes x, y, z are those of principal_axes.hpp, turned by half turns about them so that
-// J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): these are symmetries of the motion.
-// There, in units of |J| and I_y/|J|, J is one of the three solutions of motion.hpp. Which of them
+// J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): these are symmetries of the
+// motion. There, in units of |J| and I_y/|J|, J is one of the three solutions of motion.hpp. Which of them
 // it is, and whether the motion is steady, is decided exactly. About J the body turns by the angle
 // phi of the paper's Euler angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an elliptic
 // integral of the third kind; here it is had from theta functions (C. G. J. Jacobi, J. reine angew.
-// Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and the bounds of what
-// its series leave out.
+// Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and the bounds of
+// what its series leave out.
 
 #include <array>
 #include <concepts>
@@ -157,9 +157,10 @@ class rotor_motion;
 /// The motion from a state; T is ball, mpfr_float or double, from the same templates. All that does not depend on time is computed once.
 /// A sample costs the same at every time (but for log2(t/T) bits more), momentum without any integral of the third kind. May be
 /// used by many threads at once; copies share what they hold.
-///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of |J|/I_i and of 1, where
-///               I_i is the moment along the component's axis and, where that is no principal axis, I_z: precision is
-///               raised until they do (by up to 2^18 bits: beyond, they are as wide as they are). p = precision.
+///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of
+///               |J|/I_i and of 1, where I_i is the moment along the component's axis and, where
+///               that is no principal axis, I_z: precision is raised until they do (by up to 2^18
+///               bits: beyond, they are as wide as they are). p = precision.
 ///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same sense.
 ///   double      the state and t are taken as the exact numbers they are; then the error of J is a few units of |J| in the last
 ///               place, at any time below 2^50 periods. Computed in long double.

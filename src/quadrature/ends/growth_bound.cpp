@@ -68,8 +68,8 @@ growth_bound growth_bound::undefined(std::string_view where) {
   return result;
 }
 
-/// What is blocked stays so in every function of it. Only the division reads what is remembered of 1
-/// divided by a blocked one, which is not so of a function of it.
+/// A function f of a blocked bound x is blocked. It does not keep x's inverse_, which bounds 1/x
+/// and says nothing of 1/f(x).
 growth_bound growth_bound::passed_on() const {
   growth_bound result = blocked(where_);
   result.nowhere_defined_ = nowhere_defined_;
