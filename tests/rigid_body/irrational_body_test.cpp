@@ -99,7 +99,7 @@ TEST(IrrationalBody, HasTheNumbersOfRationalBodiesBesideIt) {
       expect_equal(x.c, meeting_to_digits(other, m, 30).c, 90, "meeting");
     }
   }
-  EXPECT_GT(compared, 20);
+  EXPECT_GT(compared, 20 * support::effort());
 }
 
 /// The tensor with the moment m in its own axis, and beside it the block [[p, r], [r, q]].
@@ -194,7 +194,7 @@ TEST(IrrationalBody, OfTensorsWithOneRationalMomentHasTheRationalSquaresThatBall
       }
     }
   }
-  EXPECT_GT(rational_ones, 10);
+  EXPECT_GT(rational_ones, 10 * support::effort());
 }
 
 TEST(IrrationalBody, OfExtremeSizes) {
