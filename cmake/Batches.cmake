@@ -1,18 +1,21 @@
-# polhode_batch(TARGET): with POLHODE_BATCHES, compiles the target's sources in batches. A batch is
-# one directory, or a part of one of up to batch_bytes. Most of what a source costs is in the headers
-# that it reads; a batch reads them once. A source with the property SKIP_UNITY_BUILD_INCLUSION, or
-# with include directories of its own, is compiled alone; set these before the call.
+# polhode_batch(TARGET [BYTES]): with POLHODE_BATCHES, compiles the target's sources in batches. A
+# batch is one directory, or a part of one of up to BYTES (65000: some 15 seconds). Most of what a
+# source costs is in the headers that it reads; a batch reads them once. A source with the property
+# SKIP_UNITY_BUILD_INCLUSION, or with include directories of its own, is compiled alone; set these
+# before the call.
 #
 # CMake's unity builds write absolute paths into their sources, so that ccache finds nothing in
 # another checkout. These batches include their sources by relative paths.
 #
 # Sources of one directory share their unnamed namespaces: give helpers names of their own.
 # The presets without POLHODE_BATCHES compile each source alone, which shows a missing #include.
-set(batch_bytes 65000)
-
 function(polhode_batch target)
   if(NOT POLHODE_BATCHES)
     return()
+  endif()
+  set(batch_bytes 65000)
+  if(ARGC GREATER 1)
+    set(batch_bytes ${ARGV1})
   endif()
   set(batches "${PROJECT_BINARY_DIR}/batches/${target}")
   get_target_property(sources ${target} SOURCES)

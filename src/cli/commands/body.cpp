@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "body_links.hpp"
 #include "cli/commands.hpp"
@@ -221,17 +220,17 @@ exit_status run(const body_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<body_options>();
-  app.add_option("FILE", options->robot,
-                 "A robot: every link of a URDF, SDF or MuJoCo file, in kg m^2")
-      ->type_name("");
-  app.add_flag("--allow-non-physical", options->allow_non_physical,
-               "Exit with status 0 where links are non-physical, too");
-  app.add_flag("--nearest", options->nearest,
-               "Of what is non-physical, the nearest physical tensor in the Frobenius norm");
+  add_option(app, "FILE", options->robot,
+             "A robot: every link of a URDF, SDF or MuJoCo file, in kg m^2")
+      .type_name("");
+  add_flag(app, "--allow-non-physical", options->allow_non_physical,
+           "Exit with status 0 where links are non-physical, too");
+  add_flag(app, "--nearest", options->nearest,
+           "Of what is non-physical, the nearest physical tensor in the Frobenius norm");
   options->which.declare(app);
-  app.add_option("--sigma", options->sigma,
-                 "How far each moment may be from the one given with --moments")
-      ->type_name("SX,SY,SZ");
+  add_option(app, "--sigma", options->sigma,
+             "How far each moment may be from the one given with --moments")
+      .type_name("SX,SY,SZ");
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/memory_limit.hpp"
@@ -328,24 +327,23 @@ exit_status run(const certify_options& options) {
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<certify_options>();
   const oscillating_motion usual = request{}.motion;
-  app.add_option("CLAIM", options->names, "Claims to prove, by name; without any, every claim")
-      ->type_name("");
-  app.add_flag("--list", options->list, "Show the claims instead of proving them");
-  app.add_flag("--all", options->all, "Prove every claim, whatever else is named");
+  add_option(app, "CLAIM", options->names, "Claims to prove, by name; without any, every claim")
+      .type_name("");
+  add_flag(app, "--list", options->list, "Show the claims instead of proving them");
+  add_flag(app, "--all", options->all, "Prove every claim, whatever else is named");
   options->digits.declare(app);
-  app.add_option("--out", options->directory,
-                 "Write each certificate to DIR/<claim>.json as well; DIR is\n"
-                 "created where it is missing; all files appear, or none")
-      ->type_name("DIR");
+  add_option(app, "--out", options->directory,
+             "Write each certificate to DIR/<claim>.json as well; DIR is\n"
+             "created where it is missing; all files appear, or none")
+      .type_name("DIR");
   options->format.declare(app);
-  app.add_option("--ab", options->ab,
-                 fmt::format("The body's parameters a > 0 and 0 < b < 1, read exactly\n[{},{}]",
-                             to_text(usual.a), to_text(usual.b)))
-      ->type_name("A,B");
-  app.add_option(
-         "--u", options->u,
-         fmt::format("The motion's parameter, 0 < u <= 1, read exactly [{}]", to_text(usual.u)))
-      ->type_name("U");
+  add_option(app, "--ab", options->ab,
+             fmt::format("The body's parameters a > 0 and 0 < b < 1, read exactly\n[{},{}]",
+                         to_text(usual.a), to_text(usual.b)))
+      .type_name("A,B");
+  add_option(app, "--u", options->u,
+             fmt::format("The motion's parameter, 0 < u <= 1, read exactly [{}]", to_text(usual.u)))
+      .type_name("U");
   options->memory_limit.declare(app);
   options->time_limit.declare(app);
   return [options] { return run(*options); };

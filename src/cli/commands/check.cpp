@@ -6,7 +6,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/options.hpp"
@@ -68,20 +67,20 @@ exit_status run(const check_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<check_options>();
-  app.add_option("PATH", options->request.paths,
-                 "Certificates, or directories of which every .json file is one")
-      ->type_name("")
-      ->required();
-  app.add_flag("--verbose", options->request.verbose,
-               "Print every fact and number that was shown again,\nand what it cost");
-  app.add_option("--budget", options->budget,
-                 fmt::format("What all of them may cost together, in millions of operations;\nthe "
-                             "rest is shared by the files that are left [{}]",
-                             options->budget))
-      ->type_name("N");
-  app.add_option("--memory", options->memory,
-                 fmt::format("What it may hold in memory, in MB [{}]", options->memory))
-      ->type_name("N");
+  add_option(app, "PATH", options->request.paths,
+             "Certificates, or directories of which every .json file is one")
+      .type_name("")
+      .required();
+  add_flag(app, "--verbose", options->request.verbose,
+           "Print every fact and number that was shown again,\nand what it cost");
+  add_option(app, "--budget", options->budget,
+             fmt::format("What all of them may cost together, in millions of operations;\nthe "
+                         "rest is shared by the files that are left [{}]",
+                         options->budget))
+      .type_name("N");
+  add_option(app, "--memory", options->memory,
+             fmt::format("What it may hold in memory, in MB [{}]", options->memory))
+      .type_name("N");
   options->format.declare(app);
   return [options] { return run(*options); };
 }

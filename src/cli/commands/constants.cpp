@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
@@ -296,8 +295,8 @@ exit_status run(constants_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<constants_options>();
-  app.add_option("NAME", options->names, "Constants, by name; without any, all of them")
-      ->type_name("");
+  add_option(app, "NAME", options->names, "Constants, by name; without any, all of them")
+      .type_name("");
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);

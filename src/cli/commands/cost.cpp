@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/clock.hpp"
 #include "cli/commands.hpp"
@@ -297,24 +296,24 @@ exit_status run(const cost_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<cost_options>();
-  app.add_option("NAME", options->names,
-                 "Quantities to measure, by name; without any, all of them, and hard cases")
-      ->type_name("");
-  app.add_flag("--list", options->list, "Show the quantities and their methods");
+  add_option(app, "NAME", options->names,
+             "Quantities to measure, by name; without any, all of them, and hard cases")
+      .type_name("");
+  add_flag(app, "--list", options->list, "Show the quantities and their methods");
   options->most_digits.declare(app, "Measure at 16, 30, 50, 100, 300, ... digits up to N");
-  app.add_option("--seconds", options->seconds,
-                 "Measure for S seconds in all, of which every quantity and hard case has its "
-                 "share: leave\n"
-                 "out, and name, what is expected to pass it; the first point of each method is\n"
-                 "measured in any case [60]")
-      ->type_name("S");
+  add_option(app, "--seconds", options->seconds,
+             "Measure for S seconds in all, of which every quantity and hard case has its "
+             "share: leave\n"
+             "out, and name, what is expected to pass it; the first point of each method is\n"
+             "measured in any case [60]")
+      .type_name("S");
   options->estimate.declare(app, "Estimate the time for N digits from short runs; 0: off");
-  app.add_flag("--no-hard-cases", options->no_hard_cases, "Leave out the hard cases");
-  app.add_option("--out", options->directory,
-                 "Write cost.csv, cost.json and the pictures there, as SVG and PNG; DIR is\n"
-                 "created where it is missing; all files appear, or none")
-      ->type_name("DIR");
-  app.add_flag("--data-only", options->data_only, "Without the pictures, which need gnuplot");
+  add_flag(app, "--no-hard-cases", options->no_hard_cases, "Leave out the hard cases");
+  add_option(app, "--out", options->directory,
+             "Write cost.csv, cost.json and the pictures there, as SVG and PNG; DIR is\n"
+             "created where it is missing; all files appear, or none")
+      .type_name("DIR");
+  add_flag(app, "--data-only", options->data_only, "Without the pictures, which need gnuplot");
   options->format.declare(app);
   options->time_limit.declare(app, "quantity and hard case");
   return [options] { return run(*options); };

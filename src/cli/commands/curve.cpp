@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/body_option.hpp"
@@ -186,9 +185,9 @@ std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<curve_options>();
   options->which.declare(app);
   options->points.declare(app, "How many points: the middles of as many equal parts of the range");
-  app.add_option("--c", options->c,
-                 "The range of c, within -b to a [-b to b, or to a where that is less]")
-      ->type_name("LO..HI");
+  add_option(app, "--c", options->c,
+             "The range of c, within -b to a [-b to b, or to a where that is less]")
+      .type_name("LO..HI");
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/formula.hpp"
@@ -268,12 +267,12 @@ exit_status run(const eval_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<eval_options>();
-  app.add_option("EXPR", options->formula, "A formula without variables")->type_name("");
+  add_option(app, "EXPR", options->formula, "A formula without variables").type_name("");
   options->let.declare(app);
   options->digits.declare(app);
   options->format.declare(app);
-  app.add_flag("--functions", options->list_functions,
-               "Print the functions and constants, and exit");
+  add_flag(app, "--functions", options->list_functions,
+           "Print the functions and constants, and exit");
   options->memory_limit.declare(app);
   options->verify.declare(app);
   options->time_limit.declare(app);

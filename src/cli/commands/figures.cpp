@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/figures/figure.hpp"
@@ -137,17 +136,17 @@ exit_status run(const figures_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<figures_options>();
-  app.add_option("NAME", options->names,
-                 "Figures to draw, by name or by the paper's number; without any, all")
-      ->type_name("");
-  app.add_flag("--list", options->list, "Show the figures instead of drawing them");
-  app.add_option("--out", options->directory,
-                 "Where NAME.svg, NAME.png and NAME.csv go; DIR is created where\n"
-                 "it is missing; all files appear, or none [figures]")
-      ->type_name("DIR");
-  app.add_flag("--data-only", options->data_only,
-               "Write the CSV files alone, which needs no gnuplot; without this\n"
-               "option nothing is written where gnuplot is missing");
+  add_option(app, "NAME", options->names,
+             "Figures to draw, by name or by the paper's number; without any, all")
+      .type_name("");
+  add_flag(app, "--list", options->list, "Show the figures instead of drawing them");
+  add_option(app, "--out", options->directory,
+             "Where NAME.svg, NAME.png and NAME.csv go; DIR is created where\n"
+             "it is missing; all files appear, or none [figures]")
+      .type_name("DIR");
+  add_flag(app, "--data-only", options->data_only,
+           "Write the CSV files alone, which needs no gnuplot; without this\n"
+           "option nothing is written where gnuplot is missing");
   options->digits.declare(app);
   options->memory_limit.declare(app);
   options->time_limit.declare(app, "figure");

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/certificate_option.hpp"
@@ -541,21 +540,21 @@ exit_status run(integrate_command_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<integrate_command_options>();
-  app.add_option("EXPR", options->formula, "The integrand, a formula in x")
-      ->type_name("")
-      ->required();
+  add_option(app, "EXPR", options->formula, "The integrand, a formula in x")
+      .type_name("")
+      .required();
   options->range.declare(app);
-  app.add_option("--along", options->along,
-                 "In place of limits, a path of straight lines in the complex plane:\n"
-                 "points, which are formulas with the imaginary unit i, as the\n"
-                 "integrand then is")
-      ->type_name("\"P, Q, ...\"");
-  app.add_option("--circle", options->circle,
-                 "In place of limits, a circle, once around and counterclockwise")
-      ->type_name("\"CENTRE, RADIUS\"");
-  app.add_option("--variable", options->variable, "The variable's name, if it is not x")
-      ->type_name("NAME");
-  app.add_option("--rule", options->rule, rules_in_words())->type_name("NAME");
+  add_option(app, "--along", options->along,
+             "In place of limits, a path of straight lines in the complex plane:\n"
+             "points, which are formulas with the imaginary unit i, as the\n"
+             "integrand then is")
+      .type_name("\"P, Q, ...\"");
+  add_option(app, "--circle", options->circle,
+             "In place of limits, a circle, once around and counterclockwise")
+      .type_name("\"CENTRE, RADIUS\"");
+  add_option(app, "--variable", options->variable, "The variable's name, if it is not x")
+      .type_name("NAME");
+  add_option(app, "--rule", options->rule, rules_in_words()).type_name("NAME");
   options->threads.declare(
       app, "Evaluate on so many threads; 0 for all processors. The digits\nare the same");
   options->boxes.declare(

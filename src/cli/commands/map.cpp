@@ -18,7 +18,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "base/sha256.hpp"
 #include "base/worker_threads.hpp"
@@ -505,28 +504,28 @@ exit_status run(const map_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<map_options>();
-  app.add_option("QUANTITY", options->quantity,
-                 fmt::format("What to compute: {}", fmt::join(names_of(all_quantities()), ", ")))
-      ->type_name("");
-  app.add_option("--a", options->a,
-                 "Values of a = I_y/I_z - 1 > 0: N equal steps from LO to HI,\n"
-                 "both included; or one")
-      ->type_name("LO..HI/N")
-      ->required();
-  app.add_option("--b", options->b, "Values of b = 1 - I_y/I_x in (0, 1), in the same way")
-      ->type_name("LO..HI/N")
-      ->required();
-  app.add_option("--c", options->c, "The motions, for phase and epsilon, in the same way")
-      ->type_name("LO..HI/N");
-  app.add_flag("--log", options->log,
-               "Steps of a and b with equal ratios; the values are rounded\nto six digits");
-  app.add_option("--blocks", options->blocks,
-                 "Keep blocks of 1000 points that are done in this directory, and\n"
-                 "go on from those that it has")
-      ->type_name("DIR");
-  app.add_option("--shard", options->shard,
-                 "Compute the I-th of N parts of the blocks alone, for merge")
-      ->type_name("I/N");
+  add_option(app, "QUANTITY", options->quantity,
+             fmt::format("What to compute: {}", fmt::join(names_of(all_quantities()), ", ")))
+      .type_name("");
+  add_option(app, "--a", options->a,
+             "Values of a = I_y/I_z - 1 > 0: N equal steps from LO to HI,\n"
+             "both included; or one")
+      .type_name("LO..HI/N")
+      .required();
+  add_option(app, "--b", options->b, "Values of b = 1 - I_y/I_x in (0, 1), in the same way")
+      .type_name("LO..HI/N")
+      .required();
+  add_option(app, "--c", options->c, "The motions, for phase and epsilon, in the same way")
+      .type_name("LO..HI/N");
+  add_flag(app, "--log", options->log,
+           "Steps of a and b with equal ratios; the values are rounded\nto six digits");
+  add_option(app, "--blocks", options->blocks,
+             "Keep blocks of 1000 points that are done in this directory, and\n"
+             "go on from those that it has")
+      .type_name("DIR");
+  add_option(app, "--shard", options->shard,
+             "Compute the I-th of N parts of the blocks alone, for merge")
+      .type_name("I/N");
   options->threads.declare(
       app, "Compute on so many threads; 0 for all processors. The digits are\nthe same");
   options->digits.declare(app);
@@ -542,7 +541,7 @@ struct merge_options {
 
 std::function<exit_status()> declare_merge(CLI::App& app) {
   const auto options = std::make_shared<merge_options>();
-  app.add_option("DIR", options->directory, "The directory of --blocks")->type_name("")->required();
+  add_option(app, "DIR", options->directory, "The directory of --blocks").type_name("").required();
   options->format.declare(app);
   return [options] {
     const block_directory directory(options->directory);

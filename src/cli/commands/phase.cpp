@@ -5,7 +5,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/body_option.hpp"
@@ -142,14 +141,14 @@ exit_status run(const phase_options& options) {
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<phase_options>();
   options->which.declare(app);
-  app.add_option("--c", options->c,
-                 "The motion: c = 2 I_y H/J^2 - 1, from -b to a; oscillating below 0,\n"
-                 "rotating above")
-      ->type_name("C");
-  app.add_flag("--excess", options->excess,
-               "Print by how much the phase is above its greatest lower bound, too");
-  app.add_flag("--parts", options->parts,
-               "Print its dynamic and its geometric part, and the period in time, too");
+  add_option(app, "--c", options->c,
+             "The motion: c = 2 I_y H/J^2 - 1, from -b to a; oscillating below 0,\n"
+             "rotating above")
+      .type_name("C");
+  add_flag(app, "--excess", options->excess,
+           "Print by how much the phase is above its greatest lower bound, too");
+  add_flag(app, "--parts", options->parts,
+           "Print its dynamic and its geometric part, and the period in time, too");
   options->digits.declare(app);
   options->format.declare(app);
   options->memory_limit.declare(app);

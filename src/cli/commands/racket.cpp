@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/options/body_option.hpp"
@@ -307,13 +306,13 @@ exit_status run(const racket_options& options) {
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<racket_options>();
   options->which.declare(app);
-  app.add_option("--c", options->c,
-                 "A motion, between -b and a: print epsilon(c) and d epsilon/dc, too")
-      ->type_name("C");
-  app.add_option("--limit", options->limit,
-                 "No body, but the limit a -> infinity, b -> 0 with ab -> CHI > 0 and\n"
-                 "c/b = BETA > -1: print epsilon there (claim limit_formula)")
-      ->type_name("CHI,BETA");
+  add_option(app, "--c", options->c,
+             "A motion, between -b and a: print epsilon(c) and d epsilon/dc, too")
+      .type_name("C");
+  add_option(app, "--limit", options->limit,
+             "No body, but the limit a -> infinity, b -> 0 with ab -> CHI > 0 and\n"
+             "c/b = BETA > -1: print epsilon there (claim limit_formula)")
+      .type_name("CHI,BETA");
   options->meetings.declare(app,
                             "List at most so many of the points where C meets S or crosses pi/2");
   options->digits.declare(app);

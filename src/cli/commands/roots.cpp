@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/output/duration.hpp"
@@ -459,18 +458,18 @@ exit_status run(roots_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<roots_options>();
-  app.add_option("EXPR", options->formula, "A formula in x, or an equation such as x^2 = 2")
-      ->type_name("")
-      ->required();
+  add_option(app, "EXPR", options->formula, "A formula in x, or an equation such as x^2 = 2")
+      .type_name("")
+      .required();
   options->range.declare(app);
-  app.add_option("MORE", options->more_formulas, "More formulas of a system")->type_name("");
-  app.add_flag("--complex", options->complex,
-               "All complex roots of a polynomial, each with its multiplicity");
-  app.add_option("--rectangle", options->rectangle,
-                 "All complex roots of an analytic function between two corners")
-      ->type_name("LL..UR");
-  app.add_option("--variable", options->variable, "The variable's name, if it is not x")
-      ->type_name("NAME");
+  add_option(app, "MORE", options->more_formulas, "More formulas of a system").type_name("");
+  add_flag(app, "--complex", options->complex,
+           "All complex roots of a polynomial, each with its multiplicity");
+  add_option(app, "--rectangle", options->rectangle,
+             "All complex roots of an analytic function between two corners")
+      .type_name("LL..UR");
+  add_option(app, "--variable", options->variable, "The variable's name, if it is not x")
+      .type_name("NAME");
   options->threads.declare(
       app, "Search on so many threads; 0 for all processors. The digits are\nthe same");
   options->let.declare(app);

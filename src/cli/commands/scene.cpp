@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,7 +11,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/sha256.hpp"
 #include "cli/commands.hpp"
@@ -332,15 +332,15 @@ exit_status run(const scene_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<scene_options>();
-  app.add_option("FILE", options->files, "Scenes, in TOML")->type_name("FILE");
-  app.add_option("--out", options->out,
-                 "Write each scene's files there, and all results in one table, results.csv")
-      ->type_name("DIR");
-  app.add_flag("--list", options->list, "List the effects, one line each");
-  app.add_option("--plot", options->plot,
-                 "Have gnuplot draw every curve and series: svg, png or pdf")
-      ->type_name("FORMAT");
-  app.add_flag("--page", options->page, "Write an HTML page a scene, in which the body turns");
+  add_option(app, "FILE", options->files, "Scenes, in TOML").type_name("FILE");
+  add_option(app, "--out", options->out,
+             "Write each scene's files there, and all results in one table, results.csv")
+      .type_name("DIR");
+  add_flag(app, "--list", options->list, "List the effects, one line each");
+  add_option(app, "--plot", options->plot,
+             "Have gnuplot draw every curve and series: svg, png or pdf")
+      .type_name("FORMAT");
+  add_flag(app, "--page", options->page, "Write an HTML page a scene, in which the body turns");
   options->format.declare(app);
   options->memory_limit.declare(app);
   options->time_limit.declare(app, "scene and point");

@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "base/worker_threads.hpp"
 #include "cli/commands.hpp"
@@ -287,14 +286,14 @@ exit_status run(const table_options& options) {
 
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<table_options>();
-  app.add_option("QUANTITY", options->quantity,
-                 fmt::format("What to tabulate: {}", fmt::join(names_of(all_quantities()), ", ")))
-      ->type_name("");
+  add_option(app, "QUANTITY", options->quantity,
+             fmt::format("What to tabulate: {}", fmt::join(names_of(all_quantities()), ", ")))
+      .type_name("");
   options->bodies.declare(app);
-  app.add_option("--c", options->c,
-                 "The motions, for phase and epsilon: N equal steps from LO to HI,\n"
-                 "both included; or one")
-      ->type_name("LO..HI/N");
+  add_option(app, "--c", options->c,
+             "The motions, for phase and epsilon: N equal steps from LO to HI,\n"
+             "both included; or one")
+      .type_name("LO..HI/N");
   options->threads.declare(
       app, "Compute on so many threads; 0 for all processors. The digits are\nthe same");
   options->digits.declare(app);

@@ -1,11 +1,11 @@
 #include "body_option.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/output/errors.hpp"
 #include "formula.hpp"
@@ -151,8 +151,10 @@ constexpr const char* no_body =
 template <class Texts>
 void declare_all(CLI::App& app, const std::array<Texts*, 5>& texts) {
   for (std::size_t i = 0; i < body_options.size(); ++i) {
-    app.add_option(body_options[i].name, *texts[i], body_options[i].description)
-        ->type_name(body_options[i].type);
+    declared_option option =
+        add_option(app, body_options[i].name, *texts[i], body_options[i].description);
+    option.type_name(body_options[i].type);
+    if constexpr (std::is_same_v<Texts, std::vector<std::string>>) option.one_value_each_time();
   }
 }
 
@@ -225,7 +227,6 @@ std::optional<uncertain_body> body_option::uncertain(
 
 void bodies_option::declare(CLI::App& app) {
   declare_all<std::vector<std::string>>(app, {&ab, &moments, &rotational, &tensors, &files});
-  for (const auto& option : body_options) app.get_option(option.name)->expected(1)->take_all();
 }
 
 std::vector<body> bodies_option::value() const {

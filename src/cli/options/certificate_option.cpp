@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/output/errors.hpp"
 
@@ -12,8 +11,8 @@ namespace polhode::cli {
 namespace fs = std::filesystem;
 
 void certificate_option::declare(CLI::App& app) {
-  app.add_option("--certificate", path, "Write a certificate for `polhode check`")
-      ->type_name("FILE");
+  add_option(app, "--certificate", path, "Write a certificate for `polhode check`")
+      .type_name("FILE");
 }
 
 void certificate_option::prepare() {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/output/errors.hpp"
 
@@ -15,7 +14,7 @@ count_option::count_option(std::string name, long by_default, long least, long m
     : name_(std::move(name)), text_(std::to_string(by_default)), least_(least), most_(most) {}
 
 void count_option::declare(CLI::App& app, const std::string& description) {
-  app.add_option(name_, text_, fmt::format("{} [{}]", description, text_))->type_name("N");
+  add_option(app, name_, text_, fmt::format("{} [{}]", description, text_)).type_name("N");
 }
 
 long count_option::value() const {

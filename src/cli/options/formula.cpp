@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/output/errors.hpp"
 #include "cli/output/layout.hpp"
@@ -14,11 +13,11 @@
 namespace polhode::cli {
 
 void let_option::declare(CLI::App& app) {
-  app.add_option("--let", texts,
-                 "Give a name a value, as in k=sqrt(2)/3; may be repeated, and\n"
-                 "use other names defined so")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
+  add_option(app, "--let", texts,
+             "Give a name a value, as in k=sqrt(2)/3; may be repeated, and\n"
+             "use other names defined so")
+      .type_name("NAME=VALUE")
+      .one_value_each_time();
 }
 
 std::string without_margins(const std::string& text) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/output/errors.hpp"
 #include "polhode/arithmetic/exact.hpp"
@@ -43,10 +42,10 @@ std::string in_gib(double bytes) {
 }  // namespace
 
 void memory_limit_option::declare(CLI::App& app) {
-  app.add_option("--memory-limit", text,
-                 "Refuse what is estimated to need more memory\n"
-                 "[4, or 3/4 of the memory where that is less]")
-      ->type_name("GIB");
+  add_option(app, "--memory-limit", text,
+             "Refuse what is estimated to need more memory\n"
+             "[4, or 3/4 of the memory where that is less]")
+      .type_name("GIB");
 }
 
 void memory_limit_option::check(const memory_estimate& estimate) const {

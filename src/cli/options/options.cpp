@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "base/nearest_name.hpp"
 #include "cli/output/errors.hpp"
@@ -13,9 +12,9 @@
 namespace polhode::cli {
 
 void digits_option::declare(CLI::App& app) {
-  app.add_option("--digits", text,
-                 fmt::format("Significant digits of every number, at least 1 [{}]", text))
-      ->type_name("N");
+  add_option(app, "--digits", text,
+             fmt::format("Significant digits of every number, at least 1 [{}]", text))
+      .type_name("N");
 }
 
 long digits_option::value() const {
@@ -30,9 +29,9 @@ long digits_option::value() const {
 }
 
 void format_option::declare(CLI::App& app) {
-  app.add_option("--format", text,
-                 fmt::format("{} [{}]", fmt::join(choices, ", "), choices.front()))
-      ->type_name("FORMAT");
+  add_option(app, "--format", text,
+             fmt::format("{} [{}]", fmt::join(choices, ", "), choices.front()))
+      .type_name("FORMAT");
 }
 
 const std::string& format_option::value() const {

@@ -1,7 +1,6 @@
 #include "range_option.hpp"
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/output/errors.hpp"
 #include "polhode/expression/functions.hpp"
@@ -60,17 +59,17 @@ int infinite_sign_of(const std::string& text) {
 }
 
 void range_option::declare(CLI::App& app) {
-  app.add_option("A", first,
-                 "The lower limit: a formula without variables, or -inf;\n"
-                 "or both limits, as LO..HI")
-      ->type_name("");
-  app.add_option("B", second, "The upper limit: a formula without variables, or inf")
-      ->type_name("");
-  app.add_option("--from", from, "The lower limit, in place of A")->type_name("A");
-  app.add_option("--to", to, "The upper limit, in place of B")->type_name("B");
-  app.add_option("--in", in, "Both limits, in place of A and B")
-      ->type_name("LO..HI")
-      ->allow_extra_args(false);
+  add_option(app, "A", first,
+             "The lower limit: a formula without variables, or -inf;\n"
+             "or both limits, as LO..HI")
+      .type_name("");
+  add_option(app, "B", second, "The upper limit: a formula without variables, or inf")
+      .type_name("");
+  add_option(app, "--from", from, "The lower limit, in place of A").type_name("A");
+  add_option(app, "--to", to, "The upper limit, in place of B").type_name("B");
+  add_option(app, "--in", in, "Both limits, in place of A and B")
+      .type_name("LO..HI")
+      .one_value_each_time();
 }
 
 int range_option::ways() const {

@@ -4,7 +4,6 @@
 #include <variant>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "base/clock.hpp"
 #include "cli/output/duration.hpp"
@@ -13,9 +12,9 @@
 namespace polhode::cli {
 
 void verify_option::declare(CLI::App& app) {
-  app.add_flag("--verify", given,
-               "Find the result again by another route and compare; where the\n"
-               "two contradict each other there is no result, and status 3");
+  add_flag(app, "--verify", given,
+           "Find the result again by another route and compare; where the\n"
+           "two contradict each other there is no result, and status 3");
 }
 
 void verify_option::expect_format(const std::string& format) const {

@@ -5,7 +5,6 @@
 #include <chrono>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "cli/interruption.hpp"
 #include "cli/output/duration.hpp"
@@ -56,11 +55,11 @@ time_watch::~time_watch() {
 }
 
 void time_limit_option::declare(CLI::App& app, const std::string& each) {
-  app.add_option("--time-limit", text,
-                 "Refuse what is estimated to take longer, and end what does:\n"
-                 "90s, 10m, 2h, 1d [10m for each " +
-                     each + "]")
-      ->type_name("TIME");
+  add_option(app, "--time-limit", text,
+             "Refuse what is estimated to take longer, and end what does:\n"
+             "90s, 10m, 2h, 1d [10m for each " +
+                 each + "]")
+      .type_name("TIME");
 }
 
 double time_limit_option::limit(double numbers) const {
