@@ -179,29 +179,29 @@ uncertain_body::uncertain_body(const std::array<uncertain_moment, 3>& given) {
                         ": sigma must not be negative");
     }
     given_[i] = {rational(value - sigma), rational(value + sigma)};
-    if (given_[i].lower > 0) continue;
+    if (given_[i].low > 0) continue;
     throw input_error("moment of inertia " + to_text(value) + " with sigma " + to_text(sigma) +
-                      ": value - sigma = " + to_text(given_[i].lower) +
+                      ": value - sigma = " + to_text(given_[i].low) +
                       " is not positive; a moment must be");
   }
   sort_axes(order_, [&given](int i, int j) {
     return given[static_cast<std::size_t>(i)].value > given[static_cast<std::size_t>(j)].value;
   });
-  const std::array<range, 3> sorted = in_order(given_, order_);
-  if (sorted[0].lower > sorted[1].upper && sorted[1].lower > sorted[2].upper) ordered_ = sorted;
+  const std::array<rational_range, 3> sorted = in_order(given_, order_);
+  if (sorted[0].low > sorted[1].high && sorted[1].low > sorted[2].high) ordered_ = sorted;
 }
 
 body_kind uncertain_body::kind() const {
   bool all_physical = true;
   bool all_planar = false;
   for (std::size_t i = 0; i < given_.size(); ++i) {
-    const range& one = given_[i];
-    const range& second = given_[(i + 1) % 3];
-    const range& third = given_[(i + 2) % 3];
-    if (one.lower > second.upper + third.upper) return body_kind::non_physical;
-    all_physical = all_physical && one.upper <= second.lower + third.lower;
-    all_planar = all_planar || (one.upper == second.lower + third.lower &&
-                                one.lower == second.upper + third.upper);
+    const rational_range& one = given_[i];
+    const rational_range& second = given_[(i + 1) % 3];
+    const rational_range& third = given_[(i + 2) % 3];
+    if (one.low > second.high + third.high) return body_kind::non_physical;
+    all_physical = all_physical && one.high <= second.low + third.low;
+    all_planar = all_planar || (one.high == second.low + third.low &&
+                                one.low == second.high + third.high);
   }
   if (all_planar) return body_kind::planar;
   return all_physical ? body_kind::physical : body_kind::undecided;
@@ -209,7 +209,7 @@ body_kind uncertain_body::kind() const {
 
 std::array<body, 2> uncertain_body::corners(bool x_up, bool y_up, bool z_up) const {
   const auto& [x, y, z] = *ordered_;
-  const auto end = [](const range& r, bool up) { return up ? r.upper : r.lower; };
+  const auto end = [](const rational_range& r, bool up) { return up ? r.high : r.low; };
   return {body::from_moments({end(x, x_up), end(y, y_up), end(z, z_up)}),
           body::from_moments({end(x, !x_up), end(y, !y_up), end(z, !z_up)})};
 }

@@ -92,6 +92,14 @@ class body {
 /// Throws input_error, which says what was given, unless all three principal moments are positive. Any one unit.
 void refuse_unless_positive(const std::array<rational, 3>& moments);
 
+/// The numbers from low to high, both included.
+struct rational_range {
+  rational low;
+  rational high;
+
+  friend bool operator==(const rational_range&, const rational_range&) = default;
+};
+
 /// A moment known to lie in [value - sigma, value + sigma]; independent of the others.
 struct uncertain_moment {
   rational value;
@@ -116,6 +124,10 @@ class uncertain_body {
   /// Whether the ranges are disjoint: then the axes x, y, z are known, and the ranges below exist.
   [[nodiscard]] bool is_ordered() const { return ordered_.has_value(); }
   [[nodiscard]] const std::array<int, 3>& order() const { return order_; }
+  /// Those of I_x, I_y, I_z, in this order. Nothing where not is_ordered().
+  [[nodiscard]] const std::optional<std::array<rational_range, 3>>& ordered() const {
+    return ordered_;
+  }
 
   /// The range of the geometric constant: from its square I_y I_z/((I_x - I_y)(I_x - I_z)) it increases in I_y and I_z and
   /// decreases in I_x, so that the ends are its values at two corners. Undefined where not is_ordered().
@@ -127,15 +139,11 @@ class uncertain_body {
   [[nodiscard]] ball b(precision p) const;
 
  private:
-  struct range {
-    rational lower;
-    rational upper;
-  };
   /// The bodies at two corners: each moment at its upper end where the flag says so, and at its other end.
   [[nodiscard]] std::array<body, 2> corners(bool x_up, bool y_up, bool z_up) const;
 
-  std::array<range, 3> given_;
-  std::optional<std::array<range, 3>> ordered_;  // of I_x, I_y, I_z
+  std::array<rational_range, 3> given_;
+  std::optional<std::array<rational_range, 3>> ordered_;  // of I_x, I_y, I_z
   std::array<int, 3> order_{0, 1, 2};
 };
 

@@ -26,7 +26,7 @@ struct turning_point {
   ball left;
 };
 
-/// G(u) in radians, for 0 < u <= 1:
+/// G(u) in radians, for 0 < u <= 1; for u > 1 the formula goes on, as far as b u < 1:
 ///   2 (b (a+b))^(-1/2) [ (1-b) R_F(0,u,v) + (b (1-u)/3) R_J(0,u,v,1) ],   v = (a + b u)/(a + b).
 /// It decreases. Undefined where u is not certainly positive.
 [[nodiscard]] ball oscillating_half_phase(const body& rigid, const turning_point& at);

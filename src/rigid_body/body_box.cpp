@@ -1,0 +1,148 @@
+#include "polhode/rigid_body/body_box.hpp"
+
+#include <algorithm>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/half_phase.hpp"
+#include "polhode/rigid_body/tennis_racket.hpp"
+
+namespace polhode {
+namespace {
+
+body corner(const rational_range& a, const rational_range& b, bool high) {
+  for (const auto& [name, range] : {std::pair("a", a), std::pair("b", b)}) {
+    if (range.low > range.high) {
+      throw input_error(std::string("the range of ") + name + " from " + to_text(range.low) +
+                        " to " + to_text(range.high) + " is empty: give the lower end first");
+    }
+  }
+  return high ? body(a.high, b.high) : body(a.low, b.low);
+}
+
+template <class T>
+std::optional<T> if_equal(const T& x, const T& y) {
+  return x == y ? std::optional(x) : std::nullopt;
+}
+
+/// From both ends of a range that were certified.
+ball between(const certain_number& x, const certain_number& y) {
+  if (x.verdict != status::certified || y.verdict != status::certified) {
+    return ball::undefined(64);
+  }
+  return hull(x.enclosure, y.enclosure);
+}
+
+ball root_of(const rational& x, precision p) { return sqrt(ball(x, p)); }
+
+}  // namespace
+
+body_box::body_box(const rational_range& a, const rational_range& b)
+    : least_(corner(a, b, false)), greatest_(corner(a, b, true)) {}
+
+body_box body_box::of_moments(const std::array<rational_range, 3>& moments) {
+  const auto& [x, y, z] = moments;
+  return {{y.low / z.high - 1, y.high / z.low - 1}, {1 - y.high / x.low, 1 - y.low / x.high}};
+}
+
+body_kind body_box::kind() const {
+  if (greatest_.kind() != body_kind::non_physical) {
+    return a().low == a().high && b().low == b().high ? greatest_.kind() : body_kind::physical;
+  }
+  return least_.kind() == body_kind::non_physical ? body_kind::non_physical : body_kind::undecided;
+}
+
+std::optional<integer> body_box::meeting_count() const {
+  return if_equal(polhode::meeting_count(least_), polhode::meeting_count(greatest_));
+}
+
+std::optional<integer> body_box::intersection_count() const {
+  return if_equal(polhode::intersection_count(least_), polhode::intersection_count(greatest_));
+}
+
+std::optional<bool> body_box::is_injective() const {
+  return if_equal(polhode::is_injective(least_), polhode::is_injective(greatest_));
+}
+
+std::optional<bool> body_box::has_perfect_twist() const {
+  return if_equal(polhode::has_perfect_twist(least_), polhode::has_perfect_twist(greatest_));
+}
+
+std::optional<bool> body_box::has_full_turn() const {
+  return if_equal(polhode::has_full_turn(least_), polhode::has_full_turn(greatest_));
+}
+
+ball body_box::geometric_constant(precision p) const {
+  return hull(least_.geometric_constant(p), greatest_.geometric_constant(p));
+}
+
+ball body_box::second_geometric_constant(precision p) const {
+  return hull(least_.second_geometric_constant(p), greatest_.second_geometric_constant(p));
+}
+
+ball body_box::separatrix_defect(long digits) const {
+  return between(separatrix_defect_to_digits(least_, digits),
+                 separatrix_defect_to_digits(greatest_, digits));
+}
+
+ball body_box::perfect_twist(long digits) const {
+  if (has_perfect_twist() != true) return ball::undefined(64);
+  return between(perfect_twist_to_digits(least_, digits),
+                 perfect_twist_to_digits(greatest_, digits));
+}
+
+ball body_box::full_turn(long digits) const {
+  if (has_full_turn() != true) return ball::undefined(64);
+  return between(full_turn_to_digits(least_, digits), full_turn_to_digits(greatest_, digits));
+}
+
+template <class Value>
+ball body_box::of_motions(const rational_range& c, const Value& value) const {
+  if (c.low > 0) {
+    const rational high = std::min(c.high, a().high);
+    return c.low > high ? ball::undefined(64) : hull(value(least_, c.low), value(greatest_, high));
+  }
+  const rational low = std::max(c.low, rational(-b().high));
+  if (c.high >= 0 || low > c.high) return ball::undefined(64);
+  return hull(value(greatest_, low), value(least_, c.high));
+}
+
+ball body_box::period(const rational_range& c, precision p) const {
+  const auto mean = [p](const rational& x, const rational& y) {
+    return agm(root_of(x, p), root_of(y, p));
+  };
+  return of_motions(c, [&](const body& rigid, const rational& at) {
+    const rational& a = rigid.a().exact();
+    const rational& b = rigid.b().exact();
+    return 2 * pi(p) /
+           (at > 0 ? mean(a * (b + at), at * (a + b)) : mean(b * (a - at), -at * (a + b)));
+  });
+}
+
+ball body_box::montgomery_phase(const rational_range& c, precision p) const {
+  return of_motions(c, [&](const body& rigid, const rational& at) {
+    if (at > 0) return 2 * rotating_half_phase(rigid, ball(at, p));
+    const rational u = -at / rigid.b().exact();
+    return 2 * oscillating_half_phase(rigid, {ball(u, p), ball(rational(1 - u), p)});
+  });
+}
+
+ball body_box::twist(const rational_range& c, long digits) const {
+  if (c.low > c.high || c.low <= -b().low || c.low >= a().low || c.high >= a().high) {
+    return ball::undefined(64);
+  }
+  if (c.low < 0) {
+    const precision p = 128;
+    const rational u = -c.low / b().low;
+    const ball least_half_phase =
+        oscillating_half_phase(greatest_, {ball(u, p), ball(rational(1 - u), p)});
+    if (!certainly_less(2 * pi(p), least_half_phase)) return ball::undefined(64);
+  }
+  const auto value = [digits](const body& rigid, const rational& at) {
+    const polhode::twist t = twist_to_digits(rigid, at, digits, with_slope::no);
+    return certain_number{t.verdict, t.why, t.epsilon, t.work};
+  };
+  return between(value(least_, c.low), value(greatest_, c.high));
+}
+
+}  // namespace polhode
