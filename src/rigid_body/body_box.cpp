@@ -33,7 +33,22 @@ ball between(const certain_number& x, const certain_number& y) {
   return hull(x.enclosure, y.enclosure);
 }
 
-ball root_of(const rational& x, precision p) { return sqrt(ball(x, p)); }
+// Of a motion c, or of a number c < 0 below -b, where the formulas go on.
+
+ball period_of(const body& rigid, const rational& c, precision p) {
+  const rational& a = rigid.a().exact();
+  const rational& b = rigid.b().exact();
+  const auto mean = [p](const rational& x, const rational& y) {
+    return agm(sqrt(ball(x, p)), sqrt(ball(y, p)));
+  };
+  return 2 * pi(p) / (c > 0 ? mean(a * (b + c), c * (a + b)) : mean(b * (a - c), -c * (a + b)));
+}
+
+ball phase_of(const body& rigid, const rational& c, precision p) {
+  if (c > 0) return 2 * rotating_half_phase(rigid, ball(c, p));
+  const rational u = -c / rigid.b().exact();
+  return 2 * oscillating_half_phase(rigid, {ball(u, p), ball(rational(1 - u), p)});
+}
 
 }  // namespace
 
@@ -108,22 +123,18 @@ ball body_box::of_motions(const rational_range& c, const Value& value) const {
 }
 
 ball body_box::period(const rational_range& c, precision p) const {
-  const auto mean = [p](const rational& x, const rational& y) {
-    return agm(root_of(x, p), root_of(y, p));
-  };
-  return of_motions(c, [&](const body& rigid, const rational& at) {
-    const rational& a = rigid.a().exact();
-    const rational& b = rigid.b().exact();
-    return 2 * pi(p) /
-           (at > 0 ? mean(a * (b + at), at * (a + b)) : mean(b * (a - at), -at * (a + b)));
-  });
+  return of_motions(c,
+                    [p](const body& rigid, const rational& at) { return period_of(rigid, at, p); });
 }
 
 ball body_box::montgomery_phase(const rational_range& c, precision p) const {
-  return of_motions(c, [&](const body& rigid, const rational& at) {
-    if (at > 0) return 2 * rotating_half_phase(rigid, ball(at, p));
-    const rational u = -at / rigid.b().exact();
-    return 2 * oscillating_half_phase(rigid, {ball(u, p), ball(rational(1 - u), p)});
+  return of_motions(c,
+                    [p](const body& rigid, const rational& at) { return phase_of(rigid, at, p); });
+}
+
+ball body_box::mean_rate(const rational_range& c, precision p) const {
+  return of_motions(c, [p](const body& rigid, const rational& at) {
+    return phase_of(rigid, at, p) / period_of(rigid, at, p);
   });
 }
 

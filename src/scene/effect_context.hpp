@@ -53,6 +53,10 @@ void not_certified(effect_result& to, const std::string& why);
 /// kind may be left not certified.
 inline constexpr precision greatest_guard = 1L << 15;
 
+/// Of a body with uncertainties: adds the ranges of a result's numbers over all bodies within them,
+/// and what is said of all.
+void add_ranges(effect_result& to, const effect_context& x);
+
 // The effects, by their names.
 [[nodiscard]] effect_result planarity(const effect_context& x);
 [[nodiscard]] effect_result inertial_defect(const effect_context& x);

@@ -100,6 +100,8 @@ effect_result computed(const effect& one, const effect_context& context) {
   effect_result result;
   try {
     result = one.compute(context);
+    result.name = one.description.name;
+    detail::add_ranges(result, context);
   } catch (const std::domain_error& error) {
     detail::not_certified(result, error.what());
   }

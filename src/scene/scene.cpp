@@ -167,6 +167,7 @@ scene_state read_state(section from, const scene_body& of, scene& whole) {
                           : "contradictory units: the moments of inertia have a unit and the "
                             "momentum has none; give [state] a unit");
   }
+  result.by_omega = by_omega;
   result.momentum = by_omega ? of.axes->times(given) : given;
   result.start = initial_state::from_tensor(of.axes, *result.momentum);
   if (result.quaternion) result.start->set_quaternion(*result.quaternion);

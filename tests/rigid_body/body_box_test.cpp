@@ -131,6 +131,7 @@ TEST(BodyBox, RangesHoldTheNumbersOfEveryMotion) {
     const rational_range c = rotates ? rational_range{s, t} : rational_range{-t, -s};
     const ball period = box.period(c, 100);
     const ball phase = box.montgomery_phase(c, 100);
+    const ball rate = box.mean_rate(c, 100);
     const ball twist = box.twist(c, digits);
     EXPECT_EQ(period.is_bounded(), phase.is_bounded());
     EXPECT_TRUE(s != 0 || !period.is_bounded());
@@ -144,6 +145,8 @@ TEST(BodyBox, RangesHoldTheNumbersOfEveryMotion) {
         }
         EXPECT_TRUE(overlaps(period, rotation_period(rigid, at, 200)));
         EXPECT_TRUE(overlaps(phase, montgomery_phase(rigid, at, 200)));
+        EXPECT_TRUE(
+            overlaps(rate, montgomery_phase(rigid, at, 200) / rotation_period(rigid, at, 200)));
         ++(rotates ? rotating : oscillating);
       }
       if (twist.is_bounded()) {

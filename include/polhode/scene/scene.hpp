@@ -57,6 +57,9 @@ struct scene_state {
   /// absolute where the time is; and the rotor's start, with the attitude, from that frame to that
   /// of space. Missing where the motion was given by c alone.
   std::optional<rational_vector> momentum;
+  /// Whether the angular velocity was given: then that is the same for all bodies within the
+  /// uncertainties, and else the momentum.
+  bool by_omega = false;
   std::optional<initial_state> start;
   pi_scale momentum_size;
   /// The attitude, as a quaternion w, x, y, z that is not normalised: from the frame in which the body was given to that of space.

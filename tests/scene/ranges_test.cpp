@@ -1,0 +1,215 @@
+// Effects of bodies with uncertainties: members drawn within them must have what is said of all.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/scene/effects.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace ranges_test {
+
+using support::random_source;
+using support::repeat;
+
+struct drawn_body {
+  std::array<rational, 3> value;
+  std::array<rational, 3> sigma;
+};
+
+std::string body_text(const std::array<rational, 3>& moments,
+                      const std::array<rational, 3>& sigma) {
+  std::string result = "[body]\nunit = \"g cm^2\"\nmoments = [";
+  for (std::size_t i = 0; i < 3; ++i) {
+    result += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", to_text(moments[i]));
+  }
+  result += "]\n";
+  if (sigma[0] == 0 && sigma[1] == 0 && sigma[2] == 0) return result;
+  result += "sigma = [";
+  for (std::size_t i = 0; i < 3; ++i) {
+    result += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", to_text(sigma[i]));
+  }
+  return result + "]\n";
+}
+
+scene_report report_of(const std::string& body, const std::string& state, const std::string& want) {
+  return compute(read_scene(
+      "digits = 12\n" + body + "[state]\n" + state + "[effects]\nwant = [" + want + "]\n", "."));
+}
+
+const std::string wanted =
+    R"("regime", "period", "montgomery_phase", "mean_precession", "tennis_racket",)"
+    R"( "intersections", "full_turn", "signature")";
+
+/// Three different moments in any order, a few percent uncertain or less; some exact.
+drawn_body any_body(random_source& random) {
+  std::array<rational, 3> sizes{rational(random.between(100, 150), 100),
+                                rational(random.between(180, 230), 100),
+                                rational(random.between(250, 290), 100)};
+  // J is near 1, or I: what is decided by them differs among the corners.
+  const bool at_limits = random.one_in(2);
+  if (at_limits)
+    sizes = {rational(1), rational(177, 100), rational(random.one_in(2) ? 236 : 277, 100)};
+  const auto first = static_cast<std::size_t>(random.between(0, 2));
+  std::swap(sizes[0], sizes[first]);
+  drawn_body result{sizes, {}};
+  for (rational& s : result.sigma) {
+    if (random.one_in(3)) continue;
+    s = rational(random.between(1, 40), at_limits || random.one_in(2) ? 1000 : 100000);
+  }
+  return result;
+}
+
+/// The k-th corner, k < 8, and any member else.
+std::array<rational, 3> member(random_source& random, const drawn_body& of, unsigned k) {
+  std::array<rational, 3> result = of.value;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const rational part =
+        k < 8 ? rational((k >> i & 1U) != 0 ? 1 : -1) : rational(random.between(-100, 100), 100);
+    result[i] += part * of.sigma[i];
+  }
+  return result;
+}
+
+std::string any_state(random_source& random) {
+  if (random.one_in(4)) {
+    const long c = random.between(1, 20);
+    return fmt::format("c = \"{}/1000\"\n", random.one_in(2) ? c : -c);
+  }
+  const bool momentum = random.one_in(2);
+  std::string result =
+      momentum ? "unit = \"g cm^2/s\"\nmomentum = [" : "unit = \"rad/s\"\nomega = [";
+  for (int i = 0; i < 3; ++i) {
+    const rational x(random.one_in(5) ? 0 : random.between(1, 900), random.one_in(3) ? 100 : 10);
+    result += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", to_text(x));
+  }
+  return result + "]\n";
+}
+
+rational exactly(const effect_result& from, const std::string& name) {
+  for (const effect_number& n : from.numbers) {
+    if (n.name == name && n.exact) return *n.exact;
+  }
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+TEST(Ranges, HoldTheNumbersOfEveryMember) {
+  random_source random(396);
+  long compared = 0;
+  long undecided = 0;
+  for (repeat trial(15); trial.again();) {
+    const drawn_body of = any_body(random);
+    const std::string state = any_state(random);
+    const auto report = [&](const std::array<rational, 3>& moments,
+                            const std::array<rational, 3>& sigma) -> std::optional<scene_report> {
+      try {
+        return report_of(body_text(moments, sigma), state, wanted);
+      } catch (const input_error&) {  // no motion, or no angular velocity
+        return std::nullopt;
+      }
+    };
+    const auto whole = report(of.value, of.sigma);
+    if (!whole) continue;
+    SCOPED_TRACE(body_text(of.value, of.sigma) + state);
+    for (unsigned k = 0; k < 10; ++k) {
+      const std::array<rational, 3> moments = member(random, of, k);
+      const auto one = report(moments, {});
+      if (!one) continue;
+      for (const effect_result& effect : whole->effects) {
+        const effect_result& same = *one->find(effect.name);
+        for (const char* count : {"count", "crossings"}) {  // all have the middle's, or a range
+          if (effect.name != "intersections" || effect.number(count + std::string("_range"))) {
+            continue;
+          }
+          EXPECT_EQ(exactly(effect, count), exactly(same, count)) << count;
+        }
+        for (const auto& [key, word] : effect.words) {
+          if (word == "undecided") {
+            ++undecided;
+            continue;
+          }
+          for (const auto& [other, its] : same.words) {
+            EXPECT_TRUE(other != key || its == word) << key << ' ' << body_text(moments, {});
+          }
+        }
+        for (const effect_number& n : effect.numbers) {
+          if (!n.is_range) continue;
+          const std::string name = n.name.substr(0, n.name.rfind("_range"));
+          for (const effect_number& its : same.numbers) {
+            if (its.name != name) continue;
+            ++compared;
+            EXPECT_TRUE(its.exact ? contains(n.enclosure, *its.exact)
+                                  : overlaps(n.enclosure, its.enclosure))
+                << name << ' ' << n.enclosure << ' ' << body_text(moments, {});
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 80 * support::effort());
+  EXPECT_TRUE(support::effort() < 1 || undecided > 0);
+}
+
+TEST(Ranges, AreCloseToThoseOfTheCorners) {
+  const std::string state = "unit = \"rad/s\"\nomega = [0.1, 9, 3]\n";
+  const std::array<rational, 3> value{3, 2, 1};
+  const std::array<rational, 3> sigma{rational(1, 100), rational(1, 100), rational(1, 100)};
+  const scene_report report = report_of(body_text(value, sigma), state, wanted);
+  std::map<std::string, ball> corners;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    random_source unused(0);
+    const std::array<rational, 3> moments = member(unused, {value, sigma}, corner);
+    for (const effect_result& effect : report_of(body_text(moments, {}), state, wanted).effects) {
+      for (const effect_number& n : effect.numbers) {
+        const ball x = n.exact ? ball(*n.exact, 64) : n.enclosure;
+        const auto [at, is_new] = corners.emplace(effect.name + n.name + "_range", x);
+        if (!is_new) at->second = hull(at->second, x);
+      }
+    }
+  }
+  long compared = 0;
+  for (const effect_result& effect : report.effects) {
+    for (const effect_number& n : effect.numbers) {
+      if (!n.is_range || effect.name == "intersections") continue;
+      ++compared;
+      const ball& least = corners.at(effect.name + n.name);
+      EXPECT_TRUE(contains(n.enclosure, least)) << n.name;
+      // No more than half wider.
+      EXPECT_TRUE(contains(least.enlarged(multiply_up(least.radius(), magnitude::power_of_two(-1))),
+                           n.enclosure))
+          << n.name << ' ' << n.enclosure << ' ' << least;
+    }
+  }
+  EXPECT_EQ(compared, 13);
+}
+
+TEST(Ranges, AreNotGivenWhereTheMotionsDiffer) {
+  const auto report = [](const char* state) {
+    return report_of("[body]\nmoments = [\"3 ± 0.1\", \"2 ± 0.1\", \"1 ± 0.1\"]\n", state, wanted);
+  };
+  // c is near 0: on both sides of the separatrix.
+  const scene_report both = report("omega = [1, 9, 1.7]\n");
+  EXPECT_EQ(both.find("regime")->words.at(0).second, "undecided");
+  EXPECT_EQ(both.find("period")->verdict, status::not_certified);
+  EXPECT_EQ(both.find("period")->number("period_range"), nullptr);
+  // c = -0.3 is a motion of bodies with b > 0.3 alone.
+  const scene_report some = report("c = -0.31\n");
+  EXPECT_EQ(some.find("period")->verdict, status::not_certified);
+  EXPECT_EQ(some.find("period")->number("natural_period_range"), nullptr);
+  // About an axis there is no period of any.
+  const scene_report about = report("omega = [0, 0, 1]\n");
+  EXPECT_EQ(about.find("period")->verdict, status::certified);
+  EXPECT_EQ(about.find("period")->number("period_range"), nullptr);
+}
+
+TEST(Ranges, AreNotGivenWhereTheAxesAreUndecided) {
+  const scene_report report = report_of(
+      "[body]\nmoments = [\"3 ± 0.6\", \"2 ± 0.6\", \"1 ± 0.1\"]\n", "omega = [1, 9, 3]\n", wanted);
+  EXPECT_EQ(report.find("period")->verdict, status::not_certified);
+  EXPECT_EQ(report.find("period")->number("period_range"), nullptr);
+}
+
+}  // namespace ranges_test
+}  // namespace polhode
