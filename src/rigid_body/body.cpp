@@ -200,8 +200,8 @@ body_kind uncertain_body::kind() const {
     const rational_range& third = given_[(i + 2) % 3];
     if (one.low > second.high + third.high) return body_kind::non_physical;
     all_physical = all_physical && one.high <= second.low + third.low;
-    all_planar = all_planar || (one.high == second.low + third.low &&
-                                one.low == second.high + third.high);
+    all_planar =
+        all_planar || (one.high == second.low + third.low && one.low == second.high + third.high);
   }
   if (all_planar) return body_kind::planar;
   return all_physical ? body_kind::physical : body_kind::undecided;

@@ -220,7 +220,8 @@ scene_body read_body(section body, const std::filesystem::path& directory, text_
     remarks.push_back("no mass distribution has these moments: " + violation(result));
   if (result.ranges) {
     remarks.emplace_back(
-        "moments with uncertainties: kinds, yes or no, and each NAME_range are of all bodies within "
+        "moments with uncertainties: kinds, yes or no, and each NAME_range are of all bodies "
+        "within "
         "them; the other numbers, series and curves are of the middle values");
   }
   return result;

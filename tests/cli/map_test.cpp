@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "polhode/arithmetic/text.hpp"
 #include "program.hpp"
 
 namespace polhode::test {
@@ -160,6 +162,122 @@ TEST(Map, AsNumPyHasIt) {
   const std::size_t head = 10 + static_cast<unsigned char>(file[8]);
   EXPECT_EQ(head % 64, 0U);
   EXPECT_EQ(file.size(), head + 2 * 2 * 4 * 2 * sizeof(double));
+}
+
+// ---------------------------------------------------------------------------------------------
+// Cells
+
+std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream row(line + ',');
+    rows.emplace_back();
+    for (std::string one; std::getline(row, one, ',');) rows.back().push_back(one);
+  }
+  rows.erase(rows.begin());
+  return rows;
+}
+
+TEST(MapOfCells, CoversTheMapAndHoldsTheNumbersOfItsPoints) {
+  const words quantities{"epsilon0", "c0", "intersections", "physical", "meetings"};
+  words command{"map"};
+  command.insert(command.end(), quantities.begin(), quantities.end());
+  words cells = command;
+  for (const char* one : {"--a", "0.05..20/3", "--b", "0.05..0.9/3", "--log", "--cells", "--refine",
+                          "4", "--digits", "12"}) {
+    cells.emplace_back(one);
+  }
+  const outcome map = run(cells);
+  EXPECT_EQ(map.status, 1);  // c0 exists for some bodies of a cell only
+  rational area = 0;
+  long compared = 0;
+  for (const std::vector<std::string>& row : rows_of(map.out)) {
+    const auto number = [&](std::size_t k) { return parse_rational(row.at(k)); };
+    const rational a_low = number(1);
+    const rational a_high = number(3);
+    const rational b_low = number(5);
+    const rational b_high = number(7);
+    area += (a_high - a_low) * (b_high - b_low);
+    if (++compared % 7 != 0) continue;
+    // A corner, and a point inside.
+    for (const rational& part : {rational(0), rational(1, 3), rational(1)}) {
+      words point = command;
+      for (const std::string& one :
+           {std::string("--a"), to_text(a_low + part * (a_high - a_low)), std::string("--b"),
+            to_text(b_low + part * (b_high - b_low)), std::string("--digits"), std::string("12")}) {
+        point.push_back(one);
+      }
+      const std::vector<std::string> numbers = rows_of(run(point).out).at(0);
+      for (std::size_t k = 0; k < quantities.size(); ++k) {
+        const std::string& value = numbers.at(4 + 2 * k);
+        const std::string& low = row.at(8 + 2 * k);
+        if (low == "undecided") continue;
+        EXPECT_EQ(low == "none", value == "none") << quantities[k];
+        if (low == "none") continue;
+        const rational radius = parse_rational(numbers.at(5 + 2 * k));
+        EXPECT_LE(parse_rational(low), parse_rational(value) + radius) << quantities[k];
+        EXPECT_GE(number(9 + 2 * k), parse_rational(value) - radius) << quantities[k];
+      }
+    }
+  }
+  EXPECT_EQ(area, (20 - rational(1, 20)) * (rational(9, 10) - rational(1, 20)));
+  EXPECT_GT(compared, 50);
+}
+
+TEST(MapOfCells, HasAreas) {
+  EXPECT_EQ(printed({"map", "physical", "epsilon0", "--a", "1..2/1", "--b", "0.2..0.3/2", "--cells",
+                     "--format", "areas"}),
+            "quantity,value,percent_of_area\nphysical,1,50.00\nphysical,undecided,50.00\n");
+  EXPECT_EQ(run(map_of({"--format", "areas"})).status, 2);
+  EXPECT_EQ(run(map_of({"--cells", "--format", "areas"})).status, 2);  // no integer
+}
+
+TEST(MapOfCells, EndsAtTheWidthThatWasAskedFor) {
+  const outcome map = run({"map", "epsilon0", "--a", "1..2/1", "--b", "0.1..0.2/1", "--cells",
+                           "--refine", "12", "--width", "5e-2", "--digits", "10"});
+  EXPECT_EQ(map.status, 0);
+  for (const std::vector<std::string>& row : rows_of(map.out)) {
+    EXPECT_LE(parse_rational(row.at(9)) - parse_rational(row.at(8)), rational(5, 100));
+  }
+}
+
+TEST(MapOfCells, OfMotionsSaysWhatIsUndecided) {
+  const outcome map = run({"map", "phase", "epsilon", "--a", "1..2/1", "--b", "0.3..0.4/1", "--c",
+                           "-0.6..0.2/4", "--cells", "--digits", "5"});
+  EXPECT_EQ(map.status, 1);
+  const auto rows = rows_of(map.out);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].at(12), "none");       // c < -b
+  EXPECT_EQ(rows[2].at(12), "undecided");  // up to the separatrix
+  EXPECT_EQ(rows[3].at(14), "-1.919");
+}
+
+TEST(MapOfCells, IsTheSameWhateverTheShards) {
+  const scratch_directory scratch;
+  const words more{"--cells", "--refine", "3", "--width", "0.1"};
+  const std::string whole = printed(map_of(more));
+  const std::string blocks = scratch.path("blocks");
+  for (const char* shard : {"2/2", "1/2"}) {
+    words command = map_of(more);
+    for (const std::string& one :
+         {std::string("--blocks"), blocks, std::string("--shard"), std::string(shard)}) {
+      command.push_back(one);
+    }
+    (void)printed(command);
+  }
+  EXPECT_EQ(printed({"merge", blocks}), whole);
+  // A map of points is another one.
+  EXPECT_EQ(run(map_of({"--blocks", blocks})).status, 2);
+}
+
+TEST(MapOfCells, RefusesWhatItDoesNotHave) {
+  EXPECT_NE(run(map_of({"--refine", "3"})).err.find("give --cells, too"), std::string::npos);
+  EXPECT_NE(run(map_of({"--cells", "--format", "npy"})).err.find("a map of cells is csv or areas"),
+            std::string::npos);
+  EXPECT_NE(run(map_of({"--cells", "--width", "0"})).err.find("a number above 0"),
+            std::string::npos);
+  EXPECT_EQ(run(map_of({"--cells", "--refine", "21"})).status, 2);
 }
 
 }  // namespace map_test

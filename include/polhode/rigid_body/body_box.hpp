@@ -52,6 +52,11 @@ class body_box {
   /// positive and disjoint in this order: a = I_y/I_z - 1 and b = 1 - I_y/I_x, each in its range.
   [[nodiscard]] static body_box of_moments(const std::array<rational_range, 3>& moments);
 
+  /// The body of the box with the least a and b, at which every number below is greatest, and that
+  /// with the greatest a and b.
+  [[nodiscard]] const body& least() const { return least_; }
+  [[nodiscard]] const body& greatest() const { return greatest_; }
+
   [[nodiscard]] rational_range a() const { return {least_.a().exact(), greatest_.a().exact()}; }
   [[nodiscard]] rational_range b() const { return {least_.b().exact(), greatest_.b().exact()}; }
 
@@ -92,8 +97,8 @@ class body_box {
   template <class Value>
   [[nodiscard]] ball of_motions(const rational_range& c, const Value& value) const;
 
-  body least_;     // the least a and b: every number above is greatest here
-  body greatest_;  // and here least
+  body least_;
+  body greatest_;
 };
 
 }  // namespace polhode

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -54,12 +55,20 @@ struct grid {
   std::optional<std::string> c;
   bool log = false;
   long digits = 15;
+  bool cells = false;             // ranges over the cells between the values, in place of points
+  long refine = 0;                // how often a cell is halved at most
+  std::optional<rational> width;  // of a range that is narrow enough
   // Made of these:
   std::vector<rational> a_values, b_values, c_values;
   std::vector<const quantity*> chosen;
 
   [[nodiscard]] std::size_t points() const {
-    return a_values.size() * b_values.size() * std::max<std::size_t>(c_values.size(), 1);
+    return count_along(a_values) * count_along(b_values) * motions();
+  }
+  [[nodiscard]] std::size_t motions() const { return c_values.empty() ? 1 : count_along(c_values); }
+  /// Points, or cells, along an axis with these values; a single value is a cell.
+  [[nodiscard]] std::size_t count_along(const std::vector<rational>& values) const {
+    return cells ? std::max<std::size_t>(values.size() - 1, 1) : values.size();
   }
   [[nodiscard]] std::size_t blocks() const {
     return (points() + points_of_block - 1) / points_of_block;
@@ -149,6 +158,11 @@ json as_json(const grid& g) {
               {"points", g.points()},
               {"points_of_block", points_of_block}};
   if (g.c) result["c"] = *g.c;
+  if (g.cells) {
+    result["cells"] = true;
+    result["refine"] = g.refine;
+    if (g.width) result["width"] = to_text(*g.width);
+  }
   return result;
 }
 std::string head_of(const grid& g) { return json_document_text("map", as_json(g)); }
@@ -157,6 +171,15 @@ std::string head_of(const grid& g) { return json_document_text("map", as_json(g)
 // Points
 
 std::string header_of(const grid& g) {
+  if (g.cells) {
+    std::string result = csv_header("a_low") + ',' + csv_header("a_high") + ',' +
+                         csv_header("b_low") + ',' + csv_header("b_high");
+    if (g.c) result += ',' + csv_header("c_low") + ',' + csv_header("c_high");
+    for (const std::string& name : g.quantities) {
+      result += fmt::format(",{0}_lower,{0}_upper", name);
+    }
+    return result + '\n';
+  }
   std::string result = csv_header("a") + ',' + csv_header("b");
   if (g.c) result += ',' + csv_header("c");
   for (const std::string& name : g.quantities) result += fmt::format(",{0},{0}_radius", name);
@@ -183,8 +206,88 @@ std::string cells_of(const quantity& q, const body& rigid, const std::optional<r
   return d.value + ',' + d.radius;
 }
 
+// Cells
+
+rational_range cell_along(const std::vector<rational>& values, std::size_t k) {
+  return {values[k], values[std::min(k + 1, values.size() - 1)]};
+}
+
+/// Between the ends; of a logarithmic axis near the geometric mean.
+rational middle_of(const rational_range& range, bool log) {
+  if (log) {
+    const double mean =
+        std::sqrt(static_cast<double>(range.low)) * std::sqrt(static_cast<double>(range.high));
+    const rational near = parse_rational(fmt::format("{:.9e}", mean));
+    if (range.low < near && near < range.high) return near;
+  }
+  return (range.low + range.high) / 2;
+}
+
+struct map_cell {
+  rational_range a, b, c;
+};
+
+/// The two columns of a quantity over a cell, and whether they are what was asked for.
+struct range_cells {
+  std::string text;
+  bool is_done = true;
+};
+range_cells range_of(const grid& g, const quantity& q, const map_cell& cell) {
+  const std::optional<ball> range = q.range({cell.a, cell.b}, cell.c, g.digits);
+  if (!range) return {"none,"};
+  if (!range->is_bounded()) return {"undecided,", false};
+  if (q.is_whole) {
+    const integer low = floor_of(lower_rational(*range));
+    const integer high = floor_of(upper_rational(*range));
+    return {low.str() + ',' + high.str(), low == high};
+  }
+  const decimal_enclosure d = to_decimal_enclosure(*range, g.digits);
+  return {d.lower + ',' + d.upper,
+          !g.width || parse_rational(d.upper) - parse_rational(d.lower) <= *g.width};
+}
+
+/// The rows of a cell, or of its halves where that is not decided, or a range too wide: halved in a
+/// and b by turns.
+std::string rows_of_cell(const grid& g, const map_cell& cell, long halvings) {
+  std::string columns;
+  bool is_done = true;
+  for (const quantity* q : g.chosen) {
+    const range_cells one = range_of(g, *q, cell);
+    columns += ',' + one.text;
+    is_done = is_done && one.is_done;
+  }
+  const bool a_is_thin = cell.a.low == cell.a.high;
+  const bool b_is_thin = cell.b.low == cell.b.high;
+  if (!is_done && halvings < g.refine && !(a_is_thin && b_is_thin)) {
+    const bool in_a = b_is_thin || (!a_is_thin && halvings % 2 == 0);
+    map_cell low = cell;
+    map_cell high = cell;
+    rational_range map_cell::*const halved = in_a ? &map_cell::a : &map_cell::b;
+    (low.*halved).high = (high.*halved).low = middle_of(cell.*halved, g.log);
+    return rows_of_cell(g, low, halvings + 1) + rows_of_cell(g, high, halvings + 1);
+  }
+  std::string result;
+  for (const rational_range* range : {&cell.a, &cell.b, &cell.c}) {
+    if (range == &cell.c && !g.c) continue;
+    result += csv_cells(range->low) + ',' + csv_cells(range->high) + ',';
+  }
+  result.pop_back();
+  return result + columns + '\n';
+}
+
+// ---------------------------------------------------------------------------------------------
+
+/// The row of a point, or the rows of a cell.
 std::string row_of(const grid& g, std::size_t index) {
-  const std::size_t motions = std::max<std::size_t>(g.c_values.size(), 1);
+  const std::size_t motions = g.motions();
+  if (g.cells) {
+    const std::size_t along_b = g.count_along(g.b_values);
+    map_cell cell{cell_along(g.a_values, index / motions / along_b),
+                  cell_along(g.b_values, index / motions % along_b),
+                  {}};
+    if (g.c) cell.c = cell_along(g.c_values, index % motions);
+    return rows_of_cell(g, cell, 0);
+  }
   const rational& a = g.a_values[index / motions / g.b_values.size()];
   const rational& b = g.b_values[index / motions % g.b_values.size()];
   std::optional<rational> c;
@@ -232,6 +335,11 @@ class block_directory {
       head.at("b").get_to(g.b);
       head.at("log").get_to(g.log);
       head.at("digits").get_to(g.digits);
+      if (head.contains("cells")) {
+        g.cells = true;
+        head.at("refine").get_to(g.refine);
+        if (head.contains("width")) g.width = parse_rational(head.at("width").get<std::string>());
+      }
       if (head.contains("c")) g.c = head.at("c").get<std::string>();
       grid done = completed(g);
       if (head_of(done) == *text) return done;
@@ -364,8 +472,18 @@ std::string as_npy(const grid& g, const std::string& rows) {
 
 bool is_picture(const std::string& format) { return format == "svg" || format == "png"; }
 
-/// Throws usage_error where there is no picture of the map.
-void check_picture(const grid& g) {
+/// Throws usage_error where the map has no such format.
+void check_format(const grid& g, const std::string& format) {
+  if (g.cells && format != "csv" && format != "areas") {
+    throw usage_error(fmt::format("--format {}: a map of cells is csv or areas", format));
+  }
+  if (format == "areas") {
+    const bool has_integer = std::ranges::any_of(g.chosen, &quantity::is_whole);
+    if (g.cells && has_integer) return;
+    throw usage_error(
+        "--format areas: give --cells, and a quantity that is an integer, such as intersections");
+  }
+  if (!is_picture(format)) return;
   constexpr std::size_t most = 1'000'000;
   if (g.quantities.size() != 1 || g.c || g.a_values.size() < 2 || g.b_values.size() < 2 ||
       g.points() > most) {
@@ -383,10 +501,50 @@ std::string as_picture(const grid& g, const std::string& rows, const std::string
   return map_picture(map, format);
 }
 
+/// Of each quantity that is an integer: on which share of the area it has which value. In doubles.
+std::string as_areas(const grid& g, const std::string& rows) {
+  const auto size = [&](const std::string& low, const std::string& high) {
+    const auto x = static_cast<double>(parse_rational(low));
+    const auto y = static_cast<double>(parse_rational(high));
+    if (x == y) return 1.0;
+    return g.log ? std::log(y) - std::log(x) : y - x;
+  };
+  const std::size_t first = g.c ? 12 : 8;  // two columns for each end
+  double all = 0;
+  std::vector<std::map<integer, double>> decided(g.chosen.size());
+  std::istringstream lines(rows);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> columns;
+    std::istringstream row(line + ',');
+    for (std::string one; std::getline(row, one, ',');) columns.push_back(one);
+    const double area = size(columns.at(0), columns.at(2)) * size(columns.at(4), columns.at(6));
+    all += area;
+    for (std::size_t k = 0; k < decided.size(); ++k) {
+      const std::string& low = columns.at(first + 2 * k);
+      if (g.chosen[k]->is_whole && low == columns.at(first + 2 * k + 1)) {
+        decided[k][integer(low)] += area;
+      }
+    }
+  }
+  std::string result = "quantity,value,percent_of_area\n";
+  for (std::size_t k = 0; k < decided.size(); ++k) {
+    if (!g.chosen[k]->is_whole) continue;
+    double rest = all;
+    for (const auto& [value, area] : decided[k]) {
+      rest -= area;
+      result += fmt::format("{},{},{:.2f}\n", g.quantities[k], value.str(), 100 * area / all);
+    }
+    result +=
+        fmt::format("{},undecided,{:.2f}\n", g.quantities[k], 100 * std::max(rest, 0.0) / all);
+  }
+  return result;
+}
+
 exit_status print_map(const grid& g, const std::string& rows, const std::string& format) {
-  print(is_picture(format) ? as_picture(g, rows, format)
-        : format == "npy"  ? as_npy(g, rows)
-                           : header_of(g) + rows);
+  print(format == "areas"    ? as_areas(g, rows)
+        : is_picture(format) ? as_picture(g, rows, format)
+        : format == "npy"    ? as_npy(g, rows)
+                             : header_of(g) + rows);
   return rows.find("undecided,") == std::string::npos ? exit_status::all_certified
                                                       : exit_status::not_certified;
 }
@@ -419,13 +577,29 @@ struct map_options {
   std::string a, b;
   std::optional<std::string> c;
   bool log = false;
+  bool cells = false;
+  count_option refine{"--refine", 0, 0, 20};
+  std::optional<std::string> width;
   std::optional<std::string> blocks;
   std::optional<std::string> shard;
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
-  format_option format{{"csv", "npy", "svg", "png"}};
+  format_option format{{"csv", "npy", "svg", "png", "areas"}};
   time_limit_option time_limit;
 };
+
+rational read_width(const std::string& text) {
+  const rational width = [&] {
+    try {
+      return parse_rational(text);
+    } catch (const std::exception&) {
+      return rational(0);
+    }
+  }();
+  if (width > 0) return width;
+  throw usage_error(
+      fmt::format("--width {}: it must be a number above 0, such as 1e-3", in_quotes(text)));
+}
 
 struct shard {
   std::size_t number = 0;  // from 0
@@ -458,9 +632,15 @@ exit_status run(const map_options& options) {
   g.c = options.c;
   g.log = options.log;
   g.digits = options.digits.value();
+  g.cells = options.cells;
+  g.refine = options.refine.value();
+  if (options.width) g.width = read_width(*options.width);
+  if (!g.cells && (g.refine != 0 || g.width)) {
+    throw usage_error("--refine and --width are of cells: give --cells, too");
+  }
   g = completed(std::move(g));
   const std::string& format = options.format.value();
-  if (is_picture(format)) check_picture(g);
+  check_format(g, format);
   const shard own = read_shard(options);
   const progress line;
   detail::worker_threads threads(static_cast<int>(options.threads.value()));
@@ -519,6 +699,13 @@ std::function<exit_status()> declare(CLI::App& app) {
       .type_name("LO..HI/N");
   add_flag(app, "--log", options->log,
            "Steps of a and b with equal ratios; the values are rounded\nto six digits");
+  add_flag(app, "--cells", options->cells,
+           "Ranges over the cells between the values, in place of numbers\nat points");
+  options->refine.declare(app,
+                          "Halve a cell up to so many times, in a and b by turns, until each\n"
+                          "integer is decided and each range at most --width wide");
+  add_option(app, "--width", options->width, "How wide a range may be, for --refine")
+      .type_name("W");
   add_option(app, "--blocks", options->blocks,
              "Keep blocks of 1000 points that are done in this directory, and\n"
              "go on from those that it has")
@@ -536,7 +723,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 
 struct merge_options {
   std::string directory;
-  format_option format{{"csv", "npy", "svg", "png"}};
+  format_option format{{"csv", "npy", "svg", "png", "areas"}};
 };
 
 std::function<exit_status()> declare_merge(CLI::App& app) {
@@ -546,7 +733,7 @@ std::function<exit_status()> declare_merge(CLI::App& app) {
   return [options] {
     const block_directory directory(options->directory);
     const grid g = directory.read_head();
-    if (is_picture(options->format.value())) check_picture(g);
+    check_format(g, options->format.value());
     const collected all = collect(g, directory);
     if (all.missing > 0) {
       throw usage_error(fmt::format(
@@ -568,6 +755,8 @@ command map_command() {
       "  polhode map phase --a 1..3/2 --b 0.2..0.8/3 --c -0.1..0.1/4 --digits 30\n"
       "  polhode map meetings --a 1..9/8 --b 0.1..0.9/8 --format npy > map.npy\n"
       "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --log --format png > map.png\n"
+      "  polhode map intersections physical --a 1e-6..1e6/48 --b 1e-6..0.999999/48 --log --cells "
+      "--refine 4 --format areas\n"
       "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n\n"
       "A row has a, b, c where it is asked for, and of each quantity the value and its radius: "
       "\"none\"\n"
@@ -577,6 +766,12 @@ command map_command() {
       "and\n"
       "png show one quantity as colours, with the curves I = 1, I = 2/(2n+1), J = 1 and J = 2 "
       "(gnuplot).\n"
+      "A row of --cells has the ends of a, b and c, and of each quantity the least and the "
+      "greatest "
+      "value\n"
+      "that it can have for any body of the cell: all of the map is covered. areas is the share "
+      "of the\n"
+      "area on which an integer has which value.\n"
       "With --blocks a run that was killed goes on where it was, and shards that ran on any "
       "machines\n"
       "with that directory make one map, the same to the last byte.\n",

@@ -15,40 +15,107 @@ certain_number exactly(const integer& n) {
   return {status::certified, reason::none, ball(rational(n), 64)};
 }
 
+/// No motion of the box has such a c.
+bool has_no_motions(const body_box& box, const rational_range& c) {
+  return c.high <= -box.b().high || c.low >= box.a().high;
+}
+
+/// The range of an integer that grows with a and b.
+template <integer (*of)(const body&)>
+std::optional<ball> range_of_integer(const body_box& box, const rational_range&, long) {
+  return hull(exactly(of(box.least())).enclosure, exactly(of(box.greatest())).enclosure);
+}
+
+template <integer (*of)(const body&)>
+certain_number integer_of(const body& rigid, const rational&, long) {
+  return exactly(of(rigid));
+}
+
+integer is_non_physical(const body& rigid) {
+  return rigid.kind() == body_kind::non_physical ? 1 : 0;
+}
+
+void check_nothing(const body&, const rational&) {}
+
 }  // namespace
 
 const std::vector<quantity>& all_quantities() {
   static const std::vector<quantity> quantities{
-      {"phase", "Montgomery phase, unwrapped", true, montgomery_phase_to_digits, check_phase, true},
-      {"epsilon", "defect epsilon(c) of the tennis racket effect", true,
-       [](const body& rigid, const rational& c, long digits) {
-         const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
-         return certain_number{t.verdict, t.why, t.epsilon};
+      {.name = "phase",
+       .description = "Montgomery phase, unwrapped",
+       .of_motion = true,
+       .compute = montgomery_phase_to_digits,
+       .check = check_phase,
+       .range = [](const body_box& box, const rational_range& c,
+                   long digits) -> std::optional<ball> {
+         if (has_no_motions(box, c)) return std::nullopt;
+         return box.montgomery_phase(c, bits_for_digits(digits) + 32);
        },
-       [](const body& rigid, const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); }},
-      {"epsilon0", "defect on the separatrix", false,
-       [](const body& rigid, const rational&, long digits) {
-         return separatrix_defect_to_digits(rigid, digits);
-       },
-       [](const body&, const rational&) {}},
-      {"c0", "motion of the perfect twist", false,
-       [](const body& rigid, const rational&, long digits) {
-         return perfect_twist_to_digits(rigid, digits);
-       },
-       [](const body& rigid, const rational&) {
-         if (has_perfect_twist(rigid)) return;
-         throw usage_error(
-             fmt::format("a = {}, b = {}: there is no perfect twist and no c0, since J >= 2",
-                         to_text(rigid.a()), to_text(rigid.b())));
+       .infinite_at_0 = true},
+      {.name = "epsilon",
+       .description = "defect epsilon(c) of the tennis racket effect",
+       .of_motion = true,
+       .compute =
+           [](const body& rigid, const rational& c, long digits) {
+             const twist t = twist_to_digits(rigid, c, digits, with_slope::no);
+             return certain_number{t.verdict, t.why, t.epsilon};
+           },
+       .check = [](const body& rigid,
+                   const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); },
+       .range = [](const body_box& box, const rational_range& c,
+                   long digits) -> std::optional<ball> {
+         if (has_no_motions(box, c)) return std::nullopt;
+         return box.twist(c, digits);
        }},
-      {"meetings", "motions in which the curves C and S meet", false,
-       [](const body& rigid, const rational&, long) { return exactly(meeting_count(rigid)); },
-       [](const body&, const rational&) {}},
-      {"physical", "1 for a body that masses can have, else 0", false,
-       [](const body& rigid, const rational&, long) {
-         return exactly(rigid.kind() == body_kind::non_physical ? 0 : 1);
+      {.name = "epsilon0",
+       .description = "defect on the separatrix",
+       .of_motion = false,
+       .compute = [](const body& rigid, const rational&,
+                     long digits) { return separatrix_defect_to_digits(rigid, digits); },
+       .check = check_nothing,
+       .range = [](const body_box& box, const rational_range&,
+                   long digits) { return std::optional(box.separatrix_defect(digits)); }},
+      {.name = "c0",
+       .description = "motion of the perfect twist",
+       .of_motion = false,
+       .compute = [](const body& rigid, const rational&,
+                     long digits) { return perfect_twist_to_digits(rigid, digits); },
+       .check =
+           [](const body& rigid, const rational&) {
+             if (has_perfect_twist(rigid)) return;
+             throw usage_error(
+                 fmt::format("a = {}, b = {}: there is no perfect twist and no c0, since J >= 2",
+                             to_text(rigid.a()), to_text(rigid.b())));
+           },
+       .range = [](const body_box& box, const rational_range&, long digits) -> std::optional<ball> {
+         if (box.has_perfect_twist() == false) return std::nullopt;
+         return box.perfect_twist(digits);
+       }},
+      {.name = "intersections",
+       .description = "how often the curves C and S meet",
+       .of_motion = false,
+       .compute = integer_of<intersection_count>,
+       .check = check_nothing,
+       .range = range_of_integer<intersection_count>,
+       .is_whole = true},
+      {.name = "meetings",
+       .description = "how often the curve C meets S or crosses pi/2",
+       .of_motion = false,
+       .compute = integer_of<meeting_count>,
+       .check = check_nothing,
+       .range = range_of_integer<meeting_count>,
+       .is_whole = true},
+      {.name = "physical",
+       .description = "1 for a body that masses can have, else 0",
+       .of_motion = false,
+       .compute = [](const body& rigid, const rational&,
+                     long) { return exactly(1 - is_non_physical(rigid)); },
+       .check = check_nothing,
+       .range = [](const body_box& box, const rational_range&, long) -> std::optional<ball> {
+         return hull(exactly(1 - is_non_physical(box.least())).enclosure,
+                     exactly(1 - is_non_physical(box.greatest())).enclosure);
        },
-       [](const body&, const rational&) {}}};
+       .is_whole = true}};
   return quantities;
 }
 

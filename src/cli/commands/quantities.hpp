@@ -2,10 +2,11 @@
 
 // The quantities of free rotations that `table` and `map` have.
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "polhode/rigid_body/body.hpp"
+#include "polhode/rigid_body/body_box.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 
 namespace polhode::cli {
@@ -17,6 +18,10 @@ struct quantity {
   certain_number (*compute)(const body&, const rational& c, long digits);
   /// Throws usage_error where there is none.
   void (*check)(const body&, const rational& c);
+  /// The range of it over all bodies of a box, and motions with c in a range; nothing where it
+  /// exists for none of them, undefined where it is not enclosed.
+  std::optional<ball> (*range)(const body_box&, const rational_range& c, long digits);
+  bool is_whole = false;       // an integer
   bool infinite_at_0 = false;  // on the separatrix, c = 0
 };
 
