@@ -10,6 +10,9 @@
 namespace polhode::detail {
 namespace {
 
+/// Of I_x. Less is what rounding leaves where a body is flat.
+const rational smallest_margin(1, 1'000'000'000);
+
 std::string yes_or_no(bool holds) { return holds ? "yes" : "no"; }
 
 void add_constant(effect_result& to, const std::string& name, const std::optional<rational>& exact,
@@ -43,6 +46,15 @@ effect_result planarity(const effect_context& x) {
     add(result, "margin", of.size.at(p) * margin, "kg m^2");
   }
   add(result, "relative_margin", margin / of.moments()[0], x.working_digits());
+  if (of.kind != body_kind::planar &&
+      certainly_less(abs((margin / of.moments()[0]).at(64)), ball(smallest_margin, 64))) {
+    result.remarks.push_back(
+        "planar but for " +
+        to_decimal(result.numbers.front().exact ? ball(*result.numbers.front().exact, 64)
+                                                : result.numbers.front().enclosure,
+                   3) +
+        (of.has_unit ? " kg m^2" : "") + ", as numbers are that were rounded: taken as written");
+  }
   result.remarks.emplace_back("margin = I_y + I_z - I_x" +
                               std::string(of.has_unit ? "" : ", in the unit of the moments") +
                               ", negative where the triangle inequality is violated");

@@ -106,12 +106,26 @@ TEST(BodyCommand, UncertaintiesStandBesideTheMoments) {
             run({"body", "--moments", "3.01,2,1", "--sigma", "0.1,0,0.05"}).out);
   EXPECT_EQ(run({"body", "--moments", "2.5±0.01,2,1.5"}).status, 0);
   expect_refused({"body", "--moments", "3±0.1,2,1", "--sigma", "0.1,0,0"}, {"uncertainties"});
-  expect_refused({"phase", "--moments", "3±0.1,2,1", "--c", "0.1"},
-                 {"uncertainties", "polhode body"});
+  expect_refused({"curve", "--moments", "3±0.1,2,1"},
+                 {"ranges are for body, phase, racket and scenes"});
   expect_refused({"body", "--moments", "3±-0.1,2,1"}, {"negative"});
   expect_refused({"body", "--moments", "3±,2,1"}, {"--moments"});
   expect_refused({"body", "--moments", "1±2,2,1"}, {"--moments"});
   expect_refused({"body", "--moments", "3±0.1,2,1", "--nearest"}, {"uncertainties"});
+}
+
+TEST(BodyCommand, WithUncertaintiesHasRangesOfEffects) {
+  const std::vector<std::string> phase{"phase", "--moments", "3.2±0.01,2,1.5±0.01", "--c", "0.1",
+                               "--digits", "10"};
+  const outcome of_phase = run(phase);
+  EXPECT_EQ(of_phase.status, 0) << of_phase.err;
+  EXPECT_NE(of_phase.out.find("  phase_range from 16.322 to 16.75 rad"), std::string::npos) << of_phase.out;
+  const outcome racket = run({"racket", "--moments", "3.2±0.01,2,1.5±0.01", "--format", "json"});
+  EXPECT_EQ(racket.status, 0) << racket.err;
+  EXPECT_NE(racket.out.find("\"epsilon0_range\""), std::string::npos) << racket.out;
+  expect_refused({"phase", "--moments", "3±0.1,2,1", "--c", "0.1", "--excess"}, {"--excess"});
+  expect_refused({"phase", "--moments", "3±0.1,2,1"}, {"--c"});
+  expect_refused({"racket", "--moments", "3±0.1,2,1", "--c", "7"}, {"c"});
 }
 
 TEST(BodyCommand, NearestPhysicalTensor) {
@@ -226,7 +240,7 @@ TEST(BodyCommand, Files) {
             std::string::npos);
   write(R"({"moments": [3.01, 2, 1], "sigma": [0.1, 0.1, 0.05]})");
   EXPECT_EQ(run({"body", "--body", path}).status, 1);
-  expect_refused({"racket", "--body", path}, {"sigma", "polhode body"});
+  expect_refused({"curve", "--body", path}, {"sigma", "ranges are for"});
   // Principal moments that are not rational.
   EXPECT_EQ(body_in(R"({"tensor": [[2, -1, 0], [-1, 2, 0.1], [0, 0.1, 2.5]]})"),
             "I_x = 3.0098...\nI_y = 2.4934...\nI_z = 0.99666...\na = 1.5018...\nb = 0.17156...\n"

@@ -207,7 +207,8 @@ exit_status run(const body_options& options) {
     throw usage_error("--format csv and --allow-non-physical are for a robot's FILE");
   }
   const auto uncertain = options.which.uncertain(options.sigma);
-  answer a = uncertain ? answer_of(*uncertain, digits) : answer_of(options.which.value(), digits);
+  answer a = uncertain ? answer_of(uncertain_body(*uncertain), digits)
+                       : answer_of(options.which.value(), digits);
   if (options.nearest) {
     const auto tensor = options.which.tensor_entries();
     if (!tensor || uncertain)

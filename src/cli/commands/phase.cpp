@@ -18,6 +18,7 @@
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "uncertain_effects.hpp"
 
 namespace polhode::cli {
 namespace phase_impl {
@@ -120,6 +121,17 @@ std::string json_of(const answer& a, long digits) {
 exit_status run(const phase_options& options) {
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
+  if (const auto uncertain = options.which.uncertain()) {
+    if (options.excess) {
+      throw usage_error("--excess: it is not enclosed for moments with uncertainties");
+    }
+    if (!options.c) throw usage_error("there is no motion; give --c C, from -b to a");
+    return print_effects({.moments = *uncertain,
+                          .c = read_number("--c", *options.c),
+                          .want = R"("period", "montgomery_phase")",
+                          .digits = digits},
+                         json_wanted);
+  }
   const body rigid = options.which.value();
   if (!options.c) throw usage_error("there is no motion; give --c C, from -b to a");
   const rational c = read_motion(*options.c, rigid);
@@ -165,14 +177,17 @@ command phase_command() {
       "  polhode phase --ab 12.65,0.0629 --c -0.03\n"
       "  polhode phase --ab 12.65,0.0629 --c -1e-300 --digits 100\n"
       "  polhode phase --moments 3,2,1 --c 1/2 --excess --format json\n"
-      "  polhode phase --tensor 2,3,4,0.1,0,-0.2 --c 0.3\n\n"
+      "  polhode phase --tensor 2,3,4,0.1,0,-0.2 --c 0.3\n"
+      "  polhode phase --moments 3.2±0.01,2,1.5±0.01 --c 0.1\n\n"
       "The phase is the angle in radians by which the body has turned about its angular momentum "
       "when\n"
       "that has gone once around in the body; it is not taken modulo 2 pi. Its greatest lower "
       "bound\n"
       "over all c is 2 pi I where the body oscillates and 2 pi J where it rotates (see `polhode "
       "body`).\n"
-      "On the separatrix, c = 0, it is infinite.\n",
+      "On the separatrix, c = 0, it is infinite. Of moments with uncertainties the report is that "
+      "of\n"
+      "`polhode scene`, with the range of each number.\n",
       phase_impl::declare};
 }
 

@@ -25,6 +25,7 @@
 #include "polhode/rigid_body/tennis_racket.hpp"
 #include "polhode/rigid_body/twist_curve.hpp"
 #include "proofs/claim.hpp"
+#include "uncertain_effects.hpp"
 
 namespace polhode::cli {
 namespace racket_impl {
@@ -278,6 +279,15 @@ exit_status run(const racket_options& options) {
   if (options.limit) return run_limit(options);
   const long digits = options.digits.value();
   const bool json_wanted = options.format.value() == "json";
+  if (const auto uncertain = options.which.uncertain()) {
+    uncertain_effects of{.moments = *uncertain,
+                         .c = {},
+                         .want = R"("tennis_racket", "intersections", "full_turn")",
+                         .listed = options.meetings.value(),
+                         .digits = digits};
+    if (options.c) of.c = read_number("--c", *options.c);
+    return print_effects(of, json_wanted);
+  }
   const auto listed = static_cast<double>(options.meetings.value());
   const body rigid = options.which.value();
   std::optional<rational> c;
@@ -331,6 +341,7 @@ command racket_command() {
       "  polhode racket --ab 12.65,0.0629\n"
       "  polhode racket --ab 39.95,0.0629 --c -0.03 --digits 100\n"
       "  polhode racket --moments 3,2,1 --format json\n"
+      "  polhode racket --moments 3.2±0.01,2,1.5±0.01\n"
       "  polhode racket --limit 1,-0.2\n\n"
       "In one turn about the angular momentum the body's angle psi goes from -pi/2 + epsilon to\n"
       "pi/2 - epsilon. epsilon0 is the defect epsilon on the separatrix, c = 0; c0 the motion of "
@@ -339,7 +350,9 @@ command racket_command() {
       "point\n"
       "where C meets S: c = -b sin^2 epsilon. What exists, and how often, is decided exactly. "
       "Where a\n"
-      "number cannot be certified the others are printed all the same (exit status 1).\n",
+      "number cannot be certified the others are printed all the same (exit status 1). Of moments "
+      "with\n"
+      "uncertainties the report is that of `polhode scene`, with the range of each number.\n",
       racket_impl::declare};
 }
 

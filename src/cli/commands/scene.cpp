@@ -52,11 +52,6 @@ struct job {
   std::string digest;
 };
 
-/// What is no UTF-8 in a file's name becomes U+FFFD.
-std::string text_of(const json& value) {
-  return value.dump(2, ' ', false, json::error_handler_t::replace);
-}
-
 std::string hexadecimal(const sha256_digest& digest) {
   std::string result;
   for (const std::uint8_t byte : digest) result += fmt::format("{:02x}", byte);
@@ -232,7 +227,7 @@ void write_job(const scene_options& options, const job& one, const scene& what, 
   }
   if (options.page) files.emplace_back(one.stem + ".html", scene_page(what, results, report));
   files.emplace_back(one.stem + ".json",
-                     text_of(report) + '\n');  // the last: it says that the others are there
+                     json_text(report) + '\n');  // the last: it says that the others are there
   std::vector<std::string> names;
   names.reserve(files.size());
   for (const auto& [name, contents] : files) names.push_back(name);
@@ -245,8 +240,8 @@ std::string printed(const scene_options& options, const std::vector<json>& repor
   const std::string& format = options.format.value();
   if (format == "csv") return results_csv(reports);
   if (format == "json") {
-    if (reports.size() == 1) return text_of(reports.front()) + '\n';
-    return text_of(json(reports)) + '\n';
+    if (reports.size() == 1) return json_text(reports.front()) + '\n';
+    return json_text(json(reports)) + '\n';
   }
   std::string result;
   for (const json& report : reports) result += (result.empty() ? "" : "\n") + scene_text(report);

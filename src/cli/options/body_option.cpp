@@ -70,7 +70,7 @@ std::array<rational, 3> read_moments(const std::string& text) {
   if (are_uncertain(moments)) {
     throw usage_error(
         fmt::format("--moments {}: it has uncertainties, and this needs one body; ranges are for "
-                    "`polhode body` and for scenes",
+                    "body, phase, racket and scenes",
                     in_quotes(text)));
   }
   return {moments[0].value, moments[1].value, moments[2].value};
@@ -99,7 +99,8 @@ body body_by_tensor(const std::string& text) {
 
 body body_in(const body_file& file) {
   if (file.sigma) {
-    throw input_error("it has a sigma, and this needs one body; ranges are for `polhode body`");
+    throw input_error(
+        "it has a sigma, and this needs one body; ranges are for body, phase, racket and scenes");
   }
   if (file.ab) return {(*file.ab)[0], (*file.ab)[1]};
   if (file.moments) return body::from_moments(*file.moments);
@@ -120,9 +121,14 @@ body body_by_file(const std::string& given) {
   });
 }
 
-uncertain_body with_ranges(const std::array<rational, 3>& moments,
-                           const std::array<rational, 3>& sigma) {
-  return uncertain_body({{{moments[0], sigma[0]}, {moments[1], sigma[1]}, {moments[2], sigma[2]}}});
+using uncertain_moments = std::array<uncertain_moment, 3>;
+
+uncertain_moments with_ranges(const std::array<rational, 3>& moments,
+                              const std::array<rational, 3>& sigma) {
+  const uncertain_moments result{
+      {{moments[0], sigma[0]}, {moments[1], sigma[1]}, {moments[2], sigma[2]}}};
+  (void)uncertain_body(result);  // throws where it is none
+  return result;
 }
 
 struct body_option_text {
@@ -192,7 +198,7 @@ std::optional<std::array<rational, 6>> body_option::tensor_entries() const {
   });
 }
 
-std::optional<uncertain_body> body_option::uncertain(
+std::optional<uncertain_moments> body_option::uncertain(
     const std::optional<std::string>& sigma) const {
   if (sigma) {
     if (!moments || ab || rotational || tensor || file)
@@ -218,7 +224,7 @@ std::optional<uncertain_body> body_option::uncertain(
   }
   if (!file || ab || moments || rotational || tensor) return std::nullopt;
   if (is_robot_file(without_link(*file).first)) return std::nullopt;
-  return reading("--body", *file, [&]() -> std::optional<uncertain_body> {
+  return reading("--body", *file, [&]() -> std::optional<uncertain_moments> {
     const body_file read = read_body_file(*file);
     if (!read.sigma) return std::nullopt;
     return with_ranges(*read.moments, *read.sigma);

@@ -26,9 +26,10 @@ struct body_option {
   [[nodiscard]] body value() const;
   /// Its inertia tensor xx, yy, zz, xy, xz, yz, where it is given by that or by its moments.
   [[nodiscard]] std::optional<std::array<rational, 6>> tensor_entries() const;
-  /// A body with ranges: by --moments and this sigma, or by a file that has one. Nothing where there is no sigma.
-  [[nodiscard]] std::optional<uncertain_body> uncertain(
-      const std::optional<std::string>& sigma) const;
+  /// Moments with uncertainties: --moments with ± or with this sigma, or those of a file that has
+  /// one. Nothing where there are none. They are those of an uncertain_body; throws usage_error.
+  [[nodiscard]] std::optional<std::array<uncertain_moment, 3>> uncertain(
+      const std::optional<std::string>& sigma = std::nullopt) const;
 };
 
 /// The same options, each as often as wanted.

@@ -15,7 +15,10 @@ inline constexpr int json_version = 2;
 /// {"format": "polhode NAME", "version": 2, ...the content's keys}.
 [[nodiscard]] json json_document(std::string_view name, const json& content);
 
-/// The same as text, with a line end.
+/// Indented text, without a line end. What is no UTF-8, in a file's name, becomes U+FFFD.
+[[nodiscard]] std::string json_text(const json& value);
+
+/// A document as text, with a line end.
 [[nodiscard]] std::string json_document_text(std::string_view name, const json& content);
 
 }  // namespace polhode::cli
