@@ -115,11 +115,12 @@ TEST(BodyCommand, UncertaintiesStandBesideTheMoments) {
 }
 
 TEST(BodyCommand, WithUncertaintiesHasRangesOfEffects) {
-  const std::vector<std::string> phase{"phase", "--moments", "3.2±0.01,2,1.5±0.01", "--c", "0.1",
-                               "--digits", "10"};
+  const std::vector<std::string> phase{"phase",    "--moments", "3.2±0.01,2,1.5±0.01", "--c", "0.1",
+                                       "--digits", "10"};
   const outcome of_phase = run(phase);
   EXPECT_EQ(of_phase.status, 0) << of_phase.err;
-  EXPECT_NE(of_phase.out.find("  phase_range from 16.322 to 16.75 rad"), std::string::npos) << of_phase.out;
+  EXPECT_NE(of_phase.out.find("  phase_range from 16.322 to 16.75 rad"), std::string::npos)
+      << of_phase.out;
   const outcome racket = run({"racket", "--moments", "3.2±0.01,2,1.5±0.01", "--format", "json"});
   EXPECT_EQ(racket.status, 0) << racket.err;
   EXPECT_NE(racket.out.find("\"epsilon0_range\""), std::string::npos) << racket.out;

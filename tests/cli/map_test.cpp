@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "polhode/arithmetic/text.hpp"
+#include "polhode/arithmetic/exact.hpp"
 #include "program.hpp"
 
 namespace polhode::test {

@@ -4,6 +4,7 @@
 
 #include "cli/options/motion_option.hpp"
 #include "cli/output/errors.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
 
 namespace polhode::cli {

@@ -18,6 +18,7 @@
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
 #include "cli/output/gnuplot.hpp"
+#include "cli/output/json_document.hpp"
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/scene_report.hpp"
