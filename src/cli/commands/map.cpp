@@ -217,7 +217,7 @@ rational middle_of(const rational_range& range, bool log) {
   if (log) {
     const double mean =
         std::sqrt(static_cast<double>(range.low)) * std::sqrt(static_cast<double>(range.high));
-    const rational near = parse_rational(fmt::format("{:.9e}", mean));
+    rational near = parse_rational(fmt::format("{:.9e}", mean));
     if (range.low < near && near < range.high) return near;
   }
   return (range.low + range.high) / 2;
@@ -589,7 +589,7 @@ struct map_options {
 };
 
 rational read_width(const std::string& text) {
-  const rational width = [&] {
+  rational width = [&] {
     try {
       return parse_rational(text);
     } catch (const std::exception&) {

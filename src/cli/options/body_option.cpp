@@ -125,7 +125,7 @@ using uncertain_moments = std::array<uncertain_moment, 3>;
 
 uncertain_moments with_ranges(const std::array<rational, 3>& moments,
                               const std::array<rational, 3>& sigma) {
-  const uncertain_moments result{
+  uncertain_moments result{
       {{moments[0], sigma[0]}, {moments[1], sigma[1]}, {moments[2], sigma[2]}}};
   (void)uncertain_body(result);  // throws where it is none
   return result;
