@@ -223,21 +223,21 @@ class ranges_of_effect {
   }
 
   void period() {
-    if (!has_motions()) return;
+    if (!has_motions() || is_given_separatrix()) return;
     if (x_.what.time_kind != scene::time_scale::natural)
       add_of_motions("period", x_.what.time_unit.name, [](const motions& m) { return m.time(); });
     add_of_motions("natural_period", "I_y/J", [](const motions& m) { return m.period(); });
   }
 
   void montgomery_phase() {
-    if (!has_motions()) return;
+    if (!has_motions() || is_given_separatrix()) return;
     add_of_motions("phase", "rad", [](const motions& m) { return m.phase(); });
   }
 
   /// The axis that J goes around where the motion oscillates, and the two others where it rotates,
   /// turn once more a period than the body (effect_phase.cpp).
   void mean_precession() {
-    if (!has_motions()) return;
+    if (!has_motions() || is_given_separatrix()) return;
     const bool oscillates = x_.regime() == polhode::regime::oscillating;
     const ball body_rate = of_motions(fine, [](const motions& m) { return m.mean_rate(); });
     const ball turn = 2 * pi(bits());
@@ -335,6 +335,11 @@ class ranges_of_effect {
       return box.mean_rate(c, of.bits()) / unit_of_time(of.x_, cell, of.bits());
     }
   };
+
+  /// c = 0 was given: nothing is periodic, for any body.
+  [[nodiscard]] bool is_given_separatrix() const {
+    return !x_.what.state->momentum && x_.regime() == polhode::regime::separatrix;
+  }
 
   template <class Range>
   [[nodiscard]] ball of_motions(const fineness& how, const Range& range) const {

@@ -198,6 +198,11 @@ TEST(Ranges, AreNotGivenWhereTheMotionsDiffer) {
   const scene_report some = report("c = -0.31\n");
   EXPECT_EQ(some.find("period")->verdict, status::not_certified);
   EXPECT_EQ(some.find("period")->number("natural_period_range"), nullptr);
+  // c = 0 is the separatrix of all.
+  const scene_report separatrix = report("c = 0\n");
+  EXPECT_EQ(separatrix.find("period")->verdict, status::certified);
+  EXPECT_EQ(separatrix.find("period")->number("natural_period_range"), nullptr);
+  EXPECT_NE(separatrix.find("tennis_racket")->number("epsilon_range"), nullptr);
   // About an axis there is no period of any.
   const scene_report about = report("omega = [0, 0, 1]\n");
   EXPECT_EQ(about.find("period")->verdict, status::certified);
