@@ -144,10 +144,8 @@ ball body_box::twist(const rational_range& c, long digits) const {
   }
   if (c.low < 0) {
     const precision p = 128;
-    const rational u = -c.low / b().low;
-    const ball least_half_phase =
-        oscillating_half_phase(greatest_, {ball(u, p), ball(rational(1 - u), p)});
-    if (!certainly_less(2 * pi(p), least_half_phase)) return ball::undefined(64);
+    const ball least_phase = phase_of(greatest_, c.low, p);
+    if (!certainly_less(4 * pi(p), least_phase)) return ball::undefined(64);
   }
   const auto value = [digits](const body& rigid, const rational& at) {
     const polhode::twist t = twist_to_digits(rigid, at, digits, with_slope::no);

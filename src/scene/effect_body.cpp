@@ -48,12 +48,13 @@ effect_result planarity(const effect_context& x) {
   add(result, "relative_margin", margin / of.moments()[0], x.working_digits());
   if (of.kind != body_kind::planar &&
       certainly_less(abs((margin / of.moments()[0]).at(64)), ball(smallest_margin, 64))) {
-    result.remarks.push_back(
-        "planar but for " +
-        to_decimal(result.numbers.front().exact ? ball(*result.numbers.front().exact, 64)
-                                                : result.numbers.front().enclosure,
-                   3) +
-        (of.has_unit ? " kg m^2" : "") + ", as numbers are that were rounded: taken as written");
+    result.remarks.push_back("planar but for " +
+                             to_decimal(result.numbers.front().exact
+                                            ? ball(*result.numbers.front().exact, 64)
+                                            : result.numbers.front().enclosure,
+                                        3) +
+                             (of.has_unit ? " kg m^2" : "") +
+                             ", the size of a rounding error; the numbers are taken as written");
   }
   result.remarks.emplace_back("margin = I_y + I_z - I_x" +
                               std::string(of.has_unit ? "" : ", in the unit of the moments") +

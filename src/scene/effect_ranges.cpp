@@ -68,8 +68,8 @@ rational_range product(const rational_range& x, const rational_range& y) {
   return {least, greatest};
 }
 
-/// The same of those with this omega, whose components have these squares w_i: c + 1 is I_y S/Q with
-/// S = sum of w_i I_i, Q = sum of w_i I_i^2, and its derivative with respect to I_i is
+/// The same of those with this omega, whose components have these squares w_i: c + 1 is I_y S/Q
+/// with S = sum of w_i I_i, Q = sum of w_i I_i^2, and its derivative with respect to I_i is
 /// I_y w_i (Q - 2 I_i S)/Q^2, for I_y + S/Q more. Along an axis on which that has one sign c is
 /// greatest at an end; else it is at most its greatest size times half the width from the value in
 /// the middle (mean value theorem).
@@ -178,16 +178,12 @@ class ranges_of_effect {
     decide_physical("epsilon_injective");
     decide("perfect_twist", has_perfect_twist(least_j()), has_perfect_twist(greatest_j()));
     decide("full_turn", has_full_turn(least_j()), has_full_turn(greatest_j()));
+    count("intersections", intersection_count);
+    // It says what follows for the middle.
+    if (x_.what.body.ranges->kind() == body_kind::undecided) to_.remarks.clear();
   }
 
   void intersections() {
-    const auto count = [&](const std::string& name, integer (*of)(const body&)) {
-      // The counts grow as I falls. I grows with I_y and I_z and falls as I_x grows.
-      const integer least = of(at(false, true, true));
-      const integer most = of(at(true, false, false));
-      if (least == most) return;  // all have the middle's
-      add(name, hull(ball(rational(least), bits()), ball(rational(most), bits())));
-    };
     count("count", intersection_count);
     count("crossings", crossing_count);
   }
@@ -266,6 +262,14 @@ class ranges_of_effect {
   /// J falls as I_x and I_y grow, and grows with I_z (uncertain_body).
   [[nodiscard]] body least_j() const { return at(true, true, false); }
   [[nodiscard]] body greatest_j() const { return at(false, false, true); }
+
+  /// A count that grows as I falls. I grows with I_y and I_z and falls as I_x grows.
+  void count(const std::string& name, integer (*of)(const body&)) {
+    const integer least = of(at(false, true, true));
+    const integer most = of(at(true, false, false));
+    if (least == most) return;  // all have the middle's
+    add(name, hull(ball(rational(least), bits()), ball(rational(most), bits())));
+  }
 
   void set_word(const std::string& key, const std::string& word) {
     for (auto& [name, value] : to_.words) {

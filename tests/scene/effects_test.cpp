@@ -184,6 +184,20 @@ TEST(Effects, ConstantsOfAnIrrationalTensor) {
                                         {"inertial_defect", "planarity"});
   EXPECT_EQ(planar.verdict, status::certified);
   EXPECT_EQ(planar.find("inertial_defect")->numbers[2].exact, rational(1));
+  // A margin that rounding leaves is named, and does not make the body planar.
+  const auto remarks_with = [](const char* greatest) {
+    return report_of(
+               std::string("[body]\nunit = \"kg m^2\"\nmoments = [\"") + greatest + "\", 2, 1]\n",
+               {"planarity"})
+        .find("planarity")
+        ->remarks;
+  };
+  EXPECT_EQ(remarks_with("3").size(), 1U);
+  EXPECT_EQ(remarks_with("2.9999").size(), 1U);
+  ASSERT_EQ(remarks_with("2.9999999999999999").size(), 2U);
+  EXPECT_NE(remarks_with("2.9999999999999999")[0].find("planar but for 1e-16"), std::string::npos)
+      << remarks_with("2.9999999999999999")[0];
+  EXPECT_NE(remarks_with("3.0000000000000001")[0].find("planar but for -1e-16"), std::string::npos);
 }
 
 TEST(Effects, PeriodIsInTheUnitsOfTheState) {

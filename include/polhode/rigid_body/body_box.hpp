@@ -10,30 +10,33 @@
 // decreases in a, in b and in c wherever c + b x > 0: the numerator falls (b < 1), the factors of
 // the denominator grow. From it follow, each strictly:
 //
-//   number                          decreases in    because
-//   F(c,0), c >= 0                  a, b, c         it is the integral of 2 k over a fixed range
-//   F(0,u)                          a, b, u         the range shrinks with u
-//   epsilon0: F(0, sin^2) = 2 pi    a, b            F decreases in u, too
-//   c0: F(c0,0) = 2 pi              a, b            F decreases in c, too; so of the full turn
-//   F(c,-c/b), c < 0                a, b, -c        with y = -c (1-s) + b s it is the integral of
-//                                                   (1-y)/sqrt(y (a+y))/sqrt(s (1-s)) over 0 < s < 1
-//   I = (1-b)/sqrt(b (a+b))         a, b
-//   J = (a+1)/sqrt(a (a+b)) - 1     a, b            d ln(J+1)/da has the sign of ab - 2a - b < 0
-//   T, c > 0                        a, b, c         2 pi/agm(sqrt(a (b+c)), sqrt(c (a+b)))
-//   T, c < 0                        a, b, -c        2 pi/agm(sqrt(b (a-c)), sqrt(-c (a+b)))
-//   P/T, P the phase               a, b, |c|       it is 1 less the mean of y over a period of time
-//   epsilon(c) where n = 0          a, b, c         psi' = 1/k along the motion from psi = 0: a solution
-//   or c >= 0                                       with greater a, b or c is ahead at phi = pi
+//   number                        decreases in  because
+//   F(c,0), c >= 0                a, b, c       it is the integral of 2 k over a fixed range
+//   F(0,u)                        a, b, u       the range shrinks with u
+//   epsilon0: F(0, sin^2) = 2 pi  a, b          F decreases in u, too
+//   c0: F(c0,0) = 2 pi            a, b          F decreases in c, too; so of the full turn
+//   F(c,-c/b), c < 0              a, b, |c|     with y = -c (1-s) + b s it is the integral of
+//                                               (1-y)/sqrt(y (a+y) s (1-s)) over 0 < s < 1
+//   I = (1-b)/sqrt(b (a+b))       a, b
+//   J = (a+1)/sqrt(a (a+b)) - 1   a, b          d ln(J+1)/da has the sign of ab - 2a - b < 0
+//   T, c > 0                      a, b, c       2 pi/agm(sqrt(a (b+c)), sqrt(c (a+b)))
+//   T, c < 0                      a, b, |c|     2 pi/agm(sqrt(b (a-c)), sqrt(-c (a+b)))
+//   P/T, P the phase              a, b, |c|     it is 1 less the mean of y over a period of time
+//   epsilon(c) where c >= 0       a, b, c       psi' = 1/k along the motion from psi = 0: one with
+//   or n = 0                                    greater a, b or c is ahead at phi = pi
 //
-// (The substitution is b x = y, of F's integrand (1-y)/sqrt(y (b-y) (a+y) (c+y)) in y from -c to b.
+// The substitution is b x = y, of F's integrand (1-y)/sqrt(y (b-y) (a+y) (c+y)) in y from -c to b.
 // n is the branch of twist_curve.hpp, 0 where half the phase is above 2 pi: then no member that
-// oscillates has turned back at phi = pi. An arithmetic-geometric mean increases in both of its arguments.)
+// oscillates has turned back at phi = pi. An arithmetic-geometric mean increases in both of its
+// arguments.
+//
 // The mean of y: with y = b s (c > 0) or y = -c (1-s) + b s, and the weight w/sqrt(s (1-s)) over
 // 0 < s < 1, w = 1/sqrt((a+y)(c+y)) or 1/sqrt(y (a+y)), P is the integral of 1 - y and T that of 1.
-// By t, one of a, b, |c|, the mean E[y] has the derivative E[y'] + Cov(y, (ln w)'), where ' is d/dt.
+// By t, one of a, b, |c|, the mean E[y] has the derivative E[y'] + Cov(y, (ln w)'), ' = d/dt.
 // For t = a, and for t = c > 0, y' = 0 and (ln w)' = -1/(2 (t + y)) grows with y: Cov >= 0
 // (Chebyshev). Else y' = s or 1 - s is >= 0, and (ln w)' = -y' (1/(a+y) + 1/(d+y))/2, d = 0 or c;
 // there Cov(y, y'/(d+y)) <= E[y y'/(d+y)] <= E[y'], and the same with a: the derivative is >= 0.
+//
 // Counts and kinds follow from I and J, and from ab + 2b (body::kind), in rationals.
 
 #include <array>

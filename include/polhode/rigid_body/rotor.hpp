@@ -12,12 +12,12 @@
 //
 // Principal axes x, y, z are those of principal_axes.hpp, turned by half turns about them so that
 // J_x < 0 (oscillating), J_z > 0 (rotating), or both (separatrix): these are symmetries of the
-// motion. There, in units of |J| and I_y/|J|, J is one of the three solutions of motion.hpp. Which of them
-// it is, and whether the motion is steady, is decided exactly. About J the body turns by the angle
-// phi of the paper's Euler angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an elliptic
-// integral of the third kind; here it is had from theta functions (C. G. J. Jacobi, J. reine angew.
-// Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and the bounds of
-// what its series leave out.
+// motion. There, in units of |J| and I_y/|J|, J is one of the three solutions of motion.hpp. Which
+// of them it is, and whether the motion is steady, is decided exactly. About J the body turns by
+// the angle phi of the paper's Euler angles, dphi/dt = 1 - b J_x^2/(J_x^2 + J_y^2), which is an
+// elliptic integral of the third kind; here it is had from theta functions (C. G. J. Jacobi, J.
+// reine angew. Math. 39, 1850): src/rigid_body/rotor_series.hpp has the formula, its proof and the
+// bounds of what its series leave out.
 
 #include <array>
 #include <concepts>

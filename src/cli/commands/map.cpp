@@ -9,10 +9,8 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,286 +21,27 @@
 #include "base/sha256.hpp"
 #include "base/worker_threads.hpp"
 #include "cli/commands.hpp"
-#include "cli/options/body_option.hpp"
 #include "cli/options/count_option.hpp"
-#include "cli/options/motion_option.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
-#include "cli/output/exact_decimals.hpp"
-#include "cli/output/json_document.hpp"
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
+#include "map_grid.hpp"
 #include "map_picture.hpp"
+#include "map_rows.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quantities.hpp"
 
 namespace polhode::cli {
 namespace map_impl {
 namespace {
 
-// ---------------------------------------------------------------------------------------------
-// The grid
-
-constexpr std::size_t points_of_block = 1000;
-constexpr std::size_t most_points = 100'000'000;
 const std::string head_name = "map.json";
 
-/// The same numbers as `polhode map` was given, and what is computed at each point.
-struct grid {
-  std::vector<std::string> quantities;
-  std::string a, b;
-  std::optional<std::string> c;
-  bool log = false;
-  long digits = 15;
-  bool cells = false;             // ranges over the cells between the values, in place of points
-  long refine = 0;                // how often a cell is halved at most
-  std::optional<rational> width;  // of a range that is narrow enough
-  // Made of these:
-  std::vector<rational> a_values, b_values, c_values;
-  std::vector<const quantity*> chosen;
-
-  [[nodiscard]] std::size_t points() const {
-    return count_along(a_values) * count_along(b_values) * motions();
-  }
-  [[nodiscard]] std::size_t motions() const { return c_values.empty() ? 1 : count_along(c_values); }
-  /// Points, or cells, along an axis with these values; a single value is a cell.
-  [[nodiscard]] std::size_t count_along(const std::vector<rational>& values) const {
-    return cells ? std::max<std::size_t>(values.size() - 1, 1) : values.size();
-  }
-  [[nodiscard]] std::size_t blocks() const {
-    return (points() + points_of_block - 1) / points_of_block;
-  }
-};
-
-/// N + 1 numbers, each the product of the one before and the same factor, to six digits; the ends
-/// as they are.
-std::vector<rational> in_equal_ratios(const std::string& option, const std::string& text,
-                                      const motion_range& range) {
-  const auto low = static_cast<double>(range.low);
-  const auto high = static_cast<double>(range.high);
-  if (!(range.low > 0) || !std::isnormal(low) || !std::isnormal(high)) {
-    throw usage_error(
-        fmt::format("{} {}: with --log both ends must be above 0, from 1e-300 to 1e300", option,
-                    in_quotes(text)));
-  }
-  std::vector<rational> result;
-  const auto steps = static_cast<double>(*range.steps);
-  for (long k = 0; k <= *range.steps; ++k) {
-    if (k == 0 || k == *range.steps) {
-      result.push_back(k == 0 ? range.low : range.high);
-      continue;
-    }
-    const double t = static_cast<double>(k) / steps;
-    result.push_back(parse_rational(
-        fmt::format("{:.5e}", std::exp((1 - t) * std::log(low) + t * std::log(high)))));
-  }
-  return result;
-}
-
-std::vector<rational> axis(const std::string& option, const std::string& text, bool log) {
-  const motion_range range = read_motions(text, option);
-  if (!range.steps && range.low != range.high) {
-    throw usage_error(
-        fmt::format("{} {}: the number of steps is missing; give LO..HI/N, such as {}/10", option,
-                    in_quotes(text), text));
-  }
-  return log && range.steps ? in_equal_ratios(option, text, range) : range.values();
-}
-
-/// Reads what the command was given; throws usage_error.
-grid completed(grid g) {
-  const std::vector<std::string> all = names_of(all_quantities());
-  g.quantities = known_names(g.quantities, all, "quantity", "polhode map --help");
-  if (g.quantities.empty()) {
-    throw usage_error(fmt::format("there is no quantity; give some of {}", fmt::join(all, ", ")));
-  }
-  bool of_motion = false;
-  for (const std::string& name : g.quantities) {
-    const auto found = std::ranges::find(all_quantities(), name, &quantity::name);
-    g.chosen.push_back(&*found);
-    of_motion = of_motion || found->of_motion;
-    if (found->of_motion && !g.c) {
-      throw usage_error(fmt::format("{} is that of a motion; give --c LO..HI/N, or --c C", name));
-    }
-  }
-  if (g.c && !of_motion) {
-    throw usage_error(fmt::format("--c: {} {} of a body and of no motion",
-                                  fmt::join(g.quantities, ", "),
-                                  g.quantities.size() == 1 ? "is that" : "are those"));
-  }
-  g.a_values = axis("--a", g.a, g.log);
-  g.b_values = axis("--b", g.b, g.log);
-  if (g.c) g.c_values = axis("--c", *g.c, false);
-  for (const rational& a : {g.a_values.front(), g.a_values.back()}) {
-    if (!(a > 0)) throw usage_error(fmt::format("--a {}: a must be above 0", in_quotes(g.a)));
-  }
-  for (const rational& b : {g.b_values.front(), g.b_values.back()}) {
-    if (!(b > 0 && b < 1)) {
-      throw usage_error(fmt::format("--b {}: b must be between 0 and 1", in_quotes(g.b)));
-    }
-  }
-  if (g.points() > most_points) {
-    throw usage_error(
-        fmt::format("a map of {} points: at most {} are possible", g.points(), most_points));
-  }
-  return g;
-}
-
-json as_json(const grid& g) {
-  json result{{"quantities", g.quantities},
-              {"a", g.a},
-              {"b", g.b},
-              {"log", g.log},
-              {"digits", g.digits},
-              {"points", g.points()},
-              {"points_of_block", points_of_block}};
-  if (g.c) result["c"] = *g.c;
-  if (g.cells) {
-    result["cells"] = true;
-    result["refine"] = g.refine;
-    if (g.width) result["width"] = to_text(*g.width);
-  }
-  return result;
-}
-std::string head_of(const grid& g) { return json_document_text("map", as_json(g)); }
-
-// ---------------------------------------------------------------------------------------------
-// Points
-
-std::string header_of(const grid& g) {
-  if (g.cells) {
-    std::string result = csv_header("a_low") + ',' + csv_header("a_high") + ',' +
-                         csv_header("b_low") + ',' + csv_header("b_high");
-    if (g.c) result += ',' + csv_header("c_low") + ',' + csv_header("c_high");
-    for (const std::string& name : g.quantities) {
-      result += fmt::format(",{0}_lower,{0}_upper", name);
-    }
-    return result + '\n';
-  }
-  std::string result = csv_header("a") + ',' + csv_header("b");
-  if (g.c) result += ',' + csv_header("c");
-  for (const std::string& name : g.quantities) result += fmt::format(",{0},{0}_radius", name);
-  return result + '\n';
-}
-
-/// A value and its radius; "none" and nothing where the quantity does not exist, "undecided" and
-/// nothing where it is not certified.
-std::string cells_of(const quantity& q, const body& rigid, const std::optional<rational>& c,
-                     long digits) {
-  const rational at = q.of_motion ? *c : rational(0);
-  try {
-    if (q.of_motion) (void)regime_of(rigid, at);
-    q.check(rigid, at);
-  } catch (const input_error&) {
-    return "none,";
-  } catch (const usage_error&) {
-    return "none,";
-  }
-  if (at == 0 && q.infinite_at_0) return "inf,0";
-  const certain_number found = q.compute(rigid, at, digits);
-  if (found.verdict != status::certified) return "undecided,";
-  const decimal_enclosure d = to_decimal_enclosure(found.enclosure, digits);
-  return d.value + ',' + d.radius;
-}
-
-// Cells
-
-rational_range cell_along(const std::vector<rational>& values, std::size_t k) {
-  return {values[k], values[std::min(k + 1, values.size() - 1)]};
-}
-
-/// Between the ends; of a logarithmic axis near the geometric mean.
-rational middle_of(const rational_range& range, bool log) {
-  if (log) {
-    const double mean =
-        std::sqrt(static_cast<double>(range.low)) * std::sqrt(static_cast<double>(range.high));
-    rational near = parse_rational(fmt::format("{:.9e}", mean));
-    if (range.low < near && near < range.high) return near;
-  }
-  return (range.low + range.high) / 2;
-}
-
-struct map_cell {
-  rational_range a, b, c;
-};
-
-/// The two columns of a quantity over a cell, and whether they are what was asked for.
-struct range_cells {
-  std::string text;
-  bool is_done = true;
-};
-range_cells range_of(const grid& g, const quantity& q, const map_cell& cell) {
-  const std::optional<ball> range = q.range({cell.a, cell.b}, cell.c, g.digits);
-  if (!range) return {"none,"};
-  if (!range->is_bounded()) return {"undecided,", false};
-  if (q.is_whole) {
-    const integer low = floor_of(lower_rational(*range));
-    const integer high = floor_of(upper_rational(*range));
-    return {low.str() + ',' + high.str(), low == high};
-  }
-  const decimal_enclosure d = to_decimal_enclosure(*range, g.digits);
-  return {d.lower + ',' + d.upper,
-          !g.width || parse_rational(d.upper) - parse_rational(d.lower) <= *g.width};
-}
-
-/// The rows of a cell, or of its halves where that is not decided, or a range too wide: halved in a
-/// and b by turns.
-std::string rows_of_cell(const grid& g, const map_cell& cell, long halvings) {
-  std::string columns;
-  bool is_done = true;
-  for (const quantity* q : g.chosen) {
-    const range_cells one = range_of(g, *q, cell);
-    columns += ',' + one.text;
-    is_done = is_done && one.is_done;
-  }
-  const bool a_is_thin = cell.a.low == cell.a.high;
-  const bool b_is_thin = cell.b.low == cell.b.high;
-  if (!is_done && halvings < g.refine && !(a_is_thin && b_is_thin)) {
-    const bool in_a = b_is_thin || (!a_is_thin && halvings % 2 == 0);
-    map_cell low = cell;
-    map_cell high = cell;
-    rational_range map_cell::*const halved = in_a ? &map_cell::a : &map_cell::b;
-    (low.*halved).high = (high.*halved).low = middle_of(cell.*halved, g.log);
-    return rows_of_cell(g, low, halvings + 1) + rows_of_cell(g, high, halvings + 1);
-  }
-  std::string result;
-  for (const rational_range* range : {&cell.a, &cell.b, &cell.c}) {
-    if (range == &cell.c && !g.c) continue;
-    result += csv_cells(range->low) + ',' + csv_cells(range->high) + ',';
-  }
-  result.pop_back();
-  return result + columns + '\n';
-}
-
-// ---------------------------------------------------------------------------------------------
-
-/// The row of a point, or the rows of a cell.
-std::string row_of(const grid& g, std::size_t index) {
-  const std::size_t motions = g.motions();
-  if (g.cells) {
-    const std::size_t along_b = g.count_along(g.b_values);
-    map_cell cell{cell_along(g.a_values, index / motions / along_b),
-                  cell_along(g.b_values, index / motions % along_b),
-                  {}};
-    if (g.c) cell.c = cell_along(g.c_values, index % motions);
-    return rows_of_cell(g, cell, 0);
-  }
-  const rational& a = g.a_values[index / motions / g.b_values.size()];
-  const rational& b = g.b_values[index / motions % g.b_values.size()];
-  std::optional<rational> c;
-  if (g.c) c = g.c_values[index % motions];
-  const body rigid = body(a, b);
-  std::string result = csv_cells(a) + ',' + csv_cells(b);
-  if (c) result += ',' + csv_cells(*c);
-  for (const quantity* q : g.chosen) result += ',' + cells_of(*q, rigid, c, g.digits);
-  return result + '\n';
-}
-
 /// The rows of a block, whatever the threads.
-std::string rows_of_block(const grid& g, std::size_t block, detail::worker_threads& threads) {
-  const std::size_t first = block * points_of_block;
-  const std::size_t count = std::min(points_of_block, g.points() - first);
+std::string rows_of_block(const map_grid& g, std::size_t block, detail::worker_threads& threads) {
+  const std::size_t first = block * map_grid::points_of_block;
+  const std::size_t count = std::min(map_grid::points_of_block, g.points() - first);
   std::vector<std::string> rows(count);
   threads.for_each(static_cast<long>(count), [&](long i) {
     const auto k = static_cast<std::size_t>(i);
@@ -323,34 +62,16 @@ class block_directory {
   explicit block_directory(std::string path) : path_(std::move(path)) {}
 
   /// The map that the blocks in it are of; throws usage_error where there is none.
-  [[nodiscard]] grid read_head() const {
+  [[nodiscard]] map_grid head() const {
     const auto text = read(head_name);
     const std::string give = ": give a directory that polhode map --blocks has made";
     if (!text) throw usage_error(fmt::format("{} has no {}{}", in_quotes(path_), head_name, give));
-    try {
-      const json head = json::parse(*text);
-      grid g;
-      head.at("quantities").get_to(g.quantities);
-      head.at("a").get_to(g.a);
-      head.at("b").get_to(g.b);
-      head.at("log").get_to(g.log);
-      head.at("digits").get_to(g.digits);
-      if (head.contains("cells")) {
-        g.cells = true;
-        head.at("refine").get_to(g.refine);
-        if (head.contains("width")) g.width = parse_rational(head.at("width").get<std::string>());
-      }
-      if (head.contains("c")) g.c = head.at("c").get<std::string>();
-      grid done = completed(g);
-      if (head_of(done) == *text) return done;
-    } catch (const json::exception&) {
-    } catch (const usage_error&) {
-    }
+    if (auto known = read_head(*text)) return std::move(*known);
     throw usage_error(fmt::format("{} in {} is not as this version of polhode writes it{}",
                                   head_name, in_quotes(path_), give));
   }
   /// Makes it the directory of this map; throws usage_error where it is that of another one.
-  void begin(const grid& g) const {
+  void begin(const map_grid& g) const {
     const auto known = read(head_name);
     if (!known) {
       write(head_name, head_of(g));
@@ -424,7 +145,7 @@ std::pair<double, double> as_doubles(std::string_view value, std::string_view ra
 }
 
 /// The numbers of the rows: [quantity][0: value, 1: radius][point].
-std::vector<double> numbers_of(const grid& g, const std::string& rows) {
+std::vector<double> numbers_of(const map_grid& g, const std::string& rows) {
   const std::size_t columns = 2 * g.chosen.size();
   const std::size_t before = g.c ? 6 : 4;
   const std::size_t points = g.points();
@@ -449,7 +170,7 @@ std::vector<double> numbers_of(const grid& g, const std::string& rows) {
 }
 
 /// NumPy's format 1.0: doubles [quantity][0: value, 1: radius][a][b] and, for motions, [c].
-std::string as_npy(const grid& g, const std::string& rows) {
+std::string as_npy(const map_grid& g, const std::string& rows) {
   static_assert(std::endian::native == std::endian::little);
   const std::vector<double> numbers = numbers_of(g, rows);
   std::string shape =
@@ -473,7 +194,7 @@ std::string as_npy(const grid& g, const std::string& rows) {
 bool is_picture(const std::string& format) { return format == "svg" || format == "png"; }
 
 /// Throws usage_error where the map has no such format.
-void check_format(const grid& g, const std::string& format) {
+void check_format(const map_grid& g, const std::string& format) {
   if (g.cells && format != "csv" && format != "areas") {
     throw usage_error(fmt::format("--format {}: a map of cells is csv or areas", format));
   }
@@ -493,7 +214,7 @@ void check_format(const grid& g, const std::string& format) {
   }
 }
 
-std::string as_picture(const grid& g, const std::string& rows, const std::string& format) {
+std::string as_picture(const map_grid& g, const std::string& rows, const std::string& format) {
   map_values map{g.quantities.front(), {}, {}, numbers_of(g, rows), g.log};
   map.values.resize(g.points());  // without the radii
   for (const rational& a : g.a_values) map.a.push_back(static_cast<double>(a));
@@ -501,47 +222,8 @@ std::string as_picture(const grid& g, const std::string& rows, const std::string
   return map_picture(map, format);
 }
 
-/// Of each quantity that is an integer: on which share of the area it has which value. In doubles.
-std::string as_areas(const grid& g, const std::string& rows) {
-  const auto size = [&](const std::string& low, const std::string& high) {
-    const auto x = static_cast<double>(parse_rational(low));
-    const auto y = static_cast<double>(parse_rational(high));
-    if (x == y) return 1.0;
-    return g.log ? std::log(y) - std::log(x) : y - x;
-  };
-  const std::size_t first = g.c ? 12 : 8;  // two columns for each end
-  double all = 0;
-  std::vector<std::map<integer, double>> decided(g.chosen.size());
-  std::istringstream lines(rows);
-  for (std::string line; std::getline(lines, line);) {
-    std::vector<std::string> columns;
-    std::istringstream row(line + ',');
-    for (std::string one; std::getline(row, one, ',');) columns.push_back(one);
-    const double area = size(columns.at(0), columns.at(2)) * size(columns.at(4), columns.at(6));
-    all += area;
-    for (std::size_t k = 0; k < decided.size(); ++k) {
-      const std::string& low = columns.at(first + 2 * k);
-      if (g.chosen[k]->is_whole && low == columns.at(first + 2 * k + 1)) {
-        decided[k][integer(low)] += area;
-      }
-    }
-  }
-  std::string result = "quantity,value,percent_of_area\n";
-  for (std::size_t k = 0; k < decided.size(); ++k) {
-    if (!g.chosen[k]->is_whole) continue;
-    double rest = all;
-    for (const auto& [value, area] : decided[k]) {
-      rest -= area;
-      result += fmt::format("{},{},{:.2f}\n", g.quantities[k], value.str(), 100 * area / all);
-    }
-    result +=
-        fmt::format("{},undecided,{:.2f}\n", g.quantities[k], 100 * std::max(rest, 0.0) / all);
-  }
-  return result;
-}
-
-exit_status print_map(const grid& g, const std::string& rows, const std::string& format) {
-  print(format == "areas"    ? as_areas(g, rows)
+exit_status print_map(const map_grid& g, const std::string& rows, const std::string& format) {
+  print(format == "areas"    ? map_areas(g, rows)
         : is_picture(format) ? as_picture(g, rows, format)
         : format == "npy"    ? as_npy(g, rows)
                              : header_of(g) + rows);
@@ -556,7 +238,7 @@ struct collected {
   std::size_t missing = 0;
   std::size_t first_missing = 0;
 };
-collected collect(const grid& g, const block_directory& directory) {
+collected collect(const map_grid& g, const block_directory& directory) {
   collected result;
   for (std::size_t block = 0; block < g.blocks(); ++block) {
     const auto rows = directory.rows_of(block);
@@ -625,7 +307,7 @@ shard read_shard(const map_options& options) {
 }
 
 exit_status run(const map_options& options) {
-  grid g;
+  map_grid g;
   g.quantities = options.quantity;
   g.a = options.a;
   g.b = options.b;
@@ -648,7 +330,7 @@ exit_status run(const map_options& options) {
   line.expect(
       options.time_limit.check(fmt::format("a map of {} points to {} digits", g.points(), g.digits),
                                g.digits, {[&](long fewer) {
-                                 grid rough = g;
+                                 map_grid rough = g;
                                  rough.digits = fewer;
                                  (void)row_of(rough, middle);
                                }},
@@ -732,7 +414,7 @@ std::function<exit_status()> declare_merge(CLI::App& app) {
   options->format.declare(app);
   return [options] {
     const block_directory directory(options->directory);
-    const grid g = directory.read_head();
+    const map_grid g = directory.head();
     check_format(g, options->format.value());
     const collected all = collect(g, directory);
     if (all.missing > 0) {

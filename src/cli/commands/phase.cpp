@@ -129,7 +129,8 @@ exit_status run(const phase_options& options) {
     return print_effects({.moments = *uncertain,
                           .c = read_number("--c", *options.c),
                           .want = R"("period", "montgomery_phase")",
-                          .digits = digits},
+                          .digits = digits,
+                          .seconds = options.time_limit.limit()},
                          json_wanted);
   }
   const body rigid = options.which.value();

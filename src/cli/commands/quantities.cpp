@@ -16,11 +16,6 @@ certain_number exactly(const integer& n) {
   return {status::certified, reason::none, ball(rational(n), 64)};
 }
 
-/// No motion of the box has such a c.
-bool has_no_motions(const body_box& box, const rational_range& c) {
-  return c.high <= -box.b().high || c.low >= box.a().high;
-}
-
 /// The range of an integer that grows with a and b.
 template <integer (*of)(const body&)>
 std::optional<ball> range_of_integer(const body_box& box, const rational_range&, long) {
@@ -47,11 +42,10 @@ const std::vector<quantity>& all_quantities() {
        .of_motion = true,
        .compute = montgomery_phase_to_digits,
        .check = check_phase,
-       .range = [](const body_box& box, const rational_range& c,
-                   long digits) -> std::optional<ball> {
-         if (has_no_motions(box, c)) return std::nullopt;
-         return box.montgomery_phase(c, bits_for_digits(digits) + 32);
-       },
+       .range =
+           [](const body_box& box, const rational_range& c, long digits) {
+             return std::optional(box.montgomery_phase(c, bits_for_digits(digits) + 32));
+           },
        .infinite_at_0 = true},
       {.name = "epsilon",
        .description = "defect epsilon(c) of the tennis racket effect",
@@ -64,10 +58,7 @@ const std::vector<quantity>& all_quantities() {
        .check = [](const body& rigid,
                    const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); },
        .range = [](const body_box& box, const rational_range& c,
-                   long digits) -> std::optional<ball> {
-         if (has_no_motions(box, c)) return std::nullopt;
-         return box.twist(c, digits);
-       }},
+                   long digits) { return std::optional(box.twist(c, digits)); }},
       {.name = "epsilon0",
        .description = "defect on the separatrix",
        .of_motion = false,

@@ -18,8 +18,8 @@ struct quantity {
   certain_number (*compute)(const body&, const rational& c, long digits);
   /// Throws usage_error where there is none.
   void (*check)(const body&, const rational& c);
-  /// The range of it over all bodies of a box, and motions with c in a range; nothing where it
-  /// exists for none of them, undefined where it is not enclosed.
+  /// The range of it over all bodies of a box, and motions of them with c in a range, if there are
+  /// any; nothing where it exists for none, undefined where it is not enclosed.
   std::optional<ball> (*range)(const body_box&, const rational_range& c, long digits);
   bool is_whole = false;       // an integer
   bool infinite_at_0 = false;  // on the separatrix, c = 0

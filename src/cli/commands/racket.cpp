@@ -284,7 +284,8 @@ exit_status run(const racket_options& options) {
                          .c = {},
                          .want = R"("tennis_racket", "intersections", "full_turn")",
                          .listed = options.meetings.value(),
-                         .digits = digits};
+                         .digits = digits,
+                         .seconds = options.time_limit.limit()};
     if (options.c) of.c = read_number("--c", *options.c);
     return print_effects(of, json_wanted);
   }

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "cli/options/time_limit.hpp"
 #include "cli/output/json_document.hpp"
 #include "cli/output/layout.hpp"
+#include "cli/output/progress.hpp"
 #include "cli/output/scene_report.hpp"
 #include "cli/output/streams.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -22,7 +24,12 @@ exit_status print_effects(const uncertain_effects& of, bool as_json) {
   text += fmt::format("[effects]\nlisted = {}\nwant = [{}]\n", of.listed, of.want);
   try {
     const scene what = read_scene(text, ".");
-    const scene_report results = compute(what);
+    const scene_report results = [&] {
+      const progress line;
+      line.show("computing the ranges");
+      const time_watch watch(of.seconds);
+      return compute(what);
+    }();
     const json report =
         scene_json(what, results, "moments with uncertainties", {}, "", table_rows::counted);
     print(as_json ? json_text(report) + '\n' : scene_text(report));

@@ -18,6 +18,7 @@ struct uncertain_effects {
   std::string want;           // as a scene lists them: "period", "montgomery_phase"
   long listed = 20;           // meetings
   long digits = 30;
+  double seconds = 0;  // the time limit
 };
 
 /// Prints them as text or JSON, as `polhode scene` does. Throws usage_error for what a scene

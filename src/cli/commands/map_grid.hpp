@@ -1,0 +1,52 @@
+#pragma once
+
+// The grid of a map: which bodies and motions, and what is computed of them.
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/rigid_body/body_box.hpp"
+#include "quantities.hpp"
+
+namespace polhode::cli {
+
+/// The same numbers as `polhode map` was given, and what is computed at each point.
+struct map_grid {
+  std::vector<std::string> quantities;
+  std::string a, b;
+  std::optional<std::string> c;
+  bool log = false;
+  long digits = 15;
+  bool cells = false;             // ranges over the cells between the values, in place of points
+  long refine = 0;                // how often a cell is halved at most
+  std::optional<rational> width;  // of a range that is narrow enough
+  // Made of these:
+  std::vector<rational> a_values, b_values, c_values;
+  std::vector<const quantity*> chosen;
+
+  static constexpr std::size_t points_of_block = 1000;
+
+  [[nodiscard]] std::size_t points() const {
+    return count_along(a_values) * count_along(b_values) * motions();
+  }
+  [[nodiscard]] std::size_t motions() const { return c_values.empty() ? 1 : count_along(c_values); }
+  /// Points, or cells, along an axis with these values; a single value is a cell.
+  [[nodiscard]] std::size_t count_along(const std::vector<rational>& values) const {
+    return cells ? std::max<std::size_t>(values.size() - 1, 1) : values.size();
+  }
+  [[nodiscard]] std::size_t blocks() const {
+    return (points() + points_of_block - 1) / points_of_block;
+  }
+};
+
+/// Fills in what is made of the options; throws usage_error.
+[[nodiscard]] map_grid completed(map_grid g);
+
+/// What map.json has in a directory of blocks: of what map they are.
+[[nodiscard]] std::string head_of(const map_grid& g);
+/// The grid in such a text; nothing where it is not as this version writes it.
+[[nodiscard]] std::optional<map_grid> read_head(const std::string& text);
+
+}  // namespace polhode::cli

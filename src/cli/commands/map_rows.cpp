@@ -1,0 +1,189 @@
+#include "map_rows.hpp"
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "cli/output/errors.hpp"
+#include "cli/output/exact_decimals.hpp"
+#include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
+
+namespace polhode::cli {
+namespace map_rows_impl {
+namespace {
+
+/// A value and its radius; "none" and nothing where the quantity does not exist, "undecided" and
+/// nothing where it is not certified.
+std::string cells_of(const quantity& q, const body& rigid, const std::optional<rational>& c,
+                     long digits) {
+  const rational at = q.of_motion ? *c : rational(0);
+  try {
+    if (q.of_motion) (void)regime_of(rigid, at);
+    q.check(rigid, at);
+  } catch (const input_error&) {
+    return "none,";
+  } catch (const usage_error&) {
+    return "none,";
+  }
+  if (at == 0 && q.infinite_at_0) return "inf,0";
+  const certain_number found = q.compute(rigid, at, digits);
+  if (found.verdict != status::certified) return "undecided,";
+  const decimal_enclosure d = to_decimal_enclosure(found.enclosure, digits);
+  return d.value + ',' + d.radius;
+}
+
+// ---------------------------------------------------------------------------------------------
+// Cells
+
+rational_range cell_along(const std::vector<rational>& values, std::size_t k) {
+  return {values[k], values[std::min(k + 1, values.size() - 1)]};
+}
+
+/// Between the ends; of a logarithmic axis near the geometric mean.
+rational middle_of(const rational_range& range, bool log) {
+  if (log) {
+    const double mean =
+        std::sqrt(static_cast<double>(range.low)) * std::sqrt(static_cast<double>(range.high));
+    rational near = parse_rational(fmt::format("{:.9e}", mean));
+    if (range.low < near && near < range.high) return near;
+  }
+  return (range.low + range.high) / 2;
+}
+
+struct map_cell {
+  rational_range a, b, c;
+};
+
+/// The two columns of a quantity over a cell, and whether they are what was asked for.
+struct range_cells {
+  std::string text;
+  bool is_done = true;
+};
+range_cells range_of(const map_grid& g, const quantity& q, const map_cell& cell) {
+  const bool has_motions = cell.c.high > -cell.b.high && cell.c.low < cell.a.high;
+  if (q.of_motion && !has_motions) return {"none,"};
+  const std::optional<ball> range = q.range({cell.a, cell.b}, cell.c, g.digits);
+  if (!range) return {"none,"};
+  if (!range->is_bounded()) return {"undecided,", false};
+  if (q.is_whole) {
+    const integer low = -floor_of(rational(-lower_rational(*range)));
+    const integer high = floor_of(upper_rational(*range));
+    return {low.str() + ',' + high.str(), low == high};
+  }
+  const decimal_enclosure d = to_decimal_enclosure(*range, g.digits);
+  return {d.lower + ',' + d.upper,
+          !g.width || parse_rational(d.upper) - parse_rational(d.lower) <= *g.width};
+}
+
+/// The rows of a cell, or of its halves where that is not decided, or a range too wide: halved in a
+/// and b by turns.
+std::string rows_of_cell(const map_grid& g, const map_cell& cell, long halvings) {
+  std::string columns;
+  bool is_done = true;
+  for (const quantity* q : g.chosen) {
+    const range_cells one = range_of(g, *q, cell);
+    columns += ',' + one.text;
+    is_done = is_done && one.is_done;
+  }
+  const bool a_is_thin = cell.a.low == cell.a.high;
+  const bool b_is_thin = cell.b.low == cell.b.high;
+  if (!is_done && halvings < g.refine && !(a_is_thin && b_is_thin)) {
+    const bool in_a = b_is_thin || (!a_is_thin && halvings % 2 == 0);
+    map_cell low = cell;
+    map_cell high = cell;
+    rational_range map_cell::*const halved = in_a ? &map_cell::a : &map_cell::b;
+    (low.*halved).high = (high.*halved).low = middle_of(cell.*halved, g.log);
+    return rows_of_cell(g, low, halvings + 1) + rows_of_cell(g, high, halvings + 1);
+  }
+  std::string result;
+  for (const rational_range* range : {&cell.a, &cell.b, &cell.c}) {
+    if (range == &cell.c && !g.c) continue;
+    result += csv_cells(range->low) + ',' + csv_cells(range->high) + ',';
+  }
+  result.pop_back();
+  return result + columns + '\n';
+}
+
+}  // namespace
+}  // namespace map_rows_impl
+
+std::string header_of(const map_grid& g) {
+  if (g.cells) {
+    std::string result = csv_header("a_low") + ',' + csv_header("a_high") + ',' +
+                         csv_header("b_low") + ',' + csv_header("b_high");
+    if (g.c) result += ',' + csv_header("c_low") + ',' + csv_header("c_high");
+    for (const std::string& name : g.quantities) {
+      result += fmt::format(",{0}_lower,{0}_upper", name);
+    }
+    return result + '\n';
+  }
+  std::string result = csv_header("a") + ',' + csv_header("b");
+  if (g.c) result += ',' + csv_header("c");
+  for (const std::string& name : g.quantities) result += fmt::format(",{0},{0}_radius", name);
+  return result + '\n';
+}
+
+std::string row_of(const map_grid& g, std::size_t index) {
+  const std::size_t motions = g.motions();
+  if (g.cells) {
+    const std::size_t along_b = g.count_along(g.b_values);
+    map_rows_impl::map_cell cell{map_rows_impl::cell_along(g.a_values, index / motions / along_b),
+                                 map_rows_impl::cell_along(g.b_values, index / motions % along_b),
+                                 {}};
+    if (g.c) cell.c = map_rows_impl::cell_along(g.c_values, index % motions);
+    return map_rows_impl::rows_of_cell(g, cell, 0);
+  }
+  const rational& a = g.a_values[index / motions / g.b_values.size()];
+  const rational& b = g.b_values[index / motions % g.b_values.size()];
+  std::optional<rational> c;
+  if (g.c) c = g.c_values[index % motions];
+  const body rigid = body(a, b);
+  std::string result = csv_cells(a) + ',' + csv_cells(b);
+  if (c) result += ',' + csv_cells(*c);
+  for (const quantity* q : g.chosen)
+    result += ',' + map_rows_impl::cells_of(*q, rigid, c, g.digits);
+  return result + '\n';
+}
+
+std::string map_areas(const map_grid& g, const std::string& rows) {
+  const auto size = [&](const std::string& low, const std::string& high) {
+    const auto x = static_cast<double>(parse_rational(low));
+    const auto y = static_cast<double>(parse_rational(high));
+    if (x == y) return 1.0;
+    return g.log ? std::log(y) - std::log(x) : y - x;
+  };
+  const std::size_t first = g.c ? 12 : 8;  // two columns for each end
+  double all = 0;
+  std::vector<std::map<integer, double>> decided(g.chosen.size());
+  std::istringstream lines(rows);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> columns;
+    std::istringstream row(line + ',');
+    for (std::string one; std::getline(row, one, ',');) columns.push_back(one);
+    const double area = size(columns.at(0), columns.at(2)) * size(columns.at(4), columns.at(6));
+    all += area;
+    for (std::size_t k = 0; k < decided.size(); ++k) {
+      const std::string& low = columns.at(first + 2 * k);
+      if (g.chosen[k]->is_whole && low == columns.at(first + 2 * k + 1)) {
+        decided[k][integer(low)] += area;
+      }
+    }
+  }
+  std::string result = "quantity,value,percent_of_area\n";
+  for (std::size_t k = 0; k < decided.size(); ++k) {
+    if (!g.chosen[k]->is_whole) continue;
+    double rest = all;
+    for (const auto& [value, area] : decided[k]) {
+      rest -= area;
+      result += fmt::format("{},{},{:.2f}\n", g.quantities[k], value.str(), 100 * area / all);
+    }
+    result +=
+        fmt::format("{},undecided,{:.2f}\n", g.quantities[k], 100 * std::max(rest, 0.0) / all);
+  }
+  return result;
+}
+
+}  // namespace polhode::cli
