@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "integrals.hpp"
+#include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/body_box.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "polhode/rigid_body/rotor.hpp"
 
@@ -86,6 +88,71 @@ TEST(rotation, montgomery_phase_by_quadrature) {
     if (r.period()) compare(*r.period(), period, "the rotor's period", "the period", c);
     if (r.phase_per_period()) {
       compare(*r.phase_per_period(), phase, "the rotor's phase", "the phase", c);
+    }
+  });
+}
+
+/// The ranges over a box of bodies and motions hold the numbers of a member, by quadrature; and
+/// F(0, sin^2 epsilon0) = 2 pi, in closed form, and F(c0, 0) = 2 pi for a number in the range.
+TEST(rotation, ranges_over_boxes) {
+  run_cases("rotation", "boxes", 120, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const drawn_body d = draw_body(m);
+    const term motion = draw_motion(m, d, m.one_in(2));
+    const rational a = exact(d.a);
+    const rational b = exact(d.b);
+    const rational at = exact(motion);
+    if (at == 0) return;
+    // Each end is the member's own number or beyond it.
+    const auto beside = [&] {
+      return m.one_in(3) ? rational(0) : rational(m.between(1, 300), m.one_in(2) ? 1000 : 1000000);
+    };
+    const auto around = [&](const rational& x) {
+      const rational below = abs(x) * beside();
+      return rational_range{x - below, x + abs(x) * beside()};
+    };
+    rational_range in_b = around(b);
+    in_b.high = std::min(in_b.high, rational((1 + b) / 2));
+    const body_box box(around(a), in_b);
+    const rational_range motions = around(at);
+    const std::string command =
+        fmt::format("the ranges over a = {}..{}, b = {}..{}, c = {}..{}", to_text(box.a().low),
+                    to_text(box.a().high), to_text(box.b().low), to_text(box.b().high),
+                    to_text(motions.low), to_text(motions.high));
+    under_way(command);
+    ++c.cases;
+    const precision p = m.between(60, 200);
+    const term radicand = x * (1 - x) * (d.a + d.b * x) * (motion + d.b * x);
+    const term from = at < 0 ? -motion / d.b : term(0);
+    const piece phase{(1 - d.b * x) / call("sqrt", radicand), from, 1, m.between(5, 20)};
+    const piece period{1 / call("sqrt", radicand), from, 1, m.between(5, 20)};
+    c.computed += 2;
+    const ball of_phase = computed(phase).enclosure;
+    const ball of_period = computed(period).enclosure;
+    compare(box.montgomery_phase(motions, p), 2 * of_phase, command, command_of(phase), c);
+    compare(box.period(motions, p), 2 * of_period, command, command_of(period), c);
+    compare(box.mean_rate(motions, p), of_phase / of_period, command, "their quotient", c);
+    const ball epsilon0 = box.separatrix_defect(20);
+    ++(epsilon0.is_bounded() ? c.certified : c.refused);
+    const ball u = square(sin(epsilon0));
+    const ball w = sqrt((1 - u) / (a + b * u));
+    const ball root = sqrt(ball(a, p));
+    compare(2 / sqrt(ball(rational(a * b), p)) * atanh(root * w) - 2 * atan(sqrt(ball(b, p)) * w),
+            2 * pi(p), command, "2 pi, as F at the range of epsilon0", c);
+    const ball c0 = box.perfect_twist(20);
+    if (!c0.is_bounded()) return;
+    // F falls with c: it is 2 pi or more at the lower end of the range, and no more at the upper.
+    const auto half_phase = [&](const rational& end) {
+      const term e("(" + to_text(end) + ")");
+      ++c.computed;
+      return computed({(1 - d.b * x) / call("sqrt", x * (1 - x) * (d.a + d.b * x) * (e + d.b * x)),
+                       term(0), 1, 10})
+          .enclosure;
+    };
+    const ball most = half_phase(lower_rational(c0));
+    const ball least = half_phase(upper_rational(c0));
+    if (most.is_bounded() && least.is_bounded()) {
+      compare(hull(least, most), 2 * pi(p), command, "2 pi, as F at the range of c0", c);
     }
   });
 }

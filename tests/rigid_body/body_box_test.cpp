@@ -163,6 +163,22 @@ TEST(BodyBox, RangesHoldTheNumbersOfEveryMotion) {
   EXPECT_GT(twists, 50 * support::effort());
 }
 
+TEST(BodyBox, HasNoTwistWhereSomeMemberHasTurnedBack) {
+  // epsilon(c) is enclosed where the phase of all members is above 4 pi. Towards the separatrix it
+  // is above that first for the least a.
+  const rational b(3, 10);
+  const body_box box({rational(1, 2), 5}, {b, b});
+  int least_only = 0;
+  for (rational c = -b / 2; c < rational(-1, 1'000'000'000); c /= 2) {
+    const bool least = certainly_less(4 * pi(100), montgomery_phase(box.least(), c, 100));
+    const bool greatest = certainly_less(4 * pi(100), montgomery_phase(box.greatest(), c, 100));
+    EXPECT_EQ(box.twist({c, c}, 15).is_bounded(), least && greatest) << c;
+    if (least && !greatest) ++least_only;
+  }
+  EXPECT_GT(least_only, 2);
+  EXPECT_TRUE(box.twist({rational(-1, 1'000'000'000), 0}, 15).is_bounded());
+}
+
 TEST(BodyBox, EndsAreAttained) {
   random_source random(414);
   for (repeat trial(40); trial.again();) {
