@@ -1,19 +1,19 @@
 # polhode_batch(TARGET [BYTES]): with POLHODE_BATCHES, compiles the target's sources in batches. A
-# batch is one directory, or a part of one of up to BYTES (65000: some 15 seconds). Most of what a
-# source costs is in the headers that it reads; a batch reads them once. A source with the property
-# SKIP_UNITY_BUILD_INCLUSION, or with include directories of its own, is compiled alone; set these
-# before the call.
+# batch is one room (a directory of the second level, such as src/quadrature), or a part of one of
+# up to BYTES (90000: some 20 seconds). Most of what a source costs is in the headers that it reads;
+# a batch reads them once. A source with the property SKIP_UNITY_BUILD_INCLUSION, or with include
+# directories of its own, is compiled alone; set these before the call.
 #
 # CMake's unity builds write absolute paths into their sources, so that ccache finds nothing in
 # another checkout. These batches include their sources by relative paths.
 #
-# Sources of one directory share their unnamed namespaces: give helpers names of their own.
+# Sources of one room share their unnamed namespaces: give helpers names of their own.
 # The presets without POLHODE_BATCHES compile each source alone, which shows a missing #include.
 function(polhode_batch target)
   if(NOT POLHODE_BATCHES)
     return()
   endif()
-  set(batch_bytes 65000)
+  set(batch_bytes 90000)
   if(ARGC GREATER 1)
     set(batch_bytes ${ARGV1})
   endif()
@@ -31,6 +31,7 @@ function(polhode_batch target)
     endif()
     get_filename_component(directory "${source}" DIRECTORY)
     file(RELATIVE_PATH name "${PROJECT_SOURCE_DIR}" "${directory}")
+    string(REGEX REPLACE "^([^/]+/[^/]+)/.*" "\\1" name "${name}")
     string(MAKE_C_IDENTIFIER "${name}" name)
     file(SIZE "${source}" bytes)
     if(NOT DEFINED part_${name})

@@ -163,44 +163,46 @@ double in_long_double(const F& f, Numbers... x) {
   return static_cast<double>(f(static_cast<long double>(x)..., detail::long_double_bits));
 }
 
-constexpr auto rf = [](const auto& x, const auto& y, const auto& z, precision q) {
+constexpr auto by_rf = [](const auto& x, const auto& y, const auto& z, precision q) {
   return detail::rf_at(x, y, z, q);
 };
-constexpr auto rc = [](const auto& x, const auto& y, precision q) {
+constexpr auto by_rc = [](const auto& x, const auto& y, precision q) {
   return detail::rc_point(x, y, q);
 };
-constexpr auto rj = [](const auto& x, const auto& y, const auto& z, const auto& p, precision q) {
+constexpr auto by_rj = [](const auto& x, const auto& y, const auto& z, const auto& p, precision q) {
   return detail::rj_at(x, y, z, p, q);
 };
-constexpr auto rd = [](const auto& x, const auto& y, const auto& z, precision q) {
+constexpr auto by_rd = [](const auto& x, const auto& y, const auto& z, precision q) {
   return detail::rd_at(x, y, z, q);
 };
-constexpr auto rg = [](const auto& x, const auto& y, const auto& z, precision q) {
+constexpr auto by_rg = [](const auto& x, const auto& y, const auto& z, precision q) {
   return detail::rg_at(x, y, z, q);
 };
 
 }  // namespace
 
 mpfr_float carlson_rf(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z) {
-  return rounded(rf, x, y, z);
+  return rounded(by_rf, x, y, z);
 }
-mpfr_float carlson_rc(const mpfr_float& x, const mpfr_float& y) { return rounded(rc, x, y); }
+mpfr_float carlson_rc(const mpfr_float& x, const mpfr_float& y) { return rounded(by_rc, x, y); }
 mpfr_float carlson_rj(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z,
                       const mpfr_float& p) {
-  return rounded(rj, x, y, z, p);
+  return rounded(by_rj, x, y, z, p);
 }
 mpfr_float carlson_rd(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z) {
-  return rounded(rd, x, y, z);
+  return rounded(by_rd, x, y, z);
 }
 mpfr_float carlson_rg(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z) {
-  return rounded(rg, x, y, z);
+  return rounded(by_rg, x, y, z);
 }
 
-double carlson_rf(double x, double y, double z) { return in_long_double(rf, x, y, z); }
-double carlson_rc(double x, double y) { return in_long_double(rc, x, y); }
-double carlson_rj(double x, double y, double z, double p) { return in_long_double(rj, x, y, z, p); }
-double carlson_rd(double x, double y, double z) { return in_long_double(rd, x, y, z); }
-double carlson_rg(double x, double y, double z) { return in_long_double(rg, x, y, z); }
+double carlson_rf(double x, double y, double z) { return in_long_double(by_rf, x, y, z); }
+double carlson_rc(double x, double y) { return in_long_double(by_rc, x, y); }
+double carlson_rj(double x, double y, double z, double p) {
+  return in_long_double(by_rj, x, y, z, p);
+}
+double carlson_rd(double x, double y, double z) { return in_long_double(by_rd, x, y, z); }
+double carlson_rg(double x, double y, double z) { return in_long_double(by_rg, x, y, z); }
 
 // ---------------------------------------------------------------------------------------------
 // Derivatives, by differentiating the integrals of the header.

@@ -59,7 +59,7 @@ class evaluation {
 
  private:
   /// The value of an operand: by the rules, or as a number of which the enclosure is known.
-  const exact_number& of(node_id i) {
+  const exact_sum& of(node_id i) {
     if (values_[i]) return *values_[i];
     if (!enclosures_) enclosures_ = values_of_constants(f_, exact_field::bits);
     const ball& around = g_[i].what == operation::number
@@ -70,13 +70,13 @@ class evaluation {
     return *values_[i];
   }
 
-  exact_number half_of(const exact_number& x) { return field_.scaled(x, rational(1, 2)); }
-  exact_number one_and(const exact_number& x) { return field_.sum(exactly(1), x); }
-  exact_number one_without(const exact_number& x) { return field_.difference(exactly(1), x); }
-  exact_number square(const exact_number& x) { return field_.product(x, x); }
+  exact_sum half_of(const exact_sum& x) { return field_.scaled(x, rational(1, 2)); }
+  exact_sum one_and(const exact_sum& x) { return field_.sum(exactly(1), x); }
+  exact_sum one_without(const exact_sum& x) { return field_.difference(exactly(1), x); }
+  exact_sum square(const exact_sum& x) { return field_.product(x, x); }
 
   /// |x| where a square is x^2.
-  std::optional<exact_number> root_of_square(node_id i) {
+  std::optional<exact_sum> root_of_square(node_id i) {
     const node& n = g_[i];
     try {
       if (n.what == operation::power_integer && n.number % 2 == 0) {
@@ -89,11 +89,11 @@ class evaluation {
     return std::nullopt;
   }
 
-  exact_number angle(node_id i, bool times_pi) {
+  exact_sum angle(node_id i, bool times_pi) {
     return times_pi ? field_.product(of(i), field_.pi()) : of(i);
   }
 
-  exact_number power(const exact_number& x, const exact_number& y) {
+  exact_sum power(const exact_sum& x, const exact_sum& y) {
     const int s = field_.sign(x);
     if (s < 0 || (s == 0 && field_.sign(y) != 1)) throw not_decided();
     if (s == 0) return {};
@@ -102,23 +102,23 @@ class evaluation {
   }
 
   /// {e^x, e^-x}
-  std::pair<exact_number, exact_number> exponentials(node_id i) {
-    const exact_number x = of(i);
+  std::pair<exact_sum, exact_sum> exponentials(node_id i) {
+    const exact_sum x = of(i);
     return {field_.exp(x), field_.exp(field_.scaled(x, -1))};
   }
 
-  exact_number atan2(const exact_number& y, const exact_number& x) {
+  exact_sum atan2(const exact_sum& y, const exact_sum& x) {
     const int s = field_.sign(x);
     const int t = field_.sign(y);
     if (s == 0 && t == 0) throw not_decided();
     if (s == 0) return field_.scaled(field_.pi(), rational(t, 2));
-    exact_number angle = field_.atan(field_.quotient(y, x));
+    exact_sum angle = field_.atan(field_.quotient(y, x));
     if (s > 0) return angle;
     return field_.sum(angle, field_.scaled(field_.pi(), t < 0 ? -1 : 1));
   }
 
   /// gamma(k + 1/2) from gamma(1/2) = sqrt(pi) and gamma(x + 1) = x gamma(x).
-  exact_number gamma(const exact_number& x) {
+  exact_sum gamma(const exact_sum& x) {
     const auto q = field_.as_rational(x);
     if (!q || *q > greatest_half_integer || *q < -greatest_half_integer) throw not_decided();
     const bool is_whole = denominator(*q) == 1;
@@ -131,7 +131,7 @@ class evaluation {
   }
 
   /// zeta(n) = (-1)^(n/2 + 1) B_n (2 pi)^n / (2 n!) for even n (L. Euler, 1735).
-  exact_number zeta(long n) {
+  exact_sum zeta(long n) {
     if (n % 2 != 0 || n > greatest_zeta) throw not_decided();
     rational factor = bernoulli(n) / 2;
     if (factor < 0) factor = -factor;
@@ -139,7 +139,7 @@ class evaluation {
     return field_.scaled(field_.integer_power(field_.pi(), n), factor);
   }
 
-  exact_number by_rules(node_id i) {
+  exact_sum by_rules(node_id i) {
     const node& n = g_[i];
     switch (n.what) {
       case operation::number:
@@ -200,16 +200,16 @@ class evaluation {
         return field_.quotient(field_.difference(e, r), field_.sum(e, r));
       }
       case operation::asinh: {
-        const exact_number x = of(n.left);
+        const exact_sum x = of(n.left);
         return field_.log(field_.sum(x, field_.sqrt(one_and(square(x)))));
       }
       case operation::acosh: {
-        const exact_number x = of(n.left);
+        const exact_sum x = of(n.left);
         if (field_.sign(field_.difference(x, exactly(1))) < 0) throw not_decided();
         return field_.log(field_.sum(x, field_.sqrt(field_.difference(square(x), exactly(1)))));
       }
       case operation::atanh: {
-        const exact_number x = of(n.left);
+        const exact_sum x = of(n.left);
         if (field_.sign(one_without(x)) != 1) throw not_decided();
         return half_of(field_.log(field_.quotient(one_and(x), one_without(x))));
       }
@@ -246,7 +246,7 @@ class evaluation {
   const program& f_;
   std::vector<char> used_;
   exact_field field_;
-  std::vector<std::optional<exact_number>> values_;
+  std::vector<std::optional<exact_sum>> values_;
   node_id done_ = 0;                 // the first node that is not evaluated
   std::vector<std::size_t> places_;  // among the instructions without variables
   std::map<node_id, ball> numbers_;  // those that are too long for the rules

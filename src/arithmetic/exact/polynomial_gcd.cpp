@@ -64,7 +64,7 @@ residues gcd_of_images(residues a, residues b, std::uint64_t prime) {
 }
 
 /// The integer in (-m/2, m/2] that is r modulo m.
-integer centred(const integer& r, const integer& m) { return 2 * r > m ? r - m : r; }
+integer least_residue(const integer& r, const integer& m) { return 2 * r > m ? r - m : r; }
 
 bool divides(const rational_polynomial& d, const rational_polynomial& p) {
   return divide(p, d).second.is_zero();
@@ -131,7 +131,7 @@ rational_polynomial gcd(const rational_polynomial& p, const rational_polynomial&
     if (!settled && before != 1) continue;
     std::vector<rational> coefficients;
     coefficients.reserve(found.size());
-    for (const integer& c : found) coefficients.emplace_back(centred(c, modulus));
+    for (const integer& c : found) coefficients.emplace_back(least_residue(c, modulus));
     rational_polynomial candidate = monic(rational_polynomial(std::move(coefficients)));
     if (divides(candidate, p) && divides(candidate, q)) return candidate;
   }

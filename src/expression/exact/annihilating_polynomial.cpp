@@ -19,7 +19,7 @@ constexpr std::size_t greatest_degree = 30;
 
 /// A sum of powers of a number, and which: row = the sum of coefficients[k] x^k.
 struct combination {
-  exact_number row;
+  exact_sum row;
   std::vector<rational> coefficients;
 };
 
@@ -41,7 +41,7 @@ bool has_no_root_but_zero_in(const std::vector<rational>& a, const ball& around)
 
 }  // namespace
 
-std::optional<rational> exact_field::rational_by_further_rules(const exact_number& x) {
+std::optional<rational> exact_field::rational_by_further_rules(const exact_sum& x) {
   if (shows_zero_) return std::nullopt;
   const ball around = enclosure(x);
   if (!around.is_bounded()) return std::nullopt;
@@ -62,8 +62,8 @@ std::optional<rational> exact_field::rational_by_further_rules(const exact_numbe
   return is_shown ? q : std::nullopt;
 }
 
-bool exact_field::is_shown_to_be_zero(const exact_number& x) {
-  const exact_number y = without_reciprocals(x);
+bool exact_field::is_shown_to_be_zero(const exact_sum& x) {
+  const exact_sum y = without_reciprocals(x);
   if (y.empty()) return true;
   try {
     if (is_zero_by_conjugates(y)) return true;
@@ -74,7 +74,7 @@ bool exact_field::is_shown_to_be_zero(const exact_number& x) {
 }
 
 /// x times powers of generators of which it has reciprocals: none is 0, or it would have none. So the result is 0 where x is.
-exact_number exact_field::without_reciprocals(exact_number x) {
+exact_sum exact_field::without_reciprocals(exact_sum x) {
   for (int round = 0; round < most_rounds; ++round) {
     std::map<generator_id, rational> least;  // whole exponents
     for (const auto& [m, c] : x) {
@@ -84,7 +84,7 @@ exact_number exact_field::without_reciprocals(exact_number x) {
       }
     }
     if (least.empty()) return x;
-    exact_number next;
+    exact_sum next;
     for (const auto& [m, c] : x) {
       monomial raised;
       auto place = least.begin();
@@ -109,17 +109,17 @@ exact_number exact_field::without_reciprocals(exact_number x) {
 
 /// x = a + b s with a square root s is 0 where (a + b s)(a - b s) = a^2 - b^2 s^2 is, and a - b s is not: the enclosure tells that. One
 /// root after the other, the outer ones first.
-bool exact_field::is_zero_by_conjugates(exact_number x) {
+bool exact_field::is_zero_by_conjugates(exact_sum x) {
   for (int round = 0; round < most_rounds; ++round) {
     bool found = false;
     for (const generator_id g : square_roots_in(x)) {
       const auto parts = split(x, g);
       if (!parts) continue;
       const auto& [a, b] = *parts;
-      const exact_number conjugate = difference(a, product(b, generated(g, rational(1, 2))));
+      const exact_sum conjugate = difference(a, product(b, generated(g, rational(1, 2))));
       if (contains_zero(enclosure(conjugate))) continue;
       x = without_reciprocals(
-          difference(product(a, a), product(product(b, b), exact_number(generators_[g].of))));
+          difference(product(a, a), product(product(b, b), exact_sum(generators_[g].of))));
       found = true;
       break;
     }
@@ -143,8 +143,8 @@ bool exact_field::is_algebraic(generator_id g) const {
 /// lie in a space over the rational numbers whose dimension is the product of the degrees of A's roots at most, so that some
 /// combination of them cancels term by term: a polynomial that A is a root of. Where 0 is a root of it too, and the others are farther from 0
 /// than A's enclosure reaches, A is 0.
-bool exact_field::is_zero_by_a_polynomial(const exact_number& x) {
-  std::map<monomial, exact_number> coefficients;
+bool exact_field::is_zero_by_a_polynomial(const exact_sum& x) {
+  std::map<monomial, exact_sum> coefficients;
   for (const auto& [m, c] : x) {
     monomial algebraic;
     monomial others;

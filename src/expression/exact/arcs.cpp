@@ -52,7 +52,7 @@ integer integer_in(const ball& x) {
 }  // namespace
 
 /// pi q for the q in [-1/2, 1/2] with sin(pi q) = x, where it is found; else atan(x/sqrt(1 - x^2)).
-exact_number exact_field::asin(const exact_number& x) {
+exact_sum exact_field::asin(const exact_sum& x) {
   for (const int s : {-1, 0, 1}) {
     if (x == exactly(s)) return scaled(pi(), rational(s, 2));
   }
@@ -61,12 +61,10 @@ exact_number exact_field::asin(const exact_number& x) {
   return atan(quotient(x, sqrt(difference(exactly(1), product(x, x)))));
 }
 
-exact_number exact_field::acos(const exact_number& x) {
-  return difference(scaled(pi(), half), asin(x));
-}
+exact_sum exact_field::acos(const exact_sum& x) { return difference(scaled(pi(), half), asin(x)); }
 
 /// atan t of t > 0 by a generator, of t or 1/t.
-exact_number exact_field::generated_arctan(const rational& t) {
+exact_sum exact_field::generated_arctan(const rational& t) {
   const rational below_1 = t < 1 ? t : rational(1 / t);
   const generator_id g = make(kind::arctan, exactly(below_1), polhode::atan(ball(below_1, bits)));
   return t < 1 ? generated(g) : difference(scaled(pi(), half), generated(g));
@@ -78,11 +76,11 @@ exact_number exact_field::generated_arctan(const rational& t) {
 /// enclosure tells k.
 ///
 /// None where the factors are not known or great.
-std::optional<exact_number> exact_field::arctan_by_gaussian_factors(const rational& t) {
+std::optional<exact_sum> exact_field::arctan_by_gaussian_factors(const rational& t) {
   const integer n = numerator(t);
   const integer d = denominator(t);
   spend(100);
-  exact_number result;
+  exact_sum result;
   for (const factor& p : factors_of(integer(n * n + d * d))) {
     if (p.base == 2) {
       result = sum(result, scaled(pi(), rational(p.multiplicity, 4)));
@@ -103,7 +101,7 @@ std::optional<exact_number> exact_field::arctan_by_gaussian_factors(const ration
 }
 
 /// atan t of t > 0.
-exact_number exact_field::arctan_of_rational(const rational& t) {
+exact_sum exact_field::arctan_of_rational(const rational& t) {
   constexpr std::size_t short_bits = 64;
   if (bits_of(t) <= short_bits) {
     if (auto result = arctan_by_gaussian_factors(t)) return *result;
@@ -112,7 +110,7 @@ exact_number exact_field::arctan_of_rational(const rational& t) {
 }
 
 /// pi q for the q in (-1/2, 1/2) with sin(pi q) = x cos(pi q), where it is found.
-exact_number exact_field::atan(const exact_number& x) {
+exact_sum exact_field::atan(const exact_sum& x) {
   const int s = sign(x);
   if (s == 0) return {};
   if (s < 0) return scaled(atan(scaled(x, -1)), -1);

@@ -13,7 +13,7 @@ namespace polhode::detail {
 
 using namespace exact_parts;
 
-int exact_field::sign(const exact_number& x) {
+int exact_field::sign(const exact_sum& x) {
   if (x.empty()) return 0;
   if (x.size() == 1 && is_positive(x.begin()->first)) return x.begin()->second > 0 ? 1 : -1;
   switch (sign_of(enclosure(x))) {
@@ -31,9 +31,9 @@ int exact_field::sign(const exact_number& x) {
   return q->sign();
 }
 
-exact_number exact_field::abs(const exact_number& x) { return scaled(x, sign(x)); }
+exact_sum exact_field::abs(const exact_sum& x) { return scaled(x, sign(x)); }
 
-exact_number exact_field::floor(const exact_number& x) {
+exact_sum exact_field::floor(const exact_sum& x) {
   if (const auto q = as_rational(x)) return exactly(rational(floor_of(*q)));
   const ball around = enclosure(x);
   if (!around.is_bounded()) throw not_decided();
@@ -42,14 +42,14 @@ exact_number exact_field::floor(const exact_number& x) {
   return exactly(rational(n));
 }
 
-std::optional<rational> exact_field::as_rational(const exact_number& x) {
+std::optional<rational> exact_field::as_rational(const exact_sum& x) {
   if (auto q = plain_number(x)) return q;
   if (auto q = rational_by_roots_of_unity(x)) return q;
   return further_ ? rational_by_further_rules(x) : rational_by_common_denominator(x);
 }
 
 /// Where x has the reciprocals of sums v_i: q with N = q D, for D the product of their powers and N = x D.
-std::optional<rational> exact_field::rational_by_common_denominator(const exact_number& x) {
+std::optional<rational> exact_field::rational_by_common_denominator(const exact_sum& x) {
   std::map<generator_id, rational> reciprocals;  // the least exponents
   for (const auto& [m, c] : x) {
     for (const auto& [g, exponent] : m) {
@@ -61,13 +61,13 @@ std::optional<rational> exact_field::rational_by_common_denominator(const exact_
   if (reciprocals.empty()) return std::nullopt;
   try {
     monomial powers;
-    exact_number below = exactly(1);
+    exact_sum below = exactly(1);
     for (const auto& [g, exponent] : reciprocals) {
       powers.emplace_back(g, -exponent);
-      below = product(below, integer_power(exact_number(generators_[g].of),
+      below = product(below, integer_power(exact_sum(generators_[g].of),
                                            as_long(numerator(rational(-exponent)))));
     }
-    exact_number above;
+    exact_sum above;
     for (const auto& [m, c] : x) above = sum(above, scaled(expanded(merged(m, powers)), c));
     if (above.empty()) return rational(0);
     if (above.size() != below.size() || above.begin()->first != below.begin()->first) {

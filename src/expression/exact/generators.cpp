@@ -23,8 +23,8 @@ constexpr std::size_t most_further_steps = 100'000;
 
 }  // namespace
 
-exact_number exactly(const rational& q) {
-  exact_number result;
+exact_sum exactly(const rational& q) {
+  exact_sum result;
   if (q != 0) result[{}] = q;
   return result;
 }
@@ -34,11 +34,11 @@ void exact_field::spend(std::size_t steps) {
   if (spent_ > (further_ ? most_further_steps : most_steps)) throw not_decided();
 }
 
-void exact_field::check_size(const exact_number& x) const {
+void exact_field::check_size(const exact_sum& x) const {
   if (x.size() > most_terms) throw not_decided();
 }
 
-void exact_field::add_to(exact_number& x, const monomial& m, const rational& c) {
+void exact_field::add_to(exact_sum& x, const monomial& m, const rational& c) {
   spend(1);
   if (c == 0) return;
   if (bits_of(c) > most_bits) throw not_decided();
@@ -48,14 +48,14 @@ void exact_field::add_to(exact_number& x, const monomial& m, const rational& c) 
   if (place->second == 0) x.erase(place);
 }
 
-std::optional<generator_id> exact_field::find(kind what, const exact_number& of) const {
+std::optional<generator_id> exact_field::find(kind what, const exact_sum& of) const {
   for (generator_id i = 0; i < generators_.size(); ++i) {
     if (generators_[i].what == what && generators_[i].of == of) return i;
   }
   return std::nullopt;
 }
 
-generator_id exact_field::make(kind what, const exact_number& of, const ball& enclosure) {
+generator_id exact_field::make(kind what, const exact_sum& of, const ball& enclosure) {
   spend(1);
   if (const auto known = find(what, of)) return *known;
   if (generators_.size() == most_generators) throw not_decided();
@@ -63,7 +63,7 @@ generator_id exact_field::make(kind what, const exact_number& of, const ball& en
   return static_cast<generator_id>(generators_.size() - 1);
 }
 
-exact_number exact_field::generated(generator_id g, const rational& exponent) {
+exact_sum exact_field::generated(generator_id g, const rational& exponent) {
   if (exponent == 0) return exactly(1);
   if (bits_of(exponent) > most_bits) throw not_decided();
   return {{monomial{{g, exponent}}, rational(1)}};
@@ -87,7 +87,7 @@ bool exact_field::is_positive(const monomial& m) const {
                      [this](const auto& part) { return is_positive(part.first); });
 }
 
-ball exact_field::enclosure(const exact_number& x) {
+ball exact_field::enclosure(const exact_sum& x) {
   ball result(0, bits);
   for (const auto& [m, c] : x) {
     ball term(c, bits);
@@ -108,9 +108,9 @@ ball exact_field::enclosure(const exact_number& x) {
   return result;
 }
 
-exact_number exact_field::pi() { return generated(make(kind::pi, {}, polhode::pi(bits))); }
+exact_sum exact_field::pi() { return generated(make(kind::pi, {}, polhode::pi(bits))); }
 
-exact_number exact_field::opaque(std::uint32_t key, const ball& around) {
+exact_sum exact_field::opaque(std::uint32_t key, const ball& around) {
   return generated(make(kind::opaque, exactly(key), around));
 }
 

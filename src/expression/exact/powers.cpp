@@ -12,10 +12,10 @@ namespace polhode::detail {
 
 using namespace exact_parts;
 
-exact_number exact_field::number_power(const rational& c, const rational& q) {
+exact_sum exact_field::number_power(const rational& c, const rational& q) {
   if (c == 1) return exactly(1);
   spend(cost_of_factors(c));
-  exact_number result = exactly(1);
+  exact_sum result = exactly(1);
   for (const bool above : {true, false}) {
     for (const factor& f : factors_of(above ? numerator(c) : denominator(c))) {
       const rational exponent = (above ? q : rational(-q)) * f.multiplicity;
@@ -26,12 +26,12 @@ exact_number exact_field::number_power(const rational& c, const rational& q) {
 }
 
 /// v^q for a natural number v > 1 that is no power, or a sum v > 0 with coprime integer coefficients.
-exact_number exact_field::base_power(const exact_number& v, const rational& q) {
+exact_sum exact_field::base_power(const exact_sum& v, const rational& q) {
   const integer n = floor_of(q);
   const rational rest = q - rational(n);
   const std::optional<rational> number = plain_number(v);
   if (number && *number == 1) return v;
-  exact_number whole = exactly(1);
+  exact_sum whole = exactly(1);
   if (number) {
     whole = exactly(integer_power_of(*number, n));
   } else if (n > 0) {
@@ -50,7 +50,7 @@ exact_number exact_field::base_power(const exact_number& v, const rational& q) {
   return product(whole, generated(make(kind::base, v, enclosure(v)), rest));
 }
 
-exact_number exact_field::power(const exact_number& x, const rational& q) {
+exact_sum exact_field::power(const exact_sum& x, const rational& q) {
   if (is_integer(q)) return integer_power(x, as_long(numerator(q)));
   if (x.empty()) {
     if (q < 0) throw not_decided();
@@ -58,12 +58,12 @@ exact_number exact_field::power(const exact_number& x, const rational& q) {
   }
   if (x.size() == 1 && x.begin()->second > 0 && is_positive(x.begin()->first)) {
     const auto [m, c] = *x.begin();
-    exact_number result = number_power(c, q);
+    exact_sum result = number_power(c, q);
     for (const auto& [g, exponent] : m) {
       const bool is_base = generators_[g].what == kind::base;
       const rational e = exponent * q;
-      result = product(result,
-                       is_base ? base_power(exact_number(generators_[g].of), e) : generated(g, e));
+      result =
+          product(result, is_base ? base_power(exact_sum(generators_[g].of), e) : generated(g, e));
     }
     return result;
   }
@@ -77,7 +77,7 @@ exact_number exact_field::power(const exact_number& x, const rational& q) {
   return product(number_power(c, q), base_power(scaled(x, 1 / c), q));
 }
 
-exact_number exact_field::root(const exact_number& x, long n) {
+exact_sum exact_field::root(const exact_sum& x, long n) {
   if (n % 2 == 0 || x.empty()) return power(x, rational(1, n));
   const int s = sign(x);
   return scaled(power(scaled(x, s), rational(1, n)), s);

@@ -56,7 +56,7 @@ coefficients cyclotomic(std::size_t n) {
 }  // namespace
 
 /// An N for which x is a sum of products of cosines of multiples of pi/N; none where it is no such sum, or N or the products are great.
-std::optional<long> exact_field::common_order_of_cosines(const exact_number& x) const {
+std::optional<long> exact_field::common_order_of_cosines(const exact_sum& x) const {
   constexpr long greatest_order = 120;
   constexpr long most_factors = 30;
   integer common = 1;
@@ -78,7 +78,7 @@ std::optional<long> exact_field::common_order_of_cosines(const exact_number& x) 
 
 /// Of a sum of products of cosines: with z = e^(i pi/N), cos(pi k/N) = (z^k + z^-k)/2, so that the sum is a polynomial in z, of which
 /// z^(2N) = 1 and the cyclotomic polynomial's value 0 leave the remainder.
-std::optional<rational> exact_field::rational_by_roots_of_unity(const exact_number& x) {
+std::optional<rational> exact_field::rational_by_roots_of_unity(const exact_sum& x) {
   const auto common = common_order_of_cosines(x);
   if (!common) return std::nullopt;
   const auto n = static_cast<std::size_t>(2 * *common);

@@ -18,29 +18,29 @@ constexpr long most_factors_at_once = 64;  // of a power of a sum
 
 }  // namespace
 
-exact_number exact_field::sum(const exact_number& x, const exact_number& y) {
-  exact_number result = x;
+exact_sum exact_field::sum(const exact_sum& x, const exact_sum& y) {
+  exact_sum result = x;
   for (const auto& [m, c] : y) add_to(result, m, c);
   return result;
 }
 
-exact_number exact_field::scaled(const exact_number& x, const rational& q) {
-  exact_number result;
+exact_sum exact_field::scaled(const exact_sum& x, const rational& q) {
+  exact_sum result;
   for (const auto& [m, c] : x) add_to(result, m, rational(c * q));
   return result;
 }
 
-exact_number exact_field::difference(const exact_number& x, const exact_number& y) {
+exact_sum exact_field::difference(const exact_sum& x, const exact_sum& y) {
   return sum(x, scaled(y, -1));
 }
 
 /// The product of powers m, in which g^q = g^floor(q) g^(q - floor(q)) is done for those g that are a natural number or
 /// a sum.
-exact_number exact_field::expanded(const monomial& m) {
+exact_sum exact_field::expanded(const monomial& m) {
   if (has_waves_to_reduce(m)) return with_waves_reduced(m);
   monomial kept;
   rational coefficient = 1;
-  exact_number whole = exactly(1);
+  exact_sum whole = exactly(1);
   for (const auto& [g, exponent] : m) {
     const generator& x = generators_[g];
     const bool is_base = x.what == kind::base;
@@ -54,15 +54,15 @@ exact_number exact_field::expanded(const monomial& m) {
     if (number) {
       coefficient *= integer_power_of(*number, n);
     } else {
-      whole = product(whole, integer_power(exact_number(x.of), as_long(n)));
+      whole = product(whole, integer_power(exact_sum(x.of), as_long(n)));
     }
   }
-  const exact_number rest = {{kept, coefficient}};
+  const exact_sum rest = {{kept, coefficient}};
   return whole == exactly(1) ? rest : product(whole, rest);
 }
 
-exact_number exact_field::product(const exact_number& x, const exact_number& y) {
-  exact_number result;
+exact_sum exact_field::product(const exact_sum& x, const exact_sum& y) {
+  exact_sum result;
   for (const auto& [m, c] : x) {
     for (const auto& [n, d] : y) {
       spend(1);
@@ -83,7 +83,7 @@ exact_number exact_field::product(const exact_number& x, const exact_number& y) 
   return result;
 }
 
-exact_number exact_field::integer_power(const exact_number& x, long n) {
+exact_sum exact_field::integer_power(const exact_sum& x, long n) {
   if (n == 0) return exactly(1);
   if (n < 0) {
     if (n < -(1L << 62)) throw not_decided();
@@ -96,8 +96,8 @@ exact_number exact_field::integer_power(const exact_number& x, long n) {
     return scaled(expanded(m), integer_power_of(x.begin()->second, n));
   }
   if (n > most_factors_at_once) throw not_decided();
-  exact_number result = exactly(1);
-  exact_number square = x;
+  exact_sum result = exactly(1);
+  exact_sum square = x;
   for (;; n /= 2) {
     if (n % 2 == 1) result = product(result, square);
     if (n == 1) return result;

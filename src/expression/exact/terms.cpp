@@ -2,7 +2,7 @@
 
 namespace polhode::detail::exact_parts {
 
-rational content(const exact_number& x) {
+rational content(const exact_sum& x) {
   integer above = 0;
   integer below = 1;
   for (const auto& [m, c] : x) {
@@ -32,7 +32,7 @@ monomial merged(const monomial& x, const monomial& y) {
   return result;
 }
 
-std::optional<rational> plain_number(const exact_number& x) {
+std::optional<rational> plain_number(const exact_sum& x) {
   if (x.empty()) return rational(0);
   if (x.size() == 1 && x.begin()->first.empty()) return x.begin()->second;
   return std::nullopt;

@@ -34,10 +34,10 @@ monomial without_one(monomial m, generator_id g) {
 }  // namespace
 
 /// {cos x, sin x} of a sum x that has no multiples of pi, with cos(-x) = cos x and sin(-x) = -sin x.
-std::pair<exact_number, exact_number> exact_field::generated_cos_and_sin(const exact_number& x) {
+std::pair<exact_sum, exact_sum> exact_field::generated_cos_and_sin(const exact_sum& x) {
   if (!further_) throw not_decided();
   const int s = x.begin()->second.sign();
-  const exact_number angle = scaled(x, s);
+  const exact_sum angle = scaled(x, s);
   const ball around = enclosure(angle);
   // Of a greater angle an enclosure of `bits` bits tells too little, and functions of it take long.
   const ball greatest(rational(integer(1) << (bits / 2)), bits);
@@ -69,7 +69,7 @@ bool exact_field::has_waves_to_reduce(const monomial& m) const {
 }
 
 /// The product of two of the same sort. The angle of the sum and the difference may have a closed form: x + x for x = atan(1/2)/2 has.
-exact_number exact_field::product_of_waves(generator_id v, generator_id w) {
+exact_sum exact_field::product_of_waves(generator_id v, generator_id w) {
   const rational half(1, 2);
   const generator a = generators_[v];
   const generator b = generators_[w];
@@ -89,7 +89,7 @@ exact_number exact_field::product_of_waves(generator_id v, generator_id w) {
 }
 
 /// One pair after the other. Longer products factor by factor, so that equal terms come together at every step.
-exact_number exact_field::with_waves_reduced(const monomial& m) {
+exact_sum exact_field::with_waves_reduced(const monomial& m) {
   const auto [of_pi, others] = waves_in(m);
   std::vector<generator_id> of_sort;  // the factors of a sort with two or more, or else all
   monomial rest = m;
@@ -105,7 +105,7 @@ exact_number exact_field::with_waves_reduced(const monomial& m) {
       rest = without_one(rest, g);
     }
   }
-  exact_number result = expanded(rest);
+  exact_sum result = expanded(rest);
   if (!is_long) return product(result, product_of_waves(of_sort[0], of_sort[1]));
   for (const generator_id g : of_sort) result = product(result, generated(g));
   return result;
