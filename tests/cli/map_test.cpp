@@ -139,7 +139,7 @@ TEST(Map, IsDrawnWithItsCurves) {
     return run(command);
   };
   const outcome svg = drawn({"map", "epsilon0"}, {"--log", "--format", "svg"});
-  if (svg.status == 1 && svg.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << svg.err;
+  if (svg.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << svg.err;
   EXPECT_EQ(svg.status, 0) << svg.err;
   for (const char* word :
        {"<svg", "epsilon0 over the plane of bodies", "I = 1<", "I = 2/3<", "J = 1<", "J = 2<"}) {
@@ -271,9 +271,34 @@ TEST(MapOfCells, IsTheSameWhateverTheShards) {
   EXPECT_EQ(run(map_of({"--blocks", blocks})).status, 2);
 }
 
+TEST(MapOfCells, AreDrawnWithTheUndecidedOnesInGrey) {
+  const auto drawn = [](const words& quantity, const words& more) {
+    words command{"map"};
+    command.insert(command.end(), quantity.begin(), quantity.end());
+    command.insert(command.end(), more.begin(), more.end());
+    command.insert(command.end(), {"--log", "--cells", "--format", "svg"});
+    return run(command);
+  };
+  const words plane{"--a", "0.1..9/6", "--b", "0.02..0.9/6", "--refine", "4"};
+  const outcome svg = drawn({"intersections"}, plane);
+  if (svg.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << svg.err;
+  EXPECT_EQ(svg.status, 0) << svg.err;
+  // The colour of the least count, the grey, and a curve.
+  for (const char* word : {"rgb(255, 247, 236)", "rgb(184, 196, 208)", "I = 2/3<", "undecided"}) {
+    EXPECT_NE(svg.out.find(word), std::string::npos) << word;
+  }
+  // Decided everywhere, and nowhere.
+  const outcome decided = drawn({"physical"}, {"--a", "1..2/2", "--b", "0.1..0.2/2"});
+  EXPECT_EQ(decided.status, 0) << decided.err;
+  EXPECT_EQ(decided.out.find("rgb(184, 196, 208)"), std::string::npos);
+  EXPECT_EQ(drawn({"intersections"}, {"--a", "1e3..1e6/2", "--b", "0.1..0.9/2"}).err, "");
+  EXPECT_EQ(drawn({"c0"}, {"--a", "0.01..0.02/2", "--b", "0.1..0.2/2"}).err, "");
+}
+
 TEST(MapOfCells, RefusesWhatItDoesNotHave) {
   EXPECT_NE(run(map_of({"--refine", "3"})).err.find("give --cells, too"), std::string::npos);
-  EXPECT_NE(run(map_of({"--cells", "--format", "npy"})).err.find("a map of cells is csv or areas"),
+  EXPECT_NE(run(map_of({"--cells", "--format", "npy"}))
+                .err.find("a map of cells is csv, areas, svg or png"),
             std::string::npos);
   EXPECT_NE(run(map_of({"--cells", "--width", "0"})).err.find("a number above 0"),
             std::string::npos);

@@ -195,8 +195,8 @@ bool is_picture(const std::string& format) { return format == "svg" || format ==
 
 /// Throws usage_error where the map has no such format.
 void check_format(const map_grid& g, const std::string& format) {
-  if (g.cells && format != "csv" && format != "areas") {
-    throw usage_error(fmt::format("--format {}: a map of cells is csv or areas", format));
+  if (g.cells && format == "npy") {
+    throw usage_error(fmt::format("--format {}: a map of cells is csv, areas, svg or png", format));
   }
   if (format == "areas") {
     const bool has_integer = std::ranges::any_of(g.chosen, &quantity::is_whole);
@@ -215,8 +215,15 @@ void check_format(const map_grid& g, const std::string& format) {
 }
 
 std::string as_picture(const map_grid& g, const std::string& rows, const std::string& format) {
-  map_values map{g.quantities.front(), {}, {}, numbers_of(g, rows), g.log};
-  map.values.resize(g.points());  // without the radii
+  map_values map;
+  map.quantity = g.quantities.front();
+  map.log = g.log;
+  if (g.cells) {
+    map.tiles = map_tiles(g, rows);
+  } else {
+    map.values = numbers_of(g, rows);
+    map.values.resize(g.points());  // without the radii
+  }
   for (const rational& a : g.a_values) map.a.push_back(static_cast<double>(a));
   for (const rational& b : g.b_values) map.b.push_back(static_cast<double>(b));
   return map_picture(map, format);
@@ -453,7 +460,7 @@ command map_command() {
       "value\n"
       "that it can have for any body of the cell: all of the map is covered. areas is the share "
       "of the\n"
-      "area on which an integer has which value.\n"
+      "area on which an integer has which value; pictures show undecided cells in grey.\n"
       "With --blocks a run that was killed goes on where it was, and shards that ran on any "
       "machines\n"
       "with that directory make one map, the same to the last byte.\n",

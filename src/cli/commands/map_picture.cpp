@@ -40,15 +40,20 @@ bool is_between(double x, const std::vector<double>& axis) {
   return x >= axis.front() && x <= axis.back();
 }
 
-/// 1, 2 and 5 times the powers of ten on an axis, as gnuplot's list of tics.
+/// The powers of ten on an axis, on a short one 2 and 5 times them too, as gnuplot's list of tics.
 std::string tics_on(const std::vector<double>& axis) {
   std::string result;
   const int first = static_cast<int>(std::floor(std::log10(axis.front())));
   const int last = static_cast<int>(std::ceil(std::log10(axis.back())));
+  constexpr int most_decades = 4;
   for (int k = first; k <= last; ++k) {
     for (const int digit : {1, 2, 5}) {
+      if (digit > 1 && last - first > most_decades) break;
       const double x = digit * std::pow(10.0, k);
-      if (is_between(x, axis)) result += fmt::format("{}{:g}", result.empty() ? "" : ", ", x);
+      if (!is_between(x, axis)) continue;
+      const std::string label =
+          std::abs(k) > 3 ? fmt::format("{}e{}", digit, k) : fmt::format("{:g}", x);
+      result += fmt::format("{}'{}' {}", result.empty() ? "" : ", ", label, number_of(x));
     }
   }
   return result;
@@ -92,26 +97,69 @@ std::vector<curve> curves_over(const map_values& map) {
   return result;
 }
 
+/// The values at points, as a block of gnuplot's data.
+std::string data_of_points(const map_values& map) {
+  std::string result = "$map << EOD\n";
+  for (std::size_t i = 0; i < map.a.size(); ++i) {
+    for (std::size_t k = 0; k < map.b.size(); ++k) {
+      result += fmt::format("{} {} {}\n", number_of(map.a[i]), number_of(map.b[k]),
+                            number_of(map.values[i * map.b.size() + k]));
+    }
+    result += '\n';
+  }
+  return result + "EOD\n";
+}
+
+/// Counts of more than this many are drawn by the logarithm of 1 + N.
+constexpr double most_in_equal_steps = 20;
+
+/// The tiles that have a value as $map, the undecided ones as $undecided.
+std::string data_of_tiles(const map_values& map, bool by_logarithm) {
+  std::string known = "$map << EOD\n";
+  std::string undecided = "$undecided << EOD\n";
+  for (const map_tile& t : map.tiles) {
+    const std::string box =
+        fmt::format("{0} {2} {0} {1} {2} {3}", number_of(t.a_low), number_of(t.a_high),
+                    number_of(t.b_low), number_of(t.b_high));
+    if (t.is_undecided) {
+      undecided += box + '\n';
+    } else if (t.value) {
+      known +=
+          fmt::format("{} {}\n", box, number_of(by_logarithm ? std::log1p(*t.value) : *t.value));
+    }
+  }
+  return known + "EOD\n" + undecided + "EOD\n";
+}
+
+/// 0 and 1, 2, 5 times the powers of ten, at log(1 + N).
+std::string tics_of_counts(double most) {
+  std::string result = "'0' 0";
+  for (double power = 1; power <= most; power *= 10) {
+    for (const int digit : {1, 2, 5}) {
+      const double n = digit * power;
+      if (n <= most) result += fmt::format(", '{:g}' {}", n, number_of(std::log1p(n)));
+    }
+  }
+  return result;
+}
+
 }  // namespace
 }  // namespace map_picture_impl
 
 std::string map_picture(const map_values& map, const std::string& format) {
   using namespace map_picture_impl;
   const std::vector<curve> curves = curves_over(map);
-  const auto is_whole = [](double x) { return !std::isfinite(x) || x == std::floor(x); };
-  const bool are_counts = std::all_of(map.values.begin(), map.values.end(), is_whole);
+  const bool has_tiles = !map.tiles.empty();
+  std::vector<double> values = map.values;
+  for (const map_tile& t : map.tiles) values.push_back(t.value.value_or(no_number));
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  const bool are_counts = std::ranges::all_of(values, [](double x) { return x == std::floor(x); });
+  const double most = values.empty() ? 0 : std::ranges::max(values);
+  const bool by_logarithm = has_tiles && are_counts && most > most_in_equal_steps;
   std::string program =
       format == "svg" ? "set terminal svg size 900,700 font 'Helvetica,15' background 'white'\n"
                       : "set terminal pngcairo size 1350,1050 font 'Sans,16' linewidth 1.5\n";
-  program += "$map << EOD\n";
-  for (std::size_t i = 0; i < map.a.size(); ++i) {
-    for (std::size_t k = 0; k < map.b.size(); ++k) {
-      program += fmt::format("{} {} {}\n", number_of(map.a[i]), number_of(map.b[k]),
-                             number_of(map.values[i * map.b.size() + k]));
-    }
-    program += '\n';
-  }
-  program += "EOD\n";
+  program += has_tiles ? data_of_tiles(map, by_logarithm) : data_of_points(map);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     program += fmt::format("$curve{} << EOD\n", i);
     for (const auto& [a, b] : curves[i].points)
@@ -120,24 +168,42 @@ std::string map_picture(const map_values& map, const std::string& format) {
   }
   const bool has_unit = map.quantity.starts_with("epsilon");
   program += fmt::format(
-      "set view map\nset xlabel 'a = I_y/I_z - 1'\nset ylabel 'b = 1 - I_y/I_x'\n"
+      "set xlabel 'a = I_y/I_z - 1'\nset ylabel 'b = 1 - I_y/I_x'\n"
       "set cblabel '{}{}'\nset title '{} over the plane of bodies'\n"
       "set xrange [{}:{}]\nset yrange [{}:{}]\nset tics out nomirror\nset lmargin at screen 0.12\n"
       "set rmargin at screen 0.82\nset bmargin at screen 0.24\nset tmargin at screen 0.92\n"
-      "set key at screen 0.5, 0.06 center horizontal maxrows 2\nset pm3d map corners2color {}\n{}"
-      "set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#d7301f', 3 '#67001f')\n"
-      "splot $map using 1:2:3 with pm3d notitle",
+      "set key at screen 0.5, 0.06 center horizontal maxrows 2\n{}"
+      "set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#d7301f', 3 '#67001f')\n",
       map.quantity, has_unit ? " [rad]" : "", map.quantity, number_of(map.a.front()),
       number_of(map.a.back()), number_of(map.b.front()), number_of(map.b.back()),
-      are_counts ? "c1" : "mean",
       map.log ? fmt::format("set logscale xy\nset xtics ({})\nset ytics ({})\n", tics_on(map.a),
                             tics_on(map.b))
               : "");
+  if (by_logarithm) {
+    program += fmt::format("set cbrange [0:{}]\nset cbtics ({})\n", number_of(std::log1p(most)),
+                           tics_of_counts(most));
+  }
+  if (has_tiles) {
+    program += "plot NaN notitle";  // gnuplot does not draw an empty block
+    if (std::ranges::any_of(map.tiles, [](const map_tile& t) { return t.value.has_value(); })) {
+      program += ", $map using 1:2:3:4:5:6:7 with boxxyerror lc palette fs solid noborder notitle";
+    }
+    if (std::ranges::any_of(map.tiles, &map_tile::is_undecided)) {
+      program +=
+          ", $undecided using 1:2:3:4:5:6 with boxxyerror lc rgb '#b8c4d0' fs solid noborder "
+          "title 'undecided'";
+    }
+  } else {
+    program += fmt::format(
+        "set view map\nset pm3d map corners2color {}\n"
+        "splot $map using 1:2:3 with pm3d notitle",
+        are_counts ? "c1" : "mean");
+  }
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const bool is_rotating = curves[i].name.front() == 'J';
     const std::string colour = is_rotating ? "rgb 'black'" : fmt::format("{}", i + 1);
-    program += fmt::format(", $curve{} using 1:2:3 with lines lw 2 lc {} dt {} title '{}'", i,
-                           colour, i % 4 + 1, curves[i].name);
+    program += fmt::format(", $curve{} using {} with lines lw 2 lc {} dt {} title '{}'", i,
+                           has_tiles ? "1:2" : "1:2:3", colour, i % 4 + 1, curves[i].name);
   }
   return run_gnuplot(program + '\n', "give --format csv");
 }

@@ -107,6 +107,18 @@ std::string rows_of_cell(const map_grid& g, const map_cell& cell, long halvings)
   return result + columns + '\n';
 }
 
+/// The columns of each row.
+std::vector<std::vector<std::string>> columns_of(const std::string& rows) {
+  std::vector<std::vector<std::string>> result;
+  std::istringstream lines(rows);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream row(line + ',');
+    result.emplace_back();
+    for (std::string one; std::getline(row, one, ',');) result.back().push_back(one);
+  }
+  return result;
+}
+
 }  // namespace
 }  // namespace map_rows_impl
 
@@ -158,11 +170,7 @@ std::string map_areas(const map_grid& g, const std::string& rows) {
   const std::size_t first = g.c ? 12 : 8;  // two columns for each end
   double all = 0;
   std::vector<std::map<integer, double>> decided(g.chosen.size());
-  std::istringstream lines(rows);
-  for (std::string line; std::getline(lines, line);) {
-    std::vector<std::string> columns;
-    std::istringstream row(line + ',');
-    for (std::string one; std::getline(row, one, ',');) columns.push_back(one);
+  for (const std::vector<std::string>& columns : map_rows_impl::columns_of(rows)) {
     const double area = size(columns.at(0), columns.at(2)) * size(columns.at(4), columns.at(6));
     all += area;
     for (std::size_t k = 0; k < decided.size(); ++k) {
@@ -182,6 +190,30 @@ std::string map_areas(const map_grid& g, const std::string& rows) {
     }
     result +=
         fmt::format("{},undecided,{:.2f}\n", g.quantities[k], 100 * std::max(rest, 0.0) / all);
+  }
+  return result;
+}
+
+std::vector<map_tile> map_tiles(const map_grid& g, const std::string& rows) {
+  const auto number = [](const std::string& text) {
+    return static_cast<double>(parse_rational(text));
+  };
+  constexpr std::size_t first = 8;
+  std::vector<map_tile> result;
+  for (const std::vector<std::string>& columns : map_rows_impl::columns_of(rows)) {
+    map_tile tile;
+    tile.a_low = number(columns.at(0));
+    tile.a_high = number(columns.at(2));
+    tile.b_low = number(columns.at(4));
+    tile.b_high = number(columns.at(6));
+    const std::string& low = columns.at(first);
+    const std::string& high = columns.at(first + 1);
+    if (low == "undecided" || (low != "none" && g.chosen.front()->is_whole && low != high)) {
+      tile.is_undecided = true;
+    } else if (low != "none") {
+      tile.value = (number(low) + number(high)) / 2;
+    }
+    result.push_back(tile);
   }
   return result;
 }
