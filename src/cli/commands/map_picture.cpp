@@ -143,6 +143,60 @@ std::string tics_of_counts(double most) {
   return result;
 }
 
+/// The colours, axes, legend and margins.
+std::string frame_of(const map_values& map) {
+  const bool has_unit = map.quantity.starts_with("epsilon");
+  return fmt::format(
+      "set xlabel 'a = I_y/I_z - 1'\nset ylabel 'b = 1 - I_y/I_x'\n"
+      "set cblabel '{0}{1}'\nset title '{0} over the plane of bodies'\n"
+      "set xrange [{2}:{3}]\nset yrange [{4}:{5}]\nset tics out nomirror\n"
+      "set lmargin at screen 0.12\nset rmargin at screen 0.82\nset bmargin at screen 0.24\n"
+      "set tmargin at screen 0.92\n"
+      "set key at screen 0.5, 0.06 center horizontal maxrows 2\n{6}"
+      "set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#d7301f', 3 '#67001f')\n",
+      map.quantity, has_unit ? " [rad]" : "", number_of(map.a.front()), number_of(map.a.back()),
+      number_of(map.b.front()), number_of(map.b.back()),
+      map.log ? fmt::format("set logscale xy\nset xtics ({})\nset ytics ({})\n", tics_on(map.a),
+                            tics_on(map.b))
+              : "");
+}
+
+/// Whether they are integers, and the greatest of them; of those that are finite.
+struct drawn_values {
+  bool are_counts = true;
+  double most = 0;
+};
+drawn_values drawn_values_of(const map_values& map) {
+  drawn_values result;
+  const auto add = [&](double x) {
+    if (!std::isfinite(x)) return;
+    result.are_counts = result.are_counts && x == std::floor(x);
+    result.most = std::max(result.most, x);
+  };
+  std::ranges::for_each(map.values, add);
+  for (const map_tile& t : map.tiles) add(t.value.value_or(no_number));
+  return result;
+}
+
+/// The points or tiles, as the first things that gnuplot plots.
+std::string layers_of(const map_values& map, bool are_counts) {
+  if (map.tiles.empty()) {
+    return fmt::format(
+        "set view map\nset pm3d map corners2color {}\nsplot $map using 1:2:3 with pm3d notitle",
+        are_counts ? "c1" : "mean");
+  }
+  std::string result = "plot NaN notitle";  // gnuplot does not draw an empty block
+  if (std::ranges::any_of(map.tiles, [](const map_tile& t) { return t.value.has_value(); })) {
+    result += ", $map using 1:2:3:4:5:6:7 with boxxyerror lc palette fs solid noborder notitle";
+  }
+  if (std::ranges::any_of(map.tiles, &map_tile::is_undecided)) {
+    result +=
+        ", $undecided using 1:2:3:4:5:6 with boxxyerror lc rgb '#b8c4d0' fs solid noborder "
+        "title 'undecided'";
+  }
+  return result;
+}
+
 }  // namespace
 }  // namespace map_picture_impl
 
@@ -150,12 +204,8 @@ std::string map_picture(const map_values& map, const std::string& format) {
   using namespace map_picture_impl;
   const std::vector<curve> curves = curves_over(map);
   const bool has_tiles = !map.tiles.empty();
-  std::vector<double> values = map.values;
-  for (const map_tile& t : map.tiles) values.push_back(t.value.value_or(no_number));
-  std::erase_if(values, [](double x) { return !std::isfinite(x); });
-  const bool are_counts = std::ranges::all_of(values, [](double x) { return x == std::floor(x); });
-  const double most = values.empty() ? 0 : std::ranges::max(values);
-  const bool by_logarithm = has_tiles && are_counts && most > most_in_equal_steps;
+  const drawn_values values = drawn_values_of(map);
+  const bool by_logarithm = has_tiles && values.are_counts && values.most > most_in_equal_steps;
   std::string program =
       format == "svg" ? "set terminal svg size 900,700 font 'Helvetica,15' background 'white'\n"
                       : "set terminal pngcairo size 1350,1050 font 'Sans,16' linewidth 1.5\n";
@@ -166,39 +216,12 @@ std::string map_picture(const map_values& map, const std::string& format) {
       program += std::isnan(a) ? "\n" : fmt::format("{} {} 0\n", number_of(a), number_of(b));
     program += "EOD\n";
   }
-  const bool has_unit = map.quantity.starts_with("epsilon");
-  program += fmt::format(
-      "set xlabel 'a = I_y/I_z - 1'\nset ylabel 'b = 1 - I_y/I_x'\n"
-      "set cblabel '{}{}'\nset title '{} over the plane of bodies'\n"
-      "set xrange [{}:{}]\nset yrange [{}:{}]\nset tics out nomirror\nset lmargin at screen 0.12\n"
-      "set rmargin at screen 0.82\nset bmargin at screen 0.24\nset tmargin at screen 0.92\n"
-      "set key at screen 0.5, 0.06 center horizontal maxrows 2\n{}"
-      "set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#d7301f', 3 '#67001f')\n",
-      map.quantity, has_unit ? " [rad]" : "", map.quantity, number_of(map.a.front()),
-      number_of(map.a.back()), number_of(map.b.front()), number_of(map.b.back()),
-      map.log ? fmt::format("set logscale xy\nset xtics ({})\nset ytics ({})\n", tics_on(map.a),
-                            tics_on(map.b))
-              : "");
+  program += frame_of(map);
   if (by_logarithm) {
-    program += fmt::format("set cbrange [0:{}]\nset cbtics ({})\n", number_of(std::log1p(most)),
-                           tics_of_counts(most));
+    program += fmt::format("set cbrange [0:{}]\nset cbtics ({})\n",
+                           number_of(std::log1p(values.most)), tics_of_counts(values.most));
   }
-  if (has_tiles) {
-    program += "plot NaN notitle";  // gnuplot does not draw an empty block
-    if (std::ranges::any_of(map.tiles, [](const map_tile& t) { return t.value.has_value(); })) {
-      program += ", $map using 1:2:3:4:5:6:7 with boxxyerror lc palette fs solid noborder notitle";
-    }
-    if (std::ranges::any_of(map.tiles, &map_tile::is_undecided)) {
-      program +=
-          ", $undecided using 1:2:3:4:5:6 with boxxyerror lc rgb '#b8c4d0' fs solid noborder "
-          "title 'undecided'";
-    }
-  } else {
-    program += fmt::format(
-        "set view map\nset pm3d map corners2color {}\n"
-        "splot $map using 1:2:3 with pm3d notitle",
-        are_counts ? "c1" : "mean");
-  }
+  program += layers_of(map, values.are_counts);
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const bool is_rotating = curves[i].name.front() == 'J';
     const std::string colour = is_rotating ? "rgb 'black'" : fmt::format("{}", i + 1);

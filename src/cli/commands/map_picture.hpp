@@ -26,8 +26,8 @@ struct map_values {
   bool log = false;  // the axes
 };
 
-/// Drawn by gnuplot as "svg" or "png": the values as colours, undecided tiles in grey; over them the
-/// curves I = 1, I = 2/(2n+1) and J = 1, 2 where they cross the map. Throws output_error as
+/// Drawn by gnuplot as "svg" or "png": the values as colours, undecided tiles in grey; over them
+/// the curves I = 1, I = 2/(2n+1) and J = 1, 2 where they cross the map. Throws output_error as
 /// run_gnuplot does.
 [[nodiscard]] std::string map_picture(const map_values& map, const std::string& format);
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// The terms of an exact_sum, which are rational multiples of products of powers, taken apart and multiplied. Nothing here knows what the generators stand for.
+// The terms of an exact_sum, which are rational multiples of products of powers: taken apart and
+// multiplied. Nothing here depends on the numbers that the generators stand for.
 
 #include <optional>
 
