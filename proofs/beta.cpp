@@ -9,6 +9,7 @@
 #include "polhode/quadrature/periodic_trapezoid.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/periodic_witness.hpp"
+#include "statements/beta.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -142,15 +143,6 @@ certificate prove_beta(const request& wanted) {
   constexpr long most_quadrature_digits = 100;
   certificate c;
   const root_enclosure root = enclose_beta(bits_for_digits(wanted.digits) + 32);
-  c.formula = "agm(sqrt(1+beta), sqrt(beta)) = 1/2, equivalent to K(1/(1+beta)) = pi sqrt(1+beta)";
-  c.method =
-      "K(1/(1+x)) = sqrt(1+x) I(x) with I(x) the integral over (0, pi/2) of (x + cos^2 t)^(-1/2), "
-      "and "
-      "I(x) = pi/(2 agm(sqrt(1+x), sqrt(x))) by Gauss: pi cancels. The mean increases strictly in "
-      "x > 0 from 0 "
-      "without bound, so there is exactly one root; interval Newton with f' from the same AGM "
-      "steps proves it "
-      "in its box and encloses it.";
   c.numbers.push_back({"beta", root.root, wanted.digits});
   c.facts.push_back(
       {"interval Newton maps its box into itself with a derivative that is not 0: "
@@ -184,18 +176,6 @@ root_enclosure enclose_beta(precision p) {
   return root;
 }
 
-claim beta_claim() {
-  return {"eq. (40)",
-          "beta is the one positive root of K(1/(1+beta)) = pi sqrt(1+beta). What it says of "
-          "bodies, that it is the greatest lower bound of c0/b over all physical ones, is the "
-          "claim limit_minimum. The paper prints 0.028973.",
-          "interval Newton on the AGM; signs by certified quadrature as an independent route",
-          prove_beta,
-          proof_tier::by_kernel,
-          {{step_kind::kernel, "Beta.beta_exists_unique"},
-           {step_kind::cited,
-            "K(m) = pi/(2 agm(1, sqrt(1-m))) (Gauss; DLMF 19.8(i)); the mean is continuous, "
-            "increases in both its arguments and is homogeneous."}}};
-}
+claim beta_claim() { return {statements::beta(), prove_beta}; }
 
 }  // namespace polhode::proofs

@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/rigid_body/phase_integrands.hpp"
+#include "statements/claim_text.hpp"
 
 namespace polhode::proofs {
 
@@ -19,28 +21,17 @@ struct request {
 enum class claim_subject { none, body, motion };
 
 /// One statement of the paper and what proves it.
-struct claim {
-  std::string reference;  // where the paper says it
-  std::string statement;  // one line
-  std::string method;     // one line
+struct claim : statements::claim_text {
+  /// Certificates without the claim's text, which all_claims() adds.
   std::function<certificate(const request&)> prove;
-  proof_tier tier = proof_tier::by_machine;
-  std::vector<stated_step> argument = {};  // what is argued in words, and cited
-  // As claims.hpp lists it.
-  std::string name = {};
-  claim_subject subject = claim_subject::none;
+  claim_subject subject = claim_subject::none;  // as statements/list.hpp has it
 };
-
-// The formulas behind enclosures, as several claims cite them.
-[[nodiscard]] stated_step bartky_transformation();
-[[nodiscard]] stated_step gauss_mean();
-[[nodiscard]] stated_step gudermannian();
 
 /// All claims, in the order of the paper.
 [[nodiscard]] const std::vector<claim>& all_claims();
 
 /// The claim of that name, or nullptr.
-[[nodiscard]] const claim* find_claim(const std::string& name);
+[[nodiscard]] const claim* find_claim(std::string_view name);
 
 /// The heading of the table of claims in proofs/README.md, in Markdown: two lines.
 [[nodiscard]] std::string table_heading();

@@ -1,5 +1,6 @@
 // Where epsilon(c) = pi/2: the paper's lemma 3. The proof is in turning_points.hpp.
 
+#include "statements/crossing.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/turning_points.hpp"
 
@@ -8,15 +9,7 @@ namespace {
 
 certificate prove_crossing(const request& wanted) {
   certificate c;
-  c.formula =
-      "epsilon(c*) = pi/2 for some c* in (-b, 0)  <=>  I < 1; it has ceil(1/I) - 1 such solutions";
-  c.method =
-      "For all a > 0, 0 < b < 1: by the symmetries of the reduced system psi_c(phi + G) = "
-      "-psi_c(phi), and psi_c(pi) = 0 exactly where pi = k G(u) for a whole k >= 1; G maps (0, 1) "
-      "one to one onto the values above pi I, so that there is one solution for every k < 1/I. The "
-      "first, G = pi, lies beyond the first intersection, G = 2 pi. Computed: the polynomial steps "
-      "for G, and the count in rationals.";
-  add_steps(c, half_phase_steps());
+  add_steps(c, statements::crossing().steps);
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
   const integer count = count_crossings(rigid);
@@ -40,15 +33,6 @@ certificate prove_crossing(const request& wanted) {
 
 }  // namespace
 
-claim crossing_claim() {
-  return {
-      "lemma 3",
-      "epsilon(c) takes the value pi/2 in (-b, 0) if and only if I < 1, that is, if the body is "
-      "not physical: exactly ceil(1/I) - 1 times.",
-      "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
-      prove_crossing,
-      proof_tier::by_kernel,
-      {{step_kind::kernel, "Curve.lemma_3_sharp"}, bartky_transformation()}};
-}
+claim crossing_claim() { return {statements::crossing(), prove_crossing}; }
 
 }  // namespace polhode::proofs

@@ -1,5 +1,6 @@
 // epsilon0 decreases as a increases: the paper's lemma 5. The proof is in parameter_a.hpp.
 
+#include "statements/epsilon0_decreases.hpp"
 #include "proofs/body_facts.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/parameter_a.hpp"
@@ -10,12 +11,7 @@ namespace {
 
 certificate prove_epsilon0(const request& wanted) {
   certificate c;
-  c.formula = "a < a'  =>  epsilon0(a', b) < epsilon0(a, b)";
-  c.method =
-      "For all a > 0, 0 < b < 1: the integrand of F(0,u) decreases strictly in a, and F(0,u) "
-      "decreases in u. At epsilon0(a) the integral for a' > a is below 2 pi, so its root is "
-      "smaller. Computed: the polynomial steps.";
-  add_steps(c, decrease_in_a_steps());
+  add_steps(c, statements::epsilon0_decreases().steps);
   const body rigid = requested_body(c, wanted);
   const body other = with_double_a(rigid);
   add_number_or_note(
@@ -40,13 +36,6 @@ certificate prove_epsilon0(const request& wanted) {
 
 }  // namespace
 
-claim epsilon0_decreases_claim() {
-  return {"lemma 5",
-          "The twist defect on the separatrix, epsilon0(a, b), decreases as a increases.",
-          "exact derivatives of the integrand and their signs",
-          prove_epsilon0,
-          proof_tier::by_kernel,
-          {{step_kind::kernel, "DecreaseInA.lemma_5"}}};
-}
+claim epsilon0_decreases_claim() { return {statements::epsilon0_decreases(), prove_epsilon0}; }
 
 }  // namespace polhode::proofs

@@ -4,6 +4,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "proofs/claims.hpp"
+#include "statements/epsilon0_min.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -13,13 +14,6 @@ certificate prove_epsilon0_min(const request& wanted) {
   certificate c;
   const ball x = enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits);
   const root_enclosure other = epsilon0_min_by_logarithm(x.precision());
-  c.formula = "epsilon0_min = pi - 2 arctan(e^pi) = 2 arctan(e^-pi)";
-  c.method =
-      "On the separatrix of the limit the amplitude is the Gudermannian, am(pi|1) = 2 arctan(e^pi) "
-      "- pi/2, so "
-      "that pi/2 - am(pi|1) is the formula above; it is evaluated in ball arithmetic. The second "
-      "route "
-      "encloses the one root of log(tan(x/2)) + pi in [0.086, 0.087] by interval Newton.";
   c.numbers.push_back({"epsilon0_min", x, wanted.digits});
   c.facts.push_back(
       {"log(tan(x/2)) + pi has exactly one root in [0.086, 0.087] (interval Newton), and its "
@@ -39,16 +33,6 @@ root_enclosure epsilon0_min_by_logarithm(precision p) {
   return refine_root(f, derivative, box, p);
 }
 
-claim epsilon0_min_claim() {
-  return {
-      "eq. (39)",
-      "epsilon0_min = pi/2 - am(pi | 1) = pi - 2 arctan(e^pi). What it says of bodies, that it is "
-      "the greatest lower bound of the twist defect on the separatrix over all physical ones, is "
-      "the claim limit_minimum. The paper prints 0.086374.",
-      "ball arithmetic; interval Newton on log tan as a second route",
-      prove_epsilon0_min,
-      proof_tier::by_machine,
-      {gudermannian()}};
-}
+claim epsilon0_min_claim() { return {statements::epsilon0_min(), prove_epsilon0_min}; }
 
 }  // namespace polhode::proofs

@@ -183,16 +183,35 @@ bool sign_is_seen(const exact_polynomial& p, const std::vector<letter_range>& ra
   return some_positive || !strict;
 }
 
-std::string in_words(polynomial_step::kind what) {
-  switch (what) {
-    case polynomial_step::kind::identity:
-      return "identity";
-    case polynomial_step::kind::sign:
-      return "sign by coefficients";
-    case polynomial_step::kind::slope:
-      break;
+bool is_sign(const polynomial_step& step) {
+  return step.form == step_form::positive || step.form == step_form::not_negative;
+}
+
+std::string form_in_words(const polynomial_step& step) {
+  if (is_sign(step)) return "sign by coefficients";
+  return step.form == step_form::identity ? "identity" : "derivative of a quotient";
+}
+
+std::string conclusion_of(const polynomial_step& step) {
+  return step.form == step_form::positive ? "> 0" : ">= 0";
+}
+
+/// "(1-b)^2 - b*(a+b) = 1 - 2*b - a*b, expanded over Q: what it says in the proof"
+std::string statement_of(const polynomial_step& step) {
+  const std::string left(step.left);
+  const std::string right(step.right);
+  const std::string over(step.over);
+  std::string result;
+  if (step.form == step_form::slope) {
+    result = "d/d" + std::string(step.variable) + " of (" + left + ")/(" + over + ") = (" + right +
+             ")/(" + over + ")^2";
+  } else {
+    result = left + " = " + right;
   }
-  return "derivative of a quotient";
+  if (is_sign(step)) result += ' ' + conclusion_of(step) + " for " + std::string(step.letters);
+  result += ", expanded over Q";
+  if (is_sign(step)) result += ", no coefficient of the right side being negative";
+  return result + ": " + std::string(step.meaning);
 }
 
 }  // namespace
@@ -290,50 +309,19 @@ const std::vector<hypothesis>& hypotheses() {
   return all;
 }
 
-polynomial_step identity(std::string left, std::string right, std::string meaning) {
-  polynomial_step result;
-  result.what = polynomial_step::kind::identity;
-  result.left = std::move(left);
-  result.right = std::move(right);
-  result.meaning = std::move(meaning);
-  return result;
-}
-
-polynomial_step not_negative(std::string left, std::string right, std::string letters,
-                             std::string meaning) {
-  polynomial_step result = identity(std::move(left), std::move(right), std::move(meaning));
-  result.what = polynomial_step::kind::sign;
-  result.letters = std::move(letters);
-  return result;
-}
-
-polynomial_step positive(std::string left, std::string right, std::string letters,
-                         std::string meaning) {
-  polynomial_step result =
-      not_negative(std::move(left), std::move(right), std::move(letters), std::move(meaning));
-  result.strict = true;
-  return result;
-}
-
-polynomial_step slope(char variable, std::string numerator, std::string denominator,
-                      std::string result, std::string meaning) {
-  polynomial_step step = identity(std::move(numerator), std::move(result), std::move(meaning));
-  step.what = polynomial_step::kind::slope;
-  step.over = std::move(denominator);
-  step.variable = variable;
-  return step;
-}
-
-bool polynomial_step::holds() const {
-  const exact_polynomial p = exact_polynomial::parse(left);
-  const exact_polynomial r = exact_polynomial::parse(right);
-  if (what == kind::identity) return r == p;
-  if (what == kind::slope) {
-    const exact_polynomial q = exact_polynomial::parse(over);
-    return p.derivative(variable) * q - p * q.derivative(variable) == r;
+bool holds(const polynomial_step& step) {
+  const exact_polynomial p = exact_polynomial::parse(step.left);
+  const exact_polynomial r = exact_polynomial::parse(step.right);
+  if (step.form == step_form::identity) return r == p;
+  if (step.form == step_form::slope) {
+    const exact_polynomial q = exact_polynomial::parse(step.over);
+    const char x = step.variable.at(0);
+    return p.derivative(x) * q - p * q.derivative(x) == r;
   }
-  const std::vector<letter_range> ranges = ranges_in(letters);
-  if (!are_usable(ranges) || !sign_is_seen(r, ranges, strict)) return false;
+  const std::vector<letter_range> ranges = ranges_in(step.letters);
+  if (!are_usable(ranges) || !sign_is_seen(r, ranges, step.form == step_form::positive)) {
+    return false;
+  }
   exact_polynomial meant = r;
   for (const letter_range& range : ranges) {
     if (range.defined) meant = meant.with(range.letter, range.quantity);
@@ -341,35 +329,21 @@ bool polynomial_step::holds() const {
   return meant == p;
 }
 
-std::string polynomial_step::statement() const {
-  if (what == kind::slope) {
-    return std::string("d/d") + variable + " of (" + left + ")/(" + over + ") = (" + right + ")/(" +
-           over + ")^2, expanded over Q: " + meaning;
-  }
-  std::string result = left + " = " + right;
-  if (what == kind::sign) {
-    result += std::string(strict ? " > 0" : " >= 0") + " for " + letters;
-  }
-  result += ", expanded over Q";
-  if (what == kind::sign) result += ", no coefficient of the right side being negative";
-  return result + ": " + meaning;
-}
-
 bool add_steps(certificate& c, const std::vector<polynomial_step>& steps) {
   bool all_hold = true;
   for (const polynomial_step& step : steps) {
-    const bool holds = step.holds();
-    all_hold = all_hold && holds;
-    c.facts.push_back({step.statement(), holds, step_kind::exact});
-    json one{{"kind", in_words(step.what)}, {"left", step.left}};
-    if (step.what == polynomial_step::kind::slope) {
+    const bool it_holds = holds(step);
+    all_hold = all_hold && it_holds;
+    c.facts.push_back({statement_of(step), it_holds, step_kind::exact});
+    json one{{"kind", form_in_words(step)}, {"left", step.left}};
+    if (step.form == step_form::slope) {
       one["over"] = step.over;
-      one["variable"] = std::string(1, step.variable);
+      one["variable"] = step.variable;
     }
     one["right"] = step.right;
-    if (step.what == polynomial_step::kind::sign) {
+    if (is_sign(step)) {
       one["letters"] = step.letters;
-      one["conclusion"] = step.strict ? "> 0" : ">= 0";
+      one["conclusion"] = conclusion_of(step);
     }
     c.witness["polynomials"].push_back(std::move(one));
   }

@@ -14,6 +14,7 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/certificate/certificate.hpp"
+#include "statements/claim_text.hpp"
 
 namespace polhode::proofs {
 
@@ -48,41 +49,16 @@ class exact_polynomial {
   std::map<exponents, rational> terms_;  // without zeros
 };
 
-/// One step of a proof: an exact question about polynomials, and what the proof needs it for.
-struct polynomial_step {
-  enum class kind {
-    identity,  // "p = q"
-    sign,  // "p = q > 0" or "p = q >= 0": no coefficient of q is negative, nor is any of its letters
-    slope  // "d/dx (p) / (q) = r": p_x q - p q_x = r, the numerator of the derivative of p/q over q^2
-  };
-  kind what;
-  std::string left;   // p
-  std::string over;   // q of a slope
-  std::string right;  // q, or r
-  /// Of a sign: "b > 0, q = 1-b > 0, y = 1-x >= 0", the range of every letter of `right`; what a letter stands for is put into
-  /// `right` before it is compared.
-  std::string letters;
-  bool strict = false;  // of a sign: > 0 is concluded, not >= 0
-  char variable = 'x';  // of a slope
-  std::string meaning;  // what it says in the proof
+using statements::polynomial_step;
+using statements::step_form;
 
-  /// Decided by expansion. A sign holds where
-  ///   the ranges are hypotheses of the claims (see hypotheses), and every letter of `right` has one;
-  ///   no coefficient of `right` is negative, so that its value is not; and for > 0 besides
-  ///   one term is positive: its letters are all > 0.
-  /// Throws std::invalid_argument where a text is not a polynomial, or `letters` are no ranges.
-  [[nodiscard]] bool holds() const;
-  /// "(1-b)^2 - b*(a+b) = 1 - 2*b - a*b, expanded over Q"
-  [[nodiscard]] std::string statement() const;
-};
-
-[[nodiscard]] polynomial_step identity(std::string left, std::string right, std::string meaning);
-/// left = right > 0 for letters with these ranges.
-[[nodiscard]] polynomial_step positive(std::string left, std::string right, std::string letters,
-                                       std::string meaning);
-/// left = right >= 0 for letters with these ranges.
-[[nodiscard]] polynomial_step not_negative(std::string left, std::string right, std::string letters,
-                                           std::string meaning);
+/// Whether the step holds, decided by expansion. A sign holds where
+///   the ranges of its letters are hypotheses of the claims (see hypotheses), and every letter of
+///     `right` has one;
+///   no coefficient of `right` is negative, so that its value is not; and for > 0 besides
+///   one term is positive: its letters are all > 0.
+/// Throws std::invalid_argument where a text is not a polynomial, or `letters` are no ranges.
+[[nodiscard]] bool holds(const polynomial_step& step);
 
 /// What the claims say of the quantities that letters stand for: a polynomial that is > 0, or >= 0. A step may use these and no
 /// other. All of them hold at a = b = u = 1/4, c = 1/8, k = 1/2, x = 3/4, y = 1/2, z = 1/4: no step speaks of nothing.
@@ -92,9 +68,6 @@ struct hypothesis {
   const char* of;
 };
 [[nodiscard]] const std::vector<hypothesis>& hypotheses();
-
-[[nodiscard]] polynomial_step slope(char variable, std::string numerator, std::string denominator,
-                                    std::string result, std::string meaning);
 
 /// Adds each step to the certificate's facts, and to witness["polynomials"] in a form that can be checked again.
 /// Returns whether all hold.

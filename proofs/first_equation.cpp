@@ -6,6 +6,7 @@
 // T(c', psi'), so psi < psi', and epsilon > epsilon': it decreases strictly. (The paper's "<= 0 with a discrete set of zeros" is < 0
 // throughout, but where the integral is empty, at epsilon = pi/2. With x = cos^2, T(c, psi) = F(c, u)/2, u = cos^2 psi.)
 
+#include "statements/first_equation.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "proofs/body_facts.hpp"
 #include "proofs/claims.hpp"
@@ -38,18 +39,7 @@ void add_decrease_in_both(certificate& c, const body& rigid) {
 
 certificate prove_decrease(const request& wanted) {
   certificate c;
-  c.formula =
-      "integral over (0, pi/2 - epsilon) of (1-bX)/sqrt((a+bX)(c+bX)) dpsi = pi, X = cos^2 psi: "
-      "epsilon decreases in c";
-  c.method =
-      "For all a > 0, 0 < b < 1: the integrand is positive and decreases strictly in c, so the "
-      "integral increases strictly in its upper end and decreases strictly in c; where it is pi "
-      "for "
-      "c and for c' > c, the upper end for c' is the greater one. Computed: the polynomial steps.";
-  add_steps(c, {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
-                      "the derivative in c of the square of the integrand, negative"),
-                positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0, y = 1-x >= 0",
-                         "1 - bX > 0 for 0 <= X <= 1: the integrand is positive")});
+  add_steps(c, statements::first_equation().steps);
   const body rigid = requested_body(c, wanted);
   add_decrease_in_both(c, rigid);
   c.conclude();
@@ -58,17 +48,6 @@ certificate prove_decrease(const request& wanted) {
 
 }  // namespace
 
-claim first_equation_claim() {
-  return {
-      "proposition 2, eqs. (21)-(24)",
-      "The twist defect given by the first implicit equation decreases strictly in c, and so is "
-      "injective there.",
-      "exact derivative of the integrand and its sign",
-      prove_decrease,
-      proof_tier::by_kernel,
-      {{step_kind::kernel, "FirstEquation.proposition_2"},
-       {step_kind::kernel, "DefectFunction.equation_24"},
-       {step_kind::kernel, "DefectFunction.equation_24_negative"}}};
-}
+claim first_equation_claim() { return {statements::first_equation(), prove_decrease}; }
 
 }  // namespace polhode::proofs

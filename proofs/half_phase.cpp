@@ -30,24 +30,6 @@ ball ratio_to_end(const body& rigid, const rational& x, precision p) {
 
 }  // namespace
 
-std::vector<polynomial_step> half_phase_steps() {
-  return {
-      identity("(1-(u+(1-u)*k)) * ((u+(1-u)*k)-u)", "(1-u)^2*k*(1-k)",
-               "x = u + (1-u) k with k = cos^2(t/2) turns F(-bu,u) into b^(-1/2) times the "
-               "integral over (0, pi) of g(x) dt, g(x) = (1-bx)/sqrt(x(a+bx))"),
-      slope('x', "(1-b*x)^2", "x*(a+b*x)", "-(1-b*x)*(a+(a+2)*b*x)", "the derivative of g^2"),
-      positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0, y = 1-x >= 0", "1 - bx > 0 for 0 < x <= 1"),
-      positive("a+(a+2)*b*x", "a + a*b*x + 2*b*x", "a > 0, b > 0, x > 0",
-               "so g decreases strictly on 0 < x <= 1"),
-      identity("(v+(1-v)*k) - (u+(1-u)*k)", "(v-u)*(1-k)",
-               "x is greater for v > u where 0 < t < pi, so G decreases"),
-      not_negative("(a+b)-(a+b*x)", "b*y", "b > 0, y = 1-x >= 0",
-                   "a + bx <= a + b: g(x) >= (1-b)/sqrt((a+b) x)"),
-      not_negative("(u+k)-(u+(1-u)*k)", "u*k", "u > 0, k >= 0",
-                   "x <= u + k: G(u) >= 2 I arsinh(pi/(2 sqrt(u)))"),
-  };
-}
-
 bool half_phase_obeys_its_bounds(const body& rigid) {
   return is_decided([&](precision p) {
     const ball limit = pi(p) * rigid.geometric_constant(p);

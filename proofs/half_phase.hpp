@@ -30,9 +30,6 @@
 
 namespace polhode::proofs {
 
-/// The steps of (1) to (4) that are questions about polynomials.
-[[nodiscard]] std::vector<polynomial_step> half_phase_steps();
-
 /// Whether (3) and (4) and the decrease hold for this body at u = 1/4, 1/2, 3/4, with G by the AGM: numbers that share no
 /// formula with the proof.
 [[nodiscard]] bool half_phase_obeys_its_bounds(const body& rigid);

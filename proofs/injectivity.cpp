@@ -29,6 +29,7 @@
 #include "proofs/claims.hpp"
 #include "proofs/half_phase.hpp"
 #include "proofs/twist.hpp"
+#include "statements/injectivity.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -230,18 +231,7 @@ void add_witnesses(certificate& c, const body& rigid) {
 
 certificate prove_injectivity(const request& wanted) {
   certificate c;
-  c.formula = "c -> epsilon(c) is injective on (-b, a)  <=>  I >= 1  <=>  the body is physical";
-  c.method =
-      "For all a > 0, 0 < b < 1. I >= 1: G > pi, so that pi is reached before the first turning "
-      "point, where epsilon decreases by first_equation, or between it and the return to psi = 0, "
-      "where T(c, psi_c(pi)) = G - pi; as c decreases G decreases and T increases for every psi, "
-      "so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: epsilon is pi/2 at c* "
-      "by the claim crossing and tends to pi/2 as c -> -b; a continuous injective function would "
-      "have different limits. Computed: the polynomial steps, I against 1 in rationals, and "
-      "enclosures for the given body.";
-  add_steps(c, half_phase_steps());
-  add_steps(c, {slope('c', "(1-b*x)^2", "(a+b*x)*(c+b*x)", "-(1-b*x)^2*(a+b*x)",
-                      "the derivative in c of the square of T's integrand, negative")});
+  add_steps(c, statements::injectivity().steps);
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
   const bool physical = !exceeds_geometric_constant(1, rigid);
@@ -260,18 +250,6 @@ certificate prove_injectivity(const request& wanted) {
 
 }  // namespace
 
-claim injectivity_claim() {
-  return {
-      "theorem 3, proposition 4",
-      "The twist defect epsilon(c) is an injective function of c if and only if I >= 1, that is, "
-      "if and only if the body is physical.",
-      "monotone parts by exact signs; a chain of enclosures, or two c with one epsilon, for a "
-      "body",
-      prove_injectivity,
-      proof_tier::by_kernel,
-      {{step_kind::kernel, "Theorem3.theorem_3"},
-       {step_kind::kernel, "Prop1.proposition_1"},
-       bartky_transformation()}};
-}
+claim injectivity_claim() { return {statements::injectivity(), prove_injectivity}; }
 
 }  // namespace polhode::proofs

@@ -11,6 +11,7 @@
 // Both bounds are approached, by planar bodies a = 1/b - 2 with b -> 0, and not attained: they are the greatest lower bounds. The paper
 // argues by the decrease in a only.
 
+#include "statements/limit_minimum.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/complete.hpp"
 #include "proofs/beta.hpp"
@@ -60,21 +61,7 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
 
 certificate prove_minimum(const request& wanted) {
   certificate c;
-  c.formula =
-      "ab + 2b <= 1  =>  epsilon0 > epsilon0_min = 2 arctan(e^-pi) and, where J < 2, c0/b > beta; "
-      "both are greatest lower bounds";
-  c.method =
-      "For all physical bodies: (1-bX)^2 > b(a+bX) for 0 <= X < 1, so that the integrand of "
-      "the implicit equation exceeds (beta + cos^2 psi)^(-1/2), that of the limit for chi = 1, at "
-      "every c = b beta; so epsilon0 and, where there is a c0, c0/b exceed their limits. Planar "
-      "bodies a = 1/b - 2 "
-      "approach them for b -> 0 by the limit formula. Computed: the polynomial step and both "
-      "numbers.";
-  add_steps(c,
-            {positive("(1-b*x)^2 - b*(a+b*x)", "p + b*y*(1+q+b*y)",
-                      "b > 0, p = 1-a*b-2*b >= 0, q = 1-b > 0, y = 1-x > 0",
-                      "p >= 0 for physical bodies: the integrand exceeds the limit's where X < 1"),
-             identity("(1-2*b) + 2*b", "1", "a = 1/b - 2 is planar: ab + 2b = 1")});
+  add_steps(c, statements::limit_minimum().steps);
   c.numbers.push_back({"epsilon0_min",
                        enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits),
                        wanted.digits});
@@ -97,27 +84,6 @@ certificate prove_minimum(const request& wanted) {
 
 }  // namespace
 
-claim limit_minimum_claim() {
-  return {"section 7, eqs. (39), (40)",
-          "Over all physical bodies the greatest lower bound of epsilon0 is epsilon0_min; over all "
-          "physical bodies that have a c0 (J < 2) that of c0/b is beta; neither is attained. For "
-          "beta < 0, chi <= 1 the limit's epsilon is above epsilon0_min, and tends to it as chi -> "
-          "1, beta -> 0.",
-          "one polynomial inequality over all physical bodies; the limit formula",
-          prove_minimum,
-          proof_tier::by_argument,
-          {{step_kind::kernel, "Infima.epsilon0_infimum"},
-           {step_kind::kernel, "Infima.beta_infimum"},
-           {step_kind::argued,
-            "The integrand exceeds the limit's at every psi > 0, so that the integral does, and "
-            "epsilon0 and c0/b exceed their limits."},
-           {step_kind::argued, "Planar bodies approach both limits, by the claim limit_formula."},
-           {step_kind::argued,
-            "Before the first turning point the limit's integral is greater for beta < 0 than for "
-            "beta = 0 at every psi, and its value pi sqrt(chi) is at most pi: psi is below that of "
-            "beta = 0, chi = 1."},
-           gauss_mean(),
-           bartky_transformation()}};
-}
+claim limit_minimum_claim() { return {statements::limit_minimum(), prove_minimum}; }
 
 }  // namespace polhode::proofs

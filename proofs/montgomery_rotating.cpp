@@ -1,5 +1,6 @@
 // The Montgomery phase of rotating motion: the paper's theorem 2. The proof is in rotating_phase.hpp.
 
+#include "statements/montgomery_rotating.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/rotating_phase.hpp"
@@ -9,14 +10,7 @@ namespace {
 
 certificate prove_rotating(const request& wanted) {
   certificate c;
-  c.formula = "dphi(c) = 2 F(c,0): decreasing in c, inf = lim (c -> a) = 2 pi J";
-  c.method =
-      "For all a > 0, 0 < b < 1: the integrand decreases strictly in c; (a+bX)/(c+bX) lies between "
-      "1 and a/c, so that P < F(c,0) <= P sqrt(a/c) with P the integral at c = a, which is pi J by "
-      "an antiderivative. So pi J is the limit for c -> a and the greatest lower bound, which is "
-      "not attained for c < a. Computed: the polynomial steps; the rest is monotonicity of the "
-      "integral.";
-  add_steps(c, rotating_phase_steps());
+  add_steps(c, statements::montgomery_rotating().steps);
   const body rigid = requested_body(c, wanted);
   add_number(
       c, "greatest_lower_bound",
@@ -32,18 +26,6 @@ certificate prove_rotating(const request& wanted) {
 
 }  // namespace
 
-claim montgomery_rotating_claim() {
-  return {"theorem 2, eq. (17)",
-          "The Montgomery phase of rotating motion decreases in c, and its greatest lower bound is "
-          "2 pi J.",
-          "exact derivative and signs; two-sided bounds and an antiderivative for the limit",
-          prove_rotating,
-          proof_tier::by_kernel,
-          {{step_kind::kernel, "Theorems.rotating_phase_at"},
-           {step_kind::kernel, "Theorems.rotating_phase_decreases"},
-           {step_kind::kernel, "Theorems.theorem_2_infimum"},
-           {step_kind::kernel, "Theorems.theorem_2_not_attained"},
-           bartky_transformation()}};
-}
+claim montgomery_rotating_claim() { return {statements::montgomery_rotating(), prove_rotating}; }
 
 }  // namespace polhode::proofs

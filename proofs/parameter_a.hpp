@@ -16,9 +16,6 @@
 
 namespace polhode::proofs {
 
-/// That h is positive and decreases in a.
-[[nodiscard]] std::vector<polynomial_step> decrease_in_a_steps();
-
 /// The body with a doubled.
 [[nodiscard]] body with_double_a(const body& rigid);
 

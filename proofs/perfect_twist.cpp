@@ -5,6 +5,7 @@
 // one; at J = 2 the value 2 pi is the limit at c = a, an equilibrium. (The paper says "in (-b, a)": it is in (0, a).) In the same way the
 // phase 2 F(c,0) of rotating motion takes the value 2 pi, a full turn, exactly where J < 1.
 
+#include "statements/perfect_twist.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/rotating_phase.hpp"
@@ -47,17 +48,7 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
 
 certificate prove_perfect_twist(const request& wanted) {
   certificate c;
-  c.formula = "F(c0,0) = 2 pi for some c0  <=>  J < 2; then c0 is in (0, a) and the only one";
-  c.method =
-      "For all a > 0, 0 < b < 1, by the proof of montgomery_rotating: F(c,0) maps 0 < c < a one to "
-      "one onto the values above pi J, and F(c,u) is defined at u = 0 for c > 0 only. So 2 pi is a "
-      "value exactly where J < 2 (and the phase 2 F(c,0) has the value 2 pi, a full turn, exactly "
-      "where J < 1). For a given body J < 2 is decided in rationals.";
-  add_steps(c, rotating_phase_steps());
-  add_steps(c, {identity("9*a*(a+b) - (a+1)^2", "8*a^2 + 9*a*b - 2*a - 1",
-                         "J < 2 exactly where this is positive, as (J+1)^2 = (a+1)^2/(a(a+b))"),
-                identity("4*a*(a+b) - (a+1)^2", "3*a^2 + 4*a*b - 2*a - 1",
-                         "J < 1 exactly where this is positive")});
+  add_steps(c, statements::perfect_twist().steps);
   const body rigid = requested_body(c, wanted);
   add_second_geometric_constant(c, rigid, wanted.digits);
   const rational& a = rigid.a().exact();
@@ -71,18 +62,6 @@ certificate prove_perfect_twist(const request& wanted) {
 
 }  // namespace
 
-claim perfect_twist_claim() {
-  return {
-      "proposition 3, part 2",
-      "A perfect twist, epsilon = 0, occurs if and only if J < 2, at exactly one c0, which lies "
-      "in (0, a).",
-      "one-to-one map onto (pi J, infinity), by exact signs; J < 2 in rationals",
-      prove_perfect_twist,
-      proof_tier::by_kernel,
-      {{step_kind::kernel, "Separatrix.proposition_3_2"},
-       {step_kind::kernel, "Theorems.rotating_phase_at"},
-       {step_kind::kernel, "Theorems.rotating_phase_decreases"},
-       bartky_transformation()}};
-}
+claim perfect_twist_claim() { return {statements::perfect_twist(), prove_perfect_twist}; }
 
 }  // namespace polhode::proofs

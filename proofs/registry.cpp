@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <utility>
 
 #include "polhode/arithmetic/exact.hpp"
@@ -7,7 +8,7 @@ namespace polhode::proofs {
 namespace {
 
 /// In a cell of a table a | would end the cell.
-std::string as_cell(const std::string& text) {
+std::string as_cell(std::string_view text) {
   std::string result;
   for (const char c : text) {
     if (c == '|') result += '\\';
@@ -17,37 +18,40 @@ std::string as_cell(const std::string& text) {
 }
 
 std::string command_of(const claim& c) {
-  std::string result = "`polhode certify " + c.name;
+  std::string result = "`polhode certify " + std::string(c.name);
   if (c.subject != claim_subject::none) result += " --ab 12.65,0.0629";
   if (c.subject == claim_subject::motion) result += " --u 1/4";
   return result + '`';
 }
 
-}  // namespace
+proof_tier tier_named(std::string_view text) {
+  for (const proof_tier t : {proof_tier::by_kernel, proof_tier::by_machine, proof_tier::with_words,
+                             proof_tier::by_argument}) {
+    if (to_text(t) == text) return t;
+  }
+  throw std::logic_error("no tier of proofs is called " + std::string(text));
+}
 
-stated_step bartky_transformation() {
-  return {step_kind::cited,
-          "Bartky's transformation of complete elliptic integrals (DLMF 19.8(i), 19.22(i))."};
+step_kind kind_named(std::string_view text) {
+  for (const step_kind k : {step_kind::kernel, step_kind::argued, step_kind::cited}) {
+    if (to_text(k) == text) return k;
+  }
+  throw std::logic_error("no kind of steps is called " + std::string(text));
 }
-stated_step gauss_mean() {
-  return {step_kind::cited, "K and E by the arithmetic-geometric mean (Gauss; DLMF 19.8(i))."};
-}
-stated_step gudermannian() {
-  return {step_kind::cited, "am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i))."};
-}
+
+}  // namespace
 
 const std::vector<claim>& all_claims() {
   static const std::vector<claim> claims = [] {
     std::vector<claim> list;
-    const auto add = [&list](const char* name, claim_subject subject, claim c) {
-      c.name = name;
+    const auto add = [&list](claim_subject subject, claim c) {
       c.subject = subject;
       list.push_back(std::move(c));
     };
-#define POLHODE_ADD(name, subject) add(#name, claim_subject::subject, name##_claim());
+#define POLHODE_ADD(name, subject) add(claim_subject::subject, name##_claim());
     POLHODE_CLAIMS(POLHODE_ADD)
 #undef POLHODE_ADD
-    // What a claim is called and where it stands is written once, in its file and in claims.hpp.
+    // What a claim says is written once: a proof adds notes on the given body to the method.
     for (claim& c : list) {
       c.prove = [c](const request& wanted) {
         if (wanted.digits < 1) {
@@ -57,8 +61,12 @@ const std::vector<claim>& all_claims() {
         result.claim = c.name;
         result.statement = c.statement;
         result.reference = c.reference;
-        result.tier = c.tier;
-        result.argument = c.argument;
+        result.formula = c.formula;
+        result.method.insert(0, c.method);
+        result.tier = tier_named(c.tier);
+        for (const auto& [kind, statement] : c.argument) {
+          result.argument.push_back({kind_named(kind), std::string(statement)});
+        }
         return result;
       };
     }
@@ -67,7 +75,7 @@ const std::vector<claim>& all_claims() {
   return claims;
 }
 
-const claim* find_claim(const std::string& name) {
+const claim* find_claim(std::string_view name) {
   for (const claim& c : all_claims()) {
     if (c.name == name) return &c;
   }
@@ -80,8 +88,8 @@ std::string table_heading() {
 }
 
 std::string table_row(const claim& c) {
-  return "| `" + c.name + "` | " + as_cell(c.reference) + as_cell(c.statement) + as_cell(c.method) +
-         command_of(c) + " |";
+  return "| `" + std::string(c.name) + "` | " + as_cell(c.reference) + as_cell(c.statement) +
+         as_cell(c.technique) + command_of(c) + " |";
 }
 
 }  // namespace polhode::proofs

@@ -20,9 +20,6 @@
 
 namespace polhode::proofs {
 
-/// The steps of that proof that are questions about polynomials.
-[[nodiscard]] std::vector<polynomial_step> rotating_phase_steps();
-
 /// Whether the phase decreases and keeps within the proof's bounds at c = a/4, a/2, 3a/4, computed by the AGM.
 [[nodiscard]] bool rotating_phase_obeys_its_bounds(const body& rigid);
 

@@ -12,6 +12,7 @@
 // (1 - b s/(1 + (b/a) tanh^2 y))/sqrt(ab) >= (1 - b)/sqrt(ab) > 0, s = 1/cosh^2 y, and whose arctan lies in (0, arctan sqrt(b/a)).
 // u/(1-u) = s/((1 + b/a) tanh^2 y), and so tan epsilon0 = sqrt(a/(a+b))/sinh y: nothing cancels.
 
+#include "statements/separatrix_twist.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "polhode/roots/newton.hpp"
@@ -25,23 +26,7 @@ namespace {
 
 certificate prove_separatrix(const request& wanted) {
   certificate c;
-  c.formula = "F(0, sin^2 epsilon0) = 2 pi has exactly one solution, 0 < epsilon0 < pi/2";
-  c.method =
-      "For all a > 0, 0 < b < 1: F(0,u) decreases strictly in u, its integrand being positive; it "
-      "is at least I log(1/u), and by its closed form, whose derivative is an identity of "
-      "polynomials, it tends to 0 as u tends to 1. So it is 2 pi exactly once. The number: "
-      "interval "
-      "Newton on y/sqrt(ab) - arctan(sqrt(b/a) tanh y) = pi, tan epsilon0 = sqrt(a/(a+b))/sinh y.";
-  add_steps(c,
-            {positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0, y = 1-x >= 0",
-                      "1 - bx > 0: the integrand is positive, F(0,u) decreases in u"),
-             not_negative("(a+b)-(a+b*x)", "b*y", "b > 0, y = 1-x >= 0",
-                          "a + bx <= a + b: the integrand is at least I/x, F(0,u) >= I log(1/u)"),
-             slope('x', "1-x", "a+b*x", "-(a+b)", "the derivative of w^2 = (1-x)/(a+bx)"),
-             identity("(a+b*x) - a*(1-x)", "(a+b)*x", "1 - a w^2 = (a+b)x/(a+bx)"),
-             identity("(a+b*x) + b*(1-x)", "a+b",
-                      "1 + b w^2 = (a+b)/(a+bx), so that F(0,u) = 2 artanh(sqrt(a) w)/sqrt(ab) - 2 "
-                      "arctan(sqrt(b) w), which tends to 0 as u -> 1")});
+  add_steps(c, statements::separatrix_twist().steps);
   const body rigid = requested_body(c, wanted);
   add_number_or_note(
       c, "epsilon0", [&](precision p) { return separatrix_defect(rigid, p); }, wanted.digits,
@@ -73,14 +58,6 @@ ball separatrix_defect(const body& rigid, precision p) {
   return atan(sqrt(ball(share, p)) / sinh(y.root));
 }
 
-claim separatrix_twist_claim() {
-  return {"proposition 3, part 1, eq. (25)",
-          "The tennis racket effect always occurs on the separatrix: F(0,u) = 2 pi has exactly one "
-          "solution u = sin^2 epsilon0 in (0, 1), for every body.",
-          "exact signs and limits; interval Newton for the number",
-          prove_separatrix,
-          proof_tier::by_kernel,
-          {{step_kind::kernel, "Separatrix.proposition_3_1"}}};
-}
+claim separatrix_twist_claim() { return {statements::separatrix_twist(), prove_separatrix}; }
 
 }  // namespace polhode::proofs

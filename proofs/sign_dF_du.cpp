@@ -1,5 +1,6 @@
 // The sign of dF(-bu,u)/du: the paper's lemma in appendix A, on which both theorems rest.
 
+#include "statements/sign_dF_du.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/periodic_trapezoid.hpp"
@@ -102,20 +103,6 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
 certificate prove_sign(const request& wanted) {
   check(wanted.motion);
   certificate c;
-  c.formula =
-      "dF(-bu,u)/du = -(b/(ab)^(3/2)) integral over (0,1) of sqrt(1-y^2) (a + (a+2) b X)/(X (1 + "
-      "bX/a))^(3/2) dy "
-      "< 0, X = u + (1-u) y^2";
-  c.method =
-      "At the given a, b, u the value is enclosed by two routes that share no formula. For all a, "
-      "b, u: after "
-      "y = sin s the integrand of eq. (43) and its u-derivative are continuous in (s, u) on [0, "
-      "pi/2] x [u_0, 1] "
-      "for every u_0 > 0, so differentiation under the integral is allowed; the derivative of the "
-      "integrand is "
-      "the paper's, an exact identity of rational functions; its sign is read off its factors. The "
-      "sweep bounds "
-      "the same quantity over the whole compactified box of parameters in interval arithmetic.";
   add_value(c, wanted);
   add_sign_for_all(c, wanted.motion);
   c.conclude();
@@ -124,18 +111,6 @@ certificate prove_sign(const request& wanted) {
 
 }  // namespace
 
-claim sign_dF_du_claim() {
-  return {
-      "appendix A, lemma 6, eq. (44)",
-      "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its derivative "
-      "is "
-      "negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
-      "two enclosures of the value; exact identity and signs; interval sweep over all parameters",
-      prove_sign,
-      proof_tier::by_kernel,
-      {{step_kind::kernel, "HalfPhase.G_derive"},
-       {step_kind::kernel, "HalfPhase.G_derive_negative"},
-       gauss_mean()}};
-}
+claim sign_dF_du_claim() { return {statements::sign_dF_du(), prove_sign}; }
 
 }  // namespace polhode::proofs

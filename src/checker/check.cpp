@@ -33,7 +33,8 @@ void check_document(const json& certificate, report& result, budget& work) {
   if (verdict == "not certified") {
     root["verdict"].not_checkable("it is a certificate of a claim that was not certified");
   }
-  root["verdict"].expect_text(!of_formula && text->tier == by_argument ? "argued" : "certified");
+  root["verdict"].expect_text(!of_formula && text->tier == statements::by_argument ? "argued"
+                                                                                   : "certified");
   root.expect_keys({"format", "version", "claim", "statement", "formula", "reference", "verdict",
                     "tier", "rests_on", "inputs", "numbers", "facts", "argument", "method",
                     "witness", "software", "digest"});

@@ -181,8 +181,9 @@ void expect_grounds(const place& certificate, std::string_view tier,
   // The kinds of its steps, in this order.
   std::vector<std::string_view> kinds;
   const place facts = certificate["facts"];
-  for (const std::string_view kind : {std::string_view(decided_exactly), std::string_view(enclosed),
-                                      proved_in_coq, argued_in_words, only_cited}) {
+  for (const std::string_view kind :
+       {std::string_view(decided_exactly), std::string_view(enclosed), statements::proved_in_coq,
+        statements::argued_in_words, statements::only_cited}) {
     bool has_it = kind == enclosed && !certificate["numbers"].value().empty();
     for (std::size_t i = 0; i < facts.size(); ++i) {
       has_it = has_it || facts.at(i)["kind"].text() == kind;
@@ -296,7 +297,7 @@ void examination::steps() {
   const place all = witness("polynomials");
   for (std::size_t i = 0; i < text_.steps.size(); ++i) {
     constexpr long units_of_a_step = 200'000;  // of the checker's own polynomials
-    const step_text& step = text_.steps[i];
+    const statements::polynomial_step& step = text_.steps[i];
     const place one = all.at(i);
     const budget::at here = one.working();
     work().spend(units_of_a_step);
@@ -306,7 +307,7 @@ void examination::steps() {
     bool holds = false;
     one["left"].expect_text(step.left);
     one["right"].expect_text(step.right);
-    if (step.kind == step_kind::slope) {
+    if (step.form == statements::step_form::slope) {
       one.expect_keys({"kind", "left", "over", "variable", "right"});
       one["kind"].expect_text("derivative of a quotient");
       one["over"].expect_text(step.over);
@@ -318,14 +319,14 @@ void examination::steps() {
                   std::string(step.over) + ") = (" + std::string(step.right) + ")/(" +
                   std::string(step.over) + ")^2";
     } else {
-      const bool is_identity = step.kind == step_kind::identity;
+      const bool is_identity = step.form == statements::step_form::identity;
       one["kind"].expect_text(is_identity ? "identity" : "sign by coefficients");
       statement = std::string(step.left) + " = " + std::string(step.right);
       if (is_identity) {
         one.expect_keys({"kind", "left", "right"});
         holds = right == left;
       } else {
-        const bool strict = step.kind == step_kind::positive;
+        const bool strict = step.form == statements::step_form::positive;
         one.expect_keys({"kind", "left", "right", "letters", "conclusion"});
         one["letters"].expect_text(step.letters);
         one["conclusion"].expect_text(strict ? "> 0" : ">= 0");
@@ -335,7 +336,8 @@ void examination::steps() {
       }
     }
     statement += ", expanded over Q";
-    if (step.kind == step_kind::positive || step.kind == step_kind::not_negative) {
+    if (step.form == statements::step_form::positive ||
+        step.form == statements::step_form::not_negative) {
       statement += ", no coefficient of the right side being negative";
     }
     fact(statement + ": " + std::string(step.meaning), holds);
@@ -482,7 +484,7 @@ void examination::finish() {
   root_["method"].expect_text(std::string(text_.method) + notes_);
   expect_grounds(root_, text_.tier, text_.argument);
   report_.grounds = grounds_of(root_);
-  report_.argued = text_.tier == by_argument;
+  report_.argued = text_.tier == statements::by_argument;
   report_.tier = text_.tier;
   const place facts = root_["facts"];
   if (facts.size() > facts_) facts.at(facts_).malformed("this claim has no such fact");

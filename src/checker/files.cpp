@@ -147,10 +147,11 @@ std::string problem_of(const report& r) {
 std::string text_of(const report& r, bool verbose) {
   std::string result;
   if (r.is_verified()) {
-    result = r.argued               ? "steps verified, the rest argued"
-             : r.tier == with_words ? "steps verified, joined in words"
-             : r.tier == by_kernel  ? "verified, for all bodies by Coq's kernel (not run here)"
-                                    : "verified";
+    result = r.argued                           ? "steps verified, the rest argued"
+             : r.tier == statements::with_words ? "steps verified, joined in words"
+             : r.tier == statements::by_kernel
+                 ? "verified, for all bodies by Coq's kernel (not run here)"
+                 : "verified";
     if (!r.left_out.empty()) result += ", without " + joined(r.left_out);
     result += ": " + r.subject + ", " + std::to_string(r.checks.size()) +
               " facts and numbers shown again; it rests on: " + joined(r.grounds) + '\n';

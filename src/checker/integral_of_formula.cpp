@@ -279,10 +279,10 @@ void check_integral(const place& certificate, report& result) {
                                      inputs["to"].text() + " of (" + inputs["integrand"].text() +
                                      ") d" + given.variable);
   if (certificate["facts"].size() != 0) certificate["facts"].at(0).malformed("there must be none");
-  expect_grounds(
-      certificate, by_machine,
-      {cited("The error of Fejer's rule for a function that is analytic and bounded on an "
-             "ellipse (Trefethen).")});
+  expect_grounds(certificate, statements::by_machine,
+                 {statements::cited(
+                     "The error of Fejer's rule for a function that is analytic and bounded on an "
+                     "ellipse (Trefethen).")});
   result.grounds = grounds_of(certificate);
   const place numbers = certificate["numbers"];
   numbers.expect_keys({"integral"});

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "digest.hpp"
-#include "facts.hpp"
 #include "formula_claims.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -145,7 +145,7 @@ void check_roots(const place& certificate, report& result) {
                                      inputs["from"].text() + " <= " + given.variable +
                                      " <= " + inputs["to"].text());
   if (certificate["facts"].size() != 0) certificate["facts"].at(0).malformed("there must be none");
-  expect_grounds(certificate, by_machine, {facts::intermediate_values});
+  expect_grounds(certificate, statements::by_machine, {statements::intermediate_values});
   result.grounds = grounds_of(certificate);
   result.subject = count == 1 ? "1 root" : std::to_string(count) + " roots";
   result.statement = {inputs["formula"].text() + " is 0 for exactly " + std::to_string(count) +

@@ -34,8 +34,8 @@ void expect_verified(const char* claim, const proofs::request& wanted) {
 
 TEST(EveryClaim, IsVerified) {
   for (const proofs::claim& c : proofs::all_claims()) {
-    expect_verified(c.name.c_str(), {});
-    const report r = checked(c.name.c_str(), {});
+    expect_verified(std::string(c.name).c_str(), {});
+    const report r = checked(std::string(c.name).c_str(), {});
     EXPECT_EQ(r.claim, c.name);
     EXPECT_GE(r.checks.size(), 1U);
   }
@@ -44,7 +44,7 @@ TEST(EveryClaim, IsVerified) {
 /// proofs/certificates: what `scripts/certificates` makes, but for the versions of the machine that it ran on.
 TEST(EveryClaim, HasItsCertificateInTheTree) {
   for (const proofs::claim& c : proofs::all_claims()) {
-    std::ifstream file(std::string(POLHODE_CERTIFICATES_DIR) + '/' + c.name + ".json");
+    std::ifstream file(std::string(POLHODE_CERTIFICATES_DIR) + '/' + std::string(c.name) + ".json");
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     const report r = check(text);
     EXPECT_EQ(r.result, outcome::verified) << c.name << r.place << r.message;
@@ -65,7 +65,7 @@ TEST(EveryClaim, IsVerifiedAtManyLengths) {
       if (c.name == "injectivity") continue;
       proofs::request wanted;
       wanted.digits = digits;
-      expect_verified(c.name.c_str(), wanted);
+      expect_verified(std::string(c.name).c_str(), wanted);
     }
   }
 }
@@ -89,7 +89,7 @@ TEST(BodyClaims, AreVerifiedForAllKindsOfBodies) {
                              {"100", "0.3"}}) {
     for (const proofs::claim& c : proofs::all_claims()) {
       if (c.subject != proofs::claim_subject::body || c.name == "injectivity") continue;
-      expect_verified(c.name.c_str(), with(a, b));
+      expect_verified(std::string(c.name).c_str(), with(a, b));
     }
   }
 }

@@ -53,7 +53,8 @@ TEST(DrawnBodies, HaveCertificatesThatTheCheckerTakes) {
     wanted.motion.b = b;
     for (const proofs::claim& c : proofs::all_claims()) {
       if (c.subject < proofs::claim_subject::body) continue;
-      const std::string what = c.name + " of " + polhode::to_text(a) + ", " + polhode::to_text(b);
+      const std::string what =
+          std::string(c.name) + " of " + polhode::to_text(a) + ", " + polhode::to_text(b);
       const certificate proved = c.prove(wanted);
       if (proved.verdict != status::certified) continue;
       const report found = check(to_json(proved).dump());

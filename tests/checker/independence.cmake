@@ -1,5 +1,5 @@
 # The checker uses nothing of the prover: no symbol of the prover's or of MPFR is missing from its library; its sources include GMP, Boost's
-# headers over it, a reader of JSON, the standard library, themselves and the digest's header, and nothing else; and the program
+# headers over it, a reader of JSON, the standard library, themselves, the texts of the claims and the digest's header, and nothing else; and the program
 # polhode-check needs GMP and the C++ runtime alone. LIBRARY, PROGRAM, SOURCES, HEADERS, NM and READELF are given.
 
 execute_process(COMMAND "${NM}" --demangle "${LIBRARY}"
@@ -49,7 +49,7 @@ endif()
 foreach(source IN LISTS sources)
   file(STRINGS "${source}" includes REGEX "^ *# *include")
   foreach(include IN LISTS includes)
-    if(NOT include MATCHES "^#include (<[a-z_]+>|<(fcntl|unistd|sys/stat)\\.h>|<boost/multiprecision/gmp\\.hpp>|<nlohmann/json\\.hpp>|\"(checker/|claims/)?[a-z_]+\\.hpp\"|\"polhode/checker/[a-z]+\\.hpp\"|\"base/sha256\\.hpp\")$")
+    if(NOT include MATCHES "^#include (<[a-z_]+>|<(fcntl|unistd|sys/stat)\\.h>|<boost/multiprecision/gmp\\.hpp>|<nlohmann/json\\.hpp>|\"(checker/|claims/)?[a-z_]+\\.hpp\"|\"statements/[A-Za-z0-9_]+\\.hpp\"|\"polhode/checker/[a-z]+\\.hpp\"|\"base/sha256\\.hpp\")$")
       message(FATAL_ERROR "${source}: ${include}")
     endif()
   endforeach()

@@ -220,7 +220,7 @@ TEST_P(EveryClaim, NoChangeOfAnyPlaceIsAccepted) {
 
 INSTANTIATE_TEST_SUITE_P(Mutation, EveryClaim, testing::ValuesIn([] {
                            std::vector<std::string> names;
-                           for (const auto& c : proofs::all_claims()) names.push_back(c.name);
+                           for (const auto& c : proofs::all_claims()) names.emplace_back(c.name);
                            return names;
                          }()),
                          [](const auto& instance) { return instance.param; });

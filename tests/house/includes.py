@@ -9,7 +9,7 @@ Rooms stand on floors. The rules:
   1. A room includes headers of its own and of lower floors only: never of a higher floor, nor of a neighbour.
   2. A private header is included by its own room only. Those of the open rooms are meant for all rooms above.
   3. A public header includes public headers only: private ones are not installed.
-  4. The checker includes its own headers and the digest's, nothing else.
+  4. The checker includes its own headers, the digest's and the texts of the claims, nothing else.
   5. Each folder is a room of the plan, and each include leads to a file.
 An exception is a debt: it has a reason, and it is refused once nothing needs it.
 """
@@ -21,7 +21,7 @@ import tempfile
 
 # From the lowest floor to the highest.
 FLOORS = [
-    ["base"],  # what any program needs: digests, threads, near names, quotes, clocks
+    ["base", "statements"],  # what any program needs: digests, threads, near names, quotes, clocks; the texts of the claims
     ["arithmetic"],
     ["elliptic"],
     ["expression"],  # formulas as text or made by a generic function, and their evaluation
@@ -34,10 +34,10 @@ FLOORS = [
 ]
 
 # Their headers beside their sources are meant for other rooms: none of these rooms is installed on its own.
-OPEN = {"base", "proofs", "cost"}
+OPEN = {"base", "statements", "proofs", "cost"}
 
-# What stands apart from the floors: the room, and what it may include of other rooms.
-APART = {"checker": {"src/base/sha256.hpp"}}
+# What stands apart from the floors: the room, and what it may include of other rooms, files and folders.
+APART = {"checker": ("src/base/sha256.hpp", "src/statements/")}
 # Who may include the public headers of a room that stands apart.
 APART_SERVES = {"checker": {"cli"}}
 
@@ -85,7 +85,7 @@ def problem_of(source, target):
     if room == other:
         return None
     if room in APART:
-        return None if target in APART[room] else f"{room} stands apart, and includes nothing of {other}"
+        return None if target.startswith(APART[room]) else f"{room} stands apart, and includes nothing of {other}"
     if other in APART:
         return None if room in APART_SERVES[other] else f"{other} stands apart, and {room} may not include it"
     floor = {name: number for number, names in enumerate(FLOORS) for name in names}
@@ -144,14 +144,17 @@ def self_test():
         "include/polhode/checker/public.hpp": "",
         "src/base/sha256.hpp": "",
         "src/base/quoted.hpp": "",
+        "src/statements/beta.hpp": '#include "statements/shared.hpp"\n',
+        "src/statements/shared.hpp": "",
         "src/checker/digest.cpp": '#include "base/sha256.hpp"\n',
+        "src/checker/beta.cpp": '#include "statements/beta.hpp"\n',
         "src/arithmetic/own.hpp": '#include "base/quoted.hpp"\n',
         "src/arithmetic/ball/deep.cpp": '#include "arithmetic/own.hpp"\n#include "../own.hpp"\n',
         "src/arithmetic/functions/tables.cpp": '#include "function_tables.hpp"\n',
         "src/roots/own.cpp": '#include "polhode/roots/public.hpp"\n',
         "src/cost/own.hpp": '#include "proofs/own.hpp"\n',
         "src/cli/own.cpp": '#include "cost/own.hpp"\n#include "polhode/checker/public.hpp"\n',
-        "proofs/own.hpp": "",
+        "proofs/own.hpp": '#include "statements/beta.hpp"\n',
     }
     # What is added to the good tree, and words of the refusal.
     bad = [
@@ -165,6 +168,7 @@ def self_test():
         ("include/polhode/base/up.hpp", '#include "polhode/arithmetic/public.hpp"\n', "upward"),
         ("src/checker/leans.cpp", '#include "base/quoted.hpp"\n', "stands apart"),
         ("src/checker/leans.cpp", '#include "polhode/arithmetic/public.hpp"\n', "stands apart"),
+        ("src/statements/leans.hpp", '#include "base/quoted.hpp"\n', "one floor"),
         ("src/scene/checks.cpp", '#include "polhode/checker/public.hpp"\n', "may not include"),
         ("src/attic/new.cpp", "", "no room of the plan"),
         ("src/roots/typing.cpp", '#include "polhode/roots/pubic.hpp"\n', "there is no"),

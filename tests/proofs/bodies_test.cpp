@@ -25,7 +25,7 @@
 namespace polhode::proofs {
 namespace bodies_test {
 
-certificate prove(const std::string& name, const body& rigid, long digits = 15) {
+certificate prove(std::string_view name, const body& rigid, long digits = 15) {
   request wanted;
   wanted.digits = digits;
   wanted.motion.a = rigid.a().exact();

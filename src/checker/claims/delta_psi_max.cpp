@@ -1,7 +1,7 @@
 // delta_psi_max, by its formula.
 
+#include "statements/delta_psi_max.hpp"
 #include "checker/examination.hpp"
-#include "checker/facts.hpp"
 #include "constants.hpp"
 #include "list.hpp"
 
@@ -21,21 +21,6 @@ void check_delta_psi_max(examination& e) {
 
 }  // namespace
 
-claim delta_psi_max_claim() {
-  return {.name = "delta_psi_max",
-          .reference = "section 7, after eq. (40)",
-          .statement =
-              "delta_psi_max = pi - 2 epsilon0_min. What it says of bodies, that it is the least "
-              "upper bound of the twist on the separatrix over all physical ones, follows by the "
-              "claim limit_minimum. The paper prints 2.96884.",
-          .formula = "delta_psi_max = pi - 2 epsilon0_min = 4 arctan(e^pi) - pi",
-          .method =
-              "The formula in ball arithmetic; the second route takes epsilon0_min from interval "
-              "Newton on log(tan(x/2)) + pi.",
-          .steps = {},
-          .tier = by_machine,
-          .argument = {facts::gudermannian},
-          .check = check_delta_psi_max};
-}
+claim delta_psi_max_claim() { return {statements::delta_psi_max(), check_delta_psi_max}; }
 
 }  // namespace polhode::checker

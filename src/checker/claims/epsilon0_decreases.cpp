@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "checker/facts.hpp"
 #include "constants.hpp"
 #include "list.hpp"
 #include "shapes.hpp"
+#include "statements/epsilon0_decreases.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -15,7 +15,7 @@ void check_epsilon0_decreases(examination& e) {
   const body other{2 * e.a(), e.b()};
   std::optional<range> first;
   std::optional<range> second;
-  if (!e.is_missing(facts::enclosure_of_epsilon0)) {
+  if (!e.is_missing(statements::enclosure_of_epsilon0)) {
     first = e.root_number("epsilon0", true, separatrix_equation(rigid));
   }
   if (!e.is_missing("an enclosure of epsilon0 for 2a")) {
@@ -33,19 +33,7 @@ void check_epsilon0_decreases(examination& e) {
 }  // namespace
 
 claim epsilon0_decreases_claim() {
-  return {
-      .name = "epsilon0_decreases",
-      .reference = "lemma 5",
-      .statement = "The twist defect on the separatrix, epsilon0(a, b), decreases as a increases.",
-      .formula = "a < a'  =>  epsilon0(a', b) < epsilon0(a, b)",
-      .method =
-          "For all a > 0, 0 < b < 1: the integrand of F(0,u) decreases strictly in a, and F(0,u) "
-          "decreases in u. At epsilon0(a) the integral for a' > a is below 2 pi, so its root is "
-          "smaller. Computed: the polynomial steps.",
-      .steps = {facts::integrand_decreases_in_a, facts::integrand_is_positive},
-      .tier = by_kernel,
-      .argument = {in_coq("DecreaseInA.lemma_5")},
-      .check = check_epsilon0_decreases};
+  return {statements::epsilon0_decreases(), check_epsilon0_decreases};
 }
 
 }  // namespace polhode::checker

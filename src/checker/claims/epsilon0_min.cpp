@@ -1,8 +1,8 @@
 // epsilon0_min, by its formula and as a root.
 
+#include "statements/epsilon0_min.hpp"
 #include "answers.hpp"
 #include "checker/examination.hpp"
-#include "checker/facts.hpp"
 #include "checker/functions.hpp"
 #include "constants.hpp"
 #include "list.hpp"
@@ -31,23 +31,6 @@ void check_epsilon0_min(examination& e) {
 
 }  // namespace
 
-claim epsilon0_min_claim() {
-  return {.name = "epsilon0_min",
-          .reference = "eq. (39)",
-          .statement =
-              "epsilon0_min = pi/2 - am(pi | 1) = pi - 2 arctan(e^pi). What it says of bodies, "
-              "that it is the greatest lower bound of the twist defect on the separatrix over all "
-              "physical ones, is the claim limit_minimum. The paper prints 0.086374.",
-          .formula = "epsilon0_min = pi - 2 arctan(e^pi) = 2 arctan(e^-pi)",
-          .method =
-              "On the separatrix of the limit the amplitude is the Gudermannian, am(pi|1) = 2 "
-              "arctan(e^pi) - pi/2, so that pi/2 - am(pi|1) is the formula above; it is evaluated "
-              "in ball arithmetic. The second route encloses the one root of log(tan(x/2)) + pi in "
-              "[0.086, 0.087] by interval Newton.",
-          .steps = {},
-          .tier = by_machine,
-          .argument = {facts::gudermannian},
-          .check = check_epsilon0_min};
-}
+claim epsilon0_min_claim() { return {statements::epsilon0_min(), check_epsilon0_min}; }
 
 }  // namespace polhode::checker

@@ -1,7 +1,7 @@
 // The first implicit equation.
 
+#include "statements/first_equation.hpp"
 #include "checker/examination.hpp"
-#include "checker/facts.hpp"
 #include "list.hpp"
 
 namespace polhode::checker {
@@ -22,26 +22,6 @@ void check_first_equation(examination& e) {
 
 }  // namespace
 
-claim first_equation_claim() {
-  return {
-      .name = "first_equation",
-      .reference = "proposition 2, eqs. (21)-(24)",
-      .statement =
-          "The twist defect given by the first implicit equation decreases strictly in c, and so "
-          "is injective there.",
-      .formula =
-          "integral over (0, pi/2 - epsilon) of (1-bX)/sqrt((a+bX)(c+bX)) dpsi = pi, X = cos^2 "
-          "psi: epsilon decreases in c",
-      .method =
-          "For all a > 0, 0 < b < 1: the integrand is positive and decreases strictly in c, so the "
-          "integral increases strictly in its upper end and decreases strictly in c; where it is "
-          "pi for c and for c' > c, the upper end for c' is the greater one. Computed: the "
-          "polynomial steps.",
-      .steps = {facts::integrand_decreases_in_c, facts::integrand_is_positive},
-      .tier = by_kernel,
-      .argument = {in_coq("FirstEquation.proposition_2"), in_coq("DefectFunction.equation_24"),
-                   in_coq("DefectFunction.equation_24_negative")},
-      .check = check_first_equation};
-}
+claim first_equation_claim() { return {statements::first_equation(), check_first_equation}; }
 
 }  // namespace polhode::checker

@@ -1,6 +1,6 @@
 // The limits of half the Montgomery phase.
 
-#include "checker/facts.hpp"
+#include "statements/half_phase_limits.hpp"
 #include "checker/functions.hpp"
 #include "list.hpp"
 #include "shapes.hpp"
@@ -18,20 +18,7 @@ void check_half_phase_limits(examination& e) {
 }  // namespace
 
 claim half_phase_limits_claim() {
-  return {.name = "half_phase_limits",
-          .reference = "appendix A, lemma 7, eqs. (45)-(46)",
-          .statement = "F(-bu,u) tends to pi I as u tends to 1, and to infinity as u tends to 0.",
-          .formula = "F(-bu,u) -> pi (1-b)/sqrt(b(a+b)) as u -> 1, F(-bu,u) -> infinity as u -> 0",
-          .method =
-              "For all a > 0, 0 < b < 1, by the bounds pi I <= F(-bu,u) <= pi I g(u)/g(1) and "
-              "F(-bu,u) >= 2 I arsinh(pi/(2 sqrt(u))), g(x) = (1-bx)/sqrt(x(a+bx)): their steps "
-              "are questions about polynomials, decided by expansion.",
-          .steps = facts::with_more(facts::half_phase_steps),
-          .tier = with_words,
-          .argument = {argued("As u tends to 1 both bounds tend to pi I; as u tends to 0 the lower "
-                              "one grows without bound."),
-                       facts::bartky_transformation},
-          .check = check_half_phase_limits};
+  return {statements::half_phase_limits(), check_half_phase_limits};
 }
 
 }  // namespace polhode::checker

@@ -6,11 +6,11 @@
 
 #include "answers.hpp"
 #include "brackets.hpp"
-#include "checker/facts.hpp"
 #include "checker/functions.hpp"
 #include "checker/twist.hpp"
 #include "list.hpp"
 #include "shapes.hpp"
+#include "statements/injectivity.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -133,30 +133,6 @@ void check_injectivity(examination& e) {
 
 }  // namespace
 
-claim injectivity_claim() {
-  return {
-      .name = "injectivity",
-      .reference = "theorem 3, proposition 4",
-      .statement =
-          "The twist defect epsilon(c) is an injective function of c if and only if I >= 1, that "
-          "is, if and only if the body is physical.",
-      .formula = "c -> epsilon(c) is injective on (-b, a)  <=>  I >= 1  <=>  the body is physical",
-      .method =
-          "For all a > 0, 0 < b < 1. I >= 1: G > pi, so that pi is reached before the first "
-          "turning point, where epsilon decreases by first_equation, or between it and the return "
-          "to psi = 0, where T(c, psi_c(pi)) = G - pi; as c decreases G decreases and T increases "
-          "for every psi, so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: "
-          "epsilon is pi/2 at c* by the claim crossing and tends to pi/2 as c -> -b; a continuous "
-          "injective function would have different limits. Computed: the polynomial steps, I "
-          "against 1 in rationals, and enclosures for the given body.",
-      .steps =
-          facts::with_more(facts::half_phase_steps,
-                           {slope("(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)",
-                                  "the derivative in c of the square of T's integrand, negative")}),
-      .tier = by_kernel,
-      .argument = {in_coq("Theorem3.theorem_3"), in_coq("Prop1.proposition_1"),
-                   facts::bartky_transformation},
-      .check = check_injectivity};
-}
+claim injectivity_claim() { return {statements::injectivity(), check_injectivity}; }
 
 }  // namespace polhode::checker

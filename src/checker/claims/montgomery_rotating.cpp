@@ -1,8 +1,8 @@
 // The Montgomery phase of rotating motion.
 
+#include "statements/montgomery_rotating.hpp"
 #include "answers.hpp"
 #include "checker/elliptic.hpp"
-#include "checker/facts.hpp"
 #include "checker/functions.hpp"
 #include "list.hpp"
 #include "shapes.hpp"
@@ -35,25 +35,7 @@ void check_montgomery_rotating(examination& e) {
 }  // namespace
 
 claim montgomery_rotating_claim() {
-  return {.name = "montgomery_rotating",
-          .reference = "theorem 2, eq. (17)",
-          .statement =
-              "The Montgomery phase of rotating motion decreases in c, and its greatest lower "
-              "bound is 2 pi J.",
-          .formula = "dphi(c) = 2 F(c,0): decreasing in c, inf = lim (c -> a) = 2 pi J",
-          .method =
-              "For all a > 0, 0 < b < 1: the integrand decreases strictly in c; (a+bX)/(c+bX) lies "
-              "between 1 and a/c, so that P < F(c,0) <= P sqrt(a/c) with P the integral at c = a, "
-              "which is pi J by an antiderivative. So pi J is the limit for c -> a and the "
-              "greatest lower bound, which is not attained for c < a. Computed: the polynomial "
-              "steps; the rest is monotonicity of the integral.",
-          .steps = facts::with_more(facts::rotating_phase_steps),
-          .tier = by_kernel,
-          .argument = {in_coq("Theorems.rotating_phase_at"),
-                       in_coq("Theorems.rotating_phase_decreases"),
-                       in_coq("Theorems.theorem_2_infimum"),
-                       in_coq("Theorems.theorem_2_not_attained"), facts::bartky_transformation},
-          .check = check_montgomery_rotating};
+  return {statements::montgomery_rotating(), check_montgomery_rotating};
 }
 
 }  // namespace polhode::checker

@@ -1,6 +1,6 @@
 // The numbers of the paper that are right.
 
-#include "checker/facts.hpp"
+#include "statements/printed_numbers.hpp"
 #include "constants.hpp"
 #include "list.hpp"
 #include "printed.hpp"
@@ -27,21 +27,6 @@ void check_printed_numbers(examination& e) {
 
 }  // namespace
 
-claim printed_numbers_claim() {
-  return {.name = "printed_numbers",
-          .reference = "figs. 6, 7, eqs. (39), (40), section 8",
-          .statement =
-              "The numbers in the captions, in section 7 and in the conclusion are those of their "
-              "formulas, to the last digit printed, but for those in errata.",
-          .formula = "|printed - value| <= half a unit of the last place printed",
-          .method =
-              "Each number is enclosed from its formula in ball arithmetic (beta by interval "
-              "Newton), and compared with the printed decimal as an exact rational. Those that are "
-              "wrong are in the claim errata.",
-          .steps = {},
-          .tier = by_machine,
-          .argument = {facts::gauss_mean, facts::gudermannian},
-          .check = check_printed_numbers};
-}
+claim printed_numbers_claim() { return {statements::printed_numbers(), check_printed_numbers}; }
 
 }  // namespace polhode::checker

@@ -6,10 +6,10 @@
 
 #include "answers.hpp"
 #include "checker/elliptic.hpp"
-#include "checker/facts.hpp"
 #include "checker/functions.hpp"
 #include "checker/polynomial.hpp"
 #include "list.hpp"
+#include "statements/sign_dF_du.hpp"
 #include "sweep.hpp"
 #include "trapezoid.hpp"
 
@@ -139,28 +139,6 @@ void check_sign_dF_du(examination& e) {
 
 }  // namespace
 
-claim sign_dF_du_claim() {
-  return {
-      .name = "sign_dF_du",
-      .reference = "appendix A, lemma 6, eq. (44)",
-      .statement =
-          "F(-bu,u), half the Montgomery phase of oscillating motion, decreases in u: its "
-          "derivative is negative at the given a, b, u, and for all a > 0, 0 < b < 1, 0 < u <= 1.",
-      .formula =
-          "dF(-bu,u)/du = -(b/(ab)^(3/2)) integral over (0,1) of sqrt(1-y^2) (a + (a+2) b X)/(X (1 "
-          "+ bX/a))^(3/2) dy < 0, X = u + (1-u) y^2",
-      .method =
-          "At the given a, b, u the value is enclosed by two routes that share no formula. For all "
-          "a, b, u: after y = sin s the integrand of eq. (43) and its u-derivative are continuous "
-          "in (s, u) on [0, pi/2] x [u_0, 1] for every u_0 > 0, so differentiation under the "
-          "integral is allowed; the derivative of the integrand is the paper's, an exact identity "
-          "of rational functions; its sign is read off its factors. The sweep bounds the same "
-          "quantity over the whole compactified box of parameters in interval arithmetic.",
-      .steps = {},
-      .tier = by_kernel,
-      .argument = {in_coq("HalfPhase.G_derive"), in_coq("HalfPhase.G_derive_negative"),
-                   facts::gauss_mean},
-      .check = check_sign_dF_du};
-}
+claim sign_dF_du_claim() { return {statements::sign_dF_du(), check_sign_dF_du}; }
 
 }  // namespace polhode::checker

@@ -99,7 +99,7 @@ void refuse_idle_motion(const certify_options& options, const std::vector<const 
     }
     std::vector<std::string> dependent;
     for (const claim& c : proofs::all_claims()) {
-      if (depends(c)) dependent.push_back(c.name);
+      if (depends(c)) dependent.emplace_back(c.name);
     }
     throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
                                   option, fmt::join(dependent, ", ")));
@@ -114,7 +114,7 @@ void refuse_idle_motion(const certify_options& options, const std::vector<const 
 /// A claim about a constant needs what the constant needs. Where there is no such constant, the
 /// most that any of them needs is the guess.
 double memory_of_proof(const claim& c, long digits) {
-  if (const proofs::constant* same = proofs::find_constant(c.name); same != nullptr) {
+  if (const proofs::constant* same = proofs::find_constant(std::string(c.name)); same != nullptr) {
     return proofs::estimated_memory(*same, digits);
   }
   double most = 0;
@@ -259,7 +259,10 @@ std::string list_as_text(const std::vector<const claim*>& claims) {
   const std::size_t rest = terminal_columns - name_width - reference_width - 3 * between;
   std::vector<std::vector<std::string>> rows;
   rows.reserve(claims.size());
-  for (const claim* c : claims) rows.push_back({c->name, c->reference, c->statement, c->method});
+  for (const claim* c : claims) {
+    rows.push_back({std::string(c->name), std::string(c->reference), std::string(c->statement),
+                    std::string(c->technique)});
+  }
   return table({{"CLAIM", name_width},
                 {"IN THE PAPER", reference_width},
                 {"STATEMENT", rest / 2},
@@ -273,8 +276,8 @@ std::string list_as_json(const std::vector<const claim*>& claims) {
     result.push_back(json{{"claim", c->name},
                           {"reference", c->reference},
                           {"statement", c->statement},
-                          {"method", c->method},
-                          {"tier", to_text(c->tier)},
+                          {"method", c->technique},
+                          {"tier", c->tier},
                           {"uses_body", c->subject >= proofs::claim_subject::body},
                           {"uses_motion", c->subject == proofs::claim_subject::motion}});
   }
@@ -299,7 +302,7 @@ exit_status run(const certify_options& options) {
   if (options.directory) {
     std::vector<std::string> names;
     names.reserve(claims.size());
-    for (const claim* c : claims) names.push_back(file_name(c->name));
+    for (const claim* c : claims) names.push_back(file_name(std::string(c->name)));
     directory.emplace(*options.directory, names);
   }
   const std::vector<timed_certificate> certificates = [&] {

@@ -39,7 +39,7 @@ template <class Things>
 [[nodiscard]] std::vector<std::string> names_of(const Things& things) {
   std::vector<std::string> names;
   names.reserve(things.size());
-  for (const auto& thing : things) names.push_back(thing.name);
+  for (const auto& thing : things) names.emplace_back(thing.name);
   return names;
 }
 

@@ -7,19 +7,19 @@
 #include <span>
 #include <vector>
 
-#include "claim.hpp"
+#include "statements/claim_text.hpp"
 
-namespace polhode::checker::facts {
+namespace polhode::statements {
 
 // Steps about polynomials --------------------------------------------------------------------
 
-inline constexpr step_text integrand_is_positive =
+inline constexpr polynomial_step integrand_is_positive =
     positive("1-b*x", "q + b*y", "b > 0, q = 1-b > 0, y = 1-x >= 0",
              "1 - bX > 0 for 0 <= X <= 1: the integrand is positive");
-inline constexpr step_text integrand_decreases_in_c =
+inline constexpr polynomial_step integrand_decreases_in_c =
     slope("(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)",
           "the derivative in c of the square of the integrand, negative");
-inline constexpr step_text integrand_decreases_in_a =
+inline constexpr polynomial_step integrand_decreases_in_a =
     slope("(1-b*x)^2", "(a+b*x)*(c+b*x)", "a", "-(1-b*x)^2*(c+b*x)",
           "the derivative in a of the square of the integrand, negative");
 
@@ -57,14 +57,14 @@ inline constexpr std::array rotating_phase_steps{
                  "a + bX <= a + b: F(c,0) >= 2 I arsinh((pi/2) sqrt(b/c)), unbounded as c -> 0")};
 
 /// Shared steps, and then those of one claim.
-[[nodiscard]] inline std::vector<step_text> with_more(std::span<const step_text> shared,
-                                                      std::initializer_list<step_text> more = {}) {
-  std::vector<step_text> all(shared.begin(), shared.end());
+[[nodiscard]] inline std::vector<polynomial_step> with_more(
+    std::span<const polynomial_step> shared, std::initializer_list<polynomial_step> more = {}) {
+  std::vector<polynomial_step> all(shared.begin(), shared.end());
   all.insert(all.end(), more);
   return all;
 }
 
-// What this program does not decide -----------------------------------------------------------
+// What neither prover nor checker decides -----------------------------------------------------------
 
 inline constexpr stated_text intermediate_values = cited("The intermediate value theorem.");
 inline constexpr stated_text psi_is_odd = in_coq("Symmetry.psi_odd");
@@ -84,4 +84,4 @@ inline constexpr const char* enclosure_of_epsilon0 = "an enclosure of epsilon0";
 /// What the method adds where J >= 2.
 inline constexpr const char* there_is_no_c0 = " (At the given a, b J >= 2: there is no c0.)";
 
-}  // namespace polhode::checker::facts
+}  // namespace polhode::statements

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "statements/shared.hpp"
+
+namespace polhode::statements {
+
+[[nodiscard]] inline claim_text count() {
+  return {
+      .name = "count",
+      .reference = "theorem 4",
+      .statement =
+          "C and S meet exactly N = ceil(1/I + 1/2) - 1 times: n + 1 times for 2/(2n+3) <= I < "
+          "2/(2n+1), where the paper says at least.",
+      .technique =
+          "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
+      .formula =
+          "C meets S in exactly N = ceil(1/I + 1/2) - 1 points with -b < c < 0, G(u_k) = 2 "
+          "pi/(2k-1)",
+      .method =
+          "For all a > 0, 0 < b < 1: by the symmetries of the reduced system psi_c(pi) is a "
+          "turning point, which is where C meets S, exactly where pi = (k - 1/2) G(u) for a whole "
+          "k >= 1; G maps (0, 1) one to one onto the values above pi I, so that there is one for "
+          "every k < 1/I + 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's "
+          "theorem. Computed: the polynomial steps for G, and the count in rationals.",
+      .steps = with_more(
+          half_phase_steps,
+          {identity(
+               "2*k - (2*k-1)", "1",
+               "2 pi/(2k-1) > pi/k: the k-th crossing of pi/2 comes after the k-th intersection"),
+           identity("(2*k+1) - 2*k", "1", "pi/k > 2 pi/(2k+1): and before the next")}),
+      .tier = by_kernel,
+      .argument = {in_coq("Curve.theorem_4_sharp"), bartky_transformation}};
+}
+
+}  // namespace polhode::statements

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "statements/shared.hpp"
+
+namespace polhode::statements {
+
+[[nodiscard]] inline claim_text delta_psi_max() {
+  return {.name = "delta_psi_max",
+          .reference = "section 7, after eq. (40)",
+          .statement =
+              "delta_psi_max = pi - 2 epsilon0_min. What it says of bodies, that it is the least "
+              "upper bound of the twist on the separatrix over all physical ones, follows by the "
+              "claim limit_minimum. The paper prints 2.96884.",
+          .technique = "ball arithmetic; interval Newton on log tan as a second route",
+          .formula = "delta_psi_max = pi - 2 epsilon0_min = 4 arctan(e^pi) - pi",
+          .method =
+              "The formula in ball arithmetic; the second route takes epsilon0_min from interval "
+              "Newton on log(tan(x/2)) + pi.",
+          .steps = {},
+          .tier = by_machine,
+          .argument = {gudermannian}};
+}
+
+}  // namespace polhode::statements

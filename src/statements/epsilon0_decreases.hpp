@@ -1,0 +1,23 @@
+#pragma once
+
+#include "statements/shared.hpp"
+
+namespace polhode::statements {
+
+[[nodiscard]] inline claim_text epsilon0_decreases() {
+  return {
+      .name = "epsilon0_decreases",
+      .reference = "lemma 5",
+      .statement = "The twist defect on the separatrix, epsilon0(a, b), decreases as a increases.",
+      .technique = "exact derivatives of the integrand and their signs",
+      .formula = "a < a'  =>  epsilon0(a', b) < epsilon0(a, b)",
+      .method =
+          "For all a > 0, 0 < b < 1: the integrand of F(0,u) decreases strictly in a, and F(0,u) "
+          "decreases in u. At epsilon0(a) the integral for a' > a is below 2 pi, so its root is "
+          "smaller. Computed: the polynomial steps.",
+      .steps = {integrand_decreases_in_a, integrand_is_positive},
+      .tier = by_kernel,
+      .argument = {in_coq("DecreaseInA.lemma_5")}};
+}
+
+}  // namespace polhode::statements

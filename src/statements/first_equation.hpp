@@ -1,0 +1,29 @@
+#pragma once
+
+#include "statements/shared.hpp"
+
+namespace polhode::statements {
+
+[[nodiscard]] inline claim_text first_equation() {
+  return {
+      .name = "first_equation",
+      .reference = "proposition 2, eqs. (21)-(24)",
+      .statement =
+          "The twist defect given by the first implicit equation decreases strictly in c, and so "
+          "is injective there.",
+      .technique = "exact derivative of the integrand and its sign",
+      .formula =
+          "integral over (0, pi/2 - epsilon) of (1-bX)/sqrt((a+bX)(c+bX)) dpsi = pi, X = cos^2 "
+          "psi: epsilon decreases in c",
+      .method =
+          "For all a > 0, 0 < b < 1: the integrand is positive and decreases strictly in c, so the "
+          "integral increases strictly in its upper end and decreases strictly in c; where it is "
+          "pi for c and for c' > c, the upper end for c' is the greater one. Computed: the "
+          "polynomial steps.",
+      .steps = {integrand_decreases_in_c, integrand_is_positive},
+      .tier = by_kernel,
+      .argument = {in_coq("FirstEquation.proposition_2"), in_coq("DefectFunction.equation_24"),
+                   in_coq("DefectFunction.equation_24_negative")}};
+}
+
+}  // namespace polhode::statements

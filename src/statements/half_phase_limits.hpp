@@ -1,0 +1,24 @@
+#pragma once
+
+#include "statements/shared.hpp"
+
+namespace polhode::statements {
+
+[[nodiscard]] inline claim_text half_phase_limits() {
+  return {.name = "half_phase_limits",
+          .reference = "appendix A, lemma 7, eqs. (45)-(46)",
+          .statement = "F(-bu,u) tends to pi I as u tends to 1, and to infinity as u tends to 0.",
+          .technique = "explicit bounds on both sides, by exact signs",
+          .formula = "F(-bu,u) -> pi (1-b)/sqrt(b(a+b)) as u -> 1, F(-bu,u) -> infinity as u -> 0",
+          .method =
+              "For all a > 0, 0 < b < 1, by the bounds pi I <= F(-bu,u) <= pi I g(u)/g(1) and "
+              "F(-bu,u) >= 2 I arsinh(pi/(2 sqrt(u))), g(x) = (1-bx)/sqrt(x(a+bx)): their steps "
+              "are questions about polynomials, decided by expansion.",
+          .steps = with_more(half_phase_steps),
+          .tier = with_words,
+          .argument = {argued("As u tends to 1 both bounds tend to pi I; as u tends to 0 the lower "
+                              "one grows without bound."),
+                       bartky_transformation}};
+}
+
+}  // namespace polhode::statements

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "statements/shared.hpp"
+
+namespace polhode::statements {
+
+[[nodiscard]] inline claim_text injectivity() {
+  return {
+      .name = "injectivity",
+      .reference = "theorem 3, proposition 4",
+      .statement =
+          "The twist defect epsilon(c) is an injective function of c if and only if I >= 1, that "
+          "is, if and only if the body is physical.",
+      .technique =
+          "monotone parts by exact signs; a chain of enclosures, or two c with one epsilon, for a "
+          "body",
+      .formula = "c -> epsilon(c) is injective on (-b, a)  <=>  I >= 1  <=>  the body is physical",
+      .method =
+          "For all a > 0, 0 < b < 1. I >= 1: G > pi, so that pi is reached before the first "
+          "turning point, where epsilon decreases by first_equation, or between it and the return "
+          "to psi = 0, where T(c, psi_c(pi)) = G - pi; as c decreases G decreases and T increases "
+          "for every psi, so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: "
+          "epsilon is pi/2 at c* by the claim crossing and tends to pi/2 as c -> -b; a continuous "
+          "injective function would have different limits. Computed: the polynomial steps, I "
+          "against 1 in rationals, and enclosures for the given body.",
+      .steps = with_more(half_phase_steps,
+                         {slope("(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)",
+                                "the derivative in c of the square of T's integrand, negative")}),
+      .tier = by_kernel,
+      .argument = {in_coq("Theorem3.theorem_3"), in_coq("Prop1.proposition_1"),
+                   bartky_transformation}};
+}
+
+}  // namespace polhode::statements
