@@ -18,7 +18,12 @@ namespace polhode::statements {
           "rationals, by enclosures, or by polynomial steps. The numbers of figure 7, but for "
           "1.045, are those of b = 0.0629 in place of 0.06, and 0.872 is cut off where 0.873 would "
           "be rounded.",
-      .steps = {identity("2*f + 2*(g-f)", "2*g",
+      .steps = {identity(
+                    "(b*p*s*k)^2*(a+b*k^2)", "b^2*(a-(a-p^2*(a+b*k^2)))*s^2*k^2",
+                    "eq. (8) has both signs: p = sin theta = sqrt((a-c)/(a+b cos^2 psi)) is "
+                    "positive for 0 < theta < pi, so that the sign is +, that of eq. (19); only "
+                    "cos theta in eq. (9) has two"),
+                identity("2*f + 2*(g-f)", "2*g",
                          "lemma 1, where C meets S, at G = 2 pi: from -pi/2 + epsilon to pi/2 - "
                          "epsilon it takes F, from there to the turning point and back (G - F)/2 "
                          "twice, G in all for every epsilon"),
@@ -33,9 +38,21 @@ namespace polhode::statements {
                          "the range 0 < psi < pi/2 - epsilon is not empty, as the integral over it "
                          "is pi: d epsilon/dc < 0 throughout")},
       .tier = with_words,
-      .argument = {argued("A statement that is not right in general is refuted by one body; what "
-                          "the facts say of all bodies is that of the claims that they name."),
-                   bartky_transformation}};
+      .argument = {
+          argued("Lemma 6 says that F(-bu,u) decreases on [0, 1]: it is defined on (0, 1], "
+                 "and has no bound as u -> 0, by lemma 7 (the claim half_phase_limits)."),
+          argued("Section 1 says that neither property holds where a body is not physical: "
+                 "the phase is monotone for every body (the claim "
+                 "montgomery_oscillating); what fails is its bound 2 pi, and that "
+                 "epsilon is injective (the claim injectivity)."),
+          argued("Lemmas 4 and 5 write the points of C where it meets the axes as (0, c0) "
+                 "and (epsilon0, 0), theorem 4 as (c, epsilon): they are (c0, 0) and "
+                 "(0, epsilon0)."),
+          argued("The induction of theorem 4 begins at n = 1, and its step is stated for "
+                 "n > 1: it is needed, and holds, for n >= 1."),
+          argued("A statement that is not right in general is refuted by one body; what "
+                 "the facts say of all bodies is that of the claims that they name."),
+          bartky_transformation}};
 }
 
 }  // namespace polhode::statements

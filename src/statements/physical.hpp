@@ -25,7 +25,12 @@ namespace polhode::statements {
            identity("y*z - (x-y)*(x-z)", "x*(y+z-x)", "I^2 - 1 has the sign of I_y + I_z - I_x"),
            identity("(1-b)^2 - b*(a+b)", "1 - 2*b - a*b", "and that of 1 - 2b - ab"),
            positive("x+z-y", "z + p", "z > 0, p = x-y > 0", "I_x + I_z > I_y always"),
-           positive("x+y-z", "x + p", "x > 0, p = y-z > 0", "I_x + I_y > I_z always")},
+           positive("x+y-z", "x + p", "x > 0, p = y-z > 0", "I_x + I_y > I_z always"),
+           identity("(u^2+w^2)+(u^2+v^2)-(v^2+w^2)", "2*u^2",
+                    "a body of masses at (u, v, w) has I_x, I_y, I_z = the integrals of v^2 + w^2, "
+                    "u^2 + w^2, u^2 + v^2 over its masses: I_y + I_z - I_x is twice that of u^2, "
+                    "which is not negative, and 0 exactly where all masses are in the plane u = "
+                    "0")},
       .tier = with_words,
       .argument = {in_coq("Prop1.proposition_1"),
                    argued("With I_z < I_y < I_x all denominators are positive, and I > 0: I >= 1 "

@@ -65,8 +65,11 @@ namespace polhode::statements {
                     "the square of eq. (19) is that of eq. (8), with the sign of sk, as p > 0"),
            identity("b*p*(0-s)*k", "0-b*p*s*k",
                     "with psi and phi also -psi and -phi are a solution: eq. (18) has s^2 only, "
-                    "eq. (19) is "
-                    "odd in s")},
+                    "eq. (19) is odd in s"),
+           identity("(a+b*k^2)*(0-q)", "0-(a+b*k^2)*q",
+                    "with psi and theta also -psi and pi - theta are a solution, at the same phi: "
+                    "eq. (18) is odd in q, eq. (19) has no q, and its left side changes its sign "
+                    "as its s does")},
       .tier = by_kernel,
       .argument = {in_coq("FreeBody.euler_equations"), in_coq("FreeBody.equation_6_theta"),
                    in_coq("FreeBody.equation_6_psi"), in_coq("FreeBody.equation_6_phi"),
