@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "polhode/quadrature/rule.hpp"
+#include "quadrature/folded.hpp"
 #include "quadrature/turned.hpp"
 
 namespace polhode {
@@ -86,6 +87,7 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
     if (!found) continue;
     if (infinite && found->why == reason::not_analytic) {
       if (auto turned = integrate_over_turned_rays(f, a, b, options)) return *turned;
+      if (auto folded = integrate_over_periods(f, a, b, options)) return *folded;
     }
     return *found;
   }

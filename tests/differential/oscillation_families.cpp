@@ -74,6 +74,53 @@ integral_case products(maker& m) {
   return c;
 }
 
+/// A function of a period that no sum of sines and cosines is.
+term periodic(maker& m) {
+  const term k =
+      m.one_in(3) ? term("pi") * m.quotient(m.within(0.3, 3)) : m.quotient(m.within(0.3, 4));
+  const term turn = wave(m, k * x + m.rational_near(m.within(-2, 2)));
+  const term more = 1 + m.rational_near(m.scattered(0.05, 3));
+  switch (m.between(0, 4)) {
+    case 0:
+      return 1 / (more + turn);
+    case 1:
+      return call("exp", m.rational_near(m.within(-2, 2)) * turn);
+    case 2:
+      return call("log", more + turn);
+    case 3:
+      return call("atan", m.rational_near(m.within(-3, 3)) * turn) * turn;
+    default:
+      return call("sqrt", more + turn * turn);
+  }
+}
+
+/// That decays faster than 1/x, a rational function times a power.
+term decaying_fast(maker& m) {
+  const auto positive = [&] { return m.rational_near(m.scattered(0.05, 5)); };
+  switch (m.between(0, 4)) {
+    case 0:
+      return power(x, -m.between(2, 6));
+    case 1:
+      return power(x + positive(), -m.between(2, 4));
+    case 2:
+      return 1 / (power(x, 2) + positive() * x + positive());
+    case 3:
+      return (x + positive()) / (power(x, 3) + positive());
+    default:
+      return power(x, -(1 + m.quotient(m.within(0.2, 3))));
+  }
+}
+
+/// The derivative of a function of a period times what decays.
+integral_case periodic_tails(maker& m) {
+  const term f = decaying_fast(m) * periodic(m);
+  const term from = m.near(m.scattered(0.3, 10));
+  integral_case c{derivative(f), from, "inf", few_digits(m)};
+  c.value = -substituted(f, "x", from);
+  c.is_cheap = true;
+  return c;
+}
+
 /// x^m cos(phi) with m >= n - 1: the integral over each half turn does not tend to 0.
 integral_case divergent(maker& m) {
   const long n = m.between(1, 4);
@@ -132,6 +179,7 @@ std::vector<integral_family> oscillation_families() {
   return {
       {"oscillations to infinity", 10, to_infinity},
       {"products of oscillations", 6, products},
+      {"periodic functions times what decays", 6, periodic_tails},
       {"oscillations that do not converge", 10, divergent},
       {"many turns", 8, many_turns},
       {"exponential polynomials", 30, exponential_polynomials},

@@ -3,6 +3,9 @@
 // The numbers q + r pi with rational q and r. As pi is irrational (J. H. Lambert, 1761), such a number is 0
 // only where q and r are, and two of them are equal only where both parts are.
 
+#include <optional>
+#include <string>
+
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 
@@ -35,6 +38,11 @@ struct pi_combination {
     return x.q == y.q && x.r == y.r;
   }
 };
+
+/// The least positive number that is a whole multiple of both periods. None where there is no such
+/// number, or where one is neither rational nor a rational multiple of pi. Hypothesis: both are > 0.
+[[nodiscard]] std::optional<pi_combination> common_period(const pi_combination& x,
+                                                          const pi_combination& y);
 
 /// "1/2 + 2*pi", "-pi", "2/3*pi", "3".
 [[nodiscard]] std::string to_text(const pi_combination& x);

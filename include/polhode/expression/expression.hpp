@@ -39,6 +39,7 @@
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
+#include "polhode/arithmetic/pi_combination.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/expression/functions.hpp"
@@ -253,6 +254,12 @@ class expression {
   struct two_rays;
   [[nodiscard]] std::optional<two_rays> between_turned_rays(const rational& a,
                                                             const rational& b) const;
+  /// f for x > 0 as a sum of products of a function of one period, x^e and a rational function
+  /// ("abs(sin(x))/x^2", "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3"); it has the same value
+  /// wherever f is defined. None for other formulas, where no function of a period is in f or the
+  /// periods have no common multiple, and for long ones.
+  struct periodic_sum;
+  [[nodiscard]] std::optional<periodic_sum> as_periodic_sum() const;
   /// A part of a range, and what f is inside it.
   struct piece;
   /// f between a and b, a formula of one variable in which abs, min, max, floor and ceil are of
@@ -325,6 +332,16 @@ struct expression::two_rays {
   std::vector<expression> from_end;
   std::vector<expression> steady;  // at most one
   double turns = 0;                // about how often the fastest part of f turns in [a, b]
+};
+struct expression::periodic_sum {
+  pi_combination period;
+  struct term {
+    expression factor;  // of the period
+    rational exponent;
+    rational_polynomial numerator;  // may be 0, where f is defined no more often than the factor is
+    rational_polynomial denominator;
+  };
+  std::vector<term> terms;
 };
 struct expression::piece {
   rational lower;

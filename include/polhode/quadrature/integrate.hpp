@@ -148,6 +148,7 @@ struct segment {
 
 struct turned_rays;
 struct rays_of_range;
+struct folded_tail;
 
 /// A function in the arithmetics that the library needs.
 struct integrand {
@@ -178,6 +179,11 @@ struct integrand {
   std::function<std::optional<rays_of_range>(const rational& a, const rational& b,
                                              double least_turns)>
       between_turned_rays;
+  /// The integral from some p >= `from` to infinity (to the end of sign `side`, for |x| >= p) as one
+  /// over a period, but for a rest of about 2^-p of its size. Nothing where that is not available;
+  /// may be empty.
+  std::function<std::optional<folded_tail>(const rational& from, int side, precision p)>
+      folded_at_infinity;
   std::function<tail_series(const tail_series& x)> near_infinity;
   /// How fast it grows at an end where it has no series. May be empty.
   std::function<growth_bound(const growth_bound& x)> growth;
@@ -201,6 +207,16 @@ struct rays_of_range {
   std::vector<integrand> added;
   std::vector<integrand> subtracted;
   std::vector<integrand> steady;
+};
+
+/// The integral beyond `start` is that of `folded` over [lower, upper], but for a number of at most
+/// `rest` in size.
+struct folded_tail {
+  end_point start;
+  integrand folded;
+  end_point lower;
+  end_point upper;
+  magnitude rest;
 };
 
 [[nodiscard]] integral integrate_function(const integrand& f, const end_point& a,

@@ -109,6 +109,21 @@ ball parse_ball(std::string_view text, precision p) { return {parse_rational(tex
 
 std::string to_text(const rational& q) { return q.str(); }
 
+std::optional<pi_combination> common_period(const pi_combination& x, const pi_combination& y) {
+  if ((x.q != 0 && x.r != 0) || (y.q != 0 && y.r != 0) || x.is_rational() != y.is_rational()) {
+    return std::nullopt;
+  }
+  // The least common multiple of m/n and k/l is lcm(m l, k n)/(n l).
+  const auto least = [](const rational& u, const rational& v) {
+    const integer first = numerator(u) * denominator(v);
+    const integer second = numerator(v) * denominator(u);
+    integer multiple;
+    mpz_lcm(multiple.backend().data(), first.backend().data(), second.backend().data());
+    return rational(multiple, integer(denominator(u) * denominator(v)));
+  };
+  return x.is_rational() ? pi_combination{least(x.q, y.q), 0} : pi_combination{0, least(x.r, y.r)};
+}
+
 std::string to_text(const pi_combination& x) {
   if (x.is_rational()) return to_text(x.q);
   const rational size = abs(x.r);

@@ -51,6 +51,7 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   result.in_exponential = nullptr;
   result.antiderivative = nullptr;
   result.on_turned_rays = nullptr;
+  result.folded_at_infinity = nullptr;
   result.between_turned_rays = nullptr;
   result.angle_evaluator = nullptr;
   result.over = [f, chosen](const region& x) {

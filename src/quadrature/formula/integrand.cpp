@@ -20,6 +20,7 @@
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
+#include "quadrature/formula/periodic_tail.hpp"
 
 namespace polhode {
 
@@ -378,6 +379,13 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
       found.upper = -rays->start;
     }
     return found;
+  };
+  result.folded_at_infinity = [f](const rational& from, int side,
+                                  precision p) -> std::optional<detail::folded_tail> {
+    auto tail = detail::periodic_tail_of(side > 0 ? f : reflected(f), from, p);
+    if (!tail) return std::nullopt;
+    return detail::folded_tail{side > 0 ? tail->start : -tail->start, integrand_of(tail->folded),
+                               end_point(-tail->half), end_point(tail->half), tail->rest};
   };
   result.near_infinity = made_on_first_use<tail_series>(f, series_bits);
   result.growth = made_on_first_use<growth_bound>(f, series_bits);

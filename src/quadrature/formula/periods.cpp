@@ -13,12 +13,6 @@ namespace {
 
 constexpr precision search_bits = 384;
 
-/// sin(x) has the frequency 1 in turns of 2 pi, sin(2 pi x) and sinpi(2 x) have it in turns of 1.
-struct frequency {
-  rational turns;
-  bool of_pi = false;  // a period is 2 pi/turns, else 1/turns
-};
-
 std::size_t length_of(const rational& q) {
   return mpz_sizeinbase(numerator(q).backend().data(), 2) +
          mpz_sizeinbase(denominator(q).backend().data(), 2);
@@ -32,24 +26,14 @@ std::optional<rational> short_rational(const ball& x) {
   return length_of(q) <= most_length ? std::optional(q) : std::nullopt;
 }
 
-rational greatest_common_divisor(const rational& x, const rational& y) {
-  const integer a = numerator(x) * denominator(y);
-  const integer b = numerator(y) * denominator(x);
-  integer g;
-  mpz_gcd(g.backend().data(), a.backend().data(), b.backend().data());
-  return {g, denominator(x) * denominator(y)};
-}
-
 /// Of sin, cos or tan of an argument with this slope.
-std::optional<frequency> frequency_of(recorded_rule rule, const ball& slope) {
+std::optional<pi_combination> period_of_slope(recorded_rule rule, const ball& slope) {
   if (rule == recorded_rule::sinpi || rule == recorded_rule::cospi) {
     const auto q = short_rational(slope);
-    return q ? std::optional(frequency{rational(abs(*q) / 2), false}) : std::nullopt;
+    return q ? std::optional(pi_combination{abs(2 / *q), 0}) : std::nullopt;
   }
-  if (const auto q = short_rational(slope)) return frequency{rational(abs(*q)), true};
-  if (const auto q = short_rational(slope / pi(search_bits))) {
-    return frequency{rational(abs(*q) / 2), false};
-  }
+  if (const auto q = short_rational(slope)) return pi_combination{0, abs(2 / *q)};
+  if (const auto q = short_rational(slope / pi(search_bits))) return pi_combination{abs(2 / *q), 0};
   return std::nullopt;
 }
 
@@ -76,19 +60,17 @@ std::optional<pi_combination> period_to_try(const formula& f) {
   if (last == 0) return std::nullopt;
   const slope_jet x = slope_jet::variable(ball(0, search_bits));
   const auto values = evaluate(f, search_bits, x, choices(f.size()), last - 1);
-  std::optional<frequency> common;
+  std::optional<pi_combination> common;
   for (std::size_t i = 0; i < last; ++i) {
     if (!f.needs(i) || !is_circular(f.node(i))) continue;
     const ball& slope = values[f.node(i).left][1];
     if (slope.is_bounded() && sign_of(slope) == certain_sign::zero) continue;  // of a constant
-    const auto own = frequency_of(f.node(i).operation.rule, slope);
-    if (!own || (common && common->of_pi != own->of_pi)) return std::nullopt;
-    common =
-        common ? frequency{greatest_common_divisor(common->turns, own->turns), own->of_pi} : *own;
+    const auto own = period_of_slope(f.node(i).operation.rule, slope);
+    if (!own) return std::nullopt;
+    common = common ? common_period(*common, *own) : own;
+    if (!common) return std::nullopt;
   }
-  if (!common) return std::nullopt;
-  return common->of_pi ? pi_combination{0, 2 / common->turns}
-                       : pi_combination{1 / common->turns, 0};
+  return common;
 }
 
 /// The greatest whole number that is certainly not above the length of the range in periods.

@@ -1,0 +1,313 @@
+// Let f(x) = P(x) g(x) for x >= X - v, with P of period T = 2 v and
+//
+//   g(x) = x^-s (a_0 + a_1/x + a_2/x^2 + ...),  |a_k| <= M rho^k,  s > 1,  rho > 0.
+//
+// With Y_n = X + n T, u in [-v, v] and theta = (rho + v)/X < 1,
+//
+//   the integral of f from X - v to infinity = that of P(X + u) S(u) from -v to v,
+//   S(u) = the sum over n >= 0 of g(Y_n + u)
+//        = the sum over k, i >= 0 of a_k binomial(-(s+k), i) u^i Z(s+k+i),  Z(c) = sum of Y_n^-c,
+//
+// by (Y_n + u)^-c = the sum over i of binomial(-c, i) u^i Y_n^(-c-i), all of it absolutely
+// convergent: |binomial(-(s+k), i)| = binomial(s+k+i-1, i), so that the terms with k + i = j add up
+// to at most
+//
+//   M Z(s+j) sum over i <= j of binomial(s+j-1, i) rho^(j-i) v^i <= M Z(s+j) (rho + v)^(j+e)/rho^e
+//
+// with e = ceil(s) - 1, as binomial(r, i) <= binomial(ceil r, i) for r >= i >= 0, and by the
+// binomial theorem with the exponent j + e. And Z(c) <= X^-c (1 + X/(T (c-1))), the sum by the
+// integral. So what is left out for k + i >= K is at most
+//
+//   M ((rho + v)/rho)^e X^-s (1 + X/(T (s+K-1))) theta^K/(1 - theta).
+//
+// Z(c) is found by the formula of Euler and Maclaurin for h(t) = (X + t T)^-c from N on,
+//
+//   Z(c) = sum over n < N of Y_n^-c + Y_N^(1-c)/(T (c-1)) + Y_N^-c/2
+//          + sum over 1 <= m <= L of B_2m/(2m)! T^(2m-1) c (c+1) ... (c+2m-2) Y_N^(-c-2m+1) + R,
+//
+// R = the integral over t >= N of (B_2L+2 - B_2L+2({t}))/(2L+2)! h^(2L+2)(t) (DLMF 2.10.1). There
+// |B_2m({t})| <= |B_2m| (DLMF 24.9, from the cosine series DLMF 24.8.1) and h^(2L+2) > 0: |R| is at
+// most twice the term with m = L + 1. Of B_2m/(2m)! it is used that it is
+// (-1)^(m+1) 2 zeta(2m)/(2 pi)^(2m) (DLMF 25.6.2).
+//
+// For g = x^e N(x)/D(x), N and D of degrees n < d and with D = the sum of d_i x^i: s = d - n - e,
+// the a_k are the Taylor coefficients of (z^n N(1/z))/(z^d D(1/z)) at 0, and where
+// the sum of |d_i| rho^(i-d) over i < d is at most |d_d|/2, the divisor is at least |d_d|/2 for
+// |z| <= 1/rho, so that |a_k| <= M rho^k with M = 2 (the sum of |n_i| rho^(i-n))/|d_d| (Cauchy).
+
+#include "periodic_tail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
+#include "polhode/expression/symbol.hpp"
+
+namespace polhode::detail {
+
+namespace {
+
+/// A term's other factor as x^-s (a_0 + a_1/x + ...).
+struct decay {
+  rational s;
+  std::vector<rational> numerator;    // a's quotient, coefficients of 1, z, z^2, ...
+  std::vector<rational> denominator;  // of which the first is not 0
+};
+
+std::vector<rational> from_the_leading(const rational_polynomial& p) {
+  std::vector<rational> c = p.coefficients();
+  std::ranges::reverse(c);
+  return c;
+}
+
+decay decay_of(const expression::periodic_sum::term& t) {
+  return {t.denominator.degree() - t.numerator.degree() - t.exponent, from_the_leading(t.numerator),
+          from_the_leading(t.denominator)};
+}
+
+/// The sum of |c_i| rho^-i over i >= first.
+rational size_at(const std::vector<rational>& c, std::size_t first, const rational& rho) {
+  rational sum = 0;
+  for (std::size_t i = c.size(); i-- > first;) sum = sum / rho + abs(c[i]);
+  for (std::size_t i = 0; i < first; ++i) sum /= rho;
+  return sum;
+}
+
+/// The least power of 2 that is a rho for these, and at least `least` > 0. None where it is long.
+std::optional<rational> common_rho(const std::vector<decay>& all, const rational& least) {
+  rational rho = 1;
+  while (rho / 2 >= least) rho /= 2;
+  constexpr int most_doublings = 60;
+  for (int k = 0; k < most_doublings; ++k, rho *= 2) {
+    if (rho >= least && std::ranges::all_of(all, [&](const decay& g) {
+          return 2 * size_at(g.denominator, 1, rho) <= abs(g.denominator.front());
+        })) {
+      return rho;
+    }
+  }
+  return std::nullopt;
+}
+
+/// a_0, ..., a_(count-1).
+std::vector<ball> coefficients_of(const decay& g, std::size_t count, precision p) {
+  std::vector<ball> a;
+  a.reserve(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    ball sum = k < g.numerator.size() ? ball(g.numerator[k], p) : ball(0, p);
+    for (std::size_t i = 1; i < g.denominator.size() && i <= k; ++i) {
+      sum -= a[k - i] * g.denominator[i];
+    }
+    a.push_back(sum / g.denominator.front());
+  }
+  return a;
+}
+
+/// A bound of |P| over [X - v, X + v]. None where none is found.
+std::optional<magnitude> bound_over_period(const expression& factor, const rational& x,
+                                           const rational& v) {
+  constexpr int most_halvings = 10;
+  constexpr precision bits = 64;
+  const auto at = factor.evaluator<ball>(bits);
+  magnitude most;
+  struct piece {
+    rational lower;
+    rational upper;
+    int depth;
+  };
+  std::vector<piece> rest;
+  constexpr long first_pieces = 16;
+  for (long k = 0; k < first_pieces; ++k) {
+    const rational width = 2 * v / first_pieces;
+    rest.push_back({x - v + k * width, x - v + (k + 1) * width, 0});
+  }
+  while (!rest.empty()) {
+    const piece now = rest.back();
+    rest.pop_back();
+    const ball value = at(hull(ball(now.lower, bits), ball(now.upper, bits)));
+    if (value.is_bounded()) {
+      most = std::max(most, value.magnitude_upper());
+      continue;
+    }
+    if (now.depth == most_halvings) return std::nullopt;
+    const rational middle = (now.lower + now.upper) / 2;
+    rest.push_back({now.lower, middle, now.depth + 1});
+    rest.push_back({middle, now.upper, now.depth + 1});
+  }
+  return most;
+}
+
+bool has_moderate_size(const rational& q) {
+  static const rational most = rational(integer(1) << 1000);
+  return q < most && q * most > 1;
+}
+
+/// A number above q > 0 with few bits.
+rational rounded_up(const rational& q) {
+  rational unit = 1;
+  while (unit * 64 > q) unit /= 2;
+  while (unit * 128 < q) unit *= 2;
+  return rational(floor_of(q / unit) + 1) * unit;
+}
+
+/// S up to K, as a polynomial in u with rational coefficients, and what they may be off at |u| <= v.
+struct folded_factor {
+  std::vector<rational> coefficients;
+  magnitude error;
+};
+
+folded_factor fold(const decay& g, const rational& x, const ball& period, const rational& v,
+                   std::size_t count, precision goal, precision p) {
+  const std::vector<ball> a = coefficients_of(g, count, p);
+  // At Y_N each order has 7 bits: c + 2 L times T/(2 pi Y_N) is below 1/12.
+  const long order = static_cast<long>(goal) / 7 + 3;
+  const long shifts = 2 * (static_cast<long>(count) + static_cast<long>(floor_of(g.s)) + 2 * order);
+  const std::vector<ball> z = sums_of_powers(g.s, x, period, count, shifts, order, p);
+  std::vector<ball> c(count, ball(0, p));
+  for (std::size_t k = 0; k < count; ++k) {
+    ball term = a[k];
+    for (std::size_t i = 0; k + i < count; ++i) {
+      c[i] += term * z[k + i];
+      const auto step = static_cast<long>(i);
+      term = term * rational(-(g.s + static_cast<long>(k) + step) / (step + 1));
+    }
+  }
+  folded_factor result;
+  ball error(0, 64);
+  ball power(1, 64);
+  for (const ball& one : c) {
+    const rational lower = lower_rational(one);
+    result.coefficients.push_back(lower);
+    error += power * ball(rational(upper_rational(one) - lower), 64);
+    power = power * ball(v, 64);
+  }
+  result.error = error.magnitude_upper();
+  return result;
+}
+
+/// The bound of what is left out for k + i >= count.
+magnitude left_out(const decay& g, const rational& rho, const rational& x, const ball& period,
+                   const rational& v, std::size_t count) {
+  constexpr precision bits = 64;
+  const auto k = static_cast<long>(count);
+  const rational size = 2 * size_at(g.numerator, 0, rho) / abs(g.denominator.front());
+  const ball theta(rational((rho + v) / x), bits);
+  const auto e = static_cast<long>(-floor_of(-g.s)) - 1;
+  const ball bound = ball(size, bits) * pow(ball(rational((rho + v) / rho), bits), e) *
+                     pow(ball(x, bits), ball(-g.s, bits)) * (1 + x / (period * (g.s + (k - 1)))) *
+                     pow(theta, k) / (1 - theta);
+  return bound.magnitude_upper();
+}
+
+}  // namespace
+
+std::vector<ball> sums_of_powers(const rational& s, const rational& x, const ball& period,
+                                 std::size_t count, long shifts, long order, precision p) {
+  std::vector<ball> sums(count, ball(0, p));
+  const auto add_powers = [&](const ball& y, const ball& factor) {
+    const ball inverse = 1 / y;
+    ball power = pow(y, ball(-s, p)) * factor;
+    for (ball& sum : sums) {
+      sum += power;
+      power = power * inverse;
+    }
+  };
+  for (long n = 0; n < shifts; ++n) add_powers(x + period * n, ball(1, p));
+  const ball y = x + period * shifts;
+  add_powers(y, ball(rational(1, 2), p));
+  // (B_2m/(2m)!) (T/Y_N)^(2m-1)
+  std::vector<ball> weights;
+  const ball ratio = period / y;
+  const ball step = square(ratio / (2 * pi(p)));
+  ball power = step / ratio;
+  for (long m = 1; m <= order + 1; ++m) {
+    const ball weight = 2 * zeta(static_cast<unsigned long>(2 * m), p) * power;
+    weights.push_back(m % 2 != 0 ? weight : -weight);
+    power = power * step;
+  }
+  const ball inverse = 1 / y;
+  ball at_end = pow(y, ball(-s, p));
+  for (std::size_t j = 0; j < count; ++j) {
+    const rational c = s + static_cast<long>(j);
+    sums[j] += at_end * y / (period * (c - 1));
+    ball rising(c, p);
+    for (long m = 1; m <= order + 1; ++m) {
+      const ball term = weights[static_cast<std::size_t>(m - 1)] * rising * at_end;
+      if (m <= order) {
+        sums[j] += term;
+      } else {
+        sums[j] = sums[j].enlarged((2 * term).magnitude_upper());
+      }
+      rising = rising * (c + (2 * m - 1)) * (c + 2 * m);
+    }
+    at_end = at_end * inverse;
+  }
+  return sums;
+}
+
+std::optional<periodic_tail> periodic_tail_of(const expression& f, const rational& from,
+                                              precision p) {
+  const auto sum = f.as_periodic_sum();
+  if (!sum) return std::nullopt;
+  constexpr precision most_bits = 8000;  // S has more than a thousand terms then
+  if (p > most_bits) return std::nullopt;
+  std::vector<decay> decays;
+  std::vector<expression> factors;
+  constexpr long greatest_exponent = 200;
+  for (const auto& term : sum->terms) {
+    if (term.numerator.is_zero()) continue;
+    factors.push_back(term.factor);
+    decays.push_back(decay_of(term));
+    if (!(decays.back().s > 1) || decays.back().s > greatest_exponent) return std::nullopt;
+  }
+  const precision bits = p + 64;  // for what rounding adds
+  const ball period = sum->period.at(bits + 32);
+  if (decays.empty()) return std::nullopt;
+  const rational half_period = upper_rational(ball(period / 2));
+  if (!has_moderate_size(half_period) || (from != 0 && !has_moderate_size(abs(from)))) {
+    return std::nullopt;
+  }
+  const rational v = rounded_up(half_period);  // a little more than T/2
+  const auto rho = common_rho(decays, v / 4);
+  if (!rho) return std::nullopt;
+  const rational x = std::max(rounded_up(8 * (*rho + v)), rational(from + rounded_up(2 * v)));
+  // Up to there f is integrated as it is.
+  constexpr long most_periods = 500;
+  if (x - from > v * 2 * most_periods) return std::nullopt;
+  const auto log2_of = [](const rational& q) { return std::log2(static_cast<double>(q)); };
+  // left_out is about 2^-p beside X^-s; its power with the exponent e takes further terms.
+  const rational s = std::ranges::max(decays, {}, &decay::s).s;
+  const double goal =
+      static_cast<double>(p) + static_cast<double>(s) * log2_of(rational((*rho + v) / *rho));
+  const auto count = static_cast<std::size_t>(goal / -log2_of(rational((*rho + v) / x))) + 2;
+
+  for (const auto& term : sum->terms) {
+    // f is defined only where this is.
+    if (term.numerator.is_zero() && !bound_over_period(term.factor, x, v)) return std::nullopt;
+  }
+  symbol folded = 0;
+  const symbol u = symbol::variable(0);
+  ball rest(0, 64);
+  for (std::size_t k = 0; k < decays.size(); ++k) {
+    const expression& factor = factors[k];
+    const auto most = bound_over_period(factor, x, v);
+    if (!most) return std::nullopt;
+    const folded_factor own = fold(decays[k], x, period, v, count, p, bits);
+    const magnitude error = add_up(own.error, left_out(decays[k], *rho, x, period, v, count));
+    rest = rest.enlarged(
+        multiply_up(multiply_up(*most, error), ball(rational(2 * v), 64).magnitude_upper()));
+    symbol polynomial = 0;
+    for (std::size_t i = own.coefficients.size(); i-- > 0;) {
+      polynomial = polynomial * u + own.coefficients[i];
+    }
+    folded = folded + factor(x + u) * polynomial;
+  }
+  const expression_names names{.variables = {"u"}, .definitions = {}};
+  const pi_combination half = sum->period * rational(1, 2);
+  return periodic_tail{end_point(pi_combination{x, 0} - half), expression(folded, names), half,
+                       rest.magnitude_upper()};
+}
+
+}  // namespace polhode::detail

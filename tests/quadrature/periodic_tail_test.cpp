@@ -1,0 +1,127 @@
+// Tails of functions that have a period but for a decaying factor.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/special_functions.hpp"
+#include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/formula/periodic_tail.hpp"
+
+namespace polhode {
+namespace periodic_tail_test {
+
+/// With few terms and orders, where what is left out is most of the error.
+TEST(SumsOfPowers, HoldZeta) {
+  constexpr precision p = 256;
+  for (const long shifts : {0L, 1L, 2L, 5L}) {
+    for (const long order : {0L, 1L, 2L, 4L}) {
+      const auto sums = detail::sums_of_powers(2, 1, ball(1, p), 6, shifts, order, p);
+      for (std::size_t j = 0; j < sums.size(); ++j) {
+        const ball exact = zeta(j + 2, p);
+        EXPECT_TRUE(contains(sums[j], exact)) << shifts << ' ' << order << ' ' << j;
+        // The bound is twice a term that the error is nearly as great as.
+        if (shifts == 5) {
+          const ball middle(rational(lower_rational(sums[j]) + upper_rational(sums[j])), p);
+          EXPECT_FALSE(
+              certainly_less(abs(middle / 2 - exact) * 100,
+                             ball(rational(upper_rational(sums[j]) - lower_rational(sums[j])), p)))
+              << order << ' ' << j;
+        }
+      }
+    }
+  }
+}
+
+/// 1 + 1/9 + 1/25 + ... = pi^2/8, by a period and a start that are no whole numbers.
+TEST(SumsOfPowers, ScaleWithThePeriod) {
+  constexpr precision p = 200;
+  const ball exact = square(pi(p)) / 8;
+  for (const rational& unit : {rational(1), rational(1, 3), rational(7, 2)}) {
+    const auto sums = detail::sums_of_powers(2, unit, ball(rational(2 * unit), p), 1, 3, 2, p);
+    EXPECT_TRUE(contains(sums[0], exact / (unit * unit))) << unit;
+  }
+}
+
+/// The same tail to few bits and to many.
+TEST(PeriodicTail, HoldsItsValueAtEveryPrecision) {
+  for (const char* text :
+       {"abs(sin(x))/x^2", "1/(2 + sin(x))/x^2", "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3",
+        "exp(3*sin(x))/x^(3/2)", "cos(2*pi*x)^2/(x^2 - x - 3)", "(x - floor(x))/(x^2 + 3*x)",
+        "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)", "1/(3 + sin(x))/x^40"}) {
+    const expression f = parse(text);
+    const auto value = [&](precision p) {
+      const auto tail = detail::periodic_tail_of(f, 1, p);
+      EXPECT_TRUE(tail) << text;
+      if (!tail) return ball::undefined(p);
+      const integral folded =
+          integrate(tail->folded, end_point(-tail->half), end_point(tail->half), {.digits = 60});
+      EXPECT_EQ(folded.verdict, status::certified) << text;
+      return folded.enclosure.enlarged(tail->rest);
+    };
+    const ball exact = value(200);
+    for (const precision p : {1, 2, 4, 8, 16, 32, 64, 128}) {
+      const ball few = value(p);
+      EXPECT_TRUE(contains(few, exact)) << text << ", " << p;
+    }
+    EXPECT_TRUE(certainly_less(abs(value(64) - exact), abs(exact) / ball(integer(1) << 40, 64)))
+        << text;
+  }
+}
+
+ball of(const char* f, const end_point& a, const end_point& b) {
+  const integral found = integrate(parse(f), a, b, {.digits = 40});
+  EXPECT_EQ(found.verdict, status::certified) << f << ": " << found.obstacle;
+  return found.enclosure;
+}
+
+TEST(PeriodicTail, GivesKnownIntegrals) {
+  constexpr precision p = 200;
+  const end_point inf = end_point::infinity();
+  const ball euler = -digamma(ball(1, p));
+  EXPECT_TRUE(overlaps(of("floor(x)/x^3", 1, inf), square(pi(p)) / 12));
+  EXPECT_TRUE(overlaps(of("(x - floor(x))/x^2", 1, inf), 1 - euler));
+  EXPECT_TRUE(overlaps(of("(ceil(x) - x)/x^2", 1, inf), euler));
+  // By the Fourier series of log(2 + cos x) and of 1/(2 + cos x), with q = 2 - sqrt 3.
+  const ball q = 2 - sqrt(ball(3, p));
+  const ball inner = q * exp(ball(-1, p));
+  const ball whole = pi(p) * (2 * log(1 + inner) - log(2 * q));
+  EXPECT_TRUE(overlaps(of("log(2 + cos(x))/(1 + x^2)", -inf, inf), whole));
+  EXPECT_TRUE(overlaps(of("log(2 + cos(x))/(1 + x^2)", 0, inf), whole / 2));
+  EXPECT_TRUE(overlaps(of("log(2 + cos(x))/(1 + x^2)", -inf, 0), whole / 2));
+  EXPECT_TRUE(overlaps(of("1/(2 + cos(x))/(1 + x^2)", -inf, inf),
+                       pi(p) / sqrt(ball(3, p)) * (1 - inner) / (1 + inner)));
+  // Of several periods, in both orders.
+  const ball faster = q * exp(ball(-2, p));
+  const ball both =
+      pi(p) / sqrt(ball(3, p)) * ((1 - inner) / (1 + inner) + (1 - faster) / (1 + faster));
+  EXPECT_TRUE(overlaps(of("(1/(2 + cos(x)) + 1/(2 + cos(2*x)))/(1 + x^2)", -inf, inf), both));
+  EXPECT_TRUE(overlaps(of("(1/(2 + cos(2*x)) + 1/(2 + cos(x)))/(1 + x^2)", -inf, inf), both));
+  EXPECT_TRUE(overlaps(of("(x - floor(x) + 2*x - floor(2*x))/x^2", 1, inf),
+                       4 - 3 * euler - 2 * log(ball(2, p))));
+  // |sin| by its Fourier series, 2/pi - (4/pi) sum of cos(2 k x)/(4 k^2 - 1): over (-inf, inf)
+  // with 1/(1 + x^2) it is 2 - 4 sum of e^-2k/(4 k^2 - 1) = 4 sinh(1) atanh(e^-1).
+  const ball e = exp(ball(1, p));
+  EXPECT_TRUE(
+      overlaps(of("abs(sin(x))/(1 + x^2)", -inf, inf), 4 * sinh(ball(1, p)) * atanh(1 / e)));
+}
+
+TEST(PeriodicTail, IsRefusedWhereItMayNotConverge) {
+  for (const char* f :
+       {"abs(sin(x))/x", "floor(x)/x^2", "abs(sin(x))/sqrt(x)", "tan(x)^2/x^2", "1/sin(x)^2/x^2",
+        "1/(1 + sin(x))/x^2", "exp(sin(x))", "x*exp(sin(x))", "exp(sin(x)*cos(pi*x))/x^2",
+        "abs(sin(x^2))/x^2", "1/floor(x)^2", "1/(2 + sin(x) + 1/x)/x^2",
+        // Defined on a part of each period alone.
+        "sqrt(sin(x))/x^2", "exp(sin(x))/x^2 + acos(3/2 + sin(x))*(1/x - 1/x)"}) {
+    EXPECT_FALSE(detail::periodic_tail_of(parse(f), 1, 64)) << f;
+    EXPECT_NE(integrate(parse(f), 1, end_point::infinity(), {.digits = 10}).verdict,
+              status::certified)
+        << f;
+  }
+}
+
+}  // namespace periodic_tail_test
+}  // namespace polhode
