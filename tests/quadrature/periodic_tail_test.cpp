@@ -51,7 +51,7 @@ TEST(PeriodicTail, HoldsItsValueAtEveryPrecision) {
   for (const char* text :
        {"abs(sin(x))/x^2", "1/(2 + sin(x))/x^2", "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3",
         "exp(3*sin(x))/x^(3/2)", "cos(2*pi*x)^2/(x^2 - x - 3)", "(x - floor(x))/(x^2 + 3*x)",
-        "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)", "1/(3 + sin(x))/x^40"}) {
+        "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)", "1/(3 + sin(x))/x^40", "exp(14 + sin(x))/x^2"}) {
     const expression f = parse(text);
     const auto value = [&](precision p) {
       const auto tail = detail::periodic_tail_of(f, 1, p);

@@ -338,7 +338,7 @@ struct expression::periodic_sum {
   struct term {
     expression factor;  // of the period
     rational exponent;
-    rational_polynomial numerator;  // may be 0, where f is defined no more often than the factor is
+    rational_polynomial numerator;  // may be 0: f is defined only where the factor is
     rational_polynomial denominator;
   };
   std::vector<term> terms;
