@@ -1,6 +1,6 @@
 #include "folded.hpp"
 
-#include <vector>
+#include <utility>
 
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/sum_of_parts.hpp"
@@ -14,24 +14,12 @@ std::optional<integral> integrate_over_periods(const integrand& f, const end_poi
   // The rest is of the size of the tail, which may be greater than the integral: once more.
   const precision first = bits_for_digits(options.digits) + 32;
   for (const precision p : {first, 2 * first + 64}) {
-    std::vector<part> parts;
-    magnitude rest;
-    end_point lower = a;
-    end_point upper = b;
-    const auto fold = [&](end_point& end, const end_point& other) {
-      const int side = end.infinite_sign();
-      if (side == 0) return true;
-      const rational from = other.is_infinite() ? rational(0) : bound_beyond(other, side);
-      auto tail = f.folded_at_infinity(from, side, p);
-      if (!tail) return false;
-      parts.push_back({std::move(tail->folded), tail->lower, tail->upper});
-      rest = add_up(rest, tail->rest);
-      end = tail->start;
-      return true;
+    const auto tail = [&](const rational& from, int side) -> std::optional<known_tail> {
+      auto one = f.folded_at_infinity(from, side, p);
+      if (!one) return std::nullopt;
+      return known_tail{one->start, {{std::move(one->folded), one->lower, one->upper}}, one->rest};
     };
-    if (!fold(upper, a) || !fold(lower, b)) return std::nullopt;
-    parts.push_back({f, lower, upper});
-    if (auto found = sum_to_goal(parts, options, rest)) return found;
+    if (auto found = integrate_with_tails(f, a, b, tail, options)) return found;
   }
   return std::nullopt;
 }

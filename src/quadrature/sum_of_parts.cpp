@@ -25,13 +25,14 @@ integral sum_of_parts(const std::vector<part>& parts, const integrate_options& o
   return result;
 }
 
-}  // namespace
-
+/// A rational number that is at least side * x, as near as its bits allow.
 rational bound_beyond(const end_point& x, int side) {
   if (x.exact()) return side * *x.exact();
   const ball at = x.at(64);
   return side > 0 ? upper_rational(at) : rational(-lower_rational(at));
 }
+
+}  // namespace
 
 std::optional<integral> sum_to_goal(const std::vector<part>& parts,
                                     const integrate_options& options, const magnitude& rest) {
@@ -60,6 +61,30 @@ std::optional<integral> sum_to_goal(const std::vector<part>& parts,
           static_cast<long>(goal), options.absolute_exponent.value_or(static_cast<long>(goal)));
     }
   }
+}
+
+std::optional<integral> integrate_with_tails(const integrand& f, const end_point& a,
+                                             const end_point& b, const tail_finder& tail,
+                                             const integrate_options& options) {
+  std::vector<part> parts;
+  magnitude rest;
+  end_point lower = a;
+  end_point upper = b;
+  const auto cut = [&](end_point& end, const end_point& other) {
+    const int side = end.infinite_sign();
+    if (side == 0) return true;
+    const auto found = tail(other.is_infinite() ? rational(0) : bound_beyond(other, side), side);
+    if (!found) return false;
+    parts.insert(parts.end(), found->parts.begin(), found->parts.end());
+    rest = add_up(rest, found->rest);
+    end = found->start;
+    return true;
+  };
+  if (!cut(upper, a) || !cut(lower, b)) return std::nullopt;
+  if (!(lower.exact() && upper.exact() && *lower.exact() == *upper.exact())) {
+    parts.push_back({f, lower, upper});
+  }
+  return sum_to_goal(parts, options, rest);
 }
 
 }  // namespace polhode::detail

@@ -7,43 +7,20 @@
 
 namespace polhode::detail {
 
-namespace {
-
-/// Adds the parts beyond a point p >= |from| to the end of that sign, and returns p with that sign.
-std::optional<rational> add_rays(std::vector<part>& parts, const integrand& f, const rational& from,
-                                 int side) {
-  auto rays = f.on_turned_rays(from, side);
-  if (!rays) return std::nullopt;
-  for (integrand& g : rays->parts) {
-    parts.push_back({std::move(g), end_point(0), end_point::infinity()});
-  }
-  return rational(side * rays->start);
-}
-
-}  // namespace
-
 std::optional<integral> integrate_over_turned_rays(const integrand& f, const end_point& a,
                                                    const end_point& b,
                                                    const integrate_options& options) {
   if (!f.on_turned_rays) return std::nullopt;
-  std::vector<part> parts;
-  end_point lower = a;
-  end_point upper = b;
-  if (b.infinite_sign() != 0) {
-    const auto p = add_rays(parts, f, a.infinite_sign() != 0 ? rational(0) : bound_beyond(a, 1), 1);
-    if (!p) return std::nullopt;
-    upper = end_point(*p);
-  }
-  if (a.infinite_sign() != 0) {
-    const auto p =
-        add_rays(parts, f, b.infinite_sign() != 0 ? rational(0) : bound_beyond(b, -1), -1);
-    if (!p) return std::nullopt;
-    lower = end_point(*p);
-  }
-  if (!(lower.exact() && upper.exact() && *lower.exact() == *upper.exact())) {
-    parts.push_back({f, lower, upper});
-  }
-  return sum_to_goal(parts, options);
+  const auto tail = [&](const rational& from, int side) -> std::optional<known_tail> {
+    auto rays = f.on_turned_rays(from, side);
+    if (!rays) return std::nullopt;
+    known_tail result{end_point(rational(side * rays->start)), {}};
+    for (integrand& g : rays->parts) {
+      result.parts.push_back({std::move(g), end_point(0), end_point::infinity()});
+    }
+    return result;
+  };
+  return integrate_with_tails(f, a, b, tail, options);
 }
 
 std::optional<integral> integrate_between_turned_rays(const integrand& f, const end_point& a,

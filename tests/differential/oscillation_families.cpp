@@ -74,23 +74,23 @@ integral_case products(maker& m) {
   return c;
 }
 
-/// A function of a period that no sum of sines and cosines is.
-term periodic(maker& m) {
+/// Of a period, and not one that is a sum of sines and cosines; positive in the first three cases.
+term periodic(maker& m, bool only_positive) {
   const term k =
       m.one_in(3) ? term("pi") * m.quotient(m.within(0.3, 3)) : m.quotient(m.within(0.3, 4));
   const term turn = wave(m, k * x + m.rational_near(m.within(-2, 2)));
   const term more = 1 + m.rational_near(m.scattered(0.05, 3));
-  switch (m.between(0, 4)) {
+  switch (m.between(0, only_positive ? 2 : 4)) {
     case 0:
       return 1 / (more + turn);
     case 1:
       return call("exp", m.rational_near(m.within(-2, 2)) * turn);
     case 2:
-      return call("log", more + turn);
+      return call("sqrt", more + turn * turn);
     case 3:
       return call("atan", m.rational_near(m.within(-3, 3)) * turn) * turn;
     default:
-      return call("sqrt", more + turn * turn);
+      return call("log", more + turn);
   }
 }
 
@@ -113,10 +113,21 @@ term decaying_fast(maker& m) {
 
 /// The derivative of a function of a period times what decays.
 integral_case periodic_tails(maker& m) {
-  const term f = decaying_fast(m) * periodic(m);
+  const term f = decaying_fast(m) * periodic(m, false);
   const term from = m.near(m.scattered(0.3, 10));
   integral_case c{derivative(f), from, "inf", few_digits(m)};
   c.value = -substituted(f, "x", from);
+  c.is_cheap = true;
+  return c;
+}
+
+/// The same with a factor that decays like 1/x or slower.
+integral_case divergent_periodic_tails(maker& m) {
+  const term factor = periodic(m, true);
+  const term slow = m.one_in(2) ? 1 / (x + m.rational_near(m.scattered(0.05, 5)))
+                                : power(x, -m.quotient(m.within(0.1, 1)));
+  integral_case c{factor * slow, m.rational_near(m.scattered(0.5, 3)), "inf", few_digits(m)};
+  c.diverges = true;
   c.is_cheap = true;
   return c;
 }
@@ -180,6 +191,7 @@ std::vector<integral_family> oscillation_families() {
       {"oscillations to infinity", 10, to_infinity},
       {"products of oscillations", 6, products},
       {"periodic functions times what decays", 6, periodic_tails},
+      {"periodic functions times what decays too slowly", 6, divergent_periodic_tails},
       {"oscillations that do not converge", 10, divergent},
       {"many turns", 8, many_turns},
       {"exponential polynomials", 30, exponential_polynomials},

@@ -40,7 +40,8 @@ struct pi_combination {
 };
 
 /// The least positive number that is a whole multiple of both periods. None where there is no such
-/// number, or where one is neither rational nor a rational multiple of pi. Hypothesis: both are > 0.
+/// number, or one of them is neither rational nor a rational multiple of pi. Hypothesis: both are
+/// positive.
 [[nodiscard]] std::optional<pi_combination> common_period(const pi_combination& x,
                                                           const pi_combination& y);
 

@@ -152,23 +152,73 @@ rational rounded_up(const rational& q) {
   return rational(floor_of(q / unit) + 1) * unit;
 }
 
-/// S up to K, as a polynomial in u with rational coefficients, and what they may be off at |u| <= v.
+/// The numbers of the proof above, and how precisely all is done.
+struct setting {
+  ball period;
+  rational v;
+  rational rho;
+  rational x;
+  std::size_t count;  // K
+  precision goal;
+  precision bits;
+};
+
+/// The x^-s (a_0 + ...) of the terms that are not 0. None where one is not for this rule.
+std::optional<std::vector<decay>> decays_of(const expression::periodic_sum& sum) {
+  constexpr long greatest_exponent = 200;
+  std::vector<decay> decays;
+  for (const auto& term : sum.terms) {
+    if (term.numerator.is_zero()) continue;
+    decays.push_back(decay_of(term));
+    if (!(decays.back().s > 1) || decays.back().s > greatest_exponent) return std::nullopt;
+  }
+  return decays.empty() ? std::nullopt : std::optional(std::move(decays));
+}
+
+std::optional<setting> setting_for(const std::vector<decay>& decays, const pi_combination& period,
+                                   const rational& from, precision goal) {
+  constexpr precision most_bits = 8000;  // S has more than two thousand terms then
+  if (goal > most_bits) return std::nullopt;
+  const precision bits = goal + 64;  // for what rounding adds
+  const ball length = period.at(bits + 32);
+  const rational half = upper_rational(ball(length / 2));
+  if (!has_moderate_size(half) || (from != 0 && !has_moderate_size(abs(from)))) {
+    return std::nullopt;
+  }
+  const rational v = rounded_up(half);  // a little more than T/2
+  const auto rho = common_rho(decays, v / 4);
+  if (!rho) return std::nullopt;
+  const rational x = std::max(rounded_up(8 * (*rho + v)), rational(from + rounded_up(2 * v)));
+  // Up to there f is integrated as it is.
+  constexpr long most_periods = 500;
+  if (x - from > v * 2 * most_periods) return std::nullopt;
+  // left_out is about 2^-goal beside X^-s; its power with the exponent e takes further terms.
+  const auto log2_of = [](const rational& q) { return std::log2(static_cast<double>(q)); };
+  const auto s = static_cast<double>(std::ranges::max(decays, {}, &decay::s).s);
+  const double factors = static_cast<double>(goal) + s * log2_of(rational((*rho + v) / *rho));
+  const auto count = static_cast<std::size_t>(factors / -log2_of(rational((*rho + v) / x))) + 2;
+  return setting{length, v, *rho, x, count, goal, bits};
+}
+
+/// S as far as k + i < K: a polynomial in u with rational coefficients, and what it may be off at
+/// |u| <= v.
 struct folded_factor {
   std::vector<rational> coefficients;
   magnitude error;
 };
 
-folded_factor fold(const decay& g, const rational& x, const ball& period, const rational& v,
-                   std::size_t count, precision goal, precision p) {
-  const std::vector<ball> a = coefficients_of(g, count, p);
+folded_factor fold(const decay& g, const setting& at) {
+  const std::vector<ball> a = coefficients_of(g, at.count, at.bits);
   // At Y_N each order has 7 bits: c + 2 L times T/(2 pi Y_N) is below 1/12.
-  const long order = static_cast<long>(goal) / 7 + 3;
-  const long shifts = 2 * (static_cast<long>(count) + static_cast<long>(floor_of(g.s)) + 2 * order);
-  const std::vector<ball> z = sums_of_powers(g.s, x, period, count, shifts, order, p);
-  std::vector<ball> c(count, ball(0, p));
-  for (std::size_t k = 0; k < count; ++k) {
+  const long order = static_cast<long>(at.goal) / 7 + 3;
+  const long shifts =
+      2 * (static_cast<long>(at.count) + static_cast<long>(floor_of(g.s)) + 2 * order);
+  const std::vector<ball> z =
+      sums_of_powers(g.s, at.x, at.period, at.count, shifts, order, at.bits);
+  std::vector<ball> c(at.count, ball(0, at.bits));
+  for (std::size_t k = 0; k < at.count; ++k) {
     ball term = a[k];
-    for (std::size_t i = 0; k + i < count; ++i) {
+    for (std::size_t i = 0; k + i < at.count; ++i) {
       c[i] += term * z[k + i];
       const auto step = static_cast<long>(i);
       term = term * rational(-(g.s + static_cast<long>(k) + step) / (step + 1));
@@ -181,24 +231,30 @@ folded_factor fold(const decay& g, const rational& x, const ball& period, const 
     const rational lower = lower_rational(one);
     result.coefficients.push_back(lower);
     error += power * ball(rational(upper_rational(one) - lower), 64);
-    power = power * ball(v, 64);
+    power = power * ball(at.v, 64);
   }
   result.error = error.magnitude_upper();
   return result;
 }
 
-/// The bound of what is left out for k + i >= count.
-magnitude left_out(const decay& g, const rational& rho, const rational& x, const ball& period,
-                   const rational& v, std::size_t count) {
+/// The bound of what is left out for k + i >= K.
+magnitude left_out(const decay& g, const setting& at) {
   constexpr precision bits = 64;
-  const auto k = static_cast<long>(count);
-  const rational size = 2 * size_at(g.numerator, 0, rho) / abs(g.denominator.front());
-  const ball theta(rational((rho + v) / x), bits);
+  const auto k = static_cast<long>(at.count);
+  const rational size = 2 * size_at(g.numerator, 0, at.rho) / abs(g.denominator.front());
+  const ball theta(rational((at.rho + at.v) / at.x), bits);
   const auto e = static_cast<long>(-floor_of(-g.s)) - 1;
-  const ball bound = ball(size, bits) * pow(ball(rational((rho + v) / rho), bits), e) *
-                     pow(ball(x, bits), ball(-g.s, bits)) * (1 + x / (period * (g.s + (k - 1)))) *
-                     pow(theta, k) / (1 - theta);
+  const ball bound = ball(size, bits) * pow(ball(rational((at.rho + at.v) / at.rho), bits), e) *
+                     pow(ball(at.x, bits), ball(-g.s, bits)) *
+                     (1 + at.x / (at.period * (g.s + (k - 1)))) * pow(theta, k) / (1 - theta);
   return bound.magnitude_upper();
+}
+
+/// The polynomial with these coefficients at u.
+symbol polynomial_at(const symbol& u, const std::vector<rational>& coefficients) {
+  symbol sum = 0;
+  for (std::size_t i = coefficients.size(); i-- > 0;) sum = sum * u + coefficients[i];
+  return sum;
 }
 
 }  // namespace
@@ -251,63 +307,31 @@ std::optional<periodic_tail> periodic_tail_of(const expression& f, const rationa
                                               precision p) {
   const auto sum = f.as_periodic_sum();
   if (!sum) return std::nullopt;
-  constexpr precision most_bits = 8000;  // S has more than a thousand terms then
-  if (p > most_bits) return std::nullopt;
-  std::vector<decay> decays;
-  std::vector<expression> factors;
-  constexpr long greatest_exponent = 200;
-  for (const auto& term : sum->terms) {
-    if (term.numerator.is_zero()) continue;
-    factors.push_back(term.factor);
-    decays.push_back(decay_of(term));
-    if (!(decays.back().s > 1) || decays.back().s > greatest_exponent) return std::nullopt;
-  }
-  const precision bits = p + 64;  // for what rounding adds
-  const ball period = sum->period.at(bits + 32);
-  if (decays.empty()) return std::nullopt;
-  const rational half_period = upper_rational(ball(period / 2));
-  if (!has_moderate_size(half_period) || (from != 0 && !has_moderate_size(abs(from)))) {
-    return std::nullopt;
-  }
-  const rational v = rounded_up(half_period);  // a little more than T/2
-  const auto rho = common_rho(decays, v / 4);
-  if (!rho) return std::nullopt;
-  const rational x = std::max(rounded_up(8 * (*rho + v)), rational(from + rounded_up(2 * v)));
-  // Up to there f is integrated as it is.
-  constexpr long most_periods = 500;
-  if (x - from > v * 2 * most_periods) return std::nullopt;
-  const auto log2_of = [](const rational& q) { return std::log2(static_cast<double>(q)); };
-  // left_out is about 2^-p beside X^-s; its power with the exponent e takes further terms.
-  const rational s = std::ranges::max(decays, {}, &decay::s).s;
-  const double goal =
-      static_cast<double>(p) + static_cast<double>(s) * log2_of(rational((*rho + v) / *rho));
-  const auto count = static_cast<std::size_t>(goal / -log2_of(rational((*rho + v) / x))) + 2;
+  const auto decays = decays_of(*sum);
+  if (!decays) return std::nullopt;
+  const auto at = setting_for(*decays, sum->period, from, p);
+  if (!at) return std::nullopt;
 
-  for (const auto& term : sum->terms) {
-    // f is defined only where this is.
-    if (term.numerator.is_zero() && !bound_over_period(term.factor, x, v)) return std::nullopt;
-  }
   symbol folded = 0;
   const symbol u = symbol::variable(0);
-  ball rest(0, 64);
-  for (std::size_t k = 0; k < decays.size(); ++k) {
-    const expression& factor = factors[k];
-    const auto most = bound_over_period(factor, x, v);
+  const magnitude length = ball(rational(2 * at->v), 64).magnitude_upper();
+  magnitude rest;
+  auto g = decays->begin();
+  for (const auto& term : sum->terms) {
+    // f is defined only where the factor is, also where the factor's term is 0.
+    const auto most = bound_over_period(term.factor, at->x, at->v);
     if (!most) return std::nullopt;
-    const folded_factor own = fold(decays[k], x, period, v, count, p, bits);
-    const magnitude error = add_up(own.error, left_out(decays[k], *rho, x, period, v, count));
-    rest = rest.enlarged(
-        multiply_up(multiply_up(*most, error), ball(rational(2 * v), 64).magnitude_upper()));
-    symbol polynomial = 0;
-    for (std::size_t i = own.coefficients.size(); i-- > 0;) {
-      polynomial = polynomial * u + own.coefficients[i];
-    }
-    folded = folded + factor(x + u) * polynomial;
+    if (term.numerator.is_zero()) continue;
+    const folded_factor own = fold(*g, *at);
+    const magnitude error = add_up(own.error, left_out(*g, *at));
+    rest = add_up(rest, multiply_up(multiply_up(*most, error), length));
+    folded = folded + term.factor(at->x + u) * polynomial_at(u, own.coefficients);
+    ++g;
   }
   const expression_names names{.variables = {"u"}, .definitions = {}};
   const pi_combination half = sum->period * rational(1, 2);
-  return periodic_tail{end_point(pi_combination{x, 0} - half), expression(folded, names), half,
-                       rest.magnitude_upper()};
+  return periodic_tail{end_point(pi_combination{at->x, 0} - half), expression(folded, names), half,
+                       rest};
 }
 
 }  // namespace polhode::detail

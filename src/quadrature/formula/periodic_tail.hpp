@@ -20,15 +20,15 @@ struct periodic_tail {
   magnitude rest;
 };
 
-/// Of a formula with a periodic sum (expression::as_periodic_sum) whose periodic factors are bounded
-/// and whose other factors decay faster than 1/x: start >= from, and the rest about 2^-p beside the
-/// size of the terms. None for other formulas.
+/// The tail of a formula with a periodic sum (expression::as_periodic_sum) whose periodic factors
+/// are bounded and whose other factors decay faster than 1/x: start >= from, and the rest is about
+/// 2^-p beside the size of the terms. None for other formulas.
 [[nodiscard]] std::optional<periodic_tail> periodic_tail_of(const expression& f,
                                                             const rational& from, precision p);
 
-/// Z(s), Z(s+1), ..., Z(s+count-1), Z(c) = the sum of (x + n period)^-c over n >= 0: by the formula
-/// of Euler and Maclaurin after the first `shifts` terms, to so many orders, with p bits. Hypotheses:
-/// s > 1, x > 0, period > 0.
+/// Z(s), Z(s+1), ..., Z(s+count-1), Z(c) = the sum of (x + n period)^-c over n >= 0: the first
+/// `shifts` terms, and for the others the formula of Euler and Maclaurin to this order, with p
+/// bits. Hypotheses: s > 1, x > 0, period > 0.
 [[nodiscard]] std::vector<ball> sums_of_powers(const rational& s, const rational& x,
                                                const ball& period, std::size_t count, long shifts,
                                                long order, precision p);
