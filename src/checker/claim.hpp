@@ -1,6 +1,7 @@
 #pragma once
 
-// A claim as the checker has it: its text, and what checks its certificates. Each claim is a file in claims/.
+// A claim as the checker has it: its text, and what checks its certificates. Each claim is a file in
+// claims/.
 
 #include <string_view>
 
@@ -13,7 +14,8 @@ using statements::stated_text;
 class examination;
 
 struct claim : statements::claim_text {
-  /// Checks the inputs, steps, facts, numbers and witness of a certificate of this claim, in its order; throws refusal.
+  /// Checks the inputs, steps, facts, numbers and witness of a certificate of this claim, in its
+  /// order; throws refusal.
   void (*check)(examination&);
 };
 

@@ -12,9 +12,9 @@ namespace polhode::statements {
 
 enum class step_form { identity, positive, not_negative, slope };
 
-/// One step of a proof that is a question about polynomials: left = right; left = right > 0 or >= 0,
-/// by the signs of coefficients and letters; or d/dvariable of left/over = right/over^2. What the
-/// letters stand for is put into `right`. It refers to its texts and does not own them.
+/// One step of a proof that is a question about polynomials: left = right; left = right > 0 or
+/// >= 0, by the signs of coefficients and letters; or d/dvariable of left/over = right/over^2. What
+/// the letters stand for is put into `right`. It refers to its texts and does not own them.
 struct polynomial_step {
   step_form form;
   std::string_view left;

@@ -1,9 +1,9 @@
 #pragma once
 
-// The claims, in the order of the paper: each with its name and what of a request its numbers depend
-// on (proofs::claim_subject). The list is written here and nowhere else. A claim is four files: its
-// text beside this one, name_claim() in proofs/ and in src/checker/claims/, and its theorem in
-// proofs/coq where there is one.
+// The claims, in the order of the paper: each with its name, and with what its numbers depend on
+// (proofs::claim_subject). The list is written here and nowhere else. A claim is its text beside
+// this file, name_claim() in proofs/ and in src/checker/claims/, and its theorem in proofs/coq
+// where there is one.
 
 // clang-format off
 #define POLHODE_CLAIMS(claim_about) \

@@ -64,7 +64,7 @@ inline constexpr std::array rotating_phase_steps{
   return all;
 }
 
-// What neither prover nor checker decides -----------------------------------------------------------
+// What neither prover nor checker decides -------------------------------------------------------
 
 inline constexpr stated_text intermediate_values = cited("The intermediate value theorem.");
 inline constexpr stated_text psi_is_odd = in_coq("Symmetry.psi_odd");

@@ -21,7 +21,8 @@ import tempfile
 
 # From the lowest floor to the highest.
 FLOORS = [
-    ["base", "statements"],  # what any program needs: digests, threads, near names, quotes, clocks; the texts of the claims
+    # What any program needs: digests, threads, near names, quotes, clocks. The texts of the claims.
+    ["base", "statements"],
     ["arithmetic"],
     ["elliptic"],
     ["expression"],  # formulas as text or made by a generic function, and their evaluation
@@ -36,7 +37,7 @@ FLOORS = [
 # Their headers beside their sources are meant for other rooms: none of these rooms is installed on its own.
 OPEN = {"base", "statements", "proofs", "cost"}
 
-# What stands apart from the floors: the room, and what it may include of other rooms, files and folders.
+# What stands apart from the floors: the room, and the files and folders of others that it may include.
 APART = {"checker": ("src/base/sha256.hpp", "src/statements/")}
 # Who may include the public headers of a room that stands apart.
 APART_SERVES = {"checker": {"cli"}}

@@ -1,8 +1,9 @@
 #pragma once
 
-// Certificates, checked again by a program that shares nothing with the one that wrote them: whole numbers and rationals of GMP, and a
-// reader of JSON. It knows by its name what each claim says, repeats the argument from the certificate's inputs and witness, and
-// compares. docs/certificates.md describes the form, and what is repeated how.
+// Certificates, checked again by a program that shares no mathematics with the one that wrote them:
+// whole numbers and rationals of GMP, and a reader of JSON. It knows by its name what each claim
+// says, repeats the argument from the certificate's inputs and witness, and compares.
+// docs/certificates.md describes the form, and what is repeated how.
 
 #include <cstddef>
 #include <string>
