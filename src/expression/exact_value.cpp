@@ -269,6 +269,20 @@ std::optional<rational> rational_value(const graph& g, const program& f) {
   return std::nullopt;
 }
 
+std::optional<rational> rational_value_at(const graph& g, node_id i) {
+  if (const rational* q = g.value(i)) return *q;
+  graph alone = g;
+  alone.root = i;
+  return rational_value(alone, compile(alone, 0));
+}
+
+ball value_at(const graph& g, node_id i, precision p) {
+  if (const rational* q = g.value(i)) return ball(*q, p);
+  graph alone = g;
+  alone.root = i;
+  return values_of_constants(compile(alone, 0), p).back();  // the root's
+}
+
 namespace {
 
 /// Those of the nodes in `wanted`, by number, where the rules show them.

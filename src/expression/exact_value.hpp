@@ -16,6 +16,10 @@ namespace polhode::detail {
 /// they do not, in a time that is bounded but for one evaluation with exact_field::bits.
 [[nodiscard]] std::optional<rational> rational_value(const graph& g, const program& f);
 
+/// The same for a node without variables, and its value with p bits.
+[[nodiscard]] std::optional<rational> rational_value_at(const graph& g, node_id i);
+[[nodiscard]] ball value_at(const graph& g, node_id i, precision p);
+
 /// The values of f's operations of its variable, in the order in which compile() has them, at the
 /// number that x is (expression::rational_values_at).
 [[nodiscard]] std::vector<std::optional<rational>> rational_values_at(const graph& f,

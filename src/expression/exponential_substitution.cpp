@@ -96,14 +96,8 @@ class substitution {
   /// Whether the rules show that a node without variables is 0.
   [[nodiscard]] bool is_zero(node_id c) { return is_rational(c, 0); }
   [[nodiscard]] bool is_rational(node_id c, const rational& q) {
-    const auto found = rational_value_of(c);
+    const auto found = detail::rational_value_at(g_, c);
     return found && *found == q;
-  }
-  [[nodiscard]] std::optional<rational> rational_value_of(node_id c) {
-    if (const rational* q = g_.value(c)) return *q;
-    detail::graph alone = g_;
-    alone.root = c;
-    return detail::rational_value(alone, detail::compile(alone, 0));
   }
   /// w = kappa s + v, as far as it is a sum of multiples of s and others.
   std::pair<node_id, node_id> split(node_id w) {
@@ -164,7 +158,8 @@ class substitution {
     if (n.what == operation::variable) return x_;
     if (varies_[i] == 0) {
       if (n.what == operation::number) return constant(g_.number(f_.number_at(n.number)));
-      return constant(copy_of(n, i, [&](node_id k) { return values_[k]->rest; }));
+      return constant(
+          detail::with_operands(g_, f_, i, [&](node_id k) { return values_[k]->rest; }));
     }
     switch (n.what) {
       case operation::negate: {
@@ -229,20 +224,8 @@ class substitution {
       default:
         break;
     }
-    return as_it_is(copy_of(n, i, [&](node_id k) { return plain(*values_[k]); }));
-  }
-  /// The operation as it stands, of other operands.
-  template <class Operand>
-  node_id copy_of(const node& n, node_id i, const Operand& operand) {
-    if (n.what == operation::further) {
-      detail::further_call call = f_.call_at(i);
-      for (node_id& x : call.operands) x = operand(x);
-      return g_.call(call);
-    }
-    const int operands = detail::operands_of(n.what);
-    const node_id left = operands > 0 ? operand(n.left) : 0;
-    const node_id right = operands > 1 ? operand(n.right) : 0;
-    return g_.make(n.what, left, right, n.number);
+    return as_it_is(
+        detail::with_operands(g_, f_, i, [&](node_id k) { return plain(*values_[k]); }));
   }
   value sum(const value& x, const value& y, bool minus) {
     const auto of = [&](node_id p, node_id q) {
@@ -317,7 +300,7 @@ class substitution {
     if (!x.in_x || x.in_x->alpha == zero_) return std::nullopt;
     const node_id quarters =
         divide(g_, multiply(g_, g_.number(2), x.in_x->alpha), g_.make(operation::pi));
-    const auto found = rational_value_of(quarters);
+    const auto found = detail::rational_value_at(g_, quarters);
     if (!found || denominator(*found) != 1) return std::nullopt;
     const integer k = numerator(*found);
     const long turns = static_cast<long>(mpz_fdiv_ui(k.backend().data(), 4));

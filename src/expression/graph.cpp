@@ -462,6 +462,20 @@ tape assemble(const graph& g, const std::vector<node_id>& code, const std::vecto
 
 }  // namespace
 
+node_id with_operands(graph& to, const graph& from, node_id i,
+                      const std::function<node_id(node_id)>& operand) {
+  const node n = from[i];
+  if (n.what == operation::further) {
+    further_call call = from.call_at(i);
+    for (node_id& x : call.operands) x = operand(x);
+    return to.call(call);
+  }
+  const int operands = operands_of(n.what);
+  const node_id left = operands > 0 ? operand(n.left) : 0;
+  const node_id right = operands > 1 ? operand(n.right) : 0;
+  return to.make(n.what, left, right, n.number);
+}
+
 std::vector<node_id> copied_into(graph& to, const graph& from, std::optional<node_id> variable) {
   const std::vector<char> used = reachable(from);
   std::vector<node_id> places(from.size(), 0);
@@ -473,14 +487,8 @@ std::vector<node_id> copied_into(graph& to, const graph& from, std::optional<nod
     } else if (n.what == operation::variable) {
       if (!variable) throw std::invalid_argument("a number with a variable in it");
       places[i] = *variable;
-    } else if (n.what == operation::further) {
-      further_call call = from.call_at(i);
-      for (node_id& operand : call.operands) operand = places[operand];
-      places[i] = to.call(call);
     } else {
-      const int operands = operands_of(n.what);
-      places[i] = to.make(n.what, operands > 0 ? places[n.left] : 0,
-                          operands > 1 ? places[n.right] : 0, n.number);
+      places[i] = with_operands(to, from, i, [&](node_id k) { return places[k]; });
     }
   }
   return places;

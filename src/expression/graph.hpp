@@ -4,6 +4,7 @@
 // those on rational numbers are done exactly, and those that are not defined are refused.
 
 #include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -123,6 +124,11 @@ node_id double_factorial(graph& g, node_id x);
 
 /// The exponent of the root, or of the power with an exponent that is no whole number, at a node.
 [[nodiscard]] std::optional<rational> fractional_exponent_at(const graph& g, node_id i);
+
+/// The operation at a node of `from` as it stands, of the operands in `to` that `operand` names; no
+/// number and no variable.
+[[nodiscard]] node_id with_operands(graph& to, const graph& from, node_id i,
+                                    const std::function<node_id(node_id)>& operand);
 
 /// Copies what the root of `from` is made of into `to`, as it stands, with a node of `to` in the
 /// place of its variable. Returns where each node of `from` is in `to`. Throws

@@ -114,17 +114,9 @@ class rewriting {
         return detail::subtract(g_, place_[n.left], place_[n.right]);
       case operation::multiply:
         return detail::multiply(g_, place_[n.left], place_[n.right]);
-      case operation::further: {
-        detail::further_call call = g_.call_at(i);
-        for (node_id& x : call.operands) x = place_[x];
-        return g_.call(call);
-      }
       default:
-        break;
+        return detail::with_operands(g_, g_, i, [&](node_id k) { return place_[k]; });
     }
-    const int operands = detail::operands_of(n.what);
-    return g_.make(n.what, operands > 0 ? place_[n.left] : 0, operands > 1 ? place_[n.right] : 0,
-                   n.number);
   }
 
   detail::graph g_;

@@ -162,16 +162,7 @@ class turned_rays {
   ball value_of(node_id c) {
     const auto known = values_.find(c);
     if (known != values_.end()) return known->second;
-    ball value(0, bits);
-    if (const rational* q = g_.value(c)) {
-      value = ball(*q, bits);
-    } else {
-      detail::graph alone = g_;
-      alone.root = c;
-      value = detail::values_of_constants(detail::compile(alone, 0), bits).back();  // the root's
-    }
-    values_.emplace(c, value);
-    return value;
+    return values_.emplace(c, detail::value_at(g_, c, bits)).first->second;
   }
 
   /// Re h exp(i phi) = Re conj(h) exp(-i phi).

@@ -1,5 +1,6 @@
 #include "turned.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -26,11 +27,27 @@ std::optional<integral> integrate_over_turned_rays(const integrand& f, const end
 std::optional<integral> integrate_between_turned_rays(const integrand& f, const end_point& a,
                                                       const end_point& b, double least_turns,
                                                       const integrate_options& options) {
-  if (!f.between_turned_rays || !a.exact() || !b.exact()) return std::nullopt;
-  // On each side of 0 by itself.
-  std::vector<std::pair<rational, rational>> sides{{*a.exact(), *b.exact()}};
-  if (*a.exact() < 0 && *b.exact() > 0) sides = {{*a.exact(), 0}, {0, *b.exact()}};
+  if (!f.between_turned_rays) return std::nullopt;
+  // Rays start at rational numbers, of which there is one beside each end that is none. A number of
+  // more bits is far beyond those that programs compute with.
+  constexpr double most_bits = 10000;
+  const auto near = [&](const end_point& x) -> std::optional<ball> {
+    const double size = estimated_log2(x.at(64).magnitude_upper());
+    if (!(size < most_bits)) return std::nullopt;
+    return x.at(64 + static_cast<precision>(std::max(0.0, size)));
+  };
+  const auto near_a = near(a);
+  const auto near_b = near(b);
+  if (!near_a || !near_b) return std::nullopt;
+  const rational first = a.exact() ? *a.exact() : upper_rational(*near_a);
+  const rational last = b.exact() ? *b.exact() : lower_rational(*near_b);
+  if (!(first < last)) return std::nullopt;
   std::vector<part> parts;
+  if (!a.exact()) parts.push_back({f, a, first});
+  if (!b.exact()) parts.push_back({f, last, b});
+  // On each side of 0 by itself.
+  std::vector<std::pair<rational, rational>> sides{{first, last}};
+  if (first < 0 && last > 0) sides = {{first, 0}, {0, last}};
   bool any = false;
   for (const auto& [lower, upper] : sides) {
     const auto rays = f.between_turned_rays(lower, upper, least_turns);
@@ -46,6 +63,25 @@ std::optional<integral> integrate_between_turned_rays(const integrand& f, const 
     if (upper != rays->upper) parts.push_back({f, rays->upper, upper});
   }
   return any ? sum_to_goal(parts, options) : std::nullopt;
+}
+
+std::optional<integral> integrate_by_exponential(const integrand& f, const end_point& a,
+                                                 const end_point& b, double least_turns,
+                                                 const integrate_options& options) {
+  if (!f.by_exponential) return std::nullopt;
+  const auto in_u = f.by_exponential(a, b);
+  if (!in_u) return std::nullopt;
+  const auto& [g, lower, upper] = *in_u;
+  if (lower.is_infinite() || upper.is_infinite()) {
+    integral found = integrate_function(g, lower, upper, options);
+    return found.verdict == status::certified ? std::optional(std::move(found)) : std::nullopt;
+  }
+  if (certainly_less(lower.at(64), upper.at(64))) {
+    return integrate_between_turned_rays(g, lower, upper, least_turns, options);
+  }
+  auto found = integrate_between_turned_rays(g, upper, lower, least_turns, options);
+  if (found) found->enclosure = -found->enclosure;
+  return found;
 }
 
 }  // namespace polhode::detail

@@ -22,4 +22,14 @@ namespace polhode::detail {
     const integrand& f, const end_point& a, const end_point& b, double least_turns,
     const integrate_options& options);
 
+/// The integral over [a, b], a < b, in an exponential of the variable, where f oscillates as one
+/// does: over a finite range where it turns more often than `least_turns` there, up to infinity where
+/// the exponential grows without bound. Returns nullopt where it is not known so, or not to the
+/// goal.
+[[nodiscard]] std::optional<integral> integrate_by_exponential(const integrand& f,
+                                                               const end_point& a,
+                                                               const end_point& b,
+                                                               double least_turns,
+                                                               const integrate_options& options);
+
 }  // namespace polhode::detail

@@ -158,6 +158,57 @@ integral_case many_turns(maker& m) {
   return c;
 }
 
+/// exp(k x + v), with a long or an irrational slope, or a power of a number.
+term growing_exponential(maker& m) {
+  if (m.one_in(5)) return power(m.any_of({term(2), term("3/2"), term("pi")}), x);
+  const term k = m.one_in(4) ? m.near(m.scattered(0.3, 2)) : m.quotient(m.within(0.3, 2));
+  return call("exp", m.one_in(2) ? k * x : k * x + m.rational_near(m.within(-2, 2)));
+}
+
+/// The derivative of what tends to 0 and oscillates, of an exponential; the other way round too.
+integral_case in_exponentials(maker& m) {
+  const term u = growing_exponential(m);
+  const term outward = substituted(decaying(m) * wave(m, phase(m, m.between(1, 3))), "x", u);
+  const term from = m.near(m.within(-0.5, 2));
+  const term f = derivative(outward);
+  integral_case c{f, from, "inf", few_digits(m)};
+  c.value = -substituted(outward, "x", from);
+  if (m.one_in(3)) {
+    c.integrand = substituted(f, "x", -x);
+    c.from = "-inf";
+    c.to = -from;
+  }
+  c.is_cheap = true;
+  return c;
+}
+
+/// x^m cos(phi) dx with m >= n - 1, in an exponential.
+integral_case divergent_in_exponentials(maker& m) {
+  const long n = m.between(1, 3);
+  const term e = n - 1 + (m.one_in(2) ? m.between(0, 2) : m.quotient(m.within(0, 1)));
+  const term f = power(x, e) * wave(m, phase(m, n)) * x;
+  integral_case c{substituted(f, "x", growing_exponential(m)), m.rational_near(m.within(-1, 2)),
+                  "inf", few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
+/// Over so long a range that the exponential turns some thousand times and more.
+integral_case many_turns_in_exponentials(maker& m) {
+  const long n = m.between(1, 3);
+  const double k = m.within(0.5, 2);
+  const term u = call("exp", m.rational_near(k) * x);
+  const term growing = m.any_of({term(1), x, power(x, 2), call("sqrt", x)});
+  const term f = substituted((m.one_in(2) ? growing : decaying(m)) * wave(m, phase(m, n)), "x", u);
+  const double far = m.within(11, 18) / (k * static_cast<double>(n));
+  integral_case c{derivative(f), m.rational_near(m.within(-0.5, 2)), m.rational_near(far),
+                  m.between(5, 20)};
+  c.antiderivative = f;
+  c.is_cheap = true;
+  return c;
+}
+
 integral_case exponential_polynomials(maker& m) {
   const auto linear = [&] {
     const term slope = m.coefficient();
@@ -194,6 +245,9 @@ std::vector<integral_family> oscillation_families() {
       {"periodic functions times what decays too slowly", 6, divergent_periodic_tails},
       {"oscillations that do not converge", 10, divergent},
       {"many turns", 8, many_turns},
+      {"oscillations of exponentials", 6, in_exponentials},
+      {"oscillations of exponentials that do not converge", 6, divergent_in_exponentials},
+      {"many turns of exponentials", 5, many_turns_in_exponentials},
       {"exponential polynomials", 30, exponential_polynomials},
   };
 }

@@ -44,6 +44,37 @@ TEST(TurnedRays, OfManyTurns) {
       20'000);
 }
 
+TEST(TurnedRays, OfExponentialPhases) {
+  expect_known(
+      {
+          {"sin(exp(x))", "0", "inf", "0.6247132564277136042899683778165717842862"},
+          {"sin(exp(x))", "-inf", "inf", "1.570796326794896619231321691639751442099"},
+          {"sin(exp(-x))", "-inf", "inf", "1.570796326794896619231321691639751442099"},
+          {"sin(exp(-x))", "-inf", "0", "0.6247132564277136042899683778165717842862"},
+          {"sin(exp(x))", "0", "20", "0.6247132545392495467764078883011293111024"},
+          {"sin(exp(x))", "20", "0", "-0.6247132545392495467764078883011293111024"},
+          {"sin(exp(x/2))", "-inf", "12", "3.140278270934534102035074995618817109741"},
+          {"cos(exp(-x))", "-20", "0", "-0.3374039220751002525101746510565487373131"},
+          {"sin(exp(x))", "sqrt(2)", "pi^2", "-0.1653438206952165601082484347744902452101"},
+          {"cos(2^x)", "0", "inf", "-0.4867709663457088800345017075327652557826"},
+          {"cos(sinh(x))", "0", "inf", "0.4210244382407083333356273792126090361362"},
+          {"cos(2*cosh(x))", "-inf", "inf", "-1.603392463767388430851948737342812393115"},
+          {"cos(2+expm1(x)-exp(x))*exp(-x)", "0", "inf",
+           "0.5403023058681397174009366074429766037324"},
+          {"exp(-x)*sin(exp(x))", "0", "inf", "0.504067061906928371989856117741148229625"},
+          // One of them grows and one vanishes, in either order.
+          {"exp(-x)*cos(exp(2*x))*exp(2*x)", "0", "inf",
+           "-0.2778671692425219558708470456297958325562"},
+          {"cos(exp(2*x))*exp(x)", "0", "inf", "-0.2778671692425219558708470456297958325562"},
+      },
+      20'000);
+  for (const char* formula : {"exp(x)*cos(exp(x))", "exp(2*x)*sin(exp(2*x))", "sinh(x)*cos(2^x)"}) {
+    EXPECT_EQ(integrate(parse(formula), 0, end_point::infinity(), {.digits = 15}).verdict,
+              status::not_certified)
+        << formula;
+  }
+}
+
 TEST(TurnedRays, WhatDoesNotConvergeIsRefused) {
   const auto to_infinity = [](const char* formula) {
     return integrate(parse(formula), 1, end_point::infinity(), {.digits = 15}).verdict;

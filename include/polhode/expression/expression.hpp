@@ -277,6 +277,11 @@ class expression {
   /// beta > 0.
   struct in_root;
   [[nodiscard]] std::optional<in_root> by_root() const;
+  /// f(x) dx/du as a formula in u = exp(c x), u > 0, for a formula f of one variable with sines or
+  /// cosines of exponentials, all of them of linear forms whose slopes are whole multiples of one
+  /// number c ("sin(exp(x))" is "sin(u)/u").
+  struct of_exponential;
+  [[nodiscard]] std::optional<of_exponential> by_exponential() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
   /// products, whole powers and quotients by numbers. None where it is not, or its expansion is long:
   /// a degree above 10,000, a million products of coefficients.
@@ -356,6 +361,11 @@ struct expression::in_root {
   rational alpha;
   rational beta;
   long q;
+  expression formula;
+};
+
+struct expression::of_exponential {
+  expression slope;  // c; without variables
   expression formula;
 };
 

@@ -149,6 +149,7 @@ struct segment {
 struct turned_rays;
 struct rays_of_range;
 struct folded_tail;
+struct substituted;
 
 /// A function in the arithmetics that the library needs.
 struct integrand {
@@ -179,6 +180,9 @@ struct integrand {
   std::function<std::optional<rays_of_range>(const rational& a, const rational& b,
                                              double least_turns)>
       between_turned_rays;
+  /// The integral over [a, b] as that of another function, which oscillates less fast. Nothing where
+  /// none is known; may be empty.
+  std::function<std::optional<substituted>(const end_point& a, const end_point& b)> by_exponential;
   /// The integral beyond some |x| >= `from`, to the infinity of sign `side`, as one over a period but
   /// for a rest of about 2^-p of its size. Nothing where that is not available; may be empty.
   std::function<std::optional<folded_tail>(const rational& from, int side, precision p)>
@@ -206,6 +210,13 @@ struct rays_of_range {
   std::vector<integrand> added;
   std::vector<integrand> subtracted;
   std::vector<integrand> steady;
+};
+
+/// The integral is that of f from `lower` to `upper`.
+struct substituted {
+  integrand f;
+  end_point lower;
+  end_point upper;
 };
 
 /// The integral beyond `start` is that of `folded` over [lower, upper], but for a number of at most

@@ -53,6 +53,7 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   result.on_turned_rays = nullptr;
   result.folded_at_infinity = nullptr;
   result.between_turned_rays = nullptr;
+  result.by_exponential = nullptr;
   result.angle_evaluator = nullptr;
   result.over = [f, chosen](const region& x) {
     return evaluate(*f, x.precision(), x, *chosen, f->result())[f->result()];

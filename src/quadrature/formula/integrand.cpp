@@ -20,6 +20,7 @@
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
+#include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
 
 namespace polhode {
@@ -379,6 +380,9 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
       found.upper = -rays->start;
     }
     return found;
+  };
+  result.by_exponential = [f](const end_point& a, const end_point& b) {
+    return detail::in_exponential_variable(f, a, b);
   };
   result.folded_at_infinity = [f](const rational& from, int side,
                                   precision p) -> std::optional<detail::folded_tail> {
