@@ -2,6 +2,7 @@
 // terms of those that may be.
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -108,12 +109,68 @@ class expansion {
   std::map<node_id, maybe_terms> known_;
 };
 
+enum class analyticity { unknown, meromorphic, entire };
+
+/// Whether the operation is an entire function of its operand.
+bool is_entire(operation what) {
+  constexpr std::array all{operation::exp,  operation::expm1, operation::sin,   operation::cos,
+                           operation::sinh, operation::cosh,  operation::sinpi, operation::cospi,
+                           operation::erf,  operation::erfc};
+  return std::ranges::find(all, what) != all.end();
+}
+
 }  // namespace
 }  // namespace formal_zero_impl
 
 bool expression::is_formally_zero() const {
   const auto found = formal_zero_impl::expansion(*graph_).of(graph_->root);
   return found && found->empty();
+}
+
+bool expression::is_zero_almost_everywhere() const {
+  using detail::node;
+  using detail::operation;
+  using formal_zero_impl::analyticity;
+  if (variables_.size() != 1 || !is_formally_zero()) return false;
+  const detail::graph& g = *graph_;
+  const std::vector<char> used = detail::reachable(g);
+  const std::vector<char> varies = detail::varying(g);
+  // A meromorphic function with a value other than 0 at one point has isolated zeros.
+  const auto value = [&](detail::node_id i) {
+    constexpr precision p = 128;
+    return with_root(g, i)(ball(rational(5, 7), p));
+  };
+  std::vector<analyticity> kinds(g.root + 1, analyticity::entire);
+  for (detail::node_id i = 0; i <= g.root; ++i) {
+    if (used[i] == 0) continue;
+    const node& n = g[i];
+    if (varies[i] == 0) {
+      if (!value(i).is_bounded()) return false;
+      continue;
+    }
+    for (const detail::node_id k : detail::operands_at(g, i))
+      kinds[i] = std::min(kinds[i], kinds[k]);
+    switch (n.what) {
+      case operation::variable:
+      case operation::negate:
+      case operation::add:
+      case operation::subtract:
+      case operation::multiply:
+        break;
+      case operation::divide:
+        if (contains_zero(value(n.right))) return false;
+        if (varies[n.right] != 0) kinds[i] = std::min(kinds[i], analyticity::meromorphic);
+        break;
+      case operation::power_integer:
+        if (n.number > 0) break;
+        if (contains_zero(value(n.left))) return false;
+        kinds[i] = std::min(kinds[i], analyticity::meromorphic);
+        break;
+      default:
+        if (!formal_zero_impl::is_entire(n.what) || kinds[i] != analyticity::entire) return false;
+    }
+  }
+  return true;
 }
 
 expression expression::sum_of_sizes() const {

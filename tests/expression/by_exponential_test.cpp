@@ -54,9 +54,10 @@ TEST(ByExponential, ItsSlopeIsThatOfThePhase) {
 }
 
 TEST(ByExponential, OthersAreLeftAsTheyAre) {
-  for (const char* formula : {"sin(x)", "exp(x)", "exp(x)*sin(x)", "sin(exp(x^2))", "sin(x^x)",
-                              "sin(exp(x)+exp(sqrt(2)*x))", "sin(exp(x)+exp(65*x))",
-                              "sin(exp(x))*exp(1/x)", "sin(exp(exp(x)))"}) {
+  for (const char* formula :
+       {"sin(x)", "exp(x)", "exp(x)*sin(x)", "sin(exp(x^2))", "sin(exp(x^2+x))", "sin(x^x)",
+        "sin(exp(x)+exp(sqrt(2)*x))", "sin(exp(x)+exp(65*x))", "sin(exp(x))*exp(1/x)",
+        "sin(exp(exp(x)))"}) {
     EXPECT_FALSE(parse(formula).by_exponential()) << formula;
   }
 }

@@ -293,6 +293,9 @@ class expression {
   /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
   /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.
   [[nodiscard]] bool is_formally_zero() const;
+  /// Whether a formula of one variable is 0 so, and defined but for isolated points: "1/(x-sqrt(2))
+  /// - 1/(x-sqrt(2))". It is meromorphic then.
+  [[nodiscard]] bool is_zero_almost_everywhere() const;
   /// The sum of the absolute values of the formula's terms: |x| + |y| + |z| of x - y + z, and |x|
   /// of what is no sum. A value that cannot be told from 0 has no relative digits, but beside this
   /// size.
