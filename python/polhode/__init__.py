@@ -18,14 +18,15 @@ from ._polhode import (Formula, Integral, Root, Roots, Symbol, SystemRoots, Unde
                        ball, certainly_less, eval, formula, functions, integrate, roots,
                        solve_system)
 from .bodies import (Body, PolhodeError, certify, check, constants, cost, figures, grid, merged,
-                     run_scene, table)
+                     table)
 from .program import run
+from .scenes import Page, Scene, SceneAnswer, Table
 
 oo = _math.inf
 
 __all__ = [
-    "Body", "Formula", "Integral", "PolhodeError", "Root", "Roots", "Symbol", "SystemRoots",
-    "Undecided", "ball", "certainly_less", "certify", "check", "constants", "cost", "eval",
-    "figures", "formula", "functions", "integrate", "oo", "roots", "run", "run_scene",
-    "grid", "merged", "solve_system", "table", "pi", "e", "euler_gamma", "catalan", *functions,
+    "Body", "Formula", "Integral", "Page", "PolhodeError", "Root", "Roots", "Scene", "SceneAnswer",
+    "Symbol", "SystemRoots", "Table", "Undecided", "ball", "catalan", "certainly_less", "certify",
+    "check", "constants", "cost", "e", "euler_gamma", "eval", "figures", "formula", "functions",
+    "grid", "integrate", "merged", "oo", "pi", "roots", "run", "solve_system", "table", *functions,
 ]

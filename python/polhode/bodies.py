@@ -1,30 +1,14 @@
-"""Rigid bodies, scenes and the claims of the paper: the commands of the program."""
+"""Rigid bodies and the claims of the paper: the commands of the program."""
 
 import io
 import pathlib
-import tempfile
 
 from ._polhode import ball, link_tensors
-from .program import PolhodeError, answer_of, run, run_for_bytes, text_of
+from .program import PolhodeError, answer_of, joined, options_of, run, run_for_bytes
+from .scenes import Table
 
 __all__ = ["Body", "PolhodeError", "certify", "check", "constants", "cost", "figures", "grid",
-           "merged", "run_scene", "table"]
-
-
-def _joined(numbers):
-    return ",".join(text_of(x) for x in numbers)
-
-
-def _options(options):
-    """digits=30, lower_bound=True: ["--digits", "30", "--lower-bound"]."""
-    result = []
-    for name, value in options.items():
-        if value is None or value is False:
-            continue
-        result.append("--" + name.replace("_", "-"))
-        if value is not True:
-            result.append(_joined(value) if isinstance(value, (list, tuple)) else text_of(value))
-    return result
+           "merged", "table"]
 
 
 class Body:
@@ -46,7 +30,7 @@ class Body:
             raise TypeError("a body is given in one way: moments, tensor, ab, rotational_constants "
                             "or file")
         (name, value), = given.items()
-        self._options = ["--" + name, str(value) if name == "body" else _joined(value)]
+        self._options = ["--" + name, str(value) if name == "body" else joined(value)]
 
     @classmethod
     def from_urdf(cls, path, link):
@@ -64,7 +48,7 @@ class Body:
 
     def describe(self, **options):
         """What kind of body it is, its constants, and what exists: the command body."""
-        return answer_of("body", *self._options, *_options(options))
+        return answer_of("body", *self._options, *options_of(options))
 
     @property
     def kind(self):
@@ -73,15 +57,26 @@ class Body:
 
     def phase(self, c, **options):
         """The Montgomery phase at c: the command phase."""
-        return answer_of("phase", *self._options, "--c", c, *_options(options))
+        return answer_of("phase", *self._options, "--c", c, *options_of(options))
 
     def racket(self, **options):
         """The twists of the tennis racket effect: the command racket."""
-        return answer_of("racket", *self._options, *_options(options))
+        return answer_of("racket", *self._options, *options_of(options))
 
     def curve(self, **options):
         """The curve C beside S: the command curve."""
-        return answer_of("curve", *self._options, *_options(options))
+        return answer_of("curve", *self._options, *options_of(options))
+
+    def table(self, **options):
+        """The points of the curves C and S as a Table; options are those of the command curve."""
+        return Table(self.curve(**options)["points"], " ".join(self._options).lstrip("-"))
+
+    def plot(self, ax=None, **options):
+        """Draws C and S, epsilon over c, with matplotlib; returns the axes."""
+        ax = self.table(**options).plot("c", ["epsilon", "epsilon_of_s"], ax)
+        ax.set_ylabel("epsilon")
+        ax.legend(["C", "S"], frameon=False)
+        return ax
 
     def __repr__(self):
         return f"<body {' '.join(self._options)}>"
@@ -102,17 +97,17 @@ def constants(name=None, digits=50):
 
 def certify(*claims, out=None, **options):
     """Proves claims of the paper, all where none is named: the command certify."""
-    return answer_of("certify", *claims, *_options({"out": out, **options}))
+    return answer_of("certify", *claims, *options_of({"out": out, **options}))
 
 
 def check(*paths, **options):
     """Checks certificates with the independent checker: the command check."""
-    return answer_of("check", *paths, *_options(options))
+    return answer_of("check", *paths, *options_of(options))
 
 
 def table(quantity, **options):
     """A table of a quantity of free rotations, as its rows: the command table."""
-    return answer_of("table", quantity, *_options(options))
+    return answer_of("table", quantity, *options_of(options))
 
 
 def grid(*quantities, a, b, c=None, **options):
@@ -127,7 +122,7 @@ def grid(*quantities, a, b, c=None, **options):
     import numpy
     given = {"a": a, "b": b, "c": c, **options}
     return numpy.load(io.BytesIO(run_for_bytes("map", *quantities, "--format", "npy",
-                                               *_options(given))))
+                                               *options_of(given))))
 
 
 def merged(blocks):
@@ -138,19 +133,9 @@ def merged(blocks):
 
 def cost(*arguments, **options):
     """What accuracy costs in time: the command cost."""
-    return answer_of("cost", *arguments, *_options(options))
+    return answer_of("cost", *arguments, *options_of(options))
 
 
 def figures(out, *arguments, **options):
     """Draws the figures of the paper into a directory: the command figures."""
-    return run("figures", *arguments, "--out", out, *_options(options))
-
-
-def run_scene(scene, **options):
-    """The effects that a scene, a file or its text, asks for: the command scene."""
-    if isinstance(scene, str) and "\n" in scene:
-        with tempfile.TemporaryDirectory() as directory:
-            path = pathlib.Path(directory) / "scene.toml"
-            path.write_text(scene, encoding="utf-8")
-            return answer_of("scene", path, *_options(options))
-    return answer_of("scene", scene, *_options(options))
+    return run("figures", *arguments, "--out", out, *options_of(options))

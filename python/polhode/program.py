@@ -40,6 +40,23 @@ def text_of(number):
     return str(number)
 
 
+def joined(numbers):
+    """The numbers with commas between them."""
+    return ",".join(text_of(x) for x in numbers)
+
+
+def options_of(options):
+    """digits=30, lower_bound=True: ["--digits", "30", "--lower-bound"]."""
+    result = []
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        result.append("--" + name.replace("_", "-"))
+        if value is not True:
+            result.append(joined(value) if isinstance(value, (list, tuple)) else text_of(value))
+    return result
+
+
 def with_balls(answer):
     """The JSON answer, in which each number, an object with its ends, is a ball; a Fraction where
     it is known exactly."""

@@ -59,10 +59,8 @@ def test_claims_are_proved_and_checked(tmp_path):
     assert polhode.check(tmp_path / "certificates")
 
 
-def test_tables_and_scenes():
+def test_tables():
     assert polhode.table("epsilon0", moments=["3", "2", "1"])
-    scenes = sorted((ROOT / "scenes").glob("*.toml"))
-    assert polhode.run_scene(scenes[0])
 
 
 def test_grids(tmp_path):
@@ -92,6 +90,6 @@ def test_every_command_of_the_program_has_a_counterpart():
                     "integrate": polhode.integrate, "roots": polhode.roots,
                     "body": Body.describe, "phase": Body.phase, "racket": Body.racket,
                     "curve": Body.curve, "table": polhode.table, "map": polhode.grid,
-                    "merge": polhode.merged, "scene": polhode.run_scene,
+                    "merge": polhode.merged, "scene": polhode.Scene.run,
                     "figures": polhode.figures, "cost": polhode.cost}
     assert names == set(counterparts)
