@@ -13,6 +13,7 @@
 #include "formulas.hpp"
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/quadrature/exact_integral.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
@@ -151,7 +152,13 @@ integral_answer integrate_from_python(py::handle f, py::handle a, py::handle b, 
   return interruptible(time_limit, [=](const stop_flag& flag) {
     integrate_options watched = options;
     watched.progress = [&](const integration_progress&) { expect_going_on(flag); };
-    integral found = settled_zero(formula, integrate(formula, from, to, watched));
+    integral found;
+    if (const auto exact = exact_integral(formula, from, to)) {
+      found.enclosure = ball(*exact, bits_for_digits(options.digits) + 64);
+      found.verdict = status::certified;
+    } else {
+      found = integrate(formula, from, to, watched);
+    }
     return integral_answer{std::move(found), digits};
   });
 }
@@ -175,7 +182,7 @@ struct roots_answer {
 
 roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long digits, int threads,
                                std::optional<double> time_limit) {
-  const expression formula = formula_from(f, {"x"});
+  const expression formula = equation_from(f, {"x"});
   const end_point lower = end_from(a);
   const end_point upper = end_from(b);
   (void)checked_digits(digits);
@@ -222,7 +229,7 @@ system_answer system_from_python(const py::sequence& equations, const py::sequen
     }
   }
   std::vector<expression> components;
-  for (const py::handle f : equations) components.push_back(formula_from(f, variables));
+  for (const py::handle f : equations) components.push_back(equation_from(f, variables));
   std::vector<std::pair<rational, rational>> ranges;
   for (const py::handle range : box) {
     const auto ends = range.cast<py::sequence>();

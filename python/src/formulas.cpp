@@ -214,6 +214,11 @@ end_point end_from(py::handle x) {
   return end_point_of(formula_from(x, {}));
 }
 
+expression equation_from(py::handle f, const std::vector<std::string>& variables) {
+  if (!py::isinstance<py::str>(f)) return formula_from(f, variables);
+  return parse_equation(f.cast<std::string>(), variables);
+}
+
 void declare_formulas(py::module_& m) {
   py::class_<symbol>(m, "Symbol", R"doc(A number that is not known yet, in a formula.
 

@@ -16,6 +16,9 @@ namespace polhode::python {
 /// symbols.
 [[nodiscard]] expression formula_from(pybind11::handle f,
                                       const std::vector<std::string>& variables);
+/// The same; of a text that is an equation "f = g" the formula f - g.
+[[nodiscard]] expression equation_from(pybind11::handle f,
+                                       const std::vector<std::string>& variables);
 /// An exact number, a ball, a formula without variables, or an infinity ("inf", math.inf).
 [[nodiscard]] end_point end_from(pybind11::handle x);
 

@@ -75,15 +75,25 @@ py::object power(const ball& x, py::handle exponent) {
   return py::cast(pow(x, *y));
 }
 
-std::string formatted(const ball& x, const std::string& how) {
-  if (how.empty()) return to_decimal(x, digits_of(x));
-  const std::string digits = how.front() == '.' ? how.substr(1) : how;
-  if (digits.empty() || digits.size() > 9 ||
-      digits.find_first_not_of("0123456789") != std::string::npos) {
-    throw input_error("the format of a ball is its number of digits, as in f\"{x:.20}\", not \"" +
-                      how + "\"");
+/// As of a text, [[fill]align][width], and behind a point the number of digits.
+py::str formatted(const ball& x, const std::string& how) {
+  const std::size_t point = how.rfind('.');
+  const std::string digits = point == std::string::npos ? "" : how.substr(point + 1);
+  const bool has_digits = !digits.empty() && digits.size() <= 9 &&
+                          digits.find_first_not_of("0123456789") == std::string::npos;
+  if (point == std::string::npos || has_digits) {
+    const std::string text =
+        to_decimal(x, has_digits ? checked_digits(std::stol(digits)) : digits_of(x));
+    try {
+      return py::str(text).attr("__format__")(how.substr(0, point));
+    } catch (const py::error_already_set& error) {
+      if (!error.matches(PyExc_ValueError)) throw;
+    }
   }
-  return to_decimal(x, checked_digits(std::stol(digits)));
+  throw input_error(
+      "the format of a ball is a width and a number of digits, as in f\"{x:.20}\" and "
+      "f\"{x:>30.20}\", not \"" +
+      how + "\"");
 }
 
 std::string latex(const ball& x) {

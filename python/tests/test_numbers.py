@@ -124,3 +124,15 @@ def test_agrees_with_mpmath():
             x = getattr(polhode, name)(q)
             value = theirs(mpmath.mpf(q.numerator) / q.denominator)
             assert abs(F(x.mid) - ball(value).mid) < F(1, 10**48) * max(1, abs(x.mid))
+
+
+def test_formats_are_a_width_and_digits():
+    x = ball(2)
+    assert f"{x:.3}" == "2"
+    assert f"{ball('1/3', digits=30):.3}" == "0.333..."
+    assert f"{ball('1/3', digits=30):>10.3}" == "  0.333..."
+    assert f"{ball('1/3', digits=30):*<10.3}" == "0.333...**"
+    assert f"{x:>4}" == "   2" and f"{x:4}" == "2   "
+    for wrong in [".", ".x", ">.x", "q3.2", ".3f", ".9999999999"]:
+        with pytest.raises(ValueError, match="width"):
+            format(x, wrong)

@@ -17,6 +17,8 @@ library_packages=(
 oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
 peer_packages=(libpari-dev)  # of the benchmarks alone
 python_packages=(python3-dev pybind11-dev python3-pytest)
+notebook_packages=(python3-mpmath python3-numpy python3-pandas python3-matplotlib python3-nbclient
+  python3-ipykernel)
 # Of the pages of scenes, unless npm comes from elsewhere than Debian.
 page_packages=()
 if ! { command -v node && command -v npm; } >/dev/null; then page_packages=(nodejs npm); fi

@@ -61,4 +61,20 @@ expression parse(std::string_view text, const std::vector<std::string>& variable
   return expression(text, {variables, in_order_of_need(definitions), elliptic_functions()});
 }
 
+expression parse_equation(std::string_view text, const std::vector<std::string>& variables,
+                          const std::vector<formula_definition>& definitions) {
+  const std::size_t at = text.find('=');
+  if (at == std::string_view::npos) return parse(text, variables, definitions);
+  const std::string_view left = text.substr(0, at);
+  const std::string_view right = text.substr(at + 1);
+  for (const std::string_view side : {left, right}) {
+    if (side.find_first_not_of(" \t\n") == std::string_view::npos ||
+        side.find('=') != std::string_view::npos) {
+      throw input_error("an equation has one \"=\" between two formulas");
+    }
+    (void)parse(side, variables, definitions);
+  }
+  return parse(fmt::format("({})-({})", left, right), variables, definitions);
+}
+
 }  // namespace polhode

@@ -54,5 +54,15 @@ TEST(Parse, WhatCannotBeReadSaysWhere) {
   EXPECT_THROW((void)parse("1", {"sin"}), input_error);
 }
 
+TEST(Parse, AnEquationIsTheDifferenceOfItsSides) {
+  const ball two(2, 64);
+  EXPECT_TRUE(contains(parse_equation("x^2 = 3*x-1")(two), -1));
+  EXPECT_TRUE(contains(parse_equation("x^2")(two), 4));
+  EXPECT_TRUE(contains(parse_equation("1-x = 2-x-k", {"x"}, {{"k", "5"}})(two), 4));
+  for (const char* wrong : {"x = ", "= x", "=", "x == 2", "x = 2 = 3", "x) = (2", "1 = 1)-(x"}) {
+    EXPECT_THROW((void)parse_equation(wrong), input_error) << wrong;
+  }
+}
+
 }  // namespace parse_test
 }  // namespace polhode::test

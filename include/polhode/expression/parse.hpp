@@ -31,4 +31,9 @@ using formula_definition = std::pair<std::string, std::string>;
                                const std::vector<std::string>& variables = {"x"},
                                const std::vector<formula_definition>& definitions = {});
 
+/// The same; of an equation "f = g" the formula f - g.
+[[nodiscard]] expression parse_equation(std::string_view text,
+                                        const std::vector<std::string>& variables = {"x"},
+                                        const std::vector<formula_definition>& definitions = {});
+
 }  // namespace polhode

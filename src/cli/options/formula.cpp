@@ -106,31 +106,29 @@ std::vector<std::string> parts_between_commas(const std::string& text) {
   return result;
 }
 
-expression read_formula(const std::string& given, const std::vector<std::string>& variables,
-                        const let_option& let) {
+namespace {
+
+expression read_by(decltype(parse)* reader, const std::string& given,
+                   const std::vector<std::string>& variables, const let_option& let) {
   const std::vector<definition> definitions = let.value();
   const std::string text = given.substr(std::min(given.find_first_not_of(' '), given.size()));
   try {
-    return parse(text, variables, definitions);
+    return reader(text, variables, definitions);
   } catch (const input_error& error) {
     throw usage_error(fmt::format("{}: {}", in_quotes(text), error.what()));
   }
 }
 
+}  // namespace
+
+expression read_formula(const std::string& given, const std::vector<std::string>& variables,
+                        const let_option& let) {
+  return read_by(parse, given, variables, let);
+}
+
 expression read_equation(const std::string& given, const std::vector<std::string>& variables,
                          const let_option& let) {
-  const std::size_t at = given.find('=');
-  const auto side = [&](const std::string& text) {
-    if (without_margins(text).empty() || text.find('=') != std::string::npos) {
-      throw usage_error(
-          fmt::format("{}: an equation has one \"=\" between two formulas", in_quotes(given)));
-    }
-    (void)read_formula(text, variables, let);
-    return text;
-  };
-  if (at == std::string::npos) return read_formula(given, variables, let);
-  const std::string left = side(given.substr(0, at));
-  return read_formula("(" + left + ")-(" + side(given.substr(at + 1)) + ")", variables, let);
+  return read_by(parse_equation, given, variables, let);
 }
 
 std::string table_of_functions() {

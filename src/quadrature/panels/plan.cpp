@@ -248,7 +248,11 @@ bool integrator::is_hopeless_beyond(const panel& p) const {
 /// Says in the result where no way on was found.
 integrator::outcome integrator::obstructed_at(const panel& p) {
   const segment& own = segments_[p.segment];
-  const complex_ball x = position_of(own, ball(p.centre, 64 + p.level));
+  // So near to the start that no other point is meant.
+  constexpr long deep = 100;
+  const bool is_start =
+      p.level > deep && estimated_log2(ball(p.centre, 64).magnitude_upper()) < -deep;
+  const complex_ball x = position_of(own, is_start ? ball(0, 128) : ball(p.centre, 64 + p.level));
   if (own.continued) {
     result_.obstacle += " on the line that the path is turned to";
   } else {
