@@ -129,6 +129,36 @@ TEST(Certify, AnOldFileIsReplacedOnlyByAWholeOne) {
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{"beta.json"});
 }
 
+TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
+  const scratch_directory scratch;
+  const std::string path = scratch.path("body.v");
+  const outcome written = run({"certify", "--coq", path, "--ab", "12.65,0.0629", "--digits", "30"});
+  EXPECT_EQ(written.status, 0) << written.err;
+  const std::string theory = contents(path);
+  // From `polhode racket --ab 12.65,0.0629`: 0.1135943823414333836295027543..., 0.003129226665067...
+  for (const char* part :
+       {"Definition a : R := (253 / 20).", "Definition b : R := (629 / 10000).",
+        "Theorem body_is_physical : physical a b.", "(113594382341433383629502754355 / 10^30) <",
+        "(113594382341433383629502754356 / 10^30)", "(312922666506 / 10^14) <",
+        "(312922666507 / 10^14)"}) {
+    EXPECT_NE(theory.find(part), std::string::npos) << part << '\n' << theory;
+  }
+  ASSERT_EQ(run({"certify", "--coq", path, "--ab", "1/10,9/10", "--digits", "5"}).status, 0);
+  const std::string other = contents(path);
+  EXPECT_NE(other.find("Theorem body_is_not_physical : ~ physical a b."), std::string::npos);
+  EXPECT_NE(other.find("Theorem no_c0 : forall c, ~ perfect_twist a b c."), std::string::npos);
+  EXPECT_EQ(other.find("Theorem c0"), std::string::npos);
+
+  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
+           {"beta"}, {"--all"}, {"--list"}, {"--u", "1/4"}, {"--format", "json"}}) {
+    std::vector<std::string> arguments{"certify", "--coq", path};
+    arguments.insert(arguments.end(), wrong.begin(), wrong.end());
+    EXPECT_EQ(run(arguments).status, 2) << wrong.front();
+  }
+  EXPECT_EQ(run({"certify", "--coq", scratch.path("none/body.v")}).status, 2);
+  EXPECT_EQ(contents(path), other);
+}
+
 TEST(Certify, TheListFitsTheTerminal) {
   const outcome result = run({"certify", "--list"});
   EXPECT_EQ(result.status, 0);

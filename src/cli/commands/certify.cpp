@@ -12,9 +12,11 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
+#include "cli/options/certificate_option.hpp"
 #include "cli/options/memory_limit.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
+#include "cli/output/coq_theory.hpp"
 #include "cli/output/layout.hpp"
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
@@ -38,6 +40,9 @@ struct certify_options {
   format_option format{{"text", "json", "markdown"}};
   std::optional<std::string> ab;
   std::optional<std::string> u;
+  file_option coq{"--coq",
+                  "Write a theory for Coq that proves the numbers of the body:\nepsilon0 to so "
+                  "many digits, c0 to at most 12"};
   memory_limit_option memory_limit;
   time_limit_option time_limit;
 };
@@ -284,7 +289,30 @@ std::string list_as_json(const std::vector<const claim*>& claims) {
   return as_json_text(result);
 }
 
-exit_status run(const certify_options& options) {
+/// The theory of the body, in place of claims.
+exit_status write_theory(certify_options& options) {
+  if (!options.names.empty() || options.all || options.list || options.directory || options.u ||
+      options.format.value() != "text") {
+    throw usage_error(
+        "--coq: it goes with --ab and --digits alone; claims have certificates (--out)");
+  }
+  options.coq.prepare();
+  const oscillating_motion motion = selected_motion(options);
+  const time_watch watch(options.time_limit.limit());
+  const coq_theory theory = coq_theory_of(motion.a, motion.b, options.digits.value());
+  options.coq.write(theory.text);
+  print(
+      fmt::format("{}: a theory that says whether the body is physical, epsilon0 to {} digits, {}\n"
+                  "scripts/check-coq --theory {} has Coq prove it\n",
+                  in_quotes(*options.coq.path), theory.defect_digits,
+                  theory.twist_digits == 0 ? "and that there is no perfect twist"
+                                           : fmt::format("c0 to {}", theory.twist_digits),
+                  *options.coq.path));
+  return exit_status::all_certified;
+}
+
+exit_status run(certify_options& options) {
+  if (options.coq.is_given()) return write_theory(options);
   const std::vector<const claim*> claims = selected_claims(options);
   const request wanted{options.digits.value(), selected_motion(options)};
   const bool as_json = options.format.value() == "json";
@@ -347,6 +375,7 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--u", options->u,
              fmt::format("The motion's parameter, 0 < u <= 1, read exactly [{}]", to_text(usual.u)))
       .type_name("U");
+  options->coq.declare(app);
   options->memory_limit.declare(app);
   options->time_limit.declare(app);
   return [options] { return run(*options); };
@@ -363,6 +392,7 @@ command certify_command() {
       "  polhode certify beta --digits 1000 --out certificates\n"
       "  polhode certify injectivity --ab 18.27,0.0629\n"
       "  polhode certify errata\n"
+      "  polhode certify --coq body.v --ab 12.65,0.0629 --digits 50\n"
       "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
       "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
       "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
