@@ -123,6 +123,17 @@ TEST(Antiderivative, OfSumsOfExponentials) {
       0);
 }
 
+TEST(Antiderivative, OfWhatIsZeroAlmostEverywhereIsZeroBetweenLimits) {
+  const expression f = parse("1/(x-sqrt(2))-1/(x-sqrt(2))");
+  const auto to = [](const char* text) { return end_point_of(parse(text, {})); };
+  EXPECT_EQ(exact_integral(f, 0, 2), rational(0));
+  EXPECT_EQ(exact_integral(f, to("sqrt(2)"), end_point::infinity()), rational(0));
+  EXPECT_EQ(exact_integral(f, end_point::infinity(), end_point::infinity()), std::nullopt);
+  for (const expression& zero : {f, parse("x-x")}) {
+    EXPECT_EQ(exact_integral(zero, 0, to("1/(sqrt(2)*sqrt(3)-sqrt(6))")), std::nullopt);
+  }
+}
+
 TEST(Antiderivative, IsChosenAndNamed) {
   const auto with = [](const char* formula, const quadrature_rule& rule) {
     return integrate(parse(formula), 0, 1, {.digits = 20, .rule = rule});

@@ -251,6 +251,10 @@ std::optional<rational> difference_at_ends(const expression& f, const end_point&
 std::optional<rational> exact_integral(const expression& f, const end_point& a,
                                        const end_point& b) {
   if (f.variables().size() != 1) return std::nullopt;
+  const auto is_number = [](const end_point& x) { return x.at(64).is_bounded(); };
+  const bool is_range = (a.is_infinite() || is_number(a)) && (b.is_infinite() || is_number(b)) &&
+                        (!a.is_infinite() || a.infinite_sign() != b.infinite_sign());
+  if (!is_range) return std::nullopt;
   if (f.is_zero_almost_everywhere()) return rational(0);
   const auto is_known = [](const end_point& x) { return x.exact() || x.infinite_sign() != 0; };
   if (!is_known(a) || !is_known(b)) return difference_at_ends(f, a, b);
