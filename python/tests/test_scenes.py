@@ -12,7 +12,8 @@ from polhode import Body, PolhodeError, Scene, SceneAnswer, Table, ball
 F = fractions.Fraction
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BOOK = {
-    "title": "A book with \"quotes\" and \\", "body": {"moments": ["2.5", F(2), decimal.Decimal(1)]},
+    "title": "A book with \"quotes\" and \\",
+    "body": {"moments": ["2.5", F(2), decimal.Decimal(1)]},
     "state": {"omega": ["0.01", 2, 0], "unit": "rad/s"}, "time": {"to": 10, "samples": 5},
     "effects": {"want": ["period", "momentum", "attitude"]},
 }

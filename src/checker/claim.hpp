@@ -1,7 +1,7 @@
 #pragma once
 
-// A claim as the checker has it: its text, and what checks its certificates. Each claim is a file in
-// claims/.
+// A claim as the checker has it: its text, and what checks its certificates. Each claim is a file
+// in claims/.
 
 #include <string_view>
 

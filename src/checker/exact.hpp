@@ -1,7 +1,7 @@
 #pragma once
 
-// The checker's exact numbers: integers and rationals of GMP, and their decimals. The checker shares
-// no mathematics with the prover (docs/certificates.md), so these are types of its own.
+// The checker's exact numbers: integers and rationals of GMP, and their decimals. The checker
+// shares no mathematics with the prover (docs/certificates.md), so these are types of its own.
 
 #include <string>
 #include <string_view>

@@ -372,22 +372,10 @@ bool has_other_than_entire(const graph& g) {
   for (node_id i = 0; i <= g.root; ++i) {
     if (varies[i] == 0) continue;
     const node& n = g[i];
-    switch (n.what) {
-      case operation::variable:
-      case operation::negate:
-      case operation::add:
-      case operation::subtract:
-      case operation::multiply:
-        break;
-      case operation::divide:
-        if (varies[n.right] != 0) return true;
-        break;
-      case operation::power_integer:
-        if (n.number < 0) return true;
-        break;
-      default:
-        if (!exponential_sum_impl::is_wave(n.what)) return true;
-    }
+    const bool is_entire = is_of_ring(n.what) || exponential_sum_impl::is_wave(n.what) ||
+                           (n.what == operation::divide && varies[n.right] == 0) ||
+                           (n.what == operation::power_integer && n.number >= 0);
+    if (!is_entire) return true;
   }
   return false;
 }

@@ -109,8 +109,6 @@ class expansion {
   std::map<node_id, maybe_terms> known_;
 };
 
-enum class analyticity { unknown, meromorphic, entire };
-
 /// Whether the operation is an entire function of its operand.
 bool is_entire(operation what) {
   constexpr std::array all{operation::exp,  operation::expm1, operation::sin,   operation::cos,
@@ -127,47 +125,36 @@ bool expression::is_formally_zero() const {
   return found && found->empty();
 }
 
+// A quotient of meromorphic functions is meromorphic unless the divisor is 0 everywhere, which one
+// value other than 0 refutes; and where f is meromorphic, it is defined but for isolated points.
 bool expression::is_zero_almost_everywhere() const {
-  using detail::node;
+  using detail::node_id;
   using detail::operation;
-  using formal_zero_impl::analyticity;
   if (variables_.size() != 1 || !is_formally_zero()) return false;
   const detail::graph& g = *graph_;
   const std::vector<char> used = detail::reachable(g);
   const std::vector<char> varies = detail::varying(g);
-  // A meromorphic function with a value other than 0 at one point has isolated zeros.
-  const auto value = [&](detail::node_id i) {
+  const auto value = [&](node_id i) {
     constexpr precision p = 128;
     return with_root(g, i)(ball(rational(5, 7), p));
   };
-  std::vector<analyticity> kinds(g.root + 1, analyticity::entire);
-  for (detail::node_id i = 0; i <= g.root; ++i) {
+  std::vector<char> has_poles(g.root + 1, 0);
+  for (node_id i = 0; i <= g.root; ++i) {
     if (used[i] == 0) continue;
-    const node& n = g[i];
     if (varies[i] == 0) {
       if (!value(i).is_bounded()) return false;
       continue;
     }
-    for (const detail::node_id k : detail::operands_at(g, i))
-      kinds[i] = std::min(kinds[i], kinds[k]);
-    switch (n.what) {
-      case operation::variable:
-      case operation::negate:
-      case operation::add:
-      case operation::subtract:
-      case operation::multiply:
-        break;
-      case operation::divide:
-        if (contains_zero(value(n.right))) return false;
-        if (varies[n.right] != 0) kinds[i] = std::min(kinds[i], analyticity::meromorphic);
-        break;
-      case operation::power_integer:
-        if (n.number > 0) break;
-        if (contains_zero(value(n.left))) return false;
-        kinds[i] = std::min(kinds[i], analyticity::meromorphic);
-        break;
-      default:
-        if (!formal_zero_impl::is_entire(n.what) || kinds[i] != analyticity::entire) return false;
+    const detail::node& n = g[i];
+    for (const node_id k : detail::operands_at(g, i))
+      has_poles[i] = std::max(has_poles[i], has_poles[k]);
+    const bool is_whole_power = n.what == operation::power_integer;
+    if (n.what == operation::divide || (is_whole_power && n.number <= 0)) {
+      const node_id divisor = is_whole_power ? n.left : n.right;
+      if (contains_zero(value(divisor))) return false;
+      has_poles[i] = std::max(has_poles[i], varies[divisor]);
+    } else if (!is_whole_power && !detail::is_of_ring(n.what)) {
+      if (!formal_zero_impl::is_entire(n.what) || has_poles[i] != 0) return false;
     }
   }
   return true;

@@ -462,6 +462,11 @@ tape assemble(const graph& g, const std::vector<node_id>& code, const std::vecto
 
 }  // namespace
 
+bool is_of_ring(operation what) {
+  return what == operation::variable || what == operation::negate || what == operation::add ||
+         what == operation::subtract || what == operation::multiply;
+}
+
 node_id with_operands(graph& to, const graph& from, node_id i,
                       const std::function<node_id(node_id)>& operand) {
   const node n = from[i];

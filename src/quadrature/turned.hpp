@@ -22,10 +22,9 @@ namespace polhode::detail {
     const integrand& f, const end_point& a, const end_point& b, double least_turns,
     const integrate_options& options);
 
-/// The integral over [a, b], a < b, in an exponential of the variable, where f oscillates as one
-/// does: over a finite range where it turns more often than `least_turns` there, up to infinity where
-/// the exponential grows without bound. Returns nullopt where it is not known so, or not to the
-/// goal.
+/// The integral over [a, b], a < b, of an f with sines or cosines of exponentials, taken in such an
+/// exponential u: over a finite range of u if f turns more often than `least_turns` there. Returns
+/// nullopt for other f, and where the goal is not met.
 [[nodiscard]] std::optional<integral> integrate_by_exponential(const integrand& f,
                                                                const end_point& a,
                                                                const end_point& b,

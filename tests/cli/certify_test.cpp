@@ -135,7 +135,8 @@ TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
   const outcome written = run({"certify", "--coq", path, "--ab", "12.65,0.0629", "--digits", "30"});
   EXPECT_EQ(written.status, 0) << written.err;
   const std::string theory = contents(path);
-  // From `polhode racket --ab 12.65,0.0629`: 0.1135943823414333836295027543..., 0.003129226665067...
+  // As `polhode racket --ab 12.65,0.0629` prints them: 0.11359438234143338362950275435...,
+  // 0.003129226665067...
   for (const char* part :
        {"Definition a : R := (253 / 20).", "Definition b : R := (629 / 10000).",
         "Theorem body_is_physical : physical a b.", "(113594382341433383629502754355 / 10^30) <",

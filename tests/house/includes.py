@@ -37,7 +37,8 @@ FLOORS = [
 # Their headers beside their sources are meant for other rooms: none of these rooms is installed on its own.
 OPEN = {"base", "statements", "proofs", "cost"}
 
-# What stands apart from the floors: the room, and the files and folders of others that it may include.
+# What stands apart from the floors: the room, and the files and folders of others that it may
+# include.
 APART = {"checker": ("src/base/sha256.hpp", "src/statements/")}
 # Who may include the public headers of a room that stands apart.
 APART_SERVES = {"checker": {"cli"}}

@@ -180,11 +180,11 @@ struct integrand {
   std::function<std::optional<rays_of_range>(const rational& a, const rational& b,
                                              double least_turns)>
       between_turned_rays;
-  /// The integral over [a, b] as that of another function, which oscillates less fast. Nothing where
-  /// none is known; may be empty.
+  /// The integral over [a, b] as that of another function, which oscillates less fast. Nothing
+  /// where none is known; may be empty.
   std::function<std::optional<substituted>(const end_point& a, const end_point& b)> by_exponential;
-  /// The integral beyond some |x| >= `from`, to the infinity of sign `side`, as one over a period but
-  /// for a rest of about 2^-p of its size. Nothing where that is not available; may be empty.
+  /// The integral beyond some |x| >= `from`, to the infinity of sign `side`, as one over a period
+  /// but for a rest of about 2^-p of its size. Nothing where that is not available; may be empty.
   std::function<std::optional<folded_tail>(const rational& from, int side, precision p)>
       folded_at_infinity;
   std::function<tail_series(const tail_series& x)> near_infinity;

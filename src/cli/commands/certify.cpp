@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "cli/commands.hpp"
-#include "cli/options/certificate_option.hpp"
+#include "cli/options/file_option.hpp"
 #include "cli/options/memory_limit.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
@@ -296,6 +296,8 @@ exit_status write_theory(certify_options& options) {
     throw usage_error(
         "--coq: it goes with --ab and --digits alone; claims have certificates (--out)");
   }
+  options.memory_limit.check(
+      estimate({proofs::find_claim("separatrix_twist")}, options.digits.value()));
   options.coq.prepare();
   const oscillating_motion motion = selected_motion(options);
   const time_watch watch(options.time_limit.limit());
