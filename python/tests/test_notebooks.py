@@ -16,6 +16,17 @@ pytest.importorskip("ipykernel")
 NOTEBOOKS = pathlib.Path(__file__).resolve().parents[2] / "docs" / "notebooks"
 
 
+def joined(outputs):
+    """The outputs, in which what came to standard output in pieces is one text."""
+    result = []
+    for output in outputs:
+        if result and output.output_type == result[-1].output_type == "stream":
+            result[-1].text += output.text
+        else:
+            result.append(output)
+    return result
+
+
 def texts(notebook):
     """What each cell prints and returns, but for pictures and what varies."""
     result = []
@@ -45,6 +56,8 @@ def test_a_notebook_prints_what_is_in_it(path, monkeypatch):
     if os.environ.get("POLHODE_UPDATE_NOTEBOOKS"):
         for cell in notebook.cells:
             cell.metadata.pop("execution", None)
+            if cell.cell_type == "code":
+                cell.outputs = joined(cell.outputs)
         notebook.metadata = {"kernelspec": notebook.metadata["kernelspec"],
                              "language_info": {"name": "python"}}
         nbformat.write(notebook, path)
