@@ -17,6 +17,7 @@
 #include "base/nearest_name.hpp"
 #include "cli/options/formula.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/ranks/ranks.hpp"
 #include "commands.hpp"
 #include "polhode/expression/expression.hpp"
 #include "polhode/version.hpp"
@@ -187,6 +188,11 @@ exit_status print_help(const CLI::App& app, const std::vector<std::string>& argu
 }  // namespace
 
 exit_status run_command_line(int argc, const char* const* argv) {
+  for (const command& c : all_commands()) {
+    if (c.runs_on_ranks && argc > 1 && c.name == argv[1]) {
+      ranks::join({argv, static_cast<std::size_t>(argc)});
+    }
+  }
   refuse_brackets(argc, argv);
   CLI::App app(
       "Certified numbers, and the free rotation of rigid bodies: digits before dots are digits of\n"

@@ -2,6 +2,7 @@
 
 #include "cli/output/errors.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/ranks/ranks.hpp"
 #include "command_line.hpp"
 #include "interruption.hpp"
 
@@ -12,8 +13,10 @@ int main(int argc, char** argv) {
     check_standard_streams();
     handle_interruptions();
     status = run_command_line(argc, argv);
+    ranks::leave();
   } catch (...) {
     status = report_current_exception();
+    ranks::give_up(status);
   }
   return static_cast<int>(status);
 }

@@ -1,12 +1,25 @@
 #pragma once
 
 #include <concepts>
+#include <map>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/elliptic/carlson.hpp"
 #include "polhode/rigid_body/motion.hpp"
 
 namespace polhode::detail {
+
+/// What a quarter is made of.
+struct quarter_numbers {
+  explicit quarter_numbers(const motion& of)
+      : b(of.b()),
+        rest(1 - of.b()),
+        kappa2(1 + of.kappa()),
+        m1(of.m1()),
+        lambda2(of.lambda2()),
+        eta(1 - of.turning_point()) {}
+  exact_real b, rest, kappa2, m1, lambda2, eta;
+};
 
 /// The motion on its first quarters, by S = sinh w = tan am(lambda t), t the time from the middle of the twist in I_y/J:
 ///
@@ -38,7 +51,7 @@ namespace polhode::detail {
 template <class T>
 class quarter {
  public:
-  quarter(const motion& of, precision p) {
+  quarter(const quarter_numbers& exact, precision p) {
     using std::sqrt;
     const auto number = [=](const exact_real& x) {
       if constexpr (std::same_as<T, ball>) {
@@ -47,14 +60,15 @@ class quarter {
         return x.is_rational() ? static_cast<T>(x.exact()) : midpoint(x.at(64)).convert_to<T>();
       }
     };
-    b_ = number(of.b());
-    rest_ = number(1 - of.b());
+    b_ = number(exact.b);
+    rest_ = number(exact.rest);
     one_ = number(1);
-    kappa2_ = number(1 + of.kappa());
-    m1_ = number(of.m1());
-    lambda_ = sqrt(number(of.lambda2()));
-    eta_ = number(1 - of.turning_point());
+    kappa2_ = number(exact.kappa2);
+    m1_ = number(exact.m1);
+    lambda_ = sqrt(number(exact.lambda2));
+    eta_ = number(exact.eta);
   }
+  quarter(const motion& of, precision p) : quarter(quarter_numbers(of), p) {}
 
   [[nodiscard]] const T& m1() const { return m1_; }
   [[nodiscard]] const T& lambda() const { return lambda_; }
@@ -97,6 +111,20 @@ class quarter {
 
  private:
   T b_, rest_, one_, kappa2_, m1_, lambda_, eta_;
+};
+
+/// A motion's quarters to any precision, each made once.
+class quarters {
+ public:
+  explicit quarters(const motion& of) : exact_(of) {}
+  [[nodiscard]] quarter<double> in_double() const { return {exact_, 53}; }
+  [[nodiscard]] const quarter<ball>& at(precision p) {
+    return made_.try_emplace(p, exact_, p).first->second;
+  }
+
+ private:
+  quarter_numbers exact_;
+  std::map<precision, quarter<ball>> made_;
 };
 
 }  // namespace polhode::detail

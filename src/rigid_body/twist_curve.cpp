@@ -18,6 +18,7 @@ namespace polhode {
 namespace {
 
 using detail::quarter;
+using detail::quarters;
 
 // ---------------------------------------------------------------------------------------------
 // The branch
@@ -88,6 +89,8 @@ magnitude size_of(double x) { return ball::exactly(x).magnitude_upper(); }
 magnitude size_of(const ball& x) { return x.magnitude_upper(); }
 
 constexpr int bits_of_search = 30;
+/// Newton's last step about doubles them, up to the rounding of doubles.
+constexpr int bits_of_quick_root = 46;
 
 /// A number near the root between the two, by Newton's method kept between them. It proves nothing.
 template <class T, class F, class Slope>
@@ -108,13 +111,15 @@ T approximate_root(const F& f, const Slope& slope, T low, T high) {
 }
 
 /// The same in double, or nothing where it has no room for the numbers; a start where few bits are lost.
-std::optional<ball> quick_root(const motion& of, bool late, const ball& target, const ball& low,
+std::optional<ball> quick_root(const quarters& ways, bool late, const ball& target, const ball& low,
                                const ball& high) {
   const auto number = [](const ball& x) { return midpoint(x).convert_to<double>(); };
   constexpr double most = 100;
   constexpr double least = 1e-100;
-  const quarter<double> way(of, 53);
-  const bool has_room = number(low) > least && number(high) < most && way.m1() > 1e-100;
+  const quarter<double> way = ways.in_double();
+  // On the separatrix m1 is 0.
+  const bool has_room = number(low) > least && number(high) < most &&
+                        (way.m1() > 1e-100 || (way.m1() == 0 && !late));
   if (!has_room) return std::nullopt;
   const double rest = number(target);
   const auto w = approximate_root<double>([&](double x) { return excess_at(way, x, late, rest); },
@@ -126,8 +131,8 @@ std::optional<ball> quick_root(const motion& of, bool late, const ball& target, 
 
 /// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is near 0. The proof's
 /// evaluations are counted, not those of the search.
-ball find_s(const motion& of, const branch& at, precision p, work_count& work) {
-  const auto way_at = [&](const ball& x) { return quarter<ball>(of, x.precision()); };
+ball find_s(const motion& of, quarters& ways, const branch& at, precision p, work_count& work) {
+  const auto way_at = [&](const ball& x) -> const quarter<ball>& { return ways.at(x.precision()); };
   const precision coarse = 64 + at.lost;
   const ball r = rest_of(of, at.n, coarse);
   const bool backwards = certainly_negative(r);
@@ -136,16 +141,17 @@ ball find_s(const motion& of, const branch& at, precision p, work_count& work) {
     return backwards ? -rest : rest;
   };
   // The unknown of the equation is w', or w and about 1/kappa: near 0 an error of kappa w is one of epsilon.
-  const quarter<ball> way(of, coarse);
+  const quarter<ball>& way = ways.at(coarse);
+  const exact_real b_by_a = of.b() / of.a();
   const long unit = -log2_of(way.tangent(ball(1, coarse)));
   const ball shift = at.late ? ball(0, coarse) : scale(ball(1, coarse), unit);
   const auto excess = [&](const ball& x) {
     const ball w = x.with_precision(x.precision() + at.lost) - shift;
-    const quarter<ball> here = way_at(w);
+    const quarter<ball>& here = way_at(w);
     if (of.regime() != regime::separatrix)
       return excess_at(here, w, at.late, target(w.precision()));
     // In closed form: t - arctan(sqrt(b/a) tanh w), w = lambda t = sqrt(ab) t.
-    const ball root = sqrt((of.b() / of.a()).at(w.precision()));
+    const ball root = sqrt(b_by_a.at(w.precision()));
     return w / here.lambda() - atan(root * tanh(w)) - pi(w.precision());
   };
   const auto slope = [&](const ball& x) { return slope_in_w(way_at(x), ball(x - shift), at.late); };
@@ -159,23 +165,25 @@ ball find_s(const motion& of, const branch& at, precision p, work_count& work) {
   const precision bits = coarse + std::max(0L, log2_of(high));
   ball start(0, bits);
   magnitude uncertainty = high.magnitude_upper();
+  int bits_of_start = bits_of_search;
   if (!contains_zero(r)) {
     constexpr precision most_lost = 16;
     const auto quick =
-        at.lost <= most_lost ? quick_root(of, at.late, abs(r), low, high) : std::nullopt;
+        at.lost <= most_lost ? quick_root(ways, at.late, abs(r), low, high) : std::nullopt;
     start = quick ? quick->with_precision(bits)
                   : approximate_root<ball>([&](const ball& w) { return excess(w + shift); },
                                            [&](const ball& w) { return slope(w + shift); },
                                            low.with_precision(bits).middle(),
                                            high.with_precision(bits).middle());
     uncertainty = low.radius();
+    if (quick) bits_of_start = bits_of_quick_root - static_cast<int>(at.lost);
   }
   const precision goal = p + std::max(0L, at.late ? 0 : log2_of(start) - unit);
   const ball x = start + shift;
   for (const int wider : {0, 8, 16, 24}) {
     // The step that maps the box into itself proves a root in it; there is no other, as phi increases with w.
     const magnitude radius =
-        std::max(scale(start.magnitude_upper(), wider - bits_of_search), scale(uncertainty, wider));
+        std::max(scale(start.magnitude_upper(), wider - bits_of_start), scale(uncertainty, wider));
     const root_enclosure found = refine_root(excess, slope, x.enlarged(radius), goal);
     work.integrals += found.evaluations_of_f;
     work.newton_steps += found.evaluations_of_derivative;
@@ -247,16 +255,16 @@ ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, con
   return oscillating && is_odd(n) ? -result : result;
 }
 
-twist twist_on(const body& rigid, const motion& of, const branch& at, precision p,
+twist twist_on(const body& rigid, const motion& of, quarters& ways, const branch& at, precision p,
                with_slope slope) {
   constexpr precision guard = 32;
   twist result;
   result.motion = of.regime();
   result.branch = at.n;
   result.epsilon = result.slope = ball::undefined(p);
-  const ball s = find_s(of, at, p + guard, result.work);
+  const ball s = find_s(of, ways, at, p + guard, result.work);
   if (!s.is_bounded()) return result;
-  const quarter<ball> way(of, s.precision());
+  const quarter<ball>& way = ways.at(s.precision());
   result.epsilon = epsilon_at(way, s, of.regime(), at.n).with_precision(p + guard);
   if (slope == with_slope::yes) {
     result.slope = slope_at(rigid, of, way, s, at.n).with_precision(p + guard);
@@ -273,7 +281,10 @@ twist twist_at(const body& rigid, const rational& c, precision p, with_slope slo
   const motion of(rigid, c);
   of.refuse_equilibrium();
   const auto at = branch_of(of);
-  if (at) return twist_on(rigid, of, *at, p, slope);
+  if (at) {
+    quarters ways(of);
+    return twist_on(rigid, of, ways, *at, p, slope);
+  }
   twist undecided;
   undecided.motion = of.regime();
   undecided.epsilon = undecided.slope = ball::undefined(p);
@@ -292,9 +303,10 @@ twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slo
   if (at) {
     const precision most = detail::guard_for(digits) + 4 * (at->lost + size_in_bits(of.c()));
     const precision needed = bits_for_digits(digits);
+    quarters ways(of);
     for (precision guard = 0; guard <= most; guard = 2 * guard + 32) {
       const work_count before = result.work;
-      result = twist_on(rigid, of, *at, needed + guard, slope);
+      result = twist_on(rigid, of, ways, *at, needed + guard, slope);
       result.work += before;
       if (result.verdict != status::certified) break;
       if (detail::has_digits(result.epsilon, digits) &&

@@ -52,6 +52,11 @@ TEST(Map, IsTheSameWhateverTheShardsAndThreads) {
   const scratch_directory scratch;
   const std::string whole = printed(map_of({}));
   EXPECT_EQ(printed(map_of({"--threads", "1"})), whole);
+  EXPECT_EQ(printed(map_of({"--block-size", "7"})), whole);
+  const std::string small = scratch.path("small");
+  EXPECT_EQ(printed(map_of({"--block-size", "700", "--blocks", small})), whole);
+  EXPECT_EQ(printed({"merge", small}), whole);
+  EXPECT_EQ(run(map_of({"--blocks", small})).status, 2);  // blocks of another size
   const std::string blocks = scratch.path("blocks");
   for (const char* shard : {"3/3", "1/3", "2/3"}) {
     EXPECT_EQ(run({"merge", blocks}).status, 2) << shard;

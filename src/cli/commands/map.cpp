@@ -24,9 +24,11 @@
 #include "cli/options/count_option.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
+#include "cli/output/directory_lock.hpp"
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/ranks/ranks.hpp"
 #include "map_grid.hpp"
 #include "map_picture.hpp"
 #include "map_rows.hpp"
@@ -40,8 +42,8 @@ const std::string head_name = "map.json";
 
 /// The rows of a block, whatever the threads.
 std::string rows_of_block(const map_grid& g, std::size_t block, detail::worker_threads& threads) {
-  const std::size_t first = block * map_grid::points_of_block;
-  const std::size_t count = std::min(map_grid::points_of_block, g.points() - first);
+  const std::size_t first = block * g.points_of_block;
+  const std::size_t count = std::min(g.points_of_block, g.points() - first);
   std::vector<std::string> rows(count);
   threads.for_each(static_cast<long>(count), [&](long i) {
     const auto k = static_cast<std::size_t>(i);
@@ -61,6 +63,12 @@ class block_directory {
  public:
   explicit block_directory(std::string path) : path_(std::move(path)) {}
 
+  /// Removes what runs that were killed have left of these blocks.
+  void sweep(const std::vector<std::size_t>& blocks) const {
+    std::vector<std::string> names{head_name};
+    for (const std::size_t block : blocks) names.push_back(name_of(block));
+    sweep_temporary_files(path_, names);
+  }
   /// The map that the blocks in it are of; throws usage_error where there is none.
   [[nodiscard]] map_grid head() const {
     const auto text = read(head_name);
@@ -71,7 +79,8 @@ class block_directory {
                                   head_name, in_quotes(path_), give));
   }
   /// Makes it the directory of this map; throws usage_error where it is that of another one.
-  void begin(const map_grid& g) const {
+  void begin(const map_grid& g) {
+    writer_.emplace(path_, std::vector{head_name}, "--blocks");
     const auto known = read(head_name);
     if (!known) {
       write(head_name, head_of(g));
@@ -82,8 +91,13 @@ class block_directory {
                       in_quotes(path_), head_name));
     }
   }
-  void write_block(std::size_t block, const std::string& rows) const {
-    write(name_of(block), rows + "sha256," + digest_of(block, rows) + '\n');
+  /// What the file of a block with these rows has in it.
+  [[nodiscard]] static std::string sealed(std::size_t block, const std::string& rows) {
+    return rows + "sha256," + digest_of(block, rows) + '\n';
+  }
+  /// After begin.
+  void write_block(std::size_t block, const std::string& sealed_rows) {
+    write(name_of(block), sealed_rows);
   }
   /// Its rows, where it is there and whole.
   [[nodiscard]] std::optional<std::string> rows_of(std::size_t block) const {
@@ -92,8 +106,7 @@ class block_directory {
     const std::size_t at = text->rfind("sha256,");
     if (at == std::string::npos) return std::nullopt;
     const std::string rows = text->substr(0, at);
-    if (text->substr(at) != "sha256," + digest_of(block, rows) + '\n') return std::nullopt;
-    return rows;
+    return *text == sealed(block, rows) ? std::optional(rows) : std::nullopt;
   }
 
  private:
@@ -113,13 +126,13 @@ class block_directory {
     return file.bad() ? std::nullopt : std::optional(std::move(text));
   }
   /// Whole or not at all, whoever else writes it.
-  void write(const std::string& name, const std::string& text) const {
-    output_directory directory(path_, {name}, "--blocks");
-    directory.write(name, text);
-    directory.publish();
+  void write(const std::string& name, const std::string& text) {
+    writer_->write(name, text);
+    writer_->publish();
   }
 
   std::string path_;
+  std::optional<output_directory> writer_;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -271,6 +284,7 @@ struct map_options {
   std::optional<std::string> width;
   std::optional<std::string> blocks;
   std::optional<std::string> shard;
+  count_option block_size{"--block-size", 1000, 1, 1'000'000};
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
   format_option format{{"csv", "npy", "svg", "png", "areas"}};
@@ -323,6 +337,7 @@ exit_status run(const map_options& options) {
   g.digits = options.digits.value();
   g.cells = options.cells;
   g.refine = options.refine.value();
+  g.points_of_block = static_cast<std::size_t>(options.block_size.value());
   if (options.width) g.width = read_width(*options.width);
   if (!g.cells && (g.refine != 0 || g.width)) {
     throw usage_error("--refine and --width are of cells: give --cells, too");
@@ -332,37 +347,53 @@ exit_status run(const map_options& options) {
   check_format(g, format);
   const shard own = read_shard(options);
   const progress line;
-  detail::worker_threads threads(static_cast<int>(options.threads.value()));
+  detail::worker_threads threads(ranks::threads(options.threads.value()));
   const std::size_t middle = g.points() / 2;
-  line.expect(
-      options.time_limit.check(fmt::format("a map of {} points to {} digits", g.points(), g.digits),
-                               g.digits, {[&](long fewer) {
-                                 map_grid rough = g;
-                                 rough.digits = fewer;
-                                 (void)row_of(rough, middle);
-                               }},
-                               static_cast<double>(g.points()) / threads.count()));
+  if (!ranks::is_worker()) {
+    line.expect(options.time_limit.check(
+        fmt::format("a map of {} points to {} digits", g.points(), g.digits), g.digits,
+        {[&](long fewer) {
+          map_grid rough = g;
+          rough.digits = fewer;
+          (void)row_of(rough, middle);
+        }},
+        static_cast<double>(g.points()) / threads.count() / ranks::count()));
+  }
   const time_watch watch(options.time_limit.limit(static_cast<double>(g.points())));
   std::optional<block_directory> directory;
-  if (options.blocks) {
+  std::vector<std::size_t> open;
+  if (options.blocks && !ranks::is_worker()) {
     directory.emplace(*options.blocks);
     directory->begin(g);
   }
-  std::vector<std::size_t> open;
   for (std::size_t block = own.number; block < g.blocks(); block += own.count) {
     if (!directory || !directory->rows_of(block)) open.push_back(block);
   }
-  std::string rows;
-  for (std::size_t k = 0; k < open.size(); ++k) {
-    line.show_part("computing " + fmt::format("{}", fmt::join(g.quantities, ", ")), k, open.size());
-    std::string block = rows_of_block(g, open[k], threads);
-    if (directory) {
-      directory->write_block(open[k], block);
-    } else {
-      rows += block;
-    }
+  if (directory) directory->sweep(open);
+  const std::string what = fmt::format("computing {}", fmt::join(g.quantities, ", "));
+  std::vector<std::string> in_memory(directory ? 0 : g.blocks());
+  std::size_t done = 0;
+  line.show_part(what, done, open.size());
+  // Only rank 0 knows which are open.
+  ranks::distribute(
+      open,
+      [&](std::size_t block) {
+        const std::string rows = rows_of_block(g, block, threads);
+        return options.blocks ? block_directory::sealed(block, rows) : rows;
+      },
+      [&](std::size_t block, std::string text) {
+        if (directory) {
+          directory->write_block(block, text);
+        } else {
+          in_memory[block] = std::move(text);
+        }
+        line.show_part(what, ++done, open.size());
+      });
+  if (!directory) {
+    std::string rows;
+    for (std::string& block : in_memory) rows += std::exchange(block, {});
+    return print_map(g, rows, format);
   }
-  if (!directory) return print_map(g, rows, format);
   if (own.count > 1) {
     print(fmt::format("shard {} of {} is done; polhode merge {} prints the map when all are\n",
                       own.number + 1, own.count, *options.blocks));
@@ -396,9 +427,9 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--width", options->width, "How wide a range may be, for --refine")
       .type_name("W");
   add_option(app, "--blocks", options->blocks,
-             "Keep blocks of 1000 points that are done in this directory, and\n"
-             "go on from those that it has")
+             "Keep the blocks that are done in this directory, and go on from\nthose that it has")
       .type_name("DIR");
+  options->block_size.declare(app, "Points, or cells, of a block");
   add_option(app, "--shard", options->shard,
              "Compute the I-th of N parts of the blocks alone, for merge")
       .type_name("I/N");
@@ -446,7 +477,8 @@ command map_command() {
       "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --log --format png > map.png\n"
       "  polhode map intersections physical --a 1e-6..1e6/48 --b 1e-6..0.999999/48 --log --cells "
       "--refine 4 --format areas\n"
-      "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n\n"
+      "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n"
+      "  mpirun -n 64 polhode map epsilon0 --a 1..9/999 --b 0.1..0.9/999 --blocks map\n\n"
       "A row has a, b, c where it is asked for, and of each quantity the value and its radius: "
       "\"none\"\n"
       "where it does not exist, \"undecided\" where it is not certified (exit status 1). npy "
@@ -463,8 +495,10 @@ command map_command() {
       "area on which an integer has which value; pictures show undecided cells in grey.\n"
       "With --blocks a run that was killed goes on where it was, and shards that ran on any "
       "machines\n"
-      "with that directory make one map, the same to the last byte.\n",
-      map_impl::declare};
+      "with that directory make one map, the same to the last byte. Under mpirun all ranks work on "
+      "it, with\n"
+      "one thread each unless --threads says more (docs/cluster.md).\n",
+      map_impl::declare, true};
 }
 
 command merge_command() {

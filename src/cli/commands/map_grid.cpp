@@ -59,7 +59,7 @@ json as_json(const map_grid& g) {
               {"log", g.log},
               {"digits", g.digits},
               {"points", g.points()},
-              {"points_of_block", map_grid::points_of_block}};
+              {"points_of_block", g.points_of_block}};
   if (g.c) result["c"] = *g.c;
   if (g.cells) {
     result["cells"] = true;
@@ -123,6 +123,8 @@ std::optional<map_grid> read_head(const std::string& text) {
     head.at("b").get_to(g.b);
     head.at("log").get_to(g.log);
     head.at("digits").get_to(g.digits);
+    head.at("points_of_block").get_to(g.points_of_block);
+    if (g.points_of_block == 0) return std::nullopt;
     if (head.contains("cells")) {
       g.cells = true;
       head.at("refine").get_to(g.refine);

@@ -22,11 +22,10 @@ struct map_grid {
   bool cells = false;             // ranges over the cells between the values, in place of points
   long refine = 0;                // how often a cell is halved at most
   std::optional<rational> width;  // of a range that is narrow enough
+  std::size_t points_of_block = 1000;
   // Made of these:
   std::vector<rational> a_values, b_values, c_values;
   std::vector<const quantity*> chosen;
-
-  static constexpr std::size_t points_of_block = 1000;
 
   [[nodiscard]] std::size_t points() const {
     return count_along(a_values) * count_along(b_values) * motions();

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -23,6 +26,7 @@
 #include "cli/output/json_document.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/ranks/ranks.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/version.hpp"
@@ -35,7 +39,6 @@ namespace {
 struct row {
   std::shared_ptr<const body> rigid;
   std::optional<rational> c;
-  ball value;
   bool is_infinite = false;  // and there is no other value
 };
 
@@ -53,25 +56,31 @@ struct table_options {
 // ---------------------------------------------------------------------------------------------
 // The formats
 
-std::string as_csv(const quantity& q, const std::vector<row>& rows, long digits) {
-  std::string result = csv_header("a") + ',' + csv_header("b") + ',';
-  if (q.of_motion) result += csv_header("c") + ',';
-  result += q.name + ",radius,lower,upper,digits\n";
-  for (const row& r : rows) {
-    result += csv_cells(r.rigid->a()) + ',' + csv_cells(r.rigid->b()) + ',';
-    if (r.c) result += csv_cells(*r.c) + ',';
-    if (r.is_infinite) {
-      result += "inf,0,inf,inf,0\n";
-      continue;
-    }
-    const decimal_enclosure d = to_decimal_enclosure(r.value, digits);
-    result += fmt::format("{},{},{},{},{}\n", d.value, d.radius, d.lower, d.upper, d.digits);
-  }
+/// A table as text: the head, the rows with what stands between two of them, and the end.
+struct table_text {
+  std::string head;
+  std::function<std::string(const row&, const ball& value)> row_of;
+  std::string between;
+  std::string end;
+};
+
+table_text as_csv(const quantity& q, long digits) {
+  table_text result;
+  result.head = csv_header("a") + ',' + csv_header("b") + ',';
+  if (q.of_motion) result.head += csv_header("c") + ',';
+  result.head += q.name + ",radius,lower,upper,digits\n";
+  result.row_of = [digits](const row& r, const ball& value) {
+    std::string cells = csv_cells(r.rigid->a()) + ',' + csv_cells(r.rigid->b()) + ',';
+    if (r.c) cells += csv_cells(*r.c) + ',';
+    if (r.is_infinite) return cells + "inf,0,inf,inf,0\n";
+    const decimal_enclosure d = to_decimal_enclosure(value, digits);
+    return cells + fmt::format("{},{},{},{},{}\n", d.value, d.radius, d.lower, d.upper, d.digits);
+  };
   return result;
 }
 
 /// Row by row: as one value, a million of them would take gigabytes.
-std::string as_json(const quantity& q, const std::vector<row>& rows, long digits) {
+table_text as_json(const quantity& q, long digits) {
   const auto indented = [](std::string text, const std::string& by) {
     for (auto at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
       text.insert(at + 1, by);
@@ -82,20 +91,24 @@ std::string as_json(const quantity& q, const std::vector<row>& rows, long digits
                   {"description", q.description},
                   {"verdict", to_text(status::certified)},
                   {"rows", json::array()}};
-  std::string result = json_document("table", head).dump(2);
+  table_text result;
+  result.head = json_document("table", head).dump(2);
   constexpr std::string_view end = "]\n}";  // of the array and the object
-  result.resize(result.size() - end.size());
-  const json infinity{
-      {"value", "inf"}, {"radius", "0"}, {"lower", "inf"}, {"upper", "inf"}, {"digits", 0}};
-  const char* before = "\n";
-  for (const row& r : rows) {
+  result.head.resize(result.head.size() - end.size());
+  result.head += '\n';
+  result.row_of = [&q, digits, indented](const row& r, const ball& value) {
     json one{{"a", exact_json(r.rigid->a(), digits)}, {"b", exact_json(r.rigid->b(), digits)}};
     if (r.c) one["c"] = exact_json(*r.c, digits);
-    one[q.name] = r.is_infinite ? infinity : to_json(r.value, digits);
-    result += before + indented(one.dump(2), "    ");
-    before = ",\n";
-  }
-  result += "\n  ]\n}\n";
+    if (r.is_infinite) {
+      one[q.name] = {
+          {"value", "inf"}, {"radius", "0"}, {"lower", "inf"}, {"upper", "inf"}, {"digits", 0}};
+    } else {
+      one[q.name] = to_json(value, digits);
+    }
+    return indented(one.dump(2), "    ");
+  };
+  result.between = ",\n";
+  result.end = "\n  ]\n}\n";
   return result;
 }
 
@@ -125,8 +138,9 @@ void refuse_unless_doubles(const row& r) {
   if (r.c) refuse("c", *r.c);
 }
 
-std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits) {
-  std::string result = fmt::format(
+table_text as_cpp(const quantity& q, std::size_t rows, long digits) {
+  table_text result;
+  result.head = fmt::format(
       "// Written by polhode {}: the {}. The decimals are the first {} significant\n"
       "// digits of the true values, cut off, not rounded (where more than that are zeros or "
       "nines, the "
@@ -138,29 +152,24 @@ std::string as_cpp(const quantity& q, const std::vector<row>& rows, long digits)
       "#pragma once\n\n#include <array>\n#include <limits>\n#include <string_view>\n\nnamespace "
       "polhode_tables {{\n\n",
       POLHODE_VERSION, q.description, digits, digits_of_literals);
-  result += fmt::format(
+  result.head += fmt::format(
       "struct {}_row {{\n  double a;\n  double b;\n{}  double {};\n  std::string_view "
       "decimal;\n}};\n\n",
       q.name, q.of_motion ? "  double c;\n" : "", q.name);
-  result += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows.size());
-  for (const row& r : rows) {
-    const auto place = [&](const std::string& cells) {
-      std::string found = "    {" + literal(r.rigid->a()) + ", " + literal(r.rigid->b()) + ", ";
-      if (r.c) found += literal(*r.c) + ", ";
-      return found + cells;
-    };
-    if (r.is_infinite) {
-      result += place("std::numeric_limits<double>::infinity(), \"inf\"},\n");
-      continue;
-    }
-    refuse_unless_double(q.name, r.value.is_exact() && contains_zero(r.value),
-                         midpoint(r.value).convert_to<double>(),
-                         to_decimal_enclosure(r.value, 10).value);
-    result += place(fmt::format("{}, \"{}\"}},\n",
-                                literal(to_decimal_enclosure(r.value, digits_of_literals).value),
-                                to_decimal_enclosure(r.value, digits).value));
-  }
-  return result + "}};\n\n}  // namespace polhode_tables\n";
+  result.head += fmt::format("inline constexpr std::array<{0}_row, {1}> {0}{{{{\n", q.name, rows);
+  result.row_of = [&q, digits](const row& r, const ball& value) {
+    std::string cells = "    {" + literal(r.rigid->a()) + ", " + literal(r.rigid->b()) + ", ";
+    if (r.c) cells += literal(*r.c) + ", ";
+    if (r.is_infinite) return cells + "std::numeric_limits<double>::infinity(), \"inf\"},\n";
+    refuse_unless_double(q.name, value.is_exact() && contains_zero(value),
+                         midpoint(value).convert_to<double>(),
+                         to_decimal_enclosure(value, 10).value);
+    return cells + fmt::format("{}, \"{}\"}},\n",
+                               literal(to_decimal_enclosure(value, digits_of_literals).value),
+                               to_decimal_enclosure(value, digits).value);
+  };
+  result.end = "}};\n\n}  // namespace polhode_tables\n";
+  return result;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -205,7 +214,7 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
     const body& rigid = *shared;
     if (!q.of_motion) {
       q.check(rigid, 0);
-      result.push_back({shared, {}, {}});
+      result.push_back({shared, {}});
     }
     for (const rational& c : motions) {
       try {
@@ -214,7 +223,7 @@ std::vector<row> rows_of(const table_options& options, const quantity& q) {
         throw usage_error(fmt::format("--c {}: {}", in_quotes(*options.c), error.what()));
       }
       q.check(rigid, c);
-      result.push_back({shared, c, {}, c == 0 && q.infinite_at_0});
+      result.push_back({shared, c, c == 0 && q.infinite_at_0});
     }
   }
   return result;
@@ -225,38 +234,72 @@ certain_number value_of(const row& r, const quantity& q, long digits) {
   return q.compute(*r.rigid, r.c ? *r.c : rational(0), digits);
 }
 
-/// All values. Throws not_certified_error for the first of the rows whose value is not certified, whatever the threads.
-void compute(std::vector<row>& rows, const quantity& q, long digits, const std::string& what,
-             const table_options& options) {
+/// The rows as text. Throws not_certified_error for the first of the rows whose value is not
+/// certified, whatever the threads and ranks.
+std::string compute(const std::vector<row>& rows, const quantity& q, long digits,
+                    const table_text& table, const std::string& what,
+                    const table_options& options) {
   const progress line;
   line.show("estimating");
-  detail::worker_threads threads(static_cast<int>(options.threads.value()));
+  detail::worker_threads threads(ranks::threads(options.threads.value()));
   const auto some = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2),
                                  rows.end(), [](const row& r) { return !r.is_infinite; });
   const row& middle = some == rows.end() ? rows.front() : *some;
-  line.expect(options.time_limit.check(what, digits,
-                                       {[&](long fewer) { (void)value_of(middle, q, fewer); }},
-                                       static_cast<double>(rows.size()) / threads.count()));
+  if (!ranks::is_worker()) {
+    line.expect(options.time_limit.check(
+        what, digits, {[&](long fewer) { (void)value_of(middle, q, fewer); }},
+        static_cast<double>(rows.size()) / threads.count() / ranks::count()));
+  }
   const time_watch watch(options.time_limit.limit(static_cast<double>(rows.size())));
   constexpr std::size_t rows_of_thread = 16;
-  const std::size_t at_a_time = rows_of_thread * static_cast<std::size_t>(threads.count());
-  std::vector<certain_number> values(std::min(at_a_time, rows.size()));
-  for (std::size_t first = 0; first < rows.size(); first += at_a_time) {
-    line.show_part("computing " + q.name, first, rows.size());
-    const std::size_t count = std::min(at_a_time, rows.size() - first);
+  const std::size_t rows_of_part = rows_of_thread * static_cast<std::size_t>(threads.count());
+  constexpr char is_certified = '+';
+  constexpr char is_not = '-';
+  const auto part = [&](std::size_t index) {
+    const std::size_t first = index * rows_of_part;
+    const std::size_t count = std::min(rows_of_part, rows.size() - first);
+    std::vector<certain_number> values(count);
     threads.for_each(static_cast<long>(count), [&](long i) {
       const auto k = static_cast<std::size_t>(i);
-      if (!rows[first + k].is_infinite) values[k] = value_of(rows[first + k], q, digits);
+      values[k] = value_of(rows[first + k], q, digits);
     });
-    for (std::size_t k = 0; k < count; ++k) {
-      row& r = rows[first + k];
-      if (r.is_infinite) continue;
-      const std::string where =
-          fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.rigid->a()),
-                      to_text(r.rigid->b()), r.c ? ", c = " + to_text(*r.c) : "");
-      r.value = certain(values[k], where, digits);
+    std::string text(1, is_certified);
+    try {
+      for (std::size_t k = 0; k < count; ++k) {
+        const row& r = rows[first + k];
+        ball value;
+        if (!r.is_infinite) {
+          const std::string where =
+              fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.rigid->a()),
+                          to_text(r.rigid->b()), r.c ? ", c = " + to_text(*r.c) : "");
+          value = certain(values[k], where, digits);
+        }
+        if (first + k > 0) text += table.between;
+        text += table.row_of(r, value);
+      }
+    } catch (const not_certified_error& error) {
+      return is_not + std::string(error.what());
     }
+    return text;
+  };
+  std::vector<std::size_t> parts((rows.size() + rows_of_part - 1) / rows_of_part);
+  std::iota(parts.begin(), parts.end(), std::size_t{0});
+  std::vector<std::string> texts(parts.size());
+  std::size_t done = 0;
+  line.show_part("computing " + q.name, done, parts.size());
+  const auto refuse = [](const std::string& text) { throw not_certified_error(text.substr(1)); };
+  ranks::distribute(parts, part, [&](std::size_t index, std::string text) {
+    // Alone, parts are done in order; on several ranks one before it may come later.
+    if (text.front() == is_not && ranks::count() == 1) refuse(text);
+    texts[index] = std::move(text);
+    line.show_part("computing " + q.name, ++done, parts.size());
+  });
+  std::string result;
+  for (std::string& text : texts) {
+    if (text.front() == is_not) refuse(text);
+    result += std::exchange(text, {}).substr(1);
   }
+  return result;
 }
 
 exit_status run(const table_options& options) {
@@ -264,7 +307,7 @@ exit_status run(const table_options& options) {
   const long digits = options.digits.value();
   const std::string& format = options.format.value();
   const long computed = format == "cpp" ? std::max(digits, digits_of_literals) : digits;
-  std::vector<row> rows = rows_of(options, q);
+  const std::vector<row> rows = rows_of(options, q);
   if (format == "cpp") std::for_each(rows.begin(), rows.end(), refuse_unless_doubles);
   constexpr double bytes_per_digit = 60;
   constexpr double bytes_kept = 12;
@@ -273,14 +316,15 @@ exit_status run(const table_options& options) {
   const auto count = static_cast<double>(rows.size());
   const std::string what = fmt::format("{} numbers of {} digits", rows.size(), digits);
   options.memory_limit.check(
-      {what, (bytes_per_digit *
-                  detail::worker_threads(static_cast<int>(options.threads.value())).count() +
-              bytes_kept * count) *
-                     static_cast<double>(computed) +
-                 bytes_beside * count});
-  compute(rows, q, computed, what, options);
-  print(format == "csv" ? as_csv(q, rows, digits)
-                        : (format == "json" ? as_json(q, rows, digits) : as_cpp(q, rows, digits)));
+      {what,
+       (bytes_per_digit * detail::worker_threads(ranks::threads(options.threads.value())).count() +
+        bytes_kept * count) *
+               static_cast<double>(computed) +
+           bytes_beside * count});
+  const table_text table = format == "csv"    ? as_csv(q, digits)
+                           : format == "json" ? as_json(q, digits)
+                                              : as_cpp(q, rows.size(), digits);
+  print(table.head + compute(rows, q, computed, table, what, options) + table.end);
   return exit_status::all_certified;
 }
 
@@ -316,8 +360,8 @@ command table_command() {
       "epsilon0 that on\n"
       "the separatrix, c0 the motion of the perfect twist. The numbers of --c are formed exactly. "
       "Either\n"
-      "every number is certified, or nothing is printed.\n",
-      table_impl::declare};
+      "every number is certified, or nothing is printed. Under mpirun all ranks work on the table.\n",
+      table_impl::declare, true};
 }
 
 }  // namespace polhode::cli

@@ -56,6 +56,10 @@ void check_standard_streams() {
   if (no_output) throw output_error("standard output is closed: give it a file or a pipe");
 }
 
+void silence_standard_streams() {
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) give_to_dev_null(descriptor);
+}
+
 void print(std::string_view text) {
   int error = write_all(STDOUT_FILENO, text);
   if (error == 0) error = close_copy_of(STDOUT_FILENO);

@@ -13,6 +13,9 @@ inline constexpr std::string_view out_of_memory =
 /// gives closed standard input and error to /dev/null, so that no file of ours takes their place.
 void check_standard_streams();
 
+/// From here on nothing is written to them.
+void silence_standard_streams();
+
 /// Writes all of it to standard output; throws output_error where that is not possible. Where
 /// nobody reads any more the program ends at once, as by SIGPIPE.
 void print(std::string_view text);
