@@ -61,7 +61,8 @@ std::size_t number_in(const std::string& bytes) {
 }
 std::string text_in(const std::string& bytes) { return bytes.substr(1 + sizeof(std::uint64_t)); }
 
-constexpr std::chrono::microseconds between_looks(200);
+/// A look at what has arrived takes some 10 microseconds.
+constexpr std::chrono::milliseconds between_looks(1);
 
 message next_message() {
   for (;;) {
