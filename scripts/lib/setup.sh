@@ -15,7 +15,8 @@ library_packages=(
   libtomlplusplus-dev libpugixml-dev
 )
 oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
-cluster_packages=(libopenmpi-dev openmpi-bin)  # `polhode map` on several processes
+# Of modules of the program: MPI and HDF5, for maps.
+module_packages=(libopenmpi-dev openmpi-bin libhdf5-dev)
 peer_packages=(libpari-dev)  # of the benchmarks alone
 python_packages=(python3-dev pybind11-dev python3-pytest)
 notebook_packages=(python3-mpmath python3-numpy python3-pandas python3-matplotlib python3-nbclient

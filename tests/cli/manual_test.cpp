@@ -66,7 +66,12 @@ bool can_run(const std::string& command) {
   const auto has = [&](const char* words) { return command.find(words) != std::string::npos; };
   const bool draws = has("--plot") || has("--format svg") ||
                      (has("polhode figures") && !has("--list") && !has("--data-only"));
-  return (has_gnuplot || !draws) && (has_jq || !has("jq ")) &&
+#ifdef POLHODE_HAVE_HDF5
+  constexpr bool has_hdf5 = true;
+#else
+  constexpr bool has_hdf5 = false;
+#endif
+  return (has_gnuplot || !draws) && (has_jq || !has("jq ")) && (has_hdf5 || !has("hdf5")) &&
          (POLHODE_HAVE_PAGES != 0 || !has("--page"));
 }
 

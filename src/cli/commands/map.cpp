@@ -1,10 +1,7 @@
 // polhode map and merge: quantities over a grid of bodies, in blocks that may be computed anywhere.
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -12,7 +9,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -29,6 +25,7 @@
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
 #include "cli/ranks/ranks.hpp"
+#include "map_arrays.hpp"
 #include "map_grid.hpp"
 #include "map_picture.hpp"
 #include "map_rows.hpp"
@@ -138,79 +135,10 @@ class block_directory {
 // ---------------------------------------------------------------------------------------------
 // The whole map
 
-/// The middle of value ± radius as a double, and a double that is at least the distance of every
-/// number in it from that.
-std::pair<double, double> as_doubles(std::string_view value, std::string_view radius) {
-  if (value == "inf") return {std::numeric_limits<double>::infinity(), 0};
-  if (value == "none" || value == "undecided") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan};
-  }
-  const rational exact = parse_rational(std::string(value));
-  const auto middle = static_cast<double>(exact);
-  if (!std::isfinite(middle)) return {middle, std::numeric_limits<double>::infinity()};
-  const rational distance = abs(exact - rational(middle)) + parse_rational(std::string(radius));
-  auto bound = static_cast<double>(distance);
-  while (std::isfinite(bound) && rational(bound) < distance) {
-    bound = std::nextafter(bound, std::numeric_limits<double>::infinity());
-  }
-  return {middle, bound};
-}
-
-/// The numbers of the rows: [quantity][0: value, 1: radius][point].
-std::vector<double> numbers_of(const map_grid& g, const std::string& rows) {
-  const std::size_t columns = 2 * g.chosen.size();
-  const std::size_t before = g.c ? 6 : 4;
-  const std::size_t points = g.points();
-  std::vector<double> numbers(columns * points);
-  std::size_t at = 0;
-  for (std::size_t point = 0; point < points; ++point) {
-    const std::size_t end = rows.find('\n', at);
-    std::vector<std::string_view> cells;
-    for (std::size_t from = at; from <= end;) {
-      const std::size_t to = std::min(rows.find(',', from), end);
-      cells.push_back(std::string_view(rows).substr(from, to - from));
-      from = to + 1;
-    }
-    for (std::size_t k = 0; k < columns; k += 2) {
-      const auto [value, radius] = as_doubles(cells.at(before + k), cells.at(before + k + 1));
-      numbers[k * points + point] = value;
-      numbers[(k + 1) * points + point] = radius;
-    }
-    at = end + 1;
-  }
-  return numbers;
-}
-
-/// NumPy's format 1.0: doubles [quantity][0: value, 1: radius][a][b] and, for motions, [c].
-std::string as_npy(const map_grid& g, const std::string& rows) {
-  static_assert(std::endian::native == std::endian::little);
-  const std::vector<double> numbers = numbers_of(g, rows);
-  std::string shape =
-      fmt::format("{}, 2, {}, {}", g.chosen.size(), g.a_values.size(), g.b_values.size());
-  if (g.c) shape += fmt::format(", {}", g.c_values.size());
-  std::string head =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", shape);
-  constexpr std::size_t magic = 10;  // bytes before it, of which two are its length
-  while ((magic + head.size() + 1) % 64 != 0) head += ' ';
-  head += '\n';
-  std::string result("\x93NUMPY\x01\x00", 8);
-  result += static_cast<char>(head.size() % 256);
-  result += static_cast<char>(head.size() / 256);
-  result += head;
-  const std::size_t text = result.size();
-  result.resize(text + numbers.size() * sizeof(double));
-  std::memcpy(result.data() + text, numbers.data(), numbers.size() * sizeof(double));
-  return result;
-}
-
 bool is_picture(const std::string& format) { return format == "svg" || format == "png"; }
 
 /// Throws usage_error where the map has no such format.
 void check_format(const map_grid& g, const std::string& format) {
-  if (g.cells && format == "npy") {
-    throw usage_error(fmt::format("--format {}: a map of cells is csv, areas, svg or png", format));
-  }
   if (format == "areas") {
     const bool has_integer = std::ranges::any_of(g.chosen, &quantity::is_whole);
     if (g.cells && has_integer) return;
@@ -234,7 +162,7 @@ std::string as_picture(const map_grid& g, const std::string& rows, const std::st
   if (g.cells) {
     map.tiles = map_tiles(g, rows);
   } else {
-    map.values = numbers_of(g, rows);
+    map.values = map_numbers(g, rows);
     map.values.resize(g.points());  // without the radii
   }
   for (const rational& a : g.a_values) map.a.push_back(static_cast<double>(a));
@@ -245,7 +173,8 @@ std::string as_picture(const map_grid& g, const std::string& rows, const std::st
 exit_status print_map(const map_grid& g, const std::string& rows, const std::string& format) {
   print(format == "areas"    ? map_areas(g, rows)
         : is_picture(format) ? as_picture(g, rows, format)
-        : format == "npy"    ? as_npy(g, rows)
+        : format == "npy"    ? map_npy(g, rows)
+        : format == "hdf5"   ? map_hdf5(g, rows)
                              : header_of(g) + rows);
   return rows.find("undecided,") == std::string::npos ? exit_status::all_certified
                                                       : exit_status::not_certified;
@@ -287,7 +216,7 @@ struct map_options {
   count_option block_size{"--block-size", 1000, 1, 1'000'000};
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
-  format_option format{{"csv", "npy", "svg", "png", "areas"}};
+  format_option format{{"csv", "npy", "hdf5", "svg", "png", "areas"}};
   time_limit_option time_limit;
 };
 
@@ -443,7 +372,7 @@ std::function<exit_status()> declare(CLI::App& app) {
 
 struct merge_options {
   std::string directory;
-  format_option format{{"csv", "npy", "svg", "png", "areas"}};
+  format_option format{{"csv", "npy", "hdf5", "svg", "png", "areas"}};
 };
 
 std::function<exit_status()> declare_merge(CLI::App& app) {
@@ -474,6 +403,7 @@ command map_command() {
       "  polhode map epsilon0 c0 --a 0.1..10/40 --b 0.1..0.9/40 --log > map.csv\n"
       "  polhode map phase --a 1..3/2 --b 0.2..0.8/3 --c -0.1..0.1/4 --digits 30\n"
       "  polhode map meetings --a 1..9/8 --b 0.1..0.9/8 --format npy > map.npy\n"
+      "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --format hdf5 > map.h5\n"
       "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --log --format png > map.png\n"
       "  polhode map intersections physical --a 1e-6..1e6/48 --b 1e-6..0.999999/48 --log --cells "
       "--refine 4 --format areas\n"
@@ -483,10 +413,11 @@ command map_command() {
       "\"none\"\n"
       "where it does not exist, \"undecided\" where it is not certified (exit status 1). npy "
       "has doubles\n"
-      "[quantity][value, radius][a][b][c], whose radius holds the rounding to a double too. svg "
-      "and\n"
-      "png show one quantity as colours, with the curves I = 1, I = 2/(2n+1), J = 1 and J = 2 "
-      "(gnuplot).\n"
+      "[quantity][value, radius][a][b][c], whose radius holds the rounding to a double too; hdf5 "
+      "the same\n"
+      "by name, with units and axes. svg and png show one quantity as colours, with the curves I = "
+      "1,\n"
+      "I = 2/(2n+1), J = 1 and J = 2 (gnuplot).\n"
       "A row of --cells has the ends of a, b and c, and of each quantity the least and the "
       "greatest "
       "value\n"

@@ -14,6 +14,7 @@ namespace polhode::cli {
 struct quantity {
   std::string name;
   std::string description;
+  std::string unit;
   bool of_motion;  // of a body and c, or of a body alone
   certain_number (*compute)(const body&, const rational& c, long digits);
   /// Throws usage_error where there is none.

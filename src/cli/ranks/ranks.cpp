@@ -1,7 +1,5 @@
 #include "ranks.hpp"
 
-#include <dlfcn.h>
-
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -9,7 +7,6 @@
 #include <cstring>
 #include <deque>
 #include <exception>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -22,6 +19,7 @@
 
 #include "base/worker_threads.hpp"
 #include "cli/interruption.hpp"
+#include "cli/modules/module.hpp"
 #include "cli/output/streams.hpp"
 #include "message_passing.hpp"
 #include "polhode/version.hpp"
@@ -77,24 +75,6 @@ bool is_launched() {
     if (const char* size = std::getenv(name)) return std::string_view(size) != "1";
   }
   return std::getenv("PMIX_RANK") != nullptr;
-}
-
-using maker = message_passing* (*)();
-
-/// Throws usage_error where there is no module.
-maker function_of_module() {
-  const std::string name = "polhode_mpi.so";
-  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const auto& place : {own / name, own / POLHODE_MODULES_FROM_BIN / name}) {
-    if (!std::filesystem::exists(place)) continue;
-    // MPI loads parts of its own, which look for its functions.
-    void* const module = dlopen(place.c_str(), RTLD_NOW | RTLD_GLOBAL);
-    if (module == nullptr) throw usage_error(fmt::format("MPI cannot be loaded: {}", dlerror()));
-    return reinterpret_cast<maker>(dlsym(module, "polhode_message_passing"));
-  }
-  throw usage_error(
-      "MPI has started this program, which was built without MPI: install libopenmpi-dev and build "
-      "it again, or run it without mpirun");
 }
 
 /// Ends when rank 0 says so.
@@ -218,7 +198,14 @@ void join(std::span<const char* const> arguments) {
   for (const char* const argument : arguments.subspan(1)) {
     own_command() += fmt::format("\n{}", argument);
   }
-  messages().reset(function_of_module()());
+  using maker = message_passing* (*)();
+  const auto make = reinterpret_cast<maker>(function_of_module("mpi", "polhode_message_passing"));
+  if (make == nullptr) {
+    throw usage_error(
+        "MPI has started this program, which was built without MPI: install libopenmpi-dev and "
+        "build it again, or run it without mpirun");
+  }
+  messages().reset(make());
   if (is_worker()) silence_standard_streams();
 }
 
