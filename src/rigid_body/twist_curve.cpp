@@ -118,8 +118,8 @@ std::optional<ball> quick_root(const quarters& ways, bool late, const ball& targ
   constexpr double least = 1e-100;
   const quarter<double> way = ways.in_double();
   // On the separatrix m1 is 0.
-  const bool has_room = number(low) > least && number(high) < most &&
-                        (way.m1() > 1e-100 || (way.m1() == 0 && !late));
+  const bool has_room =
+      number(low) > least && number(high) < most && (way.m1() > 1e-100 || (way.m1() == 0 && !late));
   if (!has_room) return std::nullopt;
   const double rest = number(target);
   const auto w = approximate_root<double>([&](double x) { return excess_at(way, x, late, rest); },

@@ -111,6 +111,76 @@ integral_case kinks(maker& m) {
   return {f, a, b, few_digits(m)};
 }
 
+/// d, which is 0 of an order above 1 at c, where it changes its sign or not, and simply at r > c.
+struct high_zero {
+  term d = 0;
+  term a = 0;
+  term c = 0;
+  term r = 0;
+  term b = 0;
+  bool changes_at_c = false;
+};
+
+high_zero any_high_zero(maker& m) {
+  high_zero k;
+  const auto length = [&] { return m.quotient(m.scattered(0.01, 0.4)) + term(1) / 97; };
+  k.c = m.one_in(4) ? m.near(m.within(-1, 1)) : m.one_in(3) ? term(0) : m.quotient(m.within(-1, 1));
+  k.a = k.c - length();
+  k.r = k.c + length();
+  k.b = k.r + length();
+  const term w = k.c.is("0") ? x : x - k.c;
+  switch (m.between(0, 6)) {
+    case 0:
+      k.d = call("sin", w) - w + power(w, 3) / 6;
+      k.changes_at_c = true;
+      break;
+    case 1:
+      k.d = power(w, 3) * call("exp", x);
+      k.changes_at_c = true;
+      break;
+    case 2:
+      k.d = call("tan", w) - w;
+      k.changes_at_c = true;
+      break;
+    case 3:
+      k.d = 1 - call("cos", w);
+      break;
+    case 4:
+      k.d = call("cosh", w) - 1 - power(w, 2) / 2;
+      break;
+    case 5:
+      k.d = call("expm1", w) - w;
+      break;
+    default:
+      k.d = w - call("log1p", w);
+  }
+  k.d = k.d * (k.r - x);
+  return k;
+}
+
+/// The integral in parts, on which the branches are known.
+integral_case high_kink(maker& m) {
+  const high_zero k = any_high_zero(m);
+  const bool is_abs = m.one_in(2);
+  integral_case result{is_abs ? call("abs", k.d) : call("max", k.d, 0), k.a, k.b, few_digits(m)};
+  const auto add = [&](const term& from, const term& to, bool is_positive) {
+    if (is_positive || is_abs) {
+      result.parts.push_back({is_positive ? k.d : -k.d, from, to, result.digits});
+    }
+  };
+  add(k.a, k.c, !k.changes_at_c);
+  add(k.c, k.r, true);
+  add(k.r, k.b, false);
+  return result;
+}
+
+integral_case high_kink_that_diverges(maker& m) {
+  const high_zero k = any_high_zero(m);
+  integral_case result{1 / call("sqrt", call("abs", k.d)), k.a, k.b, m.between(2, 12)};
+  result.diverges = true;
+  return result;
+}
+
 /// A pole, or a branch point, at a small distance outside of the range.
 integral_case pole_outside(maker& m) {
   const term b = m.near(m.within(0.5, 3));
@@ -246,6 +316,8 @@ std::vector<integral_family> shape_families() {
           {"oscillating tail", 5, mostly_cheap(oscillating_tail)},
           {"removable singularity", 10, mostly_cheap(removable)},
           {"kinks and steps", 7, mostly_cheap(kinks)},
+          {"kinks of a high order", 10, mostly_cheap(high_kink)},
+          {"divergent at a kink of a high order", 5, mostly_cheap(high_kink_that_diverges)},
           {"pole just outside", 10, mostly_cheap(pole_outside)},
           {"complex poles near", 7, mostly_cheap(pole_beside)},
           {"nested functions", 5, mostly_cheap(nested)},

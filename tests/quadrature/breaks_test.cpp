@@ -209,14 +209,70 @@ std::vector<known_integral> singular() {
   };
 }
 
+/// Deciders that are 0 of an order above 1, at rational points.
+std::vector<known_integral> of_high_order() {
+  const auto remainder = [](const auto& x) { return sin(x) - x + pow(x, 3) / 6; };
+  const rational r(7, 10);
+  // Of (sin(x) - x + x^3/6)(r - x).
+  const auto primitive = [=](const rational& q, precision p) {
+    const ball x(q, p);
+    return r * (-cos(x) - square(x) / 2 + pow(x, 4) / 24) - sin(x) + x * cos(x) + pow(x, 3) / 3 -
+           pow(x, 5) / 30;
+  };
+  return {
+      known(
+          "|sin(x)-x+x^3/6|", antiderivative, [=](const auto& x) { return abs(remainder(x)); }, -1,
+          1, [](precision p) { return rational(13, 12) - 2 * cos(number(1, p)); }),
+      known(
+          "|(sin(x)-x+x^3/6)(7/10-x)|", antiderivative,
+          [=](const auto& x) { return abs(remainder(x) * (r - x)); }, -1, 1,
+          [=](precision p) {
+            return primitive(-1, p) - 2 * primitive(0, p) + 2 * primitive(r, p) - primitive(1, p);
+          }),
+      known(
+          "|sin(x)-x+x^3/6| floor(x+1/2)", antiderivative,
+          [=](const auto& x) { return abs(remainder(x)) * floor(x + rational(1, 2)); }, -1, 3,
+          [](precision p) {
+            const auto f = [&](long n) {
+              const ball x(rational(n, 2), p);
+              return -cos(x) - square(x) / 2 + pow(x, 4) / 24;
+            };
+            return f(-1) - f(-2) + 3 * f(6) - f(1) - f(3) - f(5);
+          }),
+      known(
+          "max(cos(x),1-x^2/2)", "derivation: cos(x) > 1 - x^2/2 but at 0",
+          [](const auto& x) { return max(cos(x), 1 - x * x / 2); }, -1, 2,
+          [](precision p) { return sin(number(2, p)) + sin(number(1, p)); }),
+      known(
+          "|(x-1/3)^3 exp(x)|", antiderivative,
+          [](const auto& x) { return abs(pow(x - rational(1, 3), 3) * exp(x)); }, -1, 2,
+          [](precision p) {
+            // e^x (w^3 - 3 w^2 + 6 w - 6), w = x - 1/3.
+            const auto f = [&](const rational& x) {
+              const rational w = x - rational(1, 3);
+              return exp(ball(x, p)) * (w * w * w - 3 * w * w + 6 * w - 6);
+            };
+            return f(2) - 2 * f(rational(1, 3)) + f(-1);
+          }),
+      known(
+          "min(|exp(x)-1-x|,exp(x)/2)", "derivation: exp(x) >= 1 + x; below exp(x)/2 here",
+          [](const auto& x) { return min(abs(exp(x) - 1 - x), exp(x) / 2); }, -rational(1, 4),
+          rational(1, 4),
+          [](precision p) {
+            const ball q(rational(1, 4), p);
+            return exp(q) - exp(-q) - rational(1, 2);
+          }),
+  };
+}
+
 TEST(Breaks, ToFiftyDigits) {
-  for (const auto& group : {kinks(), waves_and_steps(), nested(), singular()}) {
+  for (const auto& group : {kinks(), waves_and_steps(), nested(), singular(), of_high_order()}) {
     for (const known_integral& k : group) EXPECT_TRUE(right(k, 50));
   }
 }
 
 TEST(Breaks, ToFewDigits) {
-  for (const auto& group : {kinks(), waves_and_steps(), nested(), singular()}) {
+  for (const auto& group : {kinks(), waves_and_steps(), nested(), singular(), of_high_order()}) {
     for (const known_integral& k : group) EXPECT_TRUE(right(k, 5));
   }
 }
@@ -277,6 +333,7 @@ TEST(Breaks, RefusesWhatIsNotIntegrable) {
   refused([=](const auto& x) { return 1 / kink(x); }, 1, 2, reason::not_integrable);
   refused([=](const auto& x) { return 1 / square(kink(x)); }, 1, 2, reason::not_integrable);
   refused([](const auto& x) { return abs(log(x - 3)); }, 1, 4, reason::not_analytic);
+  refused([](const auto& x) { return 1 / sqrt(abs(tan(x) - x)); }, -1, 1, reason::not_integrable);
 }
 
 /// Breaks that crowd at a point.

@@ -360,7 +360,8 @@ command table_command() {
       "epsilon0 that on\n"
       "the separatrix, c0 the motion of the perfect twist. The numbers of --c are formed exactly. "
       "Either\n"
-      "every number is certified, or nothing is printed. Under mpirun all ranks work on the table.\n",
+      "every number is certified, or nothing is printed. Under mpirun all ranks work on the "
+      "table.\n",
       table_impl::declare, true};
 }
 

@@ -1,5 +1,7 @@
 #include "branches.hpp"
 
+#include <cmath>
+
 #include "polhode/arithmetic/interval.hpp"
 
 namespace polhode::detail::breaks {
@@ -104,6 +106,33 @@ traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
     at_high.step(i, branch);
   }
   return result;
+}
+
+std::optional<choices> branches_beside(const formula& f, const rational& m, int side,
+                                       const rational& reach) {
+  constexpr double most = 1e6;
+  double r = static_cast<double>(reach);
+  while (rational(r) < reach) r = std::nextafter(r, most);
+  if (!(r > 0 && r < most)) return std::nullopt;
+  constexpr precision series_bits = 192;
+  evaluation<end_series> values(
+      f.at(series_bits), end_series::argument(known_number(m), known_number(rational(side)), 1, r));
+  choices chosen(f.size());
+  for (std::size_t i = 0; i <= f.result(); ++i) {
+    if (!f.needs(i)) continue;
+    const recorded_node& node = f.node(i);
+    if (node.is_piecewise()) {
+      const end_series& decider = values[node.decider];
+      if (node.what == kind::floor || node.what == kind::ceil) {
+        chosen[i] = branch_over(node.what, to_ball(decider.real_range(), series_bits), false);
+      } else if (const int sign = decider.sign(); sign != 0) {
+        chosen[i] = sign;
+      }
+      if (!chosen[i]) return std::nullopt;
+    }
+    values.step(i, chosen[i]);
+  }
+  return chosen;
 }
 
 }  // namespace polhode::detail::breaks

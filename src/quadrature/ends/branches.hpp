@@ -45,4 +45,10 @@ struct traced {
 [[nodiscard]] traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
                            const crossing* given, int side);
 
+/// The branches on (m, m + reach], or for side = -1 on [m - reach, m), each by the sign of its
+/// decider's series at m over all of it, or by its range: so also where a decider is 0 at m, of
+/// whatever order. None where one is not known.
+[[nodiscard]] std::optional<choices> branches_beside(const formula& f, const rational& m, int side,
+                                                     const rational& reach);
+
 }  // namespace polhode::detail::breaks

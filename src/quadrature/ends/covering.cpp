@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/interval.hpp"
+#include "quadrature/ends/breaks.hpp"
 
 namespace polhode::detail::breaks {
 
@@ -34,6 +35,9 @@ void covering::cover(const interval& whole) {
     const traced t = traced_over(x, nullptr, 0);
     if (std::optional<stretch> s = resolved(x, t)) {
       stretches_.push_back(*std::move(s));
+    } else if (std::vector<stretch> sides = beside_a_rational(x); !sides.empty()) {
+      for (stretch& side : sides) stretches_.push_back(std::move(side));
+      ++breaks_;
     } else {
       split(x, t, open);
     }
@@ -59,6 +63,25 @@ std::optional<stretch> covering::resolved(const interval& x, const traced& t) {
   // Near such a point breaks may crowd.
   if (hopeless) most_effort_ = std::min(most_effort_, effort_ + 5e4);
   return stretch{x, hopeless ? form::unresolved : form::short_one, {}, {}, std::nullopt};
+}
+
+std::vector<stretch> covering::beside_a_rational(const interval& x) {
+  // Series take the time of many evaluations: they are not tried for ever.
+  constexpr long most_tries = 200;
+  constexpr double effort_of_series = 100;
+  if (++tries_ > most_tries) return {};
+  const rational m = simplest_rational(x.low, x.high);
+  std::vector<stretch> sides;
+  for (const int side : {-1, 1}) {
+    const rational reach = side < 0 ? m - x.low : x.high - m;
+    if (reach == 0) continue;
+    effort_ += effort_of_series * static_cast<double>(f_.size());
+    std::optional<choices> chosen = branches_beside(f_, m, side, reach);
+    if (!chosen) return {};
+    const interval part = side < 0 ? interval{x.low, m, x.level} : interval{m, x.high, x.level};
+    sides.push_back({part, stretch::form::plain, *std::move(chosen), {}, std::nullopt});
+  }
+  return sides;
 }
 
 /// Into halves; or, where the decider can only be n within a short interval, into that and what is beside it.

@@ -35,6 +35,9 @@ class covering {
   void cover(const interval& whole);
   /// The interval with its branches, with a break and what is beside it, or left as it is; nothing where it is to be cut first.
   [[nodiscard]] std::optional<stretch> resolved(const interval& x, const traced& t);
+  /// At a simple rational number in x, at which a decider may be 0 without a simple crossing: what
+  /// is on its two sides, by series; none where they do not tell.
+  [[nodiscard]] std::vector<stretch> beside_a_rational(const interval& x);
   void split(const interval& x, const traced& t, std::vector<interval>& open) const;
   traced traced_over(const interval& x, const crossing* given, int side);
 
@@ -44,6 +47,7 @@ class covering {
   double effort_ = 0;  // in evaluations of a node with few bits
   double most_effort_;
   long breaks_ = 0;
+  long tries_ = 0;  // with series
   std::vector<stretch> stretches_;
 };
 

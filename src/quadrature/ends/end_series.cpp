@@ -470,10 +470,21 @@ end_series atanh(const end_series& x) {
 }
 
 /// The sign of t^m G for 0 < t <= r: G is real there and has no zero in the square.
+/// By Taylor's theorem, with Lagrange's remainder: for real t in (0, r] and any k
+/// G(t) = g_0 + g_1 t + ... + g_(k-1) t^(k-1) + (G^(k)(s)/k!) t^k for an s in (0, t), which lies in
+/// the square. G is real there, so that the remainder lies in the real part of what encloses it.
 int end_series::sign() const {
-  const end_series n = normalised("");
-  if (n.blocked_) return 0;
-  return certainly_positive(n.terms_.front().at_0[0].enclosure()) ? 1 : -1;
+  if (blocked_ || log_degree() != 0) return 0;
+  const end_series n = simplified();
+  const term& g = n.terms_.front();
+  const ball t = hull(ball(0, bits), ball::exactly(r_, bits));
+  for (int k = 0; k <= g.over.order(); ++k) {
+    ball values = to_ball(g.over[k].re(), bits);
+    for (int i = k; i-- > 0;) values = g.at_0[i].enclosure() + t * values;
+    if (certainly_positive(values)) return 1;
+    if (certainly_negative(values)) return -1;
+  }
+  return 0;
 }
 
 magnitude end_series::infimum() const {
