@@ -9,10 +9,13 @@
 //   (exp(a) p)^(1/n) = exp(a/n) p^(1/n),  log(exp(a) p) = a + log p,  |exp(a) p| = exp(a) |p|,
 //   alpha + beta exp(w) = beta exp(w) where the exact rules show that alpha = 0,
 //   log_gamma(w) = log_gamma(1 + w) - log |w|, gamma(w) = gamma(1 + w)/w,
-//   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5),
+//   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5);
+//     of a rational function 1 - m a power of the distance from a rational end, or of 1/|x|, is
+//     divided out of its polynomials in that,
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -20,6 +23,7 @@
 
 #include "exact_value.hpp"
 #include "graph.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/expression/elliptic_functions.hpp"
 
 namespace polhode {
@@ -44,11 +48,43 @@ struct value {
   std::optional<linear> in_x;
 };
 
+/// p(a + b x).
+rational_polynomial composed(const rational_polynomial& p, const rational& a, const rational& b) {
+  const rational_polynomial x({a, b});
+  rational_polynomial result;
+  for (auto c = p.coefficients().rbegin(); c != p.coefficients().rend(); ++c) {
+    result = result * x + rational_polynomial({*c});
+  }
+  return result;
+}
+/// The polynomial with its coefficients in the other order: x^n p(1/x), of degree n.
+rational_polynomial reversed(const rational_polynomial& p) {
+  return rational_polynomial({p.coefficients().rbegin(), p.coefficients().rend()});
+}
+/// p without its factor x^k, and k.
+std::pair<rational_polynomial, long> without_power(const rational_polynomial& p) {
+  const auto& c = p.coefficients();
+  const auto first = std::ranges::find_if(c, [](const rational& q) { return q != 0; });
+  return {rational_polynomial({first, c.end()}), static_cast<long>(first - c.begin())};
+}
+
 class substitution {
  public:
-  /// end: that of the finite e, none for an infinity.
-  substitution(const detail::graph& f, const detail::graph* end, int side)
-      : f_(f), g_(f.further()), s_(g_.variable(0)), zero_(g_.number(0)), one_(g_.number(1)) {
+  /// The node of f as a rational function, where it is one.
+  using quotient_of = std::function<std::optional<rational_quotient>(node_id)>;
+
+  /// end: that of the finite e, none for an infinity; `at` its value, where it is rational.
+  substitution(const detail::graph& f, const detail::graph* end, std::optional<rational> at,
+               int side, quotient_of quotient)
+      : f_(f),
+        g_(f.further()),
+        s_(g_.variable(0)),
+        zero_(g_.number(0)),
+        one_(g_.number(1)),
+        is_infinite_(end == nullptr),
+        at_(std::move(at)),
+        side_(side),
+        quotient_(std::move(quotient)) {
     const node_id sigma = g_.number(side);
     growth_ = g_.number(end == nullptr ? 1 : -1);
     x_ = linear(end == nullptr ? zero_ : copied(*end), sigma);
@@ -276,6 +312,44 @@ class substitution {
     const value& k = *values_[n.left];
     return product(sum(one, k, true), sum(one, k, false));
   }
+  /// 1 - m of a rational function m, where it is t^k r(t) for a k > 0 and a rational r without zero
+  /// or pole at 0: t = exp(-s) is the distance from a rational end, or 1/|x|.
+  std::optional<value> rational_complement(node_id i) {
+    if (!is_infinite_ && !at_) return std::nullopt;
+    const auto m = quotient_(i);
+    if (!m) return std::nullopt;
+    rational_polynomial below = denominator_of(*m);
+    rational_polynomial above = below - m->numerator;
+    constexpr long most_degree = 64;
+    if (std::max(above.degree(), below.degree()) > most_degree) return std::nullopt;
+    long power = 0;
+    if (is_infinite_) {
+      power = below.degree() - above.degree();
+      // p(side/t) = (side/t)^n (reversed p)(side t).
+      above = composed(reversed(above), 0, side_);
+      below = composed(reversed(below), 0, side_);
+      if (power % 2 != 0 && side_ < 0) below = below * rational_polynomial({rational(-1)});
+    } else {
+      above = composed(above, *at_, side_);
+      below = composed(below, *at_, side_);
+    }
+    if (above.is_zero() || below.is_zero()) return std::nullopt;
+    const auto [numerator, zeros] = without_power(above);
+    const auto [denominator, poles] = without_power(below);
+    power += zeros - poles;
+    if (power <= 0) return std::nullopt;
+    const node_id rest = divide(g_, in_distance(numerator), in_distance(denominator));
+    return value{g_.number(-power), zero_, rest, std::nullopt};
+  }
+  /// p(exp(-s)).
+  node_id in_distance(const rational_polynomial& p) {
+    const node_id t = exp_of(negate(g_, s_));
+    node_id result = zero_;
+    for (auto c = p.coefficients().rbegin(); c != p.coefficients().rend(); ++c) {
+      result = result == zero_ ? g_.number(*c) : add(g_, multiply(g_, result, t), g_.number(*c));
+    }
+    return result;
+  }
   /// ellipticK towards its logarithmic end.
   std::optional<value> complete_integral(node_id i) {
     const detail::further_call& f = f_.call_at(i);
@@ -284,8 +358,12 @@ class substitution {
     const auto is_called = [&](const further_function& one) { return &one == f.function; };
     if (f.function->what.name != "ellipticK" || std::ranges::none_of(own, is_called))
       return std::nullopt;
-    const value left = complement(f.operands.front());
-    if (!tends_to_0(left)) return std::nullopt;
+    std::optional<value> found = rational_complement(f.operands.front());
+    if (!found) {
+      found = complement(f.operands.front());
+      if (!tends_to_0(*found)) return std::nullopt;
+    }
+    const value& left = *found;
     const node_id half = g_.number(rational(1, 2));
     const node_id modulus = plain(scaled(left, half, call("sqrt", {left.rest})));
     const node_id inverse = divide(g_, one_, call("agm", {one_, modulus}));
@@ -325,6 +403,10 @@ class substitution {
   node_id zero_;
   node_id one_;
   node_id growth_ = 0;  // 1 or -1
+  bool is_infinite_;
+  std::optional<rational> at_;
+  int side_;
+  quotient_of quotient_;
   value x_{};
   std::vector<char> varies_;
   std::vector<std::optional<value>> values_;
@@ -335,13 +417,15 @@ class substitution {
 }  // namespace exponential_substitution_impl
 
 std::optional<expression> expression::in_exponential(const expression* end, int side) const {
-  using exponential_substitution_impl::substitution;
-  if (variables_.size() != 1 || graph_->root >= exponential_substitution_impl::most_nodes ||
+  namespace impl = exponential_substitution_impl;
+  if (variables_.size() != 1 || graph_->root >= impl::most_nodes ||
       (end != nullptr && !end->used_variables().empty())) {
     return std::nullopt;
   }
   try {
-    substitution s(*graph_, end == nullptr ? nullptr : end->graph_.get(), side);
+    const auto quotient_of = [&](detail::node_id i) { return with_root(*graph_, i).quotient(); };
+    impl::substitution s(*graph_, end == nullptr ? nullptr : end->graph_.get(),
+                         end == nullptr ? std::nullopt : end->rational_value(), side, quotient_of);
     detail::graph g = s.result();
     const detail::node_id root = g.root;
     expression result = with_root(std::move(g), root);

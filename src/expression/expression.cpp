@@ -106,6 +106,8 @@ expression expression::with_root(detail::graph g, node_id root) const {
   return result;
 }
 
+expression_names expression::names() const { return {variables_, {}, graph_->further()}; }
+
 ball expression::value(precision p) const {
   if (!used_variables().empty()) {
     throw std::invalid_argument("the value of an expression in " + used_variables().front() +

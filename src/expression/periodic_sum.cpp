@@ -260,14 +260,6 @@ class powers {
   node_id one_;
 };
 
-rational_polynomial denominator_of(const rational_quotient& q) {
-  rational_polynomial product({rational(1)});
-  for (const repeated_factor& f : q.divisors) {
-    for (long k = 0; k < f.multiplicity; ++k) product = product * f.factor;
-  }
-  return product;
-}
-
 }  // namespace
 }  // namespace periodic_sum_impl
 
@@ -291,8 +283,8 @@ std::optional<expression::periodic_sum> expression::as_periodic_sum() const {
       const impl::power_of_x split = impl::powers(g).of(factor);
       const auto quotient = with_root(g, split.rest).quotient();
       if (!quotient) return std::nullopt;
-      result.terms.push_back({with_root(g, periodic), split.exponent, quotient->numerator,
-                              impl::denominator_of(*quotient)});
+      result.terms.push_back(
+          {with_root(g, periodic), split.exponent, quotient->numerator, denominator_of(*quotient)});
     }
     return result;
   } catch (const detail::undefined_operation&) {

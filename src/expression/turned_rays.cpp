@@ -508,8 +508,9 @@ std::optional<expression::rays> expression::on_turned_rays(const rational& from)
     }
     if (const auto root = turned.steady_part()) {
       const expression steady = with_root(turned.graph(), *root);
-      const expression_names names{.variables = {"s"}, .definitions = {}};
-      result.parts.emplace_back(steady(symbol(*start) + symbol::variable(0)), names);
+      expression_names own = names();
+      own.variables = {"s"};
+      result.parts.emplace_back(steady(symbol(*start) + symbol::variable(0)), own);
     }
     return result;
   } catch (const detail::undefined_operation&) {

@@ -581,6 +581,50 @@ integral_case many_orders(maker& m) {
   return {f, low, high, few_digits(m)};
 }
 
+/// 1 - m, m rational, as a power of the distance times what has a value there.
+struct complement {
+  term parameter = 0;
+  term left = 0;
+};
+complement any_complement(maker& m, const term& t) {
+  const term c = m.positive_rational();
+  const term u = c * power(t, m.between(1, 4));
+  switch (m.between(0, 3)) {
+    case 0:
+      return {1 - u, u};
+    case 1:
+      return {1 / (1 + u), u / (1 + u)};
+    case 2:
+      return {(1 - u) / (1 + u), 2 * u / (1 + u)};
+    default:
+      return {4 * (1 + u) / power(2 + u, 2), power(u / (2 + u), 2)};
+  }
+}
+
+/// K(m) where m tends to 1 at an end, between the limits or at infinity, as K and by its mean.
+integral_case complete_elliptic(maker& m) {
+  const bool is_infinite = m.one_in(4);
+  const term e = m.one_in(3) ? term(0) : m.quotient(m.within(-2, 2));
+  const bool is_below = m.one_in(2);
+  const bool crosses = !is_infinite && m.one_in(4);
+  const term length = m.quotient(m.within(0.1, 1)) + term(1) / 50;
+  // The distance is below 1 there: so that m > 0, and 1 - m > 0, if c is small.
+  const term t = is_infinite ? 1 / x : is_below ? e - x : x - e;
+  const complement k = any_complement(m, crosses ? call("abs", t) : t);
+  const term weight = is_infinite ? 1 / power(x, 2) : m.gentle(x);
+  integral_case result{call("ellipticK", k.parameter) * weight,
+                       is_infinite           ? length + 1
+                       : is_below || crosses ? e - length
+                                             : e,
+                       is_infinite            ? term("inf")
+                       : is_below && !crosses ? e
+                                              : e + length,
+                       few_digits(m)};
+  const term mean = call("agm", 1, call("sqrt", k.left));
+  result.parts.push_back({term("pi") / 2 / mean * weight, result.from, result.to, result.digits});
+  return result;
+}
+
 }  // namespace
 
 std::vector<integral_family> end_families() {
@@ -600,6 +644,7 @@ std::vector<integral_family> end_families() {
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"special functions at ends", 8, mostly_cheap(special_end)},
+          {"complete elliptic integrals", 10, mostly_cheap(complete_elliptic)},
           {"whole line", 7, mostly_cheap(whole_line)},
           {"extreme sizes", 7, mostly_cheap(extreme_sizes)},
           {"many orders of magnitude", 6, mostly_cheap(many_orders)}};

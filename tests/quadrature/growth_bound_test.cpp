@@ -252,7 +252,32 @@ TEST(GrowthBound, IntegralsOfItAreKnown) {
   check("ellipticK(x)/sqrt(x)", 1, "4*catalan");
   check("ellipticK(x)/sqrt(1-x)", 1, "pi^2/2");
   check("ellipticK(x^2)", 1, "2*catalan");
+  check("ellipticK(1-x^2)", 1, "pi^2/4");
+  check("ellipticK(4*x/(1+x)^2)", 1, "1+2*catalan");
+  check("x*ellipticK(1-x^2)", 1, "1");
   check("ellipticK(x^2)/(1+x)", 1, "pi^2/8");
+}
+
+/// K towards its logarithmic singularity at both ends, inside, at infinities, and from the left.
+TEST(GrowthBound, CompleteEllipticIntegralsOfRationalFunctions) {
+  const auto check = [](const char* text, const end_point& a, const end_point& b,
+                        const std::string& value) {
+    const integral i = integrate(parse(text), a, b, {.digits = 25});
+    EXPECT_EQ(i.verdict, status::certified) << text << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(value, {}).value(200))) << text;
+  };
+  check("ellipticK(1-x^2)", -1, 1, "pi^2/2");
+  check("ellipticK(1-(x-1/3)^2)", rational(-2, 3), rational(4, 3), "pi^2/2");
+  check("ellipticK(1-1/x^2)/x^2", 1, end_point::infinity(), "pi^2/4");
+  check("ellipticK(1-1/x^2)/x^2", -end_point::infinity(), -1, "pi^2/4");
+  check("-ellipticK(1+1/x)/x^3", -end_point::infinity(), -1, "8/9");
+  check("ellipticK(x)", -1, 0, "4*ellipticK(-1)-2*ellipticE(-1)");
+  // Of such a function no more than its logarithm is integrable.
+  EXPECT_EQ(integrate(parse("ellipticK(1-x^3)/x"), -1, 1, {.digits = 10}).verdict,
+            status::not_certified);
+  EXPECT_EQ(
+      integrate(parse("ellipticK(1-1/x^2)"), 1, end_point::infinity(), {.digits = 10}).verdict,
+      status::not_certified);
 }
 
 TEST(GrowthBound, DivergenceIsProved) {

@@ -60,6 +60,9 @@ struct rational_quotient {
   std::vector<repeated_factor> divisors;
 };
 
+/// The product of factor^multiplicity.
+[[nodiscard]] rational_polynomial denominator_of(const rational_quotient& q);
+
 /// {q, r} with p = q d + r and deg r < deg d. Hypothesis: d is not 0.
 [[nodiscard]] std::pair<rational_polynomial, rational_polynomial> divide(
     const rational_polynomial& p, const rational_polynomial& d);

@@ -207,6 +207,9 @@ class expression {
 
   /// The declared variables, in their order; a value is needed for each.
   [[nodiscard]] const std::vector<std::string>& variables() const { return variables_; }
+  /// The names for formulas that are made of this one (operator() of symbols): its variables, and the
+  /// functions beside those of the table.
+  [[nodiscard]] expression_names names() const;
   /// Those that the formula depends on.
   [[nodiscard]] std::vector<std::string> used_variables() const;
   /// The value where the formula was found to be a rational number.

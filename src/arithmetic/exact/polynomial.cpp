@@ -92,6 +92,14 @@ jet<ball, dynamic_order> rational_polynomial::series(const ball& x, int n) const
   return result;
 }
 
+rational_polynomial denominator_of(const rational_quotient& q) {
+  rational_polynomial product({rational(1)});
+  for (const repeated_factor& f : q.divisors) {
+    for (long k = 0; k < f.multiplicity; ++k) product = product * f.factor;
+  }
+  return product;
+}
+
 std::pair<rational_polynomial, rational_polynomial> divide(const rational_polynomial& p,
                                                            const rational_polynomial& d) {
   std::vector<rational> rest = p.coefficients();

@@ -366,15 +366,17 @@ bool is_inside(const end_point& q, const end_point& a, const end_point& b) {
 }
 
 bool can_cut_at(const integrand& f, const end_point& q) {
-  for (const long side : {-1L, 1L}) {
-    if (look_at_end(f, end_of_range::finite(q, sum_of(q, end_point(side), 1))).how !=
-        manner::unknown)
-      continue;
+  const auto is_understood = [&](int side) {
+    const end_of_range end = end_of_range::finite(q, sum_of(q, end_point(side), 1));
+    if (look_at_end(f, end).how != manner::unknown) return true;
     const tail_series near =
         f.near_infinity(tail_series::argument(exactly(q), known_number(rational(side)), 0x1p-8));
-    if (near.is_blocked() || near.integral_before(ball(1L << 20, 64)).is_infinite()) return false;
-  }
-  return true;
+    if (!near.is_blocked() && !near.integral_before(ball(1L << 20, 64)).is_infinite()) return true;
+    constexpr long few_bits = 64;
+    preparation tried;
+    return add_in_exponential(tried, f, end, side, "", few_bits);
+  };
+  return is_understood(-1) && is_understood(1);
 }
 
 namespace {

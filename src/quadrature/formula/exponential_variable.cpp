@@ -12,8 +12,7 @@ namespace {
 
 /// f(x + e), of one variable.
 expression shifted(const expression& f, const expression& e) {
-  const expression_names names{.variables = f.variables(), .definitions = {}};
-  return expression(f(symbol::variable(0) + e.evaluate(std::span<const symbol>())), names);
+  return expression(f(symbol::variable(0) + e.evaluate(std::span<const symbol>())), f.names());
 }
 
 }  // namespace

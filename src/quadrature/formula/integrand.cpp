@@ -289,8 +289,7 @@ std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
 
 /// f(-x), of one variable.
 expression reflected(const expression& f) {
-  const expression_names names{.variables = f.variables(), .definitions = {}};
-  return expression(f(-symbol::variable(0)), names);
+  return expression(f(-symbol::variable(0)), f.names());
 }
 
 /// With so many changes of the variable to an exponential, one after the other, at most.

@@ -328,7 +328,8 @@ std::optional<periodic_tail> periodic_tail_of(const expression& f, const rationa
     folded = folded + term.factor(at->x + u) * polynomial_at(u, own.coefficients);
     ++g;
   }
-  const expression_names names{.variables = {"u"}, .definitions = {}};
+  expression_names names = f.names();
+  names.variables = {"u"};
   const pi_combination half = sum->period * rational(1, 2);
   return periodic_tail{end_point(pi_combination{at->x, 0} - half), expression(folded, names), half,
                        rest};
