@@ -272,6 +272,18 @@ TEST(GrowthBound, CompleteEllipticIntegralsOfRationalFunctions) {
   check("ellipticK(1-1/x^2)/x^2", -end_point::infinity(), -1, "pi^2/4");
   check("-ellipticK(1+1/x)/x^3", -end_point::infinity(), -1, "8/9");
   check("ellipticK(x)", -1, 0, "4*ellipticK(-1)-2*ellipticE(-1)");
+  // The same integral from both sides, at infinities, and by the mean.
+  const auto value = [](const char* text, const end_point& a, const end_point& b) {
+    const integral i = integrate(parse(text), a, b, {.digits = 25});
+    EXPECT_EQ(i.verdict, status::certified) << text << ": " << i.obstacle;
+    return i.enclosure;
+  };
+  const ball by_mean = value("pi/(2*agm(1,sqrt(x+x^2)))", 0, 1);
+  EXPECT_TRUE(overlaps(by_mean, value("ellipticK(1-x-x^2)", 0, 1)));
+  EXPECT_TRUE(overlaps(by_mean, value("ellipticK(1+x-x^2)", -1, 0)));
+  EXPECT_TRUE(overlaps(by_mean, value("ellipticK(1-(1-x)*(2-x))", 0, 1)));
+  EXPECT_TRUE(overlaps(by_mean, value("ellipticK(1-1/x-1/x^2)/x^2", 1, end_point::infinity())));
+  EXPECT_TRUE(overlaps(by_mean, value("ellipticK(1+1/x-1/x^2)/x^2", -end_point::infinity(), -1)));
   // Of such a function no more than its logarithm is integrable.
   EXPECT_EQ(integrate(parse("ellipticK(1-x^3)/x"), -1, 1, {.digits = 10}).verdict,
             status::not_certified);
