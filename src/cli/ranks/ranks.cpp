@@ -69,12 +69,13 @@ message next_message() {
   }
 }
 
-/// Whether a launcher says that there are several of this program.
-bool is_launched() {
+/// How many of this program a launcher says that it started; 0 where it does not say, nothing where
+/// there is no launcher.
+std::optional<long> launched() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
-    if (const char* size = std::getenv(name)) return std::string_view(size) != "1";
+    if (const char* size = std::getenv(name)) return std::strtol(size, nullptr, 10);
   }
-  return std::getenv("PMIX_RANK") != nullptr;
+  return std::getenv("PMIX_RANK") != nullptr ? std::optional(0L) : std::nullopt;
 }
 
 /// Ends when rank 0 says so.
@@ -193,7 +194,8 @@ void serve(const std::vector<std::size_t>& parts,
 }  // namespace
 
 void join(std::span<const char* const> arguments) {
-  if (!is_launched()) return;
+  const std::optional<long> ranks = launched();
+  if (!ranks || *ranks == 1) return;
   own_command() = POLHODE_VERSION;
   for (const char* const argument : arguments.subspan(1)) {
     own_command() += fmt::format("\n{}", argument);
@@ -206,6 +208,14 @@ void join(std::span<const char* const> arguments) {
         "build it again, or run it without mpirun");
   }
   messages().reset(make());
+  if (*ranks > 1 && count() == 1) {
+    messages().reset();
+    throw usage_error(
+        fmt::format("{} processes were started together, but MPI knows of one: start them with the "
+                    "mpirun of the "
+                    "MPI that Polhode was built with, or unset OMPI_COMM_WORLD_SIZE and PMI_SIZE",
+                    *ranks));
+  }
   if (is_worker()) silence_standard_streams();
 }
 
