@@ -52,8 +52,8 @@ struct value {
 rational_polynomial composed(const rational_polynomial& p, const rational& a, const rational& b) {
   const rational_polynomial x({a, b});
   rational_polynomial result;
-  for (auto c = p.coefficients().rbegin(); c != p.coefficients().rend(); ++c) {
-    result = result * x + rational_polynomial({*c});
+  for (std::size_t i = p.coefficients().size(); i-- > 0;) {
+    result = result * x + rational_polynomial({p.coefficients()[i]});
   }
   return result;
 }
@@ -345,8 +345,9 @@ class substitution {
   node_id in_distance(const rational_polynomial& p) {
     const node_id t = exp_of(negate(g_, s_));
     node_id result = zero_;
-    for (auto c = p.coefficients().rbegin(); c != p.coefficients().rend(); ++c) {
-      result = result == zero_ ? g_.number(*c) : add(g_, multiply(g_, result, t), g_.number(*c));
+    for (std::size_t i = p.coefficients().size(); i-- > 0;) {
+      const node_id c = g_.number(p.coefficients()[i]);
+      result = result == zero_ ? c : add(g_, multiply(g_, result, t), c);
     }
     return result;
   }

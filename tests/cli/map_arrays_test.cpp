@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "polhode/arithmetic/text.hpp"
+#include "polhode/arithmetic/exact.hpp"
 #include "program.hpp"
 
 #ifdef POLHODE_HAVE_HDF5

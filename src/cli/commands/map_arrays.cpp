@@ -1,11 +1,14 @@
 #include "map_arrays.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +17,7 @@
 #include "cli/modules/module.hpp"
 #include "cli/output/errors.hpp"
 #include "map_rows.hpp"
+#include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/version.hpp"
 

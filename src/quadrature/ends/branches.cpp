@@ -111,7 +111,7 @@ traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
 std::optional<choices> branches_beside(const formula& f, const rational& m, int side,
                                        const rational& reach) {
   constexpr double most = 1e6;
-  double r = static_cast<double>(reach);
+  auto r = static_cast<double>(reach);
   while (rational(r) < reach) r = std::nextafter(r, most);
   if (!(r > 0 && r < most)) return std::nullopt;
   constexpr precision series_bits = 192;
