@@ -180,10 +180,12 @@ ball find_s(const motion& of, quarters& ways, const branch& at, precision p, wor
   }
   const precision goal = p + std::max(0L, at.late ? 0 : log2_of(start) - unit);
   const ball x = start + shift;
-  for (const int wider : {0, 8, 16, 24}) {
+  constexpr int least_bits_of_start = 6;
+  constexpr int fewer = 8;
+  for (int bits_now = bits_of_start; bits_now >= least_bits_of_start; bits_now -= fewer) {
     // The step that maps the box into itself proves a root in it; there is no other, as phi increases with w.
-    const magnitude radius =
-        std::max(scale(start.magnitude_upper(), wider - bits_of_start), scale(uncertainty, wider));
+    const magnitude radius = std::max(scale(start.magnitude_upper(), -bits_now),
+                                      scale(uncertainty, bits_of_start - bits_now));
     const root_enclosure found = refine_root(excess, slope, x.enlarged(radius), goal);
     work.integrals += found.evaluations_of_f;
     work.newton_steps += found.evaluations_of_derivative;

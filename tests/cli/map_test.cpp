@@ -161,6 +161,13 @@ TEST(Map, RefusesWhatItCannotDo) {
   }
   (void)printed({"map", "c0", "--a", "1", "--b", "0.5", "--blocks", blocks});
   refused({"map", "c0", "--a", "1", "--b", "0.25", "--blocks", blocks}, "blocks of another map");
+  for (const char* size : {"0", "-1", "18446744073709551615"}) {
+    std::string head = contents(blocks + "/map.json");
+    const std::size_t at = head.find("\"points_of_block\": ") + 19;
+    head.replace(at, head.find_first_not_of("0123456789-", at) - at, size);
+    std::ofstream(blocks + "/map.json") << head;
+    refused({"merge", blocks}, "is not as this version of polhode writes it");
+  }
   std::ofstream(blocks + "/map.json") << "{}";
   refused({"merge", blocks}, "is not as this version of polhode writes it");
 }

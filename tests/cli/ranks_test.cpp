@@ -112,6 +112,13 @@ std::vector<pid_t> programs_below(pid_t parent) {
   return found;
 }
 
+/// Not ended, nor ended and only not waited for.
+bool is_running(pid_t process) {
+  const std::string stat = contents("/proc/" + std::to_string(process) + "/stat");
+  const std::size_t end = stat.rfind(')');
+  return end != std::string::npos && stat.substr(end + 2, 1) != "Z";
+}
+
 /// The blocks that are there, by name, as files.
 std::map<std::string, ino_t> blocks_in(const std::string& directory) {
   std::map<std::string, ino_t> result;
@@ -155,7 +162,7 @@ TEST(Ranks, LoseNothingWhenOneIsKilled) {
     waitpid(launcher, &state, 0);
     // Ranks whose launcher was killed end by themselves.
     for (const pid_t rank : ranks) {
-      while (kill(rank, 0) == 0) usleep(10'000);
+      while (is_running(rank)) usleep(10'000);
     }
     const std::map<std::string, ino_t> after = blocks_in(blocks);
     for (const auto& [name, file] : before) {

@@ -213,7 +213,7 @@ struct map_options {
   std::optional<std::string> width;
   std::optional<std::string> blocks;
   std::optional<std::string> shard;
-  count_option block_size{"--block-size", 1000, 1, 1'000'000};
+  count_option block_size{"--block-size", 1000, 1, map_grid::most_points_of_block};
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
   format_option format{{"csv", "npy", "hdf5", "svg", "png", "areas"}};

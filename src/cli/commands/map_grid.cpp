@@ -124,7 +124,9 @@ std::optional<map_grid> read_head(const std::string& text) {
     head.at("log").get_to(g.log);
     head.at("digits").get_to(g.digits);
     head.at("points_of_block").get_to(g.points_of_block);
-    if (g.points_of_block == 0) return std::nullopt;
+    if (g.points_of_block < 1 || g.points_of_block > map_grid::most_points_of_block) {
+      return std::nullopt;
+    }
     if (head.contains("cells")) {
       g.cells = true;
       head.at("refine").get_to(g.refine);

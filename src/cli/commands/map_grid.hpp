@@ -22,6 +22,7 @@ struct map_grid {
   bool cells = false;             // ranges over the cells between the values, in place of points
   long refine = 0;                // how often a cell is halved at most
   std::optional<rational> width;  // of a range that is narrow enough
+  static constexpr long most_points_of_block = 1'000'000;
   std::size_t points_of_block = 1000;
   // Made of these:
   std::vector<rational> a_values, b_values, c_values;
