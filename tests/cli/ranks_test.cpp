@@ -62,6 +62,19 @@ TEST(Ranks, PrintTheSameTable) {
   }
 }
 
+/// Machines with fewer processors than a rank was told to use threads.
+TEST(Ranks, NeedNotBeOnEqualMachines) {
+  const std::string two = "-n 1 polhode ";
+  const std::string one = " : -n 1 taskset -c \"$first\" polhode ";
+  const std::string first = "first=$(taskset -cp $$ | sed 's/.*: //; s/[,-].*//'); ";
+  for (const std::string command :
+       {"table phase --ab 12.65,0.0629 --c -0.06..0.06/120 --threads 2",
+        "map epsilon0 --a 0.5..20/59 --b 0.05..0.9/59 --threads 2 --block-size 70"}) {
+    EXPECT_EQ(printed(first + mpirun + "--bind-to none " + two + command + one + command),
+              printed("polhode " + command));
+  }
+}
+
 TEST(Ranks, FailTogether) {
   const auto refused = [](const std::string& script, const std::string& said) {
     const outcome result = run_script(script);

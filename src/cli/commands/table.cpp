@@ -6,6 +6,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -234,14 +235,40 @@ certain_number value_of(const row& r, const quantity& q, long digits) {
   return q.compute(*r.rigid, r.c ? *r.c : rational(0), digits);
 }
 
-/// The rows as text. Throws not_certified_error for the first of the rows whose value is not
-/// certified, whatever the threads and ranks.
+/// The rows as text, with what stands before each but the first of the table. Throws
+/// not_certified_error for the first of them whose value is not certified, whatever the threads.
+std::string text_of(std::span<const row> rows, bool starts_table, const quantity& q, long digits,
+                    const table_text& table, detail::worker_threads& threads) {
+  std::vector<certain_number> values(rows.size());
+  threads.for_each(static_cast<long>(rows.size()), [&](long i) {
+    const auto k = static_cast<std::size_t>(i);
+    values[k] = value_of(rows[k], q, digits);
+  });
+  std::string text;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const row& r = rows[k];
+    ball value;
+    if (!r.is_infinite) {
+      const std::string where =
+          fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.rigid->a()),
+                      to_text(r.rigid->b()), r.c ? ", c = " + to_text(*r.c) : "");
+      value = certain(values[k], where, digits);
+    }
+    if (k > 0 || !starts_table) text += table.between;
+    text += table.row_of(r, value);
+  }
+  return text;
+}
+
+/// All rows as text. Throws not_certified_error for the first of them whose value is not certified,
+/// whatever the threads and ranks.
 std::string compute(const std::vector<row>& rows, const quantity& q, long digits,
                     const table_text& table, const std::string& what,
                     const table_options& options) {
   const progress line;
   line.show("estimating");
-  detail::worker_threads threads(ranks::threads(options.threads.value()));
+  const int asked = ranks::threads(options.threads.value());
+  detail::worker_threads threads(asked);
   const auto some = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2),
                                  rows.end(), [](const row& r) { return !r.is_infinite; });
   const row& middle = some == rows.end() ? rows.front() : *some;
@@ -251,36 +278,20 @@ std::string compute(const std::vector<row>& rows, const quantity& q, long digits
         static_cast<double>(rows.size()) / threads.count() / ranks::count()));
   }
   const time_watch watch(options.time_limit.limit(static_cast<double>(rows.size())));
+  // The parts are the same on every rank: not by the processors that a machine happens to have.
   constexpr std::size_t rows_of_thread = 16;
-  const std::size_t rows_of_part = rows_of_thread * static_cast<std::size_t>(threads.count());
+  const int each = ranks::count() > 1 ? asked : threads.count();
+  const std::size_t rows_of_part = rows_of_thread * static_cast<std::size_t>(each);
   constexpr char is_certified = '+';
   constexpr char is_not = '-';
   const auto part = [&](std::size_t index) {
-    const std::size_t first = index * rows_of_part;
-    const std::size_t count = std::min(rows_of_part, rows.size() - first);
-    std::vector<certain_number> values(count);
-    threads.for_each(static_cast<long>(count), [&](long i) {
-      const auto k = static_cast<std::size_t>(i);
-      values[k] = value_of(rows[first + k], q, digits);
-    });
-    std::string text(1, is_certified);
+    const auto from = std::span(rows).subspan(index * rows_of_part);
+    const auto own = from.first(std::min(rows_of_part, from.size()));
     try {
-      for (std::size_t k = 0; k < count; ++k) {
-        const row& r = rows[first + k];
-        ball value;
-        if (!r.is_infinite) {
-          const std::string where =
-              fmt::format("{} at a = {}, b = {}{}", q.name, to_text(r.rigid->a()),
-                          to_text(r.rigid->b()), r.c ? ", c = " + to_text(*r.c) : "");
-          value = certain(values[k], where, digits);
-        }
-        if (first + k > 0) text += table.between;
-        text += table.row_of(r, value);
-      }
+      return is_certified + text_of(own, index == 0, q, digits, table, threads);
     } catch (const not_certified_error& error) {
       return is_not + std::string(error.what());
     }
-    return text;
   };
   std::vector<std::size_t> parts((rows.size() + rows_of_part - 1) / rows_of_part);
   std::iota(parts.begin(), parts.end(), std::size_t{0});
