@@ -21,8 +21,8 @@ namespace {
 
 using words = std::vector<std::string>;
 
-/// Before a script: mpirun may start more processes than there are processors, also for root; what MPI
-/// itself leaks is not looked for.
+/// Before a script. mpirun may start more processes than there are processors, also for root. The
+/// address sanitizer does not look for leaks, as MPI has some.
 const std::string mpirun = fmt::format(
     "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
     "ASAN_OPTIONS=detect_leaks=0; exec '{}' --oversubscribe ",

@@ -207,8 +207,8 @@ class expression {
 
   /// The declared variables, in their order; a value is needed for each.
   [[nodiscard]] const std::vector<std::string>& variables() const { return variables_; }
-  /// The names for formulas that are made of this one (operator() of symbols): its variables, and the
-  /// functions beside those of the table.
+  /// Returns the names for formulas that are made of this one by operator() of symbols: its
+  /// variables, and its functions beside those of the table.
   [[nodiscard]] expression_names names() const;
   /// Those that the formula depends on.
   [[nodiscard]] std::vector<std::string> used_variables() const;

@@ -28,7 +28,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The greatest double that is at most x.
+/// A double that is at most x, and next to it.
 double rounded_down(const rational& x) {
   auto result = static_cast<double>(x);
   if (result == infinity) return std::numeric_limits<double>::max();

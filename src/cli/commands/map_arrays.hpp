@@ -1,8 +1,8 @@
 #pragma once
 
-// A map as arrays of doubles, for NumPy and HDF5. A double is not a decimal: what is printed of a
-// number stays true of it, as its distance from the double is in the radius, and ends are rounded
-// to the side where they stay bounds.
+// A map as arrays of doubles, for NumPy and HDF5. The rounding to a double keeps them true: the
+// radius holds the distance of the number from its double, and bounds are rounded to the side where
+// they stay bounds.
 
 #include <string>
 #include <vector>
@@ -14,14 +14,14 @@ namespace polhode::cli {
 /// Of a map of points: [quantity][0: value, 1: radius][a][b] and, for motions, [c].
 [[nodiscard]] std::vector<double> map_numbers(const map_grid& g, const std::string& rows);
 
-/// NumPy's format 1.0: that array; of a map of cells [cell][column], with the ends of a, b and c,
-/// each rounded into the cell, and of each quantity the least value and the greatest, rounded
-/// outwards.
+/// NumPy's format 1.0. A map of points is the array above. A map of cells is [cell][column]: the
+/// ends of a, b and c, rounded into the cell, and the least and the greatest value of each quantity,
+/// rounded outwards.
 [[nodiscard]] std::string map_npy(const map_grid& g, const std::string& rows);
 
-/// A file of HDF5: of points a dataset of each quantity and of its radius, [a][b] and [c], with the
-/// axes as doubles and exactly; of cells a dataset of each column. Throws usage_error where Polhode
-/// was built without HDF5.
+/// A file of HDF5. A map of points has a dataset for each quantity and one for its radius, [a][b]
+/// and [c], and the axes as doubles and exactly; a map of cells has a dataset for each column.
+/// Throws usage_error where Polhode was built without HDF5.
 [[nodiscard]] std::string map_hdf5(const map_grid& g, const std::string& rows);
 
 }  // namespace polhode::cli

@@ -1,4 +1,4 @@
-// Files of HDF5, made in memory: a module of its own, loaded where --format hdf5 asks for one.
+// Files of HDF5, made in memory. The program loads this module for --format hdf5.
 
 #include <algorithm>
 #include <memory>
@@ -118,7 +118,7 @@ std::string bytes_of(const hdf5_file& content) {
 }  // namespace
 }  // namespace polhode::cli
 
-/// What map_arrays.cpp looks for in the module: the bytes of the file.
+/// Makes the bytes of the file; map_arrays.cpp calls it by this name.
 extern "C" void polhode_hdf5_bytes(const polhode::cli::hdf5_file& file, std::string& bytes) {
   bytes = polhode::cli::bytes_of(file);
 }

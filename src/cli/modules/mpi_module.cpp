@@ -1,5 +1,5 @@
-// Messages by MPI: a module of its own, loaded where mpirun started the program, so that the program
-// does without MPI elsewhere.
+// Messages by MPI. The program loads this module where mpirun started it, and does without MPI
+// elsewhere.
 
 #include <climits>
 #include <cstdlib>
@@ -63,7 +63,7 @@ class mpi_messages : public message_passing {
 }  // namespace
 }  // namespace polhode::cli
 
-/// What ranks.cpp looks for in the module; the caller owns the result.
+/// Joins the ranks; ranks.cpp calls it by this name. The caller owns the result.
 extern "C" polhode::cli::message_passing* polhode_message_passing() {
   return new polhode::cli::mpi_messages;
 }

@@ -28,8 +28,8 @@ struct pieces_of_range {
 /// Cuts the finite range from a to b, a < b as far as is known, at the breaks of the integrand, f. A break is a simple zero r
 /// of some t(x) - n, t what decides between the branches: it is isolated in an interval X on which t' has one
 /// sign and t - n opposite signs at the ends (so that there is one zero and no more), and is a `limit`, found to
-/// any precision by the interval Newton method; or it is a rational number at which t - n is 0 of any
-/// order, and t's series there has one sign on each side. On each piece between breaks the branches are proved by covering all of it
+/// any precision by the interval Newton method. A rational zero of t may have any order: there the
+/// series of t has one sign on each side. On each piece between breaks the branches are proved by covering all of it
 /// with intervals, on each of which ranges and slopes decide them. Breaks of different t that may be one, a t
 /// that touches 0 without a change of sign, and a break that may be the end of the range are cut out as an
 /// interval of width about 2^-bits of the range, whose part of the integral is bounded by the ranges of f and of
