@@ -256,7 +256,7 @@ shard read_shard(const map_options& options) {
   return {number - 1, count};
 }
 
-exit_status run(const map_options& options) {
+map_grid grid_of(const map_options& options) {
   map_grid g;
   g.quantities = options.quantity;
   g.a = options.a;
@@ -271,23 +271,31 @@ exit_status run(const map_options& options) {
   if (!g.cells && (g.refine != 0 || g.width)) {
     throw usage_error("--refine and --width are of cells: give --cells, too");
   }
-  g = completed(std::move(g));
+  return completed(std::move(g));
+}
+
+/// Throws usage_error for a map that would take too long. Returns the seconds that it is estimated
+/// to take, where they are worth an estimate.
+std::optional<double> checked_time(const map_grid& g, const map_options& options, int threads) {
+  const std::size_t middle = g.points() / 2;
+  const auto one_point = [&](long fewer) {
+    map_grid rough = g;
+    rough.digits = fewer;
+    (void)row_of(rough, middle);
+  };
+  return options.time_limit.check(
+      fmt::format("a map of {} points to {} digits", g.points(), g.digits), g.digits, {one_point},
+      static_cast<double>(g.points()) / threads / ranks::count());
+}
+
+exit_status run(const map_options& options) {
+  const map_grid g = grid_of(options);
   const std::string& format = options.format.value();
   check_format(g, format);
   const shard own = read_shard(options);
   const progress line;
   detail::worker_threads threads(ranks::threads(options.threads.value()));
-  const std::size_t middle = g.points() / 2;
-  if (!ranks::is_worker()) {
-    line.expect(options.time_limit.check(
-        fmt::format("a map of {} points to {} digits", g.points(), g.digits), g.digits,
-        {[&](long fewer) {
-          map_grid rough = g;
-          rough.digits = fewer;
-          (void)row_of(rough, middle);
-        }},
-        static_cast<double>(g.points()) / threads.count() / ranks::count()));
-  }
+  if (!ranks::is_worker()) line.expect(checked_time(g, options, threads.count()));
   const time_watch watch(options.time_limit.limit(static_cast<double>(g.points())));
   std::optional<block_directory> directory;
   std::vector<std::size_t> open;

@@ -15,8 +15,8 @@ namespace polhode::cli {
 [[nodiscard]] std::vector<double> map_numbers(const map_grid& g, const std::string& rows);
 
 /// NumPy's format 1.0. A map of points is the array above. A map of cells is [cell][column]: the
-/// ends of a, b and c, rounded into the cell, and the least and the greatest value of each quantity,
-/// rounded outwards.
+/// ends of a, b and c, rounded into the cell, and the least and the greatest value of each
+/// quantity, rounded outwards.
 [[nodiscard]] std::string map_npy(const map_grid& g, const std::string& rows);
 
 /// A file of HDF5. A map of points has a dataset for each quantity and one for its radius, [a][b]

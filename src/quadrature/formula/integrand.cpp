@@ -288,9 +288,7 @@ std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
 }
 
 /// f(-x), of one variable.
-expression reflected(const expression& f) {
-  return expression(f(-symbol::variable(0)), f.names());
-}
+expression reflected(const expression& f) { return expression(f(-symbol::variable(0)), f.names()); }
 
 /// With so many changes of the variable to an exponential, one after the other, at most.
 detail::integrand integrand_with_changes(const expression& f, int changes) {
