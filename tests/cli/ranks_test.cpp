@@ -92,8 +92,9 @@ TEST(Ranks, FailTogether) {
   refused(mpirun + "-n 1 " + three + " : -n 1 " + three + " --digits 16",
           "rank 1: another command, or another version");
   refused(mpirun + "-n 1 " + three + " : -n 1 " + three + " --digits 0", "rank 1: --digits");
-  // By another launcher than that of this MPI.
-  refused("PMI_SIZE=2 polhode map epsilon0 --a 1 --b 0.5", "but MPI knows of one");
+  // By another launcher than that of this MPI, which leaves memory behind when it ends.
+  refused("export ASAN_OPTIONS=detect_leaks=0; PMI_SIZE=2 polhode map epsilon0 --a 1 --b 0.5",
+          "but MPI knows of one");
   refused("OMPI_COMM_WORLD_SIZE=2 '" POLHODE_WITHOUT_PAGES_PATH "' map epsilon0 --a 1 --b 0.5",
           "built without MPI");
 }
