@@ -230,15 +230,18 @@ system_answer system_from_python(const py::sequence& equations, const py::sequen
   }
   std::vector<expression> components;
   for (const py::handle f : equations) components.push_back(equation_from(f, variables));
-  std::vector<std::pair<rational, rational>> ranges;
+  system_box ranges;
   for (const py::handle range : box) {
     const auto ends = range.cast<py::sequence>();
     if (ends.size() != 2) {
       throw wrong_type("the box is given as a pair of ends for each variable: [(-2, 2), (0, 1)]");
     }
-    const py::object low = ends[0];
-    const py::object high = ends[1];
-    ranges.emplace_back(rational_from(low, "an end"), rational_from(high, "an end"));
+    const auto end_at = [&](std::size_t i) -> std::optional<rational> {
+      const py::object end = ends[i];
+      if (end_from(end).infinite_sign() == (i == 0 ? -1 : 1)) return std::nullopt;
+      return rational_from(end, "an end");
+    };
+    ranges.emplace_back(end_at(0), end_at(1));
   }
   const real_system system(components);
   (void)checked_digits(digits);

@@ -1,6 +1,7 @@
 #include "polhode/roots/systems.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -11,9 +12,11 @@
 
 #include <fmt/format.h>
 
+#include "hardware_system.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/symbol.hpp"
 #include "tiling.hpp"
 
 namespace polhode {
@@ -155,6 +158,13 @@ vector difference_of(const vector& x, const vector& y) {
   return r;
 }
 
+ball side_of(const std::optional<rational>& low, const std::optional<rational>& high) {
+  return detail::exact_interval{low, high}.to_ball(64);
+}
+bool is_bounded(const vector& x) {
+  return std::ranges::all_of(x, [](const ball& t) { return t.is_bounded(); });
+}
+
 bool ends_before(const vector& x, const vector& y) {
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (certainly_less(x[i], y[i])) return true;
@@ -206,7 +216,7 @@ precision precision_in(const std::vector<jet<ball, 1>>& x) {
 
 }  // namespace
 
-real_system::real_system(const std::vector<expression>& components) {
+real_system::real_system(const std::vector<expression>& components) : components_(components) {
   for (const expression& f : components) {
     if (f.variables().size() != components.size()) {
       throw input_error(
@@ -280,17 +290,26 @@ struct system_outcome {
 /// One run of a search: run() proves of each outcome that it is about the whole box, and accounts for the box.
 class system_searcher {
  public:
-  system_searcher(system_search& s, const system_options& options) : s_(s), options_(options) {
-    for (const auto& [low, high] : s.range_) whole_.push_back(from_end_points(low, high, 64));
+  system_searcher(system_search& s, const system_options& options)
+      : s_(s), options_(options), hardware_(s.f_.components()) {
+    for (const auto& [low, high] : s.range_) whole_.push_back(side_of(low, high));
   }
+
+  ~system_searcher() { s_.account_.evaluations += hardware_.evaluations(); }
 
   bool run() {
     constexpr long between_looks = 64;
     for (long boxes = 0; !s_.pending_.empty(); ++boxes) {
+      if (s_.stuck_.size() > options_.most_unresolved) {
+        s_.limit_ = "too many boxes stay unresolved: there may be infinitely many roots";
+        return false;
+      }
+      s_.limit_ = "the limit on the number of boxes was reached";
       if (boxes >= options_.most_boxes) return false;
       if (options_.progress && boxes % between_looks == 0 &&
           !options_.progress({s_.account_.boxes, static_cast<long>(s_.pending_.size()),
                               static_cast<long>(s_.found_.size())})) {
+        s_.limit_ = "the search was ended";
         return false;
       }
       const system_search::waiting box = std::move(s_.pending_.back());
@@ -323,6 +342,10 @@ class system_searcher {
         return;
       case kind::cut:
         detail::expect_cut(o.left_over, o.parts.first, o.parts.second);
+        // The last is the next: of an infinite box, the part that is nearer.
+        if (!is_bounded(whole_) && magnitude_of(o.parts.second) < magnitude_of(o.parts.first)) {
+          std::swap(o.parts.first, o.parts.second);
+        }
         s_.pending_.push_back({std::move(o.parts.second), box.halvings + 1});
         s_.pending_.push_back({std::move(o.parts.first), box.halvings + 1});
     }
@@ -339,6 +362,14 @@ class system_searcher {
     for (std::size_t i = 0; i < s_.found_.size(); ++i) {
       if (holds(s_.found_[i].box, x)) return {.what = kind::known, .left_over = {}, .known = i};
     }
+    using outcome = detail::hardware_system::outcome;
+    const outcome in_hardware = cut(x);
+    if (in_hardware == outcome::empty) return {};
+    // Narrower boxes are too close to the resolution of doubles.
+    constexpr int bits_of_doubles = 26;
+    const bool is_wide =
+        in_hardware == outcome::wide && widest(x) > scale(magnitude_of(x), -bits_of_doubles);
+    if (is_wide || !is_bounded(x)) return halved(x);
     constexpr int most_steps = 8;
     for (int step = 0; step < most_steps; ++step) {
       const precision p = bits_for(x);
@@ -362,16 +393,34 @@ class system_searcher {
     return halved(x);
   }
 
+  static std::vector<double_interval> in_doubles(const vector& x) {
+    std::vector<double_interval> box;
+    for (const ball& t : x) box.push_back(double_interval::from_ball(t));
+    return box;
+  }
+  /// Cuts x down in hardware doubles.
+  detail::hardware_system::outcome cut(vector& x) {
+    std::vector<double_interval> box = in_doubles(x);
+    const auto outcome = hardware_.cut(box);
+    if (outcome == detail::hardware_system::outcome::empty) return outcome;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const ball narrower = to_ball(box[i], x[i].precision());
+      if (narrower.radius() < x[i].radius()) x[i] = intersection(x[i], narrower);
+      if (x[i].is_undefined()) return detail::hardware_system::outcome::empty;
+    }
+    return outcome;
+  }
+
   /// Bits that tell the ends apart, twice over: f may cancel. Of a side that is narrower than those that are left unresolved, as many as
   /// these have: steps of Newton's method that make one side ever narrower, while the others stay, would double them without end.
   [[nodiscard]] precision bits_for(const vector& x) const {
     constexpr long spare = 4;
     precision bits = 64;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const magnitude narrowest = scale(whole_[i].radius(), -options_.most_halvings - spare);
+      const magnitude narrowest = scale(size_of(x, i), -options_.most_halvings - spare);
       const magnitude radius = max(x[i].radius(), narrowest);
       if (x[i].radius().is_zero()) continue;
-      const magnitude size = max(x[i].magnitude_upper(), whole_[i].radius());
+      const magnitude size = max(x[i].magnitude_upper(), size_of(x, i));
       bits = std::max<precision>(bits, 64 + 2 * (size.log2_floor() - radius.log2_floor()));
     }
     return bits;
@@ -417,11 +466,27 @@ class system_searcher {
 
   /// Exactly one root in a box around x?
   std::optional<system_outcome> prove(const vector& x) {
-    const precision p = bits_for(x);
+    constexpr precision most_bits = 2048;
+    for (precision p = bits_for(x); p <= most_bits; p *= 2) {
+      if (auto root = prove(x, p)) return root;
+      // Another root may be nearer than the room that a face needs with so few bits.
+      const bool is_room_of_bits = widest(x) < scale(max(magnitude_of(x), widest(x)), -p / 2);
+      if (!is_room_of_bits) break;
+    }
+    return std::nullopt;
+  }
+  static magnitude magnitude_of(const vector& x) {
+    magnitude r;
+    for (const ball& t : x) r = max(r, t.magnitude_upper());
+    return r;
+  }
+  std::optional<system_outcome> prove(const vector& x, precision p) {
     vector wide;
     for (const ball& t : with_precision(x, p)) {
       // No face is without room, be x a point.
-      const magnitude least = scale(max(t.magnitude_upper(), widest(x)), -p / 2);
+      const magnitude size = max(t.magnitude_upper(), widest(x));
+      const magnitude least =
+          scale(size.is_zero() ? max(magnitude_of(x), magnitude::power_of_two(-p)) : size, -p / 2);
       wide.push_back(t.enlarged(max(scale(widest(x), -1), least)));
     }
     const krawczyk_step step = krawczyk(s_.f_, wide, p);
@@ -450,28 +515,81 @@ class system_searcher {
     return true;
   }
 
-  /// In the direction in which x is widest beside the given box.
+  /// What the width of a side is measured by.
+  [[nodiscard]] magnitude size_of(const vector& x, std::size_t i) const {
+    if (whole_[i].is_bounded()) return whole_[i].radius();
+    return max(x[i].magnitude_upper(), magnitude::power_of_two(0));
+  }
+
+  /// In the direction in which the equations change most; or in which x is widest, where that is not
+  /// known, or x is narrow there already.
   system_outcome halved(const vector& x) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (x[i].is_bounded()) continue;
+      const std::optional<rational> at = middle_of_unbounded(x[i]);
+      return at ? cut_at(x, i, *at) : system_outcome{.what = kind::stuck, .left_over = x};
+    }
     std::size_t widest_one = 0;
     magnitude most;
-    bool any = false;
+    const auto width = [&](std::size_t i) { return divide_up(x[i].radius(), size_of(x, i)); };
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (whole_[i].radius().is_zero()) continue;
-      const magnitude ratio = divide_up(x[i].radius(), whole_[i].radius());
-      if (!any || most < ratio) {
-        most = ratio;
-        widest_one = i;
-        any = true;
-      }
+      if (x[i].radius().is_zero() || width(i) <= most) continue;
+      most = width(i);
+      widest_one = i;
     }
-    if (!any || most <= magnitude::power_of_two(-options_.most_halvings)) {
+    if (most <= magnitude::power_of_two(-options_.most_halvings)) {
       return {.what = kind::stuck, .left_over = x};
     }
+    // In narrow boxes, which are around roots that cannot be told apart, every side is to shrink.
+    constexpr int most_by_change = 12;  // halvings
+    if (most > magnitude::power_of_two(-most_by_change)) {
+      const auto chosen = hardware_.direction(in_doubles(x));
+      if (chosen && scale(width(*chosen), most_by_change) > most) widest_one = *chosen;
+    }
+    if (!whole_[widest_one].is_bounded()) {
+      if (const auto at = middle_of_magnitudes(x[widest_one])) return cut_at(x, widest_one, *at);
+    }
     const auto [low, high] = split(x[widest_one]);
+    return parts_of(x, widest_one, low, high);
+  }
+
+  /// A place to cut a side that is not bounded; none far out.
+  static std::optional<rational> middle_of_unbounded(const ball& x) {
+    const double_interval ends = double_interval::from_ball(x);
+    if (ends.upper() < detail::infinity) {
+      const std::optional<rational> mirrored = middle_of_unbounded(-x);
+      return mirrored ? std::optional<rational>(-*mirrored) : std::nullopt;
+    }
+    if (ends.lower() < 0) return 0;
+    for (const unsigned exponent : {10U, 200U}) {
+      if (ends.lower() < std::ldexp(1.0, static_cast<int>(exponent))) {
+        return rational(integer(1) << exponent);
+      }
+    }
+    return std::nullopt;
+  }
+  /// A power of two between the ends of x, where these have one sign and are of different sizes.
+  static std::optional<rational> middle_of_magnitudes(const ball& x) {
+    constexpr std::int64_t apart = 4;
+    const magnitude low = x.magnitude_lower();
+    if (low.is_zero()) return std::nullopt;
+    const std::int64_t first = low.log2_floor();
+    const std::int64_t last = x.magnitude_upper().log2_floor();
+    if (last - first < apart) return std::nullopt;
+    const ball power = scale(ball(1, least_precision), static_cast<long>((first + last) / 2));
+    return lower_rational(certainly_positive(x) ? power : -power);
+  }
+
+  static system_outcome cut_at(const vector& x, std::size_t i, const rational& at) {
+    return parts_of(x, i, intersection(x[i], side_of(std::nullopt, at)),
+                    intersection(x[i], side_of(at, std::nullopt)));
+  }
+  static system_outcome parts_of(const vector& x, std::size_t i, const ball& low,
+                                 const ball& high) {
     vector left = x;
     vector right = x;
-    left[widest_one] = low;
-    right[widest_one] = high;
+    left[i] = low;
+    right[i] = high;
     return {.what = kind::cut,
             .left_over = x,
             .known = 0,
@@ -481,19 +599,20 @@ class system_searcher {
 
   system_search& s_;
   const system_options& options_;
+  detail::hardware_system hardware_;
   vector whole_;
 };
 
-system_search::system_search(real_system f, std::vector<std::pair<rational, rational>> box)
+system_search::system_search(real_system f, system_box box)
     : f_(std::move(f)), range_(std::move(box)) {
   if (range_.empty()) throw input_error("a system without variables: there must be at least one");
   waiting all;
   for (const auto& [low, high] : range_) {
-    if (low > high) {
+    if (low && high && *low > *high) {
       throw input_error(
           "the box is the wrong way round: a lower end is greater than its upper end");
     }
-    all.x.push_back(from_end_points(low, high, 64));
+    all.x.push_back(side_of(low, high));
     expect(detail::holds(all.x.back(), {low, high}), "the box is not the one that was asked for");
   }
   pending_.push_back(std::move(all));
@@ -507,6 +626,65 @@ bool system_root_set::is_resolved() const {
          });
 }
 
+namespace {
+
+enum class place { inside, outside, undecided };
+
+bool certainly_at_most(const ball& x, const rational& y) {
+  return certainly_less_equal(x, ball(y, x.precision() + 64));
+}
+bool certainly_at_least(const ball& x, const rational& y) {
+  return certainly_less_equal(ball(y, x.precision() + 64), x);
+}
+bool certainly_at_most(const rational& x, const rational& y) { return x <= y; }
+bool certainly_at_least(const rational& x, const rational& y) { return x >= y; }
+bool certainly_beyond(const ball& x, const system_side& side) {
+  const precision p = x.precision() + 64;
+  return (side.first && certainly_less(x, ball(*side.first, p))) ||
+         (side.second && certainly_less(ball(*side.second, p), x));
+}
+bool certainly_beyond(const rational& x, const system_side& side) {
+  return (side.first && x < *side.first) || (side.second && x > *side.second);
+}
+
+/// Where a point, of balls or of rational numbers, lies.
+template <class T>
+place place_of(const std::vector<T>& x, const system_box& box) {
+  place r = place::inside;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto& [low, high] = box[i];
+    if (certainly_beyond(x[i], box[i])) return place::outside;
+    const bool is_inside =
+        (!low || certainly_at_least(x[i], *low)) && (!high || certainly_at_most(x[i], *high));
+    if (!is_inside) r = place::undecided;
+  }
+  return r;
+}
+
+/// The root of a unique region where it is a point of short rational numbers: a zero of each formula
+/// by exact rules, it is the only one in the region.
+std::optional<std::vector<rational>> exact_root(const real_system& f, const system_region& r) {
+  if (r.verdict != root_verdict::unique) return std::nullopt;
+  constexpr long digits = 30;
+  const integer longest = integer(1) << 24U;  // denominator
+  std::vector<rational> root;
+  std::vector<symbol> point;
+  for (const ball& x : refine(f, r, digits).enclosure) {
+    if (!x.is_bounded()) return std::nullopt;
+    const rational q = simplest_rational(lower_rational(x), upper_rational(x));
+    if (denominator(q) > longest) return std::nullopt;
+    root.push_back(q);
+    point.emplace_back(q);
+  }
+  for (const expression& component : f.components()) {
+    const expression value(component.evaluate(std::span<const symbol>(point)), component.names());
+    if (value.rational_value() != rational(0)) return std::nullopt;
+  }
+  return root;
+}
+
+}  // namespace
+
 system_root_set system_search::result() const {
   std::vector<int> open_halvings;
   for (const auto* boxes : {&pending_, &stuck_}) {
@@ -516,26 +694,20 @@ system_root_set system_search::result() const {
   system_root_set result;
   result.complete = pending_.empty();
   result.account = account_;
-  enum class side { inside, outside, undecided };
-  const auto side_of = [&](const vector& x) {
-    side r = side::inside;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const ball low(range_[i].first, x[i].precision() + 64);
-      const ball high(range_[i].second, x[i].precision() + 64);
-      if (certainly_less(x[i], low) || certainly_less(high, x[i])) return side::outside;
-      if (!certainly_less_equal(low, x[i]) || !certainly_less_equal(x[i], high))
-        r = side::undecided;
-    }
-    return r;
-  };
   for (system_region r : found_) {
-    side where = side_of(r.enclosure);
-    for (long digits = 20; digits <= 320 && where == side::undecided; digits *= 4) {
-      r.enclosure = refine(f_, r, digits).enclosure;
-      where = side_of(r.enclosure);
+    place where = place_of(r.enclosure, range_);
+    if (const auto exact = exact_root(f_, r)) {
+      where = place_of(*exact, range_);
+      for (std::size_t i = 0; i < exact->size(); ++i) {
+        r.enclosure[i] = ball((*exact)[i], std::max(precision{64}, r.enclosure[i].precision()));
+      }
     }
-    if (where == side::outside) continue;
-    r.may_lie_outside = where == side::undecided;
+    for (long digits = 20; digits <= 320 && where == place::undecided; digits *= 4) {
+      r.enclosure = refine(f_, r, digits).enclosure;
+      where = place_of(r.enclosure, range_);
+    }
+    if (where == place::outside) continue;
+    r.may_lie_outside = where == place::undecided;
     result.regions.push_back(std::move(r));
   }
   // Boxes that touch are one cluster.
@@ -570,8 +742,11 @@ system_root_set system_search::result() const {
   for (vector& x : open) {
     system_region r;
     r.box = r.enclosure = std::move(x);
-    r.remark = result.complete ? "not resolved by halving"
-                               : "the limit on the number of boxes was reached";
+    if (!is_bounded(r.box)) {
+      r.remark = "the roots have no proved bound";
+    } else {
+      r.remark = result.complete ? "not resolved by halving" : limit_;
+    }
     result.regions.push_back(std::move(r));
   }
   std::stable_sort(result.regions.begin(), result.regions.end(),
@@ -581,8 +756,7 @@ system_root_set system_search::result() const {
   return result;
 }
 
-system_root_set solve_system(const real_system& f, std::vector<std::pair<rational, rational>> box,
-                             const system_options& options) {
+system_root_set solve_system(const real_system& f, system_box box, const system_options& options) {
   system_search s(f, std::move(box));
   s.run(options);
   return s.result();

@@ -128,8 +128,20 @@ void expect_cut(const std::vector<ball>& box, const std::vector<ball>& left,
   for (std::size_t i = 0; i < box.size(); ++i) {
     if (contains(left[i], box[i]) && contains(right[i], box[i])) continue;
     ++directions;
-    expect(box[i].is_bounded() && left[i].is_bounded() && right[i].is_bounded(),
-           "a part is not bounded");
+    if (!box[i].is_bounded()) {
+      // Up to the place of the cut, and from there on.
+      const mpfr_float end = upper(left[i]);
+      expect(mpfr_number_p(end.backend().data()) != 0, "the cut bounds no part");
+      const rational cut = lower_rational(ball(end));
+      const precision p = precision_of(end) + 64;
+      const ball below = exact_interval{std::nullopt, cut}.to_ball(p);
+      const ball above = exact_interval{cut, std::nullopt}.to_ball(p);
+      expect(contains(left[i], intersection(box[i], below)) &&
+                 contains(right[i], intersection(box[i], above)),
+             "the parts of a box leave a gap");
+      continue;
+    }
+    expect(left[i].is_bounded() && right[i].is_bounded(), "a part is not bounded");
     const exact_interval whole = ends(box[i]);
     const exact_interval low = ends(left[i]);
     const exact_interval high = ends(right[i]);

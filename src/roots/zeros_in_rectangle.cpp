@@ -8,8 +8,13 @@
 #include <fmt/format.h>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/natural_domain.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/contour.hpp"
+#include "polhode/roots/function_structure.hpp"
+#include "polhode/roots/real_function.hpp"
 
 namespace polhode {
 namespace zeros_impl {
@@ -69,14 +74,135 @@ std::optional<ball> argument(const complex_ball& z) {
   return std::nullopt;
 }
 
+/// The values of f, a formula of one variable, over z by principal values, wherever it has one;
+/// undefined where nothing is known. log of a set that holds 0 has the real part's limit -inf.
+complex_ball natural_value(const expression& f, const complex_ball& z) {
+  const detail::program& code = f.instructions();
+  const precision p = z.precision();
+  std::vector<complex_ball> inputs;
+  if (code.variables > 0) inputs.push_back(z);
+  if (code.variables > 1) inputs.push_back(complex_ball::i(p));
+  for (const ball& c : detail::constants_of(code, p)) inputs.emplace_back(c);
+  if (inputs.size() != code.body.inputs) return complex_ball::undefined(p);
+  std::vector<complex_ball> slots(code.body.slots);
+  const auto operand = [&](std::uint32_t i) -> const complex_ball& {
+    return i < inputs.size() ? inputs[i] : slots[i - inputs.size()];
+  };
+  for (const detail::instruction& i : code.body.code) {
+    if (i.what == detail::operation::further) return complex_ball::undefined(p);
+    const complex_ball& x = operand(i.left);
+    complex_ball value(0, p);
+    if (i.what == detail::operation::log && contains_zero(x.re) && contains_zero(x.im)) {
+      const std::optional<ball> size = natural_domain::log(hypot(x.re, x.im));
+      if (!size) return complex_ball::undefined(p);
+      value = {*size, hull(-pi(p), pi(p))};
+    } else {
+      detail::execute<complex_ball>(i, value, x, operand(i.right));
+    }
+    if (value.is_undefined()) return value;
+    slots[i.result] = std::move(value);
+  }
+  return operand(code.body.outputs.front());
+}
+
+/// Whether f, a formula of a real variable, has the conjugate of its value at every conjugate number
+/// with an imaginary part other than 0: where the functions that have branch cuts have them on the
+/// real line, and their arguments are a z + b with a != 0, which are real for real z alone.
+bool has_cuts_on_the_real_line_alone(const expression& f) {
+  if (f.variables().size() != 1) return false;
+  const detail::program& code = f.instructions();
+  const std::vector<ball> constants = detail::constants_of(code, 64);
+  const auto is_constant = [&](std::uint32_t i) { return i >= 1 && i < code.body.inputs; };
+  // a, of what is known to be a z + b.
+  std::vector<std::optional<ball>> slots(code.body.slots);
+  const auto slope = [&](std::uint32_t i) -> std::optional<ball> {
+    if (i >= code.body.inputs) return slots[i - code.body.inputs];
+    return ball(is_constant(i) ? 0 : 1, 64);
+  };
+  const auto is_real_for_real_alone = [&](std::uint32_t i) {
+    const std::optional<ball> a = slope(i);
+    return a && !contains_zero(*a);
+  };
+  using detail::operation;
+  for (const detail::instruction& i : code.body.code) {
+    std::optional<ball> result;
+    const std::optional<ball> left = slope(i.left);
+    const std::optional<ball> right = slope(i.right);
+    switch (i.what) {
+      case operation::negate:
+        if (left) result = -*left;
+        break;
+      case operation::add:
+        if (left && right) result = *left + *right;
+        break;
+      case operation::subtract:
+        if (left && right) result = *left - *right;
+        break;
+      case operation::multiply:
+        if (is_constant(i.left) && right) result = constants[i.left - 1] * *right;
+        if (is_constant(i.right) && left) result = *left * constants[i.right - 1];
+        break;
+      case operation::divide:
+        if (is_constant(i.right) && left) result = *left / constants[i.right - 1];
+        break;
+      case operation::power:
+        if (!is_constant(i.right) || !is_real_for_real_alone(i.left)) return false;
+        break;
+      case operation::sqrt:
+      case operation::root:
+      case operation::log:
+      case operation::log1p:
+      case operation::asin:
+      case operation::acos:
+      case operation::acosh:
+      case operation::atanh:
+        if (!is_real_for_real_alone(i.left)) return false;
+        break;
+      case operation::power_integer:
+      case operation::exp:
+      case operation::expm1:
+      case operation::sin:
+      case operation::cos:
+      case operation::tan:
+      case operation::sinh:
+      case operation::cosh:
+      case operation::tanh:
+        break;
+      default:
+        return false;
+    }
+    slots[i.result] = std::move(result);
+  }
+  return true;
+}
+
+/// f over one denominator; a quotient of polynomials without their common factors, at whose zeros f
+/// has no value.
+expression::fraction fraction_of(const expression& f) {
+  const auto q = f.variables().size() == 1 ? f.quotient() : std::nullopt;
+  if (q && !q->numerator.is_zero()) {
+    rational_polynomial numerator = q->numerator;
+    for (const repeated_factor& d : q->divisors) {
+      for (rational_polynomial common = gcd(numerator, d.factor); common.degree() > 0;
+           common = gcd(numerator, d.factor)) {
+        numerator = divide(numerator, common).first;
+      }
+    }
+    if (numerator.degree() < q->numerator.degree()) {
+      const symbol z = symbol::variable(0);
+      symbol value = 0;
+      for (long k = numerator.degree(); k >= 0; --k)
+        value = value * z + numerator.coefficients()[static_cast<std::size_t>(k)];
+      return {expression(value, f.names()), {}};
+    }
+  }
+  return f.as_fraction().value_or(expression::fraction{f, {}});
+}
+
 class zero_search {
  public:
   zero_search(const expression& f, complex_rectangle where, const zeros_options& options)
-      : f_(complex_integrand_of(f)),
-        is_real_(f.variables().size() < 2),
-        whole_(std::move(where)),
-        options_(options),
-        bits_(bits_for_digits(options.digits) + 64) {}
+      : zero_search(fraction_of(f), std::move(where), options) {}
 
   zeros_answer answer() {
     struct part {
@@ -97,6 +223,7 @@ class zero_search {
         continue;
       }
       const region value = over(next.box, next.depth);
+      if (!value.is_analytic() && has_no_value_0(next.box, next.depth)) continue;
       if (value.is_analytic()) {
         if (!value.magnitude_lower().is_zero()) continue;
         constexpr int first_depth = 2;
@@ -115,13 +242,29 @@ class zero_search {
             {next.box, value.is_analytic() ? std::string() : in_words(value)});
         continue;
       }
-      for (const complex_rectangle& half : halves(next.box)) open.push_back({half, next.depth + 1});
+      const bool is_across_cut = !value.is_analytic() && next.box.bottom < 0 && next.box.top > 0;
+      for (const complex_rectangle& half :
+           is_across_cut ? halves_at_real_axis(next.box) : halves(next.box)) {
+        open.push_back({half, next.depth + 1});
+      }
     }
     sort_zeros();
     return std::move(result_);
   }
 
  private:
+  zero_search(const expression::fraction& f, complex_rectangle where, const zeros_options& options)
+      : numerator_(f.numerator),
+        divisors_(f.divisors),
+        f_(complex_integrand_of(f.numerator)),
+        is_real_(f.numerator.variables().size() < 2),
+        is_mirrored_(has_cuts_on_the_real_line_alone(f.numerator)),
+        whole_(std::move(where)),
+        options_(options),
+        bits_(bits_for_digits(options.digits) + 64) {
+    for (const expression& d : divisors_) over_divisors_.push_back(complex_integrand_of(d));
+  }
+
   /// By the real parts, to the digits asked for, then by the imaginary ones.
   void sort_zeros() {
     integer ten_to_digits;
@@ -169,6 +312,14 @@ class zero_search {
     return {first, second};
   }
 
+  /// The upper one has the values of the real axis.
+  static std::array<complex_rectangle, 2> halves_at_real_axis(const complex_rectangle& box) {
+    complex_rectangle above = box;
+    complex_rectangle below = box;
+    above.bottom = below.top = 0;
+    return {below, above};
+  }
+
   [[nodiscard]] bool is_done(const complex_rectangle& box) const {
     return std::ranges::any_of(done_, [&](const complex_rectangle& d) { return lies_in(box, d); });
   }
@@ -178,6 +329,19 @@ class zero_search {
     const complex_ball set(between(box.left, box.right, 64 + depth),
                            between(box.bottom, box.top, 64 + depth));
     return f_.over(depth < depth_of_doubles ? region(set) : region::in_balls(set));
+  }
+
+  /// Whether no value over the part, by principal values, is 0, be it beside a branch cut or on it.
+  /// Where f has conjugate values, a part below the real axis is taken for its mirror image: on a cut
+  /// the values are those from above.
+  [[nodiscard]] bool has_no_value_0(const complex_rectangle& box, int depth) const {
+    const precision p = 64 + depth;
+    const bool is_below = is_mirrored_ && box.top <= 0;
+    const complex_ball set(between(box.left, box.right, p), is_below
+                                                                ? between(-box.top, -box.bottom, p)
+                                                                : between(box.bottom, box.top, p));
+    const complex_ball value = natural_value(numerator_, set);
+    return !value.is_undefined() && !value.magnitude_lower().is_zero();
   }
 
   /// The zeros near a part: squares around what the secant method finds.
@@ -190,20 +354,30 @@ class zero_search {
     if (!rough || is_known(*rough)) return;
     const auto centre = approximate(*rough, size / 1000, bits_, few_steps);
     if (!centre) return;
-    for (rational half = size; half > size / 1000; half /= 4) {
-      const square_around large{centre->re, centre->im, half};
+    // The largest square with as few zeros as any has.
+    std::optional<square_around> large;
+    long least = 0;
+    for (rational half = size; half > size / 1000 && least != 1; half /= 4) {
+      const square_around square{centre->re, centre->im, half};
       constexpr int few_pieces = 100;
-      const std::optional<long> count = zeros_in(large, 96, few_pieces);
-      if (!count || *count == 0) continue;
-      point of_zeros = *centre;
-      if (*count > 1) {  // there the steps converge slowly, and the values lose digits
-        const precision p = bits_ * *count;
-        if (const auto closer = approximate(*centre, half / 1000, p, few_steps + 2 * p)) {
-          of_zeros = *closer;
-        }
-      }
-      if (add(large, of_zeros, *count)) return;
+      const std::optional<long> count = zeros_in(square, 96, few_pieces);
+      if (!count || *count == 0 || (large && *count >= least)) continue;
+      large = square;
+      least = *count;
     }
+    if (!large) return;
+    if (const auto exact = exact_zero(*centre, large->half, least)) {
+      take(large->as_rectangle(), *exact, least, true);
+      return;
+    }
+    point of_zeros = *centre;
+    if (least > 1) {  // there the steps converge slowly, and the values lose digits
+      const precision p = bits_ * least;
+      if (const auto closer = approximate(*centre, large->half / 1000, p, few_steps + 2 * p)) {
+        of_zeros = *closer;
+      }
+    }
+    add(*large, of_zeros, least);
   }
 
   /// Whether it is in a square that has been examined.
@@ -211,7 +385,7 @@ class zero_search {
 
   /// Adds the zeros of the large square, where a small one around z has as many. Where the small
   /// one has not the digits asked for, the two are kept for take_cluster.
-  bool add(const square_around& large, const point& z, long count) {
+  void add(const square_around& large, const point& z, long count) {
     const rational size = std::max(rational(abs(z.re)), rational(abs(z.im)));
     integer ten_to_digits;
     mpz_ui_pow_ui(ten_to_digits.backend().data(), 10, static_cast<unsigned long>(options_.digits));
@@ -228,31 +402,111 @@ class zero_search {
       return square_around{z.re, z.im, half}.as_rectangle();
     };
     for (const rational& half : {rational(goal / 16), goal}) {
-      if (meets_a_zero(around(half))) return false;
+      if (meets_a_zero(around(half))) return;
       if (!has_all(half)) continue;
-      take(large.as_rectangle(), around(half), count);
-      return true;
+      const auto exact = count == 1 ? exact_unique(around(half)) : std::nullopt;
+      take(large.as_rectangle(), exact.value_or(around(half)), count);
+      return;
     }
     rational half = large.half / 2;
-    if (meets_a_zero(around(half)) || !has_all(half)) return false;
+    if (meets_a_zero(around(half)) || !has_all(half)) return;
     while (half > goal && has_all(half / 4)) half /= 4;
     clusters_.push_back({large.as_rectangle(), around(half), count});
-    return false;
   }
   /// The large square is done; the small one has all its zeros.
-  void take(const complex_rectangle& large, const complex_rectangle& small, long count) {
+  void take(const complex_rectangle& large, const complex_rectangle& small, long count,
+            bool is_one = false) {
     done_.push_back(large);
     if (!meets(small, whole_)) return;  // they are beyond the rectangle
+    if (may_have_no_value(small)) {
+      small_.push_back(small);
+      if (are_at_a_point_without_value(small, count)) return;
+      result_.undecided.push_back({small, "0/0"});
+      return;
+    }
     complex_ball enclosure(between(small.left, small.right, bits_ + 64),
                            between(small.bottom, small.top, bits_ + 64));
     // The conjugate of a zero is one, and there is no other in the large square.
     const complex_rectangle conjugate{small.left, small.right, -small.top, -small.bottom};
-    const bool is_real = is_real_ && count == 1 && lies_in(conjugate, large);
+    const bool is_real = is_real_ && (count == 1 || is_one) && lies_in(conjugate, large);
     if (is_real) enclosure.im = ball(0, bits_);
     const bool is_inside =
         is_real ? lies_in({small.left, small.right, 0, 0}, whole_) : lies_in(small, whole_);
-    result_.zeros.push_back({std::move(enclosure), count, is_inside});
+    result_.zeros.push_back({std::move(enclosure), count, is_inside, count == 1 || is_one});
     small_.push_back(small);
+  }
+  /// Whether a divisor may be 0 in the small square.
+  [[nodiscard]] bool may_have_no_value(const complex_rectangle& small) const {
+    const precision p = bits_ + 64;
+    const region set = region::in_balls(
+        {between(small.left, small.right, p), between(small.bottom, small.top, p)});
+    return std::ranges::any_of(over_divisors_, [&](const detail::complex_integrand& d) {
+      const region value = d.over(set);
+      return !value.is_analytic() || value.magnitude_lower().is_zero();
+    });
+  }
+  /// Whether the zeros of the numerator in the small square are one zero of that multiplicity at a
+  /// real number at which f has no value: as that of sin(z) at 0 for sin(z)/z.
+  [[nodiscard]] bool are_at_a_point_without_value(const complex_rectangle& small,
+                                                  long count) const {
+    if (!is_real_ || small.bottom > 0 || small.top < 0) return false;
+    const ball real = between(small.left, small.right, bits_ + 64);
+    return std::ranges::any_of(
+        simple_numbers(small.left, small.right), [&](const pi_combination& at) {
+          if (!contains(real, at.at(2 * bits_ + 128))) return false;
+          return vanishes(numerator_, at, count) &&
+                 std::ranges::any_of(divisors_,
+                                     [&](const expression& d) { return vanishes(d, at, 1); });
+        });
+  }
+  /// The simplest rational number, and the simplest multiple of pi, between two.
+  [[nodiscard]] std::array<pi_combination, 2> simple_numbers(const rational& low,
+                                                             const rational& high) const {
+    const precision p = bits_ + 64;
+    const ball turns = between(low, high, p) / pi(p);
+    return {pi_combination{simplest_rational(low, high), 0},
+            pi_combination{0, simplest_rational(lower_rational(turns), upper_rational(turns))}};
+  }
+  /// A narrow rectangle around the zeros of a square around z, of half that width, where they are
+  /// one zero of that multiplicity, at a simple real number: the numerator has so many zeros in the
+  /// square, and vanishes to that order there.
+  [[nodiscard]] std::optional<complex_rectangle> exact_zero(const point& z, const rational& half,
+                                                            long count) const {
+    if (!is_real_ || count < 2 || abs(z.im) >= half) return std::nullopt;
+    constexpr int narrowest = 1 << 20;
+    for (int share = 8; share <= narrowest; share *= 16) {
+      for (const pi_combination& at : simple_numbers(z.re - half / share, z.re + half / share)) {
+        if (!vanishes(numerator_, at, count)) continue;
+        const ball place = at.at(bits_ + 64);
+        const rational low = lower_rational(place);
+        const rational high = upper_rational(place);
+        if (z.re - half < low && high < z.re + half) return complex_rectangle{low, high, 0, 0};
+      }
+    }
+    return std::nullopt;
+  }
+  /// The point of the only zero in a narrow square, where that is a short rational number.
+  [[nodiscard]] std::optional<complex_rectangle> exact_unique(const complex_rectangle& r) const {
+    if (!is_real_ || r.bottom > 0 || r.top < 0) return std::nullopt;
+    const integer longest = integer(1) << 24U;
+    const rational q = simplest_rational(r.left, r.right);
+    if (denominator(q) > longest || !vanishes(numerator_, {q, 0}, 1)) return std::nullopt;
+    return complex_rectangle{q, q, 0, 0};
+  }
+  /// Whether the first so many Taylor coefficients of f at a real number are exactly 0.
+  [[nodiscard]] bool vanishes(const expression& f, const pi_combination& at, long order) const {
+    if (order == 1) {
+      const symbol number = symbol(at.q) + symbol(at.r) * symbol::constant("pi");
+      const expression value(f(number), f.names());
+      if (value.rational_value() == rational(0)) return true;
+    }
+    const std::optional<function_structure> value = real_function(f).structure(
+        function_structure::variable_at(at, static_cast<int>(order), bits_));
+    if (!value || !value->series()) return false;
+    for (int k = 0; k < order; ++k) {
+      if (!(*value->series())[k].is_exactly(0)) return false;
+    }
+    return true;
   }
   [[nodiscard]] bool is_in_cluster(const complex_rectangle& box) const {
     return std::ranges::any_of(clusters_, [&](const cluster& c) { return lies_in(box, c.large); });
@@ -340,8 +594,13 @@ class zero_search {
     return add_turns(both[0], f, p, pieces, sum) && add_turns(both[1], f, p, pieces, sum);
   }
 
-  detail::complex_integrand f_;
-  bool is_real_;  // for real arguments
+  // f is 0 where the numerator is 0 and no divisor is.
+  expression numerator_;
+  std::vector<expression> divisors_;
+  std::vector<detail::complex_integrand> over_divisors_;
+  detail::complex_integrand f_;  // the numerator
+  bool is_real_;                 // for real arguments
+  bool is_mirrored_;             // has_cuts_on_the_real_line_alone
   complex_rectangle whole_;
   const zeros_options& options_;
   precision bits_;

@@ -206,9 +206,18 @@ TEST(Roots, InARectangle) {
   EXPECT_EQ(printed.at("roots")[0].at("inside"), true);
   const outcome poles =
       run({"roots", "1/(1+z^2)-z", "--variable", "z", "--rectangle", "-2-2i..2+2i"});
-  EXPECT_EQ(poles.status, 1);
-  EXPECT_NE(poles.out.find("2 parts are undecided: the pole of / near"), std::string::npos)
-      << poles.out;
+  EXPECT_EQ(poles.status, 0);
+  EXPECT_NE(poles.out.find("certified: 3 roots"), std::string::npos) << poles.out;
+  const outcome triple =
+      run({"roots", "tan(z)-z", "--variable", "z", "--rectangle", "-2-2i..2+2i"});
+  EXPECT_EQ(triple.out.rfind("0  multiple 3\n", 0), 0U) << triple.out;
+  const outcome cut =
+      run({"roots", "log(z)-i*pi", "--variable", "z", "--rectangle", "-2-2i..2+2i"});
+  EXPECT_EQ(cut.status, 1);
+  EXPECT_NE(cut.out.find("undecided: the branch cut of log near"), std::string::npos) << cut.out;
+  const outcome removed =
+      run({"roots", "(z-i)^2/(z-i)", "--variable", "z", "--rectangle", "-2-2i..2+2i"});
+  EXPECT_NE(removed.out.find("undecided: 0/0 near"), std::string::npos) << removed.out;
   for (const auto& [command, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"roots", "x-1", "--rectangle", "0"}, "such as -5-10i..5+10i"},
            {{"roots", "x-1", "--rectangle", "0..sqrt(2)+i"}, "with rational parts"},
@@ -258,6 +267,20 @@ TEST(Roots, OfASystem) {
   const outcome none = run({"roots", "x^2+y^2+1", "x-y", "--in", "x=-2..2", "--in", "y=-2..2"});
   EXPECT_EQ(none.status, 0);
   EXPECT_EQ(none.out.rfind("certified: no root", 0), 0U) << none.out;
+  // Sides without an end, and formulas that are not defined in a part of the box.
+  const outcome anywhere = run({"roots", "exp(x)=y", "x^2+y^2=4", "--in", "x=-inf..inf", "--in",
+                                "y=-inf..inf", "--digits", "10"});
+  EXPECT_EQ(anywhere.status, 0) << anywhere.out;
+  EXPECT_EQ(lines_of(anywhere.out).size(), 3U) << anywhere.out;
+  const outcome far =
+      run({"roots", "x^2=y", "y^2=x", "--in", "x=-inf..inf", "--in", "y=-inf..inf"});
+  EXPECT_EQ(far.status, 1);
+  EXPECT_NE(far.out.find("to inf, y = from -inf to inf  unresolved"), std::string::npos) << far.out;
+  const outcome half = run({"roots", "sqrt(x)-1", "log(y)", "--in", "x=-3..3", "--in", "y=-3..3"});
+  EXPECT_EQ(half.out.rfind("x = 1, y = 1  unique", 0), 0U) << half.out;
+  // On a face, which is decided where the root is known exactly.
+  const outcome face = run({"roots", "x*y-1", "x-y", "--in", "x=1..2", "--in", "y=1..2"});
+  EXPECT_EQ(face.status, 0) << face.out;
   // A curve of roots is left open.
   const outcome curve =
       run({"roots", "x-y", "2*x-2*y", "--in", "x=-2..2", "--in", "y=-2..2", "--time-limit", "1s"});
@@ -270,7 +293,8 @@ TEST(Roots, OfASystemThatIsGivenWrongly) {
         {"roots", "x+y", "x-y", "--in", "x=0..1"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "0..1"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "x=0..1"},
-        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..inf"},
+        {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=inf..0"},
+        {"roots", "x+y", "x-y", "--in", "x=0..-inf", "--in", "y=0..1"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=0..sqrt(2)"},
         {"roots", "x+y", "x-z", "--in", "x=0..1", "--in", "y=0..1"},
         {"roots", "x+y", "x-y", "--in", "x=0..1", "--in", "y=1..0"},

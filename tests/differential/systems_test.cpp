@@ -40,7 +40,7 @@ struct system_case {
   point shift;
   square_matrix mixed;
   std::vector<std::vector<system_factor>> factors;
-  std::vector<std::pair<rational, rational>> box;
+  system_box box;
 
   template <class T>
   std::vector<T> operator()(const std::vector<T>& x) const {
@@ -90,7 +90,8 @@ struct system_case {
   }
   [[nodiscard]] bool is_in_box(const point& x) const {
     for (std::size_t i = 0; i < x.size(); ++i) {
-      if (x[i] < box[i].first || x[i] > box[i].second) return false;
+      const auto& [low, high] = box[i];
+      if ((low && x[i] < *low) || (high && x[i] > *high)) return false;
     }
     return true;
   }
@@ -151,8 +152,12 @@ system_case any_system(maker& m) {
     const point& x =
         roots[static_cast<std::size_t>(m.between(0, static_cast<long>(roots.size()) - 1))];
     for (std::size_t i = 0; i < n; ++i) {
-      if (x[i] > c.box[i].first && m.one_in(2)) c.box[i].second = x[i];
+      if (x[i] > *c.box[i].first && m.one_in(2)) c.box[i].second = x[i];
     }
+  }
+  for (system_side& side : c.box) {
+    if (m.one_in(8)) side.first = std::nullopt;
+    if (m.one_in(8)) side.second = std::nullopt;
   }
   return c;
 }
@@ -221,7 +226,7 @@ struct planted_case {
   };
   point root;
   std::vector<equation> equations;
-  std::vector<std::pair<rational, rational>> box;
+  system_box box;
 
   template <class T>
   std::vector<T> operator()(const std::vector<T>& x) const {
@@ -268,6 +273,8 @@ planted_case any_planted(maker& m) {
     const rational& r = c.root.back();
     c.box.emplace_back(m.one_in(12) ? r : rational(r - rational(m.between(1, 40), 10)),
                        m.one_in(12) ? r : rational(r + rational(m.between(1, 40), 10)));
+    if (m.one_in(10)) c.box.back().first = std::nullopt;
+    if (m.one_in(10)) c.box.back().second = std::nullopt;
   }
   return c;
 }

@@ -490,7 +490,7 @@ TEST(RootAdversary, LinearSystems) {
       }
       return r;
     };
-    std::vector<std::pair<rational, rational>> box;
+    system_box box;
     bool inside = true;
     bool on_face = false;
     for (const rational& s : solution) {

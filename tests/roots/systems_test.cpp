@@ -16,7 +16,7 @@ namespace systems_test {
 using support::random_source;
 using support::repeat;
 
-using ends = std::vector<std::pair<rational, rational>>;
+using ends = system_box;
 
 /// Every region is a unique root, and the enclosures are apart.
 void expect_roots(const system_root_set& s, std::size_t count) {

@@ -52,6 +52,9 @@ std::string to_text(N) = delete;
 [[nodiscard]] integer floor_of(const rational& q);
 [[nodiscard]] integer ceil_of(const rational& q);
 
+/// The rational number with the least denominator in [low, high], low <= high.
+[[nodiscard]] rational simplest_rational(const rational& low, const rational& high);
+
 /// The real n-th root where it is a rational number, n >= 1.
 [[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);
 

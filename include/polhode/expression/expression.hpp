@@ -263,6 +263,12 @@ class expression {
   /// periods have no common multiple, and for long ones.
   struct periodic_sum;
   [[nodiscard]] std::optional<periodic_sum> as_periodic_sum() const;
+  /// N and d_1, d_2, ... such that, where N and the d_i have values, f has one exactly where no d_i
+  /// is 0, and is then N divided by a product of powers of the d_i: sums, products, quotients, whole
+  /// powers, tan and tanh over one denominator ("tan(x) - x": sin(x) - x*cos(x); cos(x)). None where
+  /// that is long.
+  struct fraction;
+  [[nodiscard]] std::optional<fraction> as_fraction() const;
   /// A part of a range, and what f is inside it.
   struct piece;
   /// f between a and b, a formula of one variable in which abs, min, max, floor and ceil are of
@@ -319,6 +325,8 @@ class expression {
   /// same variables it gives the same operations. Throws std::length_error where it would be longer
   /// than longest_expression.
   [[nodiscard]] std::string to_text() const;
+  /// The instructions that evaluate the formula, for those who walk them (program.hpp).
+  [[nodiscard]] const detail::program& instructions() const { return *program_; }
 
  private:
   template <class T>
@@ -333,6 +341,10 @@ class expression {
   std::shared_ptr<const detail::graph> graph_;
 };
 
+struct expression::fraction {
+  expression numerator;
+  std::vector<expression> divisors;
+};
 struct expression::rays {
   rational start;
   std::vector<expression> parts;

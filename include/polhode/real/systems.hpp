@@ -52,13 +52,13 @@ requires real_or_ball<Real>
 [[nodiscard]] certified_solutions<Real> solve_system(
     const F& f, const std::vector<std::pair<range_limit<Real>, range_limit<Real>>>& box,
     const real_system_options& options = {}) {
-  std::vector<std::pair<rational, rational>> sides;
+  system_box sides;
   precision p = 0;
   for (const auto& [lower, upper] : box) {
     if (!lower.point().exact() || !upper.point().exact()) {
       throw input_error("a side of the box has an end that is no finite rational number");
     }
-    sides.emplace_back(*lower.point().exact(), *upper.point().exact());
+    sides.emplace_back(lower.point().exact(), upper.point().exact());
     p = std::max(p, detail::bits_between<Real>(lower, upper, options.digits));
   }
   real_root_options digits_of;

@@ -16,6 +16,7 @@
 // box, each part once; otherwise std::logic_error is thrown: a fault of the library.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,11 @@
 #include "polhode/roots/newton.hpp"
 
 namespace polhode {
+
+/// The sides of a box, one for each variable: from a lower to an upper end, infinite where there is
+/// none.
+using system_side = std::pair<std::optional<rational>, std::optional<rational>>;
+using system_box = std::vector<system_side>;
 
 /// n functions of n variables.
 class real_system {
@@ -47,8 +53,10 @@ class real_system {
     std::vector<std::vector<ball>> jacobian;
   };
   [[nodiscard]] linearised linearise(const std::vector<ball>& x) const;
+  [[nodiscard]] const std::vector<expression>& components() const { return components_; }
 
  private:
+  std::vector<expression> components_;
   std::function<std::vector<ball>(const std::vector<ball>&)> value_;
   std::function<std::vector<jet<ball, 1>>(const std::vector<jet<ball, 1>>&)> slope_;
 };
@@ -94,23 +102,26 @@ struct system_root_set {
 };
 
 struct system_options {
-  long most_boxes = 200'000;
-  /// Boxes narrower than 2^-most_halvings of the given box, in every direction, are left unresolved.
+  long most_boxes = 2'000'000;
+  /// Boxes narrower in every direction than 2^-most_halvings of the given side, or of their own
+  /// distance from 0 and of 1 where that is infinite, are left unresolved.
   int most_halvings = 60;
+  /// Where more boxes than this are left unresolved, there seem to be infinitely many roots, and the
+  /// search ends.
+  std::size_t most_unresolved = 5'000;
   std::function<bool(const isolation_progress&)> progress = {};
 };
 
 /// A search that can be stopped and resumed, as root_search.
 class system_search {
  public:
-  /// The box's ends, one pair for each variable. Throws input_error where a pair is the wrong way round, where
+  /// Throws input_error where a pair is the wrong way round, where
   /// there are none, or where f has not as many components as there are variables.
-  system_search(real_system f, std::vector<std::pair<rational, rational>> box);
+  system_search(real_system f, system_box box);
 
   /// Of a generic function of a std::vector.
   template <class F>
-  requires(!std::same_as<F, real_system>)
-      system_search(const F& f, const std::vector<std::pair<rational, rational>>& box)
+  requires(!std::same_as<F, real_system>) system_search(const F& f, const system_box& box)
       : system_search(real_system(f, box.size()), box) {}
 
   void run(const system_options& options = {});
@@ -124,23 +135,22 @@ class system_search {
     int halvings = 0;
   };
   real_system f_;
-  std::vector<std::pair<rational, rational>> range_;
+  system_box range_;
   std::vector<waiting> pending_;
   std::vector<waiting> stuck_;
   rational settled_ = 0;  // the share of the box that is settled
   std::vector<system_region> found_;
+  std::string limit_;  // that the last run met
   isolation_account account_;
 };
 
 /// The roots of f in the box, faces included.
-[[nodiscard]] system_root_set solve_system(const real_system& f,
-                                           std::vector<std::pair<rational, rational>> box,
+[[nodiscard]] system_root_set solve_system(const real_system& f, system_box box,
                                            const system_options& options = {});
 
 /// The same of a generic function of a std::vector.
 template <class F>
-[[nodiscard]] system_root_set solve_system(const F& f,
-                                           std::vector<std::pair<rational, rational>> box,
+[[nodiscard]] system_root_set solve_system(const F& f, system_box box,
                                            const system_options& options = {}) {
   const real_system system(f, box.size());
   return solve_system(system, std::move(box), options);

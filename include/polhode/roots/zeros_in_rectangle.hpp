@@ -11,6 +11,10 @@
 // nothing, and two squares around what it finds are examined: a small one, and one as large as can
 // be.
 //
+// The zeros are those of the numerator of f (expression::as_fraction) at which no divisor is 0. Where
+// numerator and divisor may both be 0, exact rules decide at simple real numbers. Beside a branch cut
+// and on it, values by principal values show that there is no zero.
+//
 // THE PROOF. Let f be analytic on a closed square and not 0 on its boundary. Cut the boundary into
 // pieces on each of which f has an enclosure without 0 that is convex; then f does not leave an
 // open half plane around 0 there, and the change of arg f along a piece is the principal argument
@@ -47,12 +51,15 @@ struct complex_zero {
   long multiplicity = 1;
   /// It is certain that they lie in the rectangle; else they lie near its boundary.
   bool is_inside = true;
+  /// They are proved to be one zero of that multiplicity.
+  bool is_one = true;
 };
 
 /// A part of the rectangle of which nothing is decided.
 struct undecided_rectangle {
   complex_rectangle where;
-  std::string obstacle;  // "the pole of /"; empty where zeros may be too close to each other
+  /// "the branch cut of log", "0/0"; empty where zeros may be too close to each other.
+  std::string obstacle;
 };
 
 struct zeros_answer {

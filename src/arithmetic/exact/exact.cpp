@@ -143,6 +143,15 @@ integer ceil_of(const rational& q) {
   return n;
 }
 
+rational simplest_rational(const rational& low, const rational& high) {
+  if (low <= 0 && high >= 0) return 0;
+  if (high < 0) return -simplest_rational(-high, -low);
+  const integer whole = numerator(low) / denominator(low);
+  if (rational(whole) == low) return low;
+  if (rational(whole + 1) <= high) return whole + 1;
+  return whole + 1 / simplest_rational(1 / (high - whole), 1 / (low - whole));
+}
+
 std::optional<rational> exact_root(const rational& q, unsigned long n) {
   integer above = numerator(q);
   integer below = denominator(q);

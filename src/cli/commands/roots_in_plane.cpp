@@ -137,10 +137,10 @@ std::string as_text(const zeros_answer& a, const std::string& where, long digits
   std::size_t count = 0;
   for (const complex_zero& z : a.zeros) {
     const complex_root root{z.enclosure, z.multiplicity, std::nullopt};
+    const std::string several = z.is_one ? "multiple {}" : "{} roots, or one of that multiplicity";
     result += fmt::format(
         "{}  {}{}\n", number_text(root, digits),
-        z.multiplicity == 1 ? "unique"
-                            : fmt::format("{} roots, or one of that multiplicity", z.multiplicity),
+        z.multiplicity == 1 ? "unique" : fmt::format(fmt::runtime(several), z.multiplicity),
         z.is_inside ? "" : ", on the boundary or beside it");
     count += static_cast<std::size_t>(z.multiplicity);
   }
@@ -241,7 +241,7 @@ exit_status run_roots_in_rectangle(const roots_options& options) {
     json result = as_json(f, options, *options.rectangle, a, digits);
     for (std::size_t k = 0; k < found.zeros.size(); ++k) {
       result["roots"][k]["inside"] = found.zeros[k].is_inside;
-      if (found.zeros[k].multiplicity > 1) result["roots"][k]["verdict"] = "cluster";
+      if (!found.zeros[k].is_one) result["roots"][k]["verdict"] = "cluster";
     }
     if (!a.complete) result["undecided"] = undecided_text(found);
     print(json_document_text("roots", result));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,13 +28,15 @@ struct system_given {
   std::vector<std::string> variables;
   std::vector<expression> formulas;
   std::vector<std::string> intervals;
-  std::vector<std::pair<rational, rational>> box;
+  system_box box;
 };
 
-rational face(const std::string& text, const std::string& variable, const let_option& let) {
-  if (infinite_sign_of(text) != 0) {
-    throw usage_error(fmt::format(
-        "--in: the interval of {} is infinite; give a box with finite faces", variable));
+/// The lower (-1) or upper (1) end of an interval; none where it is infinite.
+std::optional<rational> face(const std::string& text, int which, const std::string& variable,
+                             const let_option& let) {
+  if (const int sign = infinite_sign_of(text)) {
+    if (sign == which) return std::nullopt;
+    throw usage_error(fmt::format("--in: the interval of {} is the wrong way round", variable));
   }
   const auto exact = read_formula(text, {}, let).exact_value();
   if (!exact) {
@@ -41,7 +44,7 @@ rational face(const std::string& text, const std::string& variable, const let_op
         "--in: the end \"{}\" of the interval of {} is not a rational number; give one near it",
         text, variable));
   }
-  return *exact;
+  return exact;
 }
 
 system_given read_system(const roots_options& options) {
@@ -59,7 +62,7 @@ system_given read_system(const roots_options& options) {
     }
     const auto [lower, upper] =
         range_option::ends_of(fmt::format("--in {}=", name), text.substr(at + 1), options.let);
-    given.box.emplace_back(face(lower, name, options.let), face(upper, name, options.let));
+    given.box.emplace_back(face(lower, -1, name, options.let), face(upper, 1, name, options.let));
     given.variables.push_back(name);
     given.intervals.push_back(fmt::format("{}..{}", lower, upper));
   }
@@ -128,11 +131,19 @@ std::string remark_on(const system_region& r) {
 }
 
 std::string part_text(const ball& x, bool is_root, long digits) {
-  if (!x.is_bounded()) return "unbounded";
   if (is_root) return to_text(to_decimal_enclosure(x, digits));
   constexpr long few = 12;
-  const decimal_enclosure d = to_decimal_enclosure(x, std::min(digits, few));
-  return fmt::format("from {} to {}", d.lower, d.upper);
+  digits = std::min(digits, few);
+  if (x.is_bounded()) {
+    const decimal_enclosure d = to_decimal_enclosure(x, digits);
+    return fmt::format("from {} to {}", d.lower, d.upper);
+  }
+  const double_interval ends = double_interval::from_ball(x);
+  const auto end = [&](double at) {
+    if (std::isinf(at)) return std::string(at < 0 ? "-inf" : "inf");
+    return to_text(to_decimal_enclosure(ball::exactly(at, 64), digits));
+  };
+  return fmt::format("from {} to {}", end(ends.lower()), end(ends.upper()));
 }
 
 std::string as_text(const system_given& given, const system_answer& a, long digits) {

@@ -224,15 +224,6 @@ unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int si
   return e;
 }
 
-rational simplest_rational(const rational& low, const rational& high) {
-  if (low <= 0 && high >= 0) return 0;
-  if (high < 0) return -simplest_rational(-high, -low);
-  const integer whole = numerator(low) / denominator(low);
-  if (rational(whole) == low) return low;
-  if (rational(whole + 1) <= high) return whole + 1;
-  return whole + 1 / simplest_rational(1 / (high - whole), 1 / (low - whole));
-}
-
 pieces_of_range analytic_pieces(const integrand& g, const end_point& a, const end_point& b,
                                 long bits) {
   const auto as_it_is = [&] {

@@ -40,7 +40,4 @@ struct pieces_of_range {
 /// The least n >= e, n <= e + 16, such that g is proved to have no break at sign * x for x >= 2^n; e where there is none.
 [[nodiscard]] unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int sign);
 
-/// The rational number with the least denominator in [low, high], low <= high.
-[[nodiscard]] rational simplest_rational(const rational& low, const rational& high);
-
 }  // namespace polhode::detail
