@@ -1,8 +1,12 @@
-// All roots of systems of equations in a box, of the lists of interval solvers, beside kv (M. Kashiwagi;
-// https://github.com/mskashi/kv), where its headers are given: cmake --preset release -DPOLHODE_KV=DIR.
+// All roots of systems of equations in a box, beside kv (M. Kashiwagi; https://github.com/mskashi/kv)
+// where its headers are given: cmake --preset release -DPOLHODE_KV=DIR.
 //
 // Both get the same generic functions and boxes, search for all roots and prove each, to the digits
 // of hardware doubles. The problems are those that interval solvers are compared by.
+
+#ifdef POLHODE_HAVE_KV
+#include <kv/allsol.hpp>  // the first, as system headers have a macro by one of its names
+#endif
 
 #include <cstddef>
 #include <stdexcept>
@@ -11,10 +15,6 @@
 
 #include "polhode/roots/systems.hpp"
 #include "support/measure.hpp"
-
-#ifdef POLHODE_HAVE_KV
-#include <kv/allsol.hpp>
-#endif
 
 namespace {
 
