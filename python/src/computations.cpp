@@ -1,12 +1,15 @@
 // Values, integrals, roots and systems: long work, without the interpreter's lock.
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <complex>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
 
 #include <fmt/format.h>
+#include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
 #include "conversions.hpp"
@@ -18,6 +21,7 @@
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/roots/systems.hpp"
+#include "polhode/roots/zeros_in_rectangle.hpp"
 #include "polhode/scene/link_inertias.hpp"
 
 namespace polhode::python {
@@ -210,6 +214,85 @@ roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long di
   });
 }
 
+struct complex_root_answer {
+  complex_zero zero;
+  long digits;
+};
+
+struct complex_roots_result {
+  std::vector<complex_zero> roots;
+  std::vector<undecided_rectangle> undecided;
+  long digits = default_digits;
+  bool complete = false;
+};
+
+/// "1 - 2.5...j".
+std::string complex_text(const complex_ball& z, long digits) {
+  const std::string re = number_text(z.re, digits);
+  if (sign_of(z.im) == certain_sign::zero) return re;
+  const bool is_below = certainly_negative(z.im);
+  return fmt::format("{} {} {}j", re, is_below ? '-' : '+',
+                     number_text(is_below ? -z.im : z.im, digits));
+}
+
+/// A formula of z; of z and i, where it has the imaginary unit.
+expression complex_formula_from(py::handle f) {
+  if (!py::isinstance<py::str>(f)) return equation_from(f, {"z"});
+  const expression with_unit = equation_from(f, {"z", "i"});
+  const std::vector<std::string> used = with_unit.used_variables();
+  return std::ranges::find(used, "i") == used.end() ? equation_from(f, {"z"}) : with_unit;
+}
+
+complex_rectangle rectangle_from(const py::sequence& corners) {
+  const auto part = [&](std::size_t corner, std::size_t which) {
+    const py::object both = corners[corner];
+    if (!py::isinstance<py::sequence>(both) || py::len(both) != 2) {
+      throw wrong_type(
+          "the rectangle is given as two corners, the lower left and the upper right one, each a "
+          "pair of exact numbers: ((-5, -10), (5, 10))");
+    }
+    const py::object number = both.cast<py::sequence>()[which];
+    return rational_from(number, "a corner");
+  };
+  if (corners.size() != 2) {
+    throw wrong_type("the rectangle is given as two corners: ((-5, -10), (5, 10))");
+  }
+  return {part(0, 0), part(1, 0), part(0, 1), part(1, 1)};
+}
+
+complex_roots_result complex_roots_from_python(py::handle f,
+                                               const std::optional<py::sequence>& rectangle,
+                                               long digits, std::optional<double> time_limit) {
+  const expression formula = complex_formula_from(f);
+  (void)checked_digits(digits);
+  if (rectangle) {
+    const complex_rectangle where = rectangle_from(*rectangle);
+    return interruptible(time_limit, [=](const stop_flag& flag) {
+      zeros_options options;
+      options.digits = digits + 1;
+      options.go_on = [&](std::size_t) { return !*flag; };
+      zeros_answer found = zeros_in_rectangle(formula, where, options);
+      const bool complete = found.is_complete();
+      return complex_roots_result{std::move(found.zeros), std::move(found.undecided), digits,
+                                  complete};
+    });
+  }
+  const auto p = formula.polynomial();
+  if (!p) {
+    throw input_error(
+        "the complex roots of what is no polynomial with rational coefficients are found in a "
+        "rectangle: rectangle=((-5, -10), (5, 10))");
+  }
+  return interruptible(time_limit, [=](const stop_flag& flag) {
+    const complex_roots_answer found = complex_roots(*p, digits + 1, [&](long) { return !*flag; });
+    complex_roots_result result{{}, {}, digits, found.complete};
+    for (const complex_root& r : found.roots) {
+      result.roots.push_back({r.enclosure, r.multiplicity, true, true});
+    }
+    return result;
+  });
+}
+
 struct system_answer {
   std::vector<std::vector<ball>> roots;  // those that are proved
   std::vector<std::vector<ball>> unresolved;
@@ -306,8 +389,8 @@ void declare_computations(py::module_& m) {
 f is a text ("exp(-x^2)"), a function of a symbol (lambda x: polhode.exp(-x*x)), which is called
 once, or a SymPy expression. The ends are exact numbers, texts ("pi/2", "inf") or polhode.oo.
 absolute_exponent: a radius of at most 2**absolute_exponent will do. time_limit: seconds, after
-which TimeoutError is raised. Raises ValueError for what cannot be read; what cannot be proved is said by
-the answer.
+which TimeoutError is raised. Raises ValueError for what cannot be read; what cannot be proved is
+said by the answer.
 
 >>> import polhode
 >>> print(polhode.integrate(lambda x: polhode.exp(-x*x), 0, polhode.oo, 30))
@@ -391,6 +474,77 @@ the answer.
 1.53208888623795...
 )doc");
 
+  py::class_<complex_root_answer>(m, "ComplexRoot", "A complex root, or several.")
+      .def_property_readonly(
+          "real", [](const complex_root_answer& r) { return r.zero.enclosure.re; },
+          "A ball that holds the real part.")
+      .def_property_readonly(
+          "imag", [](const complex_root_answer& r) { return r.zero.enclosure.im; },
+          "A ball that holds the imaginary part; exactly 0 where the root is proved to be real.")
+      .def_property_readonly(
+          "multiplicity", [](const complex_root_answer& r) { return r.zero.multiplicity; },
+          "How many roots there are, with their multiplicities.")
+      .def_property_readonly(
+          "is_one", [](const complex_root_answer& r) { return r.zero.is_one; },
+          "They are proved to be one root of that multiplicity.")
+      .def_property_readonly(
+          "is_inside", [](const complex_root_answer& r) { return r.zero.is_inside; },
+          "It is certain that they lie in the rectangle; else they lie near its boundary.")
+      .def("__complex__",
+           [](const complex_root_answer& r) {
+             return std::complex<double>(nearest_double(r.zero.enclosure.re),
+                                         nearest_double(r.zero.enclosure.im));
+           })
+      .def("__str__",
+           [](const complex_root_answer& r) { return complex_text(r.zero.enclosure, r.digits); })
+      .def("__repr__", [](const complex_root_answer& r) {
+        return fmt::format(
+            "<root {}{}>", complex_text(r.zero.enclosure, r.digits),
+            r.zero.multiplicity == 1 ? "" : fmt::format(": multiplicity {}", r.zero.multiplicity));
+      });
+  py::class_<complex_roots_result>(
+      m, "ComplexRoots", "Complex roots, in ascending order of the real parts: a sequence.")
+      .def("__len__", [](const complex_roots_result& a) { return a.roots.size(); })
+      .def("__getitem__",
+           [](const complex_roots_result& a, long i) {
+             return complex_root_answer{item(a.roots, i), a.digits};
+           })
+      .def("__bool__", [](const complex_roots_result& a) { return a.complete; })
+      .def_readonly("certified", &complex_roots_result::complete, "These are all.")
+      .def_property_readonly(
+          "undecided",
+          [](const complex_roots_result& a) {
+            py::list result;
+            for (const undecided_rectangle& u : a.undecided) {
+              result.append(py::make_tuple(
+                  py::make_tuple(to_python(u.where.left), to_python(u.where.bottom)),
+                  py::make_tuple(to_python(u.where.right), to_python(u.where.top)), u.obstacle));
+            }
+            return result;
+          },
+          "Parts of the rectangle that may hold more: two corners, and what is in the way.")
+      .def("__repr__", [](const complex_roots_result& a) {
+        std::string text =
+            fmt::format("<{} complex root{}, {}", a.roots.size(), a.roots.size() == 1 ? "" : "s",
+                        a.complete ? "certified" : "not certified");
+        for (const complex_zero& z : a.roots) text += "\n  " + complex_text(z.enclosure, 20);
+        return text + ">";
+      });
+  m.def("complex_roots", &complex_roots_from_python, py::arg("f"),
+        py::arg("rectangle") = py::none(), py::arg("digits") = default_digits, py::kw_only(),
+        py::arg("time_limit") = py::none(),
+        R"doc(All complex roots of a polynomial, or those of an analytic function in a rectangle.
+
+f is a text in z, which may have i, or a function of a symbol. The rectangle is two corners, the
+lower left and the upper right one, each a pair of exact numbers (real part, imaginary part); without
+it f has to be a polynomial with rational coefficients.
+
+>>> import polhode
+>>> for r in polhode.complex_roots("exp(z) - z", ((-5, -5), (5, 5)), digits=10): print(r)
+0.3181315052... - 1.337235701...j
+0.3181315052... + 1.337235701...j
+)doc");
+
   py::class_<system_answer>(m, "SystemRoots", "The roots of a system in a box.")
       .def("__len__", [](const system_answer& a) { return a.roots.size(); })
       .def("__getitem__", [](const system_answer& a, long i) { return item(a.roots, i); })
@@ -420,7 +574,8 @@ the answer.
         py::arg("time_limit") = py::none(),
         R"doc(All roots of a system of n equations in n variables in a box, each proved.
 
-Each equation is a text in x, y, z, x3, ..., or in `variables`, or a function of n symbols.
+Each equation is a text in x, y, z, x3, ..., or in `variables`, or a function of n symbols. A side
+of the box is a pair of exact numbers; an end may be polhode.oo.
 
 >>> import polhode
 >>> polhode.solve_system(["x^2 + y^2 - 1", "x - y"], [(-2, 2), (-2, 2)])

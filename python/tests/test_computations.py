@@ -67,6 +67,31 @@ def test_sympy_expressions_are_read():
     assert found.value.overlaps(ball(F(1, 2)))
 
 
+def test_complex_roots():
+    found = polhode.complex_roots("exp(z) - z", ((-5, -5), (5, 5)), 20)
+    assert found and found.certified and len(found) == 2
+    assert abs(complex(found[0]) - (0.3181315052047641 - 1.3372357014306894j)) < 1e-15
+    assert str(found[1]) == "0.31813150520476413531... + 1.3372357014306894089...j"
+    cubic = polhode.complex_roots(lambda z: z**3 - 1, digits=10)
+    assert len(cubic) == 3 and [r.multiplicity for r in cubic] == [1, 1, 1]
+    assert cubic[2].real == 1 and cubic[2].imag == 0
+    pole = polhode.complex_roots("sin(z)/z", ((-4, -1), (4, 1)), 15)
+    assert pole and len(pole) == 2
+    cut = polhode.complex_roots("sqrt(z) - i", ((-2, -1), (2, 1)), 10)
+    assert not cut and cut.undecided
+    for wrong, kind in [(("sin(z)",), ValueError), (("z", 3), TypeError),
+                        (("z", ((0, 0), (1,))), TypeError), (("z", ((0.5, 0), (1, 1))), TypeError),
+                        (("z", ((1, 1), (0, 0))), ValueError),
+                        (("abs(z)", ((0, 0), (1, 1))), ValueError)]:
+        with pytest.raises(kind):
+            polhode.complex_roots(*wrong)
+
+
+def test_systems_in_infinite_boxes():
+    found = polhode.solve_system(["x*y - 1", "x - y"], [(-polhode.oo, polhode.oo)] * 2)
+    assert found and len(found) == 2 and found[1][0] == 1
+
+
 def test_roots_are_all_there_are():
     found = polhode.roots("x^3 - 3*x + 1", "-inf", "inf", 30)
     assert found.certified and len(found) == 3

@@ -58,13 +58,55 @@ std::optional<instruction> first_undefined(const program& f, precision p) {
   return first;
 }
 
+namespace {
+
+/// x times y, where one of them is rational.
+std::optional<pi_combination> product_of(const pi_combination& x, const pi_combination& y) {
+  if (y.is_rational()) return x * y.q;
+  return x.is_rational() ? std::optional(y * x.q) : std::nullopt;
+}
+
+/// The result of an instruction for exact numbers, where that is one of the form.
+std::optional<pi_combination> exact_result(const instruction& i,
+                                           const std::optional<pi_combination>& x,
+                                           const std::optional<pi_combination>& y) {
+  if (i.what == operation::pi) return pi_combination{0, 1};
+  if (!x) return std::nullopt;
+  if (i.what == operation::negate) return -*x;
+  if (!y) return std::nullopt;
+  switch (i.what) {
+    case operation::add:
+      return *x + *y;
+    case operation::subtract:
+      return *x - *y;
+    case operation::multiply:
+      return product_of(*x, *y);
+    case operation::divide:
+      if (!y->is_rational() || y->q == 0) return std::nullopt;
+      return *x * rational(1 / y->q);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
 std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f, precision p) {
+  const tape& t = f.constants;
+  std::vector<std::optional<pi_combination>> slots(t.slots);
+  const auto exactly = [&](std::uint32_t i) -> std::optional<pi_combination> {
+    if (i < t.inputs) return pi_combination{f.numbers[i], 0};
+    return slots[i - t.inputs];
+  };
+  for (const instruction& i : t.code) {
+    const bool has_operands = i.what >= operation::negate && i.what != operation::further;
+    slots[i.result] = has_operands ? exact_result(i, exactly(i.left), exactly(i.right))
+                                   : exact_result(i, std::nullopt, std::nullopt);
+  }
   std::vector<possibly_exact_constant> result;
   std::size_t k = 0;
   for (ball& x : constants_of(f, p)) {
-    const std::uint32_t source = f.constants.outputs[k++];
-    result.push_back({std::move(x), std::nullopt});
-    if (source < f.constants.inputs) result.back().exact = f.numbers[source];
+    result.push_back({std::move(x), exactly(t.outputs[k++])});
   }
   return result;
 }

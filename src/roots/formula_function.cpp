@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -12,6 +13,7 @@
 
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/real_function.hpp"
@@ -65,7 +67,7 @@ struct supplement<function_structure> {
   static function_structure power(const function_structure& x, const function_structure& y) {
     return function_structure::applied_to_two(
         x, y, [](const auto& s, const auto& t) { return named<operation::power>::over(s, t); },
-        natural_power);
+        natural_power, exact_power);
   }
   static function_structure root(const function_structure& x, long n) {
     return function_structure::applied(
@@ -117,6 +119,34 @@ struct supplement<function_structure> {
 
 template class compiled_expression<function_structure>;
 
+namespace formula_function_impl {
+namespace {
+
+/// Whether it has a value for every value of its variable: a polynomial, as it is written.
+bool is_polynomial(const symbol& x) {
+  const detail::symbol_node& n = x.node();
+  if (n.name.empty()) return true;
+  if (n.name == "/") {
+    return is_polynomial(n.operands[0]) && n.operands[1].node().name.empty() &&
+           n.operands[1].node().number != 0;
+  }
+  if (n.name != "+" && n.name != "-" && n.name != "*") return false;
+  return std::ranges::all_of(n.operands, is_polynomial);
+}
+
+/// f without the factors and divisors that have a value other than 0 everywhere, exponentials and
+/// hyperbolic cosines of polynomials: it has the roots and the poles of f.
+symbol essential_part(const symbol& f) {
+  const detail::symbol_node& n = f.node();
+  if (n.name == "*") return essential_part(n.operands[0]) * essential_part(n.operands[1]);
+  if (n.name == "/") return essential_part(n.operands[0]) / essential_part(n.operands[1]);
+  const bool is_never_0 = n.name == "exp" || n.name == "cosh";
+  return is_never_0 && is_polynomial(n.operands[0]) ? symbol(1) : f;
+}
+
+}  // namespace
+}  // namespace formula_function_impl
+
 real_function::real_function(const expression& f) {
   if (f.variables().size() > 1) {
     throw input_error(
@@ -164,6 +194,19 @@ real_function::real_function(const expression& f) {
   const auto has_no_root = [](const growth_bound& bound) {
     return !bound.is_blocked() && !bound.least_factor().is_zero();
   };
+  // There the series at p, in which exact rules know the values at p, has a sign.
+  struct made_once {
+    std::once_flag flag;
+    detail::integrand formula;
+  };
+  const auto has_sign = [f, made = std::make_shared<made_once>()](const pi_combination& p,
+                                                                  const rational& s) {
+    if (f.variables().size() != 1) return false;
+    std::call_once(made->flag, [&] { made->formula = integrand_of(f); });
+    const auto series = made->formula.near_known_end(end_point(p));
+    const end_series at = end_series::argument(known_number(p), known_number(s), 1, 0.25);
+    return (series ? series(at) : made->formula.near_end(at)).sign() != 0;
+  };
   // x = p - log(t) with p = from - 3/2, or -x for from < 0, takes all values beyond `from`: it
   // decreases to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of
   // exponentials are sums of powers.
@@ -173,9 +216,10 @@ real_function::real_function(const expression& f) {
     const growth_bound x = t.constant_like(rational(abs(from) - rational(3, 2))) - log(t);
     return from > 0 ? x : -x;
   };
-  no_root_beside_ = [f, growth, far, has_no_root](const pi_combination& at, const rational& width) {
+  no_root_beside_ = [f, growth, far, has_no_root, has_sign](const pi_combination& at,
+                                                            const rational& width) {
     const growth_bound bound = growth(at, 4 * width, 1);
-    if (bound.is_nowhere_defined() || has_no_root(bound)) return true;
+    if (bound.is_nowhere_defined() || has_no_root(bound) || has_sign(at, 4 * width)) return true;
     // 1/x is beyond 1/width.
     return at.is_zero() && has_no_root(f.evaluator<growth_bound>(192)(
                                growth_bound::reciprocal_of(far(rational(1 / width)))));
@@ -185,7 +229,11 @@ real_function::real_function(const expression& f) {
     return has_no_root(growth({}, from / 4, -1)) ||
            has_no_root(f.evaluator<growth_bound>(192)(far(from)));
   };
-  period_ = [f] { return period_of(f); };
+  period_ = [f]() -> std::optional<pi_combination> {
+    if (f.variables().size() != 1) return period_of(f);
+    const symbol part = formula_function_impl::essential_part(f(symbol::variable(0)));
+    return period_of(expression(part, f.names()));
+  };
 }
 
 }  // namespace polhode

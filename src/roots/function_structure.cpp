@@ -31,6 +31,21 @@ std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
   return range;
 }
 
+function_structure::exact_series detail::exact_power(const function_structure::exact_series& x,
+                                                     const function_structure::exact_series& y) {
+  const auto is_constant = [&] {
+    for (int k = 1; k <= y.order(); ++k) {
+      if (!y[k].is_exactly(0)) return false;
+    }
+    return true;
+  };
+  // 0 there, and without a derivative as far as is known.
+  if (x[0].is_exactly(0) && y[0].exact() && *y[0].exact() > 0 && is_constant()) {
+    return function_structure::value_alone(x, x[0].like(0));
+  }
+  return exp(y * log(x));
+}
+
 namespace {
 
 using structure_product = function_structure::product;
@@ -99,9 +114,9 @@ function_structure function_structure::constant(const ball& c) const {
   r.natural_ = c;
   return r;
 }
-function_structure function_structure::constant_like(const rational& c) const {
+function_structure function_structure::constant_like(const pi_combination& c) const {
   const precision p = numerator_.at_point.precision();
-  function_structure r = constant(ball(c, p));
+  function_structure r = constant(c.at(p));
   if (series_) r.series_ = exact_series::constant(known_number(c, p), series_->order());
   return r;
 }
@@ -314,7 +329,8 @@ function_structure max(const function_structure& x, const function_structure& y)
 function_structure pow(const function_structure& x, const function_structure& y) {
   return function_structure::applied_to_two(
       x, y, [](const auto& s, const auto& t) { return pow(s, t); },
-      [](const ball& s, const ball& t) { return detail::natural_power(s, t); });
+      [](const ball& s, const ball& t) { return detail::natural_power(s, t); },
+      detail::exact_power);
 }
 
 }  // namespace polhode

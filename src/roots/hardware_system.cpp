@@ -152,8 +152,7 @@ hardware_system::outcome hardware_system::newton(box& x) {
       beside += (entry - (j == i ? 1 : 0)).magnitude();
     }
     is_regular = is_regular && beside < 1;
-    if (contains_zero(pivot)) continue;
-    const double_interval image = middle[i] - sum / pivot;
+    const double_interval image = middle[i] - sum / pivot;  // undefined where the pivot may be 0
     const double low = std::max(image.lower(), x[i].lower());
     const double high = std::min(image.upper(), x[i].upper());
     if (low > high) return outcome::empty;

@@ -671,7 +671,7 @@ std::optional<std::vector<rational>> exact_root(const real_system& f, const syst
   std::vector<symbol> point;
   for (const ball& x : refine(f, r, digits).enclosure) {
     if (!x.is_bounded()) return std::nullopt;
-    const rational q = simplest_rational(lower_rational(x), upper_rational(x));
+    const rational q = simplest_between(lower_rational(x), upper_rational(x));
     if (denominator(q) > longest) return std::nullopt;
     root.push_back(q);
     point.emplace_back(q);

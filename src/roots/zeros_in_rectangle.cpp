@@ -464,8 +464,8 @@ class zero_search {
                                                              const rational& high) const {
     const precision p = bits_ + 64;
     const ball turns = between(low, high, p) / pi(p);
-    return {pi_combination{simplest_rational(low, high), 0},
-            pi_combination{0, simplest_rational(lower_rational(turns), upper_rational(turns))}};
+    return {pi_combination{simplest_between(low, high), 0},
+            pi_combination{0, simplest_between(lower_rational(turns), upper_rational(turns))}};
   }
   /// A narrow rectangle around the zeros of a square around z, of half that width, where they are
   /// one zero of that multiplicity, at a simple real number: the numerator has so many zeros in the
@@ -489,7 +489,7 @@ class zero_search {
   [[nodiscard]] std::optional<complex_rectangle> exact_unique(const complex_rectangle& r) const {
     if (!is_real_ || r.bottom > 0 || r.top < 0) return std::nullopt;
     const integer longest = integer(1) << 24U;
-    const rational q = simplest_rational(r.left, r.right);
+    const rational q = simplest_between(r.left, r.right);
     if (denominator(q) > longest || !vanishes(numerator_, {q, 0}, 1)) return std::nullopt;
     return complex_rectangle{q, q, 0, 0};
   }

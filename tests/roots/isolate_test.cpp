@@ -467,6 +467,14 @@ TEST(IsolateRoots, OfAPeriodicFunction) {
   expect_resolved(t, 2);
   ASSERT_TRUE(t.of_period);
   EXPECT_EQ(t.of_period->lower.exact(), rational(-1));
+  // Factors without zeros do not count, if they have values everywhere.
+  const root_set u = by_period("exp(1-x/3)*sin(x)/cosh(x)", 0, infinity);
+  EXPECT_TRUE(u.is_resolved());
+  ASSERT_TRUE(u.of_period);
+  EXPECT_EQ(u.of_period->period, (pi_combination{0, 2}));
+  EXPECT_EQ(u.regions.size(), 3U);
+  EXPECT_FALSE(real_function(parse("exp(sqrt(x))*sin(x)")).period());
+  EXPECT_FALSE(real_function(parse("x*sin(x)")).period());
   // Not periodic, or bounded: no.
   EXPECT_FALSE(by_period("sin(x) + x", -infinity, infinity).of_period);
   EXPECT_FALSE(by_period("sin(x)", 0, 100).of_period);

@@ -99,6 +99,8 @@ TEST(ZerosInRectangle, BesidePolesAndCuts) {
     EXPECT_TRUE(answer.zeros.empty()) << none;
   }
   EXPECT_TRUE(zeros_of("exp(1/z)", {rational(1, 2), 5, -1, 1}, 10).is_complete());
+  // A zero so near a pole that the two are not told apart.
+  EXPECT_FALSE(zeros_of("(sin(z)-1e-40)/z", {-1, 1, -1, 1}, 10).is_complete());
   const zeros_answer fixed = zeros_of("tan(z)-z", {-5, 5, -2, 2}, 20);
   EXPECT_TRUE(fixed.is_complete());
   ASSERT_EQ(fixed.zeros.size(), 3U);

@@ -52,8 +52,12 @@ std::string to_text(N) = delete;
 [[nodiscard]] integer floor_of(const rational& q);
 [[nodiscard]] integer ceil_of(const rational& q);
 
-/// The rational number with the least denominator in [low, high], low <= high.
-[[nodiscard]] rational simplest_rational(const rational& low, const rational& high);
+/// The rational number with the least denominator in [lower, upper], and the least numerator of
+/// these (by continued fractions). Hypothesis: lower <= upper.
+[[nodiscard]] rational simplest_between(const rational& lower, const rational& upper);
+/// The same, or std::nullopt where its continued fraction has more than so many terms.
+[[nodiscard]] std::optional<rational> simplest_between(const rational& lower, const rational& upper,
+                                                       int most_terms);
 
 /// The real n-th root where it is a rational number, n >= 1.
 [[nodiscard]] std::optional<rational> exact_root(const rational& q, unsigned long n);

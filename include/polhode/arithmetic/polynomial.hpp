@@ -88,11 +88,4 @@ struct rational_quotient {
 [[nodiscard]] long count_real_roots(const rational_polynomial& p, const rational& lower,
                                     const rational& upper);
 
-/// The rational number with the least denominator in [lower, upper], and the least numerator of
-/// these (by continued fractions). Hypothesis: lower <= upper.
-[[nodiscard]] rational simplest_between(const rational& lower, const rational& upper);
-/// The same, or std::nullopt where its continued fraction has more than so many terms.
-[[nodiscard]] std::optional<rational> simplest_between(const rational& lower, const rational& upper,
-                                                       int most_terms);
-
 }  // namespace polhode

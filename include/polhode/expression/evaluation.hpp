@@ -465,7 +465,7 @@ concept symbolic = requires(const rational& q, const instruction& i) {
 [[nodiscard]] std::vector<ball> constants_of(const program& f, precision p);
 /// The first instruction of that part whose value is undefined.
 [[nodiscard]] std::optional<instruction> first_undefined(const program& f, precision p);
-/// The values, exactly where it is a number of the formula.
+/// The values, exactly where it is a number of the formula, or q + r pi made of these by + - * /.
 [[nodiscard]] std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f,
                                                                                precision p);
 
@@ -517,7 +517,17 @@ T compiled_expression<T>::evaluate(std::span<const T> values, const T& like,
     constants = &lifted;
   } else if constexpr (std::same_as<constant, detail::possibly_exact_constant>) {
     for (const constant& c : *constants_) {
-      lifted.push_back(c.exact ? like.constant_like(*c.exact) : like.constant_like(c.enclosure));
+      if (c.exact && c.exact->is_rational()) {
+        lifted.push_back(like.constant_like(c.exact->q));
+        continue;
+      }
+      if constexpr (requires { like.constant_like(*c.exact); }) {
+        if (c.exact) {
+          lifted.push_back(like.constant_like(*c.exact));
+          continue;
+        }
+      }
+      lifted.push_back(like.constant_like(c.enclosure));
     }
     constants = &lifted;
   } else {

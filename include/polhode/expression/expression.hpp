@@ -113,11 +113,11 @@ template <>
 struct constant_of<region> {
   using type = region_constant_pair;
 };
-/// For types in which being exactly a rational number matters, and which make constants beside a value they
-/// have: x.constant_like(c).
+/// For types in which being exactly a rational number, or q + r pi, matters, and which make constants
+/// beside a value they have: x.constant_like(c).
 struct possibly_exact_constant {
   ball enclosure;
-  std::optional<rational> exact;
+  std::optional<pi_combination> exact;
 };
 template <class T>
 requires requires(const T& x, const ball& c, const rational& q) {

@@ -53,7 +53,10 @@ class function_structure {
   }
 
   // As the evaluation of formulas needs them: a constant beside a value.
-  [[nodiscard]] function_structure constant_like(const rational& c) const;
+  [[nodiscard]] function_structure constant_like(const rational& c) const {
+    return constant_like(pi_combination{c, 0});
+  }
+  [[nodiscard]] function_structure constant_like(const pi_combination& c) const;
   [[nodiscard]] function_structure constant_like(const ball& c) const;
   template <exact_number N>
   [[nodiscard]] function_structure constant_like(const N& n) const {
@@ -96,13 +99,17 @@ class function_structure {
     return r;
   }
   /// The same for a function of two.
-  template <class OnJets, class Natural>
+  template <class OnJets, class Natural, class OnSeries = std::nullptr_t>
   [[nodiscard]] static function_structure applied_to_two(const function_structure& x,
                                                          const function_structure& y,
-                                                         OnJets&& on_jets, Natural&& natural) {
+                                                         OnJets&& on_jets, Natural&& natural,
+                                                         OnSeries on_series = nullptr) {
     function_structure r =
         x.fresh(on_jets(x.over(), y.over()), on_jets(x.at_point(), y.at_point()), false);
     if (x.natural_ && y.natural_) r.natural_ = natural(*x.natural_, *y.natural_);
+    if constexpr (!std::same_as<OnSeries, std::nullptr_t>) {
+      if (x.series_ && y.series_) r.series_ = on_series(*x.series_, *y.series_);
+    }
     return r;
   }
   /// The same for a function of any number of them, which is given vectors.
@@ -182,6 +189,9 @@ POLHODE_WITH_CONSTANTS(/)
 namespace detail {
 /// The range of x^y where it is defined, or more: as pow(x, y) has it, a whole y for every x.
 [[nodiscard]] std::optional<ball> natural_power(const ball& x, const ball& y);
+/// The series of x^y for x > 0; at x = 0, for a constant y > 0, the value 0 alone.
+[[nodiscard]] function_structure::exact_series exact_power(
+    const function_structure::exact_series& x, const function_structure::exact_series& y);
 }  // namespace detail
 /// x^y for x > 0.
 [[nodiscard]] function_structure pow(const function_structure& x, const function_structure& y);

@@ -80,7 +80,7 @@ struct isolation_account {
   precision most_bits = 0;
 };
 
-/// What was searched in place of an unbounded interval: one period of f, which lies in it.
+/// What was searched in place of an unbounded interval: one period of the roots of f, in it.
 struct searched_period {
   pi_combination period;
   end_point lower;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <string>
 
 #include "arithmetic/ball/ball_access.hpp"
@@ -143,13 +144,36 @@ integer ceil_of(const rational& q) {
   return n;
 }
 
-rational simplest_rational(const rational& low, const rational& high) {
-  if (low <= 0 && high >= 0) return 0;
-  if (high < 0) return -simplest_rational(-high, -low);
-  const integer whole = numerator(low) / denominator(low);
-  if (rational(whole) == low) return low;
-  if (rational(whole + 1) <= high) return whole + 1;
-  return whole + 1 / simplest_rational(1 / (high - whole), 1 / (low - whole));
+rational simplest_between(const rational& lower, const rational& upper) {
+  return *simplest_between(lower, upper, std::numeric_limits<int>::max());
+}
+
+std::optional<rational> simplest_between(const rational& lower, const rational& upper,
+                                         int most_terms) {
+  if (most_terms < 1) return std::nullopt;
+  if (lower <= 0 && upper >= 0) return rational(0);
+  if (upper < 0) {
+    const auto positive = simplest_between(-upper, -lower, most_terms);
+    if (!positive) return std::nullopt;
+    return rational(-*positive);
+  }
+  const integer whole = ceil_of(lower);
+  if (rational(whole) <= upper) return rational(whole);
+  // Both lie strictly between the same two integers.
+  const integer below = whole - 1;
+  /// 1 / (q - below) = d / (n - below d) for q = n/d, in lowest terms because q is, and positive.
+  const auto turned = [&below](const rational& q) {
+    const mpq_srcptr given = q.backend().data();
+    rational r;
+    const mpq_ptr result = r.backend().data();
+    mpz_set(mpq_numref(result), mpq_denref(given));
+    mpz_set(mpq_denref(result), mpq_numref(given));
+    mpz_submul(mpq_denref(result), below.backend().data(), mpq_denref(given));
+    return r;
+  };
+  const auto rest = simplest_between(turned(upper), turned(lower), most_terms - 1);
+  if (!rest) return std::nullopt;
+  return rational(below + 1 / *rest);
 }
 
 std::optional<rational> exact_root(const rational& q, unsigned long n) {

@@ -195,36 +195,4 @@ long count_real_roots(const rational_polynomial& p, const rational& lower, const
   return sign_changes(chain, lower) - sign_changes(chain, upper) + (once(lower) == 0 ? 1 : 0);
 }
 
-rational simplest_between(const rational& lower, const rational& upper) {
-  return *simplest_between(lower, upper, std::numeric_limits<int>::max());
-}
-
-std::optional<rational> simplest_between(const rational& lower, const rational& upper,
-                                         int most_terms) {
-  if (most_terms < 1) return std::nullopt;
-  if (lower <= 0 && upper >= 0) return rational(0);
-  if (upper < 0) {
-    const auto positive = simplest_between(-upper, -lower, most_terms);
-    if (!positive) return std::nullopt;
-    return rational(-*positive);
-  }
-  const integer whole = ceil_of(lower);
-  if (rational(whole) <= upper) return rational(whole);
-  // Both lie strictly between the same two integers.
-  const integer below = whole - 1;
-  /// 1 / (q - below) = d / (n - below d) for q = n/d, in lowest terms because q is, and positive.
-  const auto turned = [&below](const rational& q) {
-    const mpq_srcptr given = q.backend().data();
-    rational r;
-    const mpq_ptr result = r.backend().data();
-    mpz_set(mpq_numref(result), mpq_denref(given));
-    mpz_set(mpq_denref(result), mpq_numref(given));
-    mpz_submul(mpq_denref(result), below.backend().data(), mpq_denref(given));
-    return r;
-  };
-  const auto rest = simplest_between(turned(upper), turned(lower), most_terms - 1);
-  if (!rest) return std::nullopt;
-  return rational(below + 1 / *rest);
-}
-
 }  // namespace polhode

@@ -255,8 +255,8 @@ std::string summary(const answer& a) {
     if (a.list.empty()) return fmt::format("certified: no root ({})\n", work);
     if (const auto& one = a.roots.of_period) {
       return fmt::format(
-          "certified: infinitely many roots; these are all in {}, and the function has the period "
-          "{} ({})\n",
+          "certified: infinitely many roots; these are all in {}, and they have the period {} "
+          "({})\n",
           range_text(*one), to_text(one->period), work);
     }
     return fmt::format("certified: {}, all there are ({})\n", counted(a.list.size(), "root"), work);

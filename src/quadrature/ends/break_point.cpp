@@ -32,7 +32,7 @@ std::optional<rational> break_point::as_rational() {
   constexpr long greatest_denominator = 10'000;
   const ball r = at(128);
   if (!r.is_bounded()) return std::nullopt;
-  const rational q = simplest_rational(lower_rational(r), upper_rational(r));
+  const rational q = simplest_between(lower_rational(r), upper_rational(r));
   if (denominator(q) > greatest_denominator || q < x_.low || q > x_.high) return std::nullopt;
   for (const double reach : {0x1p-8, 0x1p-32}) {
     const end_series x = end_series::argument(known_number(q), known_number(rational(1)), 1, reach);

@@ -70,7 +70,7 @@ std::vector<stretch> covering::beside_a_rational(const interval& x) {
   constexpr long most_tries = 200;
   constexpr double effort_of_series = 100;
   if (++tries_ > most_tries) return {};
-  const rational m = simplest_rational(x.low, x.high);
+  const rational m = simplest_between(x.low, x.high);
   std::vector<stretch> sides;
   for (const int side : {-1, 1}) {
     const rational reach = side < 0 ? m - x.low : x.high - m;

@@ -21,7 +21,7 @@ std::size_t length_of(const rational& q) {
 /// The rational number that x seems to be: one much shorter than x. To search with.
 std::optional<rational> short_rational(const ball& x) {
   if (!x.is_bounded() || contains_zero(x)) return std::nullopt;
-  const rational q = simplest_rational(lower_rational(x), upper_rational(x));
+  const rational q = simplest_between(lower_rational(x), upper_rational(x));
   constexpr std::size_t most_length = 300;
   return length_of(q) <= most_length ? std::optional(q) : std::nullopt;
 }

@@ -229,7 +229,7 @@ ball integrator::range_of(const panel& p, long around) const {
 /// neighbouring panels has the same.
 std::optional<rational> integrator::point_in(const ball& both, long greatest_denominator) const {
   if (!both.is_bounded()) return std::nullopt;
-  const rational q = simplest_rational(lower_rational(both), upper_rational(both));
+  const rational q = simplest_between(lower_rational(both), upper_rational(both));
   if (denominator(q) > greatest_denominator) return std::nullopt;
   const bool known =
       std::find(known_points_.begin(), known_points_.end(), q) != known_points_.end();
