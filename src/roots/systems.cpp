@@ -295,29 +295,29 @@ class system_searcher {
     for (const auto& [low, high] : s.range_) whole_.push_back(side_of(low, high));
   }
 
-  ~system_searcher() { s_.account_.evaluations += hardware_.evaluations(); }
+  [[nodiscard]] long evaluations_in_hardware() const { return hardware_.evaluations(); }
 
-  bool run() {
+  /// Until no box is left, or a limit is reached.
+  void run() {
     constexpr long between_looks = 64;
     for (long boxes = 0; !s_.pending_.empty(); ++boxes) {
       if (s_.stuck_.size() > options_.most_unresolved) {
         s_.limit_ = "too many boxes stay unresolved: there may be infinitely many roots";
-        return false;
+        return;
       }
       s_.limit_ = "the limit on the number of boxes was reached";
-      if (boxes >= options_.most_boxes) return false;
+      if (boxes >= options_.most_boxes) return;
       if (options_.progress && boxes % between_looks == 0 &&
           !options_.progress({s_.account_.boxes, static_cast<long>(s_.pending_.size()),
                               static_cast<long>(s_.found_.size())})) {
         s_.limit_ = "the search was ended";
-        return false;
+        return;
       }
       const system_search::waiting box = std::move(s_.pending_.back());
       s_.pending_.pop_back();
       ++s_.account_.boxes;
       merge(box, examine(box.x));
     }
-    return true;
   }
 
  private:
@@ -618,7 +618,11 @@ system_search::system_search(real_system f, system_box box)
   pending_.push_back(std::move(all));
 }
 
-void system_search::run(const system_options& options) { system_searcher(*this, options).run(); }
+void system_search::run(const system_options& options) {
+  system_searcher searcher(*this, options);
+  searcher.run();
+  account_.evaluations += searcher.evaluations_in_hardware();
+}
 
 bool system_root_set::is_resolved() const {
   return complete && std::all_of(regions.begin(), regions.end(), [](const system_region& r) {

@@ -1,7 +1,8 @@
 // One run on several processes, under mpirun.
 
-#include <sys/stat.h>
+#include <algorithm>
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <string>
@@ -133,6 +134,18 @@ bool is_running(pid_t process) {
   return end != std::string::npos && stat.substr(end + 2, 1) != "Z";
 }
 
+/// Waits for a launcher, and returns its state. mpirun may wait for ever where a rank is killed while
+/// the ranks start: without a rank that runs it is killed, too.
+int state_of(pid_t launcher) {
+  constexpr int most_looks = 1000;
+  int state = 0;
+  for (int idle = 0; waitpid(launcher, &state, WNOHANG) == 0; usleep(10'000)) {
+    idle = std::ranges::any_of(programs_below(launcher), is_running) ? 0 : idle + 1;
+    if (idle == most_looks) kill(launcher, SIGKILL);
+  }
+  return state;
+}
+
 /// The blocks that are there, by name, as files.
 std::map<std::string, ino_t> blocks_in(const std::string& directory) {
   std::map<std::string, ino_t> result;
@@ -172,8 +185,7 @@ TEST(Ranks, LoseNothingWhenOneIsKilled) {
       kill(victim < ranks.size() ? ranks[victim] : launcher, SIGKILL);
       ++killed;
     }
-    int state = 0;
-    waitpid(launcher, &state, 0);
+    const int state = state_of(launcher);
     // Ranks whose launcher was killed end by themselves.
     for (const pid_t rank : ranks) {
       while (is_running(rank)) usleep(10'000);

@@ -134,6 +134,8 @@ TEST(ZerosInRectangle, OnCutsStayUndecided) {
       }
     }
   }
+  // The logarithm is that of -2 everywhere: 0 at -log(2) - pi i, and not at the conjugate.
+  EXPECT_FALSE(zeros_of("log(z/3+z/3+z/3-z-2)+z", {-2, 1, -4, -1}, 10).is_complete());
 }
 
 TEST(ZerosInRectangle, RefuseWhatIsNotAnalytic) {

@@ -38,7 +38,7 @@ std::optional<rational> face(const std::string& text, int which, const std::stri
     if (sign == which) return std::nullopt;
     throw usage_error(fmt::format("--in: the interval of {} is the wrong way round", variable));
   }
-  const auto exact = read_formula(text, {}, let).exact_value();
+  std::optional<rational> exact = read_formula(text, {}, let).exact_value();
   if (!exact) {
     throw usage_error(fmt::format(
         "--in: the end \"{}\" of the interval of {} is not a rational number; give one near it",
