@@ -104,6 +104,7 @@ std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& 
                                    : exact_result(i, std::nullopt, std::nullopt);
   }
   std::vector<possibly_exact_constant> result;
+  result.reserve(t.outputs.size());
   std::size_t k = 0;
   for (ball& x : constants_of(f, p)) {
     result.push_back({std::move(x), exactly(t.outputs[k++])});
