@@ -2,6 +2,7 @@
 
 // What a formula tells of its roots in a box, in hardware doubles.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

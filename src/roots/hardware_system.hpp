@@ -34,9 +34,8 @@ class hardware_system {
   /// of equations using interval analysis, BIT 21 (1981)).
   [[nodiscard]] outcome cut(box& x);
 
-  /// The variable in whose direction to cut a box that cut() found wide: the one whose share of the
-  /// equations' change over the box, by their derivatives, is the greatest in sum (I. Araya, G.
-  /// Trombettoni, B. Neveu, Making adaptive an interval constraint propagation..., "SmearSumRel").
+  /// The variable in whose direction to cut a box that cut() found wide: the one with the greatest
+  /// share of the equations' change over the box, by their derivatives, in sum over the equations.
   /// None where the derivatives are not known.
   [[nodiscard]] std::optional<std::size_t> direction(const box& x) const;
 

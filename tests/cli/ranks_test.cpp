@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <algorithm>
+#include <ios>
 #include <map>
 #include <random>
 #include <string>
@@ -114,12 +115,21 @@ TEST(Ranks, RunOtherCommandsAlone) {
   EXPECT_EQ(printed(mpirun + "-n 2 polhode eval 1+1"), "2 exactly\n2 exactly\n");
 }
 
+/// What the system says of a process; empty where it has ended.
+std::string stat_of(const std::string& process) {
+  try {
+    return contents("/proc/" + process + "/stat");
+  } catch (const std::ios_base::failure&) {  // it ended meanwhile
+    return {};
+  }
+}
+
 /// Processes of this program below another one.
 std::vector<pid_t> programs_below(pid_t parent) {
   std::vector<pid_t> found;
   for (const std::string& name : names_in("/proc")) {
     if (name.find_first_not_of("0123456789") != std::string::npos) continue;
-    const std::string stat = contents("/proc/" + name + "/stat");
+    const std::string stat = stat_of(name);
     const std::size_t end = stat.rfind(')');
     if (end == std::string::npos || stat.find("(polhode)") == std::string::npos) continue;
     if (std::stol(stat.substr(end + 4)) == parent) found.push_back(std::stoi(name));
@@ -129,7 +139,7 @@ std::vector<pid_t> programs_below(pid_t parent) {
 
 /// Not ended, nor ended and only not waited for.
 bool is_running(pid_t process) {
-  const std::string stat = contents("/proc/" + std::to_string(process) + "/stat");
+  const std::string stat = stat_of(std::to_string(process));
   const std::size_t end = stat.rfind(')');
   return end != std::string::npos && stat.substr(end + 2, 1) != "Z";
 }
