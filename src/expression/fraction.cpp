@@ -121,7 +121,7 @@ class over_one_denominator {
   }
 
   std::optional<quotient> power(const quotient& a, long n) {
-    if (std::abs(n) > greatest_power) return std::nullopt;
+    if (n > greatest_power || n < -greatest_power) return std::nullopt;
     quotient r = a;
     for (auto& [divisor, power] : r.below) power *= std::abs(n);
     for (const auto& [divisor, power] : r.below) {

@@ -197,7 +197,7 @@ bool meet_periods(set& x, const set& angle, const set& step, bool both_signs) {
 const set pi_set = ends(2 * approximation::half_pi, 2 * half_turn);
 
 /// Beyond what pow(x, n) of doubles is good for.
-bool is_huge(long n) { return std::abs(n) > (1L << 30); }
+bool is_huge(long n) { return n > (1L << 30) || n < -(1L << 30); }
 
 /// x^n.
 std::optional<set> natural_integer_power(const set& x, long n) {
