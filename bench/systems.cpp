@@ -1,5 +1,5 @@
-// All roots of systems of equations in a box, beside kv (M. Kashiwagi; https://github.com/mskashi/kv)
-// where its headers are given: cmake --preset release -DPOLHODE_KV=DIR.
+// All roots of systems of equations in a box, beside kv (M. Kashiwagi, github.com/mskashi/kv) where
+// its headers are given: cmake --preset release -DPOLHODE_KV=DIR.
 //
 // Both get the same generic functions and boxes, search for all roots and prove each, to the digits
 // of hardware doubles. The problems are those that interval solvers are compared by.
@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
   const auto add = [&](const auto& p) {
     benchmarks.add(systems, p.name, [p] { return all_roots(p); });
   };
-  // The sides of Katsura's box go a little beyond those of the roots, one of which is (1, 0, ..., 0).
+  // The sides of Katsura's box go beyond the roots, one of which is (1, 0, ..., 0).
   add(problem{"broyden-10", 10, -2, 2, 2, broyden});
   add(problem{"yamamura-7", 7, -3, 3, 3, yamamura});
   add(problem{"cyclic-5", 5, -10, 10, 10, cyclic});

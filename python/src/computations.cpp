@@ -536,8 +536,8 @@ said by the answer.
         R"doc(All complex roots of a polynomial, or those of an analytic function in a rectangle.
 
 f is a text in z, which may have i, or a function of a symbol. The rectangle is two corners, the
-lower left and the upper right one, each a pair of exact numbers (real part, imaginary part); without
-it f has to be a polynomial with rational coefficients.
+lower left and the upper right one, each a pair of exact numbers (real part, imaginary part);
+without it f has to be a polynomial with rational coefficients.
 
 >>> import polhode
 >>> for r in polhode.complex_roots("exp(z) - z", ((-5, -5), (5, 5)), digits=10): print(r)

@@ -133,8 +133,24 @@ class over_one_denominator {
     }
     r.above = filled_up(g_.number(1), r.below, {});
     for (auto& [divisor, power] : r.below) power = 0;
-    r.below[a.above] -= n;
+    if (!add_divisor(r.below, a.above, -n)) return std::nullopt;
     return r;
+  }
+
+  /// Adds the n-th power of a node to a product, by its factors and the bases of its whole powers;
+  /// false where a power becomes great.
+  bool add_divisor(product& below, node_id x, long n) {
+    const node factor = g_[x];
+    if (factor.what == operation::multiply) {
+      return add_divisor(below, factor.left, n) && add_divisor(below, factor.right, n);
+    }
+    if (factor.what == operation::power_integer && 0 < factor.number &&
+        factor.number <= greatest_power) {
+      return add_divisor(below, factor.left, n * factor.number);
+    }
+    long& power = below[x];
+    power += n;
+    return n <= greatest_power && power <= greatest_power;
   }
 
   detail::graph g_;

@@ -110,8 +110,8 @@ bool meet_quotient(set& z, const set& x, const set& y) {
                      *natural_quotient(x, ends(0, y.upper())));
 }
 
-/// The angles of the range between -pi/2 and pi/2.
-const double half_turn = next_up(approximation::half_pi);
+/// The least double above pi/2.
+const double quarter_turn = next_up(approximation::half_pi);
 
 set natural_exp(const set& x) {
   return increasing([](const set& t) { return exp(t); }, x, 0, infinity);
@@ -129,7 +129,7 @@ set natural_tanh(const set& x) {
   return increasing([](const set& t) { return tanh(t); }, x, -1, 1);
 }
 set natural_atan(const set& x) {
-  return increasing([](const set& t) { return atan(t); }, x, -half_turn, half_turn);
+  return increasing([](const set& t) { return atan(t); }, x, -quarter_turn, quarter_turn);
 }
 /// For x >= 0.
 set natural_cosh(const set& x) {
@@ -194,7 +194,7 @@ bool meet_periods(set& x, const set& angle, const set& step, bool both_signs) {
   return true;
 }
 
-const set pi_set = ends(2 * approximation::half_pi, 2 * half_turn);
+const set pi_set = ends(2 * approximation::half_pi, 2 * quarter_turn);
 
 /// Beyond what pow(x, n) of doubles is good for.
 bool is_huge(long n) { return n > (1L << 30) || n < -(1L << 30); }
@@ -238,7 +238,8 @@ set strict(const instruction& i, const set& x, const set& y) {
   return known(r);
 }
 
-/// It decreases to 1 on (0, 1], without a bound at 0.
+/// On (0, 1] gamma decreases to 1, without a bound at 0: it is convex for x > 0, as the integral of
+/// the convex functions t^(x-1) e^-t of x, and gamma(1) = gamma(2) = 1.
 set natural_gamma(const instruction& i, const set& x) {
   if (x.lower() != 0 || !(x.upper() > 0) || x.upper() > 1) return strict(i, x, x);
   const set last(x.upper());
@@ -367,7 +368,7 @@ bool meet_inverse(set& x, const std::optional<set>& inverse) {
 bool meet_sine(set& x, const set& r) {
   const std::optional<set> sine = common(r, sines);
   if (!sine) return false;
-  const set quarter = ends(approximation::half_pi, half_turn);
+  const set quarter = ends(approximation::half_pi, quarter_turn);
   set from_quarter = x - quarter;
   return meet_periods(from_quarter, acos(*sine), 2 * pi_set, true) &&
          meet(x, from_quarter + quarter);
@@ -423,11 +424,11 @@ bool meet_operands(const instruction& i, set& x, set& y, const set& r) {
     case operation::tan:
       return meet_periods(x, natural_atan(r), pi_set, false);
     case operation::asin: {
-      const std::optional<set> angle = common(r, ends(-half_turn, half_turn));
+      const std::optional<set> angle = common(r, ends(-quarter_turn, quarter_turn));
       return angle && meet(x, sin(*angle));
     }
     case operation::acos: {
-      const std::optional<set> angle = common(r, ends(0, 2 * half_turn));
+      const std::optional<set> angle = common(r, ends(0, 2 * quarter_turn));
       return angle && meet(x, cos(*angle));
     }
     case operation::atan:

@@ -13,11 +13,11 @@ namespace polhode::detail {
 
 /// The equation f = 0 as a filter of boxes.
 ///
-/// METHOD (HC4-revise; F. Benhamou, F. Goualard, L. Granvilliers, J.-F. Puget, Revising hull and box
-/// consistency, ICLP 1999). From the variables to the result, each operation gets a set that holds
-/// its values at all members of its operands' sets at which it is defined. The result's set is cut
-/// down to {0}. From the result to the variables, each operation cuts from the sets of its operands
-/// the members for which no member of the other operand gives a value in its own set.
+/// METHOD (HC4-revise; F. Benhamou, F. Goualard, L. Granvilliers, J.-F. Puget, Revising hull and
+/// box consistency, ICLP 1999). From the variables to the result, each operation gets a set that
+/// holds its values at all members of its operands' sets at which it is defined. The result's set
+/// is cut down to {0}. From the result to the variables, each operation cuts from the sets of its
+/// operands the members for which no member of the other operand gives a value in its own set.
 ///
 /// PROOF. Let f be defined and 0 at a point of the box. Then each operation is defined there, and
 /// its value lies in its set, by induction from the variables on. The value of f lies in {0}; and
@@ -31,8 +31,8 @@ class contraction {
  public:
   explicit contraction(const expression& f);
 
-  /// Cuts the box down; false where nothing is left, and the box is then of no use. One set for each
-  /// variable, none of them undefined.
+  /// Cuts the box down; false where nothing is left, and the box is then of no use. One set for
+  /// each variable, none of them undefined.
   [[nodiscard]] bool apply(std::vector<double_interval>& box);
 
   /// Whether value() can be anything but undefined.

@@ -122,27 +122,37 @@ template class compiled_expression<function_structure>;
 namespace formula_function_impl {
 namespace {
 
-/// Whether it has a value for every value of its variable: a polynomial, as it is written.
-bool is_polynomial(const symbol& x) {
-  const detail::symbol_node& n = x.node();
-  if (n.name.empty()) return true;
-  if (n.name == "/") {
-    return is_polynomial(n.operands[0]) && n.operands[1].node().name.empty() &&
-           n.operands[1].node().number != 0;
+/// Finds factors of a formula that are 0 nowhere. It looks at so many operations in all, as a short
+/// formula may name one part many times.
+class factors_without_zeros {
+ public:
+  /// f without the factors and divisors that have a value other than 0 everywhere, exponentials and
+  /// hyperbolic cosines of polynomials: it has the roots and the poles of f.
+  [[nodiscard]] symbol rest_of(const symbol& f) {
+    const detail::symbol_node& n = f.node();
+    if (--looks_ < 0) return f;
+    if (n.name == "*") return rest_of(n.operands[0]) * rest_of(n.operands[1]);
+    if (n.name == "/") return rest_of(n.operands[0]) / rest_of(n.operands[1]);
+    const bool is_never_0 = n.name == "exp" || n.name == "cosh";
+    return is_never_0 && is_polynomial(n.operands[0]) ? symbol(1) : f;
   }
-  if (n.name != "+" && n.name != "-" && n.name != "*") return false;
-  return std::ranges::all_of(n.operands, is_polynomial);
-}
 
-/// f without the factors and divisors that have a value other than 0 everywhere, exponentials and
-/// hyperbolic cosines of polynomials: it has the roots and the poles of f.
-symbol essential_part(const symbol& f) {
-  const detail::symbol_node& n = f.node();
-  if (n.name == "*") return essential_part(n.operands[0]) * essential_part(n.operands[1]);
-  if (n.name == "/") return essential_part(n.operands[0]) / essential_part(n.operands[1]);
-  const bool is_never_0 = n.name == "exp" || n.name == "cosh";
-  return is_never_0 && is_polynomial(n.operands[0]) ? symbol(1) : f;
-}
+ private:
+  /// Whether it has a value for every value of its variable, as it is written: a polynomial.
+  [[nodiscard]] bool is_polynomial(const symbol& x) {
+    const detail::symbol_node& n = x.node();
+    if (--looks_ < 0) return false;
+    if (n.name.empty()) return true;
+    if (n.name == "/") {
+      return is_polynomial(n.operands[0]) && n.operands[1].node().name.empty() &&
+             n.operands[1].node().number != 0;
+    }
+    if (n.name != "+" && n.name != "-" && n.name != "*") return false;
+    return std::ranges::all_of(n.operands, [this](const symbol& y) { return is_polynomial(y); });
+  }
+
+  int looks_ = 1000;
+};
 
 }  // namespace
 }  // namespace formula_function_impl
@@ -231,8 +241,9 @@ real_function::real_function(const expression& f) {
   };
   period_ = [f]() -> std::optional<pi_combination> {
     if (f.variables().size() != 1) return period_of(f);
-    const symbol part = formula_function_impl::essential_part(f(symbol::variable(0)));
-    return period_of(expression(part, f.names()));
+    const symbol rest =
+        formula_function_impl::factors_without_zeros().rest_of(f(symbol::variable(0)));
+    return period_of(expression(rest, f.names()));
   };
 }
 

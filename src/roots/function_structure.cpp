@@ -33,14 +33,8 @@ std::optional<ball> detail::natural_power(const ball& x, const ball& y) {
 
 function_structure::exact_series detail::exact_power(const function_structure::exact_series& x,
                                                      const function_structure::exact_series& y) {
-  const auto is_constant = [&] {
-    for (int k = 1; k <= y.order(); ++k) {
-      if (!y[k].is_exactly(0)) return false;
-    }
-    return true;
-  };
-  // 0 there, and without a derivative as far as is known.
-  if (x[0].is_exactly(0) && y[0].exact() && *y[0].exact() > 0 && is_constant()) {
+  // 0^y is 0 for y > 0, without a derivative as far as is known.
+  if (x[0].is_exactly(0) && y[0].exact() && *y[0].exact() > 0) {
     return function_structure::value_alone(x, x[0].like(0));
   }
   return exp(y * log(x));

@@ -23,9 +23,9 @@ class hardware_system {
               // known of them: steps with more bits may prove a root
     wide      // they are not: the box is to be cut in two
   };
-  /// Cuts the box down: by each equation, as long as that helps, then by Newton's method with all of
-  /// them. Every root of the system in it, a point at which all components are defined and 0, is in
-  /// what is left.
+  /// Cuts the box down: by each equation, as long as that helps, then by Newton's method with all
+  /// of them. Every root of the system in it, a point at which all components are defined and 0, is
+  /// in what is left.
   ///
   /// By Newton: let m lie in the box X and J hold the Jacobians on X. For a root x in X, row by row
   /// by the mean value theorem, 0 = f(m) + A (x - m) with an A in J; so that row has an enclosure

@@ -105,9 +105,9 @@ complex_ball natural_value(const expression& f, const complex_ball& z) {
   return operand(code.body.outputs.front());
 }
 
-/// Whether f, a formula of a real variable, has the conjugate of its value at every conjugate number
-/// with an imaginary part other than 0: where the functions that have branch cuts have them on the
-/// real line, and their arguments are a z + b with a != 0, which are real for real z alone.
+/// Whether f, a formula of a real variable, has the conjugate of its value at every conjugate
+/// number with an imaginary part other than 0: where the functions that have branch cuts have them
+/// on the real line, and their arguments are a z + b with a != 0, which are real for real z alone.
 bool has_cuts_on_the_real_line_alone(const expression& f) {
   if (f.variables().size() != 1) return false;
   const detail::program& code = f.instructions();
@@ -332,8 +332,8 @@ class zero_search {
   }
 
   /// Whether no value over the part, by principal values, is 0, be it beside a branch cut or on it.
-  /// Where f has conjugate values, a part below the real axis is taken for its mirror image: on a cut
-  /// the values are those from above.
+  /// Where f has conjugate values, a part below the real axis is taken for its mirror image: on a
+  /// cut the values are those from above.
   [[nodiscard]] bool has_no_value_0(const complex_rectangle& box, int depth) const {
     const precision p = 64 + depth;
     const bool is_below = is_mirrored_ && box.top <= 0;
@@ -367,7 +367,7 @@ class zero_search {
     }
     if (!large) return;
     if (const auto exact = exact_zero(*centre, large->half, least)) {
-      take(large->as_rectangle(), *exact, least, true);
+      if (!meets_a_zero(*exact)) take(large->as_rectangle(), *exact, least, true);
       return;
     }
     point of_zeros = *centre;
@@ -418,10 +418,11 @@ class zero_search {
             bool is_one = false) {
     done_.push_back(large);
     if (!meets(small, whole_)) return;  // they are beyond the rectangle
-    if (may_have_no_value(small)) {
+    if (const auto obstacle = obstacle_to_value(small)) {
       small_.push_back(small);
-      if (are_at_a_point_without_value(small, count)) return;
-      result_.undecided.push_back({small, "0/0"});
+      if (!are_at_a_point_without_value(small, count)) {
+        result_.undecided.push_back({small, *obstacle});
+      }
       return;
     }
     complex_ball enclosure(between(small.left, small.right, bits_ + 64),
@@ -435,15 +436,18 @@ class zero_search {
     result_.zeros.push_back({std::move(enclosure), count, is_inside, count == 1 || is_one});
     small_.push_back(small);
   }
-  /// Whether a divisor may be 0 in the small square.
-  [[nodiscard]] bool may_have_no_value(const complex_rectangle& small) const {
+  /// Why f may have no value in the small square: a divisor may be 0, or has a branch cut. None
+  /// where it has values.
+  [[nodiscard]] std::optional<std::string> obstacle_to_value(const complex_rectangle& small) const {
     const precision p = bits_ + 64;
     const region set = region::in_balls(
         {between(small.left, small.right, p), between(small.bottom, small.top, p)});
-    return std::ranges::any_of(over_divisors_, [&](const detail::complex_integrand& d) {
+    for (const detail::complex_integrand& d : over_divisors_) {
       const region value = d.over(set);
-      return !value.is_analytic() || value.magnitude_lower().is_zero();
-    });
+      if (!value.is_analytic()) return in_words(value);
+      if (value.magnitude_lower().is_zero()) return "0/0";
+    }
+    return std::nullopt;
   }
   /// Whether the zeros of the numerator in the small square are one zero of that multiplicity at a
   /// real number at which f has no value: as that of sin(z) at 0 for sin(z)/z.
@@ -497,8 +501,12 @@ class zero_search {
   [[nodiscard]] bool vanishes(const expression& f, const pi_combination& at, long order) const {
     if (order == 1) {
       const symbol number = symbol(at.q) + symbol(at.r) * symbol::constant("pi");
-      const expression value(f(number), f.names());
-      if (value.rational_value() == rational(0)) return true;
+      try {
+        const expression value(f(number), f.names());
+        if (value.rational_value() == rational(0)) return true;
+      } catch (const input_error&) {  // f has no real value there
+        return false;
+      }
     }
     const std::optional<function_structure> value = real_function(f).structure(
         function_structure::variable_at(at, static_cast<int>(order), bits_));

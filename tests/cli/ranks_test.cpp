@@ -144,8 +144,8 @@ bool is_running(pid_t process) {
   return end != std::string::npos && stat.substr(end + 2, 1) != "Z";
 }
 
-/// Waits for a launcher, and returns its state. mpirun may wait for ever where a rank is killed while
-/// the ranks start: without a rank that runs it is killed, too.
+/// Waits for a launcher, and returns its state. mpirun may wait for ever where a rank is killed
+/// while the ranks start: without a rank that runs it is killed, too.
 int state_of(pid_t launcher) {
   constexpr int most_looks = 1000;
   int state = 0;

@@ -1,6 +1,6 @@
-// Zeros in rectangles of products and quotients of factors with known zeros, some of them with branch
-// cuts: all that are inside must be found, with their multiplicities, and no others. Where a divisor
-// vanishes at a zero of the numerator the formula has no value, and there is no zero.
+// Zeros in rectangles of products and quotients of factors with known zeros, some of them with
+// branch cuts: all that are inside must be found, with their multiplicities, and no others. Where a
+// divisor vanishes at a zero of the numerator the formula has no value, and there is no zero.
 
 #include <cstddef>
 #include <optional>

@@ -183,6 +183,8 @@ TEST(Contraction, CutsWhatItCan) {
   expect_about(cut_by("hypot(x,y)-5", {{0, 9}, {3, 4}})[0], 3, 4);
   expect_about(cut_by("atanh(x)-y", {all, {0, 1}})[0], 0, std::tanh(1.0));
   expect_about(cut_by("cosh(x)-y", {{0, 9}, {1, 2}})[0], 0, std::acosh(2.0));
+  expect_about(cut_by("gamma(x)-y", {{0, 0.5}, {0, 9}})[1], std::sqrt(std::acos(-1.0)), 9);
+  expect_about(cut_by("gamma(x)-y", {{0, 1}, {0, 9}})[1], 1, 9);
 }
 
 TEST(Contraction, LeavesNothingWhereThereIsNoRoot) {

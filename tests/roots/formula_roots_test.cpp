@@ -64,5 +64,45 @@ TEST(FormulaRoots, AreTheSameOfALambdaAndOfItsText) {
   check([](const auto& x) { return max(x, 1 - x) - rational(3, 4); }, 0, 1);
 }
 
+/// Where numerator and divisor vanish at a number q + r pi, a series there has a sign beside it, or a
+/// root is beside it.
+TEST(FormulaRoots, BesidePointsWithoutValue) {
+  const root_set none = isolate_roots(parse("sin(pi*x)/(x-1)"), rational(1, 2), rational(3, 2));
+  EXPECT_TRUE(none.is_resolved());
+  EXPECT_TRUE(none.regions.empty());
+  for (const char* const offset : {"1e-3", "1e-6", "1e-12"}) {
+    const std::string near = std::string("sin(pi*x)/(x-1)*(x-1-") + offset + ")";
+    const root_set one = isolate_roots(parse(near), rational(1, 2), rational(3, 2));
+    ASSERT_EQ(one.regions.size(), 1U) << offset;
+    EXPECT_TRUE(contains(one.regions[0].enclosure, 1 + parse_rational(offset))) << offset;
+  }
+  const root_set ends = isolate_roots(parse("sin(pi*x)/(x^2-1)"), -3, 3);
+  EXPECT_TRUE(ends.is_resolved());
+  EXPECT_EQ(ends.regions.size(), 5U);
+}
+
+TEST(FormulaRoots, OfPowersAtRationalNumbers) {
+  const root_set twice = isolate_roots(parse("x^x-x"), rational(1, 2), 2);
+  ASSERT_TRUE(twice.is_resolved());
+  ASSERT_EQ(twice.regions.size(), 1U);
+  EXPECT_EQ(twice.regions[0].multiplicity, 2);
+  EXPECT_EQ(twice.regions[0].exact, 1);
+  // (x^x - 1)^2
+  const root_set square = isolate_roots(parse("x^(2*x)-2*x^x+1"), rational(1, 2), 2);
+  ASSERT_EQ(square.regions.size(), 1U);
+  EXPECT_EQ(square.regions[0].multiplicity, 2);
+  // A kink, where the function is not defined on one side.
+  const root_set kink = isolate_roots(parse("x^(1/3)-x"), -2, 2);
+  EXPECT_TRUE(kink.is_resolved());
+  ASSERT_EQ(kink.regions.size(), 2U);
+  EXPECT_EQ(kink.regions[0].exact, 0);
+  // 0^0 and powers of 0 with negative exponents have no value.
+  for (const char* const f : {"x^x", "x^(x-1)", "x^(-1/3)"}) {
+    for (const root_region& r : isolate_roots(parse(f), -1, 1).regions) {
+      EXPECT_NE(r.exact, 0) << f;
+    }
+  }
+}
+
 }  // namespace formula_roots_test
 }  // namespace polhode::test

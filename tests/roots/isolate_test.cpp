@@ -475,6 +475,17 @@ TEST(IsolateRoots, OfAPeriodicFunction) {
   EXPECT_EQ(u.regions.size(), 3U);
   EXPECT_FALSE(real_function(parse("exp(sqrt(x))*sin(x)")).period());
   EXPECT_FALSE(real_function(parse("x*sin(x)")).period());
+  // A short formula of which the tree is long.
+  const real_function many([](const auto& x) {
+    auto y = x;
+    auto z = x;
+    for (int k = 0; k < 80; ++k) {
+      y = (y * sin(x)) * (y * cos(x));
+      z = (z + x * x) + (z - x);
+    }
+    return y * exp(z);
+  });
+  EXPECT_FALSE(many.period());
   // Not periodic, or bounded: no.
   EXPECT_FALSE(by_period("sin(x) + x", -infinity, infinity).of_period);
   EXPECT_FALSE(by_period("sin(x)", 0, 100).of_period);

@@ -191,6 +191,50 @@ TEST(SolveSystem, OnFacesAndCornersOnce) {
   EXPECT_TRUE(one_holds(t, {1, -1}));
 }
 
+TEST(SolveSystem, ShortRationalRootsAreExactAndOthersAreNot) {
+  for (const char* const distance : {"1e-20", "1e-33", "1e-40", "1e-50", "1e-80"}) {
+    const rational little = parse_rational(distance);
+    const auto f = [&](const auto& x) {
+      return std::vector{square(x[0]) - square(1 + little), x[1] - x[0]};
+    };
+    const system_root_set near = solve_system(f, ends(2, {0, 3}));
+    expect_roots(near, 1);
+    EXPECT_TRUE(one_holds(near, {1 + little, 1 + little})) << distance;
+  }
+  const auto g = [](const auto& x) {
+    return std::vector{square(x[0]) - rational(1, 9), x[0] * x[1] - 2};
+  };
+  // (1/3, 6) is in a corner.
+  const system_root_set exact = solve_system(g, {{rational(1, 3), 1}, {std::nullopt, 6}});
+  expect_roots(exact, 1);
+  EXPECT_TRUE(exact.regions[0].enclosure[1].is_exact());
+  EXPECT_TRUE(one_holds(exact, {rational(1, 3), 6}));
+}
+
+TEST(SolveSystem, InBoxesWithoutEnds) {
+  const system_box all{{std::nullopt, std::nullopt}, {std::nullopt, std::nullopt}};
+  const auto f = [](const auto& x) { return std::vector{x[0] * x[1] - 1, x[0] - x[1]}; };
+  expect_roots(solve_system(f, all), 2);
+  expect_roots(solve_system(f, {{std::nullopt, 0}, {std::nullopt, std::nullopt}}), 1);
+  expect_roots(solve_system(f, {{2, std::nullopt}, {std::nullopt, std::nullopt}}), 0);
+  const auto unbounded = [](const auto& x) {
+    return std::vector{square(x[0]) - x[1], square(x[1]) - x[0]};
+  };
+  const system_root_set s = solve_system(unbounded, all);
+  EXPECT_FALSE(s.is_resolved());
+  EXPECT_TRUE(one_holds(s, {0, 0}));
+  EXPECT_EQ(s.regions.back().verdict, root_verdict::unresolved);
+  EXPECT_NE(s.regions.back().remark.find("no proved bound"), std::string::npos);
+}
+
+TEST(SolveSystem, EndsWhereInfinitelyManyBoxesStayUnresolved) {
+  const auto f = [](const auto& x) { return std::vector{x[0] - x[1], 2 * x[0] - 2 * x[1]}; };
+  const system_root_set s = solve_system(f, ends(2, {-1, 1}), {.most_unresolved = 50});
+  EXPECT_FALSE(s.is_resolved());
+  ASSERT_FALSE(s.regions.empty());
+  EXPECT_NE(s.regions[0].remark.find("infinitely many"), std::string::npos);
+}
+
 TEST(SolveSystem, ChosenRationalRootsAreAllThereAre) {
   // (x - a_1)(x - a_2) = 0, (y - b_1)(y - b_2) = 0, in skew coordinates: four roots.
   random_source random(5);

@@ -195,5 +195,31 @@ TEST(BoxShares, ACutThatLeavesSomethingOutIsRefused) {
   EXPECT_FALSE(is_cut({}, {}));
 }
 
+TEST(BoxShares, ACutOfAnInfiniteSideThatLeavesSomethingOutIsRefused) {
+  using side = std::optional<rational>;
+  const auto box = [](const side& a, const side& b) {
+    return std::vector{exact_interval{a, b}.to_ball(64),
+                       from_end_points(rational(0), rational(1), 64)};
+  };
+  const auto is_cut = [](const std::vector<ball>& whole, const std::vector<ball>& left,
+                         const std::vector<ball>& right) {
+    try {
+      detail::expect_cut(whole, left, right);
+      return true;
+    } catch (const std::logic_error&) {
+      return false;
+    }
+  };
+  const side none;
+  EXPECT_TRUE(is_cut(box(none, none), box(none, 0), box(0, none)));
+  EXPECT_TRUE(is_cut(box(-5, none), box(-5, 1024), box(1024, none)));
+  EXPECT_TRUE(is_cut(box(none, -5), box(none, -1024), box(-1024, -5)));
+  EXPECT_FALSE(is_cut(box(none, none), box(none, 0), box(1, none)));
+  EXPECT_FALSE(is_cut(box(none, none), box(-9, 0), box(0, none)));
+  EXPECT_FALSE(is_cut(box(none, none), box(none, 0), box(0, 9)));
+  EXPECT_FALSE(is_cut(box(-5, none), box(-4, 1024), box(1024, none)));
+  EXPECT_FALSE(is_cut(box(none, none), box(0, none), box(none, 0)));
+}
+
 }  // namespace tiling_test
 }  // namespace polhode

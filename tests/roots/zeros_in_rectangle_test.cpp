@@ -138,6 +138,25 @@ TEST(ZerosInRectangle, OnCutsStayUndecided) {
   EXPECT_FALSE(zeros_of("log(z/3+z/3+z/3-z-2)+z", {-2, 1, -4, -1}, 10).is_complete());
 }
 
+// A number close to a zero is not taken for it.
+TEST(ZerosInRectangle, AreExactOnlyWhereTheyAre) {
+  const zeros_answer near = zeros_of("z-1-1e-40", {-2, 2, -2, 2}, 10);
+  ASSERT_EQ(near.zeros.size(), 1U);
+  EXPECT_TRUE(contains(near.zeros[0].enclosure.re, 1 + parse_rational("1e-40")));
+  const zeros_answer two = zeros_of("sin(z)*(z-1e-30)", {-2, 2, -2, 2}, 10);
+  ASSERT_EQ(two.zeros.size(), 1U);
+  EXPECT_EQ(two.zeros[0].multiplicity, 2);
+  EXPECT_FALSE(two.zeros[0].is_one);
+  const zeros_answer one = zeros_of("sin(z)*z", {-2, 2, -2, 2}, 10);
+  ASSERT_EQ(one.zeros.size(), 1U);
+  EXPECT_TRUE(one.zeros[0].is_one);
+  // At -1 the divisor has its cut.
+  const zeros_answer cut = zeros_of("(z+1)/sqrt(z)", {-3, 3, -3, 3}, 10);
+  ASSERT_EQ(cut.undecided.size(), 1U);
+  EXPECT_EQ(cut.undecided[0].obstacle, "the branch cut of sqrt");
+  EXPECT_FALSE(zeros_of("z*exp(1/z)", {-3, 3, -3, 3}, 10).is_complete());
+}
+
 TEST(ZerosInRectangle, RefuseWhatIsNotAnalytic) {
   EXPECT_THROW((void)zeros_of("abs(z)-1", {-2, 2, -2, 2}, 10), input_error);
   EXPECT_THROW((void)zeros_of("z-z", {-2, 2, -2, 2}, 10), input_error);

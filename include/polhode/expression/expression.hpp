@@ -113,8 +113,8 @@ template <>
 struct constant_of<region> {
   using type = region_constant_pair;
 };
-/// For types in which being exactly a rational number, or q + r pi, matters, and which make constants
-/// beside a value they have: x.constant_like(c).
+/// For types that know numbers q + r pi exactly, and make constants beside a value that they have:
+/// x.constant_like(c).
 struct possibly_exact_constant {
   ball enclosure;
   std::optional<pi_combination> exact;
@@ -264,9 +264,9 @@ class expression {
   struct periodic_sum;
   [[nodiscard]] std::optional<periodic_sum> as_periodic_sum() const;
   /// N and d_1, d_2, ... such that, where N and the d_i have values, f has one exactly where no d_i
-  /// is 0, and is then N divided by a product of powers of the d_i: sums, products, quotients, whole
-  /// powers, tan and tanh over one denominator ("tan(x) - x": sin(x) - x*cos(x); cos(x)). None where
-  /// that is long.
+  /// is 0, and is then N divided by powers of the d_i: sums, products, quotients, whole powers, tan
+  /// and tanh over one denominator ("tan(x) - x": sin(x) - x*cos(x); cos(x)). None where that is
+  /// long.
   struct fraction;
   [[nodiscard]] std::optional<fraction> as_fraction() const;
   /// A part of a range, and what f is inside it.

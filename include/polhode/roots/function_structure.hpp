@@ -189,7 +189,7 @@ POLHODE_WITH_CONSTANTS(/)
 namespace detail {
 /// The range of x^y where it is defined, or more: as pow(x, y) has it, a whole y for every x.
 [[nodiscard]] std::optional<ball> natural_power(const ball& x, const ball& y);
-/// The series of x^y for x > 0; at x = 0, for a constant y > 0, the value 0 alone.
+/// The series of x^y for x > 0; where x is 0 and y > 0, the value 0 alone.
 [[nodiscard]] function_structure::exact_series exact_power(
     const function_structure::exact_series& x, const function_structure::exact_series& y);
 }  // namespace detail

@@ -86,8 +86,8 @@ class real_function {
   [[nodiscard]] bool has_no_root_beyond(const rational& from) const {
     return no_root_beyond_ && no_root_beyond_(from);
   }
-  /// A period of f, but for factors that are 0 nowhere, and so of its roots and poles, proved; nothing
-  /// where none is found.
+  /// A period of f, but for factors that are 0 nowhere, and so of its roots and poles, proved;
+  /// nothing where none is found.
   [[nodiscard]] std::optional<pi_combination> period() const {
     return period_ ? period_() : std::nullopt;
   }

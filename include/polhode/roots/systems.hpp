@@ -106,8 +106,8 @@ struct system_options {
   /// Boxes narrower in every direction than 2^-most_halvings of the given side, or of their own
   /// distance from 0 and of 1 where that is infinite, are left unresolved.
   int most_halvings = 60;
-  /// Where more boxes than this are left unresolved, there seem to be infinitely many roots, and the
-  /// search ends.
+  /// Where more boxes than this are left unresolved, there seem to be infinitely many roots, and
+  /// the search ends.
   std::size_t most_unresolved = 5'000;
   std::function<bool(const isolation_progress&)> progress = {};
 };
@@ -115,7 +115,7 @@ struct system_options {
 /// A search that can be stopped and resumed, as root_search.
 class system_search {
  public:
-  /// Throws input_error where a pair is the wrong way round, where
+  /// Throws input_error where a side is the wrong way round, where
   /// there are none, or where f has not as many components as there are variables.
   system_search(real_system f, system_box box);
 

@@ -11,9 +11,9 @@
 // nothing, and two squares around what it finds are examined: a small one, and one as large as can
 // be.
 //
-// The zeros are those of the numerator of f (expression::as_fraction) at which no divisor is 0. Where
-// numerator and divisor may both be 0, exact rules decide at simple real numbers. Beside a branch cut
-// and on it, values by principal values show that there is no zero.
+// The zeros are those of the numerator of f (expression::as_fraction) at which no divisor is 0.
+// Where numerator and divisor may both be 0, exact rules decide at simple real numbers. Beside a
+// branch cut and on it, principal values show that there is no zero.
 //
 // THE PROOF. Let f be analytic on a closed square and not 0 on its boundary. Cut the boundary into
 // pieces on each of which f has an enclosure without 0 that is convex; then f does not leave an
