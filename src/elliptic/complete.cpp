@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "elliptic/enclose.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 
 namespace polhode {
@@ -141,6 +142,20 @@ ball complete_rd(const ball& y, const ball& z, const ball& one_minus_ratio) {
   if (certainly_less_equal(y, z)) return by_d();
   if (certainly_less_equal(z, y)) return by_b();
   return hull(by_d(), by_b());
+}
+
+ball agm_slope(const ball& x, const ball& y) {
+  const precision p = std::max(x.precision(), y.precision());
+  if (!certainly_positive(x) || !certainly_positive(y)) return ball::undefined(p);
+  const auto at = [p](const ball& u, const ball& v) {
+    const ball lost =
+        certainly_less_equal(u, v) ? (v - u) * (v + u) / square(v) : (u - v) * (u + v) / square(u);
+    return 2 * square(agm(u, v)) * v * complete_rd(square(u), square(v), lost) / (3 * pi(p));
+  };
+  if (x.is_exact() && y.is_exact()) return at(x, y);
+  const ball low = at(detail::lower_end(x), detail::upper_end(y));
+  const ball high = at(detail::upper_end(x), detail::lower_end(y));
+  return low.is_undefined() || high.is_undefined() ? ball::undefined(p) : hull(low, high);
 }
 
 }  // namespace polhode

@@ -256,7 +256,7 @@ std::optional<set> natural_value(const instruction& i, const set& x, const set& 
     case operation::subtract:
       return x - y;
     case operation::multiply:
-      return i.left == i.right ? square(x) : x * y;
+      return x * y;
     case operation::divide:
       return natural_quotient(x, y);
     case operation::power_integer:
@@ -385,7 +385,6 @@ bool meet_operands(const instruction& i, set& x, set& y, const set& r) {
     case operation::subtract:
       return meet(x, r + y) && meet(y, x - r);
     case operation::multiply:
-      if (i.left == i.right) return meet_root(x, r, 2);
       return meet_quotient(x, r, y) && meet_quotient(y, r, x);
     case operation::divide:
       return meet(x, r * y) && meet_quotient(y, x, r);
@@ -584,6 +583,10 @@ contraction::contraction(const expression& f) : variables_(f.instructions().vari
     has_values_ = has_values_ && !is_call;
     i.left = is_call ? 0 : set_of(i.left);
     i.right = is_call ? 0 : set_of(i.right);
+    if (i.what == operation::multiply && i.left == i.right) {  // a square, of which more is known
+      i.what = operation::power_integer;
+      i.number = 2;
+    }
     i.result = set_in[i.result] = static_cast<std::uint32_t>(sets_.size());
     code_.push_back(i);
     sets_.push_back(whole);
@@ -622,11 +625,7 @@ double_interval contraction::value(const std::vector<double_interval>& box) {
   set_inputs(box);
   for (const instruction& i : code_) {
     set& r = sets_[i.result];
-    if (i.what == operation::multiply && i.left == i.right) {
-      r = square(sets_[i.left]);
-    } else {
-      execute<set>(i, r, sets_[i.left], sets_[i.right]);
-    }
+    execute<set>(i, r, sets_[i.left], sets_[i.right]);
     if (r.is_undefined()) return r;
   }
   return sets_[result_];
@@ -647,6 +646,27 @@ std::vector<double_interval> contraction::gradient(const std::vector<double_inte
     if (d.by_right) adjoints_[i.right] += by_result * *d.by_right;
   }
   return {adjoints_.begin(), adjoints_.begin() + static_cast<std::ptrdiff_t>(variables_)};
+}
+
+contraction::value_and_slope contraction::over(double_interval x) {
+  using namespace contraction_impl;
+  const set result = value({x});
+  if (result.is_undefined()) return {result, result};
+  adjoints_.assign(sets_.size(), set(0));
+  adjoints_.front() = 1;
+  const auto varies = [](const set& d) { return !d.is_exact() || d.lower() != 0; };
+  for (const instruction& i : code_) {
+    const bool by_left = varies(adjoints_[i.left]);
+    const bool by_right = varies(adjoints_[i.right]);
+    if (!by_left && !by_right) continue;
+    const partials d = slopes(i, sets_[i.left], sets_[i.right], sets_[i.result]);
+    set sum = 0;
+    if (by_left) sum += d.by_left * adjoints_[i.left];
+    if (d.by_right && by_right) sum += *d.by_right * adjoints_[i.right];
+    if (sum.is_undefined()) return {result, sum};
+    adjoints_[i.result] = sum;
+  }
+  return {result, adjoints_[result_]};
 }
 
 }  // namespace polhode::detail

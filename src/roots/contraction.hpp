@@ -43,6 +43,14 @@ class contraction {
   /// Griewank, A. Walther, Evaluating Derivatives, 2nd ed. 2008, section 3.2); empty unless f is
   /// proved to be defined and continuously differentiable on the whole of it.
   [[nodiscard]] std::vector<double_interval> gradient(const std::vector<double_interval>& box);
+  struct value_and_slope {
+    double_interval value;
+    double_interval slope;
+  };
+  /// f and f' over x, of a function of one variable: the value as above, the slope undefined unless
+  /// f is proved to be defined and continuously differentiable on the whole of x. From the variable
+  /// to the result, so that they do not depend on the order of the instructions.
+  [[nodiscard]] value_and_slope over(double_interval x);
 
  private:
   void set_inputs(const std::vector<double_interval>& box);
@@ -53,7 +61,7 @@ class contraction {
   std::vector<instruction> code_;          // the operands and results are numbers of sets
   std::uint32_t result_;                   // the set of f
   std::vector<double_interval> sets_;      // of the variables, the constants and each instruction
-  std::vector<double_interval> adjoints_;  // the derivatives of f by each of them
+  std::vector<double_interval> adjoints_;  // the derivatives of f by each of them, or of each by x
 };
 
 }  // namespace polhode::detail

@@ -163,6 +163,7 @@ real_function::real_function(const expression& f) {
         fmt::format("the variables of the formula are {}; roots are found of a function of one",
                     fmt::join(f.variables(), ", ")));
   }
+  if (f.variables().size() == 1) formula_ = std::make_shared<const expression>(f);
   // Above this degree it is a function like others: exact arithmetic would take too long.
   constexpr long most_degree = 2000;
   if (auto q = f.quotient()) {

@@ -120,9 +120,13 @@ refined_root refine(const root_region& region, long digits) {
   const precision most = 8 * p + (1L << 14);
   constexpr int most_halvings = 60;
   int halvings = 0;
-  // Newton's steps over wide balls are dear. If a narrow place in the box is proved to hold a root, it is the one that the
-  // box holds.
-  std::optional<ball> place = f.polynomial() ? std::nullopt : place_by_search(f, result.enclosure);
+  // Newton's steps over wide balls are dear. If a narrow place in the box is proved to hold a root,
+  // it is the one that the box holds.
+  constexpr long narrow = 32;
+  const bool is_wide =
+      result.enclosure.radius() > scale(result.enclosure.magnitude_upper(), -narrow);
+  std::optional<ball> place =
+      f.polynomial() || !is_wide ? std::nullopt : place_by_search(f, result.enclosure);
   if (place && !contains(region.box, *place)) place = std::nullopt;
   while (true) {
     const auto raised = [&](const ball& x) { return x.with_precision(x.precision() + more); };

@@ -192,5 +192,46 @@ TEST(FixedPointErrors, AreCountedWhereTheResultIsRoundedTheWrongWay) {
   }
 }
 
+TEST(FixedPointErrors, AreCountedBesideAZeroOfTheSine) {
+  random_source random(1802);
+  long found = 0;
+  long wrong = 0;
+  for (repeat trial(1500); trial.again();) {
+    const precision p = random.between(40, 300);
+    const long zeros = random.between(17, 150);
+    real y = any_tie(random, p, 1, 4000);
+    mpfr_div_2ui(y, y, static_cast<unsigned long>(zeros), MPFR_RNDN);  // exact
+    // x = n pi/2 + asin(y), of which the sine is y or -y for even n, and the cosine for odd n.
+    const precision bits = p + zeros + random.between(30, 90);
+    real turns(bits + 20);
+    mpfr_const_pi(turns, MPFR_RNDN);
+    const long n = random.between(1, 20'000);
+    mpfr_mul_si(turns, turns, n, MPFR_RNDN);
+    mpfr_div_2ui(turns, turns, 1, MPFR_RNDN);
+    real x(bits);
+    mpfr_asin(x, y, MPFR_RNDN);
+    mpfr_add(x, x, turns, MPFR_RNDN);
+    real got(p);
+    magnitude error;
+    const bool by_sine = n % 2 == 0;
+    if (!(by_sine ? detail::near_sin : detail::near_cos)(got, x, error)) continue;
+    ++found;
+    real exact(p + 300);
+    (by_sine ? mpfr_sin : mpfr_cos)(exact, x, MPFR_RNDN);
+    real difference(p + 300);
+    mpfr_sub(difference, exact, got, MPFR_RNDZ);
+    mpfr_abs(difference, difference, MPFR_RNDN);
+    const rational off = support::to_rational(difference);
+    const rational half_unit = support::power_of_two(mpfr_get_exp(got.get()) - p - 1);
+    ASSERT_LE(off, support::to_rational(error)) << p << " bits, " << zeros << " zeros";
+    ASSERT_LE(support::to_rational(error), half_unit * (1 + rational(1, 512)));
+    if (half_unit < off) ++wrong;
+  }
+  if (support::effort() >= 1) {
+    EXPECT_GT(found, 1000);
+    EXPECT_GT(wrong, 20);
+  }
+}
+
 }  // namespace fixed_point_functions_test
 }  // namespace polhode

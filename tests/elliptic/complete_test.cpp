@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -419,6 +421,69 @@ TEST(CompleteRd, IsUndefinedOutsideItsHypotheses) {
   EXPECT_TRUE(complete_rd(one, ball::undefined(64), zero).is_undefined());
   EXPECT_TRUE(complete_rd(one, one, ball::undefined(64)).is_undefined());
   EXPECT_TRUE(complete_rd(ball(2, 64), one, ball(rational(1, 3), 64)).is_undefined());
+}
+
+// ---------------------------------------------------------------------------------------------
+// The slope of the arithmetic-geometric mean
+
+TEST(AgmSlope, IsAHalfWhereBothNumbersAreEqual) {
+  for (const rational& x : {rational(1), rational(3, 7), rational(1, integer(1) << 400U)}) {
+    const ball slope = agm_slope(ball(x, 100), ball(x, 100));
+    EXPECT_TRUE(contains(slope, rational(1, 2))) << x;
+    EXPECT_TRUE(as_narrow_as(slope, 90)) << x;
+  }
+}
+
+// As the mean is concave, its slope between y and y + h lies between the slopes at both, which it
+// is as near to as h is small.
+TEST(AgmSlope, IsTheLimitOfTheMeansQuotients) {
+  support::random_source random(88);
+  constexpr precision p = 400;
+  for (support::repeat trial(300); trial.again();) {
+    const rational x(random.between(1, 1000), random.between(1, 1000));
+    const rational y = random.one_in(4) ? x : rational(random.between(1, 1000), 7);
+    const rational h = y / (integer(1) << static_cast<unsigned>(random.between(2, 100)));
+    const ball quotient =
+        (agm(ball(x, p), ball(y + h, p)) - agm(ball(x, p), ball(y, p))) / ball(h, p);
+    const ball at_y = agm_slope(ball(x, p), ball(y, p));
+    const ball beyond = agm_slope(ball(x, p), ball(rational(y + h), p));
+    EXPECT_TRUE(certainly_less(beyond, quotient)) << x << " " << y << " " << h;
+    EXPECT_TRUE(certainly_less(quotient, at_y)) << x << " " << y << " " << h;
+    // M = x M_x + y M_y: it is homogeneous.
+    const ball mean = x * agm_slope(ball(y, p), ball(x, p)) + y * at_y;
+    EXPECT_TRUE(overlaps(mean, agm(ball(x, p), ball(y, p)))) << x << " " << y;
+    EXPECT_TRUE(as_narrow_as(at_y, p - 30)) << x << " " << y;
+  }
+}
+
+TEST(AgmSlope, OfSetsHoldsTheSlopesOfTheirMembersAndEndsThere) {
+  support::random_source random(89);
+  constexpr precision p = 120;
+  for (support::repeat trial(200); trial.again();) {
+    const auto any = [&] { return rational(random.between(1, 1000), random.between(1, 30)); };
+    std::array<rational, 4> e = {any(), any(), any(), any()};
+    if (e[1] < e[0]) std::swap(e[0], e[1]);
+    if (e[3] < e[2]) std::swap(e[2], e[3]);
+    const auto at = [&](const rational& x, const rational& y) {
+      return agm_slope(ball(x, p), ball(y, p));
+    };
+    const ball over =
+        agm_slope(hull(ball(e[0], p), ball(e[1], p)), hull(ball(e[2], p), ball(e[3], p)));
+    const rational share(random.between(0, 64), 64);
+    EXPECT_TRUE(contains(over, at(e[0] + share * (e[1] - e[0]), e[2] + share * (e[3] - e[2]))));
+    EXPECT_TRUE(contains(over, at(e[0] + share * (e[1] - e[0]), e[3] - share * (e[3] - e[2]))));
+    const magnitude rounding = magnitude::power_of_two(-100);
+    EXPECT_TRUE(overlaps(ball(lower(over)), at(e[0], e[3]).enlarged(rounding)));
+    EXPECT_TRUE(overlaps(ball(upper(over)), at(e[1], e[2]).enlarged(rounding)));
+  }
+}
+
+TEST(AgmSlope, IsUndefinedWhereANumberMayNotBePositive) {
+  const ball one(1, 64);
+  EXPECT_TRUE(agm_slope(ball(0, 64), one).is_undefined());
+  EXPECT_TRUE(agm_slope(one, hull(ball(0, 64), one)).is_undefined());
+  EXPECT_TRUE(agm_slope(one, ball(-1, 64)).is_undefined());
+  EXPECT_TRUE(agm_slope(ball::undefined(64), one).is_undefined());
 }
 
 }  // namespace complete_test

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -142,6 +143,33 @@ TEST(Contraction, ValuesAndGradientsHoldThoseAtPoints) {
     }
   }
   EXPECT_GT(compared, 10000 * support::effort());
+}
+
+// The same of functions of one variable, from the variable to the result.
+TEST(Contraction, SlopesFromTheVariableHoldThoseAtPoints) {
+  using slope = jet<ball, 1>;
+  random_source random(43);
+  long compared = 0;
+  for (const std::string of : operations) {
+    const expression f(std::regex_replace(of, std::regex("\\by\\b"), "(2*x-1)"), {{"x"}, {}});
+    if (f.variables().empty()) continue;
+    contraction filter(f);
+    const auto at = f.evaluator<slope>(200);
+    for (repeat trial(1500); trial.again();) {
+      const double x = any_number(random);
+      const double_interval set = any_set_around(random, x, x);
+      const auto [value, derivative] = filter.over(set);
+      EXPECT_TRUE(derivative.is_undefined() || !value.is_undefined());
+      if (value.is_undefined()) continue;
+      const slope exact = at(slope::variable(exactly(x)));
+      EXPECT_TRUE(overlaps(value, double_interval::from_ball(exact[0]))) << of << ' ' << x;
+      if (derivative.is_undefined() || exact[1].is_undefined()) continue;
+      ++compared;
+      EXPECT_TRUE(overlaps(derivative, double_interval::from_ball(exact[1])))
+          << f.to_text() << ' ' << x << ' ' << set << ' ' << derivative;
+    }
+  }
+  EXPECT_GT(compared, 5000 * support::effort());
 }
 
 box cut_by(const std::string& f, box x) {

@@ -237,6 +237,13 @@ TEST(IsolateRoots, TellsWhereAFunctionEndsFarOut) {
   EXPECT_FALSE(s.singular.back().place.is_bounded());
 }
 
+/// On [0, 1] the slope is nearly constant, and Newton's image is beyond, where both roots are.
+TEST(IsolateRoots, TwoRootsBesideABoxInWhichTheSlopeShowsOne) {
+  const auto f = [](const auto& x) { return rational(21, 20) - x + exp(30 * x - 36); };
+  expect_resolved(isolate_roots(f, 0, 2), 2);
+  expect_resolved(isolate_roots(f, 0, 1), 0);
+}
+
 TEST(IsolateRoots, ManyRootsTowardsAPoint) {
   // 1/(k pi) for k = 1 ... 318.
   const root_set s = isolate_roots([](const auto& x) { return sin(1 / x); }, rational(1, 1000), 1);
@@ -450,6 +457,12 @@ TEST(IsolateRoots, OfGamma) {
   }
   // log |Gamma| is 0 where Gamma is 1 or -1.
   expect_resolved(isolate_roots(parse("log_gamma(x)"), rational(-11, 2), 5), 9);
+  for (const char* text : {"agm(1, x) - 2", "agm(x, 1/x) - 2", "agm(x, 2*x) - 5"}) {
+    const root_set mean = isolate_roots(parse(text), 0, 10);
+    EXPECT_TRUE(std::any_of(mean.regions.begin(), mean.regions.end(), [](const root_region& r) {
+      return r.verdict == root_verdict::unique;
+    })) << text;
+  }
   expect_resolved(isolate_roots(parse("gamma(x)^2 - 1"), rational(-11, 2), 5), 9);
 }
 

@@ -49,4 +49,16 @@ struct complete_integrals {
 /// one_minus_ratio is 1 - min(y,z)/max(y,z), given by the caller who has it without cancellation.
 [[nodiscard]] ball complete_rd(const ball& y, const ball& z, const ball& one_minus_ratio);
 
+/// The derivative of M = agm(x, y) with respect to y, for x, y certainly positive, else undefined:
+///   2 M^2 y R_D(0, x^2, y^2)/(3 pi),
+/// from pi/(2 M) = R_F(0, x^2, y^2) (DLMF 19.22.1) and dR_F(0, u, v)/dv = -R_D(0, u, v)/6, the
+/// derivative of R_F = (1/2) integral of dt/sqrt(t (t + u)(t + v)) under its integral. M is
+/// symmetric, so that agm_slope(y, x) is the derivative with respect to x.
+///
+/// Over sets by their ends: the slope increases in x and decreases in y. Proof. (a + b)/2 and
+/// sqrt(a b) are concave and increase in a and in b; so are, then, the iterates of both, and their
+/// limit M. As M is concave, its slope in y decreases in y; as the slope is homogeneous of degree 0
+/// (M is of degree 1), it is a function of y/x, and increases in x.
+[[nodiscard]] ball agm_slope(const ball& x, const ball& y);
+
 }  // namespace polhode

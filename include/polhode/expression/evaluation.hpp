@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/special_functions.hpp"
+#include "polhode/elliptic/complete.hpp"
 #include "polhode/expression/expression.hpp"
 
 namespace polhode {
@@ -75,8 +76,8 @@ struct supplement<double_interval> {
 };
 
 /// Jets of balls: those of jet.hpp, and others whose first coefficient is the ball's own function
-/// of it. Not available, and undefined, are the derivatives of agm, and of gamma and log_gamma
-/// those above the first, Gamma' = Gamma digamma and log|Gamma|' = digamma.
+/// of it. Not available, and undefined, are the derivatives above the first of agm, gamma and
+/// log_gamma: Gamma' = Gamma digamma, log|Gamma|' = digamma, and agm_slope.
 template <int Order>
 struct supplement<jet<ball, Order>> {
   using series = jet<ball, Order>;
@@ -118,6 +119,15 @@ struct supplement<jet<ball, Order>> {
   static series gamma(const series& x) {
     const ball value = polhode::gamma(x[0]);
     return with_slope(x, value, value * digamma(x[0]));
+  }
+  static series agm(const series& x, const series& y) {
+    series r = value_only(x, polhode::agm(x[0], y[0]));
+    if (x.order() < 1) return r;
+    r[1] = ball(0, r[0].precision());
+    // An argument that does not vary needs no derivative.
+    if (sign_of(x[1]) != certain_sign::zero) r[1] += agm_slope(y[0], x[0]) * x[1];
+    if (sign_of(y[1]) != certain_sign::zero) r[1] += agm_slope(x[0], y[0]) * y[1];
+    return r;
   }
   static series log_gamma(const series& x) {
     return with_slope(x, polhode::log_gamma(x[0]), digamma(x[0]));

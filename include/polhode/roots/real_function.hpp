@@ -70,6 +70,8 @@ class real_function {
   [[nodiscard]] const std::shared_ptr<const rational_quotient>& quotient() const {
     return quotient_;
   }
+  /// The formula of one variable that f is; nullptr where f was given otherwise.
+  [[nodiscard]] const expression* formula() const { return formula_.get(); }
   /// The greatest order of a series that is worth asking for, and the one that bounds f over a box best.
   [[nodiscard]] int most_order() const { return most_order_; }
   [[nodiscard]] int best_order() const { return best_order_; }
@@ -107,6 +109,7 @@ class real_function {
   std::function<bool(const rational&)> no_root_beyond_;
   std::function<std::optional<pi_combination>()> period_;
   std::shared_ptr<const rational_quotient> quotient_;
+  std::shared_ptr<const expression> formula_;
   int most_order_ = 64;
   int best_order_ = 2;
 };

@@ -89,7 +89,7 @@ class examination {
   }
   const function_evaluator& evaluator(std::size_t problem, precision p) {
     result_.most_bits = std::max(result_.most_bits, p);
-    auto& known = evaluators_[{problem, p}];
+    auto& known = evaluators_.in_balls[{problem, p}];
     if (known == nullptr) known = s_.problems[problem].g->at(p);
     return *known;
   }
@@ -114,6 +114,18 @@ class examination {
           static_cast<precision>(mpz_sizeinbase(mpq_numref(ratio.backend().data()), 2) -
                                  mpz_sizeinbase(mpq_denref(ratio.backend().data()), 2));
       b.bits = std::max<precision>(b.bits, bits + 40);
+    }
+    switch (by_hardware(b)) {
+      case hardware_answer::settled:
+        return;
+      case hardware_answer::wide:
+        // The parts cost next to nothing.
+        if (b.halvings < cheap_halvings || !is_turn_for_structure(b.halvings)) {
+          return halve(std::move(b));
+        }
+        break;
+      case hardware_answer::none:
+        break;
     }
     const ball x = b.x.to_ball(b.bits);
     const int n = problem(b).g->best_order();
@@ -141,6 +153,80 @@ class examination {
     if (is_turn_for_structure(b.halvings) && by_structure(b)) return;
     if (b.is_left_whole && !over[0].is_bounded()) return leave(std::move(b));
     halve(b);
+  }
+
+  /// f in hardware doubles; nullptr where it is not to be had.
+  contraction* hardware_of(const work_box& b) {
+    const auto [known, is_new] = evaluators_.in_hardware.try_emplace(b.problem);
+    if (is_new && problem(b).g->formula() != nullptr) {
+      auto made = std::make_unique<contraction>(*problem(b).g->formula());
+      if (made->has_values()) known->second = std::move(made);
+    }
+    return known->second.get();
+  }
+
+  static constexpr int cheap_halvings = 16;
+  enum class hardware_answer {
+    settled,  // the box has no root, or its root was found
+    wide,     // f is differentiable, and the width of the box, not rounding, leaves f undecided
+    none
+  };
+  /// The answer of hardware doubles. Of a box near their resolution they are not asked.
+  hardware_answer by_hardware(const work_box& b) {
+    constexpr precision most = first_bits + 8;
+    if (b.bits > most || b.x.is_point()) return hardware_answer::none;
+    contraction* const f = hardware_of(b);
+    if (f == nullptr) return hardware_answer::none;
+    const double_interval x(double_interval(*b.x.lower).lower(),
+                            double_interval(*b.x.upper).upper());
+    if (!x.is_bounded()) return hardware_answer::none;
+    ++result_.evaluations;
+    const auto [plain, slope] = f->over(x);
+    const double_interval middle(x.midpoint());
+    double_interval value = 0;
+    double_interval over = plain;
+    if (contains_zero(plain)) {  // or it is undefined
+      if (slope.is_undefined()) return hardware_answer::none;
+      ++result_.evaluations;
+      value = f->value({middle});
+      if (value.is_undefined()) return hardware_answer::none;
+      over = value + slope * (x - middle);  // the mean value theorem
+    }
+    if (!contains_zero(over)) {
+      exclude(b.x, to_ball(x, first_bits));
+      return hardware_answer::settled;
+    }
+    if (contains_zero(slope)) {
+      constexpr double least_gain = 256;
+      return value.width() * least_gain < over.width() ? hardware_answer::wide
+                                                       : hardware_answer::none;
+    }
+    const double_interval image = middle - value / slope;
+    if (image.is_undefined()) return hardware_answer::wide;
+    if (add_by_newton(b, b.x, x, image)) return hardware_answer::settled;
+    // A root near an end, or at it: in a wider box.
+    const exact_box wide = widened(b.x);
+    const double_interval wider(double_interval(*wide.lower).lower(),
+                                double_interval(*wide.upper).upper());
+    ++result_.evaluations;
+    const double_interval around = f->over(wider).slope;
+    // Undefined where the slope may be 0.
+    const double_interval wider_image = middle - value / around;
+    if (add_by_newton(b, wide, wider, wider_image)) return hardware_answer::settled;
+    const exact_box part{rational(std::max(image.lower(), x.lower())),
+                         rational(std::min(image.upper(), x.upper()))};
+    return keeps_only(part, b, to_ball(x, first_bits)) ? hardware_answer::settled
+                                                       : hardware_answer::wide;
+  }
+
+  /// Adds the root in x, of which `done` is a part, where Newton's image of x lies in x.
+  bool add_by_newton(const work_box& b, const exact_box& done, const double_interval& x,
+                     const double_interval& image) {
+    if (image.is_undefined() || image.lower() < x.lower() || image.upper() > x.upper()) {
+      return false;
+    }
+    add_simple_root(b, done, to_ball(x, first_bits), to_ball(image, first_bits));
+    return true;
   }
 
   /// There is no root in x, nor in the set, which holds it.
@@ -185,11 +271,17 @@ class examination {
         return true;
       }
     }
-    if (is_long(b.x)) return false;  // a cut in size gains more
     const ball left = intersection(image, x);
     if (left.is_undefined() || !left.is_bounded()) return false;
+    return keeps_only(exact_ends(left), b, x);
+  }
+
+  /// The roots in the box, which lies in x, are in the part. True where the box is settled, as the
+  /// part that is left is narrower, or empty.
+  bool keeps_only(exact_box part, const work_box& b, const ball& x) {
+    if (is_long(b.x)) return false;  // a cut in size gains more
     work_box rest = b;
-    rest.x = exact_ends(left);
+    rest.x = std::move(part);
     rest.x.lower = std::max(*rest.x.lower, *b.x.lower);
     rest.x.upper = std::min(*rest.x.upper, *b.x.upper);
     if (*rest.x.upper < *rest.x.lower) {
@@ -370,6 +462,10 @@ class examination {
   }
   std::optional<exact_zero> exact_zero_at(const pi_combination& at, const work_box& b) {
     exact_zero r{at, 0};
+    // Where a value shows that there is none, at a small part of the cost.
+    ++result_.evaluations;
+    const ball value = evaluator(b.problem, b.bits).value(at.at(b.bits));
+    if (is_certainly_not_zero(value)) return std::nullopt;
     for (const int order : {1, 8, 40}) {
       const auto s = structure(problem(b), function_structure::variable_at(r.at, order, b.bits));
       if (!s || !s->series()) return std::nullopt;

@@ -6,13 +6,18 @@
 #include <memory>
 #include <utility>
 
+#include "roots/contraction.hpp"
 #include "state.hpp"
 
 namespace polhode::detail {
 
 /// The evaluators of one thread.
-using evaluators =
-    std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>>;
+struct evaluators {
+  /// By the number of the problem and the precision.
+  std::map<std::pair<std::size_t, precision>, std::shared_ptr<const function_evaluator>> in_balls;
+  /// By the number of the problem; nullptr where there is none.
+  std::map<std::size_t, std::unique_ptr<contraction>> in_hardware;
+};
 
 /// Whether the box has a root, none, or has to be cut; it depends on the box and the options alone.
 [[nodiscard]] outcome examine_box(const root_search::state& s, const isolate_options& options,

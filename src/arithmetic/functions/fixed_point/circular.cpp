@@ -48,8 +48,12 @@ namespace polhode::detail {
 
 using namespace fixed_point;
 
-near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude& sine_error,
-                       magnitude& cosine_error) {
+namespace {
+
+/// near_sin_cos where neither value is below about 2^-(range_log2 + near_zero). `lost` becomes the
+/// zero bits at the top of a value that is below that, and so was not found.
+near_pair sin_cos_beside(long near_zero, mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x,
+                         magnitude& sine_error, magnitude& cosine_error, long& lost) {
   near_pair found{false, false};
   const mpfr_ptr either = sine != nullptr ? sine : cosine;
   if (mpfr_regular_p(x) == 0 || mpfr_get_exp(x) > range_log2 || mpfr_get_exp(x) < -range_log2 ||
@@ -59,8 +63,9 @@ near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude&
   const long small = std::max<long>(-mpfr_get_exp(x), 0);
   // With more limbs the two series by tables take longer than one by halving and a square root.
   constexpr long most_limbs_by_tables = 3;
-  long w = limbs_for_tables(mpfr_get_prec(either), small + bits_of_turns(x));
-  const bool tabulated = w <= most_limbs_by_tables;
+  long w = limbs_for_tables(mpfr_get_prec(either), small + bits_of_turns(x) + near_zero);
+  const bool tabulated = w <= (near_zero == 0 ? most_limbs_by_tables : most_tabulated_limbs);
+  if (!tabulated && near_zero > 0) return found;
   if (!tabulated) w = limbs_for_halving(mpfr_get_prec(either), 2 * small);
   if (w > most_limbs) return found;
   // |x| = n pi/4 + t, cut off by one unit, with an error of n units.
@@ -85,9 +90,12 @@ near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude&
     const bool by_sine = quadrant % 2 == 0;
     number& value = by_sine ? sine_of_t : cosine_of_t;
     if (by_sine) {
+      const long zeros = leading_zeros(t.data(), w);
+      if (zeros > range_log2 + near_zero) {
+        lost = zeros;
+        return false;
+      }
       if (!tabulated) {
-        const long zeros = leading_zeros(t.data(), w);
-        if (zeros > range_log2) return false;
         units = sine_from_versine(value.data(), v, first_units, zeros, w);
       }
       value[w] = 0;
@@ -101,6 +109,21 @@ near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude&
   if (sine != nullptr) found.sine = set(sine, quarters, mpfr_sgn(x) < 0, sine_error);
   if (cosine != nullptr) found.cosine = set(cosine, quarters + 1, false, cosine_error);
   return found;
+}
+
+}  // namespace
+
+near_pair near_sin_cos(mpfr_ptr sine, mpfr_ptr cosine, mpfr_srcptr x, magnitude& sine_error,
+                       magnitude& cosine_error) {
+  long lost = 0;
+  near_pair found = sin_cos_beside(0, sine, cosine, x, sine_error, cosine_error, lost);
+  if (lost == 0) return found;
+  // One of them is near 0: its bits begin below those zeros.
+  const mpfr_ptr missing_sine = found.sine ? nullptr : sine;
+  const mpfr_ptr missing_cosine = found.cosine ? nullptr : cosine;
+  const near_pair more =
+      sin_cos_beside(lost, missing_sine, missing_cosine, x, sine_error, cosine_error, lost);
+  return {found.sine || more.sine, found.cosine || more.cosine};
 }
 
 bool near_sin(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
