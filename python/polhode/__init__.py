@@ -14,9 +14,10 @@ import math as _math
 
 from . import _polhode
 from ._polhode import *  # noqa: F403: the functions of formulas, by their names
-from ._polhode import (ComplexRoot, ComplexRoots, Formula, Integral, Root, Roots, Symbol,
-                       SystemRoots, Undecided, __version__, ball, certainly_less, complex_roots,
-                       eval, formula, functions, integrate, roots, solve_system)
+from ._polhode import (BoxIntegral, ComplexRoot, ComplexRoots, ContourIntegral, Formula, Integral,
+                       Path, Root, Roots, Symbol, SystemRoots, Undecided, __version__, ball,
+                       certainly_less, complex_ball, complex_roots, eval, formula, functions,
+                       integrate, integrate_along, integrate_box, roots, solve_system)
 from .bodies import (Body, PolhodeError, certify, check, constants, cost, figures, grid, merged,
                      table)
 from .program import run
@@ -25,9 +26,10 @@ from .scenes import Page, Scene, SceneAnswer, Table
 oo = _math.inf
 
 __all__ = [
-    "Body", "ComplexRoot", "ComplexRoots", "Formula", "Integral", "Page", "PolhodeError",
-    "Root", "Roots", "Scene", "SceneAnswer", "Symbol", "SystemRoots", "Table", "Undecided",
-    "ball", "catalan", "certainly_less", "certify", "check", "complex_roots", "constants",
-    "cost", "e", "euler_gamma", "eval", "figures", "formula", "functions", "grid", "integrate",
-    "merged", "oo", "pi", "roots", "run", "solve_system", "table", *functions,
+    "Body", "BoxIntegral", "ComplexRoot", "ComplexRoots", "ContourIntegral", "Formula", "Integral",
+    "Page", "Path", "PolhodeError", "Root", "Roots", "Scene", "SceneAnswer", "Symbol",
+    "SystemRoots", "Table", "Undecided", "ball", "catalan", "certainly_less", "certify", "check",
+    "complex_ball", "complex_roots", "constants", "cost", "e", "euler_gamma", "eval", "figures",
+    "formula", "functions", "grid", "integrate", "integrate_along", "integrate_box", "merged",
+    "oo", "pi", "roots", "run", "solve_system", "table", *functions,
 ]

@@ -1,12 +1,7 @@
-// Values, integrals, roots and systems: long work, without the interpreter's lock.
+// Values, roots and systems.
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <complex>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 #include <pybind11/complex.h>
@@ -14,10 +9,9 @@
 
 #include "conversions.hpp"
 #include "formulas.hpp"
+#include "interruptible.hpp"
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
-#include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/roots/systems.hpp"
@@ -27,72 +21,6 @@
 namespace polhode::python {
 
 namespace {
-
-/// Ctrl-C was pressed: what a thread leaves its work with.
-struct stopped {};
-
-using stop_flag = std::shared_ptr<std::atomic<bool>>;
-
-/// The result of work(flag), on a thread of its own, while this one listens to signals. On Ctrl-C,
-/// and with TimeoutError after so many seconds, the caller goes on at once; the thread ends where
-/// the work looks at the flag, and its result is dropped.
-template <class Work>
-auto interruptible(std::optional<double> time_limit, Work work) {
-  if (time_limit && !(*time_limit > 0))
-    throw input_error("time_limit must be positive, in seconds");
-  using result_type = decltype(work(stop_flag()));
-  struct shared_state {
-    std::mutex mutex;
-    std::condition_variable is_done;
-    bool done = false;
-    std::optional<result_type> result;
-    std::exception_ptr error;
-  };
-  const auto state = std::make_shared<shared_state>();
-  const auto flag = std::make_shared<std::atomic<bool>>(false);
-  std::thread([state, flag, work = std::move(work)] {
-    std::optional<result_type> result;
-    std::exception_ptr error;
-    try {
-      result.emplace(work(flag));
-    } catch (...) {
-      error = std::current_exception();
-    }
-    const std::lock_guard lock(state->mutex);
-    state->result = std::move(result);
-    state->error = error;
-    state->done = true;
-    state->is_done.notify_all();
-  }).detach();
-  constexpr auto between_signals = std::chrono::milliseconds(50);
-  const auto start = std::chrono::steady_clock::now();
-  while (true) {
-    bool done = false;
-    {
-      const py::gil_scoped_release without_lock;
-      std::unique_lock lock(state->mutex);
-      done = state->is_done.wait_for(lock, between_signals, [&] { return state->done; });
-    }
-    if (done) break;
-    if (PyErr_CheckSignals() != 0) {
-      *flag = true;
-      throw py::error_already_set();
-    }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    if (time_limit && elapsed.count() > *time_limit) {
-      *flag = true;
-      PyErr_Format(PyExc_TimeoutError, "not finished within time_limit=%s seconds",
-                   fmt::format("{}", *time_limit).c_str());
-      throw py::error_already_set();
-    }
-  }
-  if (state->error) std::rethrow_exception(state->error);
-  return std::move(*state->result);
-}
-
-void expect_going_on(const stop_flag& flag) {
-  if (*flag) throw stopped();
-}
 
 // -----------------------------------------------------------------------------------------------
 
@@ -115,56 +43,6 @@ T item(const std::vector<T>& list, long i) {
   const auto n = static_cast<long>(list.size());
   if (i < -n || i >= n) throw py::index_error();
   return list[static_cast<std::size_t>(i < 0 ? i + n : i)];
-}
-
-std::string number_text(const ball& x, long digits) { return to_decimal(x, digits); }
-
-struct integral_answer {
-  integral found;
-  long digits;
-  [[nodiscard]] bool is_certified() const { return found.verdict == status::certified; }
-  [[nodiscard]] std::string reason_text() const {
-    if (is_certified()) return "";
-    return found.obstacle.empty() ? to_text(found.why)
-                                  : to_text(found.why) + " (" + found.obstacle + ")";
-  }
-  [[nodiscard]] std::string text() const {
-    return fmt::format("<integral {}: {}{}>", number_text(found.enclosure, digits),
-                       to_text(found.verdict), is_certified() ? "" : ", " + reason_text());
-  }
-};
-
-py::dict account_of(const integral_account& a) {
-  using namespace py::literals;
-  py::list rules;
-  for (const quadrature_rule& r : a.rules) rules.append(to_text(r));
-  return py::dict("rules"_a = rules, "panels"_a = a.panels, "evaluations"_a = a.evaluations,
-                  "region_evaluations"_a = a.region_evaluations, "terms"_a = a.terms,
-                  "precision"_a = a.precision);
-}
-
-integral_answer integrate_from_python(py::handle f, py::handle a, py::handle b, long digits,
-                                      int threads, std::optional<long> absolute_exponent,
-                                      std::optional<double> time_limit) {
-  const expression formula = formula_from(f, {"x"});
-  const end_point from = end_from(a);
-  const end_point to = end_from(b);
-  integrate_options options;
-  options.digits = checked_digits(digits);
-  options.threads = threads;
-  options.absolute_exponent = absolute_exponent;
-  return interruptible(time_limit, [=](const stop_flag& flag) {
-    integrate_options watched = options;
-    watched.progress = [&](const integration_progress&) { expect_going_on(flag); };
-    integral found;
-    if (const auto exact = exact_integral(formula, from, to)) {
-      found.enclosure = ball(*exact, bits_for_digits(options.digits) + 64);
-      found.verdict = status::certified;
-    } else {
-      found = integrate(formula, from, to, watched);
-    }
-    return integral_answer{std::move(found), digits};
-  });
 }
 
 // -----------------------------------------------------------------------------------------------
@@ -225,23 +103,6 @@ struct complex_roots_result {
   long digits = default_digits;
   bool complete = false;
 };
-
-/// "1 - 2.5...j".
-std::string complex_text(const complex_ball& z, long digits) {
-  const std::string re = number_text(z.re, digits);
-  if (sign_of(z.im) == certain_sign::zero) return re;
-  const bool is_below = certainly_negative(z.im);
-  return fmt::format("{} {} {}j", re, is_below ? '-' : '+',
-                     number_text(is_below ? -z.im : z.im, digits));
-}
-
-/// A formula of z; of z and i, where it has the imaginary unit.
-expression complex_formula_from(py::handle f) {
-  if (!py::isinstance<py::str>(f)) return equation_from(f, {"z"});
-  const expression with_unit = equation_from(f, {"z", "i"});
-  const std::vector<std::string> used = with_unit.used_variables();
-  return std::ranges::find(used, "i") == used.end() ? equation_from(f, {"z"}) : with_unit;
-}
 
 complex_rectangle rectangle_from(const py::sequence& corners) {
   const auto part = [&](std::size_t corner, std::size_t which) {
@@ -365,38 +226,6 @@ void declare_computations(py::module_& m) {
 19.999099979189475767...
 )doc");
 
-  py::class_<integral_answer>(m, "Integral", "An integral with its proof, or how far it got.")
-      .def_property_readonly(
-          "value", [](const integral_answer& a) { return a.found.enclosure; },
-          "A ball that holds the integral, whatever the verdict.")
-      .def_property_readonly("certified", &integral_answer::is_certified,
-                             "All digits asked for are proved.")
-      .def_property_readonly("reason", &integral_answer::reason_text,
-                             "Why it is not certified; empty where it is.")
-      .def_property_readonly(
-          "account", [](const integral_answer& a) { return account_of(a.found.account); },
-          "What it cost: rules, panels, evaluations, bits.")
-      .def("__bool__", &integral_answer::is_certified)
-      .def("__float__", [](const integral_answer& a) { return nearest_double(a.found.enclosure); })
-      .def("__str__",
-           [](const integral_answer& a) { return number_text(a.found.enclosure, a.digits); })
-      .def("__repr__", &integral_answer::text);
-  m.def("integrate", &integrate_from_python, py::arg("f"), py::arg("a"), py::arg("b"),
-        py::arg("digits") = default_digits, py::kw_only(), py::arg("threads") = 1,
-        py::arg("absolute_exponent") = py::none(), py::arg("time_limit") = py::none(),
-        R"doc(The integral of f from a to b, to so many certain digits, with a proof.
-
-f is a text ("exp(-x^2)"), a function of a symbol (lambda x: polhode.exp(-x*x)), which is called
-once, or a SymPy expression. The ends are exact numbers, texts ("pi/2", "inf") or polhode.oo.
-absolute_exponent: a radius of at most 2**absolute_exponent will do. time_limit: seconds, after
-which TimeoutError is raised. Raises ValueError for what cannot be read; what cannot be proved is
-said by the answer.
-
->>> import polhode
->>> print(polhode.integrate(lambda x: polhode.exp(-x*x), 0, polhode.oo, 30))
-0.886226925452758013649083741670...
-)doc");
-
   py::class_<root_answer>(m, "Root", "A root, or a part of the range that may hold roots.")
       .def_readonly("value", &root_answer::value, "A ball that holds it.")
       .def_property_readonly("verdict", [](const root_answer& r) { return to_text(r.verdict); })
@@ -411,10 +240,10 @@ said by the answer.
       .def_property_readonly("is_proved",
                              [](const root_answer& r) { return is_one_root(r.verdict); })
       .def("__float__", [](const root_answer& r) { return nearest_double(r.value); })
-      .def("__str__", [](const root_answer& r) { return number_text(r.value, r.digits); })
+      .def("__str__", [](const root_answer& r) { return to_decimal(r.value, r.digits); })
       .def("__repr__", [](const root_answer& r) {
         return fmt::format(
-            "<root {}: {}>", number_text(r.value, r.digits),
+            "<root {}: {}>", to_decimal(r.value, r.digits),
             r.multiplicity > 1 ? fmt::format("multiple {}", r.multiplicity) : to_text(r.verdict));
       });
   py::class_<roots_answer>(m, "Roots", "All roots in a range, in ascending order: a sequence.")
@@ -459,7 +288,7 @@ said by the answer.
             fmt::format("<{} root{}{}, {}", a.roots.size(), a.roots.size() == 1 ? "" : "s",
                         one ? " in one period, " + to_text(one->period) : "",
                         a.certified ? "certified" : "not certified");
-        for (const root_answer& r : a.roots) text += "\n  " + number_text(r.value, 20);
+        for (const root_answer& r : a.roots) text += "\n  " + to_decimal(r.value, 20);
         return text + ">";
       });
   m.def("roots", &roots_from_python, py::arg("f"), py::arg("a"), py::arg("b"),
@@ -475,6 +304,9 @@ said by the answer.
 )doc");
 
   py::class_<complex_root_answer>(m, "ComplexRoot", "A complex root, or several.")
+      .def_property_readonly(
+          "value", [](const complex_root_answer& r) { return r.zero.enclosure; },
+          "A complex ball that holds it.")
       .def_property_readonly(
           "real", [](const complex_root_answer& r) { return r.zero.enclosure.re; },
           "A ball that holds the real part.")

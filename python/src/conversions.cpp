@@ -1,10 +1,12 @@
 #include "conversions.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "polhode/arithmetic/scalar.hpp"
+#include "polhode/arithmetic/text.hpp"
 
 namespace polhode::python {
 
@@ -81,6 +83,37 @@ std::optional<symbol> symbol_from(py::handle x) {
   if (py::isinstance<ball>(x)) return symbol(x.cast<ball>());
   if (const auto q = exact_number_from(x)) return symbol(*q);
   return std::nullopt;
+}
+
+std::optional<complex_ball> complex_from(py::handle x, precision p) {
+  if (py::isinstance<complex_ball>(x)) return x.cast<complex_ball>();
+  if (py::isinstance<ball>(x)) return complex_ball(x.cast<ball>());
+  if (PyComplex_Check(x.ptr()) != 0) {
+    const auto part = [&](double value) {
+      if (std::isfinite(value) && std::floor(value) == value) return ball(rational(value), p);
+      throw wrong_type(fmt::format(
+          "{} has a part that is a float, a binary number that is seldom the decimal it looks "
+          "like: write complex_ball(\"0.1\", \"0.2\")",
+          py::repr(x).cast<std::string>()));
+    };
+    return complex_ball(part(PyComplex_RealAsDouble(x.ptr())),
+                        part(PyComplex_ImagAsDouble(x.ptr())));
+  }
+  if (const auto q = exact_number_from(x)) return complex_ball(ball(*q, p));
+  return std::nullopt;
+}
+
+std::string complex_text(const complex_ball& z, long digits) {
+  if (z.is_undefined()) return "undefined";
+  const std::string re = to_decimal(z.re, digits);
+  if (sign_of(z.im) == certain_sign::zero) return re;
+  const bool is_below = certainly_negative(z.im);
+  return fmt::format("{} {} {}j", re, is_below ? '-' : '+',
+                     to_decimal(is_below ? -z.im : z.im, digits));
+}
+
+long digits_of(precision p) {
+  return std::max(1L, static_cast<long>(static_cast<double>(p) * 0.30103) - 2);
 }
 
 double nearest_double(const ball& x) {

@@ -8,6 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/symbol.hpp"
 
@@ -41,6 +42,14 @@ inline constexpr long default_digits = 50;
 /// The same numbers, a ball or a symbol; nothing for what is none of them.
 [[nodiscard]] std::optional<symbol> symbol_from(py::handle x);
 
+/// One of those numbers, a ball, a complex ball, or a complex whose parts are integers; exact
+/// numbers with p bits. Nothing for what is none of them. Throws wrong_type for another complex.
+[[nodiscard]] std::optional<complex_ball> complex_from(py::handle x, precision p);
+/// "1 - 2.5...j".
+[[nodiscard]] std::string complex_text(const complex_ball& z, long digits);
+/// The digits that a precision is worth.
+[[nodiscard]] long digits_of(precision p);
+
 /// The double nearest to the middle; a NaN where nothing is known.
 [[nodiscard]] double nearest_double(const ball& x);
 
@@ -48,7 +57,9 @@ inline constexpr long default_digits = 50;
 [[nodiscard]] long checked_digits(long digits);
 
 void declare_numbers(py::module_& m);
+void declare_complex_numbers(py::module_& m);
 void declare_formulas(py::module_& m);
+void declare_integrals(py::module_& m);
 void declare_computations(py::module_& m);
 
 }  // namespace polhode::python

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -92,9 +93,14 @@ class numbers_or_symbols {
     for (const py::handle x : arguments) {
       has_symbol_ = has_symbol_ || py::isinstance<symbol>(x);
       if (py::isinstance<ball>(x)) bits_ = x.cast<const ball&>().precision();
+      if (is_complex(x)) {
+        has_complex_ = true;
+        if (py::isinstance<complex_ball>(x)) bits_ = x.cast<const complex_ball&>().precision();
+      }
     }
   }
   [[nodiscard]] bool has_symbol() const { return has_symbol_; }
+  [[nodiscard]] bool has_complex() const { return has_complex_; }
   /// Those of a ball among them, which exact numbers take.
   [[nodiscard]] precision bits() const { return bits_; }
   [[nodiscard]] std::vector<ball> balls() const {
@@ -102,6 +108,14 @@ class numbers_or_symbols {
     for (const py::handle x : arguments_) {
       result.push_back(py::isinstance<ball>(x) ? x.cast<ball>()
                                                : ball(rational_from(x, what_.c_str()), bits_));
+    }
+    return result;
+  }
+  [[nodiscard]] std::vector<complex_ball> complex_balls() const {
+    std::vector<complex_ball> result;
+    for (const py::handle x : arguments_) {
+      const auto z = complex_from(x, bits_);
+      result.push_back(z ? *z : complex_ball(ball(rational_from(x, what_.c_str()), bits_)));
     }
     return result;
   }
@@ -117,9 +131,60 @@ class numbers_or_symbols {
  private:
   const py::args& arguments_;
   std::string what_;
+  static bool is_complex(py::handle x) {
+    return py::isinstance<complex_ball>(x) || PyComplex_Check(x.ptr()) != 0;
+  }
+
   bool has_symbol_ = false;
+  bool has_complex_ = false;
   precision bits_ = bits_for_digits(default_digits) + 8;
 };
+
+/// A list, a tuple, or an array of NumPy that has a length: a number of NumPy's has none.
+bool is_list(py::handle x) {
+  return py::isinstance<py::list>(x) || py::isinstance<py::tuple>(x) ||
+         (py::hasattr(x, "__array__") && py::hasattr(x, "ndim") && x.attr("ndim").cast<long>() > 0);
+}
+
+/// f(arguments); where some of them are lists or arrays, which have one length, the list of the
+/// results for their members.
+template <class F>
+py::object member_by_member(const py::args& arguments, const F& f) {
+  std::optional<std::size_t> length;
+  for (const py::handle x : arguments) {
+    if (!is_list(x)) continue;
+    const std::size_t own = py::len(x);
+    if (length && *length != own) {
+      throw input_error(fmt::format("the lists have {} and {} members", *length, own));
+    }
+    length = own;
+  }
+  if (!length) return f(arguments);
+  py::list results;
+  for (std::size_t i = 0; i < *length; ++i) {
+    py::list members;
+    for (const py::handle x : arguments) {
+      if (is_list(x)) {
+        members.append(x.attr("__getitem__")(i));
+      } else {
+        members.append(x);
+      }
+    }
+    results.append(member_by_member(py::args(py::tuple(members)), f));
+  }
+  return results;
+}
+
+/// The function of that name of so many variables.
+expression of_variables(const std::string& name, std::size_t count) {
+  std::vector<symbol> variables;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count; ++i) {
+    variables.push_back(symbol::variable(i));
+    names.push_back(fmt::format("z{}", i));
+  }
+  return formula_of(symbol::call(kept(name), variables), names);
+}
 
 py::object call(const std::string& name, const named_function& f, const py::args& arguments) {
   const auto of_balls = f.of_arity.find(arguments.size());
@@ -132,10 +197,24 @@ py::object call(const std::string& name, const named_function& f, const py::args
                                  arities == "1" ? "" : "s", arguments.size()));
   }
   const numbers_or_symbols given(arguments, "the argument of " + name);
+  if (given.has_complex()) {
+    const expression formula = of_variables(name, arguments.size());
+    return py::cast(formula.evaluate(std::span<const complex_ball>(given.complex_balls())));
+  }
   if (!given.has_symbol() && of_balls->second) return py::cast(of_balls->second(given.balls()));
   const symbol result = symbol::call(kept(name), given.symbols());
   if (given.has_symbol()) return py::cast(result);
   return py::cast(formula_of(result, {}).value(given.bits()));
+}
+
+py::object value_at(const expression& f, const py::args& arguments) {
+  const numbers_or_symbols given(arguments, "a value");
+  if (arguments.size() == 0) return py::cast(f.value(given.bits()));
+  if (given.has_complex()) {
+    return py::cast(f.evaluate(std::span<const complex_ball>(given.complex_balls())));
+  }
+  if (given.has_symbol()) return py::cast(f.evaluate(std::span<const symbol>(given.symbols())));
+  return py::cast(f.evaluate(std::span<const ball>(given.balls())));
 }
 
 /// How SymPy writes what Polhode writes otherwise.
@@ -261,28 +340,29 @@ the formula. polhode.pi, polhode.e, polhode.euler_gamma and polhode.catalan are 
       .def_property_readonly("variables", &expression::variables)
       .def(
           "__call__",
-          [](const expression& f, const py::args& arguments) -> py::object {
+          [](const expression& f, const py::args& arguments) {
             if (arguments.size() != f.variables().size()) {
               throw wrong_type(
                   fmt::format("the formula has {} variables, and {} numbers were given",
                               f.variables().size(), arguments.size()));
             }
-            const numbers_or_symbols given(arguments, "a value");
-            if (arguments.size() == 0) return py::cast(f.value(given.bits()));
-            if (given.has_symbol()) {
-              return py::cast(f.evaluate(std::span<const symbol>(given.symbols())));
-            }
-            return py::cast(f.evaluate(std::span<const ball>(given.balls())));
+            return member_by_member(arguments,
+                                    [&](const py::args& one) { return value_at(f, one); });
           },
-          "The value at balls or exact numbers; at symbols, a formula.");
+          "The value at balls, complex balls or exact numbers; at symbols, a formula; at lists, a "
+          "list.");
   m.def("formula", &formula_from, py::arg("f"),
         py::arg("variables") = std::vector<std::string>{"x"},
         "A formula in the variables, of a text, a function of symbols, or a SymPy expression.");
   py::dict functions;
   for (const auto& [name, f] : all_functions()) {
-    const std::string text = f.description + "\nOf balls, exact numbers and symbols.";
+    const std::string text =
+        f.description + "\nOf balls, complex balls, exact numbers, symbols, and lists of them.";
     m.def(
-        name.c_str(), [name = name, &f = f](const py::args& x) { return call(name, f, x); },
+        name.c_str(),
+        [name = name, &f = f](const py::args& x) {
+          return member_by_member(x, [&](const py::args& one) { return call(name, f, one); });
+        },
         text.c_str());
     functions[name.c_str()] = f.description;
   }

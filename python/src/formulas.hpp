@@ -19,6 +19,9 @@ namespace polhode::python {
 /// The same; of a text that is an equation "f = g" the formula f - g.
 [[nodiscard]] expression equation_from(pybind11::handle f,
                                        const std::vector<std::string>& variables);
+/// The same in z; in z and i, where it has the imaginary unit: a text with an i, or a function of
+/// two arguments.
+[[nodiscard]] expression complex_formula_from(pybind11::handle f);
 /// An exact number, a ball, a formula without variables, or an infinity ("inf", math.inf).
 [[nodiscard]] end_point end_from(pybind11::handle x);
 

@@ -18,6 +18,8 @@ PYBIND11_MODULE(_polhode, m) {
   });
   m.attr("__version__") = POLHODE_VERSION;
   declare_numbers(m);
+  declare_complex_numbers(m);
   declare_formulas(m);
+  declare_integrals(m);
   declare_computations(m);
 }

@@ -6,16 +6,12 @@
 #include "conversions.hpp"
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/scalar.hpp"
 #include "polhode/arithmetic/text.hpp"
 
 namespace polhode::python {
 
 namespace {
-
-/// The digits that a precision is worth.
-long digits_of(const ball& x) {
-  return std::max(1L, static_cast<long>(static_cast<double>(x.precision()) * 0.30103) - 2);
-}
 
 ball made(py::handle x, long digits) {
   const precision p = bits_for_digits(checked_digits(digits)) + 8;
@@ -83,7 +79,7 @@ py::str formatted(const ball& x, const std::string& how) {
                           digits.find_first_not_of("0123456789") == std::string::npos;
   if (point == std::string::npos || has_digits) {
     const std::string text =
-        to_decimal(x, has_digits ? checked_digits(std::stol(digits)) : digits_of(x));
+        to_decimal(x, has_digits ? checked_digits(std::stol(digits)) : digits_of(x.precision()));
     try {
       return py::str(text).attr("__format__")(how.substr(0, point));
     } catch (const py::error_already_set& error) {
@@ -97,7 +93,7 @@ py::str formatted(const ball& x, const std::string& how) {
 }
 
 std::string latex(const ball& x) {
-  const decimal_enclosure d = to_decimal_enclosure(x, digits_of(x));
+  const decimal_enclosure d = to_decimal_enclosure(x, digits_of(x.precision()));
   std::string text = to_text(d);
   const auto replace = [&](const std::string& from, const std::string& to) {
     if (const auto at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
@@ -159,7 +155,10 @@ binary number itself. A comparison that the sets do not decide raises polhode.Un
       .def_property_readonly("is_undefined", &ball::is_undefined, "Nothing is known of it.")
       .def_property_readonly("precision", &ball::precision, "The bits that it is kept with.")
       .def(
-          "digits", [](const ball& x) { return to_decimal_enclosure(x, 10 * digits_of(x)).digits; },
+          "digits",
+          [](const ball& x) {
+            return to_decimal_enclosure(x, 10 * digits_of(x.precision())).digits;
+          },
           "The number of significant digits that are certain.")
       .def("contains", with_other([](const ball& x, const ball& y) { return contains(x, y); }),
            "It holds the other ball, or the number.")
@@ -192,8 +191,23 @@ binary number itself. A comparison that the sets do not decide raises polhode.Un
              return true;
            })
       .def("__format__", &formatted)
-      .def("__str__", [](const ball& x) { return to_decimal(x, digits_of(x)); })
-      .def("__repr__", [](const ball& x) { return "<ball " + to_decimal(x, digits_of(x)) + ">"; })
+      .def(
+          "_mpmath_",
+          [](const ball& x, py::handle bits, py::handle rounding) {
+            const mpfr_float middle = midpoint(expect_bounded(x));
+            integer mantissa;
+            long exponent = 0;
+            if (mpfr_zero_p(middle.backend().data()) == 0) {
+              exponent = mpfr_get_z_2exp(mantissa.backend().data(), middle.backend().data());
+            }
+            const py::object make = py::module_::import("mpmath.libmp").attr("from_man_exp");
+            return py::module_::import("mpmath").attr("mp").attr("make_mpf")(
+                make(to_python(mantissa), exponent, bits, rounding));
+          },
+          "The middle as mpmath.mpf(ball) has it, rounded to mpmath's precision.")
+      .def("__str__", [](const ball& x) { return to_decimal(x, digits_of(x.precision())); })
+      .def("__repr__",
+           [](const ball& x) { return "<ball " + to_decimal(x, digits_of(x.precision())) + ">"; })
       .def("_repr_latex_", &latex)
       .def(py::pickle([](const ball& x) { return py::make_tuple(to_exact_text(x), x.precision()); },
                       [](const py::tuple& state) {

@@ -13,7 +13,9 @@ from polhode import _polhode, ball
 THINGS = [None, True, 0, 1, -1, 7, 2**70, -(10**30), 0.5, -3.0, math.nan, math.inf, -math.inf, "x",
           "", "sin(x)", "1/3", "-0.1", "inf", "nan", "pi", "((", [], {}, (), object(), b"x",
           fractions.Fraction(1, 3), ball(2), ball("0.1", 20), ball.hull_of(-1, 1),
-          ball(0) / ball(0), polhode.pi, polhode.Symbol, lambda x: x, lambda x: 1 / (x - x),
+          ball(0) / ball(0), polhode.complex_ball(1, "0.5"), 1 + 2j, [1, ball(2)], (0, (1, 1)),
+          {"k": (1, 2)}, polhode.Path.circle(), polhode.pi, polhode.Symbol, lambda x: x,
+          lambda x: 1 / (x - x),
           lambda: 1, polhode.sin]
 NUMBERS = list(polhode.functions)
 
@@ -51,6 +53,10 @@ def test_computations_of_anything(seed):
     computations = [lambda x, y, z: polhode.integrate(x, y, z, 5, **limit),
                     lambda x, y, z: polhode.roots(x, y, z, 5, **limit),
                     lambda x, y, z: polhode.eval(x, 5, **limit),
+                    lambda x, y, z: polhode.integrate_along(x, y, 5, **limit),
+                    lambda x, y, z: polhode.integrate_along(x, [y, z], 5, **limit),
+                    lambda x, y, z: polhode.integrate_box(x, y, 1, z, 5, **limit),
+                    lambda x, y, z: polhode.complex_ball(x, y).contains(z),
                     lambda x, y, z: polhode.formula(x)(y),
                     lambda x, y, z: polhode.solve_system([x], [(y, z)], digits=5, **limit),
                     lambda x, y, z: polhode.solve_system(x, y, z)]

@@ -175,3 +175,75 @@ def test_control_c_ends_long_work_at_once():
     assert time.monotonic() - start < 60  # and not the many minutes of the integral
     # The work that was left does not disturb what comes after it.
     assert polhode.integrate("exp(x)", 0, 1, 20).certified
+
+
+def test_integrals_along_paths():
+    around = polhode.integrate_along("1/z", [1, 1j, -1, (0, -1), "1"], digits=20)
+    assert around.certified and complex(around) == pytest.approx(2j * math.pi)
+    assert around.value.imag.overlaps(polhode.eval("2*pi", 30))
+    circle = polhode.Path.circle("i", "1/2")
+    assert polhode.integrate_along(lambda z: 1 / (z*z + 1), circle, 20).value.real.overlaps(
+        polhode.eval("pi", 30))
+    half = polhode.Path.arc(0, 1, 0, "pi")
+    assert len(half + -half) == 2
+    there_and_back = polhode.integrate_along("exp(z)*i", half + -half, 10)
+    assert there_and_back and there_and_back.value.contains(0)
+    with_unit = polhode.integrate_along(lambda z, i: polhode.exp(i*z), [0, "pi"], 20)
+    assert with_unit.value.overlaps(2j)
+    cut = polhode.integrate_along("sqrt(z)", [(1, 0), (-1, 1), (-1, -1)], 20)
+    assert not cut and "branch cut of sqrt" in cut.reason and str(cut) == "undefined"
+    for wrong in [5, "1+i", [(1, 2, 3)], [0.5, 1], [0.5j, 1], None]:
+        with pytest.raises(TypeError):
+            polhode.integrate_along("z", wrong)
+    with pytest.raises(ValueError, match="join|start"):
+        polhode.integrate_along("z", polhode.Path.circle(0, 1) + polhode.Path.circle(5, 1))
+
+
+def test_integrals_over_boxes_of_parameters():
+    spread = polhode.integrate_box("exp(-k*x)", 0, 1, {"k": (1, "1.1")})
+    assert spread and spread.attained
+    for k in ["1", "1.05", "1.1"]:
+        assert spread.value.contains(polhode.integrate(f"exp(-{k}*x)", 0, 1, 10).value)
+    more = polhode.integrate_box(lambda x, k, m: polhode.exp(-k*m*x), 0, 1,
+                                 {"k": (1, 2), "m": ball.hull_of(1, 2)}, most_boxes=8)
+    assert more.value.contains(polhode.integrate("exp(-3*x)", 0, 1, 10).value)
+    assert more.boxes >= 1 and more.integrals >= more.boxes
+    for wrong in [{"k": 5}, {"k": (1, 2, 3)}, {"k": (0.5, 1)}]:
+        with pytest.raises(TypeError):
+            polhode.integrate_box("k*x", 0, 1, wrong)
+    for wrong in [{"k": (2, 1)}, {}, {"sin": (1, 2)}]:
+        with pytest.raises(ValueError):
+            polhode.integrate_box("k*x", 0, 1, wrong)
+
+
+def test_a_rule_is_chosen_by_its_name():
+    by = polhode.integrate("exp(-x)", 0, 1, 20, rule="gauss-legendre")
+    assert by.account["rules"] == ["Gauss-Legendre"]
+    assert by.value.overlaps(polhode.integrate("exp(-x)", 0, 1, 30).value)
+    assert "turned rays need" in polhode.integrate("1/(1+x)", 0, 1, rule="turned-rays").reason
+    with pytest.raises(ValueError, match="\"taylor-series\""):
+        polhode.integrate("x", 0, 1, rule="simpson")
+
+
+def test_progress_is_told_and_may_end_the_work():
+    told = []
+    polhode.integrate("exp(sin(x^2))*abs(sin(x))", 0, 60, 300,
+                      progress=lambda done, panels: told.append((done, panels)))
+    assert told == sorted(told) and all(done <= panels for done, panels in told)
+    with pytest.raises(ZeroDivisionError):
+        polhode.integrate("exp(sin(x^2))*abs(sin(x))", 0, 200, 400,
+                          progress=lambda done, panels: 1 // 0)
+    with pytest.raises(TypeError):
+        polhode.integrate("x", 0, 1, progress=5)
+
+
+def test_lists_are_taken_member_by_member():
+    assert [str(y) for y in polhode.sqrt([1, 4, fractions.Fraction(9, 4)])] == ["1", "2", "1.5"]
+    f = polhode.formula("x^2 + y", ["x", "y"])
+    assert [int(float(v)) for v in f([1, 2, 3], 10)] == [11, 14, 19]
+    assert [int(float(v)) for v in f([1, 2], (5, 6))] == [6, 10]
+    assert polhode.exp([]) == []
+    with pytest.raises(ValueError, match="2 and 3 members"):
+        f([1, 2], [1, 2, 3])
+    numpy = pytest.importorskip("numpy")
+    assert [float(y) for y in polhode.abs(numpy.arange(-2, 1))] == [2.0, 1.0, 0.0]

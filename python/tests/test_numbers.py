@@ -1,5 +1,6 @@
 """Balls: exact numbers in, enclosures out, and no silent floats."""
 
+import cmath
 import decimal
 import fractions
 import pickle
@@ -136,3 +137,49 @@ def test_formats_are_a_width_and_digits():
     for wrong in [".", ".x", ">.x", "q3.2", ".3f", ".9999999999"]:
         with pytest.raises(ValueError, match="width"):
             format(x, wrong)
+
+
+def test_complex_balls():
+    z = polhode.complex_ball("0.1", 2)
+    assert complex(z) == 0.1 + 2j and z.real.contains(F(1, 10)) and z.imag.is_exact
+    assert (z * z).overlaps(z**2) and (1 / z * z).overlaps(1) and (z - 2j).imag.contains(0)
+    assert abs(polhode.complex_ball(3, 4)).contains(5)
+    assert polhode.complex_ball(0, 1).arg().overlaps(polhode.eval("pi/2", 60))
+    assert z.conjugate().imag.contains(-2)
+    assert polhode.complex_ball(1, 2) == 1 + 2j and polhode.complex_ball(1, 2) != 3
+    assert polhode.complex_ball(ball(1), ball(2)) == polhode.complex_ball(1 + 2j)
+    with pytest.raises(polhode.Undecided):
+        z == polhode.complex_ball("0.1", 2)
+    assert (z == "a") is False
+    assert repr(polhode.complex_ball(1, -2)) == "<complex_ball 1 - 2j>"
+    copy = pickle.loads(pickle.dumps(z))
+    assert copy.real.lower == z.real.lower and copy.imag.upper == z.imag.upper
+    for wrong in [lambda: polhode.complex_ball(0.5 + 1j), lambda: polhode.complex_ball(1j, 2),
+                  lambda: polhode.complex_ball(None), lambda: z < z, lambda: hash(z),
+                  lambda: z + "a", lambda: z**None, lambda: z + 0.5j]:
+        with pytest.raises(TypeError):
+            wrong()
+
+
+def test_functions_of_complex_balls_are_their_principal_values():
+    z = polhode.complex_ball("0.1", 2)
+    for name in ["exp", "log", "sin", "cos", "tan", "sinh", "cosh", "tanh", "sqrt", "asin", "acos",
+                 "atan", "asinh", "acosh", "atanh"]:
+        value = getattr(polhode, name)(z)
+        expected = getattr(cmath, name)(0.1 + 2j)
+        assert abs(complex(value) - expected) < 1e-14, name
+    on_circle = polhode.complex_ball(polhode.cos(ball(1)), polhode.sin(ball(1)))
+    assert polhode.exp(1j).overlaps(on_circle)
+    assert polhode.sqrt(polhode.complex_ball(-4)).overlaps(2j)
+    across = polhode.complex_ball(-1, ball.hull_of(-1, 1))
+    assert polhode.log(across).imag.contains(polhode.eval("3*pi/4", 20))
+    assert polhode.log(across).imag.contains(polhode.eval("-3*pi/4", 20))
+    assert str(polhode.gamma(z)) == "undefined"
+    assert polhode.formula("z^2 + 1", ["z"])(1j) == 0
+
+
+def test_mpmath_takes_the_middle():
+    mpmath = pytest.importorskip("mpmath")
+    with mpmath.workdps(40):
+        assert abs(mpmath.mpf(polhode.eval("pi", 60)) - mpmath.pi) < mpmath.mpf(10)**-38
+        assert mpmath.mpf(ball(0)) == 0 and mpmath.mpf(ball(-3)) == -3

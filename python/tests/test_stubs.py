@@ -28,7 +28,7 @@ def test_the_stub_has_the_names_of_the_module():
         if isinstance(getattr(_polhode, name), type):
             public |= {f"{name}.{member}" for member in vars(getattr(_polhode, name))
                        if not member.startswith("_")}
-    types_of_the_stub = {"Exact", "Number", "Function", "End"}
+    types_of_the_stub = {"Exact", "Number", "ComplexNumber", "Point", "Function", "End"}
     assert {name for name in stub if not name.rpartition(".")[2].startswith("_")} \
         - types_of_the_stub == public
 

@@ -23,6 +23,16 @@
 // for every m: the path from p + R e^(i theta) to q + R e^(i theta), on which Im phi >= d_n R^n/2
 // for great R, contributes at most C R^m exp(-d_n R^n/2), which tends to 0.
 //
+// A factor exp(rho) with a real polynomial rho, the sum of r_j w^j around p, of degree at most n:
+// between two numbers nothing changes, as r_n cos(n theta) = 0 leaves |exp(rho)| at most
+// exp(C R^(n-1)) on the far path, and d_n R^n/2 is more. Up to infinity r_j <= 0 is needed for
+// j >= 1, around p. Then |exp(rho)| <= exp(r_0) in the sector, as cos(j alpha) >= 0 there. Where
+// some r_j with 1 <= j <= n is less than 0, every m is allowed: on the arc |exp(rho)| is at most
+// exp(r_0 - |r_j| R^j cos(j alpha)), which for j alpha <= pi/4 is at most
+// exp(r_0 - |r_j| R^j/sqrt(2)); and for greater alpha, where alpha >= pi/(4n),
+// exp(-alpha d_n R^n/2) <= exp(-pi d_n R^n/(8n)). So the arc contributes nothing in the limit,
+// whatever power of R is beside these.
+//
 // h is made of the variable by sums, products, quotients, powers and logarithms. Its degree m comes
 // from these, that of a logarithm being any number above 0. A divisor that is a polynomial with the
 // coefficients c_j, d_j those around p, has no zero in the sector, and is at least C |z|^d there, C
@@ -76,17 +86,23 @@ class turned_rays {
   explicit turned_rays(detail::graph f)
       : g_(std::move(f)), nodes_(g_), x_(g_.variable(0)), s_(x_) {}
 
-  /// Whether it is such a sum, and no part of it grows.
+  /// Whether it is such a sum.
   bool prepare() {
+    const node_id zero = g_.number(0);
     auto terms = detail::exponential_terms_of(g_);
     if (!terms) return false;
     for (auto& [e, h] : *terms) {
-      oscillation part{{}, h};
+      oscillation part{{}, {}, h};
       for (const complex_node& c : e) {
-        if (c.re != g_.number(0)) return false;
         part.phase.push_back(c.im);
+        part.size.push_back(c.re);
       }
-      if (!part.phase.empty() && !make_leading_positive(part)) return false;
+      for (auto* c : {&part.phase, &part.size}) {
+        while (!c->empty() && c->back() == zero) c->pop_back();
+      }
+      if (!part.phase.empty()) {
+        if (part.size.size() > part.phase.size() || !make_leading_positive(part)) return false;
+      }
       parts_.push_back(std::move(part));
     }
     return !parts_.empty() &&
@@ -105,12 +121,12 @@ class turned_rays {
       for (const node_id h : {part.amplitude.re, part.amplitude.im}) {
         if (h == g_.number(0)) continue;
         const auto of = growth_of(h);
-        if (!of || (!end && !(of->most < n_ - 1))) return false;
+        if (!of) return false;
+        if (!end && !(of->most < n_ - 1) && !decays(part)) return false;
       }
+      if (!end && !never_grows(part)) return false;
       if (!only_rising) return true;
-      std::vector<node_id> phase{g_.number(0)};
-      phase.insert(phase.end(), part.phase.begin(), part.phase.end());
-      const std::vector<node_id> d = shifted(std::move(phase));
+      const std::vector<node_id> d = shifted(with_constant_0(part.phase));
       return std::all_of(d.begin() + 1, d.end(),
                          [&](node_id c) { return !certainly_positive(-value_of(c)); });
     });
@@ -136,7 +152,15 @@ class turned_rays {
     std::optional<node_id> sum;
     for (const oscillation& part : parts_) {
       if (!part.phase.empty()) continue;
-      sum = sum ? nodes_.sum(*sum, part.amplitude.re) : part.amplitude.re;
+      node_id f = part.amplitude.re;
+      if (!part.size.empty()) {
+        node_id exponent = g_.number(0);
+        for (std::size_t j = part.size.size(); j-- > 0;) {
+          exponent = nodes_.product(x_, nodes_.sum(part.size[j], exponent));
+        }
+        f = nodes_.product(f, nodes_.call("exp", exponent));
+      }
+      sum = sum ? nodes_.sum(*sum, f) : f;
     }
     return sum;
   }
@@ -154,10 +178,31 @@ class turned_rays {
   [[nodiscard]] const detail::graph& graph() const { return g_; }
 
  private:
+  /// Re amplitude exp(size + i phase).
   struct oscillation {
     std::vector<node_id> phase;  // the coefficients of x, x^2, ...
+    std::vector<node_id> size;   // likewise
     complex_node amplitude;
   };
+  [[nodiscard]] std::vector<node_id> with_constant_0(const std::vector<node_id>& c) {
+    std::vector<node_id> result{g_.number(0)};
+    result.insert(result.end(), c.begin(), c.end());
+    return result;
+  }
+
+  /// r_j <= 0 for all j >= 1.
+  bool never_grows(const oscillation& part) {
+    const std::vector<node_id> r = shifted(with_constant_0(part.size));
+    return std::all_of(r.begin() + 1, r.end(), [&](node_id c) {
+      return c == g_.number(0) || certainly_positive(-value_of(c));
+    });
+  }
+  /// r_j < 0 for a j with 1 <= j <= n.
+  bool decays(const oscillation& part) {
+    const std::vector<node_id> r = shifted(with_constant_0(part.size));
+    return std::any_of(r.begin() + 1, r.end(),
+                       [&](node_id c) { return certainly_positive(-value_of(c)); });
+  }
 
   ball value_of(node_id c) {
     const auto known = values_.find(c);
@@ -356,11 +401,11 @@ class turned_rays {
     if (part.amplitude.im != g_.number(0)) {
       h = nodes_.add(h, nodes_.multiply(unit, turned_amplitude(part.amplitude.im)));
     }
-    std::vector<node_id> phase{g_.number(0)};
-    phase.insert(phase.end(), part.phase.begin(), part.phase.end());
-    const complex_node exponent = polynomial_at_z(phase, 0);
-    const complex_node wave{nodes_.call("cos", exponent.re), nodes_.call("sin", exponent.re)};
-    const node_id decay = nodes_.call("exp", nodes_.minus(exponent.im));
+    const complex_node phase = polynomial_at_z(with_constant_0(part.phase), 0);
+    const complex_node size = polynomial_at_z(with_constant_0(part.size), 0);
+    const node_id angle = nodes_.sum(phase.re, size.im);
+    const complex_node wave{nodes_.call("cos", angle), nodes_.call("sin", angle)};
+    const node_id decay = nodes_.call("exp", nodes_.difference(size.re, phase.im));
     const node_id first = nodes_.product(decay, nodes_.product(h.re, wave.re));
     const node_id second = nodes_.minus(nodes_.product(decay, nodes_.product(h.im, wave.im)));
     if (has_logarithm_ && second != g_.number(0)) return {first, second};

@@ -74,6 +74,48 @@ integral_case products(maker& m) {
   return c;
 }
 
+/// -c_1 x - ... - c_degree x^degree, with no c_j < 0, some of them 0; with one c_j < 0 where it
+/// grows.
+term size_of_decay(maker& m, long degree, bool grows) {
+  term result = 0;
+  const long last = m.between(1, degree);
+  for (long k = 1; k <= last; ++k) {
+    const term c =
+        m.one_in(3) ? m.near(m.scattered(0.05, 3)) : m.rational_near(m.scattered(0.05, 3));
+    if (grows && k == last) {
+      result = result + c * power(x, k);
+    } else if (k == last || m.one_in(2)) {
+      result = result - c * power(x, k);
+    }
+  }
+  return result;
+}
+
+/// The same with a factor that decays exponentially beside any other, and slow or fast turns.
+integral_case to_infinity_with_decay(maker& m) {
+  const long n = m.between(1, 3);
+  const term size = call("exp", size_of_decay(m, n, false));
+  const term other = m.one_in(2) ? decaying(m) : power(x, m.between(0, 4));
+  term turning = phase(m, n);
+  if (m.one_in(3)) turning = m.rational_near(m.scattered(100, 1e5)) * turning;
+  const term f = size * other * wave(m, turning);
+  const term from = m.near(m.scattered(0.1, 10));
+  integral_case c{derivative(f), from, "inf", few_digits(m)};
+  c.value = -substituted(f, "x", from);
+  c.is_cheap = true;
+  return c;
+}
+
+/// With a factor that grows exponentially.
+integral_case divergent_by_growth(maker& m) {
+  const long n = m.between(1, 3);
+  const term f = call("exp", size_of_decay(m, n, true)) * decaying(m) * wave(m, phase(m, n));
+  integral_case c{f, m.rational_near(m.scattered(0.5, 3)), "inf", few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
 /// Of a period, and not one that is a sum of sines and cosines; positive in the first three cases.
 term periodic(maker& m, bool only_positive) {
   const term k =
@@ -240,6 +282,8 @@ integral_case exponential_polynomials(maker& m) {
 std::vector<integral_family> oscillation_families() {
   return {
       {"oscillations to infinity", 10, to_infinity},
+      {"oscillations that decay to infinity", 10, to_infinity_with_decay},
+      {"oscillations that grow", 5, divergent_by_growth},
       {"products of oscillations", 6, products},
       {"periodic functions times what decays", 6, periodic_tails},
       {"periodic functions times what decays too slowly", 6, divergent_periodic_tails},

@@ -309,6 +309,31 @@ integral_case many_periods(maker& m) {
   }
 }
 
+/// 1 + cos(k x + pi j), which touches 0 at multiples of pi/k, under abs, max and min; sometimes
+/// with a factor that changes its sign there.
+integral_case touching(maker& m) {
+  const term k = m.quotient(m.within(0.4, 4));
+  const term turn = k * x + term("pi") * term(m.one_in(2) ? "1" : "0");
+  const term inner = 1 + call("cos", turn);
+  const term a = m.rational_near(m.within(-4, 4));
+  const term length = m.rational_near(m.scattered(0.5, 8));
+  if (m.one_in(4)) return {call("abs", call("sin", turn) * inner), a, a + length, few_digits(m)};
+  term f = inner;
+  switch (m.between(0, 2)) {
+    case 0:
+      f = call("abs", inner);
+      break;
+    case 1:
+      f = call("max", inner, term(0));
+      break;
+    default:
+      f = inner + call("min", inner, term(0));
+  }
+  integral_case c{f, a, a + length, few_digits(m)};
+  c.antiderivative = x + call("sin", turn) / k;
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> shape_families() {
@@ -317,6 +342,7 @@ std::vector<integral_family> shape_families() {
           {"removable singularity", 10, mostly_cheap(removable)},
           {"kinks and steps", 7, mostly_cheap(kinks)},
           {"kinks of a high order", 10, mostly_cheap(high_kink)},
+          {"touching 0 at multiples of pi", 6, mostly_cheap(touching)},
           {"divergent at a kink of a high order", 5, mostly_cheap(high_kink_that_diverges)},
           {"pole just outside", 10, mostly_cheap(pole_outside)},
           {"complex poles near", 7, mostly_cheap(pole_beside)},

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/expression/parse.hpp"
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {
@@ -269,6 +270,28 @@ TEST(Breaks, ToFiftyDigits) {
   for (const auto& group : {kinks(), waves_and_steps(), nested(), singular(), of_high_order()}) {
     for (const known_integral& k : group) EXPECT_TRUE(right(k, 50));
   }
+}
+
+/// At multiples of pi: where both sides have one sign there is no break, where they have not there
+/// is one, of the third order.
+TEST(Breaks, AtMultiplesOfPi) {
+  const auto value = [](const char* f, long from, long to) {
+    const integral i = integrate(parse(f), from, to, {.digits = 20});
+    EXPECT_EQ(i.verdict, status::certified) << f << ": " << i.obstacle;
+    EXPECT_LE(i.account.panels, 100) << f;
+    return i.enclosure;
+  };
+  // 11 + sin(11) - 2 - sin(2).
+  EXPECT_TRUE(
+      overlaps(value("abs(1+cos(x))", 2, 11), 9 + sin(number(11, 200)) - sin(number(2, 200))));
+  // F = cos(x)^3/3 - cos(x) is that of sin(x)^3, and 2/3 at pi, -2/3 at 2 pi and at 0.
+  const auto primitive = [](long x) {
+    const ball c = cos(number(x, 200));
+    return c * c * c / 3 - c;
+  };
+  const integral cubed = integrate(parse("abs(sin(x)^3)"), 1, 5, {.digits = 10});
+  EXPECT_TRUE(cubed.verdict != status::certified ||
+              overlaps(cubed.enclosure, rational(4, 3) - primitive(1) - primitive(5)));
 }
 
 TEST(Breaks, ToFewDigits) {

@@ -47,6 +47,22 @@ TEST(TurnedRays, OfManyTurns) {
       20'000);
 }
 
+/// The integral of exp(-a x) cos(b x) is a/(a^2 + b^2), of x exp(-a x) cos(b x) is
+/// (a^2 - b^2)/(a^2 + b^2)^2, and of exp(-(a - i b) x^2) sqrt(pi/(a - i b))/2.
+TEST(TurnedRays, WithExponentialDecay) {
+  expect_known(
+      {
+          {"exp(-x)*cos(1e5*x)", "0", "inf", "9.999999999000000000099999999990000000001e-11"},
+          {"exp(x)*cos(1e5*x)", "-inf", "0", "9.999999999000000000099999999990000000001e-11"},
+          {"x*exp(-x)*cos(1e3*x)", "0", "inf", "-9.999970000049999930000089999890000129999850e-7"},
+          {"exp(-x)*sin(1e4*x)^2", "0", "inf", "0.4999999987500000031249999921875000195312"},
+          {"exp(-x^2)*cos(1e4*x^2)", "0", "inf", "0.006266883991610231924463992439518973485925"},
+          // Both ends finite: the size may grow.
+          {"exp(x)*sin(1e5*x)/(1+x)", "0", "1", "0.00002358272404237082150261313891369514997972"},
+      },
+      20'000);
+}
+
 TEST(TurnedRays, OfExponentialPhases) {
   expect_known(
       {
@@ -83,7 +99,8 @@ TEST(TurnedRays, WhatDoesNotConvergeIsRefused) {
     return integrate(parse(formula), 1, end_point::infinity(), {.digits = 15}).verdict;
   };
   for (const char* formula : {"sin(x)", "x*cos(x^2)", "x^2*sin(x^3)", "x^(3/2)*cos(x^2+x)",
-                              "cos(x^2+x)*x", "log(x)*sin(x)", "1/x+cos(x^2)"}) {
+                              "cos(x^2+x)*x", "log(x)*sin(x)", "1/x+cos(x^2)", "exp(x)*sin(1e4*x)",
+                              "exp(x/1000-x^2)*cos(1e4*x)^2+1", "exp(x-x^2)*cos(x^3)*exp(x^2)"}) {
     EXPECT_EQ(to_infinity(formula), status::not_certified) << formula;
   }
   // Poles on the line, and at the start.
@@ -123,8 +140,11 @@ TEST(TurnedRays, AreARule) {
   ASSERT_EQ(few.verdict, status::certified) << few.obstacle;
   EXPECT_TRUE(
       overlaps(few.enclosure, integrate(parse("sin(3*x)/(1+x)"), 0, 1, {.digits = 20}).enclosure));
-  EXPECT_EQ(with("exp(-x)*sin(x)/(1+x)", 0, 1).why, reason::not_applicable);
+  EXPECT_EQ(with("exp(-x)*sin(x)/(1+x)", 0, 1).verdict, status::certified);
+  EXPECT_EQ(with("exp(-x^2)*sin(x)/(1+x)", 0, 1).why, reason::not_applicable);
   EXPECT_EQ(with("1/(1+x)", 0, 1).why, reason::not_applicable);
+  // On the ray it decays too, but between both it grows.
+  EXPECT_EQ(with("exp(-x^4)*cos(x)", 0, end_point::infinity()).why, reason::not_applicable);
 }
 
 }  // namespace turned_rays_test

@@ -130,6 +130,8 @@ struct segment {
   std::function<ball(precision)> scale;
   /// x as a function of t, for messages and to see how far apart doubles can keep two points.
   std::function<ball(const ball& t)> position;
+  /// x(t), where `position` is in another variable.
+  std::function<ball(const ball& t)> place = nullptr;
   /// Near t = 0, where F is known by a series: a bound of |F|, and so its analyticity, on the part of a
   /// rectangle of t where the series holds; nothing where that may be empty. The series' set is a disc around 0
   /// or a half plane, open, whose boundary in an ellipse's upper half is connected and ends on the real axis.

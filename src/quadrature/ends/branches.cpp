@@ -108,7 +108,7 @@ traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
   return result;
 }
 
-std::optional<choices> branches_beside(const formula& f, const rational& m, int side,
+std::optional<choices> branches_beside(const formula& f, const pi_combination& m, int side,
                                        const rational& reach) {
   constexpr double most = 1e6;
   auto r = static_cast<double>(reach);
@@ -124,7 +124,9 @@ std::optional<choices> branches_beside(const formula& f, const rational& m, int 
     if (node.is_piecewise()) {
       const end_series& decider = values[node.decider];
       if (node.what == kind::floor || node.what == kind::ceil) {
-        chosen[i] = branch_over(node.what, to_ball(decider.real_range(), series_bits), false);
+        const ball range = to_ball(decider.real_range(), series_bits);
+        if (!range.is_bounded()) return std::nullopt;
+        chosen[i] = branch_over(node.what, range, false);
       } else if (const int sign = decider.sign(); sign != 0) {
         chosen[i] = sign;
       }

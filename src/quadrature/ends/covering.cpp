@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/multiple_of_pi.hpp"
 #include "quadrature/ends/breaks.hpp"
 
 namespace polhode::detail::breaks {
@@ -38,6 +39,8 @@ void covering::cover(const interval& whole) {
     } else if (std::vector<stretch> sides = beside_a_rational(x); !sides.empty()) {
       for (stretch& side : sides) stretches_.push_back(std::move(side));
       ++breaks_;
+    } else if (std::optional<stretch> around = around_a_multiple_of_pi(x)) {
+      stretches_.push_back(*std::move(around));
     } else {
       split(x, t, open);
     }
@@ -65,10 +68,11 @@ std::optional<stretch> covering::resolved(const interval& x, const traced& t) {
   return stretch{x, hopeless ? form::unresolved : form::short_one, {}, {}, std::nullopt};
 }
 
+// Series take the time of many evaluations: they are not tried for ever.
+constexpr long most_tries = 200;
+constexpr double effort_of_series = 100;
+
 std::vector<stretch> covering::beside_a_rational(const interval& x) {
-  // Series take the time of many evaluations: they are not tried for ever.
-  constexpr long most_tries = 200;
-  constexpr double effort_of_series = 100;
   if (++tries_ > most_tries) return {};
   const rational m = simplest_between(x.low, x.high);
   std::vector<stretch> sides;
@@ -76,12 +80,30 @@ std::vector<stretch> covering::beside_a_rational(const interval& x) {
     const rational reach = side < 0 ? m - x.low : x.high - m;
     if (reach == 0) continue;
     effort_ += effort_of_series * static_cast<double>(f_.size());
-    std::optional<choices> chosen = branches_beside(f_, m, side, reach);
+    std::optional<choices> chosen = branches_beside(f_, {m, 0}, side, reach);
     if (!chosen) return {};
     const interval part = side < 0 ? interval{x.low, m, x.level} : interval{m, x.high, x.level};
     sides.push_back({part, stretch::form::plain, *std::move(chosen), {}, std::nullopt});
   }
   return sides;
+}
+
+std::optional<stretch> covering::around_a_multiple_of_pi(const interval& x) {
+  constexpr long each = 4;  // of the intervals where a rational number was tried
+  if (tries_ > most_tries || tries_ % each != 0) return std::nullopt;
+  const precision p = x.bits() + 64;
+  const std::optional<rational> turns = simplest_multiple_of_pi(x.low, x.high, p);
+  if (!turns) return std::nullopt;
+  const pi_combination m{0, *turns};
+  const rational above = upper_rational(ball(x.high, p) - m.at(p));
+  const rational below = upper_rational(m.at(p) - ball(x.low, p));
+  effort_ += effort_of_series * static_cast<double>(f_.size());
+  std::optional<choices> before = branches_beside(f_, m, -1, below);
+  if (!before) return std::nullopt;
+  effort_ += effort_of_series * static_cast<double>(f_.size());
+  const std::optional<choices> beyond = branches_beside(f_, m, 1, above);
+  if (!beyond || *before != *beyond) return std::nullopt;
+  return stretch{x, stretch::form::plain, *std::move(before), {}, std::nullopt};
 }
 
 /// Into halves; or, where the decider can only be n within a short interval, into that and what is beside it.

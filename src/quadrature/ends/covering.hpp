@@ -38,6 +38,8 @@ class covering {
   /// At a simple rational number in x, at which a decider may be 0 without a simple crossing: what
   /// is on its two sides, by series; none where they do not tell.
   [[nodiscard]] std::vector<stretch> beside_a_rational(const interval& x);
+  /// The same at a multiple of pi, where the branches are one set on both of its sides.
+  [[nodiscard]] std::optional<stretch> around_a_multiple_of_pi(const interval& x);
   void split(const interval& x, const traced& t, std::vector<interval>& open) const;
   traced traced_over(const interval& x, const crossing* given, int side);
 

@@ -190,14 +190,20 @@ bool add_in_exponential(preparation& result, const integrand& f, const end_of_ra
   }
   if (near.why != reason::none) return false;
   require_tiled(near.parts, start, end_point::infinity());
+  const bool to_infinity = end.infinite;
+  const auto place_of = [at = end.at, side, to_infinity](const ball& s) {
+    const ball step = exp(to_infinity ? s : -s) * side;
+    return to_infinity ? step : at.at(s.precision()) + step;
+  };
+  for (segment& part : near.segments) {
+    part.place = [inner = part.place ? part.place : part.position, place_of](const ball& t) {
+      return place_of(inner(t));
+    };
+  }
   result.segments.insert(result.segments.end(), near.segments.begin(), near.segments.end());
   result.remainder += near.remainder;
   result.has_tail = result.has_tail || near.has_tail;
-  const bool to_infinity = end.infinite;
-  const end_point far([at = end.at, side, s0, to_infinity](precision p) {
-    const ball step = exp(ball(to_infinity ? s0 : -s0, p)) * side;
-    return to_infinity ? step : at.at(p) + step;
-  });
+  const end_point far([s0, place_of](precision p) { return place_of(ball(s0, p)); });
   result.parts.push_back(end.part(end.end, far, direction));
   const part_done rest_of_it = end.part(far, end.start, direction);
   add_analytic_pieces(result, f, rest_of_it.from, rest_of_it.to, bits);

@@ -222,7 +222,8 @@ ball integrator::range_of(const panel& p, long around) const {
   const rational half = p.half_length() * around;
   const rational low = std::max(rational(p.centre - half), rational(0));
   const rational high = std::min(rational(p.centre + half), rational(1));
-  return hull(s.position(ball(low, 192)), s.position(ball(high, 192)));
+  const auto& x = s.place ? s.place : s.position;
+  return hull(x(ball(low, 192)), x(ball(high, 192)));
 }
 
 /// A rational number of small denominator in a range of x that is not known yet; at most one of a few
@@ -252,7 +253,8 @@ integrator::outcome integrator::obstructed_at(const panel& p) {
   constexpr long deep = 100;
   const bool is_start =
       p.level > deep && estimated_log2(ball(p.centre, 64).magnitude_upper()) < -deep;
-  const complex_ball x = position_of(own, is_start ? ball(0, 128) : ball(p.centre, 64 + p.level));
+  const ball t = is_start ? ball(0, 128) : ball(p.centre, 64 + p.level);
+  const complex_ball x = own.place ? complex_ball(own.place(t)) : position_of(own, t);
   if (own.continued) {
     result_.obstacle += " on the line that the path is turned to";
   } else {

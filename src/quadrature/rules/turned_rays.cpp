@@ -1,6 +1,9 @@
 // Oscillations over rays on which they decay.
 
+#include <algorithm>
+
 #include "polhode/arithmetic/end_point.hpp"
+#include "polhode/arithmetic/exact.hpp"
 #include "quadrature/turned.hpp"
 #include "rules.hpp"
 
@@ -29,7 +32,21 @@ class turned_rays_strategy final : public quadrature_strategy {
       return integrate_by_exponential(f, a, b, least_turns, options);
     }
     if (auto found = integrate_by_exponential(f, a, b, least_turns, options)) return found;
-    return insisted ? integrate_over_turned_rays(f, a, b, options) : std::nullopt;
+    if (insisted) return integrate_over_turned_rays(f, a, b, options);
+    if (!turns_often(f, a, b, many)) return std::nullopt;
+    auto found = integrate_over_turned_rays(f, a, b, options);
+    return found && found->verdict == status::certified ? std::move(found) : std::nullopt;
+  }
+  /// Whether f turns more often than that where a search by panels would begin.
+  static bool turns_often(const integrand& f, const end_point& a, const end_point& b, double many) {
+    if (!f.between_turned_rays) return false;
+    const bool upward = b.infinite_sign() != 0;
+    const end_point& end = upward ? a : b;
+    rational from = end.infinite_sign() != 0 ? rational(0) : lower_rational(end.at(64));
+    if (upward ? from < 0 : from > 0) from = 0;  // rays begin on one side of 0
+    const rational length = std::max(rational(64), abs(from));
+    return f.between_turned_rays(upward ? from : from - length, upward ? from + length : from, many)
+        .has_value();
   }
   [[nodiscard]] std::string_view need() const override {
     return "turned rays need sines or cosines of polynomials, or of exponentials of linear forms";

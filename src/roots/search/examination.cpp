@@ -4,6 +4,7 @@
 #include <array>
 
 #include "polhode/arithmetic/interval.hpp"
+#include "polhode/arithmetic/multiple_of_pi.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
 #include "roots/count_zeros.hpp"
@@ -452,13 +453,9 @@ class examination {
     if (height(simplest) <= simple_height) {
       if (auto r = exact_zero_at({simplest, 0}, b)) return r;
     }
-    const precision p = b.bits + 64;
-    const rational lower = upper_rational(ball(*b.x.lower, p) / pi(p));
-    const rational upper = lower_rational(ball(*b.x.upper, p) / pi(p));
-    if (lower > upper) return std::nullopt;
-    const rational turns = simplest_between(lower, upper);
-    if (turns == 0 || height(turns) > simple_height) return std::nullopt;
-    return exact_zero_at({0, turns}, b);
+    const auto turns = simplest_multiple_of_pi(*b.x.lower, *b.x.upper, b.bits + 64);
+    if (!turns || height(*turns) > simple_height) return std::nullopt;
+    return exact_zero_at({0, *turns}, b);
   }
   std::optional<exact_zero> exact_zero_at(const pi_combination& at, const work_box& b) {
     exact_zero r{at, 0};
