@@ -154,6 +154,153 @@ class factors_without_zeros {
   int looks_ = 1000;
 };
 
+/// A formula as a polynomial P in one of its parts u, with rational coefficients: in exp(q x), of
+/// which other exponentials are powers, or in a function of x that is there once or many times.
+class polynomial_in_a_part {
+ public:
+  /// f as the product of the factors of P without multiple roots, each to the power of its
+  /// multiplicity, which is the same function; nothing where f is no such polynomial, or has no
+  /// multiple factor.
+  [[nodiscard]] std::optional<symbol> factored(const symbol& f) {
+    find_slopes(f);
+    const auto p = polynomial_of(f);
+    if (!p || !part_ || p->degree() < 2) return std::nullopt;
+    const std::vector<repeated_factor> factors = square_free_decomposition(*p);
+    if (std::ranges::all_of(factors, [](const auto& g) { return g.multiplicity == 1; })) {
+      return std::nullopt;
+    }
+    rational rest = p->leading();
+    symbol product(1);
+    for (const repeated_factor& g : factors) {
+      symbol value(0);
+      const std::vector<rational>& c = g.factor.coefficients();
+      for (std::size_t k = c.size(); k-- > 0;) value = value * *part_ + symbol(c[k]);
+      product = product * pow(value, symbol(g.multiplicity));
+      for (long k = 0; k < g.multiplicity; ++k) rest /= g.factor.leading();
+    }
+    return symbol(rest) * product;
+  }
+
+ private:
+  static constexpr long most_degree = 40;
+
+  /// The q of a formula q x.
+  [[nodiscard]] static std::optional<rational> multiple_of_variable(const symbol& x) {
+    const detail::symbol_node& n = x.node();
+    if (n.name.empty()) return n.variable == 0 ? std::optional(rational(1)) : std::nullopt;
+    const auto number = [&](std::size_t i) -> std::optional<rational> {
+      const detail::symbol_node& of = n.operands[i].node();
+      const bool is_number =
+          of.name.empty() && !of.enclosure && of.variable == detail::symbol_node::no_variable;
+      return is_number ? std::optional(of.number) : std::nullopt;
+    };
+    if (n.name == "-" && n.operands.size() == 1) {
+      const auto q = multiple_of_variable(n.operands[0]);
+      return q ? std::optional(rational(-*q)) : std::nullopt;
+    }
+    if (n.name != "*" && n.name != "/") return std::nullopt;
+    if (const auto c = number(1); c && (n.name == "*" || *c != 0)) {
+      const auto q = multiple_of_variable(n.operands[0]);
+      if (!q) return std::nullopt;
+      return n.name == "*" ? rational(*q * *c) : rational(*q / *c);
+    }
+    const auto c = n.name == "*" ? number(0) : std::nullopt;
+    const auto q = c ? multiple_of_variable(n.operands[1]) : std::nullopt;
+    return q ? std::optional(rational(*q * *c)) : std::nullopt;
+  }
+  /// The q of an exponential of q x.
+  [[nodiscard]] static std::optional<rational> slope_of(const detail::symbol_node& n) {
+    return n.name == "exp" ? multiple_of_variable(n.operands[0]) : std::nullopt;
+  }
+
+  /// The greatest number of which the slopes of all exponentials are multiples.
+  void find_slopes(const symbol& f) {
+    if (--looks_ < 0) return;
+    if (const auto q = slope_of(f.node()); q && *q != 0) {
+      const rational size = abs(*q);
+      if (!slope_) {
+        slope_ = size;
+      } else {
+        const integer common = lcm(integer(denominator(*slope_)), integer(denominator(size)));
+        slope_ = rational(gcd(integer(numerator(rational(*slope_ * common))),
+                              integer(numerator(rational(size * common)))),
+                          common);
+      }
+      return;
+    }
+    for (const symbol& x : f.node().operands) find_slopes(x);
+  }
+
+  [[nodiscard]] std::optional<rational_polynomial> polynomial_of(const symbol& f) {
+    const detail::symbol_node& n = f.node();
+    if (--looks_ < 0) return std::nullopt;
+    if (n.name.empty()) {
+      if (n.enclosure || n.variable != detail::symbol_node::no_variable) return std::nullopt;
+      return rational_polynomial({n.number});
+    }
+    if (const auto q = slope_of(n); q && slope_) {
+      const rational times = *q / *slope_;
+      if (denominator(times) != 1 || times < 0 || times > most_degree) return std::nullopt;
+      part_ = symbol::call("exp", {symbol(*slope_) * symbol::variable(0)});
+      return power_of(rational_polynomial::variable(), static_cast<long>(numerator(times)));
+    }
+    const auto operand = [&](std::size_t i) { return polynomial_of(n.operands[i]); };
+    if (n.name == "-" && n.operands.size() == 1) {
+      const auto x = operand(0);
+      return x ? std::optional(rational_polynomial({rational(-1)}) * *x) : std::nullopt;
+    }
+    if (n.name == "+" || n.name == "-" || n.name == "*" || n.name == "/") {
+      const auto x = operand(0);
+      const auto y = x ? operand(1) : std::nullopt;
+      if (!y || x->degree() + y->degree() > most_degree) return std::nullopt;
+      if (n.name == "+") return *x + *y;
+      if (n.name == "-") return *x - *y;
+      if (n.name == "*") return *x * *y;
+      if (y->degree() != 0) return std::nullopt;
+      return rational_polynomial({rational(1 / y->leading())}) * *x;
+    }
+    if (n.name == "pow") {
+      const auto x = operand(0);
+      const auto y = x ? operand(1) : std::nullopt;
+      if (!y || y->degree() != 0 || denominator(y->leading()) != 1) return std::nullopt;
+      const rational times = y->leading();
+      if (times < 0 || times * std::max(x->degree(), 1L) > most_degree) return std::nullopt;
+      return power_of(*x, static_cast<long>(numerator(times)));
+    }
+    if (slope_ || n.operands.empty()) return std::nullopt;  // beside an exponential, or a constant
+    if (part_ && &part_->node() != &n) return std::nullopt;
+    part_ = f;
+    return rational_polynomial::variable();
+  }
+
+  [[nodiscard]] static rational_polynomial power_of(const rational_polynomial& p, long n) {
+    rational_polynomial result({rational(1)});
+    for (long k = 0; k < n; ++k) result = result * p;
+    return result;
+  }
+
+  int looks_ = 2000;
+  std::optional<rational> slope_;
+  std::optional<symbol> part_;
+};
+
+/// The same function, with multiple factors as powers where they are found: in f, or in what it is
+/// a product or quotient of. It looks at so many of these at most.
+symbol with_factors(const symbol& f, int& looks) {
+  const detail::symbol_node& n = f.node();
+  if (--looks < 0) return f;
+  if (auto product = polynomial_in_a_part().factored(f)) return *std::move(product);
+  if (n.name != "*" && n.name != "/") return f;
+  const symbol left = with_factors(n.operands[0], looks);
+  const symbol right = with_factors(n.operands[1], looks);
+  return n.name == "*" ? left * right : left / right;
+}
+expression factored(const expression& f) {
+  if (f.variables().size() != 1) return f;
+  int looks = 20;
+  return expression(with_factors(f(symbol::variable(0)), looks), f.names());
+}
+
 }  // namespace
 }  // namespace formula_function_impl
 
@@ -192,8 +339,8 @@ real_function::real_function(const expression& f) {
   over_ = [f, in_hardware = f.evaluator<region>(64)](const region& x) {
     return x.is_in_hardware() ? in_hardware(x) : f.evaluator<region>(x.precision())(x);
   };
-  structure_ = [f](const function_structure& x) {
-    return f.evaluator<function_structure>(x.numerator().at_point.precision())(x);
+  structure_ = [g = formula_function_impl::factored(f)](const function_structure& x) {
+    return g.evaluator<function_structure>(x.numerator().at_point.precision())(x);
   };
   // On 0 < t <= 1/4, where the argument is p + s t^q. An evaluator of its own for each call, as
   // several threads may ask at a time.

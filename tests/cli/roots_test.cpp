@@ -81,7 +81,7 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"abs(x)", "-1..1", 0, {"0 exactly  isolated", "certified: 1 root"}},
            {"floor(x)-1/2", "0..2", 1, {"unresolved (the jump of floor)"}},
            {"1-cos(x)", "6..7", 0, {"6.28318530717958647692528676655...  multiple 2"}},
-           {"exp(2*x)-4*exp(x)+4", "0..1", 1, {"unresolved", "2 complex roots near it"}},
+           {"x^2-2*x*cos(x)+cos(x)^2", "0..1", 1, {"unresolved", "2 complex roots near it"}},
            {"sin(x)", "0..inf", 0, {"infinitely many roots; these are all in 0..2*pi"}},
            {"exp(-x/10)*sin(x)/cosh(x)",
             "0..inf",
@@ -107,7 +107,7 @@ TEST(Roots, VerdictsOfEveryKind) {
            {"x^x-2", "0..2", 0, {"1.5596104694623693499703887"}},
            {"gamma(x)-2", "5/2..7/2", 0, {"3  unique"}},
            {"agm(1,x)-2", "3..4", 0, {"3.3527891347425124594365307"}},
-           {"exp(2*x)-4*exp(x)+4", "0..1", 1, {"unresolved"}}}) {
+           {"exp(2*x)-4*exp(x)+4", "0..1", 0, {"multiple 2"}}}) {
     const outcome result = roots(formula, range, {"--digits", "30"});
     EXPECT_EQ(result.status, status) << formula << '\n' << result.out << result.err;
     for (const std::string& w : words) {
@@ -336,7 +336,7 @@ TEST(Roots, JsonHasTheEnclosuresAndTheVerdict) {
   const outcome periodic = roots("sin(x)", "0..inf", {"--format", "json"});
   EXPECT_EQ(json::parse(periodic.out).at("of_period").at("period"), "2*pi");
   EXPECT_EQ(json::parse(periodic.out).at("of_period").at("in"), "0..2*pi");
-  const outcome open = roots("exp(2*x)-4*exp(x)+4", "0..1", {"--format", "json"});
+  const outcome open = roots("x^2-2*x*cos(x)+cos(x)^2", "0..1", {"--format", "json"});
   EXPECT_EQ(open.status, 1);
   const json left = json::parse(open.out);
   EXPECT_EQ(left.at("verdict"), "not certified");

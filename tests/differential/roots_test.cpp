@@ -212,18 +212,20 @@ known_case product_of_factors(maker& m) {
   }
 }
 
+std::vector<rational> product_of(const std::vector<rational>& p, const std::vector<rational>& q) {
+  std::vector<rational> product(p.size() + q.size() - 1);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    for (std::size_t j = 0; j < q.size(); ++j) product[i + j] += p[i] * q[j];
+  }
+  return product;
+}
+
 /// Multiplied out: nothing of the factors is left in the formula.
 known_case expanded_polynomial(maker& m) {
   for (;;) {
     known_case k;
     std::vector<rational> p{1};
-    const auto times = [&](const std::vector<rational>& q) {
-      std::vector<rational> product(p.size() + q.size() - 1);
-      for (std::size_t i = 0; i < p.size(); ++i) {
-        for (std::size_t j = 0; j < q.size(); ++j) product[i + j] += p[i] * q[j];
-      }
-      p = product;
-    };
+    const auto times = [&](const std::vector<rational>& q) { p = product_of(p, q); };
     for (long n = m.between(1, 4); n > 0; --n) {
       const long multiplicity = m.one_in(3) ? m.between(2, 3) : 1;
       if (m.one_in(4)) {  // x^2 - n
@@ -249,6 +251,42 @@ known_case expanded_polynomial(maker& m) {
     }
     const auto [a, b] = searched(m, k.roots);
     k.c = {f, a, b};
+    return k;
+  }
+}
+
+/// A polynomial in an exponential, or in another increasing function, multiplied out.
+known_case expanded_in_a_function(maker& m) {
+  for (;;) {
+    known_case k;
+    const term a = m.one_in(2) ? term(1) : m.positive_rational();
+    const bool is_exponential = m.one_in(2);
+    const term c = m.one_in(2) ? term(0) : m.rational_near(m.within(-2, 2));
+    const bool is_sinh = m.one_in(2);
+    const term of = c.is("0") ? x : x - c;
+    const term part = is_sinh ? call("sinh", of) : call("atan", of);
+    std::vector<rational> p{1};
+    for (long n = m.between(1, 3); n > 0; --n) {
+      const long multiplicity = m.one_in(2) ? m.between(2, 3) : 1;
+      const term u =
+          m.rational_near(m.within(is_exponential ? 0.1 : -1.4, is_exponential ? 8 : 1.4));
+      const rational value = *read(u).exact_value();
+      for (long i = 0; i < multiplicity; ++i) p = product_of(p, {rational(-value), 1});
+      if (is_exponential) {
+        if (value > 0) k.roots.push_back({call("log", u) / a, multiplicity});
+      } else {
+        k.roots.push_back({c + call(is_sinh ? "asinh" : "tan", u), multiplicity});
+      }
+    }
+    if (!all_differ(k.roots)) continue;
+    term f = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p[i] == 0) continue;
+      const auto n = static_cast<long>(i);
+      const term factor = !is_exponential ? power(part, n) : call("exp", term(n) * a * x);
+      f = f + term(to_text(p[i])) * factor;
+    }
+    k.c = {m.one_in(4) ? f * positive_factor(m) : f, -30, 30};
     return k;
   }
 }
@@ -502,6 +540,8 @@ INSTANTIATE_TEST_SUITE_P(
     family, known_roots,
     ::testing::Values(known_family{"products of known factors", 250, product_of_factors},
                       known_family{"polynomials multiplied out", 250, expanded_polynomial},
+                      known_family{"polynomials in a function multiplied out", 60,
+                                   expanded_in_a_function},
                       known_family{"quotients of polynomials", 150, quotient_of_polynomials},
                       known_family{"roots at equal distances", 150, many_roots},
                       known_family{"kinks at all scales", 150, kinks_at_all_scales},

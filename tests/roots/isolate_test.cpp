@@ -115,22 +115,72 @@ TEST(IsolateRoots, DoubleRootOfATranscendentalFunction) {
 }
 
 TEST(IsolateRoots, UnprovableMultipleRootsAreLeftOpenAndCounted) {
-  // The square e^2x - 4 e^x + 4 of e^x - 2: nothing here can tell that it touches 0 at log 2.
-  const root_set s = isolate_roots([](const auto& x) { return exp(2 * x) - 4 * exp(x) + 4; }, 0, 1);
+  // The square of x - cos(x): nothing here can tell that it touches 0.
+  const auto squared = [](const auto& x) { return x * x - 2 * x * cos(x) + square(cos(x)); };
+  const root_set s = isolate_roots(squared, 0, 1);
   EXPECT_FALSE(s.is_resolved());
   EXPECT_TRUE(s.complete);
   ASSERT_EQ(s.regions.size(), 1U);
   EXPECT_EQ(s.regions[0].verdict, root_verdict::unresolved);
   EXPECT_EQ(s.regions[0].complex_roots, 2);
-  EXPECT_TRUE(overlaps(s.regions[0].enclosure, log(ball(2, 300))));
+  const root_set simple = isolate_roots([](const auto& x) { return x - cos(x); }, 0, 1);
+  ASSERT_EQ(simple.regions.size(), 1U);
+  EXPECT_TRUE(overlaps(s.regions[0].enclosure, refine(simple.regions[0], 80).enclosure));
   EXPECT_TRUE(s.regions[0].enclosure.radius() < magnitude::power_of_two(-150));
   EXPECT_EQ(refine(s.regions[0], 30).verdict, status::not_certified);
-  // Three times, so that the sign changes: (e^x - 2)^3.
-  const root_set u = isolate_roots(
-      [](const auto& x) { return exp(3 * x) - 6 * exp(2 * x) + 12 * exp(x) - 8; }, 0, 1);
+  // Three times, so that the sign changes.
+  const auto cubed = [](const auto& x) {
+    return x * x * x - 3 * x * x * cos(x) + 3 * x * square(cos(x)) - pow(cos(x), 3);
+  };
+  const root_set u = isolate_roots(cubed, 0, 1);
   ASSERT_EQ(u.regions.size(), 1U);
   EXPECT_EQ(u.regions[0].verdict, root_verdict::at_least_one);
   EXPECT_EQ(u.regions[0].complex_roots, 3);
+}
+
+/// Not to be taken for polynomials in one part: (sin(x) - 2 cos(x))^2, and (u - 2)^2 (1 + 8/u) with
+/// u = e^x, which would be (u + 2)^2 with 1 for 1/u.
+TEST(IsolateRoots, MultipleRootsOfOtherFormulasAreLeftOpen) {
+  for (const char* formula :
+       {"sin(x)^2-4*sin(x)*cos(x)+4*cos(x)^2", "exp(2*x)+4*exp(x)-28+32*exp(-x)"}) {
+    const root_set s = isolate_roots(parse(formula), 0, 2);
+    ASSERT_EQ(s.regions.size(), 1U) << formula;
+    EXPECT_EQ(s.regions[0].complex_roots, 2) << formula;
+  }
+}
+
+/// Polynomials in an exponential, or in another function, with multiple factors.
+TEST(IsolateRoots, MultipleRootsOfPolynomialsInAFunction) {
+  struct row {
+    const char* formula;
+    std::vector<std::pair<const char*, long>> roots;  // with their multiplicities, in -4..6
+  };
+  for (const row& r : std::vector<row>{
+           {"exp(2*x)-4*exp(x)+4", {{"log(2)", 2}}},
+           {"exp(3*x)-6*exp(2*x)+12*exp(x)-8", {{"log(2)", 3}}},
+           {"exp(4*x/3)-6*exp(2*x/3)+9", {{"3*log(3)/2", 2}}},
+           {"2*exp(-x*3)*(9-6*exp(x)+exp(2*x))", {{"log(3)", 2}}},
+           {"x*(exp(2*x)-4*exp(x)+4)", {{"0", 1}, {"log(2)", 2}}},
+           {"-log(x)^3+3*log(x)^2-3*log(x)+1", {{"e", 3}}},
+           {"4*sin(x)^2-4*sin(x)+1", {{"-7*pi/6", 2}, {"pi/6", 2}, {"5*pi/6", 2}}},
+           {"(exp(2*x)-4*exp(x)+4)*(exp(x)-2)", {{"log(2)", 3}}},
+           // Of two functions, and with a power that is no polynomial.
+           {"sin(x)^2-2*cos(x)+1",
+            {{"-acos(sqrt(3)-1)", 1}, {"acos(sqrt(3)-1)", 1}, {"2*pi-acos(sqrt(3)-1)", 1}}},
+           {"exp(2*x)-2*exp(x)+exp(-x)", {{"0", 1}, {"log((1+sqrt(5))/2)", 1}}},
+           // The same but for a little: two roots, and none.
+           {"exp(2*x)-4*exp(x)+4-1e-20", {{"log(2-1e-10)", 1}, {"log(2+1e-10)", 1}}},
+           {"exp(2*x)-4*exp(x)+4+1e-20", {}}}) {
+    const root_set s = isolate_roots(parse(r.formula), -4, 6);
+    EXPECT_TRUE(s.is_resolved()) << r.formula;
+    ASSERT_EQ(s.regions.size(), r.roots.size()) << r.formula;
+    for (std::size_t i = 0; i < r.roots.size(); ++i) {
+      EXPECT_EQ(s.regions[i].multiplicity, r.roots[i].second) << r.formula;
+      EXPECT_TRUE(
+          overlaps(refine(s.regions[i], 40).enclosure, parse(r.roots[i].first, {}).value(300)))
+          << r.formula;
+    }
+  }
 }
 
 TEST(IsolateRoots, MultipleRootsAtMultiplesOfPi) {
