@@ -198,9 +198,8 @@ class examination {
       return hardware_answer::settled;
     }
     if (contains_zero(slope)) {
-      constexpr double least_gain = 256;
-      return value.width() * least_gain < over.width() ? hardware_answer::wide
-                                                       : hardware_answer::none;
+      // Where f is not known at one point, narrower boxes will not tell more.
+      return contains_zero(value) ? hardware_answer::none : hardware_answer::wide;
     }
     const double_interval image = middle - value / slope;
     if (image.is_undefined()) return hardware_answer::wide;
