@@ -149,7 +149,9 @@ bool is_list(py::handle x) {
 /// f(arguments); where some of them are lists or arrays, which have one length, the list of the
 /// results for their members.
 template <class F>
-py::object member_by_member(const py::args& arguments, const F& f) {
+py::object member_by_member(const py::args& arguments, const F& f, int depth = 0) {
+  constexpr int deepest = 32;  // a list may be a member of itself
+  if (depth > deepest) throw input_error("the lists are nested too deeply");
   std::optional<std::size_t> length;
   for (const py::handle x : arguments) {
     if (!is_list(x)) continue;
@@ -170,7 +172,7 @@ py::object member_by_member(const py::args& arguments, const F& f) {
         members.append(x);
       }
     }
-    results.append(member_by_member(py::args(py::tuple(members)), f));
+    results.append(member_by_member(py::args(py::tuple(members)), f, depth + 1));
   }
   return results;
 }

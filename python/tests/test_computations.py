@@ -245,5 +245,9 @@ def test_lists_are_taken_member_by_member():
     assert polhode.exp([]) == []
     with pytest.raises(ValueError, match="2 and 3 members"):
         f([1, 2], [1, 2, 3])
+    of_itself = []
+    of_itself.append(of_itself)
+    with pytest.raises(ValueError, match="nested too deeply"):
+        polhode.sin(of_itself)
     numpy = pytest.importorskip("numpy")
     assert [float(y) for y in polhode.abs(numpy.arange(-2, 1))] == [2.0, 1.0, 0.0]

@@ -285,20 +285,24 @@ class polynomial_in_a_part {
 };
 
 /// The same function, with multiple factors as powers where they are found: in f, or in what it is
-/// a product or quotient of. It looks at so many of these at most.
-symbol with_factors(const symbol& f, int& looks) {
+/// a product or quotient of; nothing where there are none. It looks at so many of these at most.
+std::optional<symbol> with_factors(const symbol& f, int& looks) {
   const detail::symbol_node& n = f.node();
-  if (--looks < 0) return f;
-  if (auto product = polynomial_in_a_part().factored(f)) return *std::move(product);
-  if (n.name != "*" && n.name != "/") return f;
-  const symbol left = with_factors(n.operands[0], looks);
-  const symbol right = with_factors(n.operands[1], looks);
-  return n.name == "*" ? left * right : left / right;
+  if (--looks < 0) return std::nullopt;
+  if (auto product = polynomial_in_a_part().factored(f)) return product;
+  if (n.name != "*" && n.name != "/") return std::nullopt;
+  const auto left = with_factors(n.operands[0], looks);
+  const auto right = with_factors(n.operands[1], looks);
+  if (!left && !right) return std::nullopt;
+  const symbol x = left.value_or(n.operands[0]);
+  const symbol y = right.value_or(n.operands[1]);
+  return n.name == "*" ? x * y : x / y;
 }
 expression factored(const expression& f) {
   if (f.variables().size() != 1) return f;
   int looks = 20;
-  return expression(with_factors(f(symbol::variable(0)), looks), f.names());
+  const auto product = with_factors(f(symbol::variable(0)), looks);
+  return product ? expression(*product, f.names()) : f;
 }
 
 }  // namespace
