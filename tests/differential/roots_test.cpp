@@ -142,7 +142,9 @@ term place(maker& m, const std::vector<known_root>& before, bool rational_ones) 
 /// With one real root, a simple one, at r.
 term factor_with_root(maker& m, const term& r) {
   const term w = x - r;
-  switch (m.between(0, 7)) {
+  switch (m.between(0, 8)) {
+    case 8:
+      return call("agm", 1, call("exp", x)) - call("agm", 1, call("exp", r));
     case 0:
       return call("expm1", w);
     case 1:

@@ -64,8 +64,8 @@ TEST(FormulaRoots, AreTheSameOfALambdaAndOfItsText) {
   check([](const auto& x) { return max(x, 1 - x) - rational(3, 4); }, 0, 1);
 }
 
-/// Where numerator and divisor vanish at a number q + r pi, a series there has a sign beside it, or a
-/// root is beside it.
+/// Where numerator and divisor vanish at a number q + r pi, a series there has a sign beside it, or
+/// a root is beside it.
 TEST(FormulaRoots, BesidePointsWithoutValue) {
   const root_set none = isolate_roots(parse("sin(pi*x)/(x-1)"), rational(1, 2), rational(3, 2));
   EXPECT_TRUE(none.is_resolved());
