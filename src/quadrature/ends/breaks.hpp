@@ -26,17 +26,17 @@ struct pieces_of_range {
 };
 
 /// Cuts the finite range from a to b, a < b as far as is known, at the breaks of the integrand, f.
-/// A break is a simple zero r of some t(x) - n, where t decides between the branches: it is isolated
-/// in an interval X on which t' has one sign and t - n opposite signs at the ends (so that there is
-/// one zero and no more), and is a `limit`, found to any precision by the interval Newton method. A
-/// rational zero of t may have any order: there the series of t has one sign on each side. At a
-/// multiple of pi where all branches are the same on both sides, by such series, there is no break.
-/// On each piece between breaks the branches are proved by covering all of it with intervals, on
-/// each of which ranges and slopes decide them. Breaks of different t that may be one, a t that
-/// touches 0 elsewhere without a change of sign, and a break that may be the end of the range are
-/// cut out as an interval of width about 2^-bits of the range, whose part of the integral is bounded
-/// by the ranges of f and of its neighbours over it. What cannot be resolved with a limited effort
-/// is a piece in which f is left as it is.
+/// A break is a simple zero r of some t(x) - n, where t decides between the branches: it is
+/// isolated in an interval X on which t' has one sign and t - n opposite signs at the ends (so that
+/// there is one zero and no more), and is a `limit`, found to any precision by the interval Newton
+/// method. A rational zero of t may have any order: there the series of t has one sign on each
+/// side. At a multiple of pi where all branches are the same on both sides, by such series, there
+/// is no break. On each piece between breaks the branches are proved by covering all of it with
+/// intervals, on each of which ranges and slopes decide them. Breaks of different t that may be
+/// one, a t that touches 0 elsewhere without a change of sign, and a break that may be the end of
+/// the range are cut out as an interval of width about 2^-bits of the range, whose part of the
+/// integral is bounded by the ranges of f and of its neighbours over it. What cannot be resolved
+/// with a limited effort is a piece in which f is left as it is.
 [[nodiscard]] pieces_of_range analytic_pieces(const integrand& g, const end_point& a,
                                               const end_point& b, long bits);
 
