@@ -1,14 +1,14 @@
 // One operation of the ball against the same of plain MPFR and of Arb, of the complex ball against
-// Arb's, of intervals and regions in hardware doubles by themselves, and how often a ball goes to the
-// heap.
+// Arb's, of intervals and regions in hardware doubles by themselves, and how often a ball goes to
+// the heap.
 //
 // Operands are balls with a radius of one unit in the last place about numbers like sqrt(2), and
-// for MPFR their midpoints; the result's storage is used again from call to call. Only the operator,
-// "x*y", makes a new number each time, in all three: the price of that is its time over that of "mul".
-// The complex ball's operations are operators, where Arb's write into an old number. The fused
-// multiply-add is compared with mpfr_fma and arb_fma, which have the same three operands. The limits are
-// those that Polhode sets itself; a ratio below 1 means that the ball is faster. "MPFR/Arb" tells what the
-// functions would cost if they were MPFR's.
+// for MPFR their midpoints; the result's storage is used again from call to call. Only the
+// operator, "x*y", makes a new number each time, in all three: the price of that is its time over
+// that of "mul". The complex ball's operations are operators, where Arb's write into an old number.
+// The fused multiply-add is compared with mpfr_fma and arb_fma, which have the same three operands.
+// The limits are those that Polhode sets itself; a ratio below 1 means that the ball is faster.
+// "MPFR/Arb" tells what the functions would cost if they were MPFR's.
 
 #include <cstddef>
 #include <cstdlib>

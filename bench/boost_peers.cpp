@@ -1,8 +1,11 @@
-// Integrals by Polhode, with balls and over mpfr_float, and by the fastest of Boost.Math's rules that reaches the digits.
+// Integrals by Polhode, with balls and over mpfr_float, and by the fastest of Boost.Math's rules
+// that reaches the digits.
 //
-// All have the same generic function; Boost's rules are objects that are made once and have made their nodes, as ours are made once in a process. The
-// tolerance that a rule is given is the one, of 10^-digits and its square root, with which it reaches the digits soonest; that it
-// does is measured against the certified value. Behind each row stands which rule it was. Where none reaches the digits the row has no ratio, and says so.
+// All have the same generic function; Boost's rules are objects that are made once and have made
+// their nodes, as ours are made once in a process. The tolerance that a rule is given is the one,
+// of 10^-digits and its square root, with which it reaches the digits soonest; that it does is
+// measured against the certified value. Behind each row stands which rule it was. Where none
+// reaches the digits the row has no ratio, and says so.
 
 #include <cmath>
 #include <functional>

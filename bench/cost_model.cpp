@@ -1,5 +1,5 @@
-// cost::estimate_cost beside what it is an estimate of, their ratio, and at the end how far off the estimates were: bench_cost_model
-// [MOST_DIGITS]
+// cost::estimate_cost beside what it is an estimate of, their ratio, and at the end how far off the
+// estimates were: bench_cost_model [MOST_DIGITS]
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-// Elliptic integrals against Debian's Arb, in one run: the complete third kind and K, the incomplete third kind,
-// and in hardware doubles against Boost.Math.
+// Elliptic integrals against Debian's Arb, in one run: the complete third kind and K, the
+// incomplete third kind, and in hardware doubles against Boost.Math.
 //
 // The integrals are those of the Montgomery phase, for a = 12.65, b = 0.0629:
 //   complete:   G(u),    R_F(0, u, v) and R_J(0, u, v, 1), v = (a + bu)/(a + b), u = 1/4;
 //   incomplete: F(c, u), R_F(X, Y, Z) and R_J(X, Y, Z, 1), c = 1/100, u = 1/10.
-// Peers: acb_elliptic_rf and acb_elliptic_rj; an AGM with Bartky's sum as one who knows Arb well would write it;
-// arb_agm for K. With --growth the program prints how the time of each grows between 1,000 and 100,000 digits, beside a
-// product.
+// Peers: acb_elliptic_rf and acb_elliptic_rj; an AGM with Bartky's sum as one who knows Arb well
+// would write it; arb_agm for K. With --growth the program prints how the time of each grows
+// between 1,000 and 100,000 digits, beside a product.
 
 #include <cmath>
 #include <cstring>
@@ -93,8 +93,9 @@ class carlson_with_arb {
   acb_number x_, y_, z_, one_, rf_, rj_;
 };
 
-/// R_F(0, y, z) and R_J(0, y, z, 1) by the AGM of sqrt z and sqrt y and Bartky's sum: with p = 1, Q = 1,
-/// p' = (p^2 + A g)/(2p), Q' = Q/2 (p^2 - A g)/(p^2 + A g). What is left out is at most 2|Q|; M lies in [g, A].
+/// R_F(0, y, z) and R_J(0, y, z, 1) by the AGM of sqrt z and sqrt y and Bartky's sum: with p = 1, Q
+/// = 1, p' = (p^2 + A g)/(2p), Q' = Q/2 (p^2 - A g)/(p^2 + A g). What is left out is at most 2|Q|;
+/// M lies in [g, A].
 class bartky_with_arb {
  public:
   bartky_with_arb(const arguments& at, precision p) : p_(p) {

@@ -1,7 +1,8 @@
-// All nodes and weights of Gauss and Legendre rules, certified: ours, at n of about 0.3 p, as adaptive quadrature asks
-// for them, and Arb's, one node after another by arb_hypgeom_legendre_p_ui_root (its acb_calc_integrate makes
-// them so). "read" is the same rule from a file, with all checks. --benchmark_filter=slow measures
-// one more row, which takes a quarter of an hour.
+// All nodes and weights of Gauss and Legendre rules, certified: ours, at n of about 0.3 p, as
+// adaptive quadrature asks for them, and Arb's, one node after another by
+// arb_hypgeom_legendre_p_ui_root (its acb_calc_integrate makes them so). "read" is the same rule
+// from a file, with all checks. --benchmark_filter=slow measures one more row, which takes a
+// quarter of an hour.
 
 #include <cstdlib>
 #include <string>

@@ -1,21 +1,23 @@
-// Integrals, certified, by polhode::integrate and by Arb's acb_calc_integrate; and G(1/4) by the periodic
-// trapezoidal rule too. For a = 12.65, b = 0.0629, G(u) is half the Montgomery phase of oscillating motion and F(c, u)
-// the incomplete integral behind it:
+// Integrals, certified, by polhode::integrate and by Arb's acb_calc_integrate; and G(1/4) by the
+// periodic trapezoidal rule too. For a = 12.65, b = 0.0629, G(u) is half the Montgomery phase of
+// oscillating motion and F(c, u) the incomplete integral behind it:
 //
-//   F(c, u) = integral over (u, 1) of (1 - b x) / sqrt(x (1 - x) (a + b x) (b x + c)) dx,  G(u) = F(-b u, u).
+//   F(c, u) = integral over (u, 1) of (1 - b x) / sqrt(x (1 - x) (a + b x) (b x + c)) dx,  G(u) =
+//   F(-b u, u).
 //
-// "cold" is the first call in a process, which is what a command-line user pays: constants, tables and nodes
-// are not yet made, and we have no directory of nodes; "on disk" is the same with the nodes in a directory. "warm"
-// is a later call. Every figure is taken in a child process, so that this one stays cold; the clock starts at the call,
-// and is the processor's time for this process, of which other programs on the machine take nothing.
-// A child of Arb's answers only if the two results overlap and both are as accurate as was asked.
+// "cold" is the first call in a process, which is what a command-line user pays: constants, tables
+// and nodes are not yet made, and we have no directory of nodes; "on disk" is the same with the
+// nodes in a directory. "warm" is a later call. Every figure is taken in a child process, so that
+// this one stays cold; the clock starts at the call, and is the processor's time for this process,
+// of which other programs on the machine take nothing. A child of Arb's answers only if the two
+// results overlap and both are as accurate as was asked.
 //
-// Arb has every integrand in the form that serves it best of those tried, says by its flag where it is analytic,
-// and does not raise its precision: it is given the guard bits that it turned out to need. Infinite ranges are cut off
-// for it, with a bound of the rest.
+// Arb has every integrand in the form that serves it best of those tried, says by its flag where it
+// is analytic, and does not raise its precision: it is given the guard bits that it turned out to
+// need. Infinite ranges are cut off for it, with a bound of the rest.
 //
-// "sqrt(z), a path" is the integral along straight lines from 1 over 1 + i to -1 + i, which do not meet the cut. It is
-// compared by the sum of its real and its imaginary part.
+// "sqrt(z), a path" is the integral along straight lines from 1 over 1 + i to -1 + i, which do not
+// meet the cut. It is compared by the sum of its real and its imaginary part.
 
 #include <array>
 #include <cmath>
@@ -91,7 +93,8 @@ constexpr auto sech_of = [](const auto& w) { return 1 / cosh(w); };
 
 #ifdef POLHODE_HAVE_ARB
 
-/// acb_calc_integrate from x = from to x = to, to a relative accuracy of `bits` bits, with so many guard bits.
+/// acb_calc_integrate from x = from to x = to, to a relative accuracy of `bits` bits, with so many
+/// guard bits.
 void integrate_with_arb(arb_ptr result, acb_calc_func_t f, void* data, acb_number& from,
                         acb_number& to, long bits, long guard) {
   acb_number value;
@@ -137,9 +140,9 @@ struct phase_parameters {
   arb_number a, b, c, u, one_minus_u;
 };
 
-/// G: (1 - b x) / sqrt(b x (a + b x)): of the forms tried, with one square root or two, its reciprocal,
-/// cos^2 t + u sin^2 t, the one that serves acb_calc_integrate best.
-/// With order != 0 the answer must be that of an analytic function, and is indeterminate elsewhere.
+/// G: (1 - b x) / sqrt(b x (a + b x)): of the forms tried, with one square root or two, its
+/// reciprocal, cos^2 t + u sin^2 t, the one that serves acb_calc_integrate best. With order != 0
+/// the answer must be that of an analytic function, and is indeterminate elsewhere.
 int phase_on_curve(acb_ptr result, const acb_t t, void* data, slong order, slong p) {
   auto& given = *static_cast<phase_parameters*>(data);
   acb_number bx;
@@ -343,8 +346,8 @@ void secant_with_arb(arb_ptr result, long bits) {
   enlarge(result, rest);
 }
 
-/// Over [1, X], X > 1000. Before, at most 1/1001. Beyond, the logarithm of the integrand has a slope of at most
-/// 1000/X - 1, so that the rest is at most X^1001 e^(-X) / (X - 1000).
+/// Over [1, X], X > 1000. Before, at most 1/1001. Beyond, the logarithm of the integrand has a
+/// slope of at most 1000/X - 1, so that the rest is at most X^1001 e^(-X) / (X - 1000).
 void power_with_arb(arb_ptr result, long bits) {
   const double goal = std::lgamma(1001.0) - static_cast<double>(bits + 8) * 0.6932;
   long x = 1050;
@@ -547,8 +550,8 @@ class comparison {
  private:
 #ifdef POLHODE_HAVE_ARB
   static constexpr std::size_t columns = 5;
-  /// Once, and cold, both in one child: neither uses what the other makes. Nodes are next to nothing of such an
-  /// integral's time, so that its ratio stands for later calls too.
+  /// Once, and cold, both in one child: neither uses what the other makes. Nodes are next to
+  /// nothing of such an integral's time, so that its ratio stands for later calls too.
   [[nodiscard]] outcome first_calls() const {
     struct both {
       figures ours;

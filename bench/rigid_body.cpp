@@ -1,6 +1,8 @@
-// The Montgomery phase and the curve C. The ratios are to a full product of as many bits, since a time depends on the machine:
+// The Montgomery phase and the curve C. The ratios are to a full product of as many bits, since a
+// time depends on the machine:
 //   phase:   dphi for a = 12.65, b = 0.0629 at one c, oscillating and rotating, warm;
-//   epsilon: epsilon(c) of the same body over 1,000 values of c in (-b, b), by twist_to_digits; one call is all of them.
+//   epsilon: epsilon(c) of the same body over 1,000 values of c in (-b, b), by twist_to_digits; one
+//     call is all of them.
 
 #include <string>
 

@@ -1,9 +1,10 @@
 // Roots, against Newton's iteration written by hand on Arb.
 //
-// The peer for x = cos x is Newton's iteration as one who knows Arb well would write it: cos for f, sin of half
-// the precision for f', precision doubling from a start in hardware numbers, and interval Newton as the last
-// step, which makes the whole a proof at the price of that step alone. Polhode is timed with the search: from
-// the interval [0, 1] to the digits. The other tables have no peer: times, and evaluations for each root.
+// The peer for x = cos x is Newton's iteration as one who knows Arb well would write it: cos for f,
+// sin of half the precision for f', precision doubling from a start in hardware numbers, and
+// interval Newton as the last step, which makes the whole a proof at the price of that step alone.
+// Polhode is timed with the search: from the interval [0, 1] to the digits. The other tables have
+// no peer: times, and evaluations for each root.
 
 #include <cmath>
 #include <string>
@@ -43,7 +44,8 @@ class dottie_with_arb {
       step(schedule[i]);
       arb_set(x_.get(), image_.get());
     }
-    // Certified: if the Newton image of X lies in X, X holds exactly one root, and the image holds it.
+    // Certified: if the Newton image of X lies in X, X holds exactly one root, and the image holds
+    // it.
     mag_set_ui_2exp_si(arb_radref(x_.get()), 1, -(bits / 2) - 2);
     step(bits);
     if (arb_contains(x_.get(), image_.get()) == 0) throw std::logic_error("Newton on Arb failed");

@@ -1,9 +1,11 @@
-// The free rotation in closed form: samples in double and to 50 digits, and against integration by Boost.odeint.
+// The free rotation in closed form: samples in double and to 50 digits, and against integration by
+// Boost.odeint.
 //
-// The peer is dopri5 with step size control, tolerances 1e-12, on the momentum in the body and the attitude's quaternion: what one
-// who simulates a free body writes. Both end after 1,000 periods of the momentum; errors there are measured against the certified value:
-// of the momentum over |J|, and of the attitude's matrix, the greatest norm of a column's error. Polhode's time holds the making of the
-// rotor, all that does not depend on time, and one attitude.
+// The peer is dopri5 with step size control, tolerances 1e-12, on the momentum in the body and the
+// attitude's quaternion: what one who simulates a free body writes. Both end after 1,000 periods of
+// the momentum; errors there are measured against the certified value: of the momentum over |J|,
+// and of the attitude's matrix, the greatest norm of a column's error. Polhode's time holds the
+// making of the rotor, all that does not depend on time, and one attitude.
 
 #include <cmath>
 #include <iomanip>

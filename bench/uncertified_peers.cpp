@@ -1,8 +1,9 @@
 // PARI, whose results have no error bound, and MPFI's intervals, beside the certified ones.
 //
-// PARI is called through its library. Behind each of its rows stands the error that its result has, measured against the certified value;
-// its intnum is given the ends, with exponential decay where they are infinite, and nothing else, as one does who does not know better. Without PARI its columns are empty; without MPFI there is
-// no table of it.
+// PARI is called through its library. Behind each of its rows stands the error that its result has,
+// measured against the certified value; its intnum is given the ends, with exponential decay where
+// they are infinite, and nothing else, as one does who does not know better. Without PARI its
+// columns are empty; without MPFI there is no table of it.
 
 #include <cmath>
 #include <functional>

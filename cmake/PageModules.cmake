@@ -1,7 +1,8 @@
-# What npm installs for the page of a scene: three.js, which is bundled into the program, and esbuild, which bundles it.
+# What npm installs for the page of a scene: three.js, which is bundled into the program, and
+# esbuild, which bundles it.
 
-# Puts the modules of SOURCE_DIR/package-lock.json into DIR/node_modules, unless they are there. WITHOUT becomes empty, or the reason why
-# there are none.
+# Puts the modules of SOURCE_DIR/package-lock.json into DIR/node_modules, unless they are there.
+# WITHOUT becomes empty, or the reason why there are none.
 function(polhode_install_page_modules SOURCE_DIR DIR WITHOUT)
   set(least_node 18)
   set(${WITHOUT} "" PARENT_SCOPE)

@@ -19,10 +19,10 @@ ball mean_equation(const ball& x) { return (2 * agm(sqrt(1 + x), sqrt(x)) - 1) /
 
 /// f'(x) = M (x + 1/2 - S) / (2 x (1 + x)), S the sum of 2^(n-1) c_n^2 over n >= 1.
 ///
-/// Proof. With I = integral over (0, pi/2) of (x + cos^2 t)^(-1/2) dt = pi / (2 M) (Gauss) and
-/// J = integral of (x + cos^2 t)^(-3/2) dt, I' = -J/2 and M' = (M^2 / pi) J. With m = 1/(1+x):
-/// I = K(m)/sqrt(1+x) and J = (1+x)^(-3/2) E(m)/(1-m) (DLMF 19.2(ii), integral of Delta^-3), so
-/// J = I (E/K)/x and M' = (M/(2x)) E/K. Last, E/K = 1 - sum over n >= 0 of 2^(n-1) c_n^2/a_0^2, with
+/// Proof. With I = integral over (0, pi/2) of (x + cos^2 t)^(-1/2) dt = pi / (2 M) (Gauss) and J =
+/// integral of (x + cos^2 t)^(-3/2) dt, I' = -J/2 and M' = (M^2 / pi) J. With m = 1/(1+x): I =
+/// K(m)/sqrt(1+x) and J = (1+x)^(-3/2) E(m)/(1-m) (DLMF 19.2(ii), integral of Delta^-3), so J = I
+/// (E/K)/x and M' = (M/(2x)) E/K. Last, E/K = 1 - sum over n >= 0 of 2^(n-1) c_n^2/a_0^2, with
 /// a_0^2 = 1 + x and c_0^2 = a_0^2 - b_0^2 = 1.
 ball mean_equation_slope(const ball& x) {
   const agm_sums m = agm_with_sum(sqrt(1 + x), sqrt(x));
@@ -77,8 +77,8 @@ class inverse_root_integrand {
     return [=](const T& cosine) -> T { return 1 / sqrt(T(shift + cosine / 2)); };
   }
 
-  /// Re(x + (1 + cos t)/2) >= x + (1 - cosh H)/2 for |Im t| <= H: where that is positive the root is
-  /// analytic and |integrand| <= (x + (1 - cosh H)/2)^(-1/2).
+  /// Re(x + (1 + cos t)/2) >= x + (1 - cosh H)/2 for |Im t| <= H: where that is positive the root
+  /// is analytic and |integrand| <= (x + (1 - cosh H)/2)^(-1/2).
   [[nodiscard]] std::optional<strip_bound> bound_on_strip(const ball& half_width) const {
     const ball least = x_ + scale(1 - cosh(half_width), -1);
     if (!certainly_positive(half_width) || !certainly_positive(least)) return std::nullopt;
@@ -103,7 +103,8 @@ sign_by_quadrature sign_at(const rational& x, long bits) {
   return result;
 }
 
-/// The decimals of x cut off after `digits` digits, as a rational, and one unit of their last place.
+/// The decimals of x cut off after `digits` digits, as a rational, and one unit of their last
+/// place.
 struct decimal_bracket {
   rational below;
   rational above;
@@ -115,8 +116,8 @@ decimal_bracket bracket_of(const ball& x, long digits) {
   return {below, below + parse_rational("1e-" + std::to_string(decimals))};
 }
 
-/// The independent route: no AGM, no derivative. The integral decreases in x (its integrand does), so
-/// signs + and - at two points enclose its only root.
+/// The independent route: no AGM, no derivative. The integral decreases in x (its integrand does),
+/// so signs + and - at two points enclose its only root.
 void add_quadrature_route(certificate& c, const ball& root, long digits) {
   const decimal_bracket bracket = bracket_of(root, digits);
   const long bits = bits_for_digits(digits) + 16;
@@ -168,7 +169,8 @@ certificate prove_beta(const request& wanted) {
 
 root_enclosure enclose_beta(precision p) {
   root_enclosure root;
-  // The first box is right where long double has 64 bits; the others are for machines where it has fewer.
+  // The first box is right where long double has 64 bits; the others are for machines where it has
+  // fewer.
   for (const int bits : {54, 44, 20}) {
     root = refine_root(mean_equation, mean_equation_slope, start_box(bits), p);
     if (root.verdict == root_verdict::unique) break;

@@ -17,7 +17,8 @@ struct request {
   oscillating_motion motion{rational(1265, 100), rational(629, 10000), rational(1, 4)};
 };
 
-/// What of the request the proof's numbers depend on: nothing, the body (a and b), or the body and its motion (u).
+/// What of the request the proof's numbers depend on: nothing, the body (a and b), or the body and
+/// its motion (u).
 enum class claim_subject { none, body, motion };
 
 /// One statement of the paper and what proves it.
@@ -35,7 +36,8 @@ struct claim : statements::claim_text {
 
 /// The heading of the table of claims in proofs/README.md, in Markdown: two lines.
 [[nodiscard]] std::string table_heading();
-/// A claim's row, but for its last two cells, time and verdict: "| `beta` | eq. (40) | ... | `polhode certify beta` |".
+/// A claim's row, but for its last two cells, time and verdict: "| `beta` | eq. (40) | ... |
+/// `polhode certify beta` |".
 [[nodiscard]] std::string table_row(const claim& c);
 
 /// A constant of the paper, to any number of digits.
@@ -54,8 +56,9 @@ struct constant {
 [[nodiscard]] const std::vector<constant>& all_constants();
 [[nodiscard]] const constant* find_constant(const std::string& name);
 
-/// An enclosure of the constant with at least `digits` certain significant digits: working precision is
-/// raised until they are certain. Undefined if they are not at a precision of 16 times that many bits.
+/// An enclosure of the constant with at least `digits` certain significant digits: working
+/// precision is raised until they are certain. Undefined if they are not at a precision of 16 times
+/// that many bits.
 [[nodiscard]] ball enclose_to_digits(const constant& c, long digits);
 
 /// Bytes needed at most, about, to enclose the constant to that many digits. Measured, not proved.

@@ -16,7 +16,8 @@ ball epsilon0_min(precision p) { return pi(p) - 2 * atan(exp(pi(p))); }
 /// pi - 2 epsilon0_min = 4 arctan(e^pi) - pi.
 ball delta_psi_max(precision p) { return 4 * atan(exp(pi(p))) - pi(p); }
 
-/// What the root is where it is proved to be the only one in its box. Without existence, what is left of the box encloses nothing.
+/// What the root is where it is proved to be the only one in its box. Without existence, what is
+/// left of the box encloses nothing.
 ball only_root(const root_enclosure& root, precision p) {
   return root.verdict == root_verdict::unique ? root.root : ball::undefined(p);
 }
@@ -28,9 +29,10 @@ ball delta_psi_max_by_logarithm(precision p) {
 
 /// The root of R_F(0, x, 1+x) = pi in [0.0289, 0.029], by interval Newton.
 ///
-/// With I(x) the integral over (0, pi/2) of (x + cos^2 t)^(-1/2), K(1/(1+x)) = sqrt(1+x) I(x), so that the equation of beta reads
-/// I(x) = pi; and K(1/(1+x)) = R_F(0, x/(1+x), 1) (DLMF 19.25.1), which is sqrt(1+x) R_F(0, x, 1+x), as R_F is homogeneous of
-/// degree -1/2. I decreases strictly, so that there is no other root.
+/// With I(x) the integral over (0, pi/2) of (x + cos^2 t)^(-1/2), K(1/(1+x)) = sqrt(1+x) I(x), so
+/// that the equation of beta reads I(x) = pi; and K(1/(1+x)) = R_F(0, x/(1+x), 1) (DLMF 19.25.1),
+/// which is sqrt(1+x) R_F(0, x, 1+x), as R_F is homogeneous of degree -1/2. I decreases strictly,
+/// so that there is no other root.
 ball beta_by_carlson(precision p) {
   const auto f = [](const ball& x) {
     return carlson_rf(ball(0, x.precision()), x, 1 + x) - pi(x.precision());
@@ -70,7 +72,8 @@ const constant* find_constant(const std::string& name) {
 }
 
 ball enclose_to_digits(const constant& c, long digits) {
-  // Certain digits are missing only by bad luck (a run of 0s or 9s) once the radius is small enough.
+  // Certain digits are missing only by bad luck (a run of 0s or 9s) once the radius is small
+  // enough.
   return polhode::enclose_to_digits(c.enclose, digits, 15 * bits_for_digits(digits) + 1024);
 }
 

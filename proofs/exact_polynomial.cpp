@@ -21,7 +21,8 @@ exact_polynomial power(const exact_polynomial& x, int n) {
   return result;
 }
 
-/// sum = product (('+' | '-') product)*, product = factor ('*' factor)*, factor = ['-'] atom ['^' whole number].
+/// sum = product (('+' | '-') product)*, product = factor ('*' factor)*, factor = ['-'] atom ['^'
+/// whole number].
 class reader {
  public:
   explicit reader(std::string_view text) : text_(text) {}
@@ -148,8 +149,8 @@ bool is_hypothesis(const letter_range& range) {
   });
 }
 
-/// Whether the ranges are hypotheses, each of another letter, and each letter is defined by letters that stand for
-/// themselves.
+/// Whether the ranges are hypotheses, each of another letter, and each letter is defined by letters
+/// that stand for themselves.
 bool are_usable(const std::vector<letter_range>& ranges) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!is_hypothesis(ranges[i])) return false;

@@ -2,9 +2,9 @@
 
 // Identities and signs of polynomials, decided exactly.
 //
-// A polynomial is written as text in single lower-case letters with integer coefficients, "(1-b)^2 - b*(a+b)", and is
-// expanded over the rationals: two polynomials are the same function exactly when their expansions are equal. What a
-// certificate prints is the text that was checked.
+// A polynomial is written as text in single lower-case letters with integer coefficients, "(1-b)^2
+// - b*(a+b)", and is expanded over the rationals: two polynomials are the same function exactly
+// when their expansions are equal. What a certificate prints is the text that was checked.
 
 #include <array>
 #include <map>
@@ -60,8 +60,9 @@ using statements::step_form;
 /// Throws std::invalid_argument where a text is not a polynomial, or `letters` are no ranges.
 [[nodiscard]] bool holds(const polynomial_step& step);
 
-/// What the claims say of the quantities that letters stand for: a polynomial that is > 0, or >= 0. A step may use these and no
-/// other. All of them hold at a = b = u = 1/4, c = 1/8, k = 1/2, x = 3/4, y = 1/2, z = 1/4: no step speaks of nothing.
+/// What the claims say of the quantities that letters stand for: a polynomial that is > 0, or >= 0.
+/// A step may use these and no other. All of them hold at a = b = u = 1/4, c = 1/8, k = 1/2, x =
+/// 3/4, y = 1/2, z = 1/4: no step speaks of nothing.
 struct hypothesis {
   const char* quantity;
   bool strict;  // > 0; else >= 0
@@ -69,8 +70,8 @@ struct hypothesis {
 };
 [[nodiscard]] const std::vector<hypothesis>& hypotheses();
 
-/// Adds each step to the certificate's facts, and to witness["polynomials"] in a form that can be checked again.
-/// Returns whether all hold.
+/// Adds each step to the certificate's facts, and to witness["polynomials"] in a form that can be
+/// checked again. Returns whether all hold.
 bool add_steps(certificate& c, const std::vector<polynomial_step>& steps);
 
 }  // namespace polhode::proofs

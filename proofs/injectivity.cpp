@@ -1,23 +1,28 @@
 // epsilon(c) is injective exactly for physical bodies: the paper's theorem 3 and proposition 4.
 //
-// psi_c, G and epsilon(c) = pi/2 - psi_c(pi) as in turning_points.hpp; T(c, psi) = integral from 0 to psi of h as in first_equation.cpp. epsilon
-// is continuous on (-b, a): theta at psi = 0 is continuous in c, and solutions depend continuously on their initial values.
+// psi_c, G and epsilon(c) = pi/2 - psi_c(pi) as in turning_points.hpp; T(c, psi) = integral from 0
+// to psi of h as in first_equation.cpp. epsilon is continuous on (-b, a): theta at psi = 0 is
+// continuous in c, and solutions depend continuously on their initial values.
 //
 // (1) I >= 1: epsilon decreases strictly on (-b, a). Then G(u) > pi I >= pi for all u in (0, 1).
-//   (a) Where pi has come before the first turning point (c >= 0, or G >= 2 pi): T(c, psi_c(pi)) = pi, and epsilon decreases strictly in c by
-//       first_equation. (For c > 0 psi_c passes pi/2 as well; T increases in psi and decreases in c all the same.) These are c >= c_1, with
-//       c_1 = -b u_1, G(u_1) = 2 pi, or all c where I >= 2, as G decreases in u.
-//   (b) Else pi < G < 2 pi, so pi lies between the first turning point and the next return to psi = 0: psi = psi_c(pi) > 0 and
-//       T(c, psi) = G - pi. Let c decrease: G decreases, and T(c, psi) increases for every psi > 0. So psi decreases strictly: for
-//       c' < c in this part, T(c', psi_c(pi)) > T(c, psi_c(pi)) = G - pi > G' - pi = T(c', psi_c'(pi)), where psi_c(pi) is beyond the
-//       turning point of c' the conclusion psi_c'(pi) < psi_c(pi) is immediate.
+//   (a) Where pi has come before the first turning point (c >= 0, or G >= 2 pi): T(c, psi_c(pi)) =
+//       pi, and epsilon decreases strictly in c by first_equation. (For c > 0 psi_c passes pi/2 as
+//       well; T increases in psi and decreases in c all the same.) These are c >= c_1, with c_1 =
+//       -b u_1, G(u_1) = 2 pi, or all c where I >= 2, as G decreases in u.
+//   (b) Else pi < G < 2 pi, so pi lies between the first turning point and the next return to psi =
+//       0: psi = psi_c(pi) > 0 and T(c, psi) = G - pi. Let c decrease: G decreases, and T(c, psi)
+//       increases for every psi > 0. So psi decreases strictly: for c' < c in this part, T(c',
+//       psi_c(pi)) > T(c, psi_c(pi)) = G - pi > G' - pi = T(c', psi_c'(pi)), where psi_c(pi) is
+//       beyond the turning point of c' the conclusion psi_c'(pi) < psi_c(pi) is immediate.
 //   Both parts are closed at c_1 by continuity, so epsilon decreases strictly throughout.
-// (2) I < 1: epsilon is not injective. By crossing there is a greatest c* in (-b, 0) with epsilon(c*) = pi/2. And epsilon(c) -> pi/2 as c -> -b, because
-//   |psi_c| <= arcsin sqrt(1 - u). So epsilon has the same limits at both ends of (-b, c*). A continuous injective function on an
-//   interval is strictly monotone and has different limits.
+// (2) I < 1: epsilon is not injective. By crossing there is a greatest c* in (-b, 0) with
+//     epsilon(c*) = pi/2. And epsilon(c) -> pi/2 as c -> -b, because
+//   |psi_c| <= arcsin sqrt(1 - u). So epsilon has the same limits at both ends of (-b, c*). A
+//   continuous injective function on an interval is strictly monotone and has different limits.
 //
-// Of these steps the polynomial ones are computed. Cited: existence, uniqueness and continuous dependence of solutions of ordinary differential
-// equations on their initial values (Picard and Lindeloef), and the intermediate value theorem.
+// Of these steps the polynomial ones are computed. Cited: existence, uniqueness and continuous
+// dependence of solutions of ordinary differential equations on their initial values (Picard and
+// Lindeloef), and the intermediate value theorem.
 
 #include <algorithm>
 #include <optional>
@@ -78,8 +83,9 @@ std::vector<curve_point> points_at(const body& rigid, const std::vector<rational
   return points;
 }
 
-/// Points along which epsilon increases certainly and stays below pi/2: all, but for those that overlap the one before
-/// or pi/2. Nothing where two points, or one and pi/2, are certainly in the wrong order.
+/// Points along which epsilon increases certainly and stays below pi/2: all, but for those that
+/// overlap the one before or pi/2. Nothing where two points, or one and pi/2, are certainly in the
+/// wrong order.
 std::optional<std::vector<curve_point>> increasing_part(const std::vector<curve_point>& points) {
   std::vector<curve_point> part;
   part.reserve(points.size());
@@ -111,7 +117,8 @@ void add_chain(certificate& c, const body& rigid) {
          false, step_kind::enclosed});
     return;
   }
-  // As the certificate has them: the decimals of neighbouring points, and of pi/2, must be apart, too.
+  // As the certificate has them: the decimals of neighbouring points, and of pi/2, must be apart,
+  // too.
   json chain = json::array();
   std::optional<rational> before;
   for (const curve_point& point : *points) {
@@ -142,8 +149,8 @@ void add_chain(certificate& c, const body& rigid) {
 // ---------------------------------------------------------------------------------------------
 // Not physical: two c with the same epsilon
 
-/// Halves the bracket of u while the side of epsilon at the middle is decided; epsilon(lower) is below the level exactly
-/// where below_at_lower.
+/// Halves the bracket of u while the side of epsilon at the middle is decided; epsilon(lower) is
+/// below the level exactly where below_at_lower.
 root_bracket refined(const body& rigid, root_bracket bracket, const ball& level,
                      bool below_at_lower) {
   constexpr int steps = 24;
@@ -174,9 +181,9 @@ struct witnesses {
   root_bracket second;
 };
 
-/// The curve rises above pi/2 after its first crossing, at G = pi, and comes back to it. Between the crossing and a place
-/// with G = q pi, q = max(3/4, (1 + I)/2), and between that place and one near u = 1, it passes a level between pi/2
-/// and its value there.
+/// The curve rises above pi/2 after its first crossing, at G = pi, and comes back to it. Between
+/// the crossing and a place with G = q pi, q = max(3/4, (1 + I)/2), and between that place and one
+/// near u = 1, it passes a level between pi/2 and its value there.
 std::optional<witnesses> find_witnesses(const body& rigid) {
   constexpr precision p = 1024;
   const rational near_I = lower_rational(rigid.geometric_constant(p));

@@ -25,15 +25,17 @@ struct printed_number {
 /// Those that are not.
 [[nodiscard]] const std::vector<printed_number>& wrong_numbers();
 
-/// Whether the number printed is the true one rounded to its decimals: |printed - value| is at most half a unit
-/// of the last place.
+/// Whether the number printed is the true one rounded to its decimals: |printed - value| is at most
+/// half a unit of the last place.
 enum class rounding { right, wrong, undecided };
 [[nodiscard]] rounding check_rounding(const std::string& printed, int places, const ball& value);
 
-/// The number printed, and beside it how it is read where it has fewer places than it claims: "1 (read as 1.000, ...)".
+/// The number printed, and beside it how it is read where it has fewer places than it claims: "1
+/// (read as 1.000, ...)".
 [[nodiscard]] std::string as_read(const std::string& printed, int places);
 
-/// Adds each of them as a number with `digits` digits, and the fact that it is right, or wrong, as expected.
+/// Adds each of them as a number with `digits` digits, and the fact that it is right, or wrong, as
+/// expected.
 void add_printed_numbers(certificate& c, const std::vector<printed_number>& numbers,
                          rounding expected, long digits);
 

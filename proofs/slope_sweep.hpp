@@ -1,7 +1,7 @@
 #pragma once
 
-// The sign of dF(-bu,u)/du for all bodies and motions at once, by interval arithmetic: the numerical
-// companion of the exact proof.
+// The sign of dF(-bu,u)/du for all bodies and motions at once, by interval arithmetic: the
+// numerical companion of the exact proof.
 
 #include <array>
 #include <vector>
@@ -25,12 +25,13 @@ struct sweep_point {
   ball p, r, u;  // interval parameters, within [0, 1]
 };
 
-/// A lower bound of W over a box of parameters: the integrand is bounded over 64 equal cells of t. The
-/// lower ends are used: cos^2 decreases over each cell, and sigma^(-1/2) and sigma^(-3/2) decrease in sigma.
+/// A lower bound of W over a box of parameters: the integrand is bounded over 64 equal cells of t.
+/// The lower ends are used: cos^2 decreases over each cell, and sigma^(-1/2) and sigma^(-3/2)
+/// decrease in sigma.
 [[nodiscard]] ball slope_lower_bound(const sweep_point& box);
 
-/// An enclosure of W for parameters with sigma certainly positive, from the same cells (its width is
-/// that of the cells: a few hundredths).
+/// An enclosure of W for parameters with sigma certainly positive, from the same cells (its width
+/// is that of the cells: a few hundredths).
 [[nodiscard]] ball slope_enclosure(const sweep_point& box);
 
 /// The point (p, r, u) of a motion.

@@ -14,8 +14,9 @@ std::optional<integer> common_floor(const ball& x) {
   return numerator(lower_rational(below));
 }
 
-/// An enclosure of arcsin(sqrt(w)) for the w in [0, most] with F(c, 1 - w) = value, where F increases in w from 0.
-/// Hypotheses: 0 < most <= 1, and value holds a number from 0 to the supremum of F on [0, most).
+/// An enclosure of arcsin(sqrt(w)) for the w in [0, most] with F(c, 1 - w) = value, where F
+/// increases in w from 0. Hypotheses: 0 < most <= 1, and value holds a number from 0 to the
+/// supremum of F on [0, most).
 ball amplitude(const body& rigid, const rational& c, const ball& value, const rational& most,
                precision p) {
   constexpr unsigned most_halvings = 8192;

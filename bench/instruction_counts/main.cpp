@@ -2,8 +2,9 @@
 //
 //   instruction_counts --list          their names
 //   instruction_counts --environment   what a count depends on, beside this tree's source, as JSON
-//   instruction_counts NAME            makes that operation twice; what runs inside measured_operation is the second
-//                                      time, so that constants and nodes are known, and functions bound
+//   instruction_counts NAME            makes that operation twice; what runs inside
+//                                      measured_operation is the second time, so that constants and
+//                                      nodes are known, and functions bound
 //
 // All of them run on this thread alone.
 
@@ -167,7 +168,8 @@ std::vector<operation> operations() {
            }}};
 }
 
-/// What the libraries choose their code by. Under valgrind it is valgrind's processor, which is made after this one.
+/// What the libraries choose their code by. Under valgrind it is valgrind's processor, which is
+/// made after this one.
 std::string processor() {
 #if defined(__x86_64__)
   unsigned a = 0, b = 0, c = 0, d = 0;

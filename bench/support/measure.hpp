@@ -5,10 +5,10 @@
 //
 // A program declares tables of rows. Each row is registered with Google Benchmark (whose
 // --benchmark_filter, --benchmark_list_tests and --benchmark_out serve as usual; --json FILE is
-// short for the last; --quick measures three rounds at most, for a look), and printed as one line: the median time of a call for each contestant, then
-// the ratios of two contestants that the table is about, "/Arb" for the first one's time over
-// Arb's. A ratio is the median of the rounds' ratios; where it misses the limit printed beside it,
-// it is marked with an exclamation mark.
+// short for the last; --quick measures three rounds at most, for a look), and printed as one line:
+// the median time of a call for each contestant, then the ratios of two contestants that the table
+// is about, "/Arb" for the first one's time over Arb's. A ratio is the median of the rounds'
+// ratios; where it misses the limit printed beside it, it is marked with an exclamation mark.
 
 #include <algorithm>
 #include <functional>
@@ -86,10 +86,11 @@ struct row {
   std::vector<ratio> ratios;
 };
 
-/// What came out of a row. A line that has no times, such as a mean of other rows, leaves `seconds` empty.
+/// What came out of a row. A line that has no times, such as a mean of other rows, leaves `seconds`
+/// empty.
 struct outcome {
-  std::vector<double>
-      seconds;  // a call of each contestant, median; of the first ones, where the others do not take part
+  // The median of a call of each contestant; of the first ones, where the others do not take part.
+  std::vector<double> seconds;
   std::vector<double> ratios;
   std::vector<std::optional<ratio_limit>> bounds;
   std::string remark = {};  // printed after the ratios
@@ -98,7 +99,8 @@ struct outcome {
 namespace detail {
 
 inline constexpr double least_batch_seconds = 1e-3;
-/// How long a row is measured, and in how many rounds at least, or in how many there is time for where they are long.
+/// How long a row is measured, and in how many rounds at least, or in how many there is time for
+/// where they are long.
 struct effort {
   double row_seconds = 0.4;
   int least_rounds = 7;

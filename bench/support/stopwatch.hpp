@@ -43,7 +43,8 @@ template <class F>
   return now() - start;
 }
 
-/// f(), a number or a few, computed in a child process made for it. What f throws is said on the error stream.
+/// f(), a number or a few, computed in a child process made for it. What f throws is said on the
+/// error stream.
 template <class F>
 [[nodiscard]] auto in_child(F f) {
   using result = decltype(f());

@@ -1,9 +1,10 @@
-// What integrate() does for the integral of 1/(1 + 25 (x - 1/3)^2) over [-1, 1], for the picture in docs/quadrature.md.
+// What integrate() does for the integral of 1/(1 + 25 (x - 1/3)^2) over [-1, 1], for the picture in
+// docs/quadrature.md.
 //
-// The integrand notes what it is asked: regions while bounds are looked for, numbers at the nodes. Nothing is computed
-// here that integrate() did not ask for. Printed for gnuplot, as blocks two empty lines apart: the ends of the panels;
-// the ellipses (those of the panels that were summed up, the last one proved of each); the tiles that proved them,
-// left, bottom, right, top; the nodes.
+// The integrand notes what it is asked: regions while bounds are looked for, numbers at the nodes.
+// Nothing is computed here that integrate() did not ask for. Printed for gnuplot, as blocks two
+// empty lines apart: the ends of the panels; the ellipses (those of the panels that were summed up,
+// the last one proved of each); the tiles that proved them, left, bottom, right, top; the nodes.
 
 #include <cmath>
 #include <cstdio>
@@ -74,8 +75,9 @@ struct panel_notes {
   std::vector<attempt> attempts;
 };
 
-/// A panel begins with its real range; an ellipse with the tile over its upper right quarter, whose sides are the
-/// semi-axes, a^2 - b^2 = 1; arcs with the one that ends at the right vertex and is lower than a quarter.
+/// A panel begins with its real range; an ellipse with the tile over its upper right quarter, whose
+/// sides are the semi-axes, a^2 - b^2 = 1; arcs with the one that ends at the right vertex and is
+/// lower than a quarter.
 std::vector<panel_notes> panels_of(const std::vector<rectangle_asked>& regions) {
   std::vector<panel_notes> result;
   bool arcs = false;

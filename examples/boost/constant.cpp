@@ -1,5 +1,6 @@
-// boostorg/math#702: the constant 2 from -10 to 10, in a lambda that returns an int. tanh_sinh answered 20; Boost 1.81 refuses an int when it is compiled, so
-// that it has to be 2.0. The integral is 40.
+// boostorg/math#702: the constant 2 from -10 to 10, in a lambda that returns an int. tanh_sinh
+// answered 20; Boost 1.81 refuses an int when it is compiled, so that it has to be 2.0. The
+// integral is 40.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 

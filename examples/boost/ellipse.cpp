@@ -1,5 +1,6 @@
-// The example of Boost.Math's page on roots with elliptic integrals: an ellipse with an arc of length 300 (a quarter of 4 a E(k)) and one radius of 28; what
-// is the other? E(k) is boost::math::ellint_2(k), in a function that is proved too.
+// The example of Boost.Math's page on roots with elliptic integrals: an ellipse with an arc of
+// length 300 (a quarter of 4 a E(k)) and one radius of 28; what is the other? E(k) is
+// boost::math::ellint_2(k), in a function that is proved too.
 
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/roots.hpp>

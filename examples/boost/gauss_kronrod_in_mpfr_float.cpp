@@ -1,4 +1,5 @@
-// boostorg/math#383: gauss_kronrod in mpfr_float gave wrong digits, its nodes being made before the precision was set.
+// boostorg/math#383: gauss_kronrod in mpfr_float gave wrong digits, its nodes being made before the
+// precision was set.
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/multiprecision/mpfr.hpp>

@@ -1,5 +1,5 @@
-// From the review of Boost's double exponential rules (boostorg/math#66): x^(a-1) (1-x)^(b-1) with a = 1/20 and b = 3, from 0 to 1/2000. Nearly all of
-// the integral lies beside 0.
+// From the review of Boost's double exponential rules (boostorg/math#66): x^(a-1) (1-x)^(b-1) with
+// a = 1/20 and b = 3, from 0 to 1/2000. Nearly all of the integral lies beside 0.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 

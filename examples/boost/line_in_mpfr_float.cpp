@@ -1,5 +1,5 @@
-// boostorg/math#380: tanh_sinh in mpfr_float failed as it was set up (mended since), and a lambda has to say that it returns a Real. Here it may be
-// the plain one.
+// boostorg/math#380: tanh_sinh in mpfr_float failed as it was set up (mended since), and a lambda
+// has to say that it returns a Real. Here it may be the plain one.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/multiprecision/mpfr.hpp>

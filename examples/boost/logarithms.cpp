@@ -1,4 +1,5 @@
-// The example of Boost.Math's page on tanh_sinh: log(x) log(1-x), singular at both ends. 2 - pi^2/6.
+// The example of Boost.Math's page on tanh_sinh: log(x) log(1-x), singular at both ends. 2 -
+// pi^2/6.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/log1p.hpp>

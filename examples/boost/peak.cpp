@@ -1,4 +1,5 @@
-// A narrow peak between the nodes of a rule: Boost's adaptive Gauss-Kronrod rule sees zeros, and claims an error of 0. sqrt(pi) 10^-4.
+// A narrow peak between the nodes of a rule: Boost's adaptive Gauss-Kronrod rule sees zeros, and
+// claims an error of 0. sqrt(pi) 10^-4.
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 

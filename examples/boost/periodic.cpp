@@ -1,4 +1,5 @@
-// The example of Boost.Math's page on the trapezoidal rule: 1/(5 - 4 cos x) over a period, here to 50 digits. 2 pi/3.
+// The example of Boost.Math's page on the trapezoidal rule: 1/(5 - 4 cos x) over a period, here to
+// 50 digits. 2 pi/3.
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/trapezoidal.hpp>

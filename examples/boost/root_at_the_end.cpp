@@ -1,4 +1,5 @@
-// boostorg/math#423: x / sqrt(x^2 - 1/4) from 1/2, where x^2 - 1/4 cancels beside the singular end. The integral is 1.
+// boostorg/math#423: x / sqrt(x^2 - 1/4) from 1/2, where x^2 - 1/4 cancels beside the singular end.
+// The integral is 1.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the ports print: Boost's answer and Polhode's, one below the other, with the error that each says, the error that there is, and the time.
+// What the ports print: Boost's answer and Polhode's, one below the other, with the error that each
+// says, the error that there is, and the time.
 
 #include <chrono>
 #include <iomanip>
@@ -14,7 +15,8 @@
 
 namespace ports {
 
-/// A result of Boost's: its value, the error that it claims (a NaN where it claims none), and what it threw instead.
+/// A result of Boost's: its value, the error that it claims (a NaN where it claims none), and what
+/// it threw instead.
 template <class Real>
 struct boost_answer {
   Real value = std::numeric_limits<Real>::quiet_NaN();
@@ -53,7 +55,8 @@ double distance(const Real& value, const polhode::ball& truth) {
   return polhode::upper_as<double>(polhode::abs(off));
 }
 
-/// Runs both and prints them. `by_boost` returns a boost_answer; f is the integrand for Polhode. Returns 0 where Polhode's integral is proved.
+/// Runs both and prints them. `by_boost` returns a boost_answer; f is the integrand for Polhode.
+/// Returns 0 where Polhode's integral is proved.
 template <class Real, class ByBoost, class F>
 int integral(const char* title, const ByBoost& by_boost, const F& f,
              const polhode::range_limit<Real>& a, const polhode::range_limit<Real>& b) {

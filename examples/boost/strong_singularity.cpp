@@ -1,4 +1,5 @@
-// boostorg/math#706: (1-x)^(-4/5) from 0 to 1, singular at the end at which a double cannot come near. The integral is 5.
+// boostorg/math#706: (1-x)^(-4/5) from 0 to 1, singular at the end at which a double cannot come
+// near. The integral is 5.
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 

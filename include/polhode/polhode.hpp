@@ -1,8 +1,8 @@
 #pragma once
 
-// All that a program needs most: numbers and their text, integrals, roots, elliptic functions, rigid bodies, formulas
-// and second opinions.
-// Each part has a header of its own, which compiles sooner. Certificates and scenes are not among these.
+// All that a program needs most: numbers and their text, integrals, roots, elliptic functions,
+// rigid bodies, formulas and second opinions. Each part has a header of its own, which compiles
+// sooner. Certificates and scenes are not among these.
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"

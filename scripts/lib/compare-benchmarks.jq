@@ -1,5 +1,6 @@
-# The rows of two reports of scripts/bench, $now[0] and $before[0], whose times differ by 10 % or more: the times of both, their ratio, and
-# by what factor the times beside the peers' have changed, on which the speed of the machine has no part.
+# The rows of two reports of scripts/bench, $now[0] and $before[0], whose times differ by 10 % or
+# more: the times of both, their ratio, and by what factor the times beside the peers' have changed,
+# on which the speed of the machine has no part.
 
 def rows:
   [to_entries[] | .key as $program | .value.benchmarks[]? | select(.real_time > 0)

@@ -2,8 +2,9 @@
 #   page_of_statements TABLE           the page proofs/coq/paper/STATEMENTS.md, from what Coq printed as statement<row>.out
 #   expect_axioms FILE COUNT PATTERN   that FILE holds what COUNT times `Print Assumptions` prints, with no axiom but those of the pattern
 
-# Every line must be understood: an axiom with its type, or the beginning of a theorem's list. Coq has to print with a
-# width that leaves no type on a line of its own (Set Printing Width). Prints what is not understood, and fails.
+# Every line must be understood: an axiom with its type, or the beginning of a theorem's list. Coq
+# has to print with a width that leaves no type on a line of its own (Set Printing Width). Prints
+# what is not understood, and fails.
 expect_axioms() {
   local file=$1 count=$2 allowed=$3
   awk -v count="$count" -v allowed="^($allowed)\$" '

@@ -15,9 +15,9 @@ namespace polhode {
 [[nodiscard]] std::string nearest_name(std::string_view given,
                                        const std::vector<std::string>& known);
 
-/// The known name nearest to the given one, if it is near: equal but for the case of letters or for two neighbours that
-/// are exchanged; or one letter off where the shorter of both has three, two off where it has four, three off where it has
-/// eight. None where none is.
+/// The known name nearest to the given one, if it is near: equal but for the case of letters or for
+/// two neighbours that are exchanged; or one letter off where the shorter of both has three, two
+/// off where it has four, three off where it has eight. None where none is.
 [[nodiscard]] std::optional<std::string> near_name(std::string_view given,
                                                    const std::vector<std::string>& known);
 

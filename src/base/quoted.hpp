@@ -5,8 +5,8 @@
 
 namespace polhode::detail {
 
-/// A text for an error message of one line: between quotes, whole where short, else its beginning; control
-/// characters as question marks.
+/// A text for an error message of one line: between quotes, whole where short, else its beginning;
+/// control characters as question marks.
 [[nodiscard]] inline std::string quoted(std::string_view text) {
   constexpr std::size_t most = 60;
   std::string shown(text.substr(0, most));

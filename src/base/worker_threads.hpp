@@ -7,12 +7,12 @@
 
 namespace polhode::detail {
 
-/// To be called by what runs on a thread that may end: MPFR keeps constants for each thread, which are then given
-/// back. (A task_scheduler_observer is not told of every thread's end.)
+/// To be called by what runs on a thread that may end: MPFR keeps constants for each thread, which
+/// are then given back. (A task_scheduler_observer is not told of every thread's end.)
 void give_constants_back_at_end();
 
-/// Up to this many threads, the calling one among them, and no more than the machine has processors; 0 for as many as
-/// it has.
+/// Up to this many threads, the calling one among them, and no more than the machine has
+/// processors; 0 for as many as it has.
 class worker_threads {
  public:
   explicit worker_threads(int threads);

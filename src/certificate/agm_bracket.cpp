@@ -21,7 +21,8 @@ integer rounded_half(const integer& n, direction way) {
 
 json pair_of(const integer& A, const integer& B) { return json::array({A.str(), B.str()}); }
 
-/// The chain from n/S, or nothing where it comes to a standstill before both numbers are on their side of S/2.
+/// The chain from n/S, or nothing where it comes to a standstill before both numbers are on their
+/// side of S/2.
 std::optional<json> chain(const integer& S, const integer& n, direction way) {
   constexpr int most_steps = 100;
   const auto is_over = [&](const integer& x) {

@@ -90,7 +90,8 @@ std::optional<double> log2_of(const ball& x) {
   return static_cast<double>(m.log2_floor()) + 1;
 }
 
-/// k with 2^k about 10^-(digits+2) of the size of x (of `size`, as a power of two, where x may be 0), and not below x's radius.
+/// k with 2^k about 10^-(digits+2) of the size of x (of `size`, as a power of two, where x may be
+/// 0), and not below x's radius.
 long widening(const ball& x, double size, long digits) {
   if (!contains_zero(x)) size = *log2_of(x);
   auto k = static_cast<long>(std::floor(size)) - bits_for_digits(digits + 2);
@@ -113,7 +114,8 @@ void expect_at_most(long most, long digits, const char* what) {
 
 using inputs = std::vector<std::pair<const char*, std::string>>;
 
-/// The checker refuses a variable that a reader takes for a constant, a function or a number: "Pi", "e", "l".
+/// The checker refuses a variable that a reader takes for a constant, a function or a number: "Pi",
+/// "e", "l".
 void expect_plain_variable(const std::string& name) {
   std::string small = name;
   for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -230,7 +232,8 @@ class piece_search {
     return best;
   }
 
-  /// k with |f| <= 2^(k-1) on the ellipse, by tiles of its upper half; nothing where it is not found.
+  /// k with |f| <= 2^(k-1) on the ellipse, by tiles of its upper half; nothing where it is not
+  /// found.
   std::optional<long> log2_supremum(const rational& begin, const rational& end, double rho,
                                     long& tiles) const {
     constexpr long most_tiles = 1500;

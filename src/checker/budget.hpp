@@ -1,7 +1,8 @@
 #pragma once
 
-// What a check may cost. Everything that takes time or memory by what a certificate says is charged here before it is done, by
-// the sizes of its operands: never by a clock, so that the same certificate costs the same everywhere.
+// What a check may cost. Everything that takes time or memory by what a certificate says is charged
+// here before it is done, by the sizes of its operands: never by a clock, so that the same
+// certificate costs the same everywhere.
 
 #include <concepts>
 #include <stdexcept>
@@ -21,8 +22,8 @@ class refusal : public std::runtime_error {
   std::string place;
 };
 
-/// One unit of work is about one product of two 64-bit words, half a nanosecond. Charges that pass the limits throw a refusal
-/// (not checkable) at the place that is being worked on.
+/// One unit of work is about one product of two 64-bit words, half a nanosecond. Charges that pass
+/// the limits throw a refusal (not checkable) at the place that is being worked on.
 class budget {
  public:
   explicit budget(const limits& most) : most_(most) {}
@@ -43,7 +44,8 @@ class budget {
           words);
   }
   void root(long words) { spend(3 * of_product(words / 2 + 1, words / 2 + 1) + 100); }
-  /// Operations on rationals of so many bits, numerator and denominator together: a product and a common divisor each.
+  /// Operations on rationals of so many bits, numerator and denominator together: a product and a
+  /// common divisor each.
   void rationals(long count, long bits) {
     const long words = bits / 64 + 1;
     spend(count * (200 + 4 * of_product(words, words)));
@@ -91,7 +93,8 @@ class budget {
   /// So many bytes are held from now on.
   void hold(long bytes);
 
-  /// That of school up to 32 words, Karatsuba's from there on, and a little more than a transform's from 4096 words on: about GMP's.
+  /// That of school up to 32 words, Karatsuba's from there on, and a little more than a transform's
+  /// from 4096 words on: about GMP's.
   static long of_product(long x_words, long y_words);
 
  private:

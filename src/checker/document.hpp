@@ -1,6 +1,7 @@
 #pragma once
 
-// A certificate's JSON: read within limits, and walked with the place known at every step, so that an error can name it.
+// A certificate's JSON: read within limits, and walked with the place known at every step, so that
+// an error can name it.
 
 #include <initializer_list>
 #include <string>
@@ -15,7 +16,8 @@ namespace polhode::checker {
 
 using json = nlohmann::ordered_json;
 
-/// Reads JSON of at most 16 levels in which no key appears twice and every number is whole; throws refusal.
+/// Reads JSON of at most 16 levels in which no key appears twice and every number is whole; throws
+/// refusal.
 [[nodiscard]] json read_json(std::string_view text, budget& work);
 
 /// "…" with what is long cut short and what is not printable escaped.

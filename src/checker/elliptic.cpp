@@ -6,7 +6,8 @@
 
 namespace polhode::checker {
 
-// As p, A, g > 0 always |e| < 1: the Q at least halve, and what is left after Q_n is at most 2 |Q_(n+1)| <= |Q_n|.
+// As p, A, g > 0 always |e| < 1: the Q at least halve, and what is left after Q_n is at most 2
+// |Q_(n+1)| <= |Q_n|.
 mean_and_sum bartky_sums(interval A, interval g) {
   const precision bits = A.bits();
   const long most_steps = 2 * bits;
@@ -38,8 +39,9 @@ interval number(const rational& q, precision bits) { return {q, bits}; }
 
 }  // namespace
 
-// c_(n+1)^2 = (A_n - g_n)^2/4 = c_n^2 (A_n - g_n)/(4 (A_n + g_n)) in absolute value, for c_n^2 = A_n^2 - g_n^2: it is at most c_n^2/4. So the
-// terms at least halve, and what is left is at most the last one taken. The mean lies between A and g at every step.
+// c_(n+1)^2 = (A_n - g_n)^2/4 = c_n^2 (A_n - g_n)/(4 (A_n + g_n)) in absolute value, for c_n^2 =
+// A_n^2 - g_n^2: it is at most c_n^2/4. So the terms at least halve, and what is left is at most
+// the last one taken. The mean lies between A and g at every step.
 mean_and_sum agm_with_sum(const interval& A_0, const interval& g_0) {
   const precision bits = A_0.bits();
   const integer close = 64;
@@ -62,9 +64,11 @@ mean_and_sum agm_with_sum(const interval& A_0, const interval& g_0) {
 
 // With v = (a + b u)/(a + b), m = 1 - u/v and r = b (1 + a)/(a + b),
 //   -u sqrt(b (a+b) v) dG/du = B(m) + r (u/v) D(m),   D = (K - E)/m,  B = K - D
-// (put y = sin s, tan s = sqrt(u) tan t in the paper's eq. (44): the integrand becomes cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) with
-// sigma = v (1 - m sin^2 t), and the integral of cos^2 t/Delta^3 is D(m), for d/dt (sin t cos t/Delta) = cos^2 t/Delta^3 - sin^2 t/Delta).
-// K = pi/(2M), E = K (1 - sum over n >= 0 of 2^(n-1) c_n^2), with (A, g) = (1, sqrt(1-m)), c_0^2 = m (DLMF 19.8.5, 19.8.6): D = K (1/2 + sum/m).
+// (put y = sin s, tan s = sqrt(u) tan t in the paper's eq. (44): the integrand becomes cos^2 t
+// (sigma^(-1/2) + r u sigma^(-3/2)) with sigma = v (1 - m sin^2 t), and the integral of cos^2
+// t/Delta^3 is D(m), for d/dt (sin t cos t/Delta) = cos^2 t/Delta^3 - sin^2 t/Delta). K = pi/(2M),
+// E = K (1 - sum over n >= 0 of 2^(n-1) c_n^2), with (A, g) = (1, sqrt(1-m)), c_0^2 = m (DLMF
+// 19.8.5, 19.8.6): D = K (1/2 + sum/m).
 interval half_phase_slope(const rational& a, const rational& b, const rational& u, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(u));
   const precision w = bits + 32 + 6 * (bit_length(a) + bit_length(b) + bit_length(u));
@@ -81,8 +85,8 @@ interval half_phase_slope(const rational& a, const rational& b, const rational& 
   return (-total / (number(u, w) * root)).with_bits(bits);
 }
 
-// With v = (a + b u)/(a + b), Carlson's forms (DLMF 19.22.1, 19.22.9: R_F(0, A^2, g^2) = pi/(2M), R_J(0, A^2, g^2, 1) =
-// 3 pi/(4M) sum of Q) and x = 1 - (1-u) s, s in (0, 1), in the integral give
+// With v = (a + b u)/(a + b), Carlson's forms (DLMF 19.22.1, 19.22.9: R_F(0, A^2, g^2) = pi/(2M),
+// R_J(0, A^2, g^2, 1) = 3 pi/(4M) sum of Q) and x = 1 - (1-u) s, s in (0, 1), in the integral give
 //   G(u) = pi/(sqrt(b (a+b)) M) (1 - b + (b/2)(1 - u) sum),  M and sum of (sqrt(v), sqrt(u)).
 // For u = 1: M = 1, G = pi (1-b)/sqrt(b (a+b)) = pi I.
 interval half_phase(const rational& a, const rational& b, const rational& u, precision bits) {
@@ -95,7 +99,8 @@ interval half_phase(const rational& a, const rational& b, const rational& u, pre
   return (pi(w) * bracket / (sqrt(number(rational(b * (a + b)), w)) * s.mean)).with_bits(bits);
 }
 
-// In the same way, with (sqrt(a/(a+b)), sqrt(c/(b+c))):  F(c,0) = pi/(sqrt((a+b)(b+c)) M) (1 - b + (b/2) sum).
+// In the same way, with (sqrt(a/(a+b)), sqrt(c/(b+c))):  F(c,0) = pi/(sqrt((a+b)(b+c)) M) (1 - b +
+// (b/2) sum).
 interval rotating_phase(const rational& a, const rational& b, const rational& c, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(c));
   const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(c));
@@ -106,8 +111,9 @@ interval rotating_phase(const rational& a, const rational& b, const rational& c,
       .with_bits(bits);
 }
 
-// 2 artanh(sqrt(a) w)/sqrt(ab) - 2 arctan(sqrt(b) w) with w^2 = (1-u)/(a + b u): its derivative is the integrand with the sign minus
-// (steps of the claim separatrix_twist), and it is 0 at u = 1. 2 artanh(z) = log((1+z)^2/(1 - z^2)), 1 - a w^2 = (a+b) u/(a + b u).
+// 2 artanh(sqrt(a) w)/sqrt(ab) - 2 arctan(sqrt(b) w) with w^2 = (1-u)/(a + b u): its derivative is
+// the integrand with the sign minus (steps of the claim separatrix_twist), and it is 0 at u = 1. 2
+// artanh(z) = log((1+z)^2/(1 - z^2)), 1 - a w^2 = (a+b) u/(a + b u).
 interval separatrix_phase(const rational& a, const rational& b, const interval& sine_squared,
                           const interval& cosine_squared) {
   const precision w = sine_squared.bits();
@@ -124,9 +130,11 @@ interval separatrix_phase(const rational& a, const rational& b, const interval& 
 // ---------------------------------------------------------------------------------------------
 // The incomplete integral, by Taylor series
 //
-// On a tile [m - r, m + r], with f(m + h) = c_0 + c_1 h + ... + c_(d-1) h^(d-1) + C h^d, d even, where C is a value of the coefficient of degree
-// d at some point of the tile (Lagrange), the integral is 2 sum over even k < d of c_k r^(k+1)/(k+1) + 2 C' r^(d+1)/(d+1),
-// C' in the range of the coefficient: h^d has one sign. Series are computed by recurrence, c_k at m and the range of C over the whole tile.
+// On a tile [m - r, m + r], with f(m + h) = c_0 + c_1 h + ... + c_(d-1) h^(d-1) + C h^d, d even,
+// where C is a value of the coefficient of degree d at some point of the tile (Lagrange), the
+// integral is 2 sum over even k < d of c_k r^(k+1)/(k+1) + 2 C' r^(d+1)/(d+1), C' in the range of
+// the coefficient: h^d has one sign. Series are computed by recurrence, c_k at m and the range of C
+// over the whole tile.
 
 namespace {
 
@@ -242,8 +250,9 @@ interval partial_phase(const rational& a, const rational& b, const rational& c,
     };
     return integral_on(f, zero, psi, 0).scaled(1);
   }
-  // With sin t = sqrt(w) sin s, w = 1 + c/b, x = 1 - w sin^2 s: c + b x = b w cos^2 s and dt = sqrt(w) cos s/sqrt(x) ds, so that
-  // F = (2/sqrt(b)) integral from 0 to sigma of (1 - b x)/sqrt(x (a + b x)) ds, sin psi = sqrt(w) sin sigma.
+  // With sin t = sqrt(w) sin s, w = 1 + c/b, x = 1 - w sin^2 s: c + b x = b w cos^2 s and dt =
+  // sqrt(w) cos s/sqrt(x) ds, so that F = (2/sqrt(b)) integral from 0 to sigma of (1 - b x)/sqrt(x
+  // (a + b x)) ds, sin psi = sqrt(w) sin sigma.
   const interval w = number(rational(1 + c / b), bits);
   const interval sine_squared = square(sin_cos(psi).sine) / w;
   const interval sigma = atan(sqrt(sine_squared / (one - sine_squared)));
@@ -257,8 +266,9 @@ interval partial_phase(const rational& a, const rational& b, const rational& c,
 // ---------------------------------------------------------------------------------------------
 // The trapezoidal rule
 //
-// |rule - integral| <= 2 pi M/(e^(2 n H) - 1) on the half circle: half of the bound 4 pi M/(e^(H N) - 1) for the N = 2n nodes of the circle
-// (Trefethen and Weideman, SIAM Review 56 (2014), theorem 3.2), of which those on the other half give the same values.
+// |rule - integral| <= 2 pi M/(e^(2 n H) - 1) on the half circle: half of the bound 4 pi M/(e^(H N)
+// - 1) for the N = 2n nodes of the circle (Trefethen and Weideman, SIAM Review 56 (2014), theorem
+// 3.2), of which those on the other half give the same values.
 
 periodic_integral periodic_trapezoid(const std::function<interval(const interval& cosine)>& g,
                                      long n, const rational& half_width, const rational& supremum,

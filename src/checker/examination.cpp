@@ -74,7 +74,8 @@ void expect_outward(const place& where, const rational& end, long digits, roundi
     where.refute("it is " + in_quotes(where.text()) + ", which excludes the exact " +
                  (down ? "lower" : "upper") + " end");
   }
-  // The decimal that is nearest, outward, is less than a unit away; two are allowed for how it was found.
+  // The decimal that is nearest, outward, is less than a unit away; two are allowed for how it was
+  // found.
   const std::string nearest = decimal(end, digits, way, where.work());
   where.work().rationals(4, bit_length(given) + bit_length(end) + 4 * digits);
   rational value;

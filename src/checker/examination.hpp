@@ -1,7 +1,7 @@
 #pragma once
 
-// One certificate under examination: its parts in the order in which a claim's check asks for them. Whatever is left over at the end
-// is refused too.
+// One certificate under examination: its parts in the order in which a claim's check asks for them.
+// Whatever is left over at the end is refused too.
 
 #include <functional>
 #include <initializer_list>
@@ -25,13 +25,14 @@ struct range {
 
 /// So many bits tell apart numbers of so many decimal digits.
 [[nodiscard]] long bits_for_digits(long digits);
-/// That `where` is a decimal of at most `digits` significant digits within two units of the last of them from the end, outward.
+/// That `where` is a decimal of at most `digits` significant digits within two units of the last of
+/// them from the end, outward.
 void expect_outward(const place& where, const rational& end, long digits, rounding way);
-/// That the decimals `lower` and `upper` are outward of the exact ends, by no more than these are apart and a unit of the third
-/// digit beyond those asked for.
+/// That the decimals `lower` and `upper` are outward of the exact ends, by no more than these are
+/// apart and a unit of the third digit beyond those asked for.
 void expect_near(const place& number, const range& exact, long digits);
-/// That value - radius <= lower and upper <= value + radius, exactly, of the decimals at `where`, and that the radius is not twice what
-/// it must be.
+/// That value - radius <= lower and upper <= value + radius, exactly, of the decimals at `where`,
+/// and that the radius is not twice what it must be.
 void expect_radius(const place& where);
 /// Of a value that is rounded: that its radius is at most one unit of the last of its `digits`.
 void expect_rounded_digits(const place& where, long digits);
@@ -48,8 +49,8 @@ void expect_software(const place& software);
 inline constexpr const char* decided_exactly = "decided exactly";
 inline constexpr const char* enclosed = "enclosed";
 
-/// That a certificate says of its proof that it is of this tier and rests on this: the kinds of its steps, and what is argued and
-/// cited.
+/// That a certificate says of its proof that it is of this tier and rests on this: the kinds of its
+/// steps, and what is argued and cited.
 void expect_grounds(const place& certificate, std::string_view tier,
                     const std::vector<stated_text>& argument);
 /// The kinds of steps that a certificate rests on, after expect_grounds.
@@ -79,23 +80,25 @@ class examination {
   // Facts -------------------------------------------------------------------------------------
   /// The next fact: its words must be these, and it must hold.
   place fact(const std::string& statement, const char* kind);
-  /// The next fact, and that `shown` shows it: tried with more and more bits while it throws undecided or returns nothing; false
-  /// refutes the fact.
+  /// The next fact, and that `shown` shows it: tried with more and more bits while it throws
+  /// undecided or returns nothing; false refutes the fact.
   void fact(const std::string& statement,
             const std::function<std::optional<bool>(precision bits)>& shown);
   /// The same of what is decided exactly here; `kind` is how the prover decided it.
   void fact(const std::string& statement, bool shown, const char* kind = decided_exactly);
-  /// Whether the method says that `what` was not found for the given body: then there is no such fact.
+  /// Whether the method says that `what` was not found for the given body: then there is no such
+  /// fact.
   bool is_missing(const std::string& what);
   void add_to_method(const std::string& sentence) { notes_ += sentence; }
   /// The claim's polynomial steps: decided again, and compared with facts and witness.
   void steps();
 
   // Numbers -----------------------------------------------------------------------------------
-  /// The next number, of that name, which must hold all of f(bits) for some bits. Returns its exact ends.
+  /// The next number, of that name, which must hold all of f(bits) for some bits. Returns its exact
+  /// ends.
   range number(const std::string& name, const std::function<interval(precision bits)>& f);
-  /// The next number, the root of a function with these signs at the number's ends: f is certainly positive at the lower and negative
-  /// at the upper end if it decreases, and the other way round.
+  /// The next number, the root of a function with these signs at the number's ends: f is certainly
+  /// positive at the lower and negative at the upper end if it decreases, and the other way round.
   range root_number(const std::string& name, bool decreases,
                     const std::function<interval(const rational& x, precision bits)>& f);
   /// The digits that all numbers so far were asked for.
@@ -107,7 +110,8 @@ class examination {
   static range bracket(const place& where);
   /// {"lower": {"mantissa", "exponent"}, "upper": ...}.
   static range dyadic_range(const place& where);
-  /// {"value", "radius", "lower", "upper", "digits"}, and perhaps "rounded": decimals that hold f(bits) for some bits.
+  /// {"value", "radius", "lower", "upper", "digits"}, and perhaps "rounded": decimals that hold
+  /// f(bits) for some bits.
   static range decimals(const place& where, const std::function<interval(precision bits)>& f);
 
   /// The method, that nothing is left of facts, numbers and witness, and the digest.

@@ -24,7 +24,8 @@ struct certificate_file {
   std::string unusable;
 };
 
-/// The .json files of a directory, by name; links and what else has such a name too, so that none is passed over in silence.
+/// The .json files of a directory, by name; links and what else has such a name too, so that none
+/// is passed over in silence.
 std::vector<certificate_file> files_in(const std::string& directory) {
   std::error_code error;
   std::vector<certificate_file> found;
@@ -186,7 +187,8 @@ files_report check_files(
   std::size_t verified = 0;
   std::size_t in_part = 0;
   std::size_t argued = 0;
-  // The work that is left is shared equally by the files that are left: a hostile file takes nothing from the others.
+  // The work that is left is shared equally by the files that are left: a hostile file takes
+  // nothing from the others.
   limits share = request.most;
   long left = request.most.work;
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -6,7 +6,8 @@
 namespace polhode::checker {
 namespace {
 
-/// The name of a file, which may be of any bytes, in the UTF-8 that JSON needs: with escapes where it is not.
+/// The name of a file, which may be of any bytes, in the UTF-8 that JSON needs: with escapes where
+/// it is not.
 std::string as_unicode(const std::string& path) {
   try {
     (void)json(path).dump();

@@ -259,7 +259,8 @@ class formula_reader {
     i.exponent = 2;
     return plain(std::move(i));
   }
-  /// Each as a composition that is analytic where its parts are, and equal to the function on the real line where it is defined.
+  /// Each as a composition that is analytic where its parts are, and equal to the function on the
+  /// real line where it is defined.
   id call(std::string_view name, id x) {
     using enum formula::operation;
     constexpr std::array direct{sqrt, exp, log, sin, cos, sinh, cosh, atan};

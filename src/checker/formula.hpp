@@ -1,6 +1,7 @@
 #pragma once
 
-// Formulas of one variable, as text: the checker's own reader, and their evaluation over the sets of functions.hpp.
+// Formulas of one variable, as text: the checker's own reader, and their evaluation over the sets
+// of functions.hpp.
 //
 //   sum     = product { (+|-) product }            from the left
 //   product = signed { (*|/) signed }              from the left
@@ -8,8 +9,9 @@
 //   power   = operand [ ^ { - } power ]            from the right: 2^3^2 is 2^9
 //   operand = whole number | variable | pi | function ( sum ) | ( sum )
 //
-// Operations on rational numbers are done exactly while they are short. Reading is charged to the place's budget, evaluation to the set's. x^n for a whole number n is defined as a product (x^0 = 1), any other
-// power as exp(y log x).
+// Operations on rational numbers are done exactly while they are short. Reading is charged to the
+// place's budget, evaluation to the set's. x^n for a whole number n is defined as a product (x^0 =
+// 1), any other power as exp(y log x).
 
 #include <cstddef>
 #include <optional>
@@ -24,12 +26,14 @@ namespace polhode::checker {
 
 class formula {
  public:
-  /// Reads the text that stands at a place; `variable` is empty where there is none. Malformed where it cannot be read, names what
-  /// this checker does not know, or is longer than most_characters.
+  /// Reads the text that stands at a place; `variable` is empty where there is none. Malformed
+  /// where it cannot be read, names what this checker does not know, or is longer than
+  /// most_characters.
   static formula read(const place& where, std::string_view variable);
   static constexpr std::size_t most_characters = 20'000;
-  /// Whether a text can be the name of a variable: a letter or _, then letters, digits and _; neither the name of something else, in
-  /// capitals or not, nor what a reader takes for e, i or a number (l, I, O).
+  /// Whether a text can be the name of a variable: a letter or _, then letters, digits and _;
+  /// neither the name of something else, in capitals or not, nor what a reader takes for e, i or a
+  /// number (l, I, O).
   static bool is_variable(std::string_view text);
 
   /// The values for all x, of the kinds interval, jet or rectangle. Throws undecided.

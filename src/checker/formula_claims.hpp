@@ -1,6 +1,7 @@
 #pragma once
 
-// Certificates about formulas that someone gave: an integral, and all roots in a range. What they say follows from their inputs.
+// Certificates about formulas that someone gave: an integral, and all roots in a range. What they
+// say follows from their inputs.
 
 #include <array>
 #include <string>
@@ -26,7 +27,8 @@ struct formula_inputs {
   static formula_inputs read(const place& inputs, const char* name);
 };
 
-/// A number's exact ends, lower < upper, with its decimals checked, and how many bits tell the ends apart.
+/// A number's exact ends, lower < upper, with its decimals checked, and how many bits tell the ends
+/// apart.
 struct number_ends {
   range exact;
   long bits;
@@ -34,7 +36,8 @@ struct number_ends {
 };
 [[nodiscard]] number_ends read_number(const place& number);
 
-/// The integral and the roots, as /claim names them: throws refusal, or adds what was shown to the report.
+/// The integral and the roots, as /claim names them: throws refusal, or adds what was shown to the
+/// report.
 void check_integral(const place& certificate, report& result);
 void check_roots(const place& certificate, report& result);
 

@@ -23,7 +23,8 @@ interval from_ends(const interval& x, const F& f) {
   return x.low() == x.high() ? low : hull(low, f(point(x.high(), x.bits())));
 }
 
-/// e^x of one number. What is far below a unit costs nothing, and what is far too great for a formula is not worked out.
+/// e^x of one number. What is far below a unit costs nothing, and what is far too great for a
+/// formula is not worked out.
 interval exp_of(const interval& x) {
   constexpr long greatest = 4096;
   const precision bits = x.bits();
@@ -153,8 +154,8 @@ void expect_off_the_cut(const rectangle& z, const char* what) {
 
 rectangle sqrt(const rectangle& z) {
   expect_off_the_cut(z, "a number is not known to be off the cut of the square root");
-  // For w = sqrt(z): 2 (Re w)^2 = |z| + Re z, 2 (Im w)^2 = |z| - Re z, 2 Re w Im w = Im z, Re w > 0. Of the two ways that is taken whose
-  // divisor is not near 0.
+  // For w = sqrt(z): 2 (Re w)^2 = |z| + Re z, 2 (Im w)^2 = |z| - Re z, 2 Re w Im w = Im z, Re w >
+  // 0. Of the two ways that is taken whose divisor is not near 0.
   const interval size = sqrt(square(z.re) + square(z.im));
   const integer middle = z.re.low() + z.re.high();
   if (z.re.is_positive() || middle > 0) {
@@ -200,7 +201,8 @@ rectangle cosh(const rectangle& z) {
   return {x.cosine * y.cosine, x.sine * y.sine};
 }
 rectangle atan_over(const rectangle& z) {
-  // arctan z = (log(1 + iz) - log(1 - iz))/(2i): 1 + iz and 1 - iz are on the cut of the logarithm only for z = iy, |y| >= 1.
+  // arctan z = (log(1 + iz) - log(1 - iz))/(2i): 1 + iz and 1 - iz are on the cut of the logarithm
+  // only for z = iy, |y| >= 1.
   const interval one = number(1, z.re);
   const rectangle difference = log(rectangle{one - z.im, z.re}) - log(rectangle{one + z.im, -z.re});
   return {difference.im.scaled(-1), -difference.re.scaled(-1)};

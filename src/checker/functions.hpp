@@ -1,19 +1,23 @@
 #pragma once
 
-// The functions that formulas are made of, over three kinds of sets: real intervals; intervals with one of the derivative (jet); and
-// rectangles of complex numbers. Each holds the values for all members of its operands, and throws `undecided` where the function is
-// not known to be defined on them; over a jet, not known to have a derivative there; over a rectangle, not known to be analytic in a
-// neighbourhood of it. Off the real line sqrt and log are the principal values, cut along the negative real axis with 0; all others are made of
-// these, of exp and of + - * /, so that they take conjugate values at conjugate points.
+// The functions that formulas are made of, over three kinds of sets: real intervals; intervals with
+// one of the derivative (jet); and rectangles of complex numbers. Each holds the values for all
+// members of its operands, and throws `undecided` where the function is not known to be defined on
+// them; over a jet, not known to have a derivative there; over a rectangle, not known to be
+// analytic in a neighbourhood of it. Off the real line sqrt and log are the principal values, cut
+// along the negative real axis with 0; all others are made of these, of exp and of + - * /, so that
+// they take conjugate values at conjugate points.
 
 #include "interval.hpp"
 
 namespace polhode::checker {
 
 // ---------------------------------------------------------------------------------------------
-// Real intervals, also wide ones: beside those of interval.hpp, which lose width where an interval is wide.
+// Real intervals, also wide ones: beside those of interval.hpp, which lose width where an interval
+// is wide.
 
-/// With x = m + d, |d| <= r: sin x = sin m cos d + cos m sin d, 1 - r^2/2 <= cos d <= 1, |sin d| <= r; and so for cos.
+/// With x = m + d, |d| <= r: sin x = sin m cos d + cos m sin d, 1 - r^2/2 <= cos d <= 1, |sin d| <=
+/// r; and so for cos.
 [[nodiscard]] sine_and_cosine sin_cos_over(const interval& x);
 [[nodiscard]] interval sin(const interval& x);
 [[nodiscard]] interval cos(const interval& x);

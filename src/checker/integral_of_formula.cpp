@@ -1,21 +1,26 @@
-// The integral of a formula. The range A to B is that of x(s) = A + (B - A) s, 0 <= s <= 1, cut into pieces; s on a piece is that of
-// s(t) = m + h t, -1 <= t <= 1. With F(t) = f(x(s(t))) a piece's integral is (B - A) h times the integral of F.
+// The integral of a formula. The range A to B is that of x(s) = A + (B - A) s, 0 <= s <= 1, cut
+// into pieces; s on a piece is that of s(t) = m + h t, -1 <= t <= 1. With F(t) = f(x(s(t))) a
+// piece's integral is (B - A) h times the integral of F.
 //
-// The rule (L. Fejer, 1933): with the n zeros t_k = cos((2k-1) pi/(2n)) of the Chebyshev polynomial T_n the polynomial of degree below n that
-// takes the values F(t_k) is the sum of c_m T_m, m < n, with c_m = (2/n) sum_k F(t_k) T_m(t_k), halved for m = 0. The integral of T_m is
-// 2/(1 - m^2) for even m and 0 for odd, so that of the polynomial is Q(F) = sum_k w_k F(t_k),
+// The rule (L. Fejer, 1933): with the n zeros t_k = cos((2k-1) pi/(2n)) of the Chebyshev polynomial
+// T_n the polynomial of degree below n that takes the values F(t_k) is the sum of c_m T_m, m < n,
+// with c_m = (2/n) sum_k F(t_k) T_m(t_k), halved for m = 0. The integral of T_m is 2/(1 - m^2) for
+// even m and 0 for odd, so that of the polynomial is Q(F) = sum_k w_k F(t_k),
 //   w_k = (2/n) (1 - 2 sum over 1 <= j, 2j < n, of cos(j (2k-1) pi/n)/(4j^2 - 1)).
 //
-// Its error. Let E be the ellipse with foci -1, 1 and half-axes (rho + 1/rho)/2, (rho - 1/rho)/2, rho > 1, F analytic in a neighbourhood of E with
-// its inside, and |F| <= M there. F((w + 1/w)/2) is analytic for 1/rho <= |w| <= rho, so its Laurent series, which is
-// that of F = a_0/2 + sum of a_k T_k, has |a_k| <= 2 M rho^-k (a_k/2 is the mean of F w^-k over |w| = rho). For k < n the rule is exact.
-// For k = 2nj + m or 2nj - m, 0 <= m <= n, T_k(t_i) = (-1)^j T_m(t_i) at all nodes, so Q(T_k) is, but for the sign, the integral of T_m for
-// m < n, and 0 for m = n: at most 2 in size, as is the integral of T_k. So
+// Its error. Let E be the ellipse with foci -1, 1 and half-axes (rho + 1/rho)/2, (rho - 1/rho)/2,
+// rho > 1, F analytic in a neighbourhood of E with its inside, and |F| <= M there. F((w + 1/w)/2)
+// is analytic for 1/rho <= |w| <= rho, so its Laurent series, which is that of F = a_0/2 + sum of
+// a_k T_k, has |a_k| <= 2 M rho^-k (a_k/2 is the mean of F w^-k over |w| = rho). For k < n the rule
+// is exact. For k = 2nj + m or 2nj - m, 0 <= m <= n, T_k(t_i) = (-1)^j T_m(t_i) at all nodes, so
+// Q(T_k) is, but for the sign, the integral of T_m for m < n, and 0 for m = n: at most 2 in size,
+// as is the integral of T_k. So
 //   |integral of F - Q(F)| <= sum over k >= n of 4 * 2 M rho^-k = 8 M rho^(1-n)/(rho - 1).
 //
-// That F is analytic and |F| <= M: rectangles that cover E's upper half with its inside, on each of which the formula's evaluation succeeds, which
-// shows it analytic around that rectangle (functions.hpp). The formula has conjugate values at conjugate points, as have x and s, so
-// the lower half follows. The functions are principal values: on overlapping rectangles they agree.
+// That F is analytic and |F| <= M: rectangles that cover E's upper half with its inside, on each of
+// which the formula's evaluation succeeds, which shows it analytic around that rectangle
+// (functions.hpp). The formula has conjugate values at conjugate points, as have x and s, so the
+// lower half follows. The functions are principal values: on overlapping rectangles they agree.
 
 #include <array>
 #include <map>
@@ -28,8 +33,8 @@
 namespace polhode::checker {
 namespace {
 
-/// 0 < t_1 > ... as cosines: nodes and weights of the first half, k <= (n+1)/2; the others are -t_k with the same weights. For odd n
-/// the last is 0.
+/// 0 < t_1 > ... as cosines: nodes and weights of the first half, k <= (n+1)/2; the others are -t_k
+/// with the same weights. For odd n the last is 0.
 struct fejer_rule {
   std::vector<interval> nodes;
   std::vector<interval> weights;
@@ -208,7 +213,8 @@ class integral_check {
       constexpr long operations_of_a_tile = 30;
       bits.work().rationals(operations_of_a_tile,
                             t.depth + bit_length(p.rho) + bit_length(p.begin) + bit_length(p.end));
-      // The point of the tile that is nearest to 0 is on no greater ellipse of these half-axes than any other.
+      // The point of the tile that is nearest to 0 is on no greater ellipse of these half-axes than
+      // any other.
       const rational x(t.left > 0 ? t.left : t.right < 0 ? t.right : rational(0));
       const rational u(x / wide);
       const rational v(t.bottom / high);

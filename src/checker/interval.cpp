@@ -4,9 +4,10 @@
 #include <cmath>
 #include <utility>
 
-// The series. Each function brings its argument near 0, where the terms at least halve from one to the next, sums until a term is at
-// most one unit, and adds a bound of the rest to both ends; then it undoes the reduction by interval operations. Guard bits keep
-// the result's width near that of the argument: they decide how tight a result is, never whether it is right.
+// The series. Each function brings its argument near 0, where the terms at least halve from one to
+// the next, sums until a term is at most one unit, and adds a bound of the rest to both ends; then
+// it undoes the reduction by interval operations. Guard bits keep the result's width near that of
+// the argument: they decide how tight a result is, never whether it is right.
 
 namespace polhode::checker {
 namespace {
@@ -42,9 +43,9 @@ void refuse_great(const interval& x) {
 
 bool is_small(const interval& term) { return term.magnitude() <= 1; }
 
-/// arctan(1/q) = sum of (-1)^k / ((2k+1) q^(2k+1)); the terms alternate and decrease, so the rest is at most the first one left
-/// out. q^2 divides a whole number of units each time: that quotient, cut off, is below the true one by less than 2 units (q^2 >= 2),
-/// and each term so by less than 3.
+/// arctan(1/q) = sum of (-1)^k / ((2k+1) q^(2k+1)); the terms alternate and decrease, so the rest
+/// is at most the first one left out. q^2 divides a whole number of units each time: that quotient,
+/// cut off, is below the true one by less than 2 units (q^2 >= 2), and each term so by less than 3.
 interval atan_of_inverse(long q, precision bits) {
   bits.work().spend(words_of(bits));
   integer power = (integer(1) << static_cast<unsigned>(static_cast<long>(bits))) / q;
@@ -59,7 +60,8 @@ interval atan_of_inverse(long q, precision bits) {
   return interval(sum, sum, bits).widened(3 * integer(k) + 3);
 }
 
-/// 2 artanh(z) = 2 sum of z^(2j+1)/(2j+1) for |z| <= 1/2: after a term t the rest is at most |t| (1/4 + 1/16 + ...) < |t|.
+/// 2 artanh(z) = 2 sum of z^(2j+1)/(2j+1) for |z| <= 1/2: after a term t the rest is at most |t|
+/// (1/4 + 1/16 + ...) < |t|.
 interval twice_artanh(const interval& z) {
   const interval z_squared = square(z);
   interval power = z;
@@ -167,7 +169,8 @@ interval operator/(const interval& x, const interval& y) {
     x.bits_.work().quotient(words_of(x) + words_of(x.bits_), words_of(y));
   }
   const auto up = static_cast<unsigned>(static_cast<long>(x.bits_));
-  // For y > 0 a negative end is divided by the least y to be lowest, another by the greatest; and so for the high end.
+  // For y > 0 a negative end is divided by the least y to be lowest, another by the greatest; and
+  // so for the high end.
   return {floor_quotient(integer(x.low_ << up), x.low_ < 0 ? y.low_ : y.high_),
           ceiling_quotient(integer(x.high_ << up), x.high_ < 0 ? y.high_ : y.low_), x.bits_};
 }
@@ -265,7 +268,8 @@ interval atan(const interval& x) {
   const precision w = x.bits() + 2 * k + guard_bits;
   const interval one(rational(1), w);
   interval y = x.with_bits(w);
-  // tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t)). After the first |y| <= 1, after two |y| < 1/2, and then it halves at least.
+  // tan(t/2) = tan t / (1 + sqrt(1 + tan^2 t)). After the first |y| <= 1, after two |y| < 1/2, and
+  // then it halves at least.
   for (long i = 0; i < k; ++i) y = y / (one + sqrt(one + square(y)));
   const interval y_squared = square(y);
   interval power = y;
@@ -286,8 +290,9 @@ sine_and_cosine sin_cos(const interval& x) {
   const precision w = x.bits() + 2 * k + guard_bits;
   const interval y = x.with_bits(w).scaled(-k);
   const interval y_squared = square(y);
-  // Taylor with Lagrange's remainder: after the terms up to degree n the rest is at most |y|^(n+1)/(n+1)!, for both series, and that is less
-  // than the last term taken, as |y| <= 1/4. v = 1 - cos y = y^2/2 - y^4/24 + ...
+  // Taylor with Lagrange's remainder: after the terms up to degree n the rest is at most
+  // |y|^(n+1)/(n+1)!, for both series, and that is less than the last term taken, as |y| <= 1/4. v
+  // = 1 - cos y = y^2/2 - y^4/24 + ...
   interval sine_term = y;
   interval sine = y;
   interval versine_term = y_squared / 2;

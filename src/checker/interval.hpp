@@ -1,10 +1,12 @@
 #pragma once
 
-// Intervals in fixed point: [low, high] * 2^-bits with whole low and high. Every operation returns an interval that holds
-// the results for all members of its operands; ends are rounded outward by whole-number division. Both operands have the same bits.
-// Every operation is charged, by the sizes of its operands, to the budget of the first.
+// Intervals in fixed point: [low, high] * 2^-bits with whole low and high. Every operation returns
+// an interval that holds the results for all members of its operands; ends are rounded outward by
+// whole-number division. Both operands have the same bits. Every operation is charged, by the sizes
+// of its operands, to the budget of the first.
 //
-// What cannot be decided at these bits (a division by an interval that holds 0) throws `undecided`: it is never an answer.
+// What cannot be decided at these bits (a division by an interval that holds 0) throws `undecided`:
+// it is never an answer.
 
 #include <stdexcept>
 #include <string>

@@ -182,9 +182,10 @@ polynomial letter_ranges::put_into(polynomial p) const {
   return p;
 }
 
-/// The claims speak of bodies, a > 0 and 0 < b < 1, physical ones with ab + 2b <= 1; of moments 0 < z < y < x; and, apart from these,
-/// of x = cos^2, 0 < x < 1 but for the ends of ranges of integration, where it may be 0 or 1; of 0 < u <= 1, of k = cos^2 and of c < a.
-/// At a = b = u = 1/4, c = 1/8, k = 1/2, x = 3/4, y = 1/2, z = 1/4 all of it is so.
+/// The claims speak of bodies, a > 0 and 0 < b < 1, physical ones with ab + 2b <= 1; of moments 0 <
+/// z < y < x; and, apart from these, of x = cos^2, 0 < x < 1 but for the ends of ranges of
+/// integration, where it may be 0 or 1; of 0 < u <= 1, of k = cos^2 and of c < a. At a = b = u =
+/// 1/4, c = 1/8, k = 1/2, x = 3/4, y = 1/2, z = 1/4 all of it is so.
 bool letter_ranges::is_hypothesis(const range& r) {
   for (const char* positive : {"a", "b", "u", "x", "z", "1-b", "1-x", "x-y", "y-z", "a-c"}) {
     if (polynomial::read(positive) == r.quantity) return true;

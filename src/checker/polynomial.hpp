@@ -15,7 +15,8 @@ class polynomial {
  public:
   polynomial() = default;
   explicit polynomial(const integer& n);
-  /// Reads sums and products of letters, whole numbers, parentheses and whole powers up to 99. Throws std::invalid_argument.
+  /// Reads sums and products of letters, whole numbers, parentheses and whole powers up to 99.
+  /// Throws std::invalid_argument.
   static polynomial read(std::string_view text);
 
   friend polynomial operator+(const polynomial& x, const polynomial& y);
@@ -44,8 +45,9 @@ class letter_ranges {
 
   /// With what the letters stand for in the letters' places.
   [[nodiscard]] polynomial put_into(polynomial p) const;
-  /// Whether p > 0 (or p >= 0 where not `strict`) is seen from signs: all ranges are hypotheses of the claims, every letter of p has
-  /// one, no coefficient is negative, and for > 0 some term has only letters that are > 0.
+  /// Whether p > 0 (or p >= 0 where not `strict`) is seen from signs: all ranges are hypotheses of
+  /// the claims, every letter of p has one, no coefficient is negative, and for > 0 some term has
+  /// only letters that are > 0.
   [[nodiscard]] bool show_sign(const polynomial& p, bool strict) const;
 
  private:

@@ -1,7 +1,9 @@
-// All roots of a formula f in a range. The witness gives a box around each root, one after the other. On a box f has a derivative that is
-// nowhere 0, so it has at most one root there; it has different signs at the ends of the root's number, which lie in the box, so it has one between
-// them. Between the boxes, and between them and the ends of the range, f is defined and not 0. Both are shown by evaluation over
-// intervals, halved until they decide; beside the range of f there is the mean value form, f(m) + f'(X) (X - m).
+// All roots of a formula f in a range. The witness gives a box around each root, one after the
+// other. On a box f has a derivative that is nowhere 0, so it has at most one root there; it has
+// different signs at the ends of the root's number, which lie in the box, so it has one between
+// them. Between the boxes, and between them and the ends of the range, f is defined and not 0. Both
+// are shown by evaluation over intervals, halved until they decide; beside the range of f there is
+// the mean value form, f(m) + f'(X) (X - m).
 
 #include <algorithm>
 #include <utility>

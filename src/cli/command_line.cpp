@@ -99,9 +99,10 @@ void refuse_brackets(int argc, const char* const* argv) {
   }
 }
 
-/// Reads the options of a subcommand as the parser will, before it does: throws usage_error for a value that is missing, or
-/// given to an option without one, and for an option that is given twice. Marks formulas that begin with a minus sign,
-/// which the parser would take for options: a space before it makes it an argument, and the readers of formulas skip it.
+/// Reads the options of a subcommand as the parser will, before it does: throws usage_error for a
+/// value that is missing, or given to an option without one, and for an option that is given twice.
+/// Marks formulas that begin with a minus sign, which the parser would take for options: a space
+/// before it makes it an argument, and the readers of formulas skip it.
 void prepare_arguments(const CLI::App& app, std::vector<std::string>& arguments) {
   const std::string& subcommand = app.get_name();
   const bool takes_formulas =

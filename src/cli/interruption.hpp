@@ -17,8 +17,8 @@ namespace polhode::cli {
 /// SIGABRT); and a file that may not grow any more is an error of writing, not SIGXFSZ.
 void handle_interruptions();
 
-/// Removes the temporary files, prints the line on standard error and ends the program with the status at once, whatever
-/// other threads are doing.
+/// Removes the temporary files, prints the line on standard error and ends the program with the
+/// status at once, whatever other threads are doing.
 [[noreturn]] void end_program(const std::string& line, exit_status status) noexcept;
 
 /// Creates a new file that an interruption removes, and returns its descriptor, or -1 with errno

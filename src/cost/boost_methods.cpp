@@ -12,7 +12,8 @@
 namespace polhode::cost {
 namespace {
 
-/// Boost's mpfr_float takes the thread's precision for what has none of its own: so many decimal digits while this lives.
+/// Boost's mpfr_float takes the thread's precision for what has none of its own: so many decimal
+/// digits while this lives.
 class digits_of_thread {
  public:
   explicit digits_of_thread(long digits) : before_(mpfr_float::thread_default_precision()) {

@@ -15,7 +15,8 @@ class time_budget {
  public:
   /// Ends `seconds` from now() on.
   time_budget(double seconds, std::function<double()> now);
-  /// An equal share of what is left, for the next of so many parts: what it does not use is left for those after it.
+  /// An equal share of what is left, for the next of so many parts: what it does not use is left
+  /// for those after it.
   [[nodiscard]] time_budget share(std::size_t parts) const;
   /// Whether what takes so many seconds ends in time. Nothing begins after the end.
   [[nodiscard]] bool allows(double seconds) const;
@@ -32,10 +33,11 @@ struct measured_points {
   std::vector<long> left_out;
 };
 
-/// Measures at each of the digits, which grow, until the next measurement is expected to pass the end of the budget; that one and all
-/// after it are left out. A measurement is expected to take the greater of two times: what the last ones took in all, and `calls` times
-/// what one of their calls took, both by extrapolated_seconds; and extra(digits) more. The first, of which nothing is known, is always
-/// taken.
+/// Measures at each of the digits, which grow, until the next measurement is expected to pass the
+/// end of the budget; that one and all after it are left out. A measurement is expected to take the
+/// greater of two times: what the last ones took in all, and `calls` times what one of their calls
+/// took, both by extrapolated_seconds; and extra(digits) more. The first, of which nothing is
+/// known, is always taken.
 [[nodiscard]] measured_points measured_within(
     const time_budget& budget, const std::vector<long>& digits, double calls,
     const std::function<double(long digits)>& extra,

@@ -79,8 +79,9 @@ method by_rule(quadrature_rule rule, const F& f, const end_point& from, const en
           }};
 }
 
-// ---------------------------------------------------------------------------------------------
-// The half phase G(u) = b^(-1/2) integral over 0..pi of (1 - b x)/sqrt(x (a + b x)), x = ((1+u) + (1-u) cos t)/2
+// --------------------------------------------------------------------------------------------- The
+// half phase G(u) = b^(-1/2) integral over 0..pi of (1 - b x)/sqrt(x (a + b x)), x = ((1+u) + (1-u)
+// cos t)/2
 
 auto half_phase_kernel(const rational& u) {
   return [a = the_a, b = the_b, mean = rational((1 + u) / 2),
@@ -175,7 +176,8 @@ T phase_integral_by_carlson(const F& rf, const J& rj) {
   return T(2 * (first + second)) * sqrt(number<T>(rational((1 - the_u) / ((a + b) * (b + the_c)))));
 }
 
-/// With x = 1 - (1-u) y^2: 2 sqrt(1-u) integral over 0..1 of (1 - b x)/sqrt(x (a + b x)(c + b x)) dy.
+/// With x = 1 - (1-u) y^2: 2 sqrt(1-u) integral over 0..1 of (1 - b x)/sqrt(x (a + b x)(c + b x))
+/// dy.
 auto phase_kernel() {
   return [a = the_a, b = the_b, c = the_c, rest = rational(1 - the_u)](const auto& y) {
     const auto x = 1 - rest * y * y;
@@ -332,7 +334,8 @@ quantity c0() {
   return q;
 }
 
-/// A motion that is known, as a scene knows it: each precision's rotor is made once, by the first call.
+/// A motion that is known, as a scene knows it: each precision's rotor is made once, by the first
+/// call.
 template <class T>
 class attitude_entry {
  public:

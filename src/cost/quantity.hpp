@@ -1,7 +1,8 @@
 #pragma once
 
-// What accuracy costs: quantities, each with the methods by which it can be had. Those in balls are certified; of the others,
-// Boost.Math's and the library's own over mpfr_float and double, nobody knows the error but by the certified value.
+// What accuracy costs: quantities, each with the methods by which it can be had. Those in balls are
+// certified; of the others, Boost.Math's and the library's own over mpfr_float and double, nobody
+// knows the error but by the certified value.
 
 #include <functional>
 #include <optional>

@@ -215,7 +215,8 @@ std::array<ball, 3> carlson_rf_gradient(const ball& x, const ball& y, const ball
 std::array<ball, 2> carlson_rc_gradient(const ball& x, const ball& y) {
   const precision p = greatest_precision_of(x, y);
   if (certainly_positive(y)) return {-carlson_rd(y, y, x) / 6, -carlson_rd(x, y, y) / 3};
-  // C = R_C solves 2 (y-x) dC/dx = C - 1/sqrt x, by its closed forms, and is homogeneous of degree -1/2.
+  // C = R_C solves 2 (y-x) dC/dx = C - 1/sqrt x, by its closed forms, and is homogeneous of degree
+  // -1/2.
   if (!certainly_negative(y) || !certainly_positive(x))
     return {ball::undefined(p), ball::undefined(p)};
   const ball value = carlson_rc(x, y);
@@ -243,7 +244,8 @@ std::array<ball, 3> carlson_rd_gradient(const ball& x, const ball& y, const ball
   return {in_x, in_y, -(3 * value / 2 + x * in_x + y * in_y) / z};
 }
 
-// (1/8) int t/(t+x) dt/sqrt(...) = (R_F - x R_D(y,z,x)/3)/4, and 3 R_F = x R_D(y,z,x) + y R_D(z,x,y) + z R_D(x,y,z).
+// (1/8) int t/(t+x) dt/sqrt(...) = (R_F - x R_D(y,z,x)/3)/4, and 3 R_F = x R_D(y,z,x) + y
+// R_D(z,x,y) + z R_D(x,y,z).
 std::array<ball, 3> carlson_rg_gradient(const ball& x, const ball& y, const ball& z) {
   const ball in_x = x * carlson_rd(y, z, x);
   const ball in_y = y * carlson_rd(z, x, y);

@@ -1,53 +1,62 @@
 #pragma once
 
-// Carlson's integrals at numbers in their domain, where x <= y <= z has been arranged and degenerate cases are
-// apart: two methods, over any scalar of real_scalar.hpp.
+// Carlson's integrals at numbers in their domain, where x <= y <= z has been arranged and
+// degenerate cases are apart: two methods, over any scalar of real_scalar.hpp.
 //
-// DUPLICATION (B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer. Algorithms
-// 10, 1995; DLMF 19.26.18, 19.36.1). With L = sqrt(x y) + sqrt(y z) + sqrt(z x),
+// DUPLICATION (B. C. Carlson, Numerical computation of real or complex elliptic integrals, Numer.
+// Algorithms 10, 1995; DLMF 19.26.18, 19.36.1). With L = sqrt(x y) + sqrt(y z) + sqrt(z x),
 //   R_F(x,y,z) = R_F((x+L)/4, (y+L)/4, (z+L)/4),
 //   R_J(x,y,z,p) = R_J((x+L)/4, ..., (p+L)/4) / 4 + (6/d) R_C(1, 1+e),
 //   d = (sqrt p + sqrt x)(sqrt p + sqrt y)(sqrt p + sqrt z),  e = (p-x)(p-y)(p-z)/d^2.
-// Each step divides the differences of the arguments by 4 exactly. Then a series in X_i = 1 - x_i/A, where A is
-// the mean of the arguments (p taken twice), so that the X_i add up to 0. With t = A/v - A, 0 < v < 1, in the
-// definition t + x_i = (A/v)(1 - v X_i), and so
+// Each step divides the differences of the arguments by 4 exactly. Then a series in X_i = 1 -
+// x_i/A, where A is the mean of the arguments (p taken twice), so that the X_i add up to 0. With t
+// = A/v - A, 0 < v < 1, in the definition t + x_i = (A/v)(1 - v X_i), and so
 //   R_F = A^(-1/2) sum of T_N / (2N+1),    R_J = A^(-3/2) sum of 3 T_N / (2N+3),
-// where sum of T_N v^N = D(v)^(-1/2), D(v) the product of 1 - v X_i (that of p twice). From 2 D T' = -D' T:
+// where sum of T_N v^N = D(v)^(-1/2), D(v) the product of 1 - v X_i (that of p twice). From 2 D T'
+// = -D' T:
 //   2N T_N = - sum over j >= 2 of d_j (2N - j) T_(N-j).
-// The rest after N < n terms: with x = max |X_i| < 1 the coefficients of D^(-1/2) are in size at most
-// those of (1 - x v)^(-c), c = 3/2 for R_F and 5/2 for R_J, which are x^N (c)_N/N!. So the terms are at most
-// x^N (1/2)_N/N! <= x^N and x^N (3/2)_N/N! <= (N+1) x^N, for (c)_N/(2N+1) = (1/2)_N when c = 3/2, and
-// 3 (c)_N/(2N+3) = (3/2)_N when c = 5/2; their sums from n on are at most x^n/(1-x), (n+1) x^n/(1-x)^2.
+// The rest after N < n terms: with x = max |X_i| < 1 the coefficients of D^(-1/2) are in size at
+// most those of (1 - x v)^(-c), c = 3/2 for R_F and 5/2 for R_J, which are x^N (c)_N/N!. So the
+// terms are at most x^N (1/2)_N/N! <= x^N and x^N (3/2)_N/N! <= (N+1) x^N, for (c)_N/(2N+1) =
+// (1/2)_N when c = 3/2, and 3 (c)_N/(2N+3) = (3/2)_N when c = 5/2; their sums from n on are at most
+// x^n/(1-x), (n+1) x^n/(1-x)^2.
 //
 // LANDEN'S TRANSFORMATION, with quadratic convergence. Let x < y < z and P > x, P = p here, and
-//   w = sqrt x,  a = sqrt(z-x),  b = sqrt(y-x),  s = sqrt(P-x);   with t + x = v^2 in the definitions
-//   F = R_F = int_w^oo dv/Y,   K = (P-x) R_J/3 = int_w^oo s^2/(v^2+s^2) dv/Y,   Y^2 = (v^2+a^2)(v^2+b^2).
-// Put a' = (a+b)/2, b' = sqrt(ab), v' = (v - ab/v)/2, s' = (s + ab/s)/2, e = (s^2-ab)/(s^2+ab). Then
-//   v'^2 + b'^2 = ((v + ab/v)/2)^2,   v'^2 + a'^2 = (v^2+a^2)(v^2+b^2)/(4 v^2),   dv'/Y' = 2 dv/Y        (1)
-// by multiplying out. Since v -> v' maps (0, oo) onto the whole line, F(w) = F'(w')/2, where w' may be
-// negative; for w < 0 the same holds of the part from -|w|, with w' again from the whole line. Also, with r = ab/s,
-//   v'^2 + s'^2 = (v^2+s^2)(v^2+r^2)/(4v^2), so  K'/s'^2 = 8 (K(s) - K(r))/(s^2-r^2),                     (2)
-//   s^2/(v^2+s^2) + r^2/(v^2+r^2) - 1 = (a^2b^2-v^4)/((v^2+s^2)(v^2+r^2)).                                (3)
-// H = Y/v has dH = (v^4-a^2b^2)/(v^2 Y) dv, and H^2 + k^2 = (v^2+s^2)(v^2+r^2)/v^2 for k^2 = (s^2-a^2)(s^2-b^2)/s^2,
-// so the integral of (3) is K(s) + K(r) - F = - int_H^oo dH/(H^2+k^2) = -C, C = atan(k/H)/k. With (2), where
-// (s^2-r^2)/(4 s'^2) = (s-r)/(s+r) = e:
-//   K = (F - C)/2 + (e/4) K'.                                                                            (4)
-// k'= k e/2 (from (2), s'^2-b'^2 = ((s-r)/2)^2), so with Q_0 = 1, Q_(n+1) = Q_n e_n/2, F_n = 2^n F, k_n = k Q_n:
-//   K = (1/2) [ F sum of Q_n - sum of 2^(-n) atan(k_n/H_n)/k ],   k^2 = (P-z)(P-y)/(P-x);                (5)
-// for k^2 < 0 atanh takes the place of atan, and for k = 0 the terms are 2^(-n) Q_n/H_n (R_D, and R_G through it).
-// After N steps what is left out of (5) is the product of e_n/4, n < N, times K_N, and 0 < K_N < F_N = 2^N F: it is
-// in size at most |Q_N| F. |e_n| < 1, and it falls quadratically, since s'^2 - b'^2 = ((s-r)/2)^2.
-// F = 2^(-N) int over v > w_N of dv/Y_N lies between what a_N and what b_N in the place of both give, so it is
-// 2^(-N) phi/M for some M in [b_N, a_N], phi the angle of (w_N, M) in the turn that F tells.
-// No step divides by w: the point is kept as (c : d : e : o) = w : sqrt(w^2+b^2) : sqrt(w^2+a^2) : 1,
+//   w = sqrt x,  a = sqrt(z-x),  b = sqrt(y-x),  s = sqrt(P-x);
+//     with t + x = v^2 in the definitions
+//   F = R_F = int_w^oo dv/Y,   K = (P-x) R_J/3 = int_w^oo s^2/(v^2+s^2) dv/Y,
+//     Y^2 = (v^2+a^2)(v^2+b^2).
+// Put a' = (a+b)/2, b' = sqrt(ab), v' = (v - ab/v)/2, s' = (s + ab/s)/2, e = (s^2-ab)/(s^2+ab).
+// Then
+//   v'^2 + b'^2 = ((v + ab/v)/2)^2,   v'^2 + a'^2 = (v^2+a^2)(v^2+b^2)/(4 v^2),   dv'/Y' = 2 dv/Y
+//     (1)
+// by multiplying out. Since v -> v' maps (0, oo) onto the whole line, F(w) = F'(w')/2, where w' may
+// be negative; for w < 0 the same holds of the part from -|w|, with w' again from the whole line.
+// Also, with r = ab/s,
+//   v'^2 + s'^2 = (v^2+s^2)(v^2+r^2)/(4v^2), so  K'/s'^2 = 8 (K(s) - K(r))/(s^2-r^2),        (2)
+//   s^2/(v^2+s^2) + r^2/(v^2+r^2) - 1 = (a^2b^2-v^4)/((v^2+s^2)(v^2+r^2)).                   (3)
+// H = Y/v has dH = (v^4-a^2b^2)/(v^2 Y) dv, and H^2 + k^2 = (v^2+s^2)(v^2+r^2)/v^2 for k^2 =
+// (s^2-a^2)(s^2-b^2)/s^2, so the integral of (3) is K(s) + K(r) - F = - int_H^oo dH/(H^2+k^2) = -C,
+// C = atan(k/H)/k. With (2), where (s^2-r^2)/(4 s'^2) = (s-r)/(s+r) = e:
+//   K = (F - C)/2 + (e/4) K'.                                                                (4)
+// k'= k e/2 (from (2), s'^2-b'^2 = ((s-r)/2)^2), so with Q_0 = 1, Q_(n+1) = Q_n e_n/2, F_n = 2^n F,
+// k_n = k Q_n:
+//   K = (1/2) [ F sum of Q_n - sum of 2^(-n) atan(k_n/H_n)/k ],   k^2 = (P-z)(P-y)/(P-x);    (5)
+// for k^2 < 0 atanh takes the place of atan, and for k = 0 the terms are 2^(-n) Q_n/H_n (R_D, and
+// R_G through it). After N steps what is left out of (5) is the product of e_n/4, n < N, times K_N,
+// and 0 < K_N < F_N = 2^N F: it is in size at most |Q_N| F. |e_n| < 1, and it falls quadratically,
+// since s'^2 - b'^2 = ((s-r)/2)^2. F = 2^(-N) int over v > w_N of dv/Y_N lies between what a_N and
+// what b_N in the place of both give, so it is 2^(-N) phi/M for some M in [b_N, a_N], phi the angle
+// of (w_N, M) in the turn that F tells. No step divides by w: the point is kept as (c : d : e : o)
+// = w : sqrt(w^2+b^2) : sqrt(w^2+a^2) : 1,
 //   c' = c^2 - ab o^2,  d' = c^2 + ab o^2,  e' = d e,  o' = 2 c o,   H_n = 2 e_(n+1)/o_(n+1),
-// so that w may pass through 0 and oo, and the sum of 2^(-n) atan(k_n/H_n) is 2^(1-N) times the angle of the
-// product of (2e + i k o)^(2^(N-n)): one angle of a product made by squaring. In which turn it lies, sums of
-// 64 bits tell.
+// so that w may pass through 0 and oo, and the sum of 2^(-n) atan(k_n/H_n) is 2^(1-N) times the
+// angle of the product of (2e + i k o)^(2^(N-n)): one angle of a product made by squaring. In which
+// turn it lies, sums of 64 bits tell.
 //
-// This is J. Landen's (1775) substitution, C. F. Gauss's AGM, F. Bartky's (1938) sum Q, and for the incomplete
-// integral what R. Bulirsch's el3 (1969) does, put so that one angle is left to compute. Duplication needs of the order
-// of sqrt(q) steps for q bits, this log q.
+// This is J. Landen's (1775) substitution, C. F. Gauss's AGM, F. Bartky's (1938) sum Q, and for the
+// incomplete integral what R. Bulirsch's el3 (1969) does, put so that one angle is left to compute.
+// Duplication needs of the order of sqrt(q) steps for q bits, this log q.
 
 #include <array>
 #include <optional>
@@ -88,8 +97,8 @@ template <elliptic_scalar T>
   return with_error(sum, power_up(size, terms));
 }
 
-/// R_C(1, 1+e) for e > -1: atan(sqrt e)/sqrt e, or atanh t/t with t = sqrt(-e) (DLMF 19.2.18-19), where
-/// (1+t)/(1-t) = (1+t)^2/(1+e) with 1+e from the caller, who knows it to full accuracy.
+/// R_C(1, 1+e) for e > -1: atan(sqrt e)/sqrt e, or atanh t/t with t = sqrt(-e) (DLMF 19.2.18-19),
+/// where (1+t)/(1-t) = (1+t)^2/(1+e) with 1+e from the caller, who knows it to full accuracy.
 template <elliptic_scalar T, class F>
 [[nodiscard]] T rc_of_one(const T& e, const F& one_plus_e, precision q) {
   constexpr long few_terms = 40;
@@ -253,7 +262,8 @@ template <elliptic_scalar T>
   const T dy = T(1 - y / mean);
   const T dz = T(1 - z / mean);
   const T dp = p_is_z ? dz : scaled(T(-(dx + dy + dz)), -1);
-  // Elementary symmetric functions of dx, dy, dz, dp, dp, whose sum is 0, from e2 and e3 of the first three.
+  // Elementary symmetric functions of dx, dy, dz, dp, dp, whose sum is 0, from e2 and e3 of the
+  // first three.
   const T xy = T(dx * dy);
   const T e2 = T(xy + (dx + dy) * dz);
   const T e3 = T(xy * dz);
@@ -305,16 +315,17 @@ struct landen_values {
   std::int64_t lost = 0;
 };
 
-/// log2 of the relative difference at which an AGM of q bits has converged: not the last bits, which rounding
-/// errors take, fewer of them from a number than from a ball's radius.
+/// log2 of the relative difference at which an AGM of q bits has converged: not the last bits,
+/// which rounding errors take, fewer of them from a number than from a ball's radius.
 template <elliptic_scalar T>
 [[nodiscard]] std::int64_t last_difference(precision q) {
   return (std::same_as<T, ball> ? 12 : 4) - q;
 }
 
-/// R_F and R_J for x = 0 < y <= z, P > 0: the same with w = 0, where H = oo in (5), so that
-/// K = (1/2) F sum of Q_n, F = pi/(2 M); what is left out is at most |Q_N| F as before. For one step of the AGM,
-/// (a+b)/2 >= M >= sqrt(ab) = (a+b)/2 - (sqrt a - sqrt b)^2/2 >= (a+b)/2 - (a-b)^2/(8 min(a,b)).
+/// R_F and R_J for x = 0 < y <= z, P > 0: the same with w = 0, where H = oo in (5), so that K =
+/// (1/2) F sum of Q_n, F = pi/(2 M); what is left out is at most |Q_N| F as before. For one step of
+/// the AGM, (a+b)/2 >= M >= sqrt(ab) = (a+b)/2 - (sqrt a - sqrt b)^2/2 >= (a+b)/2 - (a-b)^2/(8
+/// min(a,b)).
 template <elliptic_scalar T>
 [[nodiscard]] std::optional<landen_values<T>> complete_by_landen(const T& y, const T& z, const T& P,
                                                                  precision q) {
@@ -355,7 +366,8 @@ template <elliptic_scalar T>
 /// What P is, for x < y < z.
 enum class third_kind { absent, general, equals_y_or_z };
 
-/// The steps of (1) to (5) for 0 <= x < y < z, numbers, and P > x: the letters are those of the text at the top.
+/// The steps of (1) to (5) for 0 <= x < y < z, numbers, and P > x: the letters are those of the
+/// text at the top.
 template <elliptic_scalar T>
 class landen_steps {
  public:
@@ -432,7 +444,8 @@ class landen_steps {
     b_ = root_of(ab);
     ++n_;
   }
-  /// By (2e + i k o), squared as often as steps are left; or, where k^2 < 0, numerator and denominator by 2e + k o and 2e - k o.
+  /// By (2e + i k o), squared as often as steps are left; or, where k^2 < 0, numerator and
+  /// denominator by 2e + k o and 2e - k o.
   void multiply_product() {
     const T twice = scaled(e_, 1);
     const T part = T(kappa_ * weight_ * o_);
@@ -502,7 +515,8 @@ class landen_steps {
   int n_ = 0;
 };
 
-/// Hypotheses: 0 <= x < y < z, numbers, and P > x. Nothing where an angle is too near a full turn to be placed.
+/// Hypotheses: 0 <= x < y < z, numbers, and P > x. Nothing where an angle is too near a full turn
+/// to be placed.
 template <elliptic_scalar T>
 [[nodiscard]] std::optional<landen_values<T>> by_landen(const T& x, const T& y, const T& z,
                                                         const T& P, third_kind kind, precision q) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Carlson's integrals at numbers: the choice of method, over any scalar of real_scalar.hpp. The results have
-// about q good bits where nothing cancels; bits_lost and the radius of a ball tell.
+// Carlson's integrals at numbers: the choice of method, over any scalar of real_scalar.hpp. The
+// results have about q good bits where nothing cancels; bits_lost and the radius of a ball tell.
 
 #include <algorithm>
 
@@ -47,8 +47,8 @@ template <elliptic_scalar T>
   return rf_by_duplication(x, y, z, q);
 }
 
-/// R_J (R_D where p is z or y) for x < y < z, p > x, at full accuracy or by duplication. Where R_F comes with it,
-/// *rf is set.
+/// R_J (R_D where p is z or y) for x < y < z, p > x, at full accuracy or by duplication. Where R_F
+/// comes with it, *rf is set.
 template <elliptic_scalar T>
 [[nodiscard]] T rj_of_distinct(const T& x, const T& y, const T& z, const T& p, third_kind kind,
                                precision q, std::optional<T>* rf = nullptr) {
@@ -161,7 +161,8 @@ template <elliptic_scalar T>
   return rj_of_sorted(a, b, c, z, q);
 }
 
-/// 2 R_G = y R_F + (z-y)(y-x) R_D(x,z,y)/3 + sqrt(xz/y) for x <= y <= z: no term is negative (DLMF 19.21.10).
+/// 2 R_G = y R_F + (z-y)(y-x) R_D(x,z,y)/3 + sqrt(xz/y) for x <= y <= z: no term is negative (DLMF
+/// 19.21.10).
 template <elliptic_scalar T>
 [[nodiscard]] T rg_at(T x, T y, T z, precision q) {
   if (!is_number(x) || !is_number(y) || !is_number(z)) return undefined_of<T>(q);

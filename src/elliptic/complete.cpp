@@ -41,7 +41,8 @@ bool is_last(const magnitude& c, const magnitude& mean_down, precision p) {
   return c.is_zero() || c <= scale(mean_down, -(static_cast<std::int64_t>(p) / 2 + 2));
 }
 
-/// M in [b_n, a_n], and a_n - b_n = 2 c_{n+1} = c_n^2 / (2 a_{n+1}) <= c_n^2 / (2 M): the mean from a_n.
+/// M in [b_n, a_n], and a_n - b_n = 2 c_{n+1} = c_n^2 / (2 a_{n+1}) <= c_n^2 / (2 M): the mean from
+/// a_n.
 ball mean_from(const ball& a, const magnitude& c, const magnitude& mean_down) {
   return a.enlarged(divide_up(scale(multiply_up(c, c), -1), mean_down));
 }
@@ -52,8 +53,9 @@ agm_sums agm_with_sum(const ball& a, const ball& b) {
   const precision p = std::max(a.precision(), b.precision());
   agm_sums result{ball::undefined(p), ball::undefined(p), 0};
   if (!certainly_positive(a) || !certainly_positive(b)) return result;
-  // c from its definition: its absolute error is all that matters here, and a subtraction costs less than
-  // the recurrence's division. The mean is at least b_(n-1), so the last square root is not needed.
+  // c from its definition: its absolute error is all that matters here, and a subtraction costs
+  // less than the recurrence's division. The mean is at least b_(n-1), so the last square root is
+  // not needed.
   ball upper = a;
   ball lower = b;
   ball next(0, p);

@@ -9,12 +9,12 @@
 
 namespace polhode::detail {
 
-/// Not more bits than these, beside a few times those asked for, are looked for behind cancellation. A value that is 0
-/// has no good bits ever.
+/// Not more bits than these, beside a few times those asked for, are looked for behind
+/// cancellation. A value that is 0 has no good bits ever.
 inline constexpr std::int64_t most_bits_lost = std::int64_t{1} << 16;
 
-/// f(q), an enclosure computed with q bits, for growing q until it has p good bits, or until more bits
-/// are of no use. The result has p bits.
+/// f(q), an enclosure computed with q bits, for growing q until it has p good bits, or until more
+/// bits are of no use. The result has p bits.
 template <class F>
 [[nodiscard]] ball to_accuracy(precision p, const F& f) {
   constexpr int most_attempts = 5;
@@ -52,8 +52,8 @@ template <class F>
 [[nodiscard]] inline ball lower_end(const ball& x) { return x.is_exact() ? x : ball(lower(x)); }
 [[nodiscard]] inline ball upper_end(const ball& x) { return x.is_exact() ? x : ball(upper(x)); }
 
-/// The range of f over balls where f is monotone in every argument in the given direction: 1 or -1. f is called
-/// with numbers. Where that is undefined at a corner, so is the result.
+/// The range of f over balls where f is monotone in every argument in the given direction: 1 or -1.
+/// f is called with numbers. Where that is undefined at a corner, so is the result.
 template <std::size_t Count, class F>
 [[nodiscard]] ball monotone_range(const std::array<ball, Count>& x,
                                   const std::array<int, Count>& direction, precision p,
@@ -86,11 +86,11 @@ template <std::size_t Count>
   return greatest;
 }
 
-/// monotone_range for a homogeneous f > 0 of degree -1/2, 1/2 (then steepness is 1) or -3/2 (then it is 3). Where
-/// all relative radii are at most r, f lies between its values at (1+r) and (1-r) times the middles m, which are
-/// (1+-r)^degree f(m), and so within steepness r f(m) of f(m) for r <= 1/4: the functions (1-r)^degree are convex
-/// (for degree < 0) or below 1+r, and 2^... at r = 1/4: (3/4)^(-1/2) < 1 + 1/4, (3/4)^(-3/2) < 1 + 3/4.
-/// One value then serves narrow balls.
+/// monotone_range for a homogeneous f > 0 of degree -1/2, 1/2 (then steepness is 1) or -3/2 (then
+/// it is 3). Where all relative radii are at most r, f lies between its values at (1+r) and (1-r)
+/// times the middles m, which are (1+-r)^degree f(m), and so within steepness r f(m) of f(m) for r
+/// <= 1/4: the functions (1-r)^degree are convex (for degree < 0) or below 1+r, and 2^... at r =
+/// 1/4: (3/4)^(-1/2) < 1 + 1/4, (3/4)^(-3/2) < 1 + 3/4. One value then serves narrow balls.
 template <std::size_t Count, class F>
 [[nodiscard]] ball homogeneous_range(const std::array<ball, Count>& x,
                                      const std::array<int, Count>& direction,

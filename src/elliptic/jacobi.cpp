@@ -157,13 +157,13 @@ double jacobi_am(const double& u, const elliptic_parameter<double>& m) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Inverse functions: from u = R_F(cs^2, ds^2, ns^2), cs^2 + m1 = ds^2, cs^2 + 1 = ns^2, times the square root of a
-// common factor of the three.
+// Inverse functions: from u = R_F(cs^2, ds^2, ns^2), cs^2 + m1 = ds^2, cs^2 + 1 = ns^2, times the
+// square root of a common factor of the three.
 
 namespace {
 
-/// f(x, m, m1) at numbers to full accuracy, over other balls as it stands. The part of u in [0, K] for x >= 0;
-/// `reflected`: 2K minus that of -x for x < 0; odd functions need nothing.
+/// f(x, m, m1) at numbers to full accuracy, over other balls as it stands. The part of u in [0, K]
+/// for x >= 0; `reflected`: 2K minus that of -x for x < 0; odd functions need nothing.
 template <class F>
 ball inverse(const ball& x, const detail::ball_parameter& m, bool reflected, const F& f) {
   const precision p = detail::precision_for(x, m);

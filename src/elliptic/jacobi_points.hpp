@@ -88,8 +88,10 @@ template <elliptic_scalar T>
   return {sn, cn, dn};
 }
 
-/// The same for u and m < 1; for m < -1, where sn may come with a cancellation of as many bits as sqrt m1 has, by
-///   sn(u|m) = sd(r u|M)/r, cn = cd, dn = nd,  r^2 = m1, 1 - M = 1/m1     (DLMF 22.17(i)), M u being the same.
+/// The same for u and m < 1; for m < -1, where sn may come with a cancellation of as many bits as
+/// sqrt m1 has, by
+///   sn(u|m) = sd(r u|M)/r, cn = cd, dn = nd,  r^2 = m1, 1 - M = 1/m1
+///     (DLMF 22.17(i)), M u being the same.
 template <elliptic_scalar T>
 [[nodiscard]] jacobi_values<T> jacobi_of_number(const T& u, const modulus<T>& k, precision q,
                                                 T& angle) {
@@ -113,8 +115,9 @@ template <elliptic_scalar T>
   }
   T angle = u;
   if (sign > 0) return jacobi_of_number(u, k, q, angle);
-  // m > 1: k sn(u|m) = sn(k u | 1/m), cn(u|m) = dn(k u | 1/m), dn(u|m) = cn(k u | 1/m), where 1 - 1/m = -m1/m.
-  // With q bits and as many more as k u has before the point, so that those of its argument are enough for the AGM.
+  // m > 1: k sn(u|m) = sn(k u | 1/m), cn(u|m) = dn(k u | 1/m), dn(u|m) = cn(k u | 1/m), where 1 -
+  // 1/m = -m1/m. With q bits and as many more as k u has before the point, so that those of its
+  // argument are enough for the AGM.
   const std::int64_t more = std::max<std::int64_t>(exponent_of(u) + exponent_of(k.m) + 8, 0);
   if (more > most_bits_before_point) return undefined_values<T>(q);
   const precision bits = q + static_cast<precision>(more);

@@ -23,8 +23,8 @@ ball complete(const detail::ball_parameter& m, int in_m, const F& f) {
       });
 }
 
-/// The range of f(phi, others..., m), increasing in phi and odd, which for phi > 0 goes with the others in the given
-/// directions, the last of which is that of what is given of m.
+/// The range of f(phi, others..., m), increasing in phi and odd, which for phi > 0 goes with the
+/// others in the given directions, the last of which is that of what is given of m.
 template <std::size_t Count, class F>
 ball incomplete(const ball& phi, const std::array<ball, Count>& others,
                 const std::array<int, Count>& direction, precision p, const F& f) {
@@ -82,7 +82,8 @@ ball elliptic_f(const ball& phi, const detail::ball_parameter& m) {
 }
 ball elliptic_e(const ball& phi, const detail::ball_parameter& m) {
   if (!phi.is_exact() || !m.given().is_exact()) {
-    // It decreases in m: what is least and greatest is not where the domain, m sin^2 <= 1 up to phi, ends first.
+    // It decreases in m: what is least and greatest is not where the domain, m sin^2 <= 1 up to
+    // phi, ends first.
     const ball greatest_m =
         m.is_complement() ? detail::lower_end(m.given()) : detail::upper_end(m.given());
     const precision q = detail::precision_for(phi, m) + 64;
@@ -245,7 +246,8 @@ slope_parts slope_parts_of(const ball& phi, const detail::ball_parameter& m) {
 
 }  // namespace
 
-// In m: from F = s R_F(X, Y, 1), dY/dm = -s^2, and 2 k K; undefined over sets that hold an odd multiple of pi/2.
+// In m: from F = s R_F(X, Y, 1), dY/dm = -s^2, and 2 k K; undefined over sets that hold an odd
+// multiple of pi/2.
 std::array<ball, 2> elliptic_f_gradient(const ball& phi, const detail::ball_parameter& m) {
   const detail::amplitude<ball> w = detail::amplitude_of(phi, phi.precision() + 16);
   const ball ss = square(w.s);

@@ -90,7 +90,8 @@ struct amplitude {
 }
 [[nodiscard]] inline long double nearest_whole(long double x) { return std::nearbyint(x); }
 
-/// More bits than this before the point, and the amplitude is refused: pi would be needed to as many.
+/// More bits than this before the point, and the amplitude is refused: pi would be needed to as
+/// many.
 inline constexpr std::int64_t most_bits_before_point = std::int64_t{1} << 24;
 
 template <elliptic_scalar T>
@@ -126,8 +127,8 @@ template <elliptic_scalar T>
   }
   auto [s, c] = sine_cosine(psi);
   if constexpr (std::same_as<T, ball>) {
-    // psi is a narrow set. Where it may reach beyond +-pi/2, that is where cos may be negative, nothing is said:
-    // for a number more bits decide.
+    // psi is a narrow set. Where it may reach beyond +-pi/2, that is where cos may be negative,
+    // nothing is said: for a number more bits decide.
     if (!not_negative(c)) c = ball::undefined(q);
   }
   const T X = square_of(c);
@@ -143,8 +144,9 @@ template <elliptic_scalar T>
 [[nodiscard]] T d_at(const modulus<T>& k, precision q) {
   return T(rd_of(whole<T>(0, q), k.m1, whole<T>(1, q), q) / 3);
 }
-/// E = K (1 - m/2 - sum of 2^(n-1) c_n^2), n >= 1, from the AGM of 1 and sqrt m1 (DLMF 19.8.6): near m = 1 as many bits
-/// are lost as log2 K says. What is left out after c_n: see agm_with_sum in complete.hpp.
+/// E = K (1 - m/2 - sum of 2^(n-1) c_n^2), n >= 1, from the AGM of 1 and sqrt m1 (DLMF 19.8.6):
+/// near m = 1 as many bits are lost as log2 K says. What is left out after c_n: see agm_with_sum in
+/// complete.hpp.
 template <elliptic_scalar T>
 [[nodiscard]] T e_at(const modulus<T>& k, precision q) {
   const int sign = sign_in(k.m1);
@@ -175,11 +177,11 @@ template <elliptic_scalar T>
   }
 }
 
-/// (a cos^2 + b sin^2)/(cos^2 + p sin^2) integrated: with v = cot t it is (a v^2 + b)/(v^2 + p), and K the integral
-/// of p/(v^2+p) as in carlson_core.hpp, where K(p) + K(kc^2/p) = F. So it is
+/// (a cos^2 + b sin^2)/(cos^2 + p sin^2) integrated: with v = cot t it is (a v^2 + b)/(v^2 + p),
+/// and K the integral of p/(v^2+p) as in carlson_core.hpp, where K(p) + K(kc^2/p) = F. So it is
 ///   a F + (b/p - a) K(p) = a K(kc^2/p) + (b/p) K(p),   K(p) = p R_J(0, kc^2, 1, p)/3,
-/// of which the first is without cancellation where a and b/p - a have the same sign, the second where a and b
-/// have.
+/// of which the first is without cancellation where a and b/p - a have the same sign, the second
+/// where a and b have.
 template <elliptic_scalar T>
 [[nodiscard]] T cel_at(const T& m1, const T& p, const T& a, const T& b, precision q) {
   const T zero = whole<T>(0, q);
@@ -246,8 +248,9 @@ template <elliptic_scalar T>
   return with_turns(T(w.s * (rf - k.m * ss * rj / 3)), w.turns, complete);
 }
 
-/// For n < 0, with p = 1 - n > 1 and v = cot t: (v^2+1)/(v^2+p) = 1/p + (1 - 1/p) v^2/(v^2+p), and the integral of the
-/// last is F - K(p) = C + K(r), r = m1/p, in the notation of carlson_core.hpp with w^2 = X, a^2 = s^2, b^2 = m1 s^2:
+/// For n < 0, with p = 1 - n > 1 and v = cot t: (v^2+1)/(v^2+p) = 1/p + (1 - 1/p) v^2/(v^2+p), and
+/// the integral of the last is F - K(p) = C + K(r), r = m1/p, in the notation of carlson_core.hpp
+/// with w^2 = X, a^2 = s^2, b^2 = m1 s^2:
 ///   Pi = s [ R_F/p + (1 - 1/p) (c R_C(Y, P R) + m1 s^2/(3p) R_J(X,Y,1,R)) ],
 /// P = c^2 + p s^2, R = c^2 + m1 s^2/p: for m <= 1 no term is negative.
 template <elliptic_scalar T>

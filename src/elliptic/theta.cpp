@@ -41,9 +41,9 @@ class multiples {
 
 }  // namespace
 
-/// The series of the definition, for q <= 1/20. With k = 2n+1 (theta_1, theta_2) or k = 2n, the terms are in size
-/// at most 2 k q^(k^2/4) (k = 1 in the value), and the next one at most (k+2)/k q^(k+1) <= 3/20 times as great for
-/// k >= 1: the rest is at most twice its first term.
+/// The series of the definition, for q <= 1/20. With k = 2n+1 (theta_1, theta_2) or k = 2n, the
+/// terms are in size at most 2 k q^(k^2/4) (k = 1 in the value), and the next one at most (k+2)/k
+/// q^(k+1) <= 3/20 times as great for k >= 1: the rest is at most twice its first term.
 theta_values detail::theta_by_definition(int j, const ball& z, const ball& q, precision p) {
   const bool half = j <= 2;
   multiples of_z(z);
@@ -80,9 +80,9 @@ theta_values detail::theta_by_definition(int j, const ball& z, const ball& q, pr
 }
 
 /// The other series, for q > 1/25, so that L < 3.22 and pi^2/L > 3. On either side the terms are
-/// exp(-x^2/L) and, in the derivative, 2x/L exp(-x^2/L) at x, x + pi, ...; from an x >= pi/2 on the next one is at
-/// most (x+pi)/x exp(-pi(2x+pi)/L) <= 3 exp(-2 pi^2/L) < 3 e^(-6) times as great: the rest is at most twice its first
-/// term.
+/// exp(-x^2/L) and, in the derivative, 2x/L exp(-x^2/L) at x, x + pi, ...; from an x >= pi/2 on the
+/// next one is at most (x+pi)/x exp(-pi(2x+pi)/L) <= 3 exp(-2 pi^2/L) < 3 e^(-6) times as great:
+/// the rest is at most twice its first term.
 theta_values detail::theta_by_poisson(int j, const ball& z, const ball& q, precision p) {
   const ball L = -log(q);
   const ball period = pi(std::max({p, z.precision(), q.precision()}));

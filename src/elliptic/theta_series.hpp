@@ -1,7 +1,7 @@
 #pragma once
 
-// The two series of the theta functions, apart: their terms are added until the next ones are below 2^-p of the sum, and what is left out is in
-// the results.
+// The two series of the theta functions, apart: their terms are added until the next ones are below
+// 2^-p of the sum, and what is left out is in the results.
 
 #include "polhode/elliptic/theta.hpp"
 

@@ -40,8 +40,9 @@ bool occurs_in(const std::string& formula, const std::string& name) {
   return false;
 }
 
-/// What a simpler formula leaves out must be a rational number, for which the domain has been decided, or, as the first
-/// argument, q + r pi: of another nobody would see that it is not in the domain, or not defined.
+/// What a simpler formula leaves out must be a rational number, for which the domain has been
+/// decided, or, as the first argument, q + r pi: of another nobody would see that it is not in the
+/// domain, or not defined.
 bool keeps(const std::string& formula, const std::vector<std::string>& names,
            const std::vector<std::optional<pi_combination>>& known) {
   for (std::size_t i = 0; i < names.size(); ++i) {

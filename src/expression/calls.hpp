@@ -6,8 +6,8 @@
 
 namespace polhode::detail {
 
-/// The function of the operands, as many as it takes: by its simpler formula where it has one for them. Throws undefined_operation where it is
-/// certain that it is not defined there.
+/// The function of the operands, as many as it takes: by its simpler formula where it has one for
+/// them. Throws undefined_operation where it is certain that it is not defined there.
 [[nodiscard]] node_id call_further(graph& g, const further_function& f,
                                    const std::vector<node_id>& operands);
 

@@ -80,7 +80,8 @@ bool below_one(numbers x) { return x[0] < 1; }
 bool up_to_one(numbers x) { return x[0] <= 1; }
 bool in_unit(numbers x) { return x[0] >= 0 && x[0] <= 1; }
 
-// Of an inverse function at x: that there is such a value, and that it is taken at one finite argument.
+// Of an inverse function at x: that there is such a value, and that it is taken at one finite
+// argument.
 bool parameter_in_unit(numbers x) { return x[1] >= 0 && x[1] <= 1; }
 bool of_sine(numbers x) {
   return parameter_in_unit(x) && abs(x[0]) <= 1 && !(x[1] == 1 && abs(x[0]) == 1);
@@ -102,7 +103,8 @@ bool of_shifted_sine(numbers x) { return parameter_in_unit(x) && abs(x[0]) <= 1 
 bool of_delta_over_sine(numbers x) {
   return parameter_in_unit(x) && x[0] >= 0 && x[0] * x[0] >= 1 - x[1] && x[0] > 0;
 }
-// The value is K: x is dn K = ds K, or nd K = sd K, or -sd K. Of rational numbers; others are not known to be at the edge.
+// The value is K: x is dn K = ds K, or nd K = sd K, or -sd K. Of rational numbers; others are not
+// known to be at the edge.
 bool is_delta_at_k(const rational& x, const rational& m) { return x * x == 1 - m; }
 bool is_inverse_delta_at_k(const rational& x, const rational& m) { return x * x * (1 - m) == 1; }
 bool above_one_below_unit_parameter(numbers x) { return above_one(x) && x[1] < 1; }
@@ -181,8 +183,8 @@ formula simpler_theta(int j, bool derivative, known_arguments x) {
   if (is_zero(x[1])) return j >= 3 && !derivative ? "1" : "0";
   const auto turns = quarter_turns(x[0]);
   if (!turns) return std::nullopt;
-  // theta_1 is odd and theta_2 even about the multiples of pi, and the other way round about those of pi between;
-  // theta_3 and theta_4 are even about all of them.
+  // theta_1 is odd and theta_2 even about the multiples of pi, and the other way round about those
+  // of pi between; theta_3 and theta_4 are even about all of them.
   const bool odd = j <= 2 && (is_odd(*turns) == (j == 2));
   return odd != derivative ? formula("0") : std::nullopt;
 }
@@ -203,9 +205,10 @@ formula simpler_complete_third_kind(known_arguments x) {
   return x[0]->q < 1 ? "pi/(2*sqrt(1 - n))" : "0";
 }
 
-// ---------------------------------------------------------------------------------------------
-// The tables. Each function has its value over balls, its derivatives over balls where there are any, where it may be defined,
-// a simpler formula where there is one, and its continuation, written once for regions and complex balls.
+// --------------------------------------------------------------------------------------------- The
+// tables. Each function has its value over balls, its derivatives over balls where there are any,
+// where it may be defined, a simpler formula where there is one, and its continuation, written once
+// for regions and complex balls.
 
 template <class F>
 further_function continued(further_function f, const F& continuation) {

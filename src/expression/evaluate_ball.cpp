@@ -5,7 +5,8 @@ namespace polhode {
 namespace detail {
 namespace {
 
-/// What f sets an MPFR number of p bits to, correctly rounded: within half a unit in the last place.
+/// What f sets an MPFR number of p bits to, correctly rounded: within half a unit in the last
+/// place.
 ball rounded_constant(precision p, int (*f)(mpfr_ptr, mpfr_rnd_t)) {
   mpfr_float value = zero_of_precision(p);
   f(value.backend().data(), MPFR_RNDN);

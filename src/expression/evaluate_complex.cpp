@@ -1,8 +1,9 @@
-// Complex balls and regions: the real functions continued off the real line, written once over both.
+// Complex balls and regions: the real functions continued off the real line, written once over
+// both.
 //
-// A region may be one of several that cover a domain, so each function here is one function of the complex
-// points, the same whichever set they come in: where it is a choice between two formulas, the real part of
-// a point decides, and a set on which that is not the same has no answer.
+// A region may be one of several that cover a domain, so each function here is one function of the
+// complex points, the same whichever set they come in: where it is a choice between two formulas,
+// the real part of a point decides, and a set on which that is not the same has no answer.
 
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/elliptic/complex.hpp"
@@ -23,8 +24,9 @@ Z cosine_of_half_turns(const Z& z) {
   return cos(z * pi_for(z));
 }
 
-/// On real numbers x > 0, or x < 0, or y not 0: the angle of (x, y) is twice that of (x + r, y), which lies
-/// within a right angle. As a function of complex numbers it is this formula, with the cuts of sqrt and atan.
+/// On real numbers x > 0, or x < 0, or y not 0: the angle of (x, y) is twice that of (x + r, y),
+/// which lies within a right angle. As a function of complex numbers it is this formula, with the
+/// cuts of sqrt and atan.
 template <class Z>
 Z angle_of(const Z& y, const Z& x) {
   return atan(y / (sqrt(square(x) + square(y)) + x)) * 2;

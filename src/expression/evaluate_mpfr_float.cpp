@@ -19,7 +19,8 @@ mpfr_float of_two(binary f, const mpfr_float& x, const mpfr_float& y) {
 
 }  // namespace
 
-/// MPFR's own functions, each of which rounds once. sinpi and cospi are not among them: balls reduce the argument exactly.
+/// MPFR's own functions, each of which rounds once. sinpi and cospi are not among them: balls
+/// reduce the argument exactly.
 template <>
 struct supplement<mpfr_float> {
 #define POLHODE_MPFR_OF_ONE(f) \

@@ -1,19 +1,22 @@
 #pragma once
 
-// Real numbers known by formal rules: finite sums of c g_1^q_1 ... g_n^q_n with rational c and q_i and generators g_i:
-// natural numbers, pi, exponentials, logarithms, arc tangents, cosines of rational multiples of pi, sums of the same
-// kind of which a root or the reciprocal was taken, and numbers of which nothing is known but an enclosure.
+// Real numbers known by formal rules: finite sums of c g_1^q_1 ... g_n^q_n with rational c and q_i
+// and generators g_i: natural numbers, pi, exponentials, logarithms, arc tangents, cosines of
+// rational multiples of pi, sums of the same kind of which a root or the reciprocal was taken, and
+// numbers of which nothing is known but an enclosure.
 //
-// THE PRINCIPLE. Each rule here is an identity between real numbers: two sums that are formally equal are equal
-// numbers, and a sum in which everything cancels is 0. Nothing is concluded the other way: that two sums look different
-// does not say that they differ (whether log 2 log 3 and pi are linearly independent over the rational numbers, say, is
-// not known). What needs a number to differ from 0, or to be positive, asks the enclosures, and gives up where
-// they do not decide. So no theorem of transcendence is needed, and what is missing among the rules costs answers, never
+// THE PRINCIPLE. Each rule here is an identity between real numbers: two sums that are formally
+// equal are equal numbers, and a sum in which everything cancels is 0. Nothing is concluded the
+// other way: that two sums look different does not say that they differ (whether log 2 log 3 and pi
+// are linearly independent over the rational numbers, say, is not known). What needs a number to
+// differ from 0, or to be positive, asks the enclosures, and gives up where they do not decide. So
+// no theorem of transcendence is needed, and what is missing among the rules costs answers, never
 // their truth.
 //
 // Its rules are in exact/, a file to each thought; generators.cpp is the one to begin with.
 //
-// All of it is bounded: in terms, bits, and steps in all. Beyond, not_decided is thrown, for the caller to catch.
+// All of it is bounded: in terms, bits, and steps in all. Beyond, not_decided is thrown, for the
+// caller to catch.
 
 #include <cstdint>
 #include <functional>
@@ -41,12 +44,13 @@ using exact_sum = std::map<monomial, rational>;
 
 [[nodiscard]] exact_sum exactly(const rational& q);
 
-/// The generators of one computation, and what is done with numbers made of them. Every member function throws
-/// not_decided where it does not know the result.
+/// The generators of one computation, and what is done with numbers made of them. Every member
+/// function throws not_decided where it does not know the result.
 class exact_field {
  public:
-  /// With `further`, sines and cosines of any angle are generators too (exact/trigonometric_polynomial.cpp), and algebraic numbers are shown
-  /// to be 0 by polynomials (exact/annihilating_polynomial.cpp). That takes longer, and more terms.
+  /// With `further`, sines and cosines of any angle are generators too
+  /// (exact/trigonometric_polynomial.cpp), and algebraic numbers are shown to be 0 by polynomials
+  /// (exact/annihilating_polynomial.cpp). That takes longer, and more terms.
   explicit exact_field(bool further = false) : further_(further) {}
 
   [[nodiscard]] exact_sum sum(const exact_sum& x, const exact_sum& y);
@@ -145,7 +149,8 @@ class exact_field {
   [[nodiscard]] exact_sum generated_arctan(const rational& t);
 
   [[nodiscard]] std::pair<exact_sum, exact_sum> generated_cos_and_sin(const exact_sum& x);
-  /// How many factors of m are cosines of multiples of pi, and how many cosines and sines of other angles; the other kinds count nowhere.
+  /// How many factors of m are cosines of multiples of pi, and how many cosines and sines of other
+  /// angles; the other kinds count nowhere.
   [[nodiscard]] std::pair<long, long> waves_in(const monomial& m) const;
   [[nodiscard]] bool has_waves_to_reduce(const monomial& m) const;
   [[nodiscard]] exact_sum with_waves_reduced(const monomial& m);

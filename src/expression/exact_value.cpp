@@ -258,7 +258,8 @@ class evaluation {
 std::optional<rational> rational_value(const graph& g, const program& f) {
   if (const rational* q = g.value(g.root)) return *q;
   if (g.root >= most_nodes || varying(g)[g.root] != 0) return std::nullopt;
-  // The further rules take their own budget: where they reach its end, nothing is lost that the others decide.
+  // The further rules take their own budget: where they reach its end, nothing is lost that the
+  // others decide.
   for (const bool further : {false, true}) {
     try {
       if (auto q = evaluation(g, f, further).at(g.root)) return q;

@@ -12,8 +12,9 @@ namespace polhode::detail {
 /// The values of a program's instructions without variables, in their order, with p bits.
 [[nodiscard]] std::vector<ball> values_of_constants(const program& f, precision p);
 
-/// The rational number that the root is, where the rules of exact_number.hpp show it; f is what g is compiled to. None where
-/// they do not, in a time that is bounded but for one evaluation with exact_field::bits.
+/// The rational number that the root is, where the rules of exact_number.hpp show it; f is what g
+/// is compiled to. None where they do not, in a time that is bounded but for one evaluation with
+/// exact_field::bits.
 [[nodiscard]] std::optional<rational> rational_value(const graph& g, const program& f);
 
 /// The same for a node without variables, and its value with p bits.

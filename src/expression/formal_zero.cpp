@@ -19,8 +19,8 @@ namespace {
 using detail::node_id;
 using detail::operation;
 
-/// A product of powers of atoms: nodes that are no sums, products or whole powers. Atoms are told apart by their nodes, of which
-/// equal subexpressions are one.
+/// A product of powers of atoms: nodes that are no sums, products or whole powers. Atoms are told
+/// apart by their nodes, of which equal subexpressions are one.
 using monomial = std::vector<std::pair<node_id, long>>;
 using terms = std::map<monomial, rational>;  // the coefficients that are not 0
 

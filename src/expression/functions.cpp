@@ -119,7 +119,8 @@ node_id function_of(graph& g, operation what, node_id x) {
 // ---------------------------------------------------------------------------------------------
 // The functions
 
-/// How a call of the operation is read: by the domain that the table gives, or the function that it gives.
+/// How a call of the operation is read: by the domain that the table gives, or the function that it
+/// gives.
 template <operation what, auto reader>
 node_id read_call(graph& g, const operands& x) {
   if constexpr (std::is_invocable_v<decltype(reader), graph&, const operands&>) {
@@ -156,7 +157,8 @@ node_id hyperbolic_cotangent(graph& g, const operands& x) {
   return quotient(g, {}, operation::tanh, x[0]);
 }
 
-/// The function of 1/x, where x is in the domain of the function of that name: the inverse of a reciprocal, as asec(x) = acos(1/x).
+/// The function of 1/x, where x is in the domain of the function of that name: the inverse of a
+/// reciprocal, as asec(x) = acos(1/x).
 node_id of_reciprocal(graph& g, operation what, const char* name, node_id x,
                       bool (*defined)(const rational&)) {
   check_domain(g, name, x, defined);
@@ -173,7 +175,8 @@ POLHODE_OF_RECIPROCAL(inverse_hyperbolic_cosecant, acsch, asinh, not_zero)
 POLHODE_OF_RECIPROCAL(inverse_hyperbolic_cotangent, acoth, atanh, outside_closed_unit)
 #undef POLHODE_OF_RECIPROCAL
 
-/// acot(x) = pi/2 - atan(x), in (0, pi) and analytic everywhere. For a number x > 0 that is atan(1/x), without cancellation.
+/// acot(x) = pi/2 - atan(x), in (0, pi) and analytic everywhere. For a number x > 0 that is
+/// atan(1/x), without cancellation.
 node_id inverse_cotangent(graph& g, const operands& x) {
   const rational* q = g.value(x[0]);
   if (q != nullptr && *q > 0) return function_of(g, operation::atan, g.number(1 / *q));
@@ -265,8 +268,8 @@ node_id greater_of(graph& g, const operands& x) {
   return x[0] == x[1] ? x[0] : g.make(operation::max, x[0], x[1]);
 }
 
-/// floor(c) + ceil(c) with c = max(-1/2, min(1/2, x)): for x > 0, c is in (0, 1/2] and the sum is 0 + 1; for x = 0 it is
-/// 0 + 0; for x < 0, c is in [-1/2, 0) and the sum is -1 + 0.
+/// floor(c) + ceil(c) with c = max(-1/2, min(1/2, x)): for x > 0, c is in (0, 1/2] and the sum is 0
+/// + 1; for x = 0 it is 0 + 0; for x < 0, c is in [-1/2, 0) and the sum is -1 + 0.
 node_id sign_of(graph& g, const operands& x) {
   const node_id below = smaller_of(g, {x[0], g.number(rational(1, 2))});
   const node_id c = greater_of(g, {below, g.number(rational(-1, 2))});

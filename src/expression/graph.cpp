@@ -96,7 +96,8 @@ node_id power_to_long(graph& g, node_id x, long n) {
   return g.number(n < 0 ? rational(1 / result) : result);
 }
 
-/// An integer that is too great for a machine: only 0, 1 and -1 have such powers that can be written.
+/// An integer that is too great for a machine: only 0, 1 and -1 have such powers that can be
+/// written.
 std::optional<node_id> power_to_great_integer(graph& g, const rational& x, const rational& n) {
   if (x == 0 && n < 0) refuse_power(x, n, "0 has no negative powers");
   if (x == 0 || x == 1) return g.number(x);

@@ -1,5 +1,5 @@
-// Reading a formula. The grammar, in which every operator's actions put the node they make on a stack
-// (nothing is tried twice, so no action is ever taken back):
+// Reading a formula. The grammar, in which every operator's actions put the node they make on a
+// stack (nothing is tried twice, so no action is ever taken back):
 //
 //   sum      = product { (+|-) product }
 //   product  = signed { (*|/) signed | juxtaposed }
@@ -8,8 +8,9 @@
 //   postfix  = operand { ! | !! }
 //   operand  = number | name | name ( sum { , sum } ) | ( sum )
 //
-// A juxtaposed factor is a power that begins with a name or a parenthesis and stands right behind a number: 2x is 2*x.
-// Behind a divisor or an exponent it is refused, where people read it in two ways: 1/2x, 2^3x.
+// A juxtaposed factor is a power that begins with a name or a parenthesis and stands right behind a
+// number: 2x is 2*x. Behind a divisor or an exponent it is refused, where people read it in two
+// ways: 1/2x, 2^3x.
 //
 // Only parentheses recurse, and their depth is limited before the grammar sees the text.
 
@@ -144,8 +145,8 @@ class reader {
   }
 
   void binary(const range& where) { operators_.push_back({where.begin(), *where.begin()}); }
-  /// Whether what stands at `where` is a second factor that a number just before it has without an operator. Throws
-  /// expression_error where such a product could be read in two ways.
+  /// Whether what stands at `where` is a second factor that a number just before it has without an
+  /// operator. Throws expression_error where such a product could be read in two ways.
   [[nodiscard]] bool is_juxtaposed(iterator where) const {
     if (where == text_.end() || (!is_letter(*where) && *where != '(')) return false;
     if (!end_of_number_ || !std::all_of(*end_of_number_, where, is_space)) return false;

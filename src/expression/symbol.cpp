@@ -77,7 +77,8 @@ template class machine_symbol<long double>;
 
 namespace detail {
 
-/// A chain of operations is as long as a loop made it: its nodes are let go one after the other, not each inside another.
+/// A chain of operations is as long as a loop made it: its nodes are let go one after the other,
+/// not each inside another.
 symbol_node::~symbol_node() {
   std::vector<symbol> rest = std::move(operands);
   while (!rest.empty()) {
@@ -93,8 +94,8 @@ namespace {
 
 using operands = std::vector<node_id>;
 
-/// Of the functions that stand for numbers in balls: no identifier, so that no function of a program's
-/// own that texts can call has it.
+/// Of the functions that stand for numbers in balls: no identifier, so that no function of a
+/// program's own that texts can call has it.
 constexpr std::string_view name_of_enclosed = "(a number in a ball)";
 using maker = node_id (*)(graph&, const operands&);
 

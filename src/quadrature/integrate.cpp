@@ -1,5 +1,5 @@
-// The limits, the order in which the rules are tried, and an affine map. Each rule has a file in rules/; the planner and the
-// sums of those on panels are in panels/.
+// The limits, the order in which the rules are tried, and an affine map. Each rule has a file in
+// rules/; the planner and the sums of those on panels are in panels/.
 
 #include "polhode/quadrature/integrate.hpp"
 

@@ -2,17 +2,19 @@
 
 // The proof that pieces tile a range.
 //
-// A range is integrated piece by piece, and several rules may serve: each works in an interval that it is given, and
-// says what it has integrated over. Whoever adds the values up proves here that the pieces make up the range, each part
-// of it once; no rule decides that alone.
+// A range is integrated piece by piece, and several rules may serve: each works in an interval that
+// it is given, and says what it has integrated over. Whoever adds the values up proves here that
+// the pieces make up the range, each part of it once; no rule decides that alone.
 //
-// Theorem. Let the pieces, in some order, run from p_0 to p_1, from p_1 to p_2, ... and from p_(n-1) to p_n, with p_0 and
-// p_n the ends of the range. Then the sum of the integrals over the pieces is that over the range, for any function that
-// is integrable between all of these points: integrals add up along the line, whatever the order of the points on it.
+// Theorem. Let the pieces, in some order, run from p_0 to p_1, from p_1 to p_2, ... and from
+// p_(n-1) to p_n, with p_0 and p_n the ends of the range. Then the sum of the integrals over the
+// pieces is that over the range, for any function that is integrable between all of these points:
+// integrals add up along the line, whatever the order of the points on it.
 //
-// That points are the same is decided exactly: they are rational numbers, or they are one of the range's own ends, which
-// has a name. What a rule says of an end is not believed: that the end lies in the interval that the rule was given, in
-// which its bounds hold, is proved from the end's enclosures.
+// That points are the same is decided exactly: they are rational numbers, or they are one of the
+// range's own ends, which has a name. What a rule says of an end is not believed: that the end lies
+// in the interval that the rule was given, in which its bounds hold, is proved from the end's
+// enclosures.
 
 #include <cstdint>
 #include <optional>
@@ -23,8 +25,8 @@
 
 namespace polhode::detail {
 
-/// The sign of end - q: 1, 0 (only where the end is exact), -1. Returns nullopt where no enclosure of up to
-/// 2^15 bits tells.
+/// The sign of end - q: 1, 0 (only where the end is exact), -1. Returns nullopt where no enclosure
+/// of up to 2^15 bits tells.
 [[nodiscard]] std::optional<int> side_of(const end_point& end, const rational& q);
 
 /// Where a piece begins or ends: at a rational number, or at an end of the range.
@@ -60,8 +62,8 @@ class range_tiling {
  public:
   range_tiling(const end_point& lower, const end_point& upper) : lower_(lower), upper_(upper) {}
 
-  /// Notes a piece. Where it is not proved that both its ends lie in the interval that the rule was given, the range counts
-  /// as not tiled.
+  /// Notes a piece. Where it is not proved that both its ends lie in the interval that the rule was
+  /// given, the range counts as not tiled.
   void add(const piece_done& done, const closed_interval& within);
   /// Notes a piece that is proved to be tiled itself, by smaller ones.
   void add_tiled(const piece_done& done);

@@ -13,7 +13,8 @@ root_enclosure proved_near(const expression& formula, const ball& x, const ball&
   const auto slope = [&](const ball& at) { return f.at(at.precision())->derivative(at); };
   const magnitude width = interval.radius();
   const magnitude size = x.magnitude_upper().is_zero() ? width : x.magnitude_upper();
-  // A few units in the last place of x first, where an iteration that ended well is; then wider, to the whole interval.
+  // A few units in the last place of x first, where an iteration that ended well is; then wider, to
+  // the whole interval.
   constexpr long first_bits_off = 6;
   for (long bits = static_cast<long>(x.precision()) - first_bits_off;; bits /= 2) {
     const magnitude radius = bits > 0 ? scale(size, -bits) : width;

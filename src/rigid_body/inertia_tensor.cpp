@@ -12,9 +12,11 @@
 namespace polhode {
 namespace {
 
-/// How many roots of the cubic are at most x, if all are real: 3 less the changes of sign in the Taylor coefficients there, zeros left out.
-/// Proof. Let q(t) = p(x + t) have m roots 0. By Descartes' rule the positive roots are at most V(q(t)), the negative ones at most
-/// V(q(-t)), and V(q(t)) + V(q(-t)) <= 3 - m; since all roots are real these are 3 - m together, so that equality holds.
+/// How many roots of the cubic are at most x, if all are real: 3 less the changes of sign in the
+/// Taylor coefficients there, zeros left out. Proof. Let q(t) = p(x + t) have m roots 0. By
+/// Descartes' rule the positive roots are at most V(q(t)), the negative ones at most V(q(-t)), and
+/// V(q(t)) + V(q(-t)) <= 3 - m; since all roots are real these are 3 - m together, so that equality
+/// holds.
 long roots_up_to(const rational_polynomial& p, const rational& x) {
   const rational_polynomial slope = p.derivative();
   long above = 0;
@@ -26,7 +28,8 @@ long roots_up_to(const rational_polynomial& p, const rational& x) {
   return 3 - above;
 }
 
-/// The least integer x in (low, high] with at least k roots up to x/unit. Hypothesis: fewer are up to low/unit, and so many up to high/unit.
+/// The least integer x in (low, high] with at least k roots up to x/unit. Hypothesis: fewer are up
+/// to low/unit, and so many up to high/unit.
 integer least_with(const rational_polynomial& p, long k, integer low, integer high,
                    const integer& unit) {
   while (high - low > 1) {
@@ -60,7 +63,8 @@ ball enclosed_root(const rational_polynomial& p, long k, const integer& above, p
     const precision enough =
         static_cast<precision>(mpz_sizeinbase(high.backend().data(), 2)) + bits + 64;
     ball box = hull(ball(rational(high - 1, unit), enough), ball(rational(high, unit), enough));
-    // Where roots are near each other the value near one of them cancels: with twice the box's bits it is resolved.
+    // Where roots are near each other the value near one of them cancels: with twice the box's bits
+    // it is resolved.
     const root_enclosure found = refine_root(f, derivative, box, std::max(q, 2 * enough));
     if (found.verdict == root_verdict::unique && is_narrow(found.root)) return found.root;
     if (is_narrow(box)) return box;
@@ -94,7 +98,8 @@ inertia_tensor::inertia_tensor(const std::array<rational, 6>& given)
   }
   const auto& [trace, minors, determinant] = invariants_of(entry);
   trace_ = trace;
-  // All roots of the characteristic polynomial are real: they are positive exactly where its signs alternate.
+  // All roots of the characteristic polynomial are real: they are positive exactly where its signs
+  // alternate.
   if (trace_ <= 0 || minors <= 0 || determinant <= 0) {
     throw input_error("inertia tensor " + text +
                       ": a principal moment is not positive; all three must be");
@@ -106,8 +111,9 @@ inertia_tensor::inertia_tensor(const std::array<rational, 6>& given)
         ": two principal moments are equal, a symmetric top, which has no intermediate "
         "axis; three different moments are needed");
   }
-  // Rational roots of a polynomial with integer coefficients that leads with 1 are integers. The roots are different: the integer above
-  // the k-th one, if it is a root, is the k-th where k roots are up to it, and a greater one where more are.
+  // Rational roots of a polynomial with integer coefficients that leads with 1 are integers. The
+  // roots are different: the integer above the k-th one, if it is a root, is the k-th where k roots
+  // are up to it, and a greater one where more are.
   for (std::size_t i = 0; i < exact_.size(); ++i) {
     const long k = 3 - static_cast<long>(i);
     above_[i] = least_with(polynomial_, k, 0, numerator(trace_), 1);

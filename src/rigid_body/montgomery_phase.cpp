@@ -128,7 +128,8 @@ certain_number montgomery_phase_excess_to_digits(const body& rigid, const ration
                                                  long digits) {
   certain_number phase = montgomery_phase_to_digits(rigid, c, 1);
   if (phase.verdict != status::certified) return phase;
-  // What cancels is of the order of (b + c)/b or (a - c)/a, numbers of no more bits than a, b and c together.
+  // What cancels is of the order of (b + c)/b or (a - c)/a, numbers of no more bits than a, b and c
+  // together.
   const precision cancelled = size_in_bits(rigid.a()) + size_in_bits(rigid.b()) + size_in_bits(c);
   const auto excess = [&](precision p) {
     return montgomery_phase(rigid, c, p) - montgomery_phase_limit(rigid, c, p);

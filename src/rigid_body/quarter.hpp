@@ -21,7 +21,8 @@ struct quarter_numbers {
   exact_real b, rest, kappa2, m1, lambda2, eta;
 };
 
-/// The motion on its first quarters, by S = sinh w = tan am(lambda t), t the time from the middle of the twist in I_y/J:
+/// The motion on its first quarters, by S = sinh w = tan am(lambda t), t the time from the middle
+/// of the twist in I_y/J:
 ///
 ///                oscillating               rotating, separatrix
 ///   kappa^2      (a+b)/(a-c)               (a+b)/a                  1 + the kappa of motion.hpp
@@ -29,23 +30,28 @@ struct quarter_numbers {
 ///   tan psi      sqrt(eta) T/sqrt(1+m1 S^2)   T              with T = kappa S
 ///
 /// with m1 and lambda of motion.hpp; and in both, with x = cos^2 psi,
-///   1 - x = eta T^2/(1+T^2),   a + b x = (a+b)(1+S^2)/(1+T^2),                                               (1)
-///   {x, (c + b x)/(b+c)} = {(1+m1 S^2)/(1+T^2), 1/(1+T^2)} when oscillating, the other way round when rotating.  (2)
-/// Proof of (1), (2): eta = 1 + c/b is 1 - u for the turning point u = -c/b; put 1 - x = eta sin^2 alpha, T = tan alpha (alpha
-/// = psi when rotating). Then c + b x = (b+c) cos^2 alpha when oscillating; the rest is multiplying out, with
-/// m1 = kappa^2 (-c/b), kappa^2 c/(b+c).
+///   1 - x = eta T^2/(1+T^2),   a + b x = (a+b)(1+S^2)/(1+T^2),                              (1)
+///   {x, (c + b x)/(b+c)} = {(1+m1 S^2)/(1+T^2), 1/(1+T^2)} when oscillating, the other way
+///     round when rotating.                                                                     (2)
+/// Proof of (1), (2): eta = 1 + c/b is 1 - u for the turning point u = -c/b; put 1 - x = eta sin^2
+/// alpha, T = tan alpha (alpha = psi when rotating). Then c + b x = (b+c) cos^2 alpha when
+/// oscillating; the rest is multiplying out, with m1 = kappa^2 (-c/b), kappa^2 c/(b+c).
 ///
-/// The phase from psi = 0 on is F(c,x)/2 = (montgomery_phase.hpp) sqrt((1-x)/((a+b)(b+c))) [(1-b) R_F + (b (1-x)/3) R_J] at
-/// the arguments x, (a+bx)/(a+b), (c+bx)/(b+c). R_F and R_J are symmetric in them and homogeneous, of the degrees -1/2 and -3/2;
-/// multiplied by 1 + T^2 they are 1, 1+S^2, 1+m1 S^2, and so
-///   phi = (S/lambda) [ (1-b) R_F(1, 1+S^2, 1+m1 S^2) + (b eta T^2/3) R_J(1, 1+S^2, 1+m1 S^2, 1+T^2) ],      (3)
+/// The phase from psi = 0 on is F(c,x)/2 = (montgomery_phase.hpp) sqrt((1-x)/((a+b)(b+c))) [(1-b)
+/// R_F + (b (1-x)/3) R_J] at the arguments x, (a+bx)/(a+b), (c+bx)/(b+c). R_F and R_J are symmetric
+/// in them and homogeneous, of the degrees -1/2 and -3/2; multiplied by 1 + T^2 they are 1, 1+S^2,
+/// 1+m1 S^2, and so
+///   phi = (S/lambda) [ (1-b) R_F(1, 1+S^2, 1+m1 S^2)
+///                      + (b eta T^2/3) R_J(1, 1+S^2, 1+m1 S^2, 1+T^2) ],                       (3)
 /// odd in S, with nothing that cancels; lambda t = S R_F(1, 1+S^2, 1+m1 S^2), which is F(am | m).
-/// Since dphi/dt = sin^2 psi + (I_y/I_x) cos^2 psi = 1 - b x and dw/d(lambda t) = dn/cn with dn/cn = sqrt(1+m1 S^2),
-///   dphi/dw = (1 - b x)/(lambda sqrt(1+m1 S^2)).                                                              (4)
-/// Counted from the end of the quarter, with w' in the place of w, lambda t becomes K - lambda t and S becomes
-/// S = 1/(sqrt(m1) sinh w') (DLMF 22.4.3), and by dn/cn = 1/sn there
-///   dphi/dw' = -(1 - b x)/(lambda sqrt(1+m1 sinh^2 w')).                                                      (5)
-/// So phi is nearly linear in w up to S = m1^(-1/4), the middle in time, and in w' beyond, however near c is to 0.
+/// Since dphi/dt = sin^2 psi + (I_y/I_x) cos^2 psi = 1 - b x and dw/d(lambda t) = dn/cn with dn/cn
+/// = sqrt(1+m1 S^2),
+///   dphi/dw = (1 - b x)/(lambda sqrt(1+m1 S^2)).                                            (4)
+/// Counted from the end of the quarter, with w' in the place of w, lambda t becomes K - lambda t
+/// and S becomes S = 1/(sqrt(m1) sinh w') (DLMF 22.4.3), and by dn/cn = 1/sn there
+///   dphi/dw' = -(1 - b x)/(lambda sqrt(1+m1 sinh^2 w')).                                    (5)
+/// So phi is nearly linear in w up to S = m1^(-1/4), the middle in time, and in w' beyond, however
+/// near c is to 0.
 ///
 /// T is ball; or double, to search for a root.
 template <class T>

@@ -1,6 +1,7 @@
 #pragma once
 
-// Numbers of a rigid body to a given number of digits: the precision is raised until they are certain.
+// Numbers of a rigid body to a given number of digits: the precision is raised until they are
+// certain.
 
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
@@ -8,7 +9,8 @@
 
 namespace polhode::detail {
 
-/// For formulas without cancellation: once the radius is small enough, only a run of 0s or 9s can hide a digit.
+/// For formulas without cancellation: once the radius is small enough, only a run of 0s or 9s can
+/// hide a digit.
 [[nodiscard]] inline precision guard_for(long digits) {
   return 15 * bits_for_digits(digits) + 1024;
 }

@@ -38,7 +38,8 @@ const T& middle_of(const T& x) {
 template <class T>
 std::array<T, 4> rotor_attitude<T>::quaternion() const {
   const auto& m = matrix;
-  // Four times the squares of w, x, y, z, of which the greatest is at least 1 (S. W. Shepperd, J. Guidance and Control 1, 1978).
+  // Four times the squares of w, x, y, z, of which the greatest is at least 1 (S. W. Shepperd, J.
+  // Guidance and Control 1, 1978).
   const std::array<T, 4> squares{
       T(1 + m[0][0] + m[1][1] + m[2][2]), T(1 + m[0][0] - m[1][1] - m[2][2]),
       T(1 - m[0][0] + m[1][1] - m[2][2]), T(1 - m[0][0] - m[1][1] + m[2][2])};

@@ -1,6 +1,7 @@
 #pragma once
 
-// The motion behind a rotor of doubles. Times are reduced by sums of three doubles; beyond 2^50 periods, by balls.
+// The motion behind a rotor of doubles. Times are reduced by sums of three doubles; beyond 2^50
+// periods, by balls.
 
 #include <cmath>
 #include <string>
@@ -37,7 +38,8 @@ struct whole_and_rest {
   double error = 0;
 };
 
-/// a + b, exactly result + what is added to error (D. E. Knuth, The Art of Computer Programming 2, 4.2.2, Theorem B).
+/// a + b, exactly result + what is added to error (D. E. Knuth, The Art of Computer Programming 2,
+/// 4.2.2, Theorem B).
 inline double sum_with_error(double a, double b, double& error) {
   const double sum = a + b;
   const double part = sum - a;
@@ -106,8 +108,8 @@ class rotor_motion<double> {
       half_turns_0_ = static_cast<double>(by.rates.half_turns_0);
     }
     turns_ = split(by.rates.turns);
-    // With L = log(1/p), what n = 1 adds is at most 4 r e^-v <= 4 e^(-L/2), and less further on: nothing for a (long) double, whose exponents
-    // end before p does.
+    // With L = log(1/p), what n = 1 adds is at most 4 r e^-v <= 4 e^(-L/2), and less further on:
+    // nothing for a (long) double, whose exponents end before p does.
     constexpr long double enough = 300;
     if (fast_.series.hyperbolic && fast_.series.scale > enough) {
       first_only(fast_.series);

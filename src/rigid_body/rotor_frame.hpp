@@ -26,7 +26,8 @@ triple<T> direction(const triple<T>& amplitude, regime kind, const theta_point<T
           T(amplitude[2] * (oscillating ? cn : at.dn))};
 }
 
-/// {x, y} over their length, and {0, 1} where both are 0: there a long double has nothing left of them.
+/// {x, y} over their length, and {0, 1} where both are 0: there a long double has nothing left of
+/// them.
 template <class T>
 std::array<T, 2> unit_vector(T x, T y) {
   if constexpr (std::floating_point<T>) {
@@ -44,8 +45,8 @@ std::array<T, 2> unit_vector(T x, T y) {
   return {T(x * length), T(y * length)};
 }
 
-/// R_z(Phi) R_y(theta) R_z(psi), which takes principal axes to axes of which the third is along J; Phi = angle - atan2(x, y).
-/// J/|J| is (across j_0, across j_1, j_2).
+/// R_z(Phi) R_y(theta) R_z(psi), which takes principal axes to axes of which the third is along J;
+/// Phi = angle - atan2(x, y). J/|J| is (across j_0, across j_1, j_2).
 template <class T>
 matrix3<T> frame(const triple<T>& j, const T& across, const std::pair<T, T>& angle, const T& x,
                  const T& y) {

@@ -1,6 +1,7 @@
 #pragma once
 
-// What a rotation needs at every time, in the scalars of the samples; and from it a sample at a reduced time.
+// What a rotation needs at every time, in the scalars of the samples; and from it a sample at a
+// reduced time.
 
 #include <optional>
 
@@ -18,8 +19,8 @@ struct prepared {
   regime kind = regime::equilibrium_x;
   rotor_rates rates;
   theta_series<T> series;
-  /// That of rotor_tables, the first two over the power of two `across`: J may be so near to the axis z that its other
-  /// components are 0 for a long double, but their ratio is needed.
+  /// That of rotor_tables, the first two over the power of two `across`: J may be so near to the
+  /// axis z that its other components are 0 for a long double, but their ratio is needed.
   triple<T> amplitude;
   T across;
   T size;
@@ -99,7 +100,8 @@ struct prepared {
 
 inline constexpr int most_attempts = 6;
 
-/// With `guard` bits beside p, or with more, in most_attempts attempts, where the start is so near to an axis that it needs them.
+/// With `guard` bits beside p, or with more, in most_attempts attempts, where the start is so near
+/// to an axis that it needs them.
 [[nodiscard]] prepared<ball> prepare_to(const initial_state& state, precision p, precision guard,
                                         precision spare);
 

@@ -6,7 +6,8 @@
 namespace polhode::detail {
 namespace {
 
-/// The n from which terms of the size of p^(n(n-1)) 2^n (2n+1) are below 2^-bits: what is left out has its own bounds.
+/// The n from which terms of the size of p^(n(n-1)) 2^n (2n+1) are below 2^-bits: what is left out
+/// has its own bounds.
 std::size_t terms_for(const ball& nome, precision bits) {
   const magnitude size = nome.magnitude_upper();
   if (size.is_zero()) return 1;
@@ -48,7 +49,8 @@ ball rotor_tables::counted_agm(const ball& second) {
   return agm(ball(1, second.precision()), second);
 }
 
-/// alpha with sc(alpha | 1-m) = 1/sqrt kappa: s R_F(1, 1 + m s^2, 1 + s^2), s = 1/sqrt kappa (DLMF 22.15.20).
+/// alpha with sc(alpha | 1-m) = 1/sqrt kappa: s R_F(1, 1 + m s^2, 1 + s^2), s = 1/sqrt kappa (DLMF
+/// 22.15.20).
 ball rotor_tables::pole(const exact_real& m, const exact_real& kappa, precision bits) {
   const exact_real square = 1 / kappa;
   ++work.integrals;

@@ -7,21 +7,23 @@
 
 namespace polhode::detail {
 
-/// u = 2K (cycles t + cycles_0 + half_turns_0), |cycles_0| <= 1/2, on the separatrix u = cycles t + cycles_0; the angle phi is
-/// 2 pi turns t - 2 pi slip N - the lag, where N is the integer nearest to u/(2K), 0 on the separatrix. A steady motion has turns only.
+/// u = 2K (cycles t + cycles_0 + half_turns_0), |cycles_0| <= 1/2, on the separatrix u = cycles t +
+/// cycles_0; the angle phi is 2 pi turns t - 2 pi slip N - the lag, where N is the integer nearest
+/// to u/(2K), 0 on the separatrix. A steady motion has turns only.
 struct rotor_rates {
   ball cycles, cycles_0, turns, slip;
   long half_turns_0 = 0;
 };
 
 struct rotor_tables {
-  /// With so many terms of the series as bits need, or with `terms` >= 2 (where the nome is not 0): what is left out is in the
-  /// bounds either way.
+  /// With so many terms of the series as bits need, or with `terms` >= 2 (where the nome is not 0):
+  /// what is left out is in the bounds either way.
   rotor_tables(const initial_state& state, precision bits, std::size_t terms = 0);
 
   rotor_rates rates;
   theta_series<ball> series;
-  /// Of -dn, sn, cn (oscillating), -cn, sn, dn (rotating), -cn, sn, dn (separatrix); in a steady motion J_x, J_y, J_z over |J|.
+  /// Of -dn, sn, cn (oscillating), -cn, sn, dn (rotating), -cn, sn, dn (separatrix); in a steady
+  /// motion J_x, J_y, J_z over |J|.
   triple<ball> amplitude;
   /// |J|.
   ball size;

@@ -7,7 +7,8 @@
 
 namespace polhode::detail {
 
-/// The moment t: u = 2K(N + cycle), on the separatrix u = cycle; turns t - slip N = whole + fraction with |fraction| <= 1/2.
+/// The moment t: u = 2K(N + cycle), on the separatrix u = cycle; turns t - slip N = whole +
+/// fraction with |fraction| <= 1/2.
 template <class T>
 struct moment {
   T cycle;
@@ -16,12 +17,14 @@ struct moment {
   T fraction;
 };
 
-/// By rates that have so many bits more than `bits` as |cycles t|, |turns t| have before the point: a hypothesis.
+/// By rates that have so many bits more than `bits` as |cycles t|, |turns t| have before the point:
+/// a hypothesis.
 [[nodiscard]] moment<ball> reduced(const rotor_rates& rates, regime kind, const rational& t,
                                    precision bits);
 
-/// By these rates of the state's motion where they have the bits, and by others with more where t needs them. A time with more than
-/// 2^24 bits before the point is not reduced well: the result is as wide as it is.
+/// By these rates of the state's motion where they have the bits, and by others with more where t
+/// needs them. A time with more than 2^24 bits before the point is not reduced well: the result is
+/// as wide as it is.
 [[nodiscard]] moment<ball> reduced(const initial_state& state, const rotor_rates& rates,
                                    const rational& t, precision bits);
 

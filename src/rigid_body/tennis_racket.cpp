@@ -42,7 +42,8 @@ certain_number refuted() {
   return result;
 }
 
-/// A lower bound, to 1, of the exponents e with 2^e <= x; nothing below the exponents that MPFR has unless they are changed.
+/// A lower bound, to 1, of the exponents e with 2^e <= x; nothing below the exponents that MPFR has
+/// unless they are changed.
 std::optional<long> exponent_below(const ball& log_2_of_x) {
   constexpr long least = -(1L << 30);
   if (!log_2_of_x.is_bounded()) return std::nullopt;
@@ -56,13 +57,16 @@ long exponent_above(const exact_real& x) {
   return static_cast<long>(x.at(64).magnitude_upper().log2_floor()) + 1;
 }
 
-/// t such that a root of F(c,0) = 2 pi/m has c >= 2b 2^t, and one of G(u) = 2 pi/m has u >= 2^t/2: t = -(2 pi/m) s/log 2 with
-/// s = 1/I, and also with s = 2 sqrt(b (a+b)).
-/// Proof. F(c,0) and G(u) are the integrals of (1 - b x)/sqrt(x (1-x) (a + b x)) times 1/sqrt(c + b x) over (0, 1), 1/sqrt(b (x-u))
-/// over (u, 1). With 1 - b x >= 1 - b, a + b x <= a + b, 1 - x <= 1 they are at least (1-b)/sqrt(a+b) times
-///   (2/sqrt b) arsinh sqrt(b/c) >= (1/sqrt b) log(4b/c),   (2/sqrt b) arcosh(1/sqrt u) >= (1/sqrt b) log(1/u);
+/// t such that a root of F(c,0) = 2 pi/m has c >= 2b 2^t, and one of G(u) = 2 pi/m has u >= 2^t/2:
+/// t = -(2 pi/m) s/log 2 with s = 1/I, and also with s = 2 sqrt(b (a+b)). Proof. F(c,0) and G(u)
+/// are the integrals of (1 - b x)/sqrt(x (1-x) (a + b x)) times 1/sqrt(c + b x) over (0, 1),
+/// 1/sqrt(b (x-u)) over (u, 1). With 1 - b x >= 1 - b, a + b x <= a + b, 1 - x <= 1 they are at
+/// least (1-b)/sqrt(a+b) times
+///   (2/sqrt b) arsinh sqrt(b/c) >= (1/sqrt b) log(4b/c),
+///     (2/sqrt b) arcosh(1/sqrt u) >= (1/sqrt b) log(1/u);
 /// over x < 1/2 alone, where 1 - b x >= 1/2, at least (1/2)/sqrt(a+b) times
-///   (2/sqrt b) arsinh sqrt(b/(2c)) >= (1/sqrt b) log(2b/c),   (2/sqrt b) arcosh(1/sqrt(2u)) >= (1/sqrt b) log(1/(2u)) for u < 1/2.
+///   (2/sqrt b) arsinh sqrt(b/(2c)) >= (1/sqrt b) log(2b/c),
+///     (2/sqrt b) arcosh(1/sqrt(2u)) >= (1/sqrt b) log(1/(2u)) for u < 1/2.
 /// The first is I log(4b/c) or I log(1/u), the second the logarithm over 2 sqrt(b (a+b)).
 ball least_log2(const body& rigid, const integer& m) {
   constexpr precision p = 192;
@@ -113,9 +117,10 @@ turning_point share_of(const ball& x, bool from_one) {
   return from_one ? turning_point{1 - x, x} : turning_point{x, 1 - x};
 }
 
-/// 1 - u for a root u > 1/2, to about p bits or to a relative width of about 1 - u, whichever is wider: by the mean value theorem
-/// G(u) - pi I = |G'| (1 - u) with G' at some point between u and 1, and |G'| falls with u. The gap 2/m - I is formed from the
-/// squares, as an exact_real: it does not cancel.
+/// 1 - u for a root u > 1/2, to about p bits or to a relative width of about 1 - u, whichever is
+/// wider: by the mean value theorem G(u) - pi I = |G'| (1 - u) with G' at some point between u and
+/// 1, and |G'| falls with u. The gap 2/m - I is formed from the squares, as an exact_real: it does
+/// not cancel.
 ball share_from_one(const body& rigid, const integer& m, precision p) {
   const rational two_over_m(2, m);
   const exact_real squares =

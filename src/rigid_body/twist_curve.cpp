@@ -68,7 +68,8 @@ std::optional<branch> branch_of(const motion& of) {
 // ---------------------------------------------------------------------------------------------
 // The root
 
-/// The phase at w, or from the end of the quarter at w', less `target`, so that it increases; and its derivative.
+/// The phase at w, or from the end of the quarter at w', less `target`, so that it increases; and
+/// its derivative.
 template <class T>
 T excess_at(const quarter<T>& way, const T& w, bool late, const T& target) {
   using std::sinh;
@@ -110,7 +111,8 @@ T approximate_root(const F& f, const Slope& slope, T low, T high) {
   return w;
 }
 
-/// The same in double, or nothing where it has no room for the numbers; a start where few bits are lost.
+/// The same in double, or nothing where it has no room for the numbers; a start where few bits are
+/// lost.
 std::optional<ball> quick_root(const quarters& ways, bool late, const ball& target, const ball& low,
                                const ball& high) {
   const auto number = [](const ball& x) { return midpoint(x).convert_to<double>(); };
@@ -129,8 +131,8 @@ std::optional<ball> quick_root(const quarters& ways, bool late, const ball& targ
   return ball::exactly(w);
 }
 
-/// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is near 0. The proof's
-/// evaluations are counted, not those of the search.
+/// S at phi = r, or undefined; its relative error is about 2^-p, or its absolute one where S is
+/// near 0. The proof's evaluations are counted, not those of the search.
 ball find_s(const motion& of, quarters& ways, const branch& at, precision p, work_count& work) {
   const auto way_at = [&](const ball& x) -> const quarter<ball>& { return ways.at(x.precision()); };
   const precision coarse = 64 + at.lost;
@@ -140,7 +142,8 @@ ball find_s(const motion& of, quarters& ways, const branch& at, precision p, wor
     const ball rest = rest_of(of, at.n, q);
     return backwards ? -rest : rest;
   };
-  // The unknown of the equation is w', or w and about 1/kappa: near 0 an error of kappa w is one of epsilon.
+  // The unknown of the equation is w', or w and about 1/kappa: near 0 an error of kappa w is one of
+  // epsilon.
   const quarter<ball>& way = ways.at(coarse);
   const exact_real b_by_a = of.b() / of.a();
   const long unit = -log2_of(way.tangent(ball(1, coarse)));
@@ -157,7 +160,8 @@ ball find_s(const motion& of, quarters& ways, const branch& at, precision p, wor
   const auto slope = [&](const ball& x) { return slope_in_w(way_at(x), ball(x - shift), at.late); };
 
   const ball span = at.late ? scale(half_phase(of, coarse), -1) - abs(r) : abs(r);
-  // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2) to 1/lambda.
+  // By (4) and (5), where m1 S^2 <= 1 or m1 sinh^2 w' <= 1: the slope is from (1-b)/(lambda sqrt 2)
+  // to 1/lambda.
   const ball low = span * way.lambda();
   const ball high = 2 * low / (1 - of.b()).at(coarse);
   constexpr long bits_of_exponents = 31;  // of MPFR's; S = sinh w would be beyond them
@@ -183,7 +187,8 @@ ball find_s(const motion& of, quarters& ways, const branch& at, precision p, wor
   constexpr int least_bits_of_start = 6;
   constexpr int fewer = 8;
   for (int bits_now = bits_of_start; bits_now >= least_bits_of_start; bits_now -= fewer) {
-    // The step that maps the box into itself proves a root in it; there is no other, as phi increases with w.
+    // The step that maps the box into itself proves a root in it; there is no other, as phi
+    // increases with w.
     const magnitude radius = std::max(scale(start.magnitude_upper(), -bits_now),
                                       scale(uncertainty, bits_of_start - bits_now));
     const root_enclosure found = refine_root(excess, slope, x.enlarged(radius), goal);
@@ -215,18 +220,21 @@ ball epsilon_at(const quarter<ball>& way, const ball& s, regime r, const integer
   return atan2(ball(1, p), tangent) - n * pi(p);
 }
 
-/// d epsilon/dc. On its branch psi_1(c) solves n Q(c) + Phi(c, psi_1) = pi, Phi(c,psi) = F(c, cos^2 psi)/2 with the sign of psi, whose
-/// derivative in psi is h = (1 - b x)/sqrt((a + b x)(c + b x)). So
+/// d epsilon/dc. On its branch psi_1(c) solves n Q(c) + Phi(c, psi_1) = pi, Phi(c,psi) = F(c, cos^2
+/// psi)/2 with the sign of psi, whose derivative in psi is h = (1 - b x)/sqrt((a + b x)(c + b x)).
+/// So
 ///   d epsilon/dc = -(+-1) dpsi_1/dc = +-(n Q' + dPhi/dc)/h,
-/// the minus sign where the body oscillates and n is odd. With the letters of (1), (2), and z = 1 when oscillating, 1 + m1 S^2
-/// when rotating (the one that stands for c + b x),
-///   dPhi/dc = -(1/2) sqrt(eta/(a+b)) (b+c)^(-3/2) T [ (1-b) R_F + (b (1+c) eta T^2/(3 (b+c))) R_D(.,.,z) ],
-/// where R_F and R_D have the arguments 1, 1+S^2, 1+m1 S^2, z the last of R_D.
-/// Proof. By t + 1 = (1-u)/(1-x) (montgomery_phase.hpp) F is sqrt((1-u)/((a+b)(b+c))) times the integral over t > 0 of
-/// (1 - b x)/sqrt((t+X)(t+Y)(t+Z)), with c + b x = (b+c)(t+Z)/(t+1). Differentiating F's integrand in c multiplies it by
-/// -1/(2 (c + b x)) = -(t+1)/(2 (b+c)(t+Z)), and (1 - b x)(t+1) = (1-b)(t+1) + b (1-u) = (1-b)(t+Z) + b (1-u)(1+c)/(b+c), since
-/// 1 - Z = b (1-u)/(b+c). The integral of 1/sqrt(...) is 2 R_F, that of 1/((t+Z) sqrt(...)) is (2/3) R_D(X,Y,Z); then homogeneity,
-/// as for (3), with R_D of the degree -3/2.
+/// the minus sign where the body oscillates and n is odd. With the letters of (1), (2), and z = 1
+/// when oscillating, 1 + m1 S^2 when rotating (the one that stands for c + b x),
+///   dPhi/dc = -(1/2) sqrt(eta/(a+b)) (b+c)^(-3/2) T [ (1-b) R_F + (b (1+c) eta T^2/(3 (b+c)))
+///   R_D(.,.,z) ],
+/// where R_F and R_D have the arguments 1, 1+S^2, 1+m1 S^2, z the last of R_D. Proof. By t + 1 =
+/// (1-u)/(1-x) (montgomery_phase.hpp) F is sqrt((1-u)/((a+b)(b+c))) times the integral over t > 0
+/// of (1 - b x)/sqrt((t+X)(t+Y)(t+Z)), with c + b x = (b+c)(t+Z)/(t+1). Differentiating F's
+/// integrand in c multiplies it by -1/(2 (c + b x)) = -(t+1)/(2 (b+c)(t+Z)), and (1 - b x)(t+1) =
+/// (1-b)(t+1) + b (1-u) = (1-b)(t+Z) + b (1-u)(1+c)/(b+c), since 1 - Z = b (1-u)/(b+c). The
+/// integral of 1/sqrt(...) is 2 R_F, that of 1/((t+Z) sqrt(...)) is (2/3) R_D(X,Y,Z); then
+/// homogeneity, as for (3), with R_D of the degree -3/2.
 ball slope_at(const body& rigid, const motion& of, const quarter<ball>& way, const ball& s,
               const integer& n) {
   const precision p = s.precision();

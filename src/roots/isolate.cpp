@@ -13,8 +13,8 @@ namespace polhode {
 
 namespace {
 
-/// The parts of a bounded range in which numbers are of about one size, the rightmost first: halving a range of 10^300 takes a
-/// thousand steps to what is about 1.
+/// The parts of a bounded range in which numbers are of about one size, the rightmost first:
+/// halving a range of 10^300 takes a thousand steps to what is about 1.
 std::vector<detail::exact_box> by_scale(const detail::exact_box& range) {
   if (!range.is_bounded()) return {range};
   const rational growth(integer(1) << 24U);

@@ -16,8 +16,8 @@ namespace polhode {
 
 namespace {
 
-/// The half of the enclosure that holds the root of f, which is simple and the only one in it: on either side of
-/// it f has one sign. std::nullopt where the signs are not certain.
+/// The half of the enclosure that holds the root of f, which is simple and the only one in it: on
+/// either side of it f has one sign. std::nullopt where the signs are not certain.
 std::optional<ball> half_with_root(const real_function& f, const ball& enclosure, precision p) {
   const detail::exact_interval whole{lower_rational(enclosure), upper_rational(enclosure)};
   const auto sign_at = [&](const rational& x) { return sign_of(f.at(p)->value(ball(x, p))); };
@@ -36,7 +36,8 @@ std::optional<ball> half_with_root(const real_function& f, const ball& enclosure
   return half.to_ball(std::max(p, enclosure.precision()));
 }
 
-/// A narrow ball, inside the enclosure, around the point at which Newton's method with few bits settles; it proves nothing. std::nullopt where it does not settle there.
+/// A narrow ball, inside the enclosure, around the point at which Newton's method with few bits
+/// settles; it proves nothing. std::nullopt where it does not settle there.
 std::optional<ball> place_by_search(const real_function& f, const ball& enclosure) {
   constexpr precision few_bits = 64;
   constexpr long narrow = 40;  // 2^-40 of its size

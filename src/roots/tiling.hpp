@@ -2,13 +2,15 @@
 
 // The proof that a search for roots has examined the whole of its interval.
 //
-// An examination of a part of the interval returns what it has proved, and of which pieces of that part. Nobody trusts it
-// about the pieces: whoever puts the results together proves with `interval_tiling`, in exact arithmetic, that the pieces
-// make up the part, and with `holds` that each proof was made over a set that has the piece in it. settled_pieces keeps
-// the settled pieces, and proves at the end that they and the open ones make up the whole interval.
+// An examination of a part of the interval returns what it has proved, and of which pieces of that
+// part. Nobody trusts it about the pieces: whoever puts the results together proves with
+// `interval_tiling`, in exact arithmetic, that the pieces make up the part, and with `holds` that
+// each proof was made over a set that has the piece in it. settled_pieces keeps the settled pieces,
+// and proves at the end that they and the open ones make up the whole interval.
 //
-// A piece left out, done twice, with a wrong end or beyond its part is a fault of the library, never a property of the
-// function: all of them throw std::logic_error, and there is no result. The same for boxes in several variables, below.
+// A piece left out, done twice, with a wrong end or beyond its part is a fault of the library,
+// never a property of the function: all of them throw std::logic_error, and there is no result. The
+// same for boxes in several variables, below.
 
 #include <cstddef>
 #include <optional>
@@ -49,9 +51,10 @@ class interval_tiling {
   explicit interval_tiling(const exact_interval& whole) : whole_(&whole) {}
   void add(const exact_interval& piece) { pieces_.push_back(&piece); }
 
-  /// Throws std::logic_error unless the pieces, from left to right, begin where the whole begins, go on each where the one
-  /// before it ends, and end where the whole ends: then every point of the whole is in one piece, or is the common end of
-  /// pieces, and no piece has a point beyond the whole. A point may be a piece, once.
+  /// Throws std::logic_error unless the pieces, from left to right, begin where the whole begins,
+  /// go on each where the one before it ends, and end where the whole ends: then every point of the
+  /// whole is in one piece, or is the common end of pieces, and no piece has a point beyond the
+  /// whole. A point may be a piece, once.
   void expect_complete();
 
  private:
@@ -68,8 +71,8 @@ class settled_pieces {
   void add_without_root(const exact_interval& x);
   /// All roots in x are known: those of the region with that number.
   void add_known(const exact_interval& x, std::size_t region);
-  /// Throws std::logic_error unless the settled and the open pieces are a tiling of the whole, and the regions are among
-  /// the first so many.
+  /// Throws std::logic_error unless the settled and the open pieces are a tiling of the whole, and
+  /// the regions are among the first so many.
   void expect_whole(const std::vector<const exact_interval*>& open, std::size_t regions) const;
 
  private:
@@ -81,15 +84,18 @@ class settled_pieces {
   std::vector<piece> pieces_;
 };
 
-// Boxes in several variables, which are bisected. Their ends are rounded outward, so that they overlap; they are accounted
-// for by their shares: a box that is cut leaves half of its share to either part, and the shares of all boxes, settled and
-// open, are 1 together exactly where none was lost and none was counted twice.
+// Boxes in several variables, which are bisected. Their ends are rounded outward, so that they
+// overlap; they are accounted for by their shares: a box that is cut leaves half of its share to
+// either part, and the shares of all boxes, settled and open, are 1 together exactly where none was
+// lost and none was counted twice.
 
 /// 2^-halvings.
 [[nodiscard]] rational share_of(int halvings);
-/// Throws std::logic_error unless the settled share and those of the open boxes, by their halvings, are 1 together.
+/// Throws std::logic_error unless the settled share and those of the open boxes, by their halvings,
+/// are 1 together.
 void expect_all_shares(const rational& settled, const std::vector<int>& open);
-/// Throws std::logic_error unless every point of the box is in one of the two parts, which differ in one direction.
+/// Throws std::logic_error unless every point of the box is in one of the two parts, which differ
+/// in one direction.
 void expect_cut(const std::vector<ball>& box, const std::vector<ball>& left,
                 const std::vector<ball>& right);
 

@@ -157,7 +157,8 @@ scene_body read_body(section body, const std::filesystem::path& directory, text_
   for (const std::string& way : ways) {
     if (body.find(way)) given.push_back(way);
   }
-  // Keys that belong to one of the ways: read in any case, so that a misplaced one is said to be misplaced.
+  // Keys that belong to one of the ways: read in any case, so that a misplaced one is said to be
+  // misplaced.
   const bool has_unit = body.find("unit") != nullptr;
   const bool has_sigma = body.find("sigma") != nullptr;
   const bool has_link = body.find("link") != nullptr;

@@ -29,8 +29,8 @@ class line_index {
     }
   }
 
-  /// From a place on, columns counted in characters from 1 on (each of UTF-8's bytes but the continuing ones begins one), what may
-  /// belong to a decimal number.
+  /// From a place on, columns counted in characters from 1 on (each of UTF-8's bytes but the
+  /// continuing ones begins one), what may belong to a decimal number.
   [[nodiscard]] std::string number_at(const toml::source_position& place) const {
     if (place.line < 1 || place.line > begins_.size()) return "";
     std::size_t at = begins_[place.line - 1];
@@ -99,7 +99,8 @@ class converter {
                   "a number must be finite; write one with an exponent of more than 308 in quotes");
     }
     std::string text = lines_.number_at(node.source().begin);
-    // Both are the nearest double of the same decimal; strtod depends on the locale, from_chars does not.
+    // Both are the nearest double of the same decimal; strtod depends on the locale, from_chars
+    // does not.
     double again = 0;
     const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
     const char* end = text.data() + text.size();
@@ -127,8 +128,9 @@ const document_value* document_value::find(std::string_view key) const {
 
 namespace {
 
-/// The parser limits how deep arrays and inline tables are nested, but not the parts of a dotted key, each of which is a table in a
-/// table: a few bytes a level, and recursion over them would end at the end of the stack. Dots in quotes and comments don't count.
+/// The parser limits how deep arrays and inline tables are nested, but not the parts of a dotted
+/// key, each of which is a table in a table: a few bytes a level, and recursion over them would end
+/// at the end of the stack. Dots in quotes and comments don't count.
 void refuse_long_keys(const std::string& text) {
   constexpr int most_parts = 16;
   long line = 1;

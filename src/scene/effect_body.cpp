@@ -154,7 +154,8 @@ effect_result tennis_racket(const effect_context& x) {
   return result;
 }
 
-/// The theorems on physical bodies: propositions on I and on the injectivity of epsilon(c), and the bound of the Montgomery phase.
+/// The theorems on physical bodies: propositions on I and on the injectivity of epsilon(c), and the
+/// bound of the Montgomery phase.
 effect_result signature(const effect_context& x) {
   effect_result result;
   const body& rigid = x.rigid();
@@ -168,7 +169,8 @@ effect_result signature(const effect_context& x) {
       {"perfect_twist", yes_or_no(has_perfect_twist(rigid))},
       {"full_turn", yes_or_no(has_full_turn(rigid))},
   };
-  // The witnesses: the sign of 1 - 2b - ab is that of I - 1; 2 pi I bounds the phase from below, and is approached.
+  // The witnesses: the sign of 1 - 2b - ab is that of I - 1; 2 pi I bounds the phase from below,
+  // and is approached.
   add(result, "one_minus_2b_minus_ab", excess, x.working_digits());
   // Of any motion that oscillates: -b < c < 0.
   const certain_number bound = montgomery_phase_limit_to_digits(

@@ -39,7 +39,8 @@ void add_exact(effect_result& to, const std::string& name, const rational& value
 /// As the rational number that it is, or to so many digits.
 void add(effect_result& to, const std::string& name, const exact_real& value, long digits,
          const std::string& unit = "");
-/// Makes the result not certified where this number is not; else adds it. Its work is counted in either case.
+/// Makes the result not certified where this number is not; else adds it. Its work is counted in
+/// either case.
 void add(effect_result& to, const std::string& name, const certain_number& value,
          const std::string& unit = "");
 void not_certified(effect_result& to, const std::string& why);
@@ -49,8 +50,8 @@ void not_certified(effect_result& to, const std::string& why);
   return 15 * bits_for_digits(digits) + 1024;
 }
 
-/// No number is computed with more guard bits than this for want of a decision: a motion that is nearer than some 10^-9000 to another
-/// kind may be left not certified.
+/// No number is computed with more guard bits than this for want of a decision: a motion that is
+/// nearer than some 10^-9000 to another kind may be left not certified.
 inline constexpr precision greatest_guard = 1L << 15;
 
 /// Of a body with uncertainties: adds the ranges of a result's numbers over all bodies within them,

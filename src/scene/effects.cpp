@@ -153,7 +153,8 @@ const effect_result* scene_report::find(const std::string& name) const {
 scene_report compute(const scene& what) {
   const std::vector<std::string> order = closure_of(what.want);
   std::map<std::string, std::size_t> place;
-  // An effect's level is above those of the effects that it takes; a level's effects do not need each other.
+  // An effect's level is above those of the effects that it takes; a level's effects do not need
+  // each other.
   std::vector<std::vector<std::size_t>> levels;
   std::vector<std::size_t> level(order.size(), 0);
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -14,8 +14,8 @@ std::optional<rational> rational_root(const rational& q) {
 
 namespace {
 
-/// Of a rotation with rational entries: 4 q_i^2 and 4 q_i q_k are sums of these. Where the greatest component is rational, all
-/// are; where it is not, a component is 0 or not rational.
+/// Of a rotation with rational entries: 4 q_i^2 and 4 q_i q_k are sums of these. Where the greatest
+/// component is rational, all are; where it is not, a component is 0 or not rational.
 exact_quaternion quaternion_of(const matrix3<rational>& m) {
   const std::array<rational, 4> squares{
       1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
@@ -45,7 +45,8 @@ exact_quaternion quaternion_of(const matrix3<rational>& m) {
   return result;
 }
 
-/// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and at 0 radians.
+/// The cosine of an angle where it is known to be rational: at multiples of 60 and 90 degrees, and
+/// at 0 radians.
 std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
   if (angle < 0) angle = -angle;
   if (angle == 0) return rational(1);
@@ -61,7 +62,8 @@ std::optional<rational> rational_cosine(rational angle, angle_unit unit) {
   return std::nullopt;
 }
 
-/// Of R_z(phi) R_x(theta) R_z(psi): cos(theta/2) and sin(theta/2) times cosines and sines of (phi + psi)/2 and (phi - psi)/2.
+/// Of R_z(phi) R_x(theta) R_z(psi): cos(theta/2) and sin(theta/2) times cosines and sines of (phi +
+/// psi)/2 and (phi - psi)/2.
 exact_quaternion quaternion_of(const rational_vector& phi_theta_psi, angle_unit unit) {
   const auto& [phi, theta, psi] = phi_theta_psi;
   const bool has_degrees = unit == angle_unit::degrees;

@@ -27,7 +27,8 @@ struct composed {
 };
 [[nodiscard]] composed read_solids(section& body);
 
-/// A body from the text of a URDF, SDF or MuJoCo file; `link` chooses where there are several. Throws input_error.
+/// A body from the text of a URDF, SDF or MuJoCo file; `link` chooses where there are several.
+/// Throws input_error.
 struct imported_inertia {
   std::string name;
   /// About the link's axes; where the file turns the inertia's frame by numbers that make no

@@ -52,8 +52,8 @@ effect_table table_of(const effect_context& x, std::vector<std::string> columns,
   return table;
 }
 
-/// q and -q are one attitude: each row's quaternion gets the sign that is nearer to the row before. Where two attitudes are
-/// half a turn apart, so that neither is, it stays.
+/// q and -q are one attitude: each row's quaternion gets the sign that is nearer to the row before.
+/// Where two attitudes are half a turn apart, so that neither is, it stays.
 void continue_signs(effect_table& table) {
   constexpr std::size_t parts = 4;
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
@@ -66,8 +66,8 @@ void continue_signs(effect_table& table) {
   }
 }
 
-/// The columns of momentum_table at time 0, and at all times where the motion is steady: from the rational momentum at the
-/// start, so that integers and dyadic numbers among them are exact.
+/// The columns of momentum_table at time 0, and at all times where the motion is steady: from the
+/// rational momentum at the start, so that integers and dyadic numbers among them are exact.
 class momentum_at_0 {
  public:
   momentum_at_0(const scene& what, const scene_motion& path, precision p) {
@@ -147,8 +147,8 @@ effect_table momentum_table(const effect_context& x, precision p, work_count& wo
   return table;
 }
 
-/// Notes the rational components of the quaternion in row i, of the sign that the row has. Throws std::logic_error where they are
-/// not in their enclosures.
+/// Notes the rational components of the quaternion in row i, of the sign that the row has. Throws
+/// std::logic_error where they are not in their enclosures.
 void note_exact(effect_table& table, std::size_t i, exact_quaternion known) {
   std::vector<ball>& row = table.rows[i];
   int sign = 0;  // of the row's quaternion beside the known one

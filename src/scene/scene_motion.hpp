@@ -8,8 +8,8 @@
 
 namespace polhode::detail {
 
-/// A time as the rotor has it, in moment/momentum: an exact number, and how far from it the true time may be, which has pi in it where
-/// angles are in degrees.
+/// A time as the rotor has it, in moment/momentum: an exact number, and how far from it the true
+/// time may be, which has pi in it where angles are in degrees.
 struct rotor_time {
   rational t;
   magnitude off = magnitude::from_integer_up(0);

@@ -1,4 +1,5 @@
-// How the period and the Montgomery phase depend on the body and the motion; and what must be conserved.
+// How the period and the Montgomery phase depend on the body and the motion; and what must be
+// conserved.
 
 #include <algorithm>
 
@@ -20,16 +21,19 @@ struct slopes {
 
 /// T in I_y/J and the Montgomery phase, with their derivatives.
 ///
-/// With L = lambda^2 and m1 (motion.hpp) T = 4 R_F(0, m1, 1)/sqrt L, and dR_F(0,y,1)/dy = -R_D(0,1,y)/6 (DLMF 19.18.1), so that
-/// for q = a, b, c
+/// With L = lambda^2 and m1 (motion.hpp) T = 4 R_F(0, m1, 1)/sqrt L, and dR_F(0,y,1)/dy =
+/// -R_D(0,1,y)/6 (DLMF 19.18.1), so that for q = a, b, c
 ///   dT/dq = (4/lambda) [-R_D(0,1,m1)/6 dm1/dq - R_F(0,m1,1)/(2L) dL/dq].
-/// The phase is (1+c) T - alpha with alpha = the integral of cos theta dpsi around. As x = cos^2 psi gives cos^2 theta =
-/// (c+bx)/(a+bx) and dpsi/dt = sqrt((a+bx)(c+bx)), and as the ends of an oscillation, where cos theta = 0, contribute nothing,
+/// The phase is (1+c) T - alpha with alpha = the integral of cos theta dpsi around. As x = cos^2
+/// psi gives cos^2 theta = (c+bx)/(a+bx) and dpsi/dt = sqrt((a+bx)(c+bx)), and as the ends of an
+/// oscillation, where cos theta = 0, contribute nothing,
 ///   dalpha/da = -(1/2) the integral of cos^2 theta dt = -(1/2) that of J_z^2,
-///   dalpha/db =  (1/2) the integral of x sin^2 theta dt = (1/2) that of J_x^2,      dalpha/dc = T/2,
-/// over a period, |J| = 1. With B = the integral of cn^2 over a quarter in u, the integral of J_x^2 is 4 A^2 B/lambda where the body
-/// rotates and that of J_z^2 is 4 C^2 B/lambda where it oscillates, A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b); the other one follows from
-/// a J_z^2 - b J_x^2 = c, with two terms of one sign.
+///   dalpha/db =  (1/2) the integral of x sin^2 theta dt = (1/2) that of J_x^2,
+///     dalpha/dc = T/2,
+/// over a period, |J| = 1. With B = the integral of cn^2 over a quarter in u, the integral of J_x^2
+/// is 4 A^2 B/lambda where the body rotates and that of J_z^2 is 4 C^2 B/lambda where it
+/// oscillates, A^2 = (a-c)/(a+b), C^2 = (b+c)/(a+b); the other one follows from a J_z^2 - b J_x^2 =
+/// c, with two terms of one sign.
 struct derivatives {
   ball period;
   slopes of_period;
@@ -87,8 +91,8 @@ bool has_digits(const ball& x, long digits) {
   return to_decimal_enclosure(x, digits).has(digits);
 }
 
-/// d log T/d log I for the moments I_x, I_y, I_z at fixed angular momentum vector; T is T I_y/J in time, and
-/// c = I_y (J_x^2/I_x + J_y^2/I_y + J_z^2/I_z)/J^2 - 1. Then d phase/d log I.
+/// d log T/d log I for the moments I_x, I_y, I_z at fixed angular momentum vector; T is T I_y/J in
+/// time, and c = I_y (J_x^2/I_x + J_y^2/I_y + J_z^2/I_z)/J^2 - 1. Then d phase/d log I.
 struct by_moments {
   std::array<ball, 3> of_period;
   std::array<ball, 3> of_phase;
@@ -125,7 +129,8 @@ effect_result sensitivity(const effect_context& x) {
   effect_result result;
   const long digits = x.digits();
   const precision p0 = bits_for_digits(digits) + 64;
-  // The middle axis is unstable: a small departure grows as e^(sqrt(ab) t) (c = 0 in the solution on the separatrix).
+  // The middle axis is unstable: a small departure grows as e^(sqrt(ab) t) (c = 0 in the solution
+  // on the separatrix).
   const ball growth = sqrt((x.rigid().a() * x.rigid().b()).at(p0));
   add(result, "e_folding_time_at_middle_axis", natural_time(x.what, p0) / growth,
       x.what.time_unit.name);

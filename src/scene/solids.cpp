@@ -8,7 +8,8 @@
 namespace polhode::detail {
 namespace {
 
-/// A homogeneous solid about its own centre: with mass m, principal moments m square[i] about the axes of the body.
+/// A homogeneous solid about its own centre: with mass m, principal moments m square[i] about the
+/// axes of the body.
 struct solid {
   pi_scale mass;
   rational_vector square;
@@ -105,8 +106,9 @@ solid read_solid(section from, const solid_units& units) {
 
 }  // namespace
 
-/// Steiner's theorem about the common centre of mass. The masses must be rational multiples of each other, for otherwise the
-/// moments are not, pi being transcendental: all by density with a pi in each volume, or none with one.
+/// Steiner's theorem about the common centre of mass. The masses must be rational multiples of each
+/// other, for otherwise the moments are not, pi being transcendental: all by density with a pi in
+/// each volume, or none with one.
 composed read_solids(section& body) {
   solid_units units;
   const auto length = read_unit(body, "length_unit", length_units());

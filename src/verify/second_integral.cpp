@@ -46,7 +46,8 @@ integer floor_of(const rational& x) {
   return quotient;
 }
 
-/// The number (k + 1/3) unit, k whole, that is at least x and less than a unit above it, or below x by less than one.
+/// The number (k + 1/3) unit, k whole, that is at least x and less than a unit above it, or below x
+/// by less than one.
 rational third_of_grid(const rational& x, const rational& unit) {
   return (rational(floor_of(x / unit)) + rational(1, 3)) * unit;
 }
@@ -142,8 +143,8 @@ sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<end
   return sum;
 }
 
-/// How the pieces are integrated to a sum of that radius, which may be 0 for any: first to so many digits each, and to more where they
-/// cancel.
+/// How the pieces are integrated to a sum of that radius, which may be 0 for any: first to so many
+/// digits each, and to more where they cancel.
 sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<end_point>& points,
                                 integrate_options how, const magnitude& goal) {
   if (!goal.is_zero()) how.absolute_exponent = static_cast<long>(goal.log2_floor()) - 2;

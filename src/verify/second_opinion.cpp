@@ -18,7 +18,8 @@ std::string ends_of(const ball& x, long digits) {
   return d.exact ? d.value : fmt::format("[{}, {}]", d.lower, d.upper);
 }
 
-/// How many digits show that the sets have no common number: those that their size has before their distance, and a few.
+/// How many digits show that the sets have no common number: those that their size has before their
+/// distance, and a few.
 long digits_of_gap(const ball& x, const ball& y) {
   constexpr long few = 20;
   const magnitude gap = (x - y).magnitude_lower();

@@ -18,8 +18,8 @@ namespace {
 
 constexpr const char* what = "the value";
 
-/// Half as many again, odd; and more than the arithmetic's own tables and series serve (some 3,500 bits), but for functions whose cost
-/// grows with the square of the precision.
+/// Half as many again, odd; and more than the arithmetic's own tables and series serve (some 3,500
+/// bits), but for functions whose cost grows with the square of the precision.
 precision other_bits(const expression& f, precision bits) {
   constexpr precision beyond_tables = 4099;
   const precision more = bits + bits / 2;
@@ -27,7 +27,8 @@ precision other_bits(const expression& f, precision bits) {
   return (is_cheap ? std::max(more, beyond_tables) : more) | 1;
 }
 
-/// The report of a route that enclosed the value; throws where it has nothing in common with the first.
+/// The report of a route that enclosed the value; throws where it has nothing in common with the
+/// first.
 route_report judged(const finding<ball>& first, const finding<ball>& second, long digits,
                     double seconds) {
   route_report result;

@@ -1,5 +1,5 @@
-// What cannot be used is refused with one line that says what was given and what is accepted. Every entry point
-// that takes text, end points, digits or a precision.
+// What cannot be used is refused with one line that says what was given and what is accepted. Every
+// entry point that takes text, end points, digits or a precision.
 
 #include <limits>
 #include <sstream>

@@ -475,7 +475,8 @@ TEST(Corners, ContainmentInANarrowRangeOfExponents) {
   }
 }
 
-// A complex function rounds intermediate numbers itself: none of them may be taken for more than it is after an underflow.
+// A complex function rounds intermediate numbers itself: none of them may be taken for more than it
+// is after an underflow.
 TEST(Corners, ComplexContainmentInANarrowRangeOfExponents) {
   constexpr long least = -80;
   constexpr long most = 80;
@@ -498,7 +499,8 @@ TEST(Corners, ComplexContainmentInANarrowRangeOfExponents) {
     std::array<complex_ball, 6> results;
     {
       const narrow_exponents narrow(least, most);
-      // Exponents around an eighth of the range, where the functions change their way, are of interest too.
+      // Exponents around an eighth of the range, where the functions change their way, are of
+      // interest too.
       const long from = random.one_in(2) ? least : -11;
       const long to = random.one_in(2) ? most : 11;
       const auto part = [&] {
@@ -507,7 +509,8 @@ TEST(Corners, ComplexContainmentInANarrowRangeOfExponents) {
       z = complex_ball(part(), part());
       w = complex_ball(part(), part());
       if (random.one_in(3)) {
-        // Nearly i z, and exact: a part of the quotient is the difference of two products that agree in all p bits.
+        // Nearly i z, and exact: a part of the quotient is the difference of two products that
+        // agree in all p bits.
         const real x = any_in_range(random, p, -8, 8);
         const real y = any_in_range(random, p, -8, 8);
         real beside = y;

@@ -1,5 +1,6 @@
-// The inclusion principle for functions that rationals cannot follow: MPFR, 200 bits and more beyond
-// the result's precision, encloses f at an exact member, and the enclosure must lie in the result.
+// The inclusion principle for functions that rationals cannot follow: MPFR, 200 bits and more
+// beyond the result's precision, encloses f at an exact member, and the enclosure must lie in the
+// result.
 
 #include <algorithm>
 #include <array>
@@ -88,8 +89,8 @@ TEST_P(Elementary, HoldsTheValueAtEveryMember) {
       continue;
     }
     ++defined;
-    // The oracle's two ends must lie closer together than y's: sinpi and cospi near an exact +-1 are narrower
-    // than the last place.
+    // The oracle's two ends must lie closer together than y's: sinpi and cospi near an exact +-1
+    // are narrower than the last place.
     precision enough = p + further;
     if (y.is_bounded() && !y.is_exact() && y.magnitude_lower() > magnitude{}) {
       enough += std::max<long>(y.magnitude_upper().log2_floor() - y.radius().log2_floor() - p, 0);

@@ -1,6 +1,7 @@
-// The inclusion principle at the ends of MPFR's range of exponents, and far beyond what a rational can be written out
-// for: operands from 2^(-2^30) to 2^(2^30), with radii from 2^(-2^58) to 2^(2^58). The oracle is Arb, whose exponents have
-// no limit. Without Arb the named cases at the beginning remain.
+// The inclusion principle at the ends of MPFR's range of exponents, and far beyond what a rational
+// can be written out for: operands from 2^(-2^30) to 2^(2^30), with radii from 2^(-2^58) to
+// 2^(2^58). The oracle is Arb, whose exponents have no limit. Without Arb the named cases at the
+// beginning remain.
 
 #include <array>
 #include <string>
@@ -39,7 +40,8 @@ std::string described(const complex_ball& z) {
 /// 2^n at p bits.
 ball two_to(long n, precision p = 64) { return scale(ball(1, p), n); }
 
-/// The ends are NaNs, infinities, zeros, or numbers within MPFR's range; and the ball can be computed on.
+/// The ends are NaNs, infinities, zeros, or numbers within MPFR's range; and the ball can be
+/// computed on.
 ::testing::AssertionResult is_sound_number(const ball& x) {
   if (x.precision() < 2) return ::testing::AssertionFailure() << "no precision";
   if (x.is_undefined()) return ::testing::AssertionSuccess();
@@ -63,7 +65,8 @@ ball two_to(long n, precision p = 64) { return scale(ball(1, p), n); }
   return re ? is_sound_number(z.im) : re;
 }
 
-/// A number with a known size, 2^(least - 1) <= |x| < 2^most, may be a member; so may no other number be the only one.
+/// A number with a known size, 2^(least - 1) <= |x| < 2^most, may be a member; so may no other
+/// number be the only one.
 ::testing::AssertionResult may_have_size(const ball& x, std::int64_t least, std::int64_t most) {
   if (!is_sound_number(x)) return is_sound_number(x);
   if (x.is_undefined()) return ::testing::AssertionSuccess();
@@ -381,7 +384,8 @@ class acb {
   acb_t value_;
 };
 
-/// Whether the set is sure not to hold the number that Arb encloses in v. Any enclosure will do; a narrow one tells more.
+/// Whether the set is sure not to hold the number that Arb encloses in v. Any enclosure will do; a
+/// narrow one tells more.
 bool excludes(const ball& x, const arb_struct* v) {
   if (x.is_undefined() || arb_is_finite(v) == 0) return false;
   const precision bits = 2 * x.precision() + 300;

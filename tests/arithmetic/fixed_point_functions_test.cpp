@@ -1,5 +1,5 @@
-// exp, sinh, cosh, log, sin, cos and atan have algorithms of their own up to some thousands of bits. MPFR's, at a
-// higher precision, judge them.
+// exp, sinh, cosh, log, sin, cos and atan have algorithms of their own up to some thousands of
+// bits. MPFR's, at a higher precision, judge them.
 
 #include <array>
 #include <string>
@@ -31,7 +31,8 @@ constexpr std::array<function, 7> functions = {{{"exp", exp, mpfr_exp},
                                                 {"cos", cos, mpfr_cos},
                                                 {"atan", atan, mpfr_atan}}};
 
-/// j c / 2^k, rounded to p bits up or down: where arguments are reduced, and values are near 0 or 1.
+/// j c / 2^k, rounded to p bits up or down: where arguments are reduced, and values are near 0 or
+/// 1.
 real near_multiple(random_source& random, int (*constant)(mpfr_ptr, mpfr_rnd_t), precision p) {
   real c(p + 80);
   constant(c, MPFR_RNDN);
@@ -162,9 +163,10 @@ real any_tie(random_source& random, precision p, long least, long most) {
   return y;
 }
 
-// Where the value is half way between two numbers, but for a few units of the fractions that are computed with, the wrong one of
-// them is chosen as soon as an error goes the other way: then the result is off by more than half a unit in its last place,
-// and only the errors counted before the rounding cover that.
+// Where the value is half way between two numbers, but for a few units of the fractions that are
+// computed with, the wrong one of them is chosen as soon as an error goes the other way: then the
+// result is off by more than half a unit in its last place, and only the errors counted before the
+// rounding cover that.
 TEST(FixedPointErrors, AreCountedWhereTheResultIsRoundedTheWrongWay) {
   random_source random(1801);
   for (const near_inverse& f : near_inverses) {

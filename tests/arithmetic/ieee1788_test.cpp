@@ -1,10 +1,10 @@
-// The demand of IEEE 1788 at its tightest: over intervals of binary64 numbers, bounded and not empty, a ball
-// of 200 bits holds the range and exceeds its tightest binary64 hull by at most one unit in the last place at
-// each end.
+// The demand of IEEE 1788 at its tightest: over intervals of binary64 numbers, bounded and not
+// empty, a ball of 200 bits holds the range and exceeds its tightest binary64 hull by at most one
+// unit in the last place at each end.
 //
-// The oracles are MPFR with directed rounding at the ends and at the interior extrema, or exact rationals
-// at the corners; which points are extrema is worked out here, from the functions' shapes, and not
-// asked of the library.
+// The oracles are MPFR with directed rounding at the ends and at the interior extrema, or exact
+// rationals at the corners; which points are extrema is worked out here, from the functions'
+// shapes, and not asked of the library.
 
 #include <algorithm>
 #include <array>
@@ -59,8 +59,8 @@ real exactly(double x) {
 }
 ball to_ball(interval x) { return ball::from_end_points(exactly(x.lower), exactly(x.upper), bits); }
 
-/// A range, by lower bounds of its lower end and upper bounds of its upper one to oracle_bits: rounding
-/// these again in the same direction gives what rounding the true ends would.
+/// A range, by lower bounds of its lower end and upper bounds of its upper one to oracle_bits:
+/// rounding these again in the same direction gives what rounding the true ends would.
 struct range {
   real lower{oracle_bits};
   real upper{oracle_bits};
@@ -105,8 +105,8 @@ void expect_tight(const ball& y, const range& truth) {
 // -------------------------------------------------------------------------------------------------
 // Operands.
 
-/// Ends worth trying: 0, subnormal and least normal numbers, around 1 and the multiples of pi / 2 (both
-/// neighbours), where exponentials leave the range of doubles, huge ones.
+/// Ends worth trying: 0, subnormal and least normal numbers, around 1 and the multiples of pi / 2
+/// (both neighbours), where exponentials leave the range of doubles, huge ones.
 const std::vector<double>& special_ends() {
   static const std::vector<double> all = [] {
     std::vector<double> positive = {least,
@@ -561,9 +561,9 @@ TEST(Ieee1788, Hypotenuse) {
   });
 }
 
-// The angle is monotone along a line that misses the origin, so its extremes over a rectangle are at
-// corners; where a side or the rectangle passes the origin, the points on the axes are added. Across
-// the negative half axis it jumps by 2 pi.
+// The angle is monotone along a line that misses the origin, so its extremes over a rectangle are
+// at corners; where a side or the rectangle passes the origin, the points on the axes are added.
+// Across the negative half axis it jumps by 2 pi.
 TEST(Ieee1788, Angle) {
   for_all_pairs(4203, 3000, [&](interval y, interval x) {
     SCOPED_TRACE("angle of x in " + text(x) + ", y in " + text(y));
@@ -605,8 +605,8 @@ TEST(Ieee1788, RealPowers) {
   for_all_pairs(4204, 3000, [&](interval x, interval y) {
     SCOPED_TRACE(text(x) + " to the " + text(y));
     range truth;
-    // Corners, and where the rectangle meets x = 1 or y = 0 the value 1. Negative x are off the domain, and
-    // at x = 0 there are the limits from above, for y < 0, y = 0, y > 0.
+    // Corners, and where the rectangle meets x = 1 or y = 0 the value 1. Negative x are off the
+    // domain, and at x = 0 there are the limits from above, for y < 0, y = 0, y > 0.
     if (x.upper > 0) {
       for (const double s : {std::max(x.lower, 0.0), x.upper}) {
         for (const double t : {y.lower, y.upper}) {

@@ -288,9 +288,9 @@ TEST(Contains, TakesEveryMachineInteger) {
   EXPECT_TRUE(contains(ball(rational(1, 3), 64), rational(1, 3)));
 }
 
-// A result beyond MPFR's greatest exponent is not bounded, but its sign is kept where the operands are exact
-// or wide. (The error of a product of thin balls there exceeds every number too, so that nothing is
-// known of it.)
+// A result beyond MPFR's greatest exponent is not bounded, but its sign is kept where the operands
+// are exact or wide. (The error of a product of thin balls there exceeds every number too, so that
+// nothing is known of it.)
 TEST(Overflow, KeepsTheSign) {
   const long top = mpfr_get_emax() - 100;
   real m(64);

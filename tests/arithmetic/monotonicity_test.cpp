@@ -1,7 +1,7 @@
-// The monotonicity of inclusion: x in y gives f(x) in f(y). Two results are rounded on their own, and
-// a thin ball goes through a bound of first order where a wide one goes through its ends, so what is
-// tested is: f(x) lies in f(y) after each end of f(y) is moved outward by two units in the last place
-// of f(x)'s greatest member, plus 2^-8 of f(x)'s radius (3/8 of it for sin and cos: see
+// The monotonicity of inclusion: x in y gives f(x) in f(y). Two results are rounded on their own,
+// and a thin ball goes through a bound of first order where a wide one goes through its ends, so
+// what is tested is: f(x) lies in f(y) after each end of f(y) is moved outward by two units in the
+// last place of f(x)'s greatest member, plus 2^-8 of f(x)'s radius (3/8 of it for sin and cos: see
 // tightness_test.cpp; all of it for the agm). Where f(x) is undefined, so is f(y).
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Regions: enclosures of analytic continuations against complex balls at members, and refusals where a
-// function is not analytic.
+// Regions: enclosures of analytic continuations against complex balls at members, and refusals
+// where a function is not analytic.
 
 #include "polhode/arithmetic/region.hpp"
 
@@ -206,8 +206,8 @@ TEST(Region, KnowsTheSizeOfRings) {
   EXPECT_TRUE(magnitude::from_integer_up(1) <= scale(ring.magnitude_lower(), 1));
 }
 
-// Every function with a form of its own there, on sets whose values leave the range of doubles, and the
-// ways back: against the same in balls.
+// Every function with a form of its own there, on sets whose values leave the range of doubles, and
+// the ways back: against the same in balls.
 TEST(Region, HoldsTheValuesBeyondTheRangeOfDoubles) {
   support::random_source random(4777);
   for (support::repeat trial(4000); trial.again();) {

@@ -1,5 +1,6 @@
-// The errors of operations on thin balls, which are counted in 30 bits, against the corners of their operands, exactly. Midpoints
-// are such that results are exact, or nearly so: what holds the corners is then the error of the operands alone.
+// The errors of operations on thin balls, which are counted in 30 bits, against the corners of
+// their operands, exactly. Midpoints are such that results are exact, or nearly so: what holds the
+// corners is then the error of the operands alone.
 
 #include <array>
 
@@ -21,8 +22,8 @@ struct thin {
   rational middle, radius;
 };
 
-/// A midpoint of some 45 bits, often just below what 30 bits would make of it, and a radius from the greatest that a thin
-/// ball has down to far below it, or 0.
+/// A midpoint of some 45 bits, often just below what 30 bits would make of it, and a radius from
+/// the greatest that a thin ball has down to far below it, or 0.
 thin any_thin(random_source& random, precision p) {
   const long more = random.between(1, 15);
   integer m = (integer(1) << 29U) + integer(random.between(0, (1L << 29) - 1));
@@ -110,7 +111,8 @@ TEST(RoundingErrors, OfRootsHoldTheEnds) {
   }
 }
 
-// 1 + 7/8 of half a unit in the last place is rounded to 1, of whose neighbours the lower one is nearer.
+// 1 + 7/8 of half a unit in the last place is rounded to 1, of whose neighbours the lower one is
+// nearer.
 TEST(RoundingErrors, OfSumsThatAreRoundedToOneHoldThem) {
   for (precision p = 3; p <= 200; ++p) {
     const rational little = rational(7, 8) * support::power_of_two(-p);

@@ -1,5 +1,5 @@
-// Products of numbers of few limbs, and sums with products, have algorithms of their own. Bit for bit they
-// are MPFR's.
+// Products of numbers of few limbs, and sums with products, have algorithms of their own. Bit for
+// bit they are MPFR's.
 
 #include <array>
 

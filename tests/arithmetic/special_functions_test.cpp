@@ -102,7 +102,8 @@ bool overlap(const region& z, const region& w) {
   return contains_zero(difference.re) && contains_zero(difference.im);
 }
 
-// In the complex plane: the recurrence, the reflection, |Gamma(iy)|^2 = pi/(y sinh(pi y)), and the real values.
+// In the complex plane: the recurrence, the reflection, |Gamma(iy)|^2 = pi/(y sinh(pi y)), and the
+// real values.
 TEST(Gamma, OverRegionsHasTheSameIdentities) {
   support::random_source random(17);
   const region circle_constant(pi(64));
@@ -150,7 +151,8 @@ TEST(Gamma, OverRegionsHoldsTheValuesAtMembers) {
   }
 }
 
-// In balls of many bits what is left of the width is the bound of Stirling's remainder, which the value needs.
+// In balls of many bits what is left of the width is the bound of Stirling's remainder, which the
+// value needs.
 TEST(Gamma, OverRegionsHasRoomForTheRemainder) {
   for (const long quarters : {1L, 2L, 5L, 12L, 28L, 29L, 33L}) {
     const ball x(rational(quarters, 4), 256);
@@ -194,7 +196,8 @@ TEST(Gamma, OverWideSetsHoldsItsMinimum) {
   EXPECT_FALSE(contains(gamma(set("1", "2")), parse_rational("1.0000000001")));
 }
 
-// The minimum is looked for by halving the set: the longer it is the less near, and with few bits on a coarse grid.
+// The minimum is looked for by halving the set: the longer it is the less near, and with few bits
+// on a coarse grid.
 TEST(Gamma, OverSetsOfAllLengthsHoldsItsMinimum) {
   const ball at_least =
       gamma(parse_ball("1.46163214496836234126265954232572132846819620400644", 300));
@@ -262,8 +265,8 @@ TEST(Power, OverASetOfBasesAndExponentsHoldsItsMembers) {
   }
 }
 
-// Balls that are so wide that the square of the change is seen, and exponents for which that counts: for 17/2 that of the power, for
-// -1/8 that of the logarithm.
+// Balls that are so wide that the square of the change is seen, and exponents for which that
+// counts: for 17/2 that of the power, for -1/8 that of the logarithm.
 TEST(Power, OverWideBallsHoldsItsEnds) {
   for (const rational& y : {rational(17, 2), rational(-1, 8), rational(-17, 2), rational(1, 8)}) {
     for (const long width : {14L, 20L, 22L, 23L, 24L, 25L, 30L}) {
@@ -311,8 +314,8 @@ TEST(SinPi, IsReducedExactly) {
   EXPECT_FALSE(contains(sinpi(set("1/4", "3/4")), parse_rational("0.707")));
 }
 
-// Beside a pole, and beside a zero of log Gamma, radii far below the last place of the argument still count: a result is as
-// narrow as at many more bits, to its own last place.
+// Beside a pole, and beside a zero of log Gamma, radii far below the last place of the argument
+// still count: a result is as narrow as at many more bits, to its own last place.
 TEST(SpecialFunctions, BesidePolesAsNarrowAsTheOperandAllows) {
   support::random_source random(2219);
   for (support::repeat trial(300); trial.again();) {

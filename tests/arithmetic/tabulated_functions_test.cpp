@@ -1,5 +1,5 @@
-// The functions by tables are within the units that they say, which MPFR's at a higher precision judge; and come near to them: a bound
-// that were many times too wide would hide an error.
+// The functions by tables are within the units that they say, which MPFR's at a higher precision
+// judge; and come near to them: a bound that were many times too wide would hide an error.
 
 #include "arithmetic/functions/tabulated_functions.hpp"
 
@@ -163,8 +163,9 @@ TEST_P(TabulatedFunctions, Atan) {
   expect_near_the_bound();
 }
 
-// The parts of an error are added up where each is the greatest: the numbers that were off by most are changed in their last bits, and
-// so the entries of the tables are kept. More than half of the bound of the logarithm comes about.
+// The parts of an error are added up where each is the greatest: the numbers that were off by most
+// are changed in their last bits, and so the entries of the tables are kept. More than half of the
+// bound of the logarithm comes about.
 TEST_P(TabulatedFunctions, Log1pIsOffByMoreThanHalfItsBound) {
   const long w = GetParam();
   const auto top = static_cast<std::size_t>(w);
@@ -200,9 +201,9 @@ TEST_P(TabulatedFunctions, Log1pIsOffByMoreThanHalfItsBound) {
   }
 }
 
-// Why no test fails where half of the arc tangent's bound is taken, 3 units: tan(first + second) is q/p exactly, and then only the entries
-// are wrong, which no two of are by as much as 1.999 units together. The quotient and its series are not wrong in one direction
-// by more than 1.0002 besides.
+// Why no test fails where half of the arc tangent's bound is taken, 3 units: tan(first + second) is
+// q/p exactly, and then only the entries are wrong, which no two of are by as much as 1.999 units
+// together. The quotient and its series are not wrong in one direction by more than 1.0002 besides.
 TEST_P(TabulatedFunctions, EntriesOfArcTangentsAreOffByLessThanTwo) {
   const long w = GetParam();
   const auto top = static_cast<std::size_t>(w);

@@ -53,14 +53,16 @@ printed read(const std::string& text) {
   return result;
 }
 
-/// |q| cut off after the place `last_place` is |value|: the printed digits are the leading digits of q.
+/// |q| cut off after the place `last_place` is |value|: the printed digits are the leading digits
+/// of q.
 bool is_prefix(const printed& shown, const rational& q) {
   if (shown.value != 0 && (shown.value < 0) != (q < 0)) return false;
   const rational size = abs(shown.value);
   return size <= abs(q) && abs(q) < size + shown.last_place;
 }
 
-/// The first digits of two numbers of one sign and order of magnitude are the same, so many as to end at this place.
+/// The first digits of two numbers of one sign and order of magnitude are the same, so many as to
+/// end at this place.
 bool share_digits(const rational& x, const rational& y, const rational& last_place) {
   const auto cut = [&](const rational& q) {
     const rational steps = abs(q) / last_place;
@@ -116,7 +118,8 @@ void check(const ball& x, long most_digits, random_source& random) {
     EXPECT_TRUE(d.digits == most_digits || d.digits >= x.precision());
   } else {
     EXPECT_GT(set.width(), 0);
-    // Rounded to nearest at the last digit asked for, or further down than a twentieth of the half width.
+    // Rounded to nearest at the last digit asked for, or further down than a twentieth of the half
+    // width.
     const rational middle = (lower + upper) / 2;
     const rational off = abs(rational(shown.value - middle));
     const rational slack =

@@ -81,10 +81,11 @@ TEST_P(Tightness, OfWideSets) {
 }
 
 // A thin set's radius is what the function makes of it, and two units in the last place. "What the
-// function makes of it" is the greatest change |f(m +- r) - f(m)|; the bounds are of first order, so
-// 2^-8 of it is granted. For sin and cos (sinpi, cospi) it is 3/8: where the value is +-1 but for its rounding, the
-// slope is known as sqrt(1 - value^2) <= sqrt(u) only, u the unit in the last place; with r = k sqrt(u)
-// the radius is (k + k^2/2 + 1/2) u for a change of k^2/2 u, at worst a third more, beyond the two units.
+// function makes of it" is the greatest change |f(m +- r) - f(m)|; the bounds are of first order,
+// so 2^-8 of it is granted. For sin and cos (sinpi, cospi) it is 3/8: where the value is +-1 but
+// for its rounding, the slope is known as sqrt(1 - value^2) <= sqrt(u) only, u the unit in the last
+// place; with r = k sqrt(u) the radius is (k + k^2/2 + 1/2) u for a change of k^2/2 u, at worst a
+// third more, beyond the two units.
 TEST_P(Tightness, OfThinSets) {
   const elementary_function& f = GetParam();
   const std::string name = f.name;
@@ -297,8 +298,8 @@ TEST(TightnessOfArithmetic, SineAndCosineStayInTheUnitInterval) {
     const auto [s, c] = sin_cos(x);
     for (const ball& y : {sin(x), cos(x), s, c}) {
       const exact_set got = exact(y);
-      // A result thin enough to be kept by midpoint and radius may pass 1 by their rounding, but not
-      // by more than that.
+      // A result thin enough to be kept by midpoint and radius may pass 1 by their rounding, but
+      // not by more than that.
       const rational slack =
           is_narrow(got, p)
               ? rational(got.width() * support::power_of_two(-20) + 2 * support::ulp(1, p))

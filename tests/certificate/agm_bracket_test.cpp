@@ -1,4 +1,5 @@
-// The witness of beta's bracket: its inequalities hold, and there is none for a bracket that beta is not in.
+// The witness of beta's bracket: its inequalities hold, and there is none for a bracket that beta
+// is not in.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The checker's arithmetic against the prover's, with which it shares nothing: both hold the true value, so they overlap; and the checker's
-// intervals are narrow.
+// The checker's arithmetic against the prover's, with which it shares nothing: both hold the true
+// value, so they overlap; and the checker's intervals are narrow.
 
 #include <gtest/gtest.h>
 

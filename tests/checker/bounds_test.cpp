@@ -1,4 +1,5 @@
-// The checker's bounds of what its sums leave out, with so few bits, or so few nodes, that this is what most of a set is there for.
+// The checker's bounds of what its sums leave out, with so few bits, or so few nodes, that this is
+// what most of a set is there for.
 
 #include <gtest/gtest.h>
 
@@ -42,8 +43,8 @@ TEST(CheckerBounds, MeansAndSumsThatEndEarlyHoldTheWhole) {
   }
 }
 
-// cos(2 n t) has the same size at all nodes, and the integral 0: on a wide strip, where it is at most cosh(2 n H), the bound is little
-// more than what the rule makes of it.
+// cos(2 n t) has the same size at all nodes, and the integral 0: on a wide strip, where it is at
+// most cosh(2 n H), the bound is little more than what the rule makes of it.
 TEST(CheckerBounds, TheTrapezoidalRuleIsOffByAsMuchAsItsBound) {
   for (const long n : {1L, 2L}) {
     const precision bits = at_bits(100);

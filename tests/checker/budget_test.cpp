@@ -1,5 +1,6 @@
-// What a check may cost: small certificates that would take minutes or gigabytes are refused, at the place where they would; ordinary ones are
-// far from it. All of it is counted, so that no outcome here depends on a clock.
+// What a check may cost: small certificates that would take minutes or gigabytes are refused, at
+// the place where they would; ordinary ones are far from it. All of it is counted, so that no
+// outcome here depends on a clock.
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,8 @@ json piece(const std::string& end, const char* rho, const char* supremum, long n
   return {{"end", end}, {"rho", rho}, {"supremum", supremum}, {"nodes", nodes}};
 }
 
-/// An integral whose number is between 2^-bits and 2^20: to show that, so many bits are tried first.
+/// An integral whose number is between 2^-bits and 2^20: to show that, so many bits are tried
+/// first.
 json integral_between_far_ends(const std::string& f, const std::string& from, const std::string& to,
                                const json& pieces, long bits) {
   json c = integral_json("1", "0", "1", "1");
@@ -131,7 +133,8 @@ TEST(Budget, ChainsOfLongFractionsAreEnded) {
   json c = json::parse(in_tree("injectivity"));
   const report short_ones = check(as_text(c));
   EXPECT_EQ(short_ones.result, outcome::verified);
-  // The same points, moved by 10^-500: their c have 1,000 digits each, and everything that is said of them stays true.
+  // The same points, moved by 10^-500: their c have 1,000 digits each, and everything that is said
+  // of them stays true.
   const polhode::rational little(polhode::integer(1),
                                  polhode::integer("1" + std::string(499, '0') + "7"));
   for (json& point : c["witness"]["chain"]) {
@@ -151,7 +154,8 @@ TEST(Budget, CertificatesOfTheTreeAreFarFromIt) {
   }
 }
 
-/// With what it costs a certificate is verified; with one unit less it is not, and the place is named.
+/// With what it costs a certificate is verified; with one unit less it is not, and the place is
+/// named.
 TEST(Budget, IsExact) {
   for (const std::string& text : {in_tree("beta"), in_tree("count"), in_tree("physical"),
                                   as_text(integral_json("4/(1+x^2)", "0", "1", "pi")),

@@ -1,4 +1,5 @@
-// Every certificate of a claim that the prover certifies is verified by the checker: of many bodies, at many lengths.
+// Every certificate of a claim that the prover certifies is verified by the checker: of many
+// bodies, at many lengths.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ TEST(EveryClaim, IsVerified) {
   }
 }
 
-/// proofs/certificates: what `scripts/certificates` makes, but for the versions of the machine that it ran on.
+/// proofs/certificates: what `scripts/certificates` makes, but for the versions of the machine that
+/// it ran on.
 TEST(EveryClaim, HasItsCertificateInTheTree) {
   for (const proofs::claim& c : proofs::all_claims()) {
     std::ifstream file(std::string(POLHODE_CERTIFICATES_DIR) + '/' + std::string(c.name) + ".json");

@@ -1,4 +1,5 @@
-# proofs/coq/beta.jq lets nothing of a certificate into a Coq file but decimal digits. JQ, FILTER, CERTIFICATE and WORK are given.
+# proofs/coq/beta.jq lets nothing of a certificate into a Coq file but decimal digits. JQ, FILTER,
+# CERTIFICATE and WORK are given.
 
 file(MAKE_DIRECTORY "${WORK}")
 

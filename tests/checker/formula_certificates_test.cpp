@@ -1,5 +1,5 @@
-// Certificates of integrals and roots of formulas: what is true is shown again; what is false is not, however it is dressed; and what has the
-// wrong shape, or would take long, is refused.
+// Certificates of integrals and roots of formulas: what is true is shown again; what is false is
+// not, however it is dressed; and what has the wrong shape, or would take long, is refused.
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,8 @@ TEST(FormulaCertificates, EllipsesMustHoldNoSingularity) {
                  "a pole on the axis");
   // A removable one is one all the same.
   expect_refused(with_pieces("sin(x)/x", "-1", "1", piece("2", great)), "/witness/pieces/0", "0/0");
-  // Cuts: of the root and the logarithm, by an end, across an ellipse, above the axis only in its image.
+  // Cuts: of the root and the logarithm, by an end, across an ellipse, above the axis only in its
+  // image.
   for (const char* f : {"sqrt(x)", "log(x)", "x^(1/3)", "sqrt(x)*sqrt(x)"}) {
     expect_refused(with_pieces(f, "0", "1", piece("101/100", great)), "/witness/pieces/0", f);
     expect_refused(with_pieces(f, "1/100", "1", piece("3/2", great)), "/witness/pieces/0", f);
@@ -180,8 +181,8 @@ TEST(FormulaCertificates, BoundsMustHold) {
   }
 }
 
-// One node takes 2x^2 - 1 for -1, and its integral, -2/3, for -2: the bound of the error, 8 M = 32, is all that keeps -2 +- 5/4 from being
-// shown.
+// One node takes 2x^2 - 1 for -1, and its integral, -2/3, for -2: the bound of the error, 8 M = 32,
+// is all that keeps -2 +- 5/4 from being shown.
 TEST(FormulaCertificates, TheRulesErrorIsCounted) {
   const ball wrong = hull(ball(polhode::rational(-13, 4), 64), ball(polhode::rational(-3, 4), 64));
   json c = integral_certificate({test::read("2*x^2-1", "x"), test::read("-1"), test::read("1")},
@@ -191,8 +192,9 @@ TEST(FormulaCertificates, TheRulesErrorIsCounted) {
   expect_refused(c, "/numbers/integral/dyadic", "the rule's value is not the integral");
 }
 
-// Two nodes take 2 x^2/L^2 - 1 over [-L, L] for 0, and its integral is -2 L/3. On a wide ellipse the bound is 4 (2 M/rho^2) L, and that
-// it has the power rho^(1-n) and the factor L is all that keeps 0 from being shown.
+// Two nodes take 2 x^2/L^2 - 1 over [-L, L] for 0, and its integral is -2 L/3. On a wide ellipse
+// the bound is 4 (2 M/rho^2) L, and that it has the power rho^(1-n) and the factor L is all that
+// keeps 0 from being shown.
 TEST(FormulaCertificates, TheRulesErrorHasItsPowerAndItsLength) {
   const ball near_zero =
       hull(ball(polhode::rational(-1, 2), 64), ball(polhode::rational(1, 2), 64));

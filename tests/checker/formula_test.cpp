@@ -1,5 +1,5 @@
-// The checker's formulas against the prover's, with which they share nothing: the same text means the same, and sets hold the values of
-// their members.
+// The checker's formulas against the prover's, with which they share nothing: the same text means
+// the same, and sets hold the values of their members.
 
 #include "checker/formula.hpp"
 

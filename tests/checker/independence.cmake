@@ -1,6 +1,8 @@
-# The checker uses nothing of the prover: no symbol of the prover's or of MPFR is missing from its library; its sources include GMP, Boost's
-# headers over it, a reader of JSON, the standard library, themselves, the texts of the claims and the digest's header, and nothing else; and the program
-# polhode-check needs GMP and the C++ runtime alone. LIBRARY, PROGRAM, SOURCES, HEADERS, NM and READELF are given.
+# The checker uses nothing of the prover: no symbol of the prover's or of MPFR is missing from its
+# library; its sources include GMP, Boost's headers over it, a reader of JSON, the standard library,
+# themselves, the texts of the claims and the digest's header, and nothing else; and the program
+# polhode-check needs GMP and the C++ runtime alone. LIBRARY, PROGRAM, SOURCES, HEADERS, NM and
+# READELF are given.
 
 execute_process(COMMAND "${NM}" --demangle "${LIBRARY}"
   OUTPUT_VARIABLE symbols RESULT_VARIABLE status)

@@ -1,5 +1,5 @@
-// A certificate in which one thing was changed, its digest made right again, is refused and the place is named; or it is still true, and the list
-// below says why.
+// A certificate in which one thing was changed, its digest made right again, is refused and the
+// place is named; or it is still true, and the list below says why.
 
 #include <array>
 #include <map>

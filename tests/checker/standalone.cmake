@@ -1,5 +1,6 @@
-# The checker is a project of its own: src/checker is configured, built and installed apart, where no other package than its own is looked
-# for and a warning is an error, and the program verifies a certificate and refuses a forged one. SOURCES, WORK, CERTIFICATES, COMPILER, LAUNCHER, FLAGS and
+# The checker is a project of its own: src/checker is configured, built and installed apart, where
+# no other package than its own is looked for and a warning is an error, and the program verifies a
+# certificate and refuses a forged one. SOURCES, WORK, CERTIFICATES, COMPILER, LAUNCHER, FLAGS and
 # GENERATOR are given.
 
 file(REMOVE_RECURSE "${WORK}")

@@ -1,4 +1,5 @@
-// "Verified" says what: a report names the claim with its inputs and numbers, and a certificate that leaves out a part is not verified.
+// "Verified" says what: a report names the claim with its inputs and numbers, and a certificate
+// that leaves out a part is not verified.
 
 #include <algorithm>
 #include <string>

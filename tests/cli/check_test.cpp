@@ -1,4 +1,5 @@
-// polhode check: a line for every certificate, the exit status, and what it says of input that is none.
+// polhode check: a line for every certificate, the exit status, and what it says of input that is
+// none.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -79,7 +80,8 @@ TEST(Check, SaysWhatIsNoCertificate) {
   expect_refused({"check"}, {"PATH"});
 }
 
-/// A path that cannot be read has a line of its own, costs the status 2, and no other file its line.
+/// A path that cannot be read has a line of its own, costs the status 2, and no other file its
+/// line.
 TEST(Check, WhatCannotBeReadCostsOnlyItsOwnLine) {
   const scratch_directory scratch;
   const std::string directory = scratch.path("out");

@@ -47,7 +47,8 @@ TEST(CostCommand, MeasuresEveryMethodThatIsQuickEnough) {
   EXPECT_TRUE(report["hard"].empty());
 }
 
-/// So little time that nothing but the first point of each method is measured, whatever the machine.
+/// So little time that nothing but the first point of each method is measured, whatever the
+/// machine.
 TEST(CostCommand, NamesWhatWasLeftOutForWantOfTime) {
   const std::vector<std::string> command{"cost", "beta", "--max-digits", "50", "--seconds", "1e-9"};
   const outcome text = run(command);

@@ -90,7 +90,8 @@ TEST(Names, OfFunctionsAndConstantsInOtherSpellings) {
             std::string::npos);
 }
 
-/// acot(x) is pi/2 - atan(x), not atan(1/x), which jumps at 0; the others are the usual inverses of reciprocals.
+/// acot(x) is pi/2 - atan(x), not atan(1/x), which jumps at 0; the others are the usual inverses of
+/// reciprocals.
 TEST(Names, OfInversesOfReciprocals) {
   EXPECT_EQ(first_line({"eval", "acot(-1)/pi"}), "3/4 exactly");
   EXPECT_EQ(first_line({"eval", "arccot(0)/pi"}), "1/2 exactly");

@@ -1,4 +1,5 @@
-// The elliptic functions in formulas: values, refusals that name the condition, and the page that lists them.
+// The elliptic functions in formulas: values, refusals that name the condition, and the page that
+// lists them.
 
 #include <filesystem>
 #include <fstream>
@@ -82,7 +83,8 @@ TEST(Elliptic, AgreesAtTheParameterOneWithItsNeighbours) {
   EXPECT_EQ(value("carlsonRC(3, -1)"), value("atanh(sqrt(3/4))/2"));
 }
 
-// Real functions that are not continued around the whole of the range: said at once, and not after many small steps.
+// Real functions that are not continued around the whole of the range: said at once, and not after
+// many small steps.
 TEST(Elliptic, SaysSoonWhereItIsNotContinued) {
   for (const auto& [formula, to] : std::vector<std::pair<std::string, std::string>>{
            {"ellipticE(x, 1)", "3"}, {"ellipticF(x, 6/5)", "1.15"}, {"jacobiAM(x, -1)", "1"}}) {
@@ -106,7 +108,8 @@ TEST(Elliptic, SaysNothingExactOfWhatIsNotDefined) {
   }
 }
 
-// On this path the forms of F left and right of Re x = 1.1 are two branches; and arccd's is that of -x.
+// On this path the forms of F left and right of Re x = 1.1 are two branches; and arccd's is that of
+// -x.
 TEST(Elliptic, IsNotTakenFromAnotherBranch) {
   for (const auto& [formula, path] : std::vector<std::pair<std::string, std::string>>{
            {"ellipticF(x, 2-3/10*i)", "1+3/10*i, 12/10+3/10*i"},

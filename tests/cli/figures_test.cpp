@@ -98,7 +98,8 @@ rational number_in(const std::string& curve) {
   return parse_rational(curve.substr(curve.find("= ") + 2));
 }
 
-/// The integral from 0 to `end` of (1 - b cos^2)/sqrt((a + b cos^2)(c + b cos^2)): the paper's eq. (20), by certified quadrature.
+/// The integral from 0 to `end` of (1 - b cos^2)/sqrt((a + b cos^2)(c + b cos^2)): the paper's eq.
+/// (20), by certified quadrature.
 ball phase_to(const rational& a, const rational& b, const rational& c, const rational& end) {
   return integrate(
              [&](const auto& psi) {

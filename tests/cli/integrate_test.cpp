@@ -26,7 +26,8 @@ TEST(Integrate, DigitsAreTheFirstOfTheTrueValue) {
   struct known {
     std::string formula, from, to, digits;
   };
-  // sqrt(pi); pi/2 - 1 by parts; Euler's constant; Li_2(-1) = -pi^2/12; the lemniscate's arc, Gauss 1799.
+  // sqrt(pi); pi/2 - 1 by parts; Euler's constant; Li_2(-1) = -pi^2/12; the lemniscate's arc, Gauss
+  // 1799.
   for (const auto& [formula, from, to, digits] : std::vector<known>{
            {"exp(-x^2)", "-inf", "inf", "1.7724538509055160272981674833411451827975494561223"},
            {"asin(x)", "0", "1", "0.57079632679489661923132169163975144209858469968755"},
@@ -298,8 +299,8 @@ TEST(IntegrateOverBox, TheRangeOfAnEllipticIntegral) {
 }
 
 TEST(IntegrateOverBox, EveryFunctionsDerivativeIsThatOfItsValues) {
-  // With G(a) for the integral of g and q for (G(1.001) - G(1))/0.001: G(a) - s a must be found to rise over
-  // [1, 1.001] for s a little below q, and to fall for s a little above it.
+  // With G(a) for the integral of g and q for (G(1.001) - G(1))/0.001: G(a) - s a must be found to
+  // rise over [1, 1.001] for s a little below q, and to fall for s a little above it.
   for (const std::string g : {"expm1(a*x)",         "log1p(a*x)",     "sinpi(a*x/9)",
                               "cospi(a*x/9)",       "abs(a*x-9)",     "abs(a+x)",
                               "min(a*x, 5)",        "min(5, a*x)",    "max(a*x, -5)",

@@ -1,4 +1,5 @@
-// What the manual and every --help show: each command runs, and what is printed beside it is what it prints.
+// What the manual and every --help show: each command runs, and what is printed beside it is what
+// it prints.
 
 #include <algorithm>
 #include <filesystem>
@@ -25,7 +26,8 @@ struct shown_command {
   std::vector<std::string> lines;
 };
 
-/// Lines "$ polhode ..." that are indented as code or stand in a fence, and those beneath each, to the next or the end of the block.
+/// Lines "$ polhode ..." that are indented as code or stand in a fence, and those beneath each, to
+/// the next or the end of the block.
 std::vector<shown_command> commands_of(const fs::path& page) {
   constexpr const char* indent = "    ";
   std::vector<shown_command> result;

@@ -130,7 +130,8 @@ bool is_of_words(const std::string& column) {
   return column.ends_with("_exact") || words.count(column) != 0;
 }
 
-/// Every cell of every column but those of words is a decimal, inf, or empty, where the line says why.
+/// Every cell of every column but those of words is a decimal, inf, or empty, where the line says
+/// why.
 void check_csv(const std::string& text, const std::string& where) {
   SCOPED_TRACE(where);
   static const std::regex decimal("-?[0-9]+(\\.[0-9]+)?(e[-+]?[0-9]+)?|inf|-inf");
@@ -218,7 +219,8 @@ TEST(Numbers, EveryCellOfACsvIsADecimal) {
 // ---------------------------------------------------------------------------------------------
 // Other programs
 
-/// A CSV of each command that writes one, with default options but for what keeps it short; by their names in the directory.
+/// A CSV of each command that writes one, with default options but for what keeps it short; by
+/// their names in the directory.
 std::vector<std::string> write_all_csvs(const scratch_directory& directory) {
   const outcome made = run_script(
       "polhode constants --format csv > constants.csv;"
@@ -306,7 +308,8 @@ TEST(Numbers, GnuplotReadsEveryCsv) {
   }
 }
 
-/// Has Python check every CSV: check(name, columns) is called with the place of each column of numbers, its name and how many it has.
+/// Has Python check every CSV: check(name, columns) is called with the place of each column of
+/// numbers, its name and how many it has.
 void expect_python_reads_every_csv(std::string program) {
   const scratch_directory directory;
   for (const std::string& name : write_all_csvs(directory)) {
@@ -336,7 +339,8 @@ def check(name, columns):
 )");
 }
 
-/// pandas, with its default options, finds the columns by their names, each of numbers with the type of numbers and no number lost.
+/// pandas, with its default options, finds the columns by their names, each of numbers with the
+/// type of numbers and no number lost.
 TEST(Numbers, PandasReadsEveryCsv) {
   if (run_script("python3 -c 'import pandas'").status != 0) {
     GTEST_SKIP() << "no pandas (Debian's package python3-pandas)";

@@ -1,4 +1,5 @@
-# The build goes on without the pages of scenes, and says in one line why: cmake -DMODULE=… -DSOURCE_DIR=… -DDIR=… -P page_modules.cmake
+# The build goes on without the pages of scenes, and says in one line why: cmake -DMODULE=…
+# -DSOURCE_DIR=… -DDIR=… -P page_modules.cmake
 
 include("${MODULE}")
 

@@ -97,7 +97,8 @@ TEST(SceneCommand, WritesAllFilesAndKeepsThem) {
   EXPECT_EQ(files.size(), 13U);
   const std::string table = contents(out + "/results.csv");
   EXPECT_NE(table.find(",2.5,5/2,period,period,s,"), std::string::npos) << table;
-  // Again: nothing is done twice. A point that is gone, or is of another scene, is computed; nothing else.
+  // Again: nothing is done twice. A point that is gone, or is of another scene, is computed;
+  // nothing else.
   EXPECT_NE(certified(command).find("0 computed, 4 kept"), std::string::npos);
   std::filesystem::remove(out + "/s-0002.json");
   write(out + "/s-0003.json", "{\"digest\": \"");
@@ -262,7 +263,8 @@ TEST(SceneCommand, WithoutPagesSaysSo) {
   EXPECT_FALSE(std::filesystem::exists(directory.path("out")));
 }
 
-// In a headless browser, where there is one: it draws, scrubs, plays, heeds the keys, and has no error.
+// In a headless browser, where there is one: it draws, scrubs, plays, heeds the keys, and has no
+// error.
 TEST(SceneCommand, PageRunsInABrowser) {
   if (!have_pages) GTEST_SKIP() << without_pages;
   if (sanitized || run_script("command -v chromium >&2").status != 0) GTEST_SKIP() << "no chromium";
@@ -288,7 +290,8 @@ TEST(SceneCommand, PageRunsInABrowser) {
               name + ".html#check",
           directory.path(""));
     };
-    // A browser that a busy machine starves may not come to draw at all, or only once: then it is asked again.
+    // A browser that a busy machine starves may not come to draw at all, or only once: then it is
+    // asked again.
     outcome shown = shown_by_browser();
     const std::string last = "data-played=\"yes\"";
     for (int again = 0; again < 2 && shown.out.find(last) == std::string::npos; ++again) {

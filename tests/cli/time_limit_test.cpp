@@ -1,4 +1,5 @@
-// --time-limit and the time that is left. No test depends on how long anything takes: limits are far above or far below.
+// --time-limit and the time that is left. No test depends on how long anything takes: limits are
+// far above or far below.
 
 #include <filesystem>
 #include <fstream>
@@ -83,7 +84,8 @@ TEST(TimeLimit, EndsScenesAndMeasurements) {
   }
 }
 
-/// What the search for roots takes is not estimated: it may end before the digits of what it finds are, or after.
+/// What the search for roots takes is not estimated: it may end before the digits of what it finds
+/// are, or after.
 TEST(TimeLimit, EndsRootsInTheSearchOrRefusesTheirDigits) {
   const outcome result =
       run({"roots", "cos(x) - x", "--in", "0..1", "--digits", "5000", "--time-limit", "1e-12d"});
@@ -111,7 +113,8 @@ TEST(TimeLimit, LeavesNoFileBehind) {
   EXPECT_FALSE(std::filesystem::exists(directory));
 }
 
-/// What has not ended in time ends with one line, and nothing on standard output. None of these ends by itself nearly so soon.
+/// What has not ended in time ends with one line, and nothing on standard output. None of these
+/// ends by itself nearly so soon.
 TEST(TimeLimit, EndsWhatTakesLonger) {
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
            {"integrate", "sin(x^2+sin(x))", "0", "1e6", "--format", "json"},

@@ -1,4 +1,5 @@
-// --verify through the program: integrate, roots, eval and constants find their results again, and a fault is found.
+// --verify through the program: integrate, roots, eval and constants find their results again, and
+// a fault is found.
 
 #include <filesystem>
 #include <string>
@@ -37,7 +38,8 @@ void expect_confirmed(const outcome& result, const words& said = {}) {
   }
 }
 
-/// What is printed is as without --verify, and an enclosure by another route is beside it that holds the same digits.
+/// What is printed is as without --verify, and an enclosure by another route is beside it that
+/// holds the same digits.
 json second_opinion_of(words arguments) {
   arguments.insert(arguments.end(), {"--format", "json"});
   const outcome plain = run(arguments);
@@ -84,7 +86,8 @@ TEST(Verify, IntegralsByAnotherRule) {
 }
 
 TEST(Verify, IntegralsThatWereOnceWrong) {
-  // A negligible panel hid that the range's inexact end lay in it, and the sum went on beyond the end. True digits by two references.
+  // A negligible panel hid that the range's inexact end lay in it, and the sum went on beyond the
+  // end. True digits by two references.
   struct known {
     std::string formula, from, to, digits, exponent;
   };

@@ -1,5 +1,6 @@
 # Installs BUILD_DIR to an empty prefix, builds the consumer project beside this file against that
-# prefix alone, runs it, and compares what it prints with README.md, which shows the program as well.
+# prefix alone, runs it, and compares what it prints with README.md, which shows the program as
+# well.
 
 set(work "${BUILD_DIR}/consumer")
 set(prefix "${work}/prefix")
@@ -20,7 +21,8 @@ run("${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${work}/build" -G "${G
   "-DCMAKE_BUILD_TYPE=Release"
   "-DCMAKE_CXX_COMPILER=${COMPILER}"
   "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}"
-  # g++ 12 sees overlapping copies where std::string is appended to (gcc.gnu.org/PR105651); clang does not know the option.
+  # g++ 12 sees overlapping copies where std::string is appended to (gcc.gnu.org/PR105651); clang
+  # does not know the option.
   "-DCMAKE_CXX_FLAGS=${FLAGS} -Wall -Wextra -Wconversion -Wshadow -Wpedantic -Werror -Wno-unknown-warning-option -Wno-restrict")
 run("${CMAKE_COMMAND}" --build "${work}/build")
 

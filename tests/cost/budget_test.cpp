@@ -50,7 +50,8 @@ TEST(TimeBudget, BeginsNothingThatWouldPassTheLimit) {
         EXPECT_LE(work.now - start, limit * (1 + 1e-12));
       }
       for (const long n : found.left_out) EXPECT_GT(n, work.begun.back());
-      // What was left out would have passed the limit; with one point known it is expected to grow by the square.
+      // What was left out would have passed the limit; with one point known it is expected to grow
+      // by the square.
       if (!found.left_out.empty()) {
         const long next = found.left_out.front();
         const double last = work.calls * work.seconds(work.begun.back());
@@ -70,7 +71,8 @@ TEST(TimeBudget, CountsWhatAReferenceTakes) {
   EXPECT_EQ(with.begun, std::vector<long>{16});
 }
 
-/// A first call takes longer than the later ones that are counted: what the measurement took in all decides.
+/// A first call takes longer than the later ones that are counted: what the measurement took in all
+/// decides.
 TEST(TimeBudget, CountsWhatIsNotMeasured) {
   double now = 0;
   const time_budget budget(10.5, [&] { return now; });
@@ -87,7 +89,8 @@ TEST(TimeBudget, CountsWhatIsNotMeasured) {
   EXPECT_EQ(found.left_out, std::vector<long>{10'000});
 }
 
-/// Calls are longer than the clock's time in all where the clock jumped: the greater estimate decides.
+/// Calls are longer than the clock's time in all where the clock jumped: the greater estimate
+/// decides.
 TEST(TimeBudget, CountsTheCallsToCome) {
   const time_budget budget(10, [] { return 0.0; });
   std::vector<long> begun;

@@ -114,7 +114,8 @@ TEST(Cost, FitsPowers) {
   }
 }
 
-// Times that no clock has a part in: of multiplications as fast as n log n, and of works of the kinds there are.
+// Times that no clock has a part in: of multiplications as fast as n log n, and of works of the
+// kinds there are.
 
 double multiplication(long n) {
   return 1e-10 * static_cast<double>(n) * std::log(static_cast<double>(n) + 2);
@@ -207,7 +208,8 @@ TEST(Cost, ModelIsBoundedFarAway) {
   const auto grows = [](const cost_model& model, long from, long to) {
     return model.seconds(to) / model.seconds(from) / (multiplication(to) / multiplication(from));
   };
-  // Times that fall, as those of a program in whose way another was: no less than multiplications and a little more.
+  // Times that fall, as those of a program in whose way another was: no less than multiplications
+  // and a little more.
   const cost_model falling({{1000, 1.0}, {2000, 0.5}, {4000, 0.1}}, multiplication);
   EXPECT_NEAR(grows(falling, 4000, 16'000), 0.5, 1e-9);
   EXPECT_NEAR(grows(falling, 16'000, 160'000), std::pow(10, 0.1), 1e-9);

@@ -1,4 +1,5 @@
-// Integrals with parameters in boxes: the integral at every point of the box must lie in the enclosure.
+// Integrals with parameters in boxes: the integral at every point of the box must lie in the
+// enclosure.
 
 #include <array>
 #include <string>

@@ -1,4 +1,5 @@
-// Values of elliptic integrals and functions: the identities of DLMF 19-22, and the arithmetic-geometric mean.
+// Values of elliptic integrals and functions: the identities of DLMF 19-22, and the
+// arithmetic-geometric mean.
 
 #include "values.hpp"
 

@@ -1,4 +1,5 @@
-// What happens at the ends of a range: singular ends of every exponent, infinite tails, divergent integrals, extreme sizes.
+// What happens at the ends of a range: singular ends of every exponent, infinite tails, divergent
+// integrals, extreme sizes.
 
 #include "integrals.hpp"
 
@@ -457,7 +458,8 @@ term irrational_exponent(maker& m) {
                    "-log(2)", "-sqrt(8/9)", "(sqrt(2)-1)"});
 }
 
-/// No series at the end: irrational and variable exponents, logarithms of logarithms, at 0 and at infinity.
+/// No series at the end: irrational and variable exponents, logarithms of logarithms, at 0 and at
+/// infinity.
 integral_case growing_end(maker& m) {
   term f = power(x, irrational_exponent(m)) * regular(m);
   term to = m.near(m.scattered(0.1, 3));

@@ -1,4 +1,5 @@
-// Values: random formulas in every arithmetic, and the identities of the elementary functions, gamma and erf.
+// Values: random formulas in every arithmetic, and the identities of the elementary functions,
+// gamma and erf.
 
 #include "values.hpp"
 

@@ -1,4 +1,5 @@
-// Integrals of which wrong digits were once certified. Each is computed by every route, and held against its true value or refused.
+// Integrals of which wrong digits were once certified. Each is computed by every route, and held
+// against its true value or refused.
 
 #include <string>
 #include <vector>
@@ -52,8 +53,8 @@ TEST_P(found_before_integrals, are_right_or_refused_now) {
 INSTANTIATE_TEST_SUITE_P(each, found_before_integrals, ::testing::ValuesIn(found_before()),
                          [](const auto& drawn) { return drawn.param.name; });
 
-/// A range so narrow that its panel is negligible, with an end that is not exact: the integral is 1013/1000 times
-/// log(1 + exp(-7x))/(-7) plus 0.66e-308 x^2 between the limits.
+/// A range so narrow that its panel is negligible, with an end that is not exact: the integral is
+/// 1013/1000 times log(1 + exp(-7x))/(-7) plus 0.66e-308 x^2 between the limits.
 TEST(found_before, a_negligible_panel_at_an_inexact_end) {
   const term f = parsed("1013/1000/(1+exp(7*x))+1.32e-308*x");
   for (const long digits : {20L, 300L}) {

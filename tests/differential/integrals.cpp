@@ -103,7 +103,8 @@ struct route {
   term constant = 0;
 };
 
-/// 1, -1 or 0 where the number is proved positive, negative or is written as 0; 2 where nothing is known.
+/// 1, -1 or 0 where the number is proved positive, negative or is written as 0; 2 where nothing is
+/// known.
 int sign(const term& t) {
   if (t.is("0")) return 0;
   if (t.is("inf")) return 1;
@@ -402,7 +403,8 @@ failure shrunk(failure f) {
 void examine_by(const integral_case& given, const std::vector<way>& ways, std::uint64_t seed,
                 counts& c) {
   ++c.cases;
-  // What is known of the case does not matter to routes that know nothing of it, and stands in the way of shrinking.
+  // What is known of the case does not matter to routes that know nothing of it, and stands in the
+  // way of shrinking.
   integral_case bare{given.integrand, given.from, given.to, given.digits};
   bare.is_cheap = given.is_cheap;
   std::vector<result> results;

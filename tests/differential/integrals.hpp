@@ -1,6 +1,7 @@
 #pragma once
 
-// One integral by many routes. Whatever route encloses it, its enclosure must meet those of all others.
+// One integral by many routes. Whatever route encloses it, its enclosure must meet those of all
+// others.
 
 #include <functional>
 #include <optional>
@@ -27,8 +28,8 @@ struct piece {
 
 /// The command that computes a piece, without its factor.
 [[nodiscard]] std::string command_of(const piece& p);
-/// What the command computes, with so many evaluations at most. What cannot be read as a formula or a limit is not certified,
-/// not_defined.
+/// What the command computes, with so many evaluations at most. What cannot be read as a formula or
+/// a limit is not certified, not_defined.
 [[nodiscard]] integral computed(const piece& p);
 
 /// An integral and what is known of it.
@@ -55,7 +56,8 @@ struct integral_family {
   std::function<integral_case(maker&)> make;
 };
 
-/// The same cases, but nine of ten with few digits and evaluations: integrals that take long become many that do not.
+/// The same cases, but nine of ten with few digits and evaluations: integrals that take long become
+/// many that do not.
 [[nodiscard]] std::function<integral_case(maker&)> mostly_cheap(
     std::function<integral_case(maker&)> make);
 
@@ -65,8 +67,8 @@ struct integral_family {
 [[nodiscard]] std::vector<integral_family> known_families();
 [[nodiscard]] std::vector<integral_family> oscillation_families();
 
-/// Computes the case by the first route and some others, and holds their enclosures against each other. Reports, as a failure of
-/// the running test, a contradiction: shrunk, with its commands.
+/// Computes the case by the first route and some others, and holds their enclosures against each
+/// other. Reports, as a failure of the running test, a contradiction: shrunk, with its commands.
 void examine(const integral_case& given, std::uint64_t seed, counts& c);
 
 /// The same by every route.

@@ -1,4 +1,5 @@
-// Random integrals, family by family: every rule against every other, additivity, substitutions, closed forms.
+// Random integrals, family by family: every rule against every other, additivity, substitutions,
+// closed forms.
 
 #include <algorithm>
 #include <cctype>

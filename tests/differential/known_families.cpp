@@ -1,4 +1,5 @@
-// Integrals that are known in closed form: derivatives of random formulas, elliptic and gamma functions.
+// Integrals that are known in closed form: derivatives of random formulas, elliptic and gamma
+// functions.
 
 #include "integrals.hpp"
 

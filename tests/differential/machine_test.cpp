@@ -1,4 +1,5 @@
-// That the machine sees what is wrong when it is told something wrong, and that formulas are printed and differentiated as meant.
+// That the machine sees what is wrong when it is told something wrong, and that formulas are
+// printed and differentiated as meant.
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>

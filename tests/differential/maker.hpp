@@ -1,6 +1,7 @@
 #pragma once
 
-// Random pieces that the families are put together from: numbers in every form in which a formula can have them, ranges, functions.
+// Random pieces that the families are put together from: numbers in every form in which a formula
+// can have them, ranges, functions.
 
 #include <array>
 #include <cmath>
@@ -83,7 +84,8 @@ class maker {
     return decimal_exactly(t);
   }
 
-  /// Two numbers, the first the smaller one, both in [low, high]; their distance is any fraction of it.
+  /// Two numbers, the first the smaller one, both in [low, high]; their distance is any fraction of
+  /// it.
   std::pair<term, term> range(double low, double high) {
     for (int tries = 0; tries < 20; ++tries) {
       double length = high - low;

@@ -1,5 +1,6 @@
-// Integrals along paths in the complex plane: against antiderivatives, other paths between the same ends, residues, the number of
-// zeros inside; and paths through poles and across cuts, which must be refused.
+// Integrals along paths in the complex plane: against antiderivatives, other paths between the same
+// ends, residues, the number of zeros inside; and paths through poles and across cuts, which must
+// be refused.
 
 #include <algorithm>
 #include <optional>
@@ -223,7 +224,8 @@ TEST(paths, through_poles_are_refused) {
   });
 }
 
-/// Roots and logarithms with a cut: by their antiderivatives on paths that do not cross it; refused across.
+/// Roots and logarithms with a cut: by their antiderivatives on paths that do not cross it; refused
+/// across.
 TEST(paths, cuts_are_not_crossed) {
   run_cases("paths", "cuts", 20, [](std::uint64_t seed, counts& c) {
     maker m(seed);

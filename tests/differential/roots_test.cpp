@@ -1,5 +1,6 @@
-// Roots: products of factors whose roots are known, of which all and only those must be found, each with its multiplicity; and
-// functions whose roots are not known, searched whole, in parts, mirrored and moved.
+// Roots: products of factors whose roots are known, of which all and only those must be found, each
+// with its multiplicity; and functions whose roots are not known, searched whole, in parts,
+// mirrored and moved.
 
 #include <algorithm>
 #include <cmath>
@@ -333,7 +334,8 @@ known_case many_roots(maker& m) {
   return k;
 }
 
-/// A root at a kink or branch point, and others beside it at any scale. A root at a kink counts once.
+/// A root at a kink or branch point, and others beside it at any scale. A root at a kink counts
+/// once.
 known_case kinks_at_all_scales(maker& m) {
   known_case k;
   const auto scale = [&](long least, long most) {

@@ -1,4 +1,5 @@
-// Free rotation by different routes: phases and periods by quadrature, momenta by Jacobi's functions, what is conserved.
+// Free rotation by different routes: phases and periods by quadrature, momenta by Jacobi's
+// functions, what is conserved.
 
 #include <algorithm>
 #include <string>
@@ -53,7 +54,8 @@ void compare(const ball& v, const ball& w, const std::string& first, const std::
                 << "\n  " << second << "\n    " << to_decimal(w, 30);
 }
 
-/// The phase is twice the integral of (1 - b x)/sqrt(x (1-x) (a + b x) (c + b x)) from 0 or -c/b to 1.
+/// The phase is twice the integral of (1 - b x)/sqrt(x (1-x) (a + b x) (c + b x)) from 0 or -c/b to
+/// 1.
 TEST(rotation, montgomery_phase_by_quadrature) {
   run_cases("rotation", "phases", 120, [](std::uint64_t seed, counts& c) {
     maker m(seed);
@@ -261,7 +263,8 @@ TEST(rotation, momentum_by_jacobis_functions) {
       compare(sample.momentum[j], read(expected[j]).value(p + 100),
               fmt::format("component {} of the momentum of {}", j, command), expected[j].text(), c);
     }
-    // |J|, 2 H, and R J, which is along the third axis of space where the attitude says so at the start.
+    // |J|, 2 H, and R J, which is along the third axis of space where the attitude says so at the
+    // start.
     ball size(0, p);
     ball energy(0, p);
     for (std::size_t j = 0; j < 3; ++j) {

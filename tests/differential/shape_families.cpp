@@ -1,4 +1,5 @@
-// What happens between the ends: oscillation, kinks, poles near the range, removable singularities, symmetry, nested functions.
+// What happens between the ends: oscillation, kinks, poles near the range, removable singularities,
+// symmetry, nested functions.
 
 #include "integrals.hpp"
 

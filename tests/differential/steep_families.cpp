@@ -1,4 +1,5 @@
-// Functions whose logarithmic derivative is rational, in x, in e^(kx) or in sin and cos of kx, and high powers of them.
+// Functions whose logarithmic derivative is rational, in x, in e^(kx) or in sin and cos of kx, and
+// high powers of them.
 
 #include "integrals.hpp"
 
@@ -112,7 +113,8 @@ integral_case with_cosine_case(maker& m) {
   return over(m, f, some_range(m, 0.05, 5));
 }
 
-/// Ends at, or very near, a root of what is in the denominator or under the root. What diverges is a family of its own.
+/// Ends at, or very near, a root of what is in the denominator or under the root. What diverges is
+/// a family of its own.
 integral_case irrational_root_case(maker& m) {
   const long n = m.between(2, 40);
   const bool cubic = m.one_in(2);

@@ -1,6 +1,7 @@
-// Systems of equations: products of factors in linear functions of the variables, mixed with one another, whose roots are known, of which
-// all in the box must be found and no others, each in one region; and random ones with one root that was planted in them, which must not be
-// lost, nor be found twice, and where a root is claimed the equations change their signs.
+// Systems of equations: products of factors in linear functions of the variables, mixed with one
+// another, whose roots are known, of which all in the box must be found and no others, each in one
+// region; and random ones with one root that was planted in them, which must not be lost, nor be
+// found twice, and where a root is claimed the equations change their signs.
 
 #include <algorithm>
 #include <cstddef>
@@ -32,8 +33,8 @@ struct system_factor {
   rational root;
 };
 
-/// mixed * (product of the factors of u_i, for each i) = 0, where u = lower upper x + shift. The matrices are
-/// triangular with ones in their diagonals, so that x is found from u.
+/// mixed * (product of the factors of u_i, for each i) = 0, where u = lower upper x + shift. The
+/// matrices are triangular with ones in their diagonals, so that x is found from u.
 struct system_case {
   square_matrix lower;
   square_matrix upper;
@@ -208,7 +209,8 @@ std::optional<std::string> error_in(const system_case& c, const system_root_set&
   return std::nullopt;
 }
 
-/// Polynomials of degree 2, multiples of sin(k (x_j - r_j)) and of e^(x_j - r_j) - 1, of which each is 0 at the root r.
+/// Polynomials of degree 2, multiples of sin(k (x_j - r_j)) and of e^(x_j - r_j) - 1, of which each
+/// is 0 at the root r.
 struct planted_case {
   struct monomial {
     rational factor;
@@ -291,9 +293,10 @@ square_matrix near_inverse(const real_system& f, const std::vector<ball>& x) {
 
 enum class shown { root, no_root, nothing };
 
-/// C. Miranda, 1940: g has a zero in a box if each g_i has opposite signs on the two faces x_i = c_i +- r. Here g = Y f, which is nearly
-/// x - c where c is nearly a root, so that a part of a face with the other sign shows that it is none. Each face is cut into so many
-/// parts in every direction; nothing is shown where the signs on them are not all known.
+/// C. Miranda, 1940: g has a zero in a box if each g_i has opposite signs on the two faces x_i =
+/// c_i +- r. Here g = Y f, which is nearly x - c where c is nearly a root, so that a part of a face
+/// with the other sign shows that it is none. Each face is cut into so many parts in every
+/// direction; nothing is shown where the signs on them are not all known.
 shown by_signs(const real_system& f, const square_matrix& y, const std::vector<ball>& centre,
                const rational& r, long parts) {
   const std::size_t n = centre.size();

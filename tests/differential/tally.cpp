@@ -38,7 +38,8 @@ constexpr const char* every_family = "**all**";
 
 using table = std::map<std::pair<std::string, std::string>, counts>;
 
-/// The counts in the file of POLHODE_TEST_TABLE, as write_table wrote them; none where there is none.
+/// The counts in the file of POLHODE_TEST_TABLE, as write_table wrote them; none where there is
+/// none.
 table counts_so_far() {
   table result;
   const char* name = std::getenv("POLHODE_TEST_TABLE");
@@ -98,7 +99,8 @@ void write_table() {
   }
 }
 
-/// The case under way and when it began. (The clock is for a person to read; no outcome depends on it.)
+/// The case under way and when it began. (The clock is for a person to read; no outcome depends on
+/// it.)
 struct current_case {
   std::string where;
   std::string command;

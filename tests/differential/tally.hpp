@@ -5,9 +5,10 @@
 //   POLHODE_TEST_EFFORT    a factor on the number of cases (tests/support/random.hpp)
 //   POLHODE_TEST_SEED      other cases than those of seed 1
 //   POLHODE_TEST_FIRST     each family begins with this case in place of case 0
-//   POLHODE_TEST_TABLE     a file into which the counts are written, as a table of Markdown; they are added to those that are in it.
-//                          (For one process at a time.)
-//   POLHODE_TEST_PROGRESS  a file that has the case under way as its last line, and the slow ones before it
+//   POLHODE_TEST_TABLE     a file into which the counts are written, as a table of Markdown; they
+//                          are added to those that are in it. (For one process at a time.)
+//   POLHODE_TEST_PROGRESS  a file that has the case under way as its last line, and the slow ones
+//   before it
 
 #include <cstdint>
 #include <functional>
@@ -25,8 +26,9 @@ struct counts {
   long wrong = 0;
 };
 
-/// A family's cases at this effort: runs one(seed) for each, until too many are wrong, and writes down the counts. A case's seed is
-/// made from POLHODE_TEST_SEED, the family's name and the case's number.
+/// A family's cases at this effort: runs one(seed) for each, until too many are wrong, and writes
+/// down the counts. A case's seed is made from POLHODE_TEST_SEED, the family's name and the case's
+/// number.
 void run_cases(const std::string& room, const std::string& family, long at_effort_one,
                const std::function<void(std::uint64_t seed, counts& c)>& one);
 

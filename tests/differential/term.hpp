@@ -1,7 +1,7 @@
 #pragma once
 
-// A formula as a tree, so that tests can build one from pieces, put one into another, differentiate it and make it smaller. The
-// library itself only ever gets its text.
+// A formula as a tree, so that tests can build one from pieces, put one into another, differentiate
+// it and make it smaller. The library itself only ever gets its text.
 
 #include <memory>
 #include <string>
@@ -51,7 +51,8 @@ class term {
 [[nodiscard]] term call(const std::string& function, const term& x);
 [[nodiscard]] term call(const std::string& function, const term& x, const term& y);
 
-/// The term of a formula in the grammar of docs/expressions.md, but for factorials. Throws std::invalid_argument for other texts.
+/// The term of a formula in the grammar of docs/expressions.md, but for factorials. Throws
+/// std::invalid_argument for other texts.
 [[nodiscard]] term parsed(const std::string& text);
 
 /// t with the replacement wherever the name is.

@@ -29,7 +29,8 @@ ball from_doubles(double lower, double upper) {
   return ball::from_end_points(at(lower).get(), at(upper).get(), 53);
 }
 
-/// The first number in t that is not 0 or 1: in its place a variable is put, so that nothing of it is worked out in advance.
+/// The first number in t that is not 0 or 1: in its place a variable is put, so that nothing of it
+/// is worked out in advance.
 std::optional<term> first_number(const term& t) {
   if (t.is_leaf()) {
     const bool is_number = t.head().find_first_not_of("0123456789./e-") == std::string::npos &&
@@ -68,7 +69,8 @@ bool is_its_continuation(const term& t) {
   return std::all_of(t.parts().begin(), t.parts().end(), is_its_continuation);
 }
 
-/// With a variable for one of its numbers: in balls, complex balls, regions, double intervals and jets.
+/// With a variable for one of its numbers: in balls, complex balls, regions, double intervals and
+/// jets.
 void add_other_arithmetics(const term& t, precision p, std::vector<known_value>& values) {
   const auto number = first_number(t);
   if (!number) return;

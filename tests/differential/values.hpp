@@ -1,6 +1,7 @@
 #pragma once
 
-// One number by many routes: two formulas that are equal, at several precisions, in several arithmetics.
+// One number by many routes: two formulas that are equal, at several precisions, in several
+// arithmetics.
 
 #include <cstdint>
 #include <functional>
@@ -13,7 +14,8 @@
 
 namespace polhode::differential {
 
-/// Two formulas without variables that have the same value wherever both are defined. They may be the same formula.
+/// Two formulas without variables that have the same value wherever both are defined. They may be
+/// the same formula.
 struct value_case {
   term left = 0;
   term right = 0;
@@ -28,7 +30,8 @@ struct value_family {
 [[nodiscard]] std::vector<value_family> formula_families();
 [[nodiscard]] std::vector<value_family> elliptic_families();
 
-/// Encloses both and holds the enclosures against each other; reports a contradiction as a failure of the running test.
+/// Encloses both and holds the enclosures against each other; reports a contradiction as a failure
+/// of the running test.
 void examine(const value_case& given, std::uint64_t seed, counts& c);
 
 }  // namespace polhode::differential

@@ -1,4 +1,5 @@
-// Random values, family by family: equal formulas, other precisions, other arithmetics, the printed decimals.
+// Random values, family by family: equal formulas, other precisions, other arithmetics, the printed
+// decimals.
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
-# The manual's examples as tests. Every block of a page docs/*.md that opens with ```cpp is compiled as the body of
-# one test, with `using namespace polhode;` before it and its #include lines moved out; what it prints to
-# std::cout must be the block that opens with ```text and follows it, or nothing where none does. So the page is
-# the only copy of an example.
+# The manual's examples as tests. Every block of a page docs/*.md that opens with ```cpp is compiled
+# as the body of one test, with `using namespace polhode;` before it and its #include lines moved
+# out; what it prints to std::cout must be the block that opens with ```text and follows it, or
+# nothing where none does. So the page is the only copy of an example.
 
 # manual_test(PAGE OUTPUT COUNT): writes PAGE's examples to OUTPUT and their number to COUNT.
 function(manual_test page output count)

@@ -1,4 +1,5 @@
-// Carlson's integrals: published values, identities, the integrals that define them, and other libraries.
+// Carlson's integrals: published values, identities, the integrals that define them, and other
+// libraries.
 
 #include "polhode/elliptic/carlson.hpp"
 
@@ -44,7 +45,8 @@ ball rd(const rational& x, const rational& y, const rational& z, precision p) {
 constexpr precision precisions[] = {53, 128, 230, 400, 900, 2200};
 
 TEST(Carlson, HasThePublishedValues) {
-  // B. C. Carlson, Numer. Algorithms 10 (1995), section 3: the real ones, with all digits printed there.
+  // B. C. Carlson, Numer. Algorithms 10 (1995), section 3: the real ones, with all digits printed
+  // there.
   for (const precision p : precisions) {
     EXPECT_TRUE(agrees(carlson_rf(at("1", p), at("2", p), at("0", p)), "1.3110287771461", 14));
     EXPECT_TRUE(agrees(carlson_rf(at("0.5", p), at("1", p), at("0", p)), "1.8540746773014", 14));
@@ -64,8 +66,8 @@ TEST(Carlson, HasThePublishedValues) {
   }
 }
 
-/// (1/2) int_0^oo dt/(sqrt((t+x)(t+y)(t+z)) (t+r)), or without the last factor, by quadrature: on t = v^2 for
-/// v <= 1, on t = 1/v^2 beyond.
+/// (1/2) int_0^oo dt/(sqrt((t+x)(t+y)(t+z)) (t+r)), or without the last factor, by quadrature: on t
+/// = v^2 for v <= 1, on t = 1/v^2 beyond.
 ball by_quadrature(const rational& x, const rational& y, const rational& z, const rational* r) {
   const auto inner = [&](const auto& v) {
     const auto t = v * v;
@@ -204,7 +206,8 @@ TEST(Carlson, ReachesFarArguments) {
     EXPECT_TRUE(meet(root_huge * rf(huge, 2 * huge, 3 * huge, p), rf(1, 2, 3, p)));
     EXPECT_TRUE(
         meet(rj(tiny, 2 * tiny, 3 * tiny, 4 * tiny, p), huge * root_huge * rj(1, 2, 3, 4, p)));
-    // For p -> oo R_J = 3 R_F/p - 3 pi/(2 p^(3/2)) (1 + o(1)) (DLMF 19.27.11): here to 500 digits 3 R_F/p.
+    // For p -> oo R_J = 3 R_F/p - 3 pi/(2 p^(3/2)) (1 + o(1)) (DLMF 19.27.11): here to 500 digits 3
+    // R_F/p.
     EXPECT_TRUE(meet(rj(1, 2, 3, huge, p), 3 * rf(1, 2, 3, p) / ball(huge, p)));
     // Between those of equal arguments, by monotonicity.
     EXPECT_TRUE(meet(hull(rj(1, 1, 1, tiny, p), rj(3, 3, 3, tiny, p)), rj(1, 2, 3, tiny, p)));
@@ -212,9 +215,10 @@ TEST(Carlson, ReachesFarArguments) {
 }
 
 TEST(Carlson, OfAThirdKindFarAboveTheRest) {
-  // p R_J/3 = R_F - (1/2) int_0^oo t/((t+p) s(t)) dt, s^2 = (t+x)(t+y)(t+z). With t^(-1/2) above t/s above
-  // t (t+c)^(-3/2), c the greatest of x, y, z, and t+p >= p in the difference of the first and the last, which is
-  // 4 sqrt c on the whole, the integral lies between pi/(2 sqrt p) - 2 sqrt(c)/p and pi/(2 sqrt p).
+  // p R_J/3 = R_F - (1/2) int_0^oo t/((t+p) s(t)) dt, s^2 = (t+x)(t+y)(t+z). With t^(-1/2) above
+  // t/s above t (t+c)^(-3/2), c the greatest of x, y, z, and t+p >= p in the difference of the
+  // first and the last, which is 4 sqrt c on the whole, the integral lies between pi/(2 sqrt p) - 2
+  // sqrt(c)/p and pi/(2 sqrt p).
   for (const precision p : precisions) {
     for (const long exponent : {30L, 200L, 1000L, 60'000L, 1'000'000L}) {
       const ball far = scale(ball(3, p), exponent);
@@ -239,7 +243,8 @@ TEST(Carlson, OfAThirdKindFarAboveTheRest) {
   const ball tiny = scale(ball(1, 300), -400'000);
   const ball huge = scale(ball(1, 300), 400'000);
   const ball value = carlson_rf(tiny, ball(1, 300), huge);
-  // R_F(x, y, z) sqrt z is log(16 z/(sqrt x + sqrt y)^2)/2 but for a part of the order of y/z (DLMF 19.27.1).
+  // R_F(x, y, z) sqrt z is log(16 z/(sqrt x + sqrt y)^2)/2 but for a part of the order of y/z (DLMF
+  // 19.27.1).
   const ball leading = log(16 * huge / square(1 + sqrt(tiny))) / 2;
   EXPECT_TRUE(as_narrow_as(value, 290));
   EXPECT_TRUE(meet(value * sqrt(huge), leading.enlarged(magnitude::power_of_two(-1000))));
@@ -275,7 +280,8 @@ TEST(Carlson, HoldsEveryMemberOfABox) {
   EXPECT_TRUE(carlson_rf(hull(ball(0, 60), ball(1, 60)), ball(1, 60), ball(2, 60)).is_bounded());
 }
 
-// All arguments times 1 +- r: the widest sets for which one value serves, with 12 bits, where r^2 is seen beside the rounding.
+// All arguments times 1 +- r: the widest sets for which one value serves, with 12 bits, where r^2
+// is seen beside the rounding.
 TEST(Carlson, HoldsBothEndsOfAWidelyScaledBox) {
   for (const precision p : {12L, 13L, 60L}) {
     // 2^(10 - p) is allowed at most, and 1/4.

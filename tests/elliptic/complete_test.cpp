@@ -1,4 +1,5 @@
-// Complete elliptic integrals: values from elsewhere, identities, and the integrals that define them.
+// Complete elliptic integrals: values from elsewhere, identities, and the integrals that define
+// them.
 
 #include <gtest/gtest.h>
 
@@ -137,8 +138,9 @@ TEST(CompleteLegendre, HasItsDerivatives) {
   }
 }
 
-/// 2 cos^2, 2 sin^2 or 2 times Delta^-1, or 2 Delta, at t = 2 theta: their integrals over (0, pi) in t are
-/// four times the complete ones' half: integral over (0, pi/2) of f(theta) = (1/2) that of f(t/2) over (0, pi).
+/// 2 cos^2, 2 sin^2 or 2 times Delta^-1, or 2 Delta, at t = 2 theta: their integrals over (0, pi)
+/// in t are four times the complete ones' half: integral over (0, pi/2) of f(theta) = (1/2) that of
+/// f(t/2) over (0, pi).
 class defining_integrand {
  public:
   enum class which { k, e, d, b };
@@ -196,7 +198,8 @@ TEST(CompleteLegendre, IsItsDefinition) {
 }
 
 TEST(CompleteLegendre, AgreesWithBoostInDouble) {
-  // m1 = j/64 is exact in double. Boost's R_F and R_D are right to a few units in the last place: 64 here.
+  // m1 = j/64 is exact in double. Boost's R_F and R_D are right to a few units in the last place:
+  // 64 here.
   for (long j = 1; j <= 64; ++j) {
     const double m1 = static_cast<double>(j) / 64;
     const complete_integrals c = complete(rational(64 - j, 64), 80);
@@ -306,8 +309,8 @@ TEST(AgmWithSum, AtItsEdges) {
 }
 
 TEST(AgmWithSum, AccountsForTheStepsThatItLeavesOut) {
-  // 1 and 1 - 2^-34 are done after one step, all of it exact in 64 bits: the mean's error and the sum's tail
-  // are all that holds the true values.
+  // 1 and 1 - 2^-34 are done after one step, all of it exact in 64 bits: the mean's error and the
+  // sum's tail are all that holds the true values.
   const rational near_one = 1 - support::power_of_two(-34);
   const agm_sums sums = agm_with_sum(ball(1, 64), ball(near_one, 64));
   EXPECT_EQ(sums.steps, 1);
@@ -404,7 +407,8 @@ TEST(CompleteRd, OfBallsWhoseOrderIsOpen) {
 }
 
 TEST(CompleteRd, HoldsBothOrdersOfBallsWhoseOrderIsOpen) {
-  // Nearly all members have y > z, where the formula for y <= z alone would be wrong; and the other way round.
+  // Nearly all members have y > z, where the formula for y <= z alone would be wrong; and the other
+  // way round.
   const ball one = hull(ball(1, 64), ball(rational(10'001, 10'000), 64));
   const ball more = hull(ball(1, 64), ball(rational(3, 2), 64));
   const ball ratio = hull(ball(0, 64), ball(rational(1, 3), 64));

@@ -1,5 +1,5 @@
-// The elliptic functions of complex arguments: published values, the real functions, identities between them, containment over
-// sets, what bounds over regions hold, and refusals.
+// The elliptic functions of complex arguments: published values, the real functions, identities
+// between them, containment over sets, what bounds over regions hold, and refusals.
 
 #include "polhode/elliptic/complex.hpp"
 
@@ -39,7 +39,8 @@ bool has_bits(const complex_ball& z, long bits) {
 }
 
 TEST(ComplexElliptic, HasThePublishedValues) {
-  // B. C. Carlson, Numer. Algorithms 10 (1995), section 3: the complex ones, with all digits printed there.
+  // B. C. Carlson, Numer. Algorithms 10 (1995), section 3: the complex ones, with all digits
+  // printed there.
   for (const precision p : precisions) {
     const complex_ball zero = at(0, 0, p);
     const complex_ball one = at(1, 0, p);
@@ -275,8 +276,8 @@ TEST(ComplexElliptic, HoldsEveryMemberOfARegion) {
   EXPECT_GT(available, 130);
 }
 
-// Over regions the series end at some 30 bits: at numbers, which doubles hold exactly, what they leave out is far greater than the
-// rounding errors.
+// Over regions the series end at some 30 bits: at numbers, which doubles hold exactly, what they
+// leave out is far greater than the rounding errors.
 TEST(ComplexElliptic, OverPointsTheSeriesHoldWhatTheyLeaveOut) {
   sampler s;
   int available = 0;
@@ -322,8 +323,8 @@ TEST(ComplexElliptic, OverPointsTheSeriesHoldWhatTheyLeaveOut) {
   EXPECT_GT(available, 400);
 }
 
-// The first or the last argument decides how many bits are wanted: where it has few and the others many, what the series leave out is far
-// greater than the rounding errors.
+// The first or the last argument decides how many bits are wanted: where it has few and the others
+// many, what the series leave out is far greater than the rounding errors.
 TEST(ComplexElliptic, OfFewBitsTheSeriesHoldWhatTheyLeaveOut) {
   sampler s;
   constexpr precision many = 300;

@@ -1,4 +1,5 @@
-// Legendre's integrals: values from elsewhere, the integrals that define them, identities and limits.
+// Legendre's integrals: values from elsewhere, the integrals that define them, identities and
+// limits.
 
 #include "polhode/elliptic/legendre.hpp"
 
@@ -178,7 +179,8 @@ TEST(Legendre, LosesNothingAtTheEnds) {
                        std::min(56L, p * 3 / 10 - 1)));
     EXPECT_TRUE(as_narrow_as(elliptic_e(near_one), p - 4));
     EXPECT_TRUE(as_narrow_as(elliptic_pi(ball(-2, p), near_one), p - 4));
-    // phi near pi/2: F(pi/2 - h | m) = K - F(psi | m), tan psi = tan h / sqrt m1 (DLMF 19.11.8 with K).
+    // phi near pi/2: F(pi/2 - h | m) = K - F(psi | m), tan psi = tan h / sqrt m1 (DLMF 19.11.8 with
+    // K).
     const ball h(power_of_ten(-20), p + 80);
     const parameter m(ball(rational(3, 4), p + 80));
     const ball near_quarter = pi(p + 80) / 2 - h;

@@ -1,5 +1,5 @@
-// The truncation bounds of src/elliptic/carlson_core.hpp, where they are nearly attained: a short series, or few steps, in
-// numbers of many bits, so that no rounding error hides what is left out.
+// The truncation bounds of src/elliptic/carlson_core.hpp, where they are nearly attained: a short
+// series, or few steps, in numbers of many bits, so that no rounding error hides what is left out.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,8 @@ TEST(Truncation, IsBoundedInBothMethods) {
   }
 }
 
-// Where all waves of the value, or of the derivative, are at their crests the terms left out add up: to little more than the first of them.
+// Where all waves of the value, or of the derivative, are at their crests the terms left out add
+// up: to little more than the first of them.
 TEST(Truncation, IsBoundedInBothSeriesOfThetaFunctions) {
   constexpr precision many = 500;
   const auto check = [](const theta_values& few, const theta_values& exact, int j,

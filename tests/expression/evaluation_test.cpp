@@ -1,5 +1,5 @@
-// Formulas over every arithmetic: each function against the direct call, the arithmetics against each
-// other, derivatives against formulas, and refusals where a type lacks a function.
+// Formulas over every arithmetic: each function against the direct call, the arithmetics against
+// each other, derivatives against formulas, and refusals where a type lacks a function.
 
 #include "polhode/expression/expression.hpp"
 
@@ -494,7 +494,8 @@ TEST(Evaluation, ADifferenceOfErfAndOneKeepsItsDigits) {
 // ---------------------------------------------------------------------------------------------
 // Off the real line
 
-/// erf by its power series, for |z| <= 2: the terms after the 100th are below 2^201/100! each, and fall.
+/// erf by its power series, for |z| <= 2: the terms after the 100th are below 2^201/100! each, and
+/// fall.
 complex_ball erf_by_series(const complex_ball& z) {
   complex_ball sum(0, z.precision());
   complex_ball power = z;

@@ -1,4 +1,5 @@
-// Functions that are added to a formula's own: in every arithmetic, in text, and refused where they must be.
+// Functions that are added to a formula's own: in every arithmetic, in text, and refused where they
+// must be.
 
 #include <cmath>
 

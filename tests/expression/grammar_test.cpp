@@ -1,4 +1,5 @@
-// Formulas as texts: what they mean, decided in exact rationals, what is refused and where, and the graph.
+// Formulas as texts: what they mean, decided in exact rationals, what is refused and where, and the
+// graph.
 
 #include <functional>
 #include <string>

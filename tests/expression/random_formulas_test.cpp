@@ -1,4 +1,5 @@
-// Random formulas: what is folded exactly against the same formula in which nothing can be folded, and values at two precisions.
+// Random formulas: what is folded exactly against the same formula in which nothing can be folded,
+// and values at two precisions.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@
 namespace polhode {
 namespace random_formulas_test {
 
-/// One formula twice: with its numbers, and with n pi/pi in the place of each number n, so that it is evaluated in balls.
+/// One formula twice: with its numbers, and with n pi/pi in the place of each number n, so that it
+/// is evaluated in balls.
 struct formula {
   std::string plain;
   std::string veiled;
@@ -133,7 +135,8 @@ TEST(RandomFormulas, ThatAreExactHaveTheValueThatBallsEnclose) {
   EXPECT_GT(bounded, 200 * std::min(1.0, support::effort()));
 }
 
-/// The formula with a ball around 1 as a factor of each number, through symbols: it holds the value for 1.
+/// The formula with a ball around 1 as a factor of each number, through symbols: it holds the value
+/// for 1.
 TEST(RandomFormulas, WithNumbersInBallsHoldThoseOfTheNumbers) {
   support::random_source random(32);
   long bounded = 0;

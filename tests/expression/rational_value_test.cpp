@@ -1,5 +1,5 @@
-// Values that exact rules show to be rational: known ones, what is left open, random formulas against enclosures, and
-// formulas of great size.
+// Values that exact rules show to be rational: known ones, what is left open, random formulas
+// against enclosures, and formulas of great size.
 
 #include <gtest/gtest.h>
 
@@ -129,24 +129,24 @@ TEST(RationalValue, KnownIdentities) {
 }
 
 TEST(RationalValue, WhatIsNotShownIsLeftOpen) {
-  for (
-      const char* formula :
-      {"pi", "sqrt(2)", "log(2)", "e", "euler_gamma", "sin(1)", "pi + 1e-400", "cos(pi/7)",
-       "log(2)*log(3)", "sqrt(2) + sqrt(3)", "sqrt(2+sqrt(2))", "exp(pi)",
-       // not equal to the integer by less than an enclosure of a double shows
-       "exp(pi*sqrt(163))", "sqrt(1e200+1) - 1e100",
-       // the first one at which precision, not a rule, decides
-       "floor(1e200*pi)", "sin(1)^2 + cos(2)^2", "sin(1)^2 + cos(1 + 1e-100)^2",
-       "cos(sqrt(2))*cos(sqrt(3))", "cbrt(2 + sqrt(5)) - cbrt(2 - sqrt(5))", "cbrt(3) - sqrt(2)",
-       // 3 (sqrt(10^160 + 1) - 10^80), which the enclosures do not tell from 0. With p the product of the cube roots, which is 1, it is a
-       // root of a polynomial that is 0 at 0 too: of t (t^2 + 6*10^80 t - 9), as the rules do not see that p is not e^(2 pi i/3).
-       "(sqrt(10^160+1) - 10^80)*((cbrt(2+sqrt(5))*cbrt(sqrt(5)-2))^2 + "
-       "cbrt(2+sqrt(5))*cbrt(sqrt(5)-2) + 1)",
-       // as small, and not 0 by the polynomial's value at 0
-       "sqrt(10^160+1) - 10^80 + sqrt(2) - sqrt(2)",
-       // nearer to a known angle than the enclosures tell
-       "asin(1/2 + 1e-200)*6/pi", "acos(1/2 + 1e-200)*3/pi", "atan(1 + 1e-200)*4/pi",
-       "atan(sqrt(3) + 1e-200)*3/pi"}) {
+  for (const char* formula :
+       {"pi", "sqrt(2)", "log(2)", "e", "euler_gamma", "sin(1)", "pi + 1e-400", "cos(pi/7)",
+        "log(2)*log(3)", "sqrt(2) + sqrt(3)", "sqrt(2+sqrt(2))", "exp(pi)",
+        // not equal to the integer by less than an enclosure of a double shows
+        "exp(pi*sqrt(163))", "sqrt(1e200+1) - 1e100",
+        // the first one at which precision, not a rule, decides
+        "floor(1e200*pi)", "sin(1)^2 + cos(2)^2", "sin(1)^2 + cos(1 + 1e-100)^2",
+        "cos(sqrt(2))*cos(sqrt(3))", "cbrt(2 + sqrt(5)) - cbrt(2 - sqrt(5))", "cbrt(3) - sqrt(2)",
+        // 3 (sqrt(10^160 + 1) - 10^80), which the enclosures do not tell from 0. With p the product
+        // of the cube roots, which is 1, it is a root of a polynomial that is 0 at 0 too: of t (t^2
+        // + 6*10^80 t - 9), as the rules do not see that p is not e^(2 pi i/3).
+        "(sqrt(10^160+1) - 10^80)*((cbrt(2+sqrt(5))*cbrt(sqrt(5)-2))^2 + "
+        "cbrt(2+sqrt(5))*cbrt(sqrt(5)-2) + 1)",
+        // as small, and not 0 by the polynomial's value at 0
+        "sqrt(10^160+1) - 10^80 + sqrt(2) - sqrt(2)",
+        // nearer to a known angle than the enclosures tell
+        "asin(1/2 + 1e-200)*6/pi", "acos(1/2 + 1e-200)*3/pi", "atan(1 + 1e-200)*4/pi",
+        "atan(sqrt(3) + 1e-200)*3/pi"}) {
     EXPECT_FALSE(expression(formula).rational_value()) << formula;
   }
 }
@@ -238,7 +238,8 @@ TEST(RationalValue, LiesInTheEnclosure) {
     ++decided;
     if (!f->exact_value()) ++beyond_the_reader;
     const ball around = f->value(bits);
-    // An enclosure may be undefined where an operand lies on the boundary of a domain: acos(sin(pi/2)).
+    // An enclosure may be undefined where an operand lies on the boundary of a domain:
+    // acos(sin(pi/2)).
     if (!around.is_bounded()) continue;
     ++compared;
     EXPECT_TRUE(contains(around, *q)) << to_text(*q) << " and " << around;
@@ -249,8 +250,8 @@ TEST(RationalValue, LiesInTheEnclosure) {
   EXPECT_GT(beyond_the_reader, 300 * share);
 }
 
-/// A random polynomial in cosines and sines of angles n/6 + m sqrt(2) + k pi/5: of the same with every angle's parts apart, by the sums of
-/// angles, it is not different.
+/// A random polynomial in cosines and sines of angles n/6 + m sqrt(2) + k pi/5: of the same with
+/// every angle's parts apart, by the sums of angles, it is not different.
 TEST(RationalValue, DecidesTrigonometricIdentities) {
   support::random_source random(1770);
   const auto text = [&](long least, long most) {
@@ -290,10 +291,10 @@ TEST(RationalValue, DecidesCubicRoots) {
   }
 }
 
-/// x - y for two forms of the same number: random elements of Q(sqrt 2, sqrt 3, sqrt 5), squared and rooted, divided and
-/// multiplied, must come back.
-/// The sum of the primitive n-th roots of unity is Moebius' mu(n); a cosine by itself is rational for denominators to 3 alone
-/// (I. Niven, Irrational Numbers, 1956, cor. 3.12).
+/// x - y for two forms of the same number: random elements of Q(sqrt 2, sqrt 3, sqrt 5), squared
+/// and rooted, divided and multiplied, must come back. The sum of the primitive n-th roots of unity
+/// is Moebius' mu(n); a cosine by itself is rational for denominators to 3 alone (I. Niven,
+/// Irrational Numbers, 1956, cor. 3.12).
 TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
   for (long n = 4; n <= 60; ++n) {
     long mu = 1;
@@ -308,7 +309,8 @@ TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
       if (std::gcd(k, n) == 1)
         sum += "+cospi(" + std::to_string(2 * k) + "/" + std::to_string(n) + ")";
     }
-    // Where n is a power of 2 times 1, 3 or 5 the cosines are nested square roots, of which not everything is known.
+    // Where n is a power of 2 times 1, 3 or 5 the cosines are nested square roots, of which not
+    // everything is known.
     long odd = n;
     while (odd % 2 == 0) odd /= 2;
     const auto found = expression(sum).rational_value();
@@ -321,7 +323,8 @@ TEST(RationalValue, DecidesCosinesByRootsOfUnity) {
   }
 }
 
-// The product of cos(pi k/n) over 0 < k < n/2, n odd, is 2^-((n-1)/2); at 25 and 45 no other rule shows it, and a prime divides n twice.
+// The product of cos(pi k/n) over 0 < k < n/2, n odd, is 2^-((n-1)/2); at 25 and 45 no other rule
+// shows it, and a prime divides n twice.
 TEST(RationalValue, DecidesProductsOfCosinesByRootsOfUnity) {
   for (const long n : {7L, 9L, 15L, 25L, 45L}) {
     std::string product = "1";
@@ -349,7 +352,8 @@ TEST(RationalValue, UndoesWhatWasDoneInSquareRoots) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Great sizes: the answer may be anything true, but it comes at once (the limit of the test is what would show else).
+// Great sizes: the answer may be anything true, but it comes at once (the limit of the test is what
+// would show else).
 
 TEST(RationalValue, GivesUpOnGreatFormulas) {
   const auto many = [](int n, auto&& part) {

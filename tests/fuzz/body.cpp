@@ -1,4 +1,5 @@
-// libFuzzer's target for the reader of bodies in JSON: whatever the bytes, it reads a body or says what is wrong.
+// libFuzzer's target for the reader of bodies in JSON: whatever the bytes, it reads a body or says
+// what is wrong.
 
 #include <cstddef>
 #include <cstdint>

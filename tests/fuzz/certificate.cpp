@@ -1,4 +1,5 @@
-// libFuzzer's target for the reader of certificates and the checker: whatever the bytes, it answers.
+// libFuzzer's target for the reader of certificates and the checker: whatever the bytes, it
+// answers.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const polhode::fuzz::processor_time_limit limit;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  // A small budget: with sanitizers it takes a few seconds of processor time, so that what is not charged is found.
+  // A small budget: with sanitizers it takes a few seconds of processor time, so that what is not
+  // charged is found.
   polhode::checker::limits most;
   most.work = 300'000'000;
   most.memory = 256L << 20U;

@@ -1,4 +1,5 @@
-// libFuzzer's target for the parser of formulas: whatever the bytes, it reads a formula in x or says what is wrong.
+// libFuzzer's target for the parser of formulas: whatever the bytes, it reads a formula in x or
+// says what is wrong.
 
 #include <cstddef>
 #include <cstdint>

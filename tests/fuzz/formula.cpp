@@ -1,5 +1,5 @@
-// libFuzzer's target for the checker's formulas: whatever the bytes, it reads a formula in x, or says what is wrong; and evaluates it over
-// sets, or leaves it undecided.
+// libFuzzer's target for the checker's formulas: whatever the bytes, it reads a formula in x, or
+// says what is wrong; and evaluates it over sets, or leaves it undecided.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #pragma once
 
-// Processor time of one input: more than POLHODE_FUZZ_SECONDS (10) of it is a finding, however long the machine took for it.
+// Processor time of one input: more than POLHODE_FUZZ_SECONDS (10) of it is a finding, however long
+// the machine took for it.
 
 #include <sys/time.h>
 #include <unistd.h>

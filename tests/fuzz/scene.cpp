@@ -1,5 +1,5 @@
-// libFuzzer's target for the reader of scenes: whatever the bytes, it reads a scene or says what is wrong. No file that a scene
-// names is there.
+// libFuzzer's target for the reader of scenes: whatever the bytes, it reads a scene or says what is
+// wrong. No file that a scene names is there.
 
 #include <cstddef>
 #include <cstdint>

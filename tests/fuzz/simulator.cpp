@@ -1,5 +1,5 @@
-// libFuzzer's target for the reader of URDF, SDF and MuJoCo files: whatever the bytes, it reads an inertia and the body with it, or says
-// what is wrong.
+// libFuzzer's target for the reader of URDF, SDF and MuJoCo files: whatever the bytes, it reads an
+// inertia and the body with it, or says what is wrong.
 
 #include <cstddef>
 #include <cstdint>

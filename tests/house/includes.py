@@ -34,7 +34,8 @@ FLOORS = [
     ["polhode.hpp", "cli"],  # polhode.hpp includes what a program needs most
 ]
 
-# Their headers beside their sources are meant for other rooms: none of these rooms is installed on its own.
+# Their headers beside their sources are meant for other rooms: none of these rooms is installed on
+# its own.
 OPEN = {"base", "statements", "proofs", "cost"}
 
 # What stands apart from the floors: the room, and the files and folders of others that it may

@@ -1,4 +1,5 @@
-// The claims for given bodies, and what they are made of, against routes that share nothing with them.
+// The claims for given bodies, and what they are made of, against routes that share nothing with
+// them.
 
 #include <gtest/gtest.h>
 
@@ -143,7 +144,8 @@ TEST(BodyClaims, DecideOnTheBoundary) {
   const rational little = parse_rational("1e-30");
   EXPECT_TRUE(mentions(prove("injectivity", body(1 - little, rational(1, 3))), "is injective"));
   EXPECT_TRUE(mentions(prove("injectivity", body(1 + little, rational(1, 3))), "not injective"));
-  // I = 2, and J = 2: (a+1)^2 = 9 a (a+b) at a = 1/5, b = 3/5; J = 1: (a+1)^2 = 4 a (a+b) at a = 1/2, b = 5/8.
+  // I = 2, and J = 2: (a+1)^2 = 9 a (a+b) at a = 1/5, b = 3/5; J = 1: (a+1)^2 = 4 a (a+b) at a =
+  // 1/2, b = 5/8.
   EXPECT_TRUE(mentions(prove("intersection", with_ab("77/40", "1/10")), "I >= 2"));
   EXPECT_TRUE(
       mentions(prove("perfect_twist", with_ab("1/5", "3/5")), "so there is no perfect twist"));
@@ -215,7 +217,8 @@ TEST(Brackets, HoldTheRootAndNothingElsePasses) {
   EXPECT_FALSE(bracket_rotating_phase_root(with_ab("0.001", "0.5"), 2));
 }
 
-/// psi_c(pi) by the classical Runge-Kutta method on the paper's eqs. (18) and (19), in hardware arithmetic.
+/// psi_c(pi) by the classical Runge-Kutta method on the paper's eqs. (18) and (19), in hardware
+/// arithmetic.
 double integrated_defect(double a, double b, double c) {
   constexpr int steps = 40'000;
   const double pi_double = std::acos(-1.0);
@@ -250,7 +253,8 @@ TEST(TwistDefect, IsTheSolutionOfTheReducedSystem) {
     const char* b;
     const char* c;
   };
-  // Before and after each intersection of the curves, on either side of pi/2, on the separatrix, rotating, over and over.
+  // Before and after each intersection of the curves, on either side of pi/2, on the separatrix,
+  // rotating, over and over.
   for (const row& r : {row{"12.65", "0.0629", "-0.06"},  row{"12.65", "0.0629", "-0.01"},
                        row{"12.65", "0.0629", "-0.001"}, row{"12.65", "0.0629", "0"},
                        row{"12.65", "0.0629", "0.01"},   row{"12.65", "0.0629", "3"},

@@ -66,8 +66,9 @@ TEST(Claims, AreCertifiedAtEveryLength) {
   }
 }
 
-/// A claim is decided by machine exactly where nothing in it is argued in words; and those that are argued are known.
-/// The second column of statements.tsv, of which scripts/check-coq asks Coq for each theorem.
+/// A claim is decided by machine exactly where nothing in it is argued in words; and those that are
+/// argued are known. The second column of statements.tsv, of which scripts/check-coq asks Coq for
+/// each theorem.
 std::set<std::string> theorems_in_coq() {
   std::ifstream file(POLHODE_PROOFS_DIR "/coq/paper/statements.tsv");
   std::set<std::string> result;

@@ -96,8 +96,8 @@ TEST(Constants, ShrinkWithThePrecision) {
 }
 
 TEST(Constants, AreGivenWithTheDigitsAskedForOrNotAtAll) {
-  // A "constant" of which no precision shows a digit to cut off, an enclosure that holds 1 inside: it is about 1. One that is
-  // too wide for that, and one that is undefined.
+  // A "constant" of which no precision shows a digit to cut off, an enclosure that holds 1 inside:
+  // it is about 1. One that is too wide for that, and one that is undefined.
   const constant nines{
       "nines", "", [](precision p) { return ball(1, p).enlarged(magnitude::power_of_two(-p)); }, 1};
   const decimal_enclosure about_one = to_decimal_enclosure(enclose_to_digits(nines, 5), 5);
@@ -145,7 +145,8 @@ class inverse_root {
 };
 
 TEST(Beta, IsTheRootByQuadratureOfKToAThousandDigits) {
-  // integral over (0, pi) of (x + cos^2(t/2))^(-1/2) dt = 2 K(1/(1+x))/sqrt(1+x) falls in x, and is 2 pi at beta.
+  // integral over (0, pi) of (x + cos^2(t/2))^(-1/2) dt = 2 K(1/(1+x))/sqrt(1+x) falls in x, and is
+  // 2 pi at beta.
   const rational below = parse_rational(digits_of("beta", 1000));
   const rational above = below + support::power_of_ten(-1001);
   const long bits = bits_for_digits(1000) + 24;

@@ -35,7 +35,8 @@ TEST(DerivativeIdentity, FailsForAnyOtherNumerator) {
 }
 
 TEST(DerivativeIdentity, FailsWhereOnlyOnePointDiffers) {
-  // The whole grid is looked at: a numerator that is wrong at any single value of a, b or X is seen.
+  // The whole grid is looked at: a numerator that is wrong at any single value of a, b or X is
+  // seen.
   using q = rational;
   for (const long k : {1L, 2L, 3L, 4L}) {
     const auto except = [&](const auto& at) {

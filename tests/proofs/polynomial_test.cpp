@@ -1,4 +1,5 @@
-// Identities and signs of polynomials: what holds, what does not, and that every step of every claim can fail.
+// Identities and signs of polynomials: what holds, what does not, and that every step of every
+// claim can fail.
 
 #include <gtest/gtest.h>
 

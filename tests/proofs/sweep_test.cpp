@@ -1,4 +1,5 @@
-// The sweep over all bodies and motions: its boxes, its bound, its limit, and the integral behind it.
+// The sweep over all bodies and motions: its boxes, its bound, its limit, and the integral behind
+// it.
 
 #include <gtest/gtest.h>
 

@@ -163,7 +163,8 @@ std::vector<known_integral> nested() {
           "||x^2-3|-1|", antiderivative, [](const auto& x) { return abs(abs(x * x - 3) - 1); }, 0,
           3,
           [](precision p) {
-            // x^2 - 2 up to sqrt 2 with a minus, then 2 - |..| pieces: G = x^3/3 - 2x, H = x^3/3 - 4x.
+            // x^2 - 2 up to sqrt 2 with a minus, then 2 - |..| pieces: G = x^3/3 - 2x, H = x^3/3 -
+            // 4x.
             const ball s = root_of(2, p);
             const ball t = root_of(3, p);
             const auto g = [](const ball& x) { return pow(x, 3) / 3 - 2 * x; };

@@ -506,7 +506,8 @@ TEST(Integrate, OverNothingIsZero) {
 
 TEST(Integrate, TakesLimitsThatAreBalls) {
   const auto f = [](const auto& x) { return exp(x); };
-  // A range of limits: the integral for each of them is inside, and the width is that of the limits.
+  // A range of limits: the integral for each of them is inside, and the width is that of the
+  // limits.
   const ball a = hull(ball(rational(-1, 1'000'000), 64), ball(rational(1, 1'000'000), 64));
   const integral wide = integrate(f, end_point(a), 1, {.digits = 15});
   EXPECT_EQ(wide.verdict, status::not_certified);
@@ -699,7 +700,8 @@ TEST(Integrate, RefusesWhatItCannotProve) {
       decay);
 }
 
-// With L = log x, x^m = e^(m L), and the integral of x^m L^k from 0 to 1 is (-1)^k k!/(m + 1)^(k+1).
+// With L = log x, x^m = e^(m L), and the integral of x^m L^k from 0 to 1 is (-1)^k k!/(m +
+// 1)^(k+1).
 TEST(Integrate, OfPowersWithAVariableExponent) {
   const auto is = [](const char* name, const integral& i, long shift) {
     ball sum(0, 400);

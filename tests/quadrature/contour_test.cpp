@@ -34,8 +34,8 @@ known_contour_integral known(std::string name, F f, path along,
           std::move(value)};
 }
 
-/// The enclosure holds the value, which is given so narrowly that it must lie inside as a whole; where a part of the
-/// enclosure is one number: meets it.
+/// The enclosure holds the value, which is given so narrowly that it must lie inside as a whole;
+/// where a part of the enclosure is one number: meets it.
 ::testing::AssertionResult holds(const contour_integral& i, const complex_ball& value) {
   const auto part_holds = [](const ball& whole, const ball& part) {
     return whole.is_exact() ? overlaps(whole, part) : contains(whole, part);
@@ -193,7 +193,8 @@ TEST(Contour, ResiduesToAThousandDigits) {
 }
 
 TEST(Contour, TwoPathsWithNothingBetweenThemAgree) {
-  // The square's boundary and the circle around it, about the poles of 1/(z^4 + 1/16); and straight against round.
+  // The square's boundary and the circle around it, about the poles of 1/(z^4 + 1/16); and straight
+  // against round.
   const auto f = [](const auto& z) { return exp(z) / (pow(z, 4) + rational(1, 16)); };
   const integrate_options options{.digits = 40};
   const path square = path::polygon({path_point(1, -1), path_point(1, 1), path_point(-1, 1),
@@ -300,7 +301,8 @@ TEST(Contour, PolesOnThePathAreRefused) {
       "the pole of tan"));
 }
 
-// |z| and what else is not analytic do not compile, and what a region may be given, an analytic ball may.
+// |z| and what else is not analytic do not compile, and what a region may be given, an analytic
+// ball may.
 template <class T>
 concept has_modulus = requires(const T& z) {
   abs(z);
@@ -340,7 +342,8 @@ TEST(Contour, PathsMayEndOnACutOrAtABranchPoint) {
 }
 
 TEST(Contour, APoleNearThePathIsSeen) {
-  // 1/(z - w), w = 10^-20 i above the path from -1 to 1: log((1 - w)/(-1 - w)), which turns by almost -pi.
+  // 1/(z - w), w = 10^-20 i above the path from -1 to 1: log((1 - w)/(-1 - w)), which turns by
+  // almost -pi.
   for (const long sign : {-1L, 1L}) {
     const rational gap = sign * power_of_ten(-20);
     const auto f = [=](const auto& z) { return 1 / (z - times_i(0 * z + gap)); };

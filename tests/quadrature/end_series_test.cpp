@@ -197,7 +197,8 @@ TEST(EndSeries, IsBlockedWhereTheFormIsAnother) {
     EXPECT_TRUE(h.is_blocked());
     EXPECT_TRUE(h.supremum(0).is_infinite());
   }
-  // The exponent 1 + t^4 of t is 1 as far as is known after eight divisions by t, and no slope is known.
+  // The exponent 1 + t^4 of t is 1 as far as is known after eight divisions by t, and no slope is
+  // known.
   const end_series y = end_series::argument(known_number(), known_number(rational(1)), 4, 0x1p-4);
   const end_series exponent = (1 / square(y)) / (1 / (square(y) + square(y) * y));
   EXPECT_FALSE(exponent.is_blocked());
@@ -213,8 +214,8 @@ TEST(EndSeries, KeepsTheSizeOfConstantsBeyondDoubles) {
   EXPECT_TRUE((x * huge).supremum(0) <= ball(huge, 64).magnitude_upper());
 }
 
-// The ring that holds the values of e^(c t) over the square leaves out 0, and a mean of them does not: t/(e^(c t) - 1)
-// has poles at 2 pi i k/c.
+// The ring that holds the values of e^(c t) over the square leaves out 0, and a mean of them does
+// not: t/(e^(c t) - 1) has poles at 2 pi i k/c.
 TEST(EndSeries, OfAQuotientKnowsThePolesInItsSquare) {
   const auto planck = [](const end_series& t, long c) { return t / (exp(t * c) - 1); };
   const auto argument = [](double r) {

@@ -30,8 +30,9 @@ bound_and_error for_poisson(const rational& q, const ball& half_width, long n) {
 }
 
 TEST(PeriodicTrapezoidError, IsAttainedByACosineOfTheRulesOwnFrequency) {
-  // f = cos(N t) at the nodes (2k+1) pi/N is -1: the rule says -2 pi, the integral is 0. With M = cosh(N H) the
-  // bound is 2 pi (1 + e^(-2NH))/(1 - e^(-NH)): just above 2 pi for N H = 80. No factor can be missing.
+  // f = cos(N t) at the nodes (2k+1) pi/N is -1: the rule says -2 pi, the integral is 0. With M =
+  // cosh(N H) the bound is 2 pi (1 + e^(-2NH))/(1 - e^(-NH)): just above 2 pi for N H = 80. No
+  // factor can be missing.
   for (const long nodes : {2L, 3L, 10L, 64L, 1001L}) {
     const ball half_width(rational(80, nodes), p);
     const ball error = periodic_trapezoid_error({half_width, cosh(half_width * nodes)}, nodes);

@@ -147,8 +147,9 @@ TEST(IntegralsOfZero, AreCertifiedRelativeToTheIntegralOfTheSize) {
             status::not_certified);
 }
 
-/// A ball in a lambda is a number that is known as far as the ball says, at singular points as well: what is found holds the
-/// integral with every number in it, and what diverges for one of them is not certified.
+/// A ball in a lambda is a number that is known as far as the ball says, at singular points as
+/// well: what is found holds the integral with every number in it, and what diverges for one of
+/// them is not certified.
 TEST(FormulaIntegral, OfNumbersInBallsHoldsThatOfTheNumber) {
   const end_point infinity = end_point::infinity();
   const precision p = 2000;

@@ -1,5 +1,5 @@
-// The Gauss and Legendre rules: against closed forms, against the equations that define them, against Arb; and
-// the cache, which must not be believed more than it deserves.
+// The Gauss and Legendre rules: against closed forms, against the equations that define them,
+// against Arb; and the cache, which must not be believed more than it deserves.
 
 #include <gtest/gtest.h>
 
@@ -92,7 +92,8 @@ void expect_promised_form(const gauss_legendre_rule& rule, long n, precision bit
   }
 }
 
-/// The sign of P_n at a rational x = a / 2^b, by the recurrence in integers: P_k k! 2^(b k) is an integer.
+/// The sign of P_n at a rational x = a / 2^b, by the recurrence in integers: P_k k! 2^(b k) is an
+/// integer.
 int sign_of_legendre(long n, const rational& x) {
   const integer a = numerator(x);
   const integer d = denominator(x);
@@ -107,8 +108,9 @@ int sign_of_legendre(long n, const rational& x) {
   return value.sign();
 }
 
-/// P_n changes its sign over each enclosure of a positive node: so it holds a zero, and being n/2 disjoint sets
-/// each holds one. In exact integers, without any of the code under test but the end points.
+/// P_n changes its sign over each enclosure of a positive node: so it holds a zero, and being n/2
+/// disjoint sets each holds one. In exact integers, without any of the code under test but the end
+/// points.
 void expect_sign_changes(const gauss_legendre_rule& rule) {
   for (std::size_t i = rule.n % 2 != 0 ? 1 : 0; i < rule.nodes.size(); ++i) {
     const exact_set set = exact(rule.nodes[i]);
@@ -172,7 +174,8 @@ TEST(GaussLegendre, IsExactBelowTwiceTheDegreeAndNotAtIt) {
       EXPECT_TRUE(contains(sum, rational(2, 2 * k + 1))) << "x^" << 2 * k << ", n = " << n;
       EXPECT_TRUE(sum.radius() <= magnitude::power_of_two(10 - bits)) << n;
     }
-    // On x^(2n) it falls short by 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2), the integral of the monic P_n^2.
+    // On x^(2n) it falls short by 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2), the integral of the monic
+    // P_n^2.
     rational missing(2, 2 * n + 1);
     for (long k = 1; k <= n; ++k) {
       // (2^n (n!)^2 / (2n)!)^2, factor by factor: k/(2k-1) squared.
@@ -240,7 +243,8 @@ TEST(GaussLegendre, AgreesWithArb) {
 #endif
 
 TEST(GaussLegendre, DoesNotDependOnTheEstimates) {
-  // The squares of the nodes, moved a little, moved a lot, in the wrong order, or invented: the right rule or none.
+  // The squares of the nodes, moved a little, moved a lot, in the wrong order, or invented: the
+  // right rule or none.
   const auto squares = [](const gauss_legendre_rule& rule) {
     std::vector<std::uint64_t> result;
     detail::mpfr_cell cell(64);
@@ -299,7 +303,8 @@ TEST(GaussLegendre, DoesNotDependOnTheEstimates) {
 rational exactly(const magnitude& x) { return x.fraction() * power_of_two(x.exponent()); }
 
 TEST(GaussLegendre, BoundsWhatATaylorPolynomialLeavesOut) {
-  // Exactly, for q(y) = P_n(x) / x^e: the Taylor coefficients at y_0, and the terms of order j and more at y_0 +- h.
+  // Exactly, for q(y) = P_n(x) / x^e: the Taylor coefficients at y_0, and the terms of order j and
+  // more at y_0 +- h.
   for (const long n : {1L, 2L, 3L, 6L, 11L, 20L, 41L}) {
     // P_n(x) = 2^-n sum of (-1)^k C(n, k) C(2n - 2k, n) x^(n - 2k).
     const long degree = n / 2;
@@ -354,11 +359,12 @@ TEST(GaussLegendre, BoundsWhatATaylorPolynomialLeavesOut) {
   }
 }
 
-// For n odd and large the terms are the largest at y = 0, where q = P_n(x)/x is about n times as large as at 1.
+// For n odd and large the terms are the largest at y = 0, where q = P_n(x)/x is about n times as
+// large as at 1.
 TEST(GaussLegendre, BoundsWhatATaylorPolynomialOfAnOddOneLeavesOut) {
   for (const long n : {251L, 401L, 1001L}) {
-    // The coefficient of x^3: that of x is (-1)^m (2m+1) C(2m, m) / 4^m, n = 2m + 1, and of q(y) = c_0 + c_1 y + ...
-    // 6 c_1 = -(n(n+1) - 2) c_0, by Legendre's equation.
+    // The coefficient of x^3: that of x is (-1)^m (2m+1) C(2m, m) / 4^m, n = 2m + 1, and of q(y) =
+    // c_0 + c_1 y + ... 6 c_1 = -(n(n+1) - 2) c_0, by Legendre's equation.
     const auto m = static_cast<unsigned long>(n / 2);
     integer binomial;
     mpz_bin_uiui(binomial.backend().data(), 2 * m, m);
@@ -434,8 +440,9 @@ TEST(GaussLegendreLadder, HasFewDegreesAndPrecisions) {
 // The error bound.
 
 TEST(GaussLegendreError, IsNearlyAttainedByAChebyshevPolynomial) {
-  // f = T_2n is (z^2n + z^-2n)/2, at most M = (rho^2n + rho^-2n)/2 in the ellipse, and the rule's error is 2^(2n-1)
-  // times that on x^(2n), known exactly. The bound is close to 32/15 for large rho, the error to pi/2.
+  // f = T_2n is (z^2n + z^-2n)/2, at most M = (rho^2n + rho^-2n)/2 in the ellipse, and the rule's
+  // error is 2^(2n-1) times that on x^(2n), known exactly. The bound is close to 32/15 for large
+  // rho, the error to pi/2.
   for (const long n : {1L, 2L, 3L, 5L, 17L, 80L}) {
     rational missing = rational(2, 2 * n + 1) * power_of_two(2 * n - 1);
     for (long k = 1; k <= n; ++k) missing *= rational(k * k, (2 * k - 1) * (2 * k - 1));
@@ -484,8 +491,8 @@ TEST(GaussLegendreError, IsAboveTheErrorOfAPole) {
         EXPECT_TRUE(error.magnitude_upper() <= bound) << c << " " << n << " " << tenths;
         best = best ? min(*best, bound) : bound;
       }
-      // With the best of a fine choice of rho, M and the sum cost a factor of about 2 e n; n <= 5 shows that
-      // no more is lost.
+      // With the best of a fine choice of rho, M and the sum cost a factor of about 2 e n; n <= 5
+      // shows that no more is lost.
       if (n == 5 && c == 3) {
         EXPECT_TRUE(error.magnitude_lower() >= divide_up(*best, magnitude::from_integer_down(60)));
       }
@@ -725,8 +732,8 @@ TEST_F(damaged_file, IsRefusedForAnotherHeader) {
 }
 
 TEST_F(damaged_file, IsRefusedWhereItIsNoRule) {
-  // With a digest that is right: each number's exponent and highest limb changed, and its fifth-highest bits; two
-  // nodes exchanged; two weights exchanged.
+  // With a digest that is right: each number's exponent and highest limb changed, and its
+  // fifth-highest bits; two nodes exchanged; two weights exchanged.
   constexpr std::size_t start = 64;
   constexpr std::size_t number = 8 * (1 + bits / 64);
   for (std::size_t at = start; at + 32 < good_.size(); at += number) {
@@ -766,7 +773,8 @@ TEST(NodeCache, DoesWithoutAPlaceToWrite) {
   set_content(own.path() / "file", "a file");
   works((own.path() / "file").string());
   works((own.path() / "file" / "below").string());
-  // A directory in the place of the rule's file: it cannot be renamed over, and nothing is left behind.
+  // A directory in the place of the rule's file: it cannot be renamed over, and nothing is left
+  // behind.
   fs::create_directories(own.path() / "b" / "gauss-legendre-9-128.rule" / "full");
   works((own.path() / "b").string());
   EXPECT_EQ(files_in((own.path() / "b").string()).size(), 1U);

@@ -1,4 +1,5 @@
-// What an end without a series is bounded by: c t^a <= |f(t)| <= C t^b against values of f, for t down to 2^-2000 and by bounds that are attained.
+// What an end without a series is bounded by: c t^a <= |f(t)| <= C t^b against values of f, for t
+// down to 2^-2000 and by bounds that are attained.
 
 #include "polhode/quadrature/growth_bound.hpp"
 
@@ -117,7 +118,8 @@ TEST(GrowthBound, HoldsTheFunction) {
   }
 }
 
-/// The greatest quotient of the value and the upper bound at t = r 2^-k; and of the lower bound and the value.
+/// The greatest quotient of the value and the upper bound at t = r 2^-k; and of the lower bound and
+/// the value.
 void expect_attained(const std::string& text, double r, const rational& upper,
                      const rational& lower, precision bits = p, long most = 200) {
   const auto [g, f, reach] = look(text, r);

@@ -120,7 +120,8 @@ TEST(InsistedRule, NamesAreAllDifferent) {
   EXPECT_EQ(to_text(quadrature_rule::double_exponential), "double exponential");
 }
 
-/// Every sum over panels, of which there may be several, tells of its panels in turn, by the number of the plan.
+/// Every sum over panels, of which there may be several, tells of its panels in turn, by the number
+/// of the plan.
 TEST(InsistedRule, TellsOfItsPanels) {
   std::vector<integration_progress> told;
   integrate_options options = by(quadrature_rule::gauss_legendre);

@@ -77,7 +77,8 @@ TEST(PeriodicIntegral, OfPoissonsKernelIsPi) {
 }
 
 TEST(PeriodicIntegral, TakesAsManyNodesAsTheStripAsksFor) {
-  // bits log 2/(2 log(1/q)) nodes are needed at least: 27, 500, 175 and 3289. None may be added to these.
+  // bits log 2/(2 log(1/q)) nodes are needed at least: 27, 500, 175 and 3289. None may be added to
+  // these.
   struct row {
     rational q;
     long bits;
@@ -285,7 +286,8 @@ TEST(PeriodicPlan, ProvesWhatItPromises) {
     EXPECT_EQ(plan.why, reason::none);
     EXPECT_TRUE(plan.truncation_error.magnitude_upper() <= magnitude::power_of_two(-bits));
     EXPECT_TRUE(certainly_positive(plan.strip.half_width));
-    // The plan's own strip, asked again, gives its error: the half circle's is half of the circle's.
+    // The plan's own strip, asked again, gives its error: the half circle's is half of the
+    // circle's.
     EXPECT_TRUE(support::identical(scale(periodic_trapezoid_error(plan.strip, 2 * plan.nodes), -1),
                                    plan.truncation_error));
     // The last node is needed: one sixteenth fewer nodes are not enough with this strip.

@@ -1,4 +1,5 @@
-// Integrals that analysts try first, as they type them: certified to thirty digits, right, and without much work.
+// Integrals that analysts try first, as they type them: certified to thirty digits, right, and
+// without much work.
 
 #include <string>
 #include <vector>

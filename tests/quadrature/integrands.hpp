@@ -10,9 +10,9 @@
 
 namespace polhode::support {
 
-/// Poisson's kernel g(c) = (1 - q^2)/(1 - 2 q c + q^2), 0 < q < 1. As g(cos t) = sum of q^|k| e^(i k t), its
-/// integral is pi, and the rule with N = 2n nodes on the circle, shifted by half a step, gives
-/// pi (1 + 2 sum over j >= 1 of (-1)^j q^(N j)) = pi (1 - q^N)/(1 + q^N) in place of it.
+/// Poisson's kernel g(c) = (1 - q^2)/(1 - 2 q c + q^2), 0 < q < 1. As g(cos t) = sum of q^|k| e^(i
+/// k t), its integral is pi, and the rule with N = 2n nodes on the circle, shifted by half a step,
+/// gives pi (1 + 2 sum over j >= 1 of (-1)^j q^(N j)) = pi (1 - q^N)/(1 + q^N) in place of it.
 class poisson_kernel {
  public:
   explicit poisson_kernel(rational q) : q_(std::move(q)) {}
@@ -25,8 +25,8 @@ class poisson_kernel {
     return [=](const T& cosine) -> T { return above / T(constant - slope * cosine); };
   }
 
-  /// |1 - 2 q cos t + q^2| = |1 - q e^(it)| |1 - q e^(-it)| >= (1 - q e^H)(1 - q e^(-H)) for |Im t| <= H:
-  /// attained at t = i H.
+  /// |1 - 2 q cos t + q^2| = |1 - q e^(it)| |1 - q e^(-it)| >= (1 - q e^H)(1 - q e^(-H)) for |Im t|
+  /// <= H: attained at t = i H.
   [[nodiscard]] std::optional<strip_bound> bound_on_strip(const ball& half_width) const {
     const ball least = (1 + q_ * q_) - (2 * q_) * cosh(half_width);
     const ball up = 1 - q_ * exp(half_width);

@@ -140,7 +140,8 @@ TEST(IntegrateBox, WhereItIsNotMonotoneTheExcessIsOfSecondOrder) {
   }
 }
 
-// The parts that a box was cut into, as they come back: a part left out, done twice or with a wrong end is refused.
+// The parts that a box was cut into, as they come back: a part left out, done twice or with a wrong
+// end is refused.
 bool is_tiling(const detail::parameter_box& whole,
                const std::vector<detail::parameter_box>& parts) {
   std::vector<const detail::parameter_box*> pointers;

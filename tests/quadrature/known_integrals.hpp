@@ -24,7 +24,8 @@ inline symbol real_power(const symbol& x, const rational& e) { return pow(x, e);
 
 struct known_integral {
   std::string name;
-  /// Where the value comes from: DLMF or Gradshteyn and Ryzhik (GR, 7th ed.) by number, or how it is derived.
+  /// Where the value comes from: DLMF or Gradshteyn and Ryzhik (GR, 7th ed.) by number, or how it
+  /// is derived.
   std::string source;
   std::function<integral(const integrate_options&)> run;
   /// The same of the text of its formula.
@@ -55,8 +56,8 @@ template <class F>
   return k;
 }
 
-/// The enclosure holds the value, which is given so narrowly that it must lie inside as a whole (where the
-/// enclosure is one number: meet it).
+/// The enclosure holds the value, which is given so narrowly that it must lie inside as a whole
+/// (where the enclosure is one number: meet it).
 [[nodiscard]] inline ::testing::AssertionResult holds(const integral& i, const ball& value) {
   const bool held =
       i.enclosure.is_exact() ? overlaps(i.enclosure, value) : contains(i.enclosure, value);
@@ -64,9 +65,8 @@ template <class F>
   return ::testing::AssertionFailure() << described(i.enclosure) << " for " << described(value);
 }
 
-/// Certified, right, and with a radius of at most 10^-digits of the value; or of 10^-digits of the size of |f|
-/// where the value is 0.
-/// By Taylor series it must be so by panels too.
+/// Certified, right, and with a radius of at most 10^-digits of the value; or of 10^-digits of the
+/// size of |f| where the value is 0. By Taylor series it must be so by panels too.
 [[nodiscard]] inline ::testing::AssertionResult right(
     const known_integral& k, long digits, quadrature_rule rule = quadrature_rule::automatic) {
   const integral i = k.run({.digits = digits, .rule = rule});
@@ -93,7 +93,8 @@ template <class F>
              : ::testing::AssertionSuccess();
 }
 
-/// Sum of term(n), n >= 0, for terms of which each is at most half of the one before in size from n = 4 on.
+/// Sum of term(n), n >= 0, for terms of which each is at most half of the one before in size from n
+/// = 4 on.
 template <class Term>
 [[nodiscard]] ball sum_of_series(precision p, Term&& term) {
   ball sum(0, p);

@@ -1,5 +1,6 @@
-// The zeros of Legendre polynomials in fixed point with few limbs, against rules with so many bits that they are made in
-// another way (proved_zero.cpp): that the sets hold the zeros, and that they are not much larger than they have to be.
+// The zeros of Legendre polynomials in fixed point with few limbs, against rules with so many bits
+// that they are made in another way (proved_zero.cpp): that the sets hold the zeros, and that they
+// are not much larger than they have to be.
 
 #include "quadrature/rules/gauss_legendre/few_limbs/few_limbed_zeros.hpp"
 
@@ -46,7 +47,8 @@ std::vector<known_zero> known_zeros(long n) {
   return zeros;
 }
 
-/// A zero of q near Y/2^64 by a Taylor polynomial of balls, with terms for a zero within 2^log2_reach; `at` are q and q' there.
+/// A zero of q near Y/2^64 by a Taylor polynomial of balls, with terms for a zero within
+/// 2^log2_reach; `at` are q and q' there.
 std::optional<detail::legendre_zero> zero_by_taylor(
     const legendre_shape& s, std::uint64_t start,
     const detail::legendre::fixed_point_polynomial::values& at, double log2_reach, precision bits) {
@@ -84,7 +86,8 @@ shares expect_enclosures(long n, precision bits, int spread, const std::vector<k
     EXPECT_TRUE(contains(found->square, known.square)) << n << " " << bits;
     const ball slope = abs(found->slope / found->scale);
     EXPECT_TRUE(contains(slope, known.size_of_slope)) << n << " " << bits;
-    // The set is small: of a few units for each term of the polynomial, or what the search was asked for.
+    // The set is small: of a few units for each term of the polynomial, or what the search was
+    // asked for.
     EXPECT_TRUE(found->square.radius() <=
                 magnitude::power_of_two(9 + 2 * static_cast<long>(std::log2(n)) - bits))
         << n << " " << bits;
@@ -112,7 +115,8 @@ TEST(LegendreZeros, AreEnclosedInSetsThatAreHardlyTooLarge) {
   double greatest_of_slope = 0;
   for (const long n : {40L, 81L, 160L}) {
     const std::vector<known_zero> zeros = known_zeros(n);
-    // Where the search ends early, what is left is the radius; where it ends at the last bit, Horner's scheme.
+    // Where the search ends early, what is left is the radius; where it ends at the last bit,
+    // Horner's scheme.
     for (const precision bits : {135L, 150L, 152L, 155L, 160L, 216L, 408L}) {
       greatest_when_searched =
           std::max(greatest_when_searched, expect_enclosures(n, bits, 9, zeros, random).of_square);
@@ -128,8 +132,9 @@ TEST(LegendreZeros, AreEnclosedInSetsThatAreHardlyTooLarge) {
   EXPECT_GT(greatest_of_slope, 0.05);
 }
 
-// Why no test fails without E_0 and E_1, the errors of Horner's scheme (see "How generous that is" in few_limbed_zeros.cpp): at
-// the zeros of every q they are less than what the other counts have to spare. With an effort of 10 for all n.
+// Why no test fails without E_0 and E_1, the errors of Horner's scheme (see "How generous that is"
+// in few_limbed_zeros.cpp): at the zeros of every q they are less than what the other counts have
+// to spare. With an effort of 10 for all n.
 TEST(LegendreZeros, HideTheErrorsOfHornersScheme) {
   support::random_source random(16);
   detail::mpfr_cell cell(64);
@@ -166,9 +171,10 @@ TEST(LegendreZeros, HideTheErrorsOfHornersScheme) {
   }
 }
 
-// With rounded coefficients and next to y = 1, where no error is made smaller by the steps after it, Horner's scheme is off by half of
-// its bounds on average: so where these are halved they are exceeded every other time. Near the last place where q' = 0 both numbers
-// are below 1, so that balls add no roundings of their own.
+// With rounded coefficients and next to y = 1, where no error is made smaller by the steps after
+// it, Horner's scheme is off by half of its bounds on average: so where these are halved they are
+// exceeded every other time. Near the last place where q' = 0 both numbers are below 1, so that
+// balls add no roundings of their own.
 TEST(LegendreZeros, HaveValuesAndSlopesThatAreOffByMoreThanHalfTheirBounds) {
   support::random_source random(17);
   double greatest_of_value = 0;
@@ -203,7 +209,8 @@ TEST(LegendreZeros, HaveValuesAndSlopesThatAreOffByMoreThanHalfTheirBounds) {
   EXPECT_GT(greatest_of_slope, 0.5);
 }
 
-// Of Taylor polynomials with too few terms what they leave out is the greatest error: the zero is enclosed all the same, or not found.
+// Of Taylor polynomials with too few terms what they leave out is the greatest error: the zero is
+// enclosed all the same, or not found.
 TEST(LegendreZeros, AreEnclosedByTaylorPolynomialsOfLowOrder) {
   support::random_source random(18);
   long found_few = 0;
@@ -298,7 +305,8 @@ TEST(LegendreZeros, AreEnclosedForRandomDegreesBitsAndStarts) {
     const std::vector<known_zero> zeros = known_zeros(n);
     for (int k = 0; k < 6; ++k) {
       const precision bits = random.between(1, few_limbed_zeros::most_bits);
-      // In units of y/n^2, the distance of the zeros next to 0, a start of a large n is soon too far off.
+      // In units of y/n^2, the distance of the zeros next to 0, a start of a large n is soon too
+      // far off.
       const int spread = static_cast<int>(random.between(1, n > 150 ? 1 : 9));
       expect_enclosures(n, bits, spread, zeros, random);
     }

@@ -161,8 +161,8 @@ TEST(Oscillation, IsNoDecay) {
       reason::not_analytic);
 }
 
-// On the line up from 2 or 4, 1 + z^4 crosses the cut of sqrt and log, z^2 those of asinh and atan: what principal values are
-// beyond is not the continuation of the function.
+// On the line up from 2 or 4, 1 + z^4 crosses the cut of sqrt and log, z^2 those of asinh and atan:
+// what principal values are beyond is not the continuation of the function.
 TEST(Oscillation, IsNotContinuedThroughCuts) {
   const auto check = [](const char* name, const auto& f, const char* value) {
     for (const long digits : {2L, 4L, 6L, 10L, 30L}) {

@@ -83,7 +83,8 @@ TEST(OwnRule, CountsTheWholeBoundOfEachPanel) {
   }
 }
 
-// With too little memory for one node a panel is bounded by its supremum, which is all of the integral of a constant.
+// With too little memory for one node a panel is bounded by its supremum, which is all of the
+// integral of a constant.
 TEST(OwnRule, CountsAPanelThatIsNotSummed) {
   const off_by_its_bound own;
   for (const long length : {1L, 3L}) {

@@ -1,5 +1,5 @@
-// The integral over one panel: each of the terms that make up its error bound is nearly attained by a case here, so that
-// none can be left out or halved.
+// The integral over one panel: each of the terms that make up its error bound is nearly attained by
+// a case here, so that none can be left out or halved.
 
 #include "quadrature/series/panel_integral.hpp"
 
@@ -68,8 +68,8 @@ double share_of_radius(const ball& x, const ball& known) {
   return std::exp2(log2_of((x.middle() - known).magnitude_upper()) - log2_of(x.radius()));
 }
 
-/// The odd number p of 1, ..., most whose multiple p 2^f leaves most over when it is divided by n: a quotient off by nearly a
-/// unit.
+/// The odd number p of 1, ..., most whose multiple p 2^f leaves most over when it is divided by n:
+/// a quotient off by nearly a unit.
 long numerator_for(long n, long most) {
   long best = 1;
   integer greatest = -1;

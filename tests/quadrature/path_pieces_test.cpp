@@ -1,5 +1,6 @@
-// Paths as they are put together: that pieces join, that what is integrated over a piece is the piece, and that beside an end
-// nothing is in the way; and random paths against antiderivatives and residues.
+// Paths as they are put together: that pieces join, that what is integrated over a piece is the
+// piece, and that beside an end nothing is in the way; and random paths against antiderivatives and
+// residues.
 
 #include "quadrature/paths/path_pieces.hpp"
 
@@ -98,7 +99,8 @@ TEST(PathPieces, ASegmentThatLiesAboutItsPieceIsFound) {
   const path_piece piece = line_piece{path_point(1, 1), path_point(2, 3)};
   const auto at = [](long re, long im) { return complex_ball(re, im, 128); };
   EXPECT_TRUE(detail::runs_over(line_from(at(1, 1), at(1, 2), at(1, 2)), piece, 128));
-  // Another start, another end, beyond the end by 2^-100, the other way round, a scale that is not dz/dt.
+  // Another start, another end, beyond the end by 2^-100, the other way round, a scale that is not
+  // dz/dt.
   EXPECT_FALSE(detail::runs_over(line_from(at(0, 1), at(2, 2), at(2, 2)), piece, 128));
   EXPECT_FALSE(detail::runs_over(line_from(at(1, 1), at(1, 1), at(1, 1)), piece, 128));
   const complex_ball beyond = at(1, 2) + scale(at(1, 0), -100);
@@ -243,7 +245,8 @@ bool is_same_number(const gaussian& a, const gaussian& b) { return a.re == b.re 
 }
 
 TEST(RandomPaths, HaveTheirLogarithms) {
-  // 1/(z - w) and 1/(z - w)^2: log((b - w)/(a - w)) for each line, and the difference of -1/(z - w).
+  // 1/(z - w) and 1/(z - w)^2: log((b - w)/(a - w)) for each line, and the difference of -1/(z -
+  // w).
   support::random_source random(161);
   constexpr precision p = 400;
   long certified = 0;
@@ -290,7 +293,8 @@ bool crosses_cut(const gaussian& a, const gaussian& b) {
 }
 
 TEST(RandomPaths, HaveRootsAndLogarithmsOrMeetTheirCuts) {
-  // w = a z + b: the antiderivatives 2/3 w sqrt(w) and w log(w) - w, for an end on the cut from the line's side.
+  // w = a z + b: the antiderivatives 2/3 w sqrt(w) and w log(w) - w, for an end on the cut from the
+  // line's side.
   support::random_source random(162);
   constexpr precision p = 500;
   long certified = 0;

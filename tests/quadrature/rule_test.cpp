@@ -88,7 +88,8 @@ TEST(PeriodicTrapezoidSum, IsTheWeightForAConstant) {
 
 TEST(PeriodicTrapezoidSum, GivesTheMiddleOfTheBallInMpfrFloat) {
   // The same operations in the same order: the uncertified value is within the radius that the ball
-  // proved for them. (Boost counts in decimal digits: its temporaries have a bit or two more, and 68 at least.)
+  // proved for them. (Boost counts in decimal digits: its temporaries have a bit or two more, and
+  // 68 at least.)
   const oscillating_motion motion{rational(1265, 100), rational(629, 10000), rational(1, 4)};
   for (const precision p : {53L, 64L, 200L, 1000L}) {
     for (const long n : {1L, 2L, 3L, 40L, 101L}) {

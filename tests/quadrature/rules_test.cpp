@@ -1,5 +1,5 @@
-// The rules that are templates over the scalar: what they are exact for, their closed forms, and their bounds,
-// which nearly are attained and never exceeded.
+// The rules that are templates over the scalar: what they are exact for, their closed forms, and
+// their bounds, which nearly are attained and never exceeded.
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,8 @@ struct reciprocal {
   }
 };
 
-// --------------------------------------------------------------------------------- Gauss and Legendre
+// --------------------------------------------------------------------------------- Gauss and
+// Legendre
 
 TEST(GaussLegendreSum, IsExactForPolynomialsBelowTwiceTheNodes) {
   const rational centre(3, 7);
@@ -135,7 +136,8 @@ TEST(GaussLegendreSum, GivesTheMiddleOfTheBallInMpfrFloat) {
   }
 }
 
-// --------------------------------------------------------------------------------- Gauss and Chebyshev
+// --------------------------------------------------------------------------------- Gauss and
+// Chebyshev
 
 TEST(GaussChebyshevSum, IsExactBelowTwiceTheNodesAndMissesWhatItsBoundSays) {
   const ball rho(1000, p);
@@ -246,7 +248,8 @@ TEST(GaussChebyshevSums, CallTheFunctionOnceANode) {
   EXPECT_THROW((void)gauss_chebyshev_second_sum<ball>(power<ball>(1), 0, p), std::invalid_argument);
 }
 
-// --------------------------------------------------------------------------------- Clenshaw and Curtis, Fejer
+// --------------------------------------------------------------------------------- Clenshaw and
+// Curtis, Fejer
 
 /// The integral of T_k, k even: 2/(1 - k^2).
 rational integral_of_chebyshev(long k) { return k % 2 != 0 ? rational(0) : rational(2, 1 - k * k); }
@@ -330,8 +333,8 @@ TEST(ClenshawCurtis, HasABoundBelowTrefethens) {
   }
 }
 
-// The bounds are the sums of 2 M rho^-k times the rules' errors on T_k, as the tests above know them, each of them bounded: they are no
-// less than these sums, with all signs alike.
+// The bounds are the sums of 2 M rho^-k times the rules' errors on T_k, as the tests above know
+// them, each of them bounded: they are no less than these sums, with all signs alike.
 TEST(ClenshawCurtis, HasBoundsNotBelowTheSumOfAllErrors) {
   for (const rational& r : {rational(5, 4), rational(3), rational(10)}) {
     const ball rho(r, p);
@@ -355,7 +358,8 @@ TEST(ClenshawCurtis, HasBoundsNotBelowTheSumOfAllErrors) {
   }
 }
 
-// --------------------------------------------------------------------------------- the trapezoidal rule
+// --------------------------------------------------------------------------------- the trapezoidal
+// rule
 
 /// exp(-x^2) over [-x, x]: the bound from its true size.
 rectangle_bound bound_of_gaussian(long x, double d) {
@@ -568,7 +572,8 @@ TEST(TrapezoidSum, GivesTheMiddleOfTheBallInMpfrFloat) {
   EXPECT_THROW((void)trapezoid_sum<ball>(f, 0, 1, 0, p), std::invalid_argument);
 }
 
-// --------------------------------------------------------------------------------- double exponential
+// --------------------------------------------------------------------------------- double
+// exponential
 
 TEST(DoubleExponentialSum, HasThePointsAndWeightsOfTheSubstitution) {
   // Against the substitution written down in another way.
@@ -765,7 +770,8 @@ TEST(DoubleExponentialProblem, BoundsTheIntegralAlongBothHorizontalSides) {
     EXPECT_TRUE(is_bound_of(bound->horizontal, sides)) << d;
     EXPECT_TRUE(is_at_most(bound->horizontal, rational(5, 3), sides)) << d;
   }
-  // There x goes around 0 before it is within reach of the bound at the end: onto another sheet of the root.
+  // There x goes around 0 before it is within reach of the bound at the end: onto another sheet of
+  // the root.
   EXPECT_FALSE(problem.rectangle(4, 1.25, evaluations).has_value());
   EXPECT_FALSE(problem.rectangle(4, 1.58, evaluations).has_value());
   // Where the cosine is positive again.

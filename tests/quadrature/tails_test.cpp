@@ -1,5 +1,5 @@
-// What is cut off at an end is far below the digits asked for, so that no integral shows it: the bounds of what is left out against the tails
-// themselves, in closed form.
+// What is cut off at an end is far below the digits asked for, so that no integral shows it: the
+// bounds of what is left out against the tails themselves, in closed form.
 
 #include <gtest/gtest.h>
 
@@ -215,14 +215,15 @@ TEST(Tails, OfErrorFunctionsAreBounded) {
   EXPECT_TRUE((whole * rational(199, 100)).magnitude_lower() <= doubled);
 }
 
-// With z = 20 e and v = 20 e^(y/2), the integral of exp(-20 e^(y/2)) over y >= 2 is 2 E_1(z), between 2 e^-z/(z + 1) and
-// 2 e^-z/z; the bound's tangent touches e^(y/2) at y = 2.
+// With z = 20 e and v = 20 e^(y/2), the integral of exp(-20 e^(y/2)) over y >= 2 is 2 E_1(z),
+// between 2 e^-z/(z + 1) and 2 e^-z/z; the bound's tangent touches e^(y/2) at y = 2.
 TEST(Tails, OfDoubleExponentialsAreBounded) {
   const ball z = 20 * exp(ball(1, p));
   const rational little(105, 100);
   expect_bound(beyond_two([](const auto& x) { return exp(-20 * exp(x / 2)); }),
                2 * exp(-z) / (z + 1), little, "exp(-20 exp(x/2))");
-  // Of tanh it is known that it lies between -1 and 1; it is above 0.96 here, and the factors are between 1 and 1.018.
+  // Of tanh it is known that it lies between -1 and 1; it is above 0.96 here, and the factors are
+  // between 1 and 1.018.
   const ball more = z * rational(1018, 1000);
   const ball least = 2 * exp(-more) / (more + 1);
   const auto factor = [](const auto& x) { return rational(3, 2) - tanh(x) / 2; };

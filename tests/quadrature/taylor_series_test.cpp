@@ -307,7 +307,8 @@ TEST(TaylorSeries, AreChosenByTheFrontDoorAndTakeAReversedRange) {
   EXPECT_TRUE(contains(backward.enclosure, -atan(ball(2, 300))));
 }
 
-// With what a rounded recurrence leaves over, a root that was taken of a negative number, or a pole, must be seen.
+// With what a rounded recurrence leaves over, a root that was taken of a negative number, or a
+// pole, must be seen.
 template <class F>
 void expect_refused(const std::string& name, F f, end_point a, end_point b) {
   for (const long digits : {5L, 40L}) {
@@ -459,8 +460,9 @@ ball rounded(const std::string& text, const std::string& unit) {
   return parse_ball(text, p).enlarged(ball(parse_rational(unit), p).magnitude_upper());
 }
 
-// Steep functions over ranges that begin or end in the middle of nowhere: what is negligible of a panel must not stand for
-// a range that ends in another one. The values are those of two other programs.
+// Steep functions over ranges that begin or end in the middle of nowhere: what is negligible of a
+// panel must not stand for a range that ends in another one. The values are those of two other
+// programs.
 TEST(TaylorSeries, EndWhereTheRangeDoes) {
   const auto expect = [](const char* what, const auto& f, const end_point& a, const end_point& b,
                          const ball& value) {

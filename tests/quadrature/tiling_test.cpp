@@ -1,4 +1,5 @@
-// That what was integrated makes up the range, each part of it once: rules that lie about their pieces are refused.
+// That what was integrated makes up the range, each part of it once: rules that lie about their
+// pieces are refused.
 
 #include "quadrature/tiling.hpp"
 
@@ -69,7 +70,8 @@ TEST(Tiling, RefusesMoreThanTheRuleWasGiven) {
   EXPECT_FALSE(sum_of(0, 1, {{{place(0), place(1)}, {rational(1, 9), rational(1)}, 1}}));
 }
 
-// The fault that this is for: a rule says that it has stopped at an irrational end that is not in its interval.
+// The fault that this is for: a rule says that it has stopped at an irrational end that is not in
+// its interval.
 TEST(Tiling, RefusesAnEndThatIsNotInTheInterval) {
   const rational near = parse_rational("1.41421356237309504880168872420969807856");
   const rational beyond = parse_rational("1.41421356237309504880168872420969807857");

@@ -113,7 +113,8 @@ TYPED_TEST(RealIntegrals, OfNarrowPeaksAreSeen) {
 }
 
 TEST(RealIntegral, IsSummedOverThePersonsOwnFunction) {
-  // Of numbers, which values are counted; of an expression template the formula is evaluated in its place.
+  // Of numbers, which values are counted; of an expression template the formula is evaluated in its
+  // place.
   int calls = 0;
   const auto f = [&calls](auto x) {
     if constexpr (std::same_as<decltype(x), et_off_50>) ++calls;
@@ -138,7 +139,8 @@ TEST(RealIntegral, OfAConstantsDecimalIsThatOfTheDecimal) {
 }
 
 TEST(RealIntegral, TruncationErrorAndRoundedValueHoldTheIntegral) {
-  // Digits beyond those of the type: what is left is the truncation error, a bound of it, and roundings of 50 digits.
+  // Digits beyond those of the type: what is left is the truncation error, a bound of it, and
+  // roundings of 50 digits.
   real_integrate_options few;
   few.digits = 8;
   const auto f = [](auto x) { return sin(x + exp(x)) / (2 + cos(3 * x)); };
@@ -167,7 +169,8 @@ TEST(RealIntegral, WhatAFunctionThrowsBeyondItsDomainIsNoEnd) {
   EXPECT_THROW(static_cast<void>(integrate<double>(g, 0, 1)), stop);
 }
 
-// In double e^(800 x) e^(-800 x) is no number for x > 0.9: there the formula's own values are taken.
+// In double e^(800 x) e^(-800 x) is no number for x > 0.9: there the formula's own values are
+// taken.
 TEST(RealIntegral, WhereRealHasNoValueTheFormulaHas) {
   const auto f = [](auto x) { return exp(800 * x) * exp(-800 * x) * sin(x + exp(x)); };
   const auto i = integrate<double>(f, 0, 1);
@@ -225,7 +228,8 @@ TEST(RealIntegral, NotProvedIsSaid) {
   EXPECT_NE(i.value, i.value);
 }
 
-/// A double beside the variable is the number that it is, in integrate<double> and its like; a long double in those of long double.
+/// A double beside the variable is the number that it is, in integrate<double> and its like; a long
+/// double in those of long double.
 TEST(RealIntegral, NumbersOfTheTypeStandBesideTheVariable) {
   const double k = 0.3;
   const auto i = integrate<double>([k](auto x) { return k * x + 0.1 * exp(k * x); }, 0, 1);

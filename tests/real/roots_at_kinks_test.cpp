@@ -51,7 +51,8 @@ TEST(RootsAtKinks, AreAllFound) {
   }
 }
 
-/// Where the growth beside the zero says nothing, the whole region is shown, and never a point for it.
+/// Where the growth beside the zero says nothing, the whole region is shown, and never a point for
+/// it.
 TEST(RootsAtKinks, ThatAreNotAloneForCertainAreRegions) {
   const root_set found =
       isolate_roots(parse("x*abs(sin(1/x))*sqrt(abs(x))"), -1, 1, {.most_boxes = 20'000});

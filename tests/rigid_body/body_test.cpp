@@ -1,4 +1,5 @@
-// Bodies: the order of the axes, the kind decided exactly, both geometric constants, ranges of moments, refusals.
+// Bodies: the order of the axes, the kind decided exactly, both geometric constants, ranges of
+// moments, refusals.
 
 #include "polhode/rigid_body/body.hpp"
 
@@ -87,8 +88,8 @@ TEST(Body, KindIsWhatTheMomentsSay) {
 }
 
 TEST(Body, GeometricConstantsOfThePaper) {
-  // mathematics.md: the values of the caption with b = 0.0629, and water from its rotational constants, whose
-  // reciprocals are its moments.
+  // mathematics.md: the values of the caption with b = 0.0629, and water from its rotational
+  // constants, whose reciprocals are its moments.
   struct row {
     std::string_view a, i;
   };
@@ -108,8 +109,8 @@ TEST(Body, GeometricConstantsOfThePaper) {
 }
 
 TEST(Body, SecondConstantDoesNotCancel) {
-  // J = (1 + 2a - ab)/(a (a + b) (s + 1)): for a = 1e200 it is 1/a (1 - b/2 + O(1/a)), which the formula as printed
-  // would lose in 600 bits.
+  // J = (1 + 2a - ab)/(a (a + b) (s + 1)): for a = 1e200 it is 1/a (1 - b/2 + O(1/a)), which the
+  // formula as printed would lose in 600 bits.
   const body b(support::power_of_ten(200), rational(1, 2));
   EXPECT_TRUE(as_narrow_as(b.second_geometric_constant(100), 90));
   EXPECT_TRUE(agrees(b.second_geometric_constant(100), "7.50000000000000000000000e-201", 20));
@@ -165,7 +166,8 @@ TEST(UncertainBody, IsUndecidedWhereMembersDiffer) {
   EXPECT_EQ(within({"3.5", "2", "1"}, "0.1").kind(), body_kind::non_physical);
   EXPECT_EQ(within({"3", "2", "1"}, "0.1").kind(), body_kind::undecided);
   EXPECT_EQ(within({"3", "2", "1"}, "0").kind(), body_kind::planar);
-  // The ends are members: 2.7 + 0.1 = 1.9 + 0.9 is physical, and so all are; 3.3 - 0.1 = 2.1 + 1.1 is not above.
+  // The ends are members: 2.7 + 0.1 = 1.9 + 0.9 is physical, and so all are; 3.3 - 0.1 = 2.1 + 1.1
+  // is not above.
   EXPECT_EQ(within({"2.7", "2", "1"}, "0.1").kind(), body_kind::physical);
   EXPECT_EQ(within({"2.7", "2", "1"}, "0.1000001").kind(), body_kind::undecided);
   EXPECT_EQ(within({"3.3", "2", "1"}, "0.1").kind(), body_kind::undecided);

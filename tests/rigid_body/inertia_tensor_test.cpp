@@ -1,4 +1,5 @@
-// Inertia tensors in any axes: rotated bodies, closed forms, decisions near their boundaries, refusals.
+// Inertia tensors in any axes: rotated bodies, closed forms, decisions near their boundaries,
+// refusals.
 
 #include "polhode/rigid_body/inertia_tensor.hpp"
 
@@ -60,7 +61,8 @@ TEST(InertiaTensor, RotatedBodiesHaveTheirMoments) {
 TEST(InertiaTensor, IrrationalMomentsInClosedForm) {
   support::random_source random(212);
   for (support::repeat trial(40); trial.again();) {
-    // A block [[p, r], [r, q]] with the roots (p+q)/2 +- sqrt((p-q)^2/4 + r^2), and s apart from it.
+    // A block [[p, r], [r, q]] with the roots (p+q)/2 +- sqrt((p-q)^2/4 + r^2), and s apart from
+    // it.
     const rational p(random.between(20, 60), 3);
     const rational q(random.between(20, 60), 7);
     const rational r(random.between(1, 8), 5);
@@ -93,7 +95,8 @@ TEST(InertiaTensor, IrrationalMomentsInClosedForm) {
   }
 }
 
-// The moments m and (p + q +- sqrt((p-q)^2 + 4))/2, one of which may have m as the next integer above it.
+// The moments m and (p + q +- sqrt((p-q)^2 + 4))/2, one of which may have m as the next integer
+// above it.
 TEST(InertiaTensor, OneRationalMomentBesideIrrationalOnes) {
   const precision bits = 200;
   long beside = 0;

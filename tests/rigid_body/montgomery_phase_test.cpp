@@ -1,5 +1,5 @@
-// The Montgomery phase: the hard members of the family to all their digits, certified quadrature of the defining
-// integral, the limits at both ends and at the separatrix, and F with its slope.
+// The Montgomery phase: the hard members of the family to all their digits, certified quadrature of
+// the defining integral, the limits at both ends and at the separatrix, and F with its slope.
 
 #include "polhode/rigid_body/montgomery_phase.hpp"
 
@@ -65,8 +65,8 @@ TEST(MontgomeryPhase, ExcessOverTheLimitThatCancels) {
       montgomery_phase_excess_to_digits(rigid, -b * (1 - parse_rational("1e-30")), 50);
   EXPECT_EQ(excess.verdict, status::certified);
   EXPECT_TRUE(agrees(excess.enclosure, "1.87523188616904116434869829886662936366536591e-30", 44));
-  // To first order in 1 - u it is -2 G'(1) (1 - u), elementary: G'(1) = -(pi/4)(a + (a+2)b)/(sqrt b (a+b)^(3/2)).
-  // Where 1 - u = 1e-1000 it is that to 1000 digits.
+  // To first order in 1 - u it is -2 G'(1) (1 - u), elementary: G'(1) = -(pi/4)(a + (a+2)b)/(sqrt b
+  // (a+b)^(3/2)). Where 1 - u = 1e-1000 it is that to 1000 digits.
   const rational a = rigid.a().exact();
   const rational gap = support::power_of_ten(-1000);
   const certain_number tiny = montgomery_phase_excess_to_digits(rigid, -b * (1 - gap), 30);
@@ -98,7 +98,8 @@ TEST(MontgomeryPhase, IsTheQuadratureOfItsIntegral) {
         << rigid.a().exact() << " " << rigid.b().exact() << " " << u;
     EXPECT_TRUE(as_narrow_as(phase, p - 8));
   }
-  // Rotating: x = sin^2 t gives 4 times the integral of (1 - b x)/sqrt((a + b x)(c + b x)) over (0, pi/2).
+  // Rotating: x = sin^2 t gives 4 times the integral of (1 - b x)/sqrt((a + b x)(c + b x)) over (0,
+  // pi/2).
   for (support::repeat trial(12); trial.again();) {
     const body rigid(rational(random.between(1, 4000), random.between(1, 400)),
                      rational(random.between(1, 999), 1000));
@@ -209,7 +210,8 @@ TEST(PhaseIntegral, IsTheQuadratureOfItsIntegral) {
         u, 1, {.digits = 30});
     ASSERT_EQ(q.verdict, status::certified);
     EXPECT_TRUE(meet(phase_integral(rigid, c, u, 160), q.enclosure)) << a << " " << b << " " << c;
-    // F is decreasing in u, and its slope the limit of difference quotients with an error of h max |F''|.
+    // F is decreasing in u, and its slope the limit of difference quotients with an error of h max
+    // |F''|.
     const rational h = support::power_of_two(-120);
     const ball quotient =
         (phase_integral(rigid, c, u + h, 400) - phase_integral(rigid, c, u - h, 400)) / (2 * h);

@@ -1,5 +1,5 @@
-// A motion: its numbers against Euler's equations in rationals, its period and phase against the rotor's theta functions, the half
-// phases of balls, where a motion starts, refusals.
+// A motion: its numbers against Euler's equations in rationals, its period and phase against the
+// rotor's theta functions, the half phases of balls, where a motion starts, refusals.
 
 #include "polhode/rigid_body/motion.hpp"
 
@@ -35,8 +35,8 @@ motion random_motion(support::random_source& random) {
 
 exact_real square_of(const exact_real& q) { return q * q; }
 
-/// J_x' = a J_y J_z, J_y' = -(a+b) J_x J_z, J_z' = b J_x J_y for the motion's functions, squared: sn' = cn dn, cn' = -sn dn,
-/// dn' = -m sn cn.
+/// J_x' = a J_y J_z, J_y' = -(a+b) J_x J_z, J_z' = b J_x J_y for the motion's functions, squared:
+/// sn' = cn dn, cn' = -sn dn, dn' = -m sn cn.
 void expect_solution(const motion& of) {
   const auto [x2, y2, z2] = of.greatest_squares();
   const exact_real l2 = of.lambda2();

@@ -1,4 +1,5 @@
-// Half the Montgomery phase and its slope: against mpmath, against each other, at the ends of the range.
+// Half the Montgomery phase and its slope: against mpmath, against each other, at the ends of the
+// range.
 
 #include <gtest/gtest.h>
 
@@ -216,8 +217,8 @@ TEST(RangeOnStrip, HoldsTheStripAndTouchesItsEdge) {
   }
 }
 
-/// The greatest of |f| over points of the strip's edge, in complex arithmetic by pairs of balls, is below the
-/// bound: the supremum is proved, and here seen.
+/// The greatest of |f| over points of the strip's edge, in complex arithmetic by pairs of balls, is
+/// below the bound: the supremum is proved, and here seen.
 TEST(BoundOnStrip, IsAboveTheIntegrandOnTheStripsEdge) {
   struct complex_ball {
     ball re, im;

@@ -26,7 +26,8 @@ TEST(RotorSeries, TruncationStaysWithinItsBounds) {
   std::array<double, 6> greatest{};
   for (const bool hyperbolic : {false, true}) {
     for (const long k : {1L, 3L, 50L}) {
-      // Oscillating: 1 - m = -c (a+b)/(b (a-c)), which is 1/2 for c = -a b/(2a + b). kappa from small to great.
+      // Oscillating: 1 - m = -c (a+b)/(b (a-c)), which is 1/2 for c = -a b/(2a + b). kappa from
+      // small to great.
       const rational a(k, 3);
       const rational b(1, 3);
       const rational half(-a * b / (2 * a + b));

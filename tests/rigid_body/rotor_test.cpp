@@ -1,5 +1,6 @@
-// The closed-form rotation: against a Taylor integration with a proved remainder, against Jacobi's functions and the Montgomery phase, against
-// elementary closed forms where there are some, and for what a rotation keeps.
+// The closed-form rotation: against a Taylor integration with a proved remainder, against Jacobi's
+// functions and the Montgomery phase, against elementary closed forms where there are some, and for
+// what a rotation keeps.
 
 #include "polhode/rigid_body/rotor.hpp"
 
@@ -105,9 +106,10 @@ triple<ball> solved(const initial_state& s, const triple<ball>& j) {
   return r;
 }
 
-/// The motion by a time h later. J and the rows of R obey x' = x x omega: x_(k+1) = sum of x_i x omega_(k-i) over (k+1). With rho = |J|/(least
-/// moment), |x_k| <= |x| rho^k by induction, at every time, since |J| and |x| stay: what n terms leave out is at most |x| (rho h)^n in each
-/// component (Lagrange).
+/// The motion by a time h later. J and the rows of R obey x' = x x omega: x_(k+1) = sum of x_i x
+/// omega_(k-i) over (k+1). With rho = |J|/(least moment), |x_k| <= |x| rho^k by induction, at every
+/// time, since |J| and |x| stay: what n terms leave out is at most |x| (rho h)^n in each component
+/// (Lagrange).
 body_at by_taylor(const body_at& at, const initial_state& s, const rational& h, int n) {
   std::array<std::vector<triple<ball>>, 4> x{
       std::vector{at.momentum}, {at.attitude[0]}, {at.attitude[1]}, {at.attitude[2]}};
@@ -324,7 +326,8 @@ TEST(Rotor, PhaseOfAPeriodIsMontgomerys) {
     const exact_real& middle = any.state.tensor().moments()[1];
     EXPECT_TRUE(meet(*r.period() * r.momentum_size() / middle, rotation_period(rigid, c, 150)));
     EXPECT_TRUE(meet(r.mean_precession() * *r.period(), *r.phase_per_period()));
-    // After a period the body has turned by the phase about J, which is where it was in the body. t is within 2^-100 T of T.
+    // After a period the body has turned by the phase about J, which is where it was in the body. t
+    // is within 2^-100 T of T.
     const rational t = lower_rational(*r.period());
     const auto at = r.attitude(t);
     const auto start = any.state.attitude(200);
@@ -344,7 +347,8 @@ TEST(Rotor, PhaseOfAPeriodIsMontgomerys) {
   }
 }
 
-// From the middle of a twist, phi is half of F(c, cos^2 psi), which decreases in the second argument.
+// From the middle of a twist, phi is half of F(c, cos^2 psi), which decreases in the second
+// argument.
 TEST(Rotor, PhaseOnTheFirstQuarter) {
   support::random_source random(907);
   for (support::repeat trial(40); trial.again();) {
@@ -396,8 +400,9 @@ TEST(Rotor, SeparatrixIsElementary) {
   }
 }
 
-/// A symmetric top with its axis k, moment across I and along I_k: omega = J/I + J_k (1/I_k - 1/I) e_k, and both parts turn steadily, so
-/// R = rotation about J in space by t |J|/I, times R at 0, times rotation about e_k by t J_k (1/I_k - 1/I).
+/// A symmetric top with its axis k, moment across I and along I_k: omega = J/I + J_k (1/I_k - 1/I)
+/// e_k, and both parts turn steadily, so R = rotation about J in space by t |J|/I, times R at 0,
+/// times rotation about e_k by t J_k (1/I_k - 1/I).
 TEST(Rotor, SymmetricTopsAreElementary) {
   support::random_source random(908);
   const precision p = 200;
@@ -540,7 +545,8 @@ norm_error error_of(const rotor<double>& d, const rotor<ball>& r, double t) {
   return e;
 }
 
-// Over the first period within 8 units in the last place of the norm, in every regime; later less than one more for each period.
+// Over the first period within 8 units in the last place of the norm, in every regime; later less
+// than one more for each period.
 TEST(Rotor, DoubleIsWithinEightUnits) {
   support::random_source random(910);
   norm_error worst;

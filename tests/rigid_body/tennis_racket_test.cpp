@@ -1,5 +1,6 @@
-// The tennis racket effect: hard members of the family to all their digits, the curve against the paper's implicit equations and
-// against certified quadrature, its slope against difference quotients, counts at their boundaries, refusals.
+// The tennis racket effect: hard members of the family to all their digits, the curve against the
+// paper's implicit equations and against certified quadrature, its slope against difference
+// quotients, counts at their boundaries, refusals.
 
 #include "polhode/rigid_body/tennis_racket.hpp"
 
@@ -42,8 +43,8 @@ certain_sign decided(const F& f) {
 }
 
 // ---------------------------------------------------------------------------------------------
-// Values from elsewhere: 45 digits, by two routes each at 400 digits (a collection of hard members of the family, "free rigid
-// body, hard cases 1").
+// Values from elsewhere: 45 digits, by two routes each at 400 digits (a collection of hard members
+// of the family, "free rigid body, hard cases 1").
 
 TEST(TennisRacket, HardCases) {
   const certain_number c0 = perfect_twist_to_digits(body_of("1e4", "0.5"), 45);
@@ -101,8 +102,9 @@ TEST(TennisRacket, DefectOnTheSeparatrix) {
 // ---------------------------------------------------------------------------------------------
 // Two routes
 
-/// The paper's implicit equations after n meetings with S (its appendix B), less 2 pi: with u = sin^2 epsilon, 2 n G - F(c,u) for
-/// odd n and epsilon < pi/2 or even n and epsilon > pi/2, else 2 n G + F(c,u).
+/// The paper's implicit equations after n meetings with S (its appendix B), less 2 pi: with u =
+/// sin^2 epsilon, 2 n G - F(c,u) for odd n and epsilon < pi/2 or even n and epsilon > pi/2, else 2
+/// n G + F(c,u).
 ball implicit_equation(const body& rigid, const rational& c, long n, const rational& u, bool beyond,
                        precision p) {
   const bool odd = n % 2 != 0;
@@ -172,8 +174,9 @@ TEST(TwistCurve, IsTheQuadratureOfTheMotionWhereItRotates) {
 }
 
 TEST(TwistCurve, SlopeIsThatOfTheCurve) {
-  // By Taylor's theorem (f(c+h) - f(c-h))/(2h) differs from f'(c) by at most h^2/6 times |f'''|; with h = 1e-40 of the distance from the
-  // nearest end or zero the first 50 digits leave it a third derivative of 1e20.
+  // By Taylor's theorem (f(c+h) - f(c-h))/(2h) differs from f'(c) by at most h^2/6 times |f'''|;
+  // with h = 1e-40 of the distance from the nearest end or zero the first 50 digits leave it a
+  // third derivative of 1e20.
   support::random_source random(93);
   for (support::repeat trial(60); trial.again();) {
     const body rigid = random_body(random);

@@ -1,6 +1,6 @@
-// Functions whose roots are known by the way they are made, drawn to be hard: clusters, multiplicities, irrational roots beside
-// rational ones, roots at the ends, poles, and systems on faces. No root may be lost, none claimed that is not there, no
-// multiplicity be wrong.
+// Functions whose roots are known by the way they are made, drawn to be hard: clusters,
+// multiplicities, irrational roots beside rational ones, roots at the ends, poles, and systems on
+// faces. No root may be lost, none claimed that is not there, no multiplicity be wrong.
 
 #include <algorithm>
 #include <array>
@@ -361,7 +361,8 @@ TEST(RootAdversary, AnEssentialSingularityIsNoPole) {
   }
 }
 
-// 2x + 10 arctan(1/(5 - x)) falls by 10 pi at 5, and has there no derivative; that of its pieces is positive.
+// 2x + 10 arctan(1/(5 - x)) falls by 10 pi at 5, and has there no derivative; that of its pieces is
+// positive.
 TEST(RootAdversary, AJumpTowardsInfinityBetweenWhichItRises) {
   const auto f =
       real_function::with_derivative([](const ball& x) { return 2 * x + 10 * atan(1 / (5 - x)); },
@@ -385,7 +386,8 @@ TEST(RootAdversary, InexactEndsInTheWrongOrder) {
 // ---------------------------------------------------------------------------------------------
 // Systems
 
-/// p(x) = 0 and y = q(x), mixed by a regular matrix: the solutions are (r, q(r)) for the roots r of p.
+/// p(x) = 0 and y = q(x), mixed by a regular matrix: the solutions are (r, q(r)) for the roots r of
+/// p.
 struct made_system {
   std::vector<rational> roots;
   std::array<rational, 3> q;

@@ -70,7 +70,8 @@ TEST(IsolateRoots, Wilkinson) {
     ASSERT_TRUE(r.exact.has_value());
     EXPECT_EQ(*r.exact, k);
   }
-  // Wilkinson's change of one coefficient by 2^-23: ten real roots are left, the others are complex.
+  // Wilkinson's change of one coefficient by 2^-23: ten real roots are left, the others are
+  // complex.
   rational_polynomial p = with_roots(roots);
   std::vector<rational> c = p.coefficients();
   c[19] -= rational(1, 1L << 23);
@@ -78,7 +79,8 @@ TEST(IsolateRoots, Wilkinson) {
   const root_set t = isolate_roots(real_function::of(changed), 0, 30);
   expect_resolved(t, static_cast<std::size_t>(count_real_roots(changed, 0, 30)));
   EXPECT_EQ(t.regions.size(), 10U);
-  // The first digits are Wilkinson's (Rounding Errors in Algebraic Processes, 1963): 8.91725 and 20.84691.
+  // The first digits are Wilkinson's (Rounding Errors in Algebraic Processes, 1963): 8.91725 and
+  // 20.84691.
   EXPECT_EQ(to_decimal(refine(t.regions[7], 20).enclosure, 7), "8.007267...");
   EXPECT_EQ(to_decimal(refine(t.regions[8], 20).enclosure, 6), "8.91725...");
   EXPECT_EQ(to_decimal(refine(t.regions[9], 20).enclosure, 7), "20.84690...");
@@ -795,7 +797,8 @@ TEST(Refine, SeesThroughCancellation) {
 }
 
 TEST(Refine, HalvesWhereNewtonDoesNotContractYet) {
-  // One Newton step proves the root in [-50, 50], and leaves an enclosure too wide for the next one.
+  // One Newton step proves the root in [-50, 50], and leaves an enclosure too wide for the next
+  // one.
   const rational_polynomial p = with_roots({{rational(1, 2), 1}}) *
                                 rational_polynomial({rational(1), rational(1, 2), rational(1)});
   const root_set s = isolate_roots(real_function::of(p), -50, 50);
@@ -819,8 +822,8 @@ TEST(RealFunction, UserSuppliedDerivativesAreChecked) {
 TEST(RealFunction, WithADerivativeOnly) {
   const real_function g = real_function::with_derivative(
       [](const ball& x) { return agm(ball(1, x.precision()), x) - rational(3, 2); },
-      // By the first order in x of the mean's integral, in a crude but sound form: the mean increases, with a
-      // slope between 1/4 and 1 on [1, 3].
+      // By the first order in x of the mean's integral, in a crude but sound form: the mean
+      // increases, with a slope between 1/4 and 1 on [1, 3].
       [](const ball& x) {
         return hull(ball(rational(1, 4), x.precision()), ball(1, x.precision()));
       });

@@ -99,7 +99,8 @@ TEST(RefineRoot, AtDyadicPointsAndEndPoints) {
   EXPECT_EQ(middle.verdict, root_verdict::unique);
   EXPECT_TRUE(contains(middle.root, 1L));
   EXPECT_TRUE(middle.root.is_exact());
-  // The end of the box is: the Newton image reaches beyond it, so nothing is proved; nothing is lost.
+  // The end of the box is: the Newton image reaches beyond it, so nothing is proved; nothing is
+  // lost.
   for (const auto& [low, high] : {std::pair{1L, 2L}, std::pair{-2L, -1L}}) {
     const root_enclosure end = refine_root(f, twice, box_of(low, high), 100);
     EXPECT_NE(end.verdict, root_verdict::none);
@@ -173,8 +174,8 @@ TEST(RefineRoot, ProvesNothingOfWhatItCannot) {
 }
 
 TEST(RefineRoot, DoesNotTakeAJumpForARoot) {
-  // 2x + arctan(1/x) jumps from below 0 to above 0 at x = 0 and has no root; 2 - 1/(1 + x^2) continues its
-  // derivative across 0, and Newton's image of the box lies inside it.
+  // 2x + arctan(1/x) jumps from below 0 to above 0 at x = 0 and has no root; 2 - 1/(1 + x^2)
+  // continues its derivative across 0, and Newton's image of the box lies inside it.
   const auto f = [](const ball& x) { return 2 * x + atan(1 / x); };
   const auto derivative = [](const ball& x) { return 2 - 1 / (1 + square(x)); };
   for (const auto& [low, high] : {std::pair{-2L, 3L}, std::pair{-3L, 2L}, std::pair{-3L, 5L}}) {
@@ -186,8 +187,9 @@ TEST(RefineRoot, DoesNotTakeAJumpForARoot) {
 }
 
 TEST(RefineRoot, DoesNotTakeANeighbourForARoot) {
-  // The box begins 2^-330 above sqrt(2): nothing at 316 bits tells its end from the root. It is of 400 bits, and
-  // is rounded outward for the derivative, so that its rounded form holds the root and the Newton image.
+  // The box begins 2^-330 above sqrt(2): nothing at 316 bits tells its end from the root. It is of
+  // 400 bits, and is rounded outward for the derivative, so that its rounded form holds the root
+  // and the Newton image.
   const ball above =
       ball(upper_rational(sqrt(ball(2, 329)).enlarged(magnitude::power_of_two(-331))), 400);
   for (const long width : {-200L, -150L, -100L}) {

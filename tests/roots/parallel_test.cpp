@@ -109,7 +109,8 @@ TEST(ParallelRoots, AreRefinedToTheSameBits) {
   }
 }
 
-/// Counts the evaluators that were made, sees to it that each is called by one thread, and how many threads there are.
+/// Counts the evaluators that were made, sees to it that each is called by one thread, and how many
+/// threads there are.
 struct counts {
   std::atomic<long> evaluators = 0;
   std::atomic<long> shared = 0;

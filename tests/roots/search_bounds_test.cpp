@@ -1,4 +1,5 @@
-// What a Taylor polynomial leaves out in the search for roots, and in counting zeros, where it is most of a bound.
+// What a Taylor polynomial leaves out in the search for roots, and in counting zeros, where it is
+// most of a bound.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,8 @@
 namespace polhode {
 namespace search_bounds_test {
 
-// Of x^4 the polynomial about 1 of degree 2, and what is left out with it: at 3/2 that is most of f'.
+// Of x^4 the polynomial about 1 of degree 2, and what is left out with it: at 3/2 that is most of
+// f'.
 TEST(TaylorBounds, HoldTheSlopesOfTheEnds) {
   const real_function f([](const auto& x) { return square(square(x)); });
   const auto at = f.at(80);

@@ -64,8 +64,8 @@ TEST(SolveSystem, Himmelblau) {
 }
 
 TEST(SolveSystem, HimmelblausGradient) {
-  // The stationary points of his function, 9 in [-5, 5]^2, 7 of them in the lesser box (C. Floudas et al.,
-  // Handbook of Test Problems in Local and Global Optimization, 1999, problem 14.1.1).
+  // The stationary points of his function, 9 in [-5, 5]^2, 7 of them in the lesser box (C. Floudas
+  // et al., Handbook of Test Problems in Local and Global Optimization, 1999, problem 14.1.1).
   const auto f = [](const auto& x) {
     return std::vector{4 * pow(x[0], 3) + 4 * x[0] * x[1] + 2 * square(x[1]) - 42 * x[0] - 14,
                        4 * pow(x[1], 3) + 2 * square(x[0]) + 4 * x[0] * x[1] - 26 * x[1] - 22};
@@ -77,7 +77,8 @@ TEST(SolveSystem, HimmelblausGradient) {
 }
 
 TEST(SolveSystem, Hansen) {
-  // The gradient of the three-hump camel: (0, 0) and four more, x = 2 y with 6 x^4 - 25.2 x^2 + 21 = 0.
+  // The gradient of the three-hump camel: (0, 0) and four more, x = 2 y with 6 x^4 - 25.2 x^2 + 21
+  // = 0.
   const auto f = [](const auto& x) {
     return std::vector{6 * pow(x[0], 5) - rational(126, 5) * pow(x[0], 3) + 24 * x[0] - 6 * x[1],
                        12 * x[1] - 6 * x[0]};
@@ -139,8 +140,8 @@ TEST(SolveSystem, BrownsAlmostLinear) {
     r[x.size() - 1] = product - 1;
     return r;
   };
-  // x_1 = ... = x_(n-1) = a, a^(n-1) (n + 1 - n a) = 1: two roots a in [-2, 2] for n = 3, 4, with a = 1 and x_n
-  // in [-2, 2].
+  // x_1 = ... = x_(n-1) = a, a^(n-1) (n + 1 - n a) = 1: two roots a in [-2, 2] for n = 3, 4, with a
+  // = 1 and x_n in [-2, 2].
   for (const std::size_t n : {std::size_t{3}, std::size_t{4}}) {
     const system_root_set s = solve_system(f, ends(n, {-2, 2}));
     expect_roots(s, 2);
@@ -280,7 +281,8 @@ TEST(SolveSystem, BadInput) {
   EXPECT_THROW(static_cast<void>(solve_system(f, ends(1, {0, 1}))), input_error);
 }
 
-// Each step makes x_0 twice as exact, while x_1 is at a double root and stays: that ends with the boxes that are left unresolved.
+// Each step makes x_0 twice as exact, while x_1 is at a double root and stays: that ends with the
+// boxes that are left unresolved.
 TEST(SolveSystem, TakesNoMoreBitsThanItsBoxesHave) {
   const auto f = [](const auto& x) { return std::vector{exp(x[0]) - 2, square(x[1] - x[0])}; };
   const system_root_set s = solve_system(f, {{0, 1}, {0, 1}}, {.most_boxes = 2'000});

@@ -87,8 +87,8 @@ TEST(EffectGraph, CountsAreThoseOfTheWork) {
   EXPECT_GT(report.find("period")->work.agm_steps, 3);
   EXPECT_EQ(report.find("montgomery_phase")->work.integrals, 1);
   EXPECT_GT(report.find("tennis_racket")->work.newton_steps, 3);
-  // Of a series in time: the mean for 2K, the one for the other period, the pole and the start, each at two precisions, whatever the
-  // number of samples; the audit has the same at its own.
+  // Of a series in time: the mean for 2K, the one for the other period, the pole and the start,
+  // each at two precisions, whatever the number of samples; the audit has the same at its own.
   EXPECT_EQ(report.find("momentum")->work, (work_count{8, 0, 0}));
   const std::string more = racket + "[effects]\nwant = [\"attitude\"]\n";
   scene many = read_scene(more, ".");
@@ -165,7 +165,8 @@ TEST(Effects, AgreeWithTheirRooms) {
 }
 
 TEST(Effects, ConstantsOfAnIrrationalTensor) {
-  // The principal moments 4 and (5 +- sqrt 5)/2, of which the triple product is 20, and 5 and (5 +- sqrt 5)/2, planar.
+  // The principal moments 4 and (5 +- sqrt 5)/2, of which the triple product is 20, and 5 and (5 +-
+  // sqrt 5)/2, planar.
   const scene_report report = report_of(
       "digits = 200\n[body]\ntensor = [[2, 1, 0], [1, 3, 0], [0, 0, 4]]\n", {"inertial_defect"});
   EXPECT_EQ(report.verdict, status::certified);
@@ -233,7 +234,8 @@ TEST(Effects, RegimesWithoutAPeriod) {
       EXPECT_EQ(word(r, "flips"), "never");
     }
   }
-  // J^2/(2H) = I_y: ((3 x)^2 + z^2)/(3 x^2 + z^2) = 2 is 3 x^2 = z^2; x = 3, z = 3: none; with moments 6, 5, 2: x = 1, z = 1 is.
+  // J^2/(2H) = I_y: ((3 x)^2 + z^2)/(3 x^2 + z^2) = 2 is 3 x^2 = z^2; x = 3, z = 3: none; with
+  // moments 6, 5, 2: x = 1, z = 1 is.
   const scene_report on =
       report_of("[body]\nmoments = [6, 5, 2]\n[state]\nomega = [1, -1, 1]\n", {"regime", "flips"});
   EXPECT_EQ(word(on, "regime"), "separatrix");
@@ -283,7 +285,8 @@ TEST(Effects, MeanRatesOfTheAxes) {
   }
 }
 
-// At a flip J_y is 0, and of different signs beside it: by the closed form, which shares nothing with flips but Euler's equations.
+// At a flip J_y is 0, and of different signs beside it: by the closed form, which shares nothing
+// with flips but Euler's equations.
 void expect_flips(const triple<rational>& moments, const triple<rational>& omega) {
   const auto listed = [](const triple<rational>& v) {
     return "[\"" + to_text(v[0]) + "\", \"" + to_text(v[1]) + "\", \"" + to_text(v[2]) + "\"]";
@@ -358,8 +361,8 @@ TEST(Flips, WithinATime) {
 }
 
 TEST(Sensitivity, IsTheSlope) {
-  // Between the difference quotients of two neighbours, as T and the phase are convex or concave between them: here by the mean value
-  // theorem over a ball of motions, with the exact difference.
+  // Between the difference quotients of two neighbours, as T and the phase are convex or concave
+  // between them: here by the mean value theorem over a ball of motions, with the exact difference.
   for (const std::string c : {"-0.2", "-0.001", "0.003", "0.7"}) {
     const auto at = [&](const rational& a, const rational& b, const rational& motion) {
       return std::pair{rotation_period(body(a, b), motion, 300),
@@ -372,7 +375,8 @@ TEST(Sensitivity, IsTheSlope) {
         report_of("[body]\nab = [1.5, 0.25]\n[state]\nc = " + c + "\n", {"sensitivity"});
     const rational h = parse_rational("1e-20");
     const auto compare = [&](const std::string& by, const auto& high, const auto& low) {
-      // The central quotient is off by h^2/6 of the third derivative: of the order of 1e-40 here, far below 1e-24.
+      // The central quotient is off by h^2/6 of the third derivative: of the order of 1e-40 here,
+      // far below 1e-24.
       const ball margin =
           hull(ball(parse_rational("-1e-24"), 300), ball(parse_rational("1e-24"), 300));
       EXPECT_TRUE(overlaps((high.first - low.first) / (2 * h) + margin,
@@ -513,7 +517,8 @@ TEST(Series, TakeTheAttitudeInEveryForm) {
 }
 
 TEST(Series, BeginWithTheStateAndKeepTheMomentum) {
-  // In degrees, so that the rotor's time is irrational; in axes that are not principal; from a turned attitude.
+  // In degrees, so that the rotor's time is irrational; in axes that are not principal; from a
+  // turned attitude.
   const scene_report report = report_of(
       "[body]\ntensor = [[26, 4, -10], [4, 38, -14], [-10, -14, 35]]\n[state]\nomega = [1, 2, "
       "-3]\nunit = \"deg/s\"\nquaternion = [1, 2, 3, 4]\n"
@@ -648,7 +653,8 @@ exact_row of_first_sign(exact_row q) {
   return q;
 }
 
-/// The same rotation as a quaternion and as a matrix begins with the same numbers, to the sign of all.
+/// The same rotation as a quaternion and as a matrix begins with the same numbers, to the sign of
+/// all.
 TEST(Series, BeginAlikeHoweverTheAttitudeIsGiven) {
   support::random_source random(41);
   for (support::repeat trial(30); trial.again();) {
@@ -701,7 +707,8 @@ TEST(Series, SteadyMotionsAreExactAtAllTimes) {
   }
 }
 
-/// Angles in degrees bring pi into the time: of a body that turns by 1e300 radians between two samples it takes a thousand bits.
+/// Angles in degrees bring pi into the time: of a body that turns by 1e300 radians between two
+/// samples it takes a thousand bits.
 TEST(Series, OfAFastBodyHaveTheirDigits) {
   for (const char* speed : {"1e20", "1e60", "1e300"}) {
     SCOPED_TRACE(speed);
@@ -739,7 +746,8 @@ TEST(Series, OfASymmetricTop) {
       "[body]\nmoments = [2, 2, 1]\n[state]\nomega = [0, 1, 3]\n[time]\nto = 5\nsamples = 3\n",
       {"momentum", "attitude", "planarity"});
   EXPECT_EQ(report.verdict, status::certified);
-  // The momentum (0, 2, 3) goes around the axis at the rate (1/1 - 1/2) * 3: dJ_x/dt = J_y J_z (1/I_z - 1/I_y).
+  // The momentum (0, 2, 3) goes around the axis at the rate (1/1 - 1/2) * 3: dJ_x/dt = J_y J_z
+  // (1/I_z - 1/I_y).
   const ball angle = ball(rational(3, 2) * rational(5, 2), 128);
   EXPECT_TRUE(overlaps(report.find("momentum")->table->rows[1][3], sin(angle)));
   EXPECT_TRUE(overlaps(report.find("momentum")->table->rows[1][4], cos(angle)));

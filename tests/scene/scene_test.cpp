@@ -112,7 +112,8 @@ TEST(SceneBody, Solids) {
       read(solid("shape = \"cylinder\"\naxis = \"x\"\nradius = 2\nheight = 6\ndensity = 1") +
            solid("shape = \"ellipsoid\"\nsemi_axes = [1, 1, 3]\ndensity = 10") + wanting);
   EXPECT_EQ(round.body.size.power, 1);
-  // Cylinder: 24 pi, m r^2/2 = 48 pi along x, m (r^2/4 + h^2/12) = 96 pi across. Ellipsoid: 40 pi, m (1+9)/5 = 80 pi, 16 pi about z.
+  // Cylinder: 24 pi, m r^2/2 = 48 pi along x, m (r^2/4 + h^2/12) = 96 pi across. Ellipsoid: 40 pi,
+  // m (1+9)/5 = 80 pi, 16 pi about z.
   EXPECT_EQ(*round.body.axes->rational_moments(), (rational_vector{176, 128, 112}));
   expect_refused(solid("shape = \"box\"\nsize = [1, 2, 3]\ndensity = 1") +
                      solid("shape = \"cylinder\"\nradius = 1\nheight = 2\ndensity = 1") + wanting,

@@ -115,8 +115,8 @@ class random_source {
     return magnitude::from_bits_up(fraction, between(least_exponent, most_exponent));
   }
 
-  /// A radius for a number of that exponent: below 2^-10 of it, and mostly below the 2^-24 from which on
-  /// a ball is kept by its end points.
+  /// A radius for a number of that exponent: below 2^-10 of it, and mostly below the 2^-24 from
+  /// which on a ball is kept by its end points.
   magnitude thin_radius(mpfr_exp_t exponent, precision p) {
     long below = one_in(2) ? p + between(-8, 8) : between(25, std::max<long>(p + 30, 60));
     if (one_in(6)) below = between(10, 26);

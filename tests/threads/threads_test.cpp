@@ -88,7 +88,8 @@ void expect_same(const record& one, const record& other) {
   EXPECT_EQ(one.texts, other.texts);
 }
 
-// What the sanitizer cannot see into: MPFR's caches of pi and log 2, which grow as threads ask for more.
+// What the sanitizer cannot see into: MPFR's caches of pi and log 2, which grow as threads ask for
+// more.
 TEST(Threads, EachHasItsOwnConstants) { EXPECT_NE(mpfr_buildopt_tls_p(), 0); }
 
 TEST(Threads, DefaultsOfAThreadDoNotChangeABit) {

@@ -2,10 +2,11 @@
 
 // A complex ball as the argument of an analytic function.
 //
-// An analytic_ball has what a complex_ball and a region have in common and mean the same by: the operators, and the
-// functions of the list below, with principal values. What is not analytic, or means one thing for a complex number
-// and another as the continuation of a real function, does not compile: abs, arg, conj, the parts, comparisons.
-// So a generic function that takes regions and analytic balls is the same function for both.
+// An analytic_ball has what a complex_ball and a region have in common and mean the same by: the
+// operators, and the functions of the list below, with principal values. What is not analytic, or
+// means one thing for a complex number and another as the continuation of a real function, does not
+// compile: abs, arg, conj, the parts, comparisons. So a generic function that takes regions and
+// analytic balls is the same function for both.
 
 #include <concepts>
 #include <utility>
@@ -16,7 +17,8 @@ namespace polhode {
 
 class analytic_ball {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   analytic_ball() = default;
   explicit analytic_ball(complex_ball z) : z_(std::move(z)) {}

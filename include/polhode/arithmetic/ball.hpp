@@ -6,16 +6,17 @@
 // obeys it: if x_1, ..., x_n are reals in the operands' sets and f(x_1, ..., x_n) is defined, then
 // it lies in the result's set. The comment above a function says only what it adds to that.
 //
-// A ball has one of two forms, which differ in how tightly they hold a set, never in what they mean:
+// A ball has one of two forms, which differ in how tightly they hold a set, never in what they
+// mean:
 //   midpoint and radius   the cheap form of a number known to many digits: an MPFR number and a
 //                         radius of 31 bits rounded up (the style of Arb: F. Johansson, 2017);
-//   two end points        the tight form of a wide set: two MPFR numbers, rounded outward, either of
-//                         which may be infinite (the style of MPFI and IEEE 1788).
-// Results with a radius above 2^-24 of the midpoint pass to end points; end points that were rounded, and are closer
-// together than 2^-(precision/2) of their size, pass to midpoint and radius. A ball may also be *undefined*:
-// the operation is not defined on the whole of its operands (a root of [-1, 1], a division by
-// [0, 1]). Undefined spreads to every result, prints as "undefined", and answers "possibly" and never
-// "certainly" to every question.
+//   two end points        the tight form of a wide set: two MPFR numbers, rounded outward, either
+//                         of which may be infinite (the style of MPFI and IEEE 1788).
+// Results with a radius above 2^-24 of the midpoint pass to end points; end points that were
+// rounded, and are closer together than 2^-(precision/2) of their size, pass to midpoint and
+// radius. A ball may also be *undefined*: the operation is not defined on the whole of its operands
+// (a root of [-1, 1], a division by [0, 1]). Undefined spreads to every result, prints as
+// "undefined", and answers "possibly" and never "certainly" to every question.
 //
 // Precision is a property of the value, in bits. A result has the largest precision among its
 // operands; integers and rationals have none of their own. There is no global and no thread-local
@@ -66,7 +67,8 @@ struct room {
 
 class ball {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// Exactly 0, at 64 bits.
   ball() noexcept : first_(64) {}

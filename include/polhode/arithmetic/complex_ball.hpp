@@ -78,7 +78,8 @@ struct real_set<ball> {
 
 class complex_ball : public rectangle<ball> {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// Exactly 0, at 64 bits.
   complex_ball() = default;

@@ -27,9 +27,9 @@
 //   expm1                R            2^-49
 //   log                  (0, inf)     2^-50
 //   log1p                (-1, inf)    2^-49
-//   sin, cos             R            2^-50     and for |x| > pi/4 absolutely 2^-94, or 2^-132 where one of
-//                                               them is below 2^-31;
-//                                               [-1, 1] beyond 2^20: see needs_wider_range
+//   sin, cos             R            2^-50     and for |x| > pi/4 absolutely 2^-94, or 2^-132
+//                                               where one of them is below 2^-31; [-1, 1] beyond
+//                                               2^20: see needs_wider_range
 //   tan                  no odd pi/2  2^-48     undefined beyond 2^20
 //   asin, acos           [-1, 1]      2^-49
 //   atan, atan2          R; R^2 less  2^-50     atan2 is undefined where the rectangle meets its
@@ -436,7 +436,8 @@ inline constexpr double two_over_pi = 0x1.45f306dc9c883p-1;
 inline constexpr double half_pi_1 = 0x1.921fb544p+0;
 inline constexpr double half_pi_2 = 0x1.0b4611a8p-34;
 inline constexpr double half_pi_3 = -0x1.d9cceba3f91f2p-66;
-// pi/2 = half_pi_1 + half_pi_2 + half_pi_4 + half_pi_5 + half_pi_6 + less than 2^-184; multiples of 2^-96 and 2^-128.
+// pi/2 = half_pi_1 + half_pi_2 + half_pi_4 + half_pi_5 + half_pi_6 + less than 2^-184; multiples of
+// 2^-96 and 2^-128.
 inline constexpr double half_pi_4 = -0x1.d9cceba4p-66;
 inline constexpr double half_pi_5 = 0x1.b839a2p-104;
 inline constexpr double half_pi_6 = 0x1.48127044533e6p-130;

@@ -2,11 +2,11 @@
 
 // Elementary functions of real balls.
 //
-// A ball kept by midpoint and radius is evaluated at its midpoint by MPFR, correctly rounded, and its
-// radius is carried through a bound of the function's change stated beside the code; a wide ball is
-// evaluated at its end points and extrema, each rounded outward, so that the answer is the range
-// itself but for one rounding at each end. Where a function is not defined on the whole of its
-// operand the result is undefined; it is never a NaN passed on as a number.
+// A ball kept by midpoint and radius is evaluated at its midpoint by MPFR, correctly rounded, and
+// its radius is carried through a bound of the function's change stated beside the code; a wide
+// ball is evaluated at its end points and extrema, each rounded outward, so that the answer is the
+// range itself but for one rounding at each end. Where a function is not defined on the whole of
+// its operand the result is undefined; it is never a NaN passed on as a number.
 //
 //   function            domain            range                 IEEE 1788 name
 //   exp                 R                 (0, inf)              exp
@@ -65,7 +65,8 @@ namespace polhode {
 [[nodiscard]] ball abs(const ball& x);
 /// x^n; x^0 = 1 everywhere.
 [[nodiscard]] ball pow(const ball& x, long n);
-/// x^y = exp(y log x) for x > 0, and 0^y = 0 for y > 0; an exact integer y is taken as such, for every x.
+/// x^y = exp(y log x) for x > 0, and 0^y = 0 for y > 0; an exact integer y is taken as such, for
+/// every x.
 [[nodiscard]] ball pow(const ball& x, const ball& y);
 /// The same for an exact exponent, such as 1/3: x must be > 0, or >= 0 for an exponent > 0.
 template <rational_like N>
@@ -74,8 +75,8 @@ template <rational_like N>
 }
 /// The real n-th root, n >= 1; of negative x too where n is odd. root(x, 3) is the cube root.
 [[nodiscard]] ball root(const ball& x, unsigned long n);
-// The range of a step function is reached at the ends: exact single integers where the set has no jump
-// inside.
+// The range of a step function is reached at the ends: exact single integers where the set has no
+// jump inside.
 /// The greatest integer <= x, the least one >= x, the one of these two that is nearer to 0.
 [[nodiscard]] ball floor(const ball& x);
 [[nodiscard]] ball ceil(const ball& x);
@@ -89,8 +90,8 @@ template <rational_like N>
 [[nodiscard]] ball max(const ball& x, const ball& y);
 /// sqrt(x^2 + y^2), without overflow on the way.
 [[nodiscard]] ball hypot(const ball& x, const ball& y);
-/// The angle in (-pi, pi] of the point (x, y), a member of each; undefined where that may be the origin.
-/// [-pi, pi] where the rectangle has points below and on the negative half of the x axis.
+/// The angle in (-pi, pi] of the point (x, y), a member of each; undefined where that may be the
+/// origin. [-pi, pi] where the rectangle has points below and on the negative half of the x axis.
 [[nodiscard]] ball atan2(const ball& y, const ball& x);
 
 // In three-address form, as in ball.hpp.

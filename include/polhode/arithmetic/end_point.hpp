@@ -24,7 +24,8 @@ class number_definition {
 
 /// A number that can be enclosed to any precision, exactly where it is known so, or an infinity:
 ///
-///   end_point(1)   end_point(rational(1, 3))   end_point::pi(rational(1, 2))   -end_point::infinity()
+///   end_point(1)   end_point(rational(1, 3))   end_point::pi(rational(1, 2))
+///     -end_point::infinity()
 ///   end_point([](precision p) { return sqrt(ball(2, p)); })
 class end_point {
  public:
@@ -36,8 +37,9 @@ class end_point {
   /// The set x, whose width the result cannot fall below.
   end_point(const ball& x)  // NOLINT(google-explicit-constructor): the same set
       : end_point([x](precision) { return x; }) {}
-  /// q + r pi, known as such. An integrand that is even about it, or of such a period, is integrated by fewer evaluations;
-  /// a root that is exactly there, as sin(x) has at pi, is found to be inside.
+  /// q + r pi, known as such. An integrand that is even about it, or of such a period, is
+  /// integrated by fewer evaluations; a root that is exactly there, as sin(x) has at pi, is found
+  /// to be inside.
   explicit end_point(const pi_combination& x) {
     knowledge known;
     known.form = x;
@@ -89,7 +91,8 @@ class end_point {
     if (is_infinite()) return ball::undefined(p);
     return form() ? form()->at(p) : known_->at(p);
   }
-  /// They are the same point for certain: equal exact numbers, the same infinity, or copies of one end point.
+  /// They are the same point for certain: equal exact numbers, the same infinity, or copies of one
+  /// end point.
   [[nodiscard]] bool is_same_as(const end_point& other) const {
     if (is_infinite() || other.is_infinite()) return infinite_sign() == other.infinite_sign();
     if (form() && other.form()) return *form() == *other.form();

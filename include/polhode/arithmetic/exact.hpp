@@ -29,9 +29,9 @@ class input_error : public std::invalid_argument {
 inline constexpr std::size_t longest_number_text = 200'000;
 inline constexpr long greatest_decimal_exponent = 200'000;
 
-/// Reads a decimal ("0.0629", "-1e-300", "18.125") or a quotient of two ("1/4", "-2.5e3/7") exactly.
-/// Throws input_error for anything else ("nan", "1e", "", "0x1", "1/0"), for texts longer than
-/// longest_number_text and exponents beyond greatest_decimal_exponent.
+/// Reads a decimal ("0.0629", "-1e-300", "18.125") or a quotient of two ("1/4", "-2.5e3/7")
+/// exactly. Throws input_error for anything else ("nan", "1e", "", "0x1", "1/0"), for texts longer
+/// than longest_number_text and exponents beyond greatest_decimal_exponent.
 [[nodiscard]] rational parse_rational(std::string_view text);
 
 /// Reads a decimal or rational text to its enclosure with p bits.

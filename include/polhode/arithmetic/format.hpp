@@ -1,6 +1,7 @@
 #pragma once
 
-// fmt::format("{:.20}", x) for balls: to_decimal(x, 20). Without a number of digits, 6 as iostreams do.
+// fmt::format("{:.20}", x) for balls: to_decimal(x, 20). Without a number of digits, 6 as iostreams
+// do.
 
 #include <fmt/format.h>
 

@@ -13,8 +13,8 @@
 
 namespace polhode::detail {
 
-/// f's function object for arguments of type T with p bits: what f.evaluator<T>(p) makes for the purpose, its constants made once,
-/// where f has that member; else f itself.
+/// f's function object for arguments of type T with p bits: what f.evaluator<T>(p) makes for the
+/// purpose, its constants made once, where f has that member; else f itself.
 template <class T, class F>
 [[nodiscard]] auto evaluator_of(const F& f, precision p) {
   if constexpr (requires { f.template evaluator<T>(p); }) {
@@ -24,8 +24,9 @@ template <class T, class F>
   }
 }
 
-/// The value of f as a T, also where f is constant and answers with a number: then a constant as precise as `like`, and of its order. A type
-/// that needs more than precision(), or a constructor from a number, has a member constant_like.
+/// The value of f as a T, also where f is constant and answers with a number: then a constant as
+/// precise as `like`, and of its order. A type that needs more than precision(), or a constructor
+/// from a number, has a member constant_like.
 template <class T, class V>
 [[nodiscard]] T value_as(V&& value, const T& like) {
   if constexpr (std::same_as<std::remove_cvref_t<V>, T>) {

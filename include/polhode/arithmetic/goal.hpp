@@ -8,13 +8,14 @@
 
 namespace polhode {
 
-/// How narrow an enclosure is to be: a radius of at most 10^-digits of the value, or, if that is given too, one of at most
-/// 2^absolute_exponent.
+/// How narrow an enclosure is to be: a radius of at most 10^-digits of the value, or, if that is
+/// given too, one of at most 2^absolute_exponent.
 struct goal {
   long digits = 15;
   std::optional<long> absolute_exponent = std::nullopt;
 
-  /// An enclosure with this radius of a number that is at least `size` in absolute value meets the goal.
+  /// An enclosure with this radius of a number that is at least `size` in absolute value meets the
+  /// goal.
   [[nodiscard]] bool is_met(const magnitude& radius, const magnitude& size) const {
     if (radius.is_infinite()) return false;
     if (absolute_exponent && radius <= magnitude::power_of_two(*absolute_exponent)) return true;

@@ -1,10 +1,12 @@
 #pragma once
 
-// What a double or an mpfr_float does beside a ball: it does not compile, with one sentence that says what to write.
+// What a double or an mpfr_float does beside a ball: it does not compile, with one sentence that
+// says what to write.
 //
-// 0.1 is a decimal only by accident, and an mpfr_float carries an error that no one knows: a result would enclose
-// something else than what was meant, in silence. Without these operators the compiler says so in thousands of lines,
-// one for each scalar that an integrand is called with; and pow(x, 0.5) would be pow(x, 0).
+// 0.1 is a decimal only by accident, and an mpfr_float carries an error that no one knows: a result
+// would enclose something else than what was meant, in silence. Without these operators the
+// compiler says so in thousands of lines, one for each scalar that an integrand is called with; and
+// pow(x, 0.5) would be pow(x, 0).
 
 #include <concepts>
 
@@ -14,7 +16,8 @@ namespace polhode {
 
 namespace detail {
 
-/// Of Boost's floating-point numbers, and of expressions of them (whose kind is a category of Boost's).
+/// Of Boost's floating-point numbers, and of expressions of them (whose kind is a category of
+/// Boost's).
 template <class N>
 concept boost_float = mpfr_like<N> || requires {
   typename N::proto_tag;

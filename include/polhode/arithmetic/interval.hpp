@@ -11,7 +11,8 @@
 //   convexHull           hull
 //   intersection         intersection, undefined where empty; common_part, std::nullopt where empty
 //   cancelPlus/Minus     cancel_plus, cancel_minus
-//   isEmpty              no ball is empty; functions that may have an empty result return std::optional
+//   isEmpty              no ball is empty; functions that may have an empty result return
+//                        std::optional
 //   isEntire             is_entire
 //   isCommonInterval     ball::is_bounded
 //   isSingleton          ball::is_exact
@@ -24,10 +25,10 @@
 //   disjoint             !overlaps
 //   the functions over their natural domains: natural_domain.hpp
 //
-// A ball kept by midpoint and radius has ends that need more bits than it has; the numbers below are
-// rounded, in the direction that is stated, to its precision. The questions are decided exactly, but for a
-// radius below MPFR's least positive number, which counts as that number. An undefined ball has NaN for
-// every number and no for every question.
+// A ball kept by midpoint and radius has ends that need more bits than it has; the numbers below
+// are rounded, in the direction that is stated, to its precision. The questions are decided
+// exactly, but for a radius below MPFR's least positive number, which counts as that number. An
+// undefined ball has NaN for every number and no for every question.
 
 #include <optional>
 #include <string_view>
@@ -39,13 +40,14 @@
 
 namespace polhode {
 
-/// The set [lower, upper], ends rounded outward to p bits. Throws input_error where lower > upper, and the
-/// second also for what ball::from_end_points refuses.
+/// The set [lower, upper], ends rounded outward to p bits. Throws input_error where lower > upper,
+/// and the second also for what ball::from_end_points refuses.
 [[nodiscard]] ball from_end_points(const rational& lower, const rational& upper, precision p);
 [[nodiscard]] ball from_end_points(const mpfr_float& lower, const mpfr_float& upper, precision p);
 
-/// Reads "[0.1, 1/3]", "[-inf, 2]", "[0.1]" or "[entire]": numbers as parse_rational reads them, between
-/// spaces or none, taken exactly and then rounded outward to p bits. Throws input_error for anything else.
+/// Reads "[0.1, 1/3]", "[-inf, 2]", "[0.1]" or "[entire]": numbers as parse_rational reads them,
+/// between spaces or none, taken exactly and then rounded outward to p bits. Throws input_error for
+/// anything else.
 [[nodiscard]] ball parse_interval(std::string_view text, precision p);
 
 /// upper - lower, rounded up; infinite where x is not bounded (IEEE 1788: wid).
@@ -53,20 +55,21 @@ namespace polhode {
 /// The least r, rounded up, with |t - midpoint(x)| <= r for every member t; infinite where x is not
 /// bounded (IEEE 1788: rad).
 [[nodiscard]] mpfr_float half_width(const ball& x);
-/// The greatest |t| over the set, rounded up, and the least one, rounded down (IEEE 1788: mag, mig).
+/// The greatest |t| over the set, rounded up, and the least one, rounded down (IEEE 1788: mag,
+/// mig).
 [[nodiscard]] mpfr_float magnitude_of(const ball& x);
 [[nodiscard]] mpfr_float mignitude_of(const ball& x);
 
-/// Enclosures of [lower, cut] and [cut, upper], which together hold all of x: with the same cut, a number
-/// of x's precision near its middle. [a, inf) is cut at 2a + 1 or, for a < 0, at 0; (-inf, a] likewise; the
-/// line at 0.
+/// Enclosures of [lower, cut] and [cut, upper], which together hold all of x: with the same cut, a
+/// number of x's precision near its middle. [a, inf) is cut at 2a + 1 or, for a < 0, at 0; (-inf,
+/// a] likewise; the line at 0.
 [[nodiscard]] std::pair<ball, ball> split(const ball& x);
 
 /// The common part of the two sets; std::nullopt where it is empty (IEEE 1788: intersection).
 [[nodiscard]] std::optional<ball> common_part(const ball& x, const ball& y);
 
-/// The least set z with y + z holding all of x; the entire line where x is wider than y, or one of them
-/// is not bounded (IEEE 1788: cancelMinus). Undoes x = y + z.
+/// The least set z with y + z holding all of x; the entire line where x is wider than y, or one of
+/// them is not bounded (IEEE 1788: cancelMinus). Undoes x = y + z.
 [[nodiscard]] ball cancel_minus(const ball& x, const ball& y);
 /// cancel_minus(x, -y) (IEEE 1788: cancelPlus).
 [[nodiscard]] ball cancel_plus(const ball& x, const ball& y);

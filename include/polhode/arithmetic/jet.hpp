@@ -3,23 +3,24 @@
 // Jets: truncated Taylor series, for derivatives and for tighter ranges over wide balls.
 //
 // A jet<T, n> holds f_k = f^(k)(x) / k! for k = 0 ... n. Put jet<T, n>::variable(x) into a generic
-// function and the result's coefficients are those of the function at x. Over balls (and over any scalar
-// that obeys the inclusion principle) they enclose f^(k)(t)/k! for every t in x: a jet of a wide ball
-// bounds the derivatives over all of it. What is not differentiable somewhere in x (abs across 0) has
-// undefined coefficients from the first one that fails.
+// function and the result's coefficients are those of the function at x. Over balls (and over any
+// scalar that obeys the inclusion principle) they enclose f^(k)(t)/k! for every t in x: a jet of a
+// wide ball bounds the derivatives over all of it. What is not differentiable somewhere in x (abs
+// across 0) has undefined coefficients from the first one that fails.
 //
-// T may be ball, complex_ball, mpfr_float, double, or anything else with their operators and functions.
-// The order is a template parameter, or dynamic_order with a run-time order (then on the heap). Two jets that
-// meet in an operation have the same order, else it throws std::invalid_argument: the coefficients that the
-// shorter one lacks are unknown, not 0.
+// T may be ball, complex_ball, mpfr_float, double, or anything else with their operators and
+// functions. The order is a template parameter, or dynamic_order with a run-time order (then on the
+// heap). Two jets that meet in an operation have the same order, else it throws
+// std::invalid_argument: the coefficients that the shorter one lacks are unknown, not 0.
 //
-// Boost.Math's autodiff (fvar) was looked at first. It cannot serve here: it decides by `==`, by operator<
-// and by numeric_limits<T>::epsilon() which terms to form (in pow, in inverse, in products), makes scalars
-// from bare ints where a ball needs a precision, and gives floor, ceil and fabs a derivative at their
-// breaks. Over balls, where equality is not decidable, each of these would be unsound or does not compile.
+// Boost.Math's autodiff (fvar) was looked at first. It cannot serve here: it decides by `==`, by
+// operator< and by numeric_limits<T>::epsilon() which terms to form (in pow, in inverse, in
+// products), makes scalars from bare ints where a ball needs a precision, and gives floor, ceil and
+// fabs a derivative at their breaks. Over balls, where equality is not decidable, each of these
+// would be unsound or does not compile.
 //
-// Recurrences: A. Griewank, A. Walther, Evaluating Derivatives (2nd ed., 2008), table 13.2; each follows from
-// a differential equation of the function, written beside it.
+// Recurrences: A. Griewank, A. Walther, Evaluating Derivatives (2nd ed., 2008), table 13.2; each
+// follows from a differential equation of the function, written beside it.
 
 #include <array>
 #include <cmath>
@@ -87,8 +88,9 @@ class jet {
   using storage = std::conditional_t<Order == dynamic_order, std::vector<T>,
                                      std::array<T, static_cast<std::size_t>(Order) + 1>>;
 
-  /// The function with the constant value c, or the identity at x, to the given order (which must be
-  /// Order where that is fixed, and be given where it is open: throws std::invalid_argument otherwise).
+  /// The function with the constant value c, or the identity at x, to the given order (which must
+  /// be Order where that is fixed, and be given where it is open: throws std::invalid_argument
+  /// otherwise).
   [[nodiscard]] static jet constant(const T& c, int order = Order) {
     if (order < 0) detail::refuse_order(order, Order);
     jet r(order);
@@ -101,8 +103,8 @@ class jet {
     if (order >= 1) r[1] = detail::one_like(x);
     return r;
   }
-  /// A jet with room for the order, to be filled. Without one, where the type leaves it open, a jet without coefficients, to be
-  /// assigned.
+  /// A jet with room for the order, to be filled. Without one, where the type leaves it open, a jet
+  /// without coefficients, to be assigned.
   explicit jet(int order = Order) {
     if constexpr (Order == dynamic_order) {
       if (order < dynamic_order) detail::refuse_order(order, Order);
@@ -287,8 +289,8 @@ class jet {
   friend jet erfc(const jet& x) requires std::same_as<T, ball> {
     return from_slope(x, erfc(x[0]), [](const shorter& y) { return -bell(y); });
   }
-  /// x r' = a r x' for r = x^a: k x_0 r_k = sum of (a j - (k - j)) x_j r_(k-j), 1 <= j <= k. Where x may be
-  /// 0 the quotient by x_0, and with it the derivatives, are undefined.
+  /// x r' = a r x' for r = x^a: k x_0 r_k = sum of (a j - (k - j)) x_j r_(k-j), 1 <= j <= k. Where
+  /// x may be 0 the quotient by x_0, and with it the derivatives, are undefined.
   friend jet pow(const jet& x, const ball& a) requires std::same_as<T, ball> {
     return build(x.order(), [&](int k, const jet& r) {
       if (k == 0) return pow(x[0], a);
@@ -425,7 +427,8 @@ template <int Order>
   return detail::value_alone<Order>(abs(x[0]), x.order());
 }
 
-/// The lesser (greater) of the two where that is certain, else with undefined coefficients beyond the value.
+/// The lesser (greater) of the two where that is certain, else with undefined coefficients beyond
+/// the value.
 template <int Order>
 [[nodiscard]] jet<ball, Order> min(const jet<ball, Order>& x, const jet<ball, Order>& y) {
   const int order = common_order(x, y);
@@ -456,12 +459,14 @@ template <class F, class T>
   return f(jet<T, 1>::variable(x))[1];
 }
 
-/// An enclosure of the range of f over x by Taylor's formula with Lagrange's remainder of order n >= 1,
+/// An enclosure of the range of f over x by Taylor's formula with Lagrange's remainder of order n
+/// >= 1,
 ///   f(t) = sum over k < n of f_k(m) (t - m)^k + f_n(s) (t - m)^n,   s between m and t,
-/// m the middle of x, cut with the range by plain evaluation; n = 1 is the mean value form. Its excess
-/// is of order width^2 where that of plain evaluation is of order width (A. Neumaier, Interval Methods
-/// for Systems of Equations, 1990, Thm 2.3.3). Where f is not proved n times differentiable over x, plain
-/// evaluation alone. f is a generic function: it is called with a ball and with jets.
+/// m the middle of x, cut with the range by plain evaluation; n = 1 is the mean value form. Its
+/// excess is of order width^2 where that of plain evaluation is of order width (A. Neumaier,
+/// Interval Methods for Systems of Equations, 1990, Thm 2.3.3). Where f is not proved n times
+/// differentiable over x, plain evaluation alone. f is a generic function: it is called with a ball
+/// and with jets.
 template <class F>
 [[nodiscard]] ball taylor_range(const F& f, const ball& x, int n = 1) {
   ball plain = f(x);

@@ -1,7 +1,7 @@
 #pragma once
 
-// A real number that is known exactly, as q + r pi with rational q and r, or by an enclosure: the scalar of jets and
-// series in which "is this coefficient 0" can be decided.
+// A real number that is known exactly, as q + r pi with rational q and r, or by an enclosure: the
+// scalar of jets and series in which "is this coefficient 0" can be decided.
 
 #include <optional>
 #include <utility>
@@ -12,12 +12,14 @@
 
 namespace polhode {
 
-/// Exact are the results of + - * / of exact numbers, as far as they have this form, and the values of functions at the
-/// few points where they are evidently rational (exp 0, cos 0, sin pi, sqrt of a square, ...). A number whose
-/// numerators or denominators pass 2^longest is kept by its enclosure alone.
+/// Exact are the results of + - * / of exact numbers, as far as they have this form, and the values
+/// of functions at the few points where they are evidently rational (exp 0, cos 0, sin pi, sqrt of
+/// a square, ...). A number whose numerators or denominators pass 2^longest is kept by its
+/// enclosure alone.
 class known_number {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   static constexpr std::size_t longest = 4096;  // bits
   static constexpr precision usual_precision = 128;

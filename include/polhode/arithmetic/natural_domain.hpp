@@ -1,19 +1,19 @@
 #pragma once
 
-// Functions in the set-based sense of IEEE 1788: f over a set is the range of f over that part of the set
-// where f is defined, its natural domain. sqrt of [-1, 4] is [0, 2], log of [0, 1] is [-inf, 0], 1 / [0, 1] is
-// [1, inf], and what is defined nowhere on the set is empty.
+// Functions in the set-based sense of IEEE 1788: f over a set is the range of f over that part of
+// the set where f is defined, its natural domain. sqrt of [-1, 4] is [0, 2], log of [0, 1] is
+// [-inf, 0], 1 / [0, 1] is [1, inf], and what is defined nowhere on the set is empty.
 //
 // This is not what the functions of the same names in elementary.hpp answer: there a function that
-// is not defined on the whole of its operand is *undefined*, which means "nothing is known" and is what a
-// proof has to hear. Here a set is cut without a word, which is what is wanted to contract a box or to
-// compute with relations, and never to show that a function is defined, continuous or analytic. So these
-// forms have a namespace of their own, named after what they restrict to: no call can mean one and get
-// the other, and both can be used in one line.
+// is not defined on the whole of its operand is *undefined*, which means "nothing is known" and is
+// what a proof has to hear. Here a set is cut without a word, which is what is wanted to contract a
+// box or to compute with relations, and never to show that a function is defined, continuous or
+// analytic. So these forms have a namespace of their own, named after what they restrict to: no
+// call can mean one and get the other, and both can be used in one line.
 //
-// The result is std::nullopt where it is proved empty. It is the undefined ball where an operand is undefined,
-// and where the range is not bounded it has infinite ends. Functions defined everywhere (exp, sin, atan,
-// floor, ...) have one meaning only and are in elementary.hpp.
+// The result is std::nullopt where it is proved empty. It is the undefined ball where an operand is
+// undefined, and where the range is not bounded it has infinite ends. Functions defined everywhere
+// (exp, sin, atan, floor, ...) have one meaning only and are in elementary.hpp.
 //
 //   here                 natural domain                    IEEE 1788
 //   sqrt                 [0, inf)                          sqrt

@@ -1,7 +1,7 @@
 #pragma once
 
-// The numbers q + r pi with rational q and r. As pi is irrational (J. H. Lambert, 1761), such a number is 0
-// only where q and r are, and two of them are equal only where both parts are.
+// The numbers q + r pi with rational q and r. As pi is irrational (J. H. Lambert, 1761), such a
+// number is 0 only where q and r are, and two of them are equal only where both parts are.
 
 #include <optional>
 #include <string>

@@ -1,10 +1,12 @@
 #pragma once
 
-// The operations on a real scalar T that the templates of elliptic integrals and of rotations share. They are in
-// polhode::detail: for the rooms of this library, not for programs that use it. T is one of three:
+// The operations on a real scalar T that the templates of elliptic integrals and of rotations
+// share. They are in polhode::detail: for the rooms of this library, not for programs that use it.
+// T is one of three:
 //   ball          every result is an enclosure; truncation errors are added to the radius
 //   mpfr_float    the same steps without radii: the uncertified value
-//   long double   the same, in which values for `double` are computed (11 bits more than its 53 on x86)
+//   long double   the same, in which values for `double` are computed (11 bits more than its 53 on
+//                 x86)
 // The working precision q is an argument; a long double ignores it.
 
 #include <algorithm>
@@ -216,8 +218,8 @@ template <elliptic_scalar T>
   return m.is_zero() ? of_zero : (m.is_infinite() ? -of_zero : m.log2_floor());
 }
 
-/// Multiplies numbers of which only the ratios matter by one power of two, where their exponent, about so great, has left
-/// the middle of the range: repeated squaring would leave the range.
+/// Multiplies numbers of which only the ratios matter by one power of two, where their exponent,
+/// about so great, has left the middle of the range: repeated squaring would leave the range.
 template <elliptic_scalar T, class... Rest>
 void keep_in_range(std::int64_t exponent, T& x, Rest&... rest) {
   constexpr std::int64_t moderate = std::same_as<T, long double> ? 1 << 11 : 1 << 24;
@@ -273,8 +275,8 @@ template <elliptic_scalar T>
 }
 [[nodiscard]] inline bool is_number(long double x) { return std::isfinite(x); }
 
-/// How many of about q leading bits are lost in `value`, which is a sum of terms of the size of `term`: read off
-/// the radius of a ball, and guessed by cancellation for numbers without.
+/// How many of about q leading bits are lost in `value`, which is a sum of terms of the size of
+/// `term`: read off the radius of a ball, and guessed by cancellation for numbers without.
 template <elliptic_scalar T>
 [[nodiscard]] std::int64_t bits_lost(const T& value, const T& term, precision q) {
   constexpr std::int64_t all = std::int64_t{1} << 40;

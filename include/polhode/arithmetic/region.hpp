@@ -1,28 +1,30 @@
 #pragma once
 
-// The region: a set of complex numbers on which a function is being bounded, and the knowledge whether
-// the function is analytic there.
+// The region: a set of complex numbers on which a function is being bounded, and the knowledge
+// whether the function is analytic there.
 //
 // A region is a rectangle in hardware doubles with outward rounding, some tens of nanoseconds an
-// operation. Put regions into a generic function f that was written for real arguments: the result is
-// an enclosure of f's analytic continuation over the rectangle, or says that none was proved:
-//   a square root, logarithm or power meets its branch cut, a division or a tangent a pole,
-//   abs, min or max the line where it changes from one analytic piece to another, floor or ceil a jump.
-// The answer is in the value (`is_analytic`, `why`, `where`) and spreads to every result made of it, so
-// that no caller can pass it by: a bound asked of a region that is not analytic is infinite.
+// operation. Put regions into a generic function f that was written for real arguments: the result
+// is an enclosure of f's analytic continuation over the rectangle, or says that none was proved:
+//   a square root, logarithm or power meets its branch cut, a division or a tangent a pole, abs,
+//   min or max the line where it changes from one analytic piece to another, floor or ceil a jump.
+// The answer is in the value (`is_analytic`, `why`, `where`) and spreads to every result made of
+// it, so that no caller can pass it by: a bound asked of a region that is not analytic is infinite.
 //
-// Beside the rectangle a region may know more of |z| than the rectangle tells: exp(z) with a large imaginary
-// part lies in a ring, whose rectangle holds 0, and yet 1/exp(z) or 1/(1 + exp(z)) has no pole there. What exp, sin,
-// cos, sinh and cosh know of their size goes through + - * / and powers. Such a set is not convex: what a mean value
-// lies in is its convex_hull().
+// Beside the rectangle a region may know more of |z| than the rectangle tells: exp(z) with a large
+// imaginary part lies in a ring, whose rectangle holds 0, and yet 1/exp(z) or 1/(1 + exp(z)) has no
+// pole there. What exp, sin, cos, sinh and cosh know of their size goes through + - * / and powers.
+// Such a set is not convex: what a mean value lies in is its convex_hull().
 //
 // What the functions mean off the real line: abs(z) is z where Re z > 0 and -z where Re z < 0, the
-// continuation of |x| from either side; min and max likewise pick the one that is smaller or greater in
-// its real part; floor(z) is the constant that it is on the real numbers of the same real part.
+// continuation of |x| from either side; min and max likewise pick the one that is smaller or
+// greater in its real part; floor(z) is the constant that it is on the real numbers of the same
+// real part.
 //
-// Where a result leaves the range of doubles (overflow, underflow) the rectangle gets a power of two as a
-// factor, in sums, products, quotients, powers, roots, exp, sin, cos, sinh and cosh; where that does not serve
-// it is computed again, and carried on, with balls of 64 bits, whose exponents go as far.
+// Where a result leaves the range of doubles (overflow, underflow) the rectangle gets a power of
+// two as a factor, in sums, products, quotients, powers, roots, exp, sin, cos, sinh and cosh; where
+// that does not serve it is computed again, and carried on, with balls of 64 bits, whose exponents
+// go as far.
 
 #include <memory>
 #include <optional>
@@ -34,7 +36,8 @@
 
 namespace polhode {
 
-/// What rectangle.hpp needs of a double_interval: there are no narrow sets and no more bits to raise.
+/// What rectangle.hpp needs of a double_interval: there are no narrow sets and no more bits to
+/// raise.
 template <>
 struct real_set<double_interval> {
   static constexpr bool has_narrow = false;
@@ -113,7 +116,8 @@ enum class obstacle {
 
 class region {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// {0}.
   region() = default;
@@ -123,12 +127,12 @@ class region {
   /// The set of a ball or a complex ball.
   explicit region(const ball& re) { *this = from_balls({re, ball(0, re.precision())}); }
   explicit region(const complex_ball& z) { *this = from_balls(z); }
-  /// The set of z, kept in balls of z's precision and carried on so: for points so close together that
-  /// hardware doubles do not tell them apart.
+  /// The set of z, kept in balls of z's precision and carried on so: for points so close together
+  /// that hardware doubles do not tell them apart.
   [[nodiscard]] static region in_balls(const complex_ball& z);
 
-  /// The answer of a function that met an obstacle: obstacle::unknown where it has no enclosure over any
-  /// region. The function's name must outlive the region: a literal.
+  /// The answer of a function that met an obstacle: obstacle::unknown where it has no enclosure
+  /// over any region. The function's name must outlive the region: a literal.
   [[nodiscard]] static region blocked(obstacle why, std::string_view function);
 
   /// The function computed so far is proved analytic on a neighbourhood of everything it was given.
@@ -228,7 +232,8 @@ class region {
   std::string_view where_;
 };
 
-// With exact numbers, balls and complex balls, which are constants, rounded no worse than the region is.
+// With exact numbers, balls and complex balls, which are constants, rounded no worse than the
+// region is.
 namespace detail {
 template <class N>
 concept region_constant = exact_number<N> || std::same_as<N, ball> || std::same_as<N, complex_ball>;
@@ -241,7 +246,8 @@ template <region_constant N>
     if (!like.is_in_hardware()) {
       return region::in_balls({ball(n, like.precision()), ball(0, like.precision())});
     }
-    // Beyond the range of doubles, or below it (an end is 0 and n is not), with the exponents of balls.
+    // Beyond the range of doubles, or below it (an end is 0 and n is not), with the exponents of
+    // balls.
     const double_interval x(n);
     const bool left_range = x.is_out_of_range() || (contains_zero(x) && !x.is_exact());
     return left_range ? region(ball(n, 64)) : region(x);

@@ -1,8 +1,8 @@
 #pragma once
 
-// What a rule or an iteration that is a template over the scalar needs beyond the operators, for the
-// two scalars of the library: with `ball` the template computes an enclosure, with `mpfr_float` the
-// uncertified value, from the same code.
+// What a rule or an iteration that is a template over the scalar needs beyond the operators, for
+// the two scalars of the library: with `ball` the template computes an enclosure, with `mpfr_float`
+// the uncertified value, from the same code.
 
 #include <type_traits>
 #include <utility>

@@ -14,9 +14,10 @@ class region;
 [[nodiscard]] ball erfc(const ball& x);
 
 /// Gamma(x), for sets without a pole (0, -1, -2, ...), else undefined; log|Gamma(x)| likewise.
-/// Between two poles log|Gamma| is convex (its second derivative is the sum of (x+k)^-2 > 0), so |Gamma| and
-/// log|Gamma| decrease where the digamma function is negative and increase where it is positive; where
-/// it changes sign inside the set, the minimum is bounded below by a tangent of the convex function.
+/// Between two poles log|Gamma| is convex (its second derivative is the sum of (x+k)^-2 > 0), so
+/// |Gamma| and log|Gamma| decrease where the digamma function is negative and increase where it is
+/// positive; where it changes sign inside the set, the minimum is bounded below by a tangent of the
+/// convex function.
 [[nodiscard]] ball gamma(const ball& x);
 [[nodiscard]] ball log_gamma(const ball& x);
 
@@ -24,8 +25,8 @@ class region;
 /// poles it increases: its derivative is the sum of (x+k)^-2 > 0 over k >= 0 (DLMF 5.15.1).
 [[nodiscard]] ball digamma(const ball& x);
 
-/// Their continuations over a region, by Stirling's series: Gamma where it has no pole, down to Re z = -1000;
-/// log Gamma for Re z > 0; elsewhere it is not available (obstacle::unknown).
+/// Their continuations over a region, by Stirling's series: Gamma where it has no pole, down to Re
+/// z = -1000; log Gamma for Re z > 0; elsewhere it is not available (obstacle::unknown).
 [[nodiscard]] region gamma(const region& z);
 [[nodiscard]] region log_gamma(const region& z);
 

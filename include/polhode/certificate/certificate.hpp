@@ -1,7 +1,7 @@
 #pragma once
 
-// A certificate is data: what was claimed, of which inputs, what was proved, and what a checker needs
-// to repeat the argument. docs/certificates.md describes its JSON form.
+// A certificate is data: what was claimed, of which inputs, what was proved, and what a checker
+// needs to repeat the argument. docs/certificates.md describes its JSON form.
 
 #include <string>
 #include <utility>
@@ -35,10 +35,10 @@ enum class step_kind { exact, enclosed, kernel, argued, cited };
 
 /// How much of a proof a machine decides.
 enum class proof_tier {
-  by_kernel,   // theorems of proofs/coq say it of all bodies; its steps decide the given one again
-  by_machine,  // its steps, with what is cited, give the statement
-  with_words,  // it decides every sign, bound and count; an argument in words leads from them to the statement
-  by_argument,  // the statement follows from an argument in words; a machine decides some of its steps
+  by_kernel,    // theorems of proofs/coq say it of all bodies; its steps decide the given one again
+  by_machine,   // its steps, with what is cited, give the statement
+  with_words,   // it decides every sign, bound and count; words lead from them to the statement
+  by_argument,  // words lead to the statement; a machine decides some of their steps
 };
 /// "by Coq's kernel", "by machine", "by machine, joined in words", "by argument".
 [[nodiscard]] std::string to_text(proof_tier t);
@@ -82,16 +82,17 @@ struct certificate {
   [[nodiscard]] std::string verdict_text() const;
 };
 
-/// {"value", "radius", "lower", "upper", "digits"} as decimal_enclosure has them, "rounded": true where the value is not cut off,
-/// and "exact": true where it is.
-/// An unbounded or undefined ball gives nulls in place of decimals.
+/// {"value", "radius", "lower", "upper", "digits"} as decimal_enclosure has them, "rounded": true
+/// where the value is not cut off, and "exact": true where it is. An unbounded or undefined ball
+/// gives nulls in place of decimals.
 [[nodiscard]] json to_json(const ball& x, long digits);
 
-/// The exact ends: {"lower": {"mantissa": "...", "exponent": e}, "upper": ...}, mantissa * 2^exponent with
-/// decimal integers in strings. Null for an unbounded or undefined ball.
+/// The exact ends: {"lower": {"mantissa": "...", "exponent": e}, "upper": ...}, mantissa *
+/// 2^exponent with decimal integers in strings. Null for an unbounded or undefined ball.
 [[nodiscard]] json to_dyadic_json(const ball& x);
 
-/// The certificate's JSON form, versions included, and the digest of all the rest (docs/certificates.md).
+/// The certificate's JSON form, versions included, and the digest of all the rest
+/// (docs/certificates.md).
 [[nodiscard]] json to_json(const certificate& c);
 
 /// The certificate as text for a terminal of 100 columns.

@@ -3,7 +3,8 @@
 // Certificates of what was found of a formula, from the results of integrate and isolate_roots.
 //
 //   const formula_over_range what{parse("4/(1+x^2)"), parse("0", {}), parse("1", {})};
-//   const json c = certificate_of(what, integrate(what.f, 0, 1, {.digits = 25}), 20);   // for `polhode check`
+//   // for `polhode check`:
+//   const json c = certificate_of(what, integrate(what.f, 0, 1, {.digits = 25}), 20);
 //
 // docs/certificates.md says what they hold. This header needs nlohmann/json.
 
@@ -14,19 +15,21 @@
 
 namespace polhode {
 
-/// The certificate, in its JSON form, of the integral `found` of what.f over its range. Its number is a little wider than the
-/// enclosure: to show so many digits, the integral has to be found with some four more. Throws input_error where it is not certified, and as
-/// integral_certificate does.
+/// The certificate, in its JSON form, of the integral `found` of what.f over its range. Its number
+/// is a little wider than the enclosure: to show so many digits, the integral has to be found with
+/// some four more. Throws input_error where it is not certified, and as integral_certificate does.
 [[nodiscard]] json certificate_of(const formula_over_range& what, const integral& found,
                                   long digits);
 
-/// The certificate, in its JSON form, of the roots `found` of what.f in its range, to so many digits. Throws input_error as
-/// expect_checkable does for the roots, and as roots_certificate does.
+/// The certificate, in its JSON form, of the roots `found` of what.f in its range, to so many
+/// digits. Throws input_error as expect_checkable does for the roots, and as roots_certificate
+/// does.
 [[nodiscard]] json certificate_of(const formula_over_range& what, const root_set& found,
                                   long digits);
 
-/// Throws input_error where no certificate can hold the roots, and says why: the function is 0 everywhere, or not defined everywhere; a root
-/// is multiple, or is not proved to be the only one in its place.
+/// Throws input_error where no certificate can hold the roots, and says why: the function is 0
+/// everywhere, or not defined everywhere; a root is multiple, or is not proved to be the only one
+/// in its place.
 void expect_checkable(const root_set& found);
 
 }  // namespace polhode

@@ -13,17 +13,19 @@
 namespace polhode::checker {
 
 enum class outcome {
-  verified,          // every step of it that a program decides was shown again
-  verified_in_part,  // so was what the certificate says; but it leaves out a part of what its claim says (report::left_out)
-  not_checkable,     // this checker cannot repeat some of it; nothing was found wrong
-  refuted,           // something in it is not so, or is not what a certificate of this claim says
-  malformed,         // it is no certificate of a form and a claim that this version knows
+  verified,  // every step of it that a program decides was shown again
+  // So was what the certificate says; but it leaves out a part of its claim (report::left_out).
+  verified_in_part,
+  not_checkable,  // this checker cannot repeat some of it; nothing was found wrong
+  refuted,        // something in it is not so, or is not what a certificate of this claim says
+  malformed,      // it is no certificate of a form and a claim that this version knows
 };
 
 /// "verified", "verified in part", "not checkable", "refuted", "malformed".
 [[nodiscard]] std::string to_text(outcome result);
 
-/// What one check may cost. Both are counted from the sizes of operands, never measured: a certificate costs the same on every machine.
+/// What one check may cost. Both are counted from the sizes of operands, never measured: a
+/// certificate costs the same on every machine.
 struct limits {
   long work = 20'000'000'000;  // operations on 64-bit words; more than a thousand million a second
   long memory = long{1024} << 20U;  // bytes
@@ -34,16 +36,20 @@ struct report {
   std::string claim;    // empty where it was not read
   std::string place;    // JSON pointer of what is wrong, "/numbers/beta/lower"
   std::string message;  // what is wrong there and what would be right
-  /// Of a verified one: what it is of, in words ("integral"; "claim \"crossing\" for the non-physical body a = 3, b = 1/4").
+  /// Of a verified one: what it is of, in words ("integral"; "claim \"crossing\" for the
+  /// non-physical body a = 3, b = 1/4").
   std::string subject;
-  /// Of a verified one: what was shown, a sentence a line, with all inputs and all numbers, in the checker's own words.
+  /// Of a verified one: what was shown, a sentence a line, with all inputs and all numbers, in the
+  /// checker's own words.
   std::vector<std::string> statement;
   /// Of a verified one: the kinds of its steps, each of "decided exactly", "enclosed", "argued in
   /// words" and "cited" that occurs, in this order.
   std::vector<std::string> grounds;
-  /// Of a verified claim: how much of its proof a machine decides, "by machine", "by machine, joined in words", "by argument".
+  /// Of a verified claim: how much of its proof a machine decides, "by machine", "by machine,
+  /// joined in words", "by argument".
   std::string tier;
-  /// Of a verified one: its statement follows from an argument in words, of which a program decides some steps only.
+  /// Of a verified one: its statement follows from an argument in words, of which a program decides
+  /// some steps only.
   bool argued = false;
   std::vector<std::string> checks;  // what was shown again on the way, in words
   /// What the certificate leaves out of the claim's numbers and facts, as not found by the prover.
@@ -60,8 +66,9 @@ struct report {
 /// The greatest certificate that is read, in bytes.
 inline constexpr std::size_t most_certificate_bytes = std::size_t{64} << 20U;
 
-/// Checks one certificate, given as JSON text. Never throws for what the text holds. Where it would cost more than `most`, and where
-/// numbers have more than 100,000 digits, it is not checkable, and the report names the place.
+/// Checks one certificate, given as JSON text. Never throws for what the text holds. Where it would
+/// cost more than `most`, and where numbers have more than 100,000 digits, it is not checkable, and
+/// the report names the place.
 [[nodiscard]] report check(std::string_view certificate, const limits& most = {});
 
 }  // namespace polhode::checker

@@ -1,6 +1,7 @@
 #pragma once
 
-// Carlson's symmetric integrals of real arguments (B. C. Carlson, Numer. Algorithms 10, 1995; DLMF 19.16):
+// Carlson's symmetric integrals of real arguments (B. C. Carlson, Numer. Algorithms 10, 1995; DLMF
+// 19.16):
 //
 //   R_F(x,y,z)   = (1/2) int_0^oo dt / sqrt((t+x)(t+y)(t+z))
 //   R_C(x,y)     = R_F(x,y,y)
@@ -15,13 +16,14 @@
 //   R_D        x, y >= 0, not both 0, z > 0
 //   R_G        x, y, z >= 0
 //
-// Over balls the results are enclosures, close to the last place for numbers. Over wide balls they are the range
-// itself but for rounding: for p > 0 (y > 0 in R_C) the integrands, and so R_F, R_C, R_J and R_D, decrease in
-// every argument, and R_G increases (its partial derivative in x is R_G's integrand differentiated, see
-// carlson_rg_gradient). Principal values are put together from these, over wide balls with some excess.
-// mpfr_float and double give the uncertified value (NaN outside the domain), the first at the greatest precision
-// among the arguments; both come from the templates that give the balls (src/elliptic/carlson_core.hpp, with the
-// proofs): duplication with a series, and from some 60 digits on Landen's transformation, which converges quadratically.
+// Over balls the results are enclosures, close to the last place for numbers. Over wide balls they
+// are the range itself but for rounding: for p > 0 (y > 0 in R_C) the integrands, and so R_F, R_C,
+// R_J and R_D, decrease in every argument, and R_G increases (its partial derivative in x is R_G's
+// integrand differentiated, see carlson_rg_gradient). Principal values are put together from these,
+// over wide balls with some excess. mpfr_float and double give the uncertified value (NaN outside
+// the domain), the first at the greatest precision among the arguments; both come from the
+// templates that give the balls (src/elliptic/carlson_core.hpp, with the proofs): duplication with
+// a series, and from some 60 digits on Landen's transformation, which converges quadratically.
 
 #include <array>
 

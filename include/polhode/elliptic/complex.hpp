@@ -1,27 +1,31 @@
 #pragma once
 
-// The elliptic integrals and functions of complex arguments, as the analytic continuation of the real functions: over
-// complex balls, and over regions, which quadrature asks for. Conventions and formulas are those of carlson.hpp,
-// legendre.hpp, jacobi.hpp and theta.hpp.
+// The elliptic integrals and functions of complex arguments, as the analytic continuation of the
+// real functions: over complex balls, and over regions, which quadrature asks for. Conventions and
+// formulas are those of carlson.hpp, legendre.hpp, jacobi.hpp and theta.hpp.
 //
 //   function               analytic, and given here, where
 //   R_F, R_C               no argument is in (-oo, 0]
 //   R_J, R_D, R_G          the real parts are positive
-//                          (one of x, y, z may be exactly 0, but not of R_C and not the last one of R_D)
+//                          (one of x, y, z may be exactly 0, but not of R_C and not the last one of
+//                          R_D)
 //   K, E, D                m is not in [1, oo)
 //   Pi(n | m)              Re m < 1, Re n < 1
-//   F, E, D, Pi of phi     1 - m sin^2 phi is not in (-oo, 0]; of E, D, Pi its real part and that of cos^2 phi are
-//                          positive, of Pi also that of 1 - n sin^2 phi; where |Re phi| comes near pi/2, and beyond, m is
-//                          not in [1, oo), and the same holds of -m/(1-m), -n/(1-n) and phi less an odd multiple of pi/2
+//   F, E, D, Pi of phi     1 - m sin^2 phi is not in (-oo, 0]; of E, D, Pi its real part and that
+//                          of cos^2 phi are positive, of Pi also that of 1 - n sin^2 phi; where |Re
+//                          phi| comes near pi/2, and beyond, m is not in [1, oo), and the same
+//                          holds of -m/(1-m), -n/(1-n) and phi less an odd multiple of pi/2
 //   sn, cn, dn, am, nome   m is not in (-oo, 0] or [1, oo); sn, cn, dn also Re m < 0 and Re m > 1
 //   theta_j                |q| < 1, for j = 1, 2 and q not in (-oo, 0]
-//   inverse functions      where the arguments of R_F are not in (-oo, 0]; all but arcsn, arcsc, arcsd: Re x > 0, and
-//                          arccn, arccs, arccd: also Re x < 0; arccd, arcdc: Re(x sqrt(1 - m)) > 0, arcdn, arcnd:
-//                          Re(x sqrt m) > 0, else the branch is one whose pq is -x
+//   inverse functions      where the arguments of R_F are not in (-oo, 0]; all but arcsn, arcsc,
+//                          arcsd: Re x > 0, and arccn, arccs, arccd: also Re x < 0; arccd, arcdc:
+//                          Re(x sqrt(1 - m)) > 0, arcdn, arcnd: Re(x sqrt m) > 0, else the branch
+//                          is one whose pq is -x
 //
-// Elsewhere, where an operand is too wide, and where a series would be long (a nome near 1), complex balls are undefined
-// and regions not analytic (obstacle::branch_cut where an argument meets a cut, else obstacle::unknown). Over regions
-// about 30 bits are right for numbers: enough for bounds.
+// Elsewhere, where an operand is too wide, and where a series would be long (a nome near 1),
+// complex balls are undefined and regions not analytic (obstacle::branch_cut where an argument
+// meets a cut, else obstacle::unknown). Over regions about 30 bits are right for numbers: enough
+// for bounds.
 
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/region.hpp"

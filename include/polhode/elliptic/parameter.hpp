@@ -1,7 +1,7 @@
 #pragma once
 
-// The parameter of elliptic integrals and functions, m = k^2 (not the modulus k), given by m or by m1 = 1 - m: near
-// m = 1 only m1 tells how near.
+// The parameter of elliptic integrals and functions, m = k^2 (not the modulus k), given by m or by
+// m1 = 1 - m: near m = 1 only m1 tells how near.
 
 #include <utility>
 

@@ -1,12 +1,13 @@
 #pragma once
 
-// How a compiled formula is evaluated over a type T: the instructions one after another, in slots that are
-// used again. Needed only for a T beyond those that expression.hpp lists.
+// How a compiled formula is evaluated over a type T: the instructions one after another, in slots
+// that are used again. Needed only for a T beyond those that expression.hpp lists.
 //
-// T needs the operators + - * / and pow(x, n). A named function is looked for in three places: supplement<T>, where T spells it otherwise
-// than by its name; the function of that name that is found by its argument; and, where there is none, what T answers of a
-// function that is known over balls alone (value_over). So a row of function_table.hpp and a function over balls
-// are enough for every T to have an answer, if only that the function is not available.
+// T needs the operators + - * / and pow(x, n). A named function is looked for in three places:
+// supplement<T>, where T spells it otherwise than by its name; the function of that name that is
+// found by its argument; and, where there is none, what T answers of a function that is known over
+// balls alone (value_over). So a row of function_table.hpp and a function over balls are enough for
+// every T to have an answer, if only that the function is not available.
 
 #include <array>
 #include <concepts>
@@ -23,16 +24,18 @@
 namespace polhode {
 namespace detail {
 
-/// What a T has under other names than those of the table, or does otherwise there. Each static member obeys the inclusion principle,
-/// or answers that it is not defined, or not available, in T's way (a double, or an mpfr_float, is rounded). power_integer(x, n),
-/// power(x, y) and root(x, n) are x^n, x^y and the real root; add, subtract, multiply, divide and negate stand for T's operators.
-/// `further(f, arguments)` is T's answer for a function that is known by f.value over balls.
+/// What a T has under other names than those of the table, or does otherwise there. Each static
+/// member obeys the inclusion principle, or answers that it is not defined, or not available, in
+/// T's way (a double, or an mpfr_float, is rounded). power_integer(x, n), power(x, y) and root(x,
+/// n) are x^n, x^y and the real root; add, subtract, multiply, divide and negate stand for T's
+/// operators. `further(f, arguments)` is T's answer for a function that is known by f.value over
+/// balls.
 template <class T>
 struct supplement {};
 
-/// Off the real line abs, min, max, floor and ceil are those of region.hpp, decided by real parts, and are
-/// undefined where the real parts do not decide; root(z, n) of odd n is -root(-z, n) where Re z < 0; where
-/// the imaginary part is 0, all of them are the real functions.
+/// Off the real line abs, min, max, floor and ceil are those of region.hpp, decided by real parts,
+/// and are undefined where the real parts do not decide; root(z, n) of odd n is -root(-z, n) where
+/// Re z < 0; where the imaginary part is 0, all of them are the real functions.
 template <>
 struct supplement<complex_ball> {
   static complex_ball expm1(const complex_ball& z);
@@ -63,8 +66,9 @@ struct supplement<region> {
   static region agm(const region& z, const region& w);
   static region atan2(const region& y, const region& x);
   static region root(const region& z, long n);
-  /// erf is entire: with m real, erf(z) - erf(m) is z - m times a mean of its derivative over the segment
-  /// between them, and lies in (Z - m) (2/sqrt(pi)) exp(-W^2) for any convex W that holds m and Z.
+  /// erf is entire: with m real, erf(z) - erf(m) is z - m times a mean of its derivative over the
+  /// segment between them, and lies in (Z - m) (2/sqrt(pi)) exp(-W^2) for any convex W that holds m
+  /// and Z.
   static region erf(const region& z);
   static region erfc(const region& z);
 };
@@ -157,8 +161,9 @@ template <class F>
   return F::name;
 }
 
-/// The value over any type of a function that is known by f.value over balls: a further_function, or a named one that T has not.
-/// x is a range of T or of references to them; supplement<T>::further(f, x) has it for a T that has a way of its own.
+/// The value over any type of a function that is known by f.value over balls: a further_function,
+/// or a named one that T has not. x is a range of T or of references to them;
+/// supplement<T>::further(f, x) has it for a T that has a way of its own.
 template <class T, class F, class Range>
 [[nodiscard]] T value_over(const F& f, const Range& x) {
   const T& first = x.front();
@@ -221,8 +226,9 @@ template <class T, class F, class Range>
   }
 }
 
-/// A function of the table, or x^n, x^y or the real root, in every arithmetic: over(x), over(x, y) or over(x, n), and put(r, ...) for the
-/// same in r, which may be one of the operands. is_own<T>: T has it, and does not answer by way of balls.
+/// A function of the table, or x^n, x^y or the real root, in every arithmetic: over(x), over(x, y)
+/// or over(x, n), and put(r, ...) for the same in r, which may be one of the operands. is_own<T>: T
+/// has it, and does not answer by way of balls.
 template <operation what>
 struct named;
 
@@ -427,8 +433,8 @@ template <class T>
   }
 }
 
-/// What the part of a program without variables gives: number(q) is a number of the formula, and constant(i) a
-/// constant such as pi; seen(i, x) is told the result of each instruction.
+/// What the part of a program without variables gives: number(q) is a number of the formula, and
+/// constant(i) a constant such as pi; seen(i, x) is told the result of each instruction.
 template <class T, class Number, class Constant, class Observer>
 [[nodiscard]] std::vector<T> evaluate_constants(const program& f, const Number& number,
                                                 const Constant& constant, const Observer& seen) {
@@ -463,8 +469,8 @@ template <class T, class Number, class Constant>
   return evaluate_constants<T>(f, number, constant, [](const instruction&, const T&) {});
 }
 
-/// A T that knows more of a constant than an enclosure: supplement<T>::number(q) is the rational number,
-/// supplement<T>::constant(i) a constant such as pi.
+/// A T that knows more of a constant than an enclosure: supplement<T>::number(q) is the rational
+/// number, supplement<T>::constant(i) a constant such as pi.
 template <class T>
 concept symbolic = requires(const rational& q, const instruction& i) {
   { supplement<T>::number(q) } -> std::same_as<T>;

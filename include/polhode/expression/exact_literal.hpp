@@ -1,6 +1,7 @@
 #pragma once
 
-// Exact numbers as literals of C++: 0.5, which is the number it looks like; and "0.1"_r or "1/3"_r, for what a double is not.
+// Exact numbers as literals of C++: 0.5, which is the number it looks like; and "0.1"_r or "1/3"_r,
+// for what a double is not.
 
 #include <concepts>
 #include <string_view>
@@ -10,14 +11,15 @@
 
 namespace polhode {
 
-/// A double literal whose decimal is the number that the double is. The compiler refuses others, and doubles that it does
-/// not know: a captured variable, say.
+/// A double literal whose decimal is the number that the double is. The compiler refuses others,
+/// and doubles that it does not know: a captured variable, say.
 ///
-/// Whether the decimal was exact cannot be seen in general; what is accepted is an odd number below 2^26 times a power of two, and
-/// a whole number up to 2^53. A decimal that is not exact, N/10^n in lowest terms with n >= 1 and 5 in its denominator, is next to
-/// j/2^m with odd j < 2^26 only if |N/10^n - j/2^m| <= 2^-53 |j/2^m|. The difference is at least 1/(5^n 2^max(m,n)), so that
-/// 5^n j >= 2^53 for m >= n, and more else: n is 12 or more. So a literal of less than 12 decimals is judged rightly,
-/// and one of more is off by less than a unit in its 16th digit.
+/// Whether the decimal was exact cannot be seen in general; what is accepted is an odd number below
+/// 2^26 times a power of two, and a whole number up to 2^53. A decimal that is not exact, N/10^n in
+/// lowest terms with n >= 1 and 5 in its denominator, is next to j/2^m with odd j < 2^26 only if
+/// |N/10^n - j/2^m| <= 2^-53 |j/2^m|. The difference is at least 1/(5^n 2^max(m,n)), so that 5^n j
+/// >= 2^53 for m >= n, and more else: n is 12 or more. So a literal of less than 12 decimals is
+/// judged rightly, and one of more is off by less than a unit in its 16th digit.
 class exact_double {
  public:
   template <std::floating_point N>
@@ -78,7 +80,8 @@ class rational_literal {
 };
 
 inline namespace literals {
-/// "0.1"_r and 0.1_r: the decimal, or the quotient "1/3"_r, exactly. Throws input_error as parse_rational does.
+/// "0.1"_r and 0.1_r: the decimal, or the quotient "1/3"_r, exactly. Throws input_error as
+/// parse_rational does.
 [[nodiscard]] inline rational_literal operator""_r(const char* text, std::size_t length) {
   return rational_literal(parse_rational(std::string_view(text, length)));
 }

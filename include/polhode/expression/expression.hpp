@@ -2,24 +2,27 @@
 
 // A formula given as text, evaluated in any of the arithmetics.
 //
-//   const expression f("exp(-x^2) / (1 + k*x)", {.variables = {"x"}, .definitions = {{"k", "1/3"}}});
-//   ball y = f(x);                                  // any of the types below, at the precision of x
+//   const expression f("exp(-x^2) / (1 + k*x)",
+//                      {.variables = {"x"}, .definitions = {{"k", "1/3"}}});
+//   ball y = f(x);                          // any of the types below, at the precision of x
 //   const auto g = f.evaluator<ball>(333);          // for loops: the constants are converted once
 //   ball z = g(x);
 //
-// docs/expressions.md has the grammar and the conventions; functions.hpp the table of functions. A formula
-// is a function of real variables with real values. Numbers are read exactly, and operations on rational
-// numbers are done exactly while the result is short (most_folded_bits). An operation on exact numbers that is not
-// defined (1/0, log(-1), sqrt(-2)) is an error of the formula, found when it is read.
+// docs/expressions.md has the grammar and the conventions; functions.hpp the table of functions. A
+// formula is a function of real variables with real values. Numbers are read exactly, and
+// operations on rational numbers are done exactly while the result is short (most_folded_bits). An
+// operation on exact numbers that is not defined (1/0, log(-1), sqrt(-2)) is an error of the
+// formula, found when it is read.
 //
-// The types: ball, region, complex_ball, double_interval, jet<ball, n> for n = 1, 2, 3, dynamic_order, and
-// the uncertified mpfr_float and double. For others, another order of a jet say, include evaluation.hpp.
-// Over each type the inclusion principle of ball.hpp holds (but for the uncertified ones), and what is
-// not defined, or has no enclosure in that type, is answered in the type's own way: an undefined ball or
-// coefficient, a region that is not analytic (obstacle::unknown where the function is not available for
-// regions, as gamma), a NaN. Off the real line each function means what region.hpp says, so a formula
-// over regions or complex balls is the continuation of the real one; over complex balls, which know nothing
-// of analyticity, with principal values.
+// The types: ball, region, complex_ball, double_interval, jet<ball, n> for n = 1, 2, 3,
+// dynamic_order, and the uncertified mpfr_float and double. For others, another order of a jet say,
+// include evaluation.hpp. Over each type the inclusion principle of ball.hpp holds (but for the
+// uncertified ones), and what is not defined, or has no enclosure in that type, is answered in the
+// type's own way: an undefined ball or coefficient, a region that is not analytic
+// (obstacle::unknown where the function is not available for regions, as gamma), a NaN. Off the
+// real line each function means what region.hpp says, so a formula over regions or complex balls is
+// the continuation of the real one; over complex balls, which know nothing of analyticity, with
+// principal values.
 
 #include <algorithm>
 #include <cstdint>
@@ -47,8 +50,8 @@
 
 namespace polhode {
 
-/// A text is not a formula, or the formula is not defined; what() says in which column, what was found
-/// and what would be right.
+/// A text is not a formula, or the formula is not defined; what() says in which column, what was
+/// found and what would be right.
 class expression_error : public input_error {
  public:
   expression_error(std::size_t column, const std::string& message)
@@ -73,9 +76,9 @@ struct expression_names {
   std::shared_ptr<const further_functions> further = nullptr;
 };
 
-/// How the cost of an evaluation grows with the precision p: nearly as p for sums, products, quotients and
-/// roots; a little faster for the elementary functions; as p^2 and more for gamma and its kin.
-/// Further functions are taken to grow as the elementary ones do, from a higher price.
+/// How the cost of an evaluation grows with the precision p: nearly as p for sums, products,
+/// quotients and roots; a little faster for the elementary functions; as p^2 and more for gamma and
+/// its kin. Further functions are taken to grow as the elementary ones do, from a higher price.
 enum class expression_cost { algebraic, elementary, further, special };
 
 // Limits that keep a short text from taking much time or memory.
@@ -93,8 +96,8 @@ class symbol;  // symbol.hpp
 namespace detail {
 class graph;
 
-/// What a compiled expression keeps of a constant: T itself, but for a jet, whose order comes with the
-/// argument, the coefficient.
+/// What a compiled expression keeps of a constant: T itself, but for a jet, whose order comes with
+/// the argument, the coefficient.
 template <class T>
 struct constant_of {
   using type = T;
@@ -134,7 +137,8 @@ struct constant_of<T> {
 template <class T>
 class compiled_expression {
  public:
-  /// The value at x, for a formula of at most one variable. Throws std::invalid_argument for others.
+  /// The value at x, for a formula of at most one variable. Throws std::invalid_argument for
+  /// others.
   [[nodiscard]] T operator()(const T& x) const {
     if (program_->variables == 0) return evaluate({}, x);
     return evaluate({&x, 1}, x);
@@ -171,8 +175,9 @@ class expression {
   /// Reads a formula. Throws expression_error where it cannot be read, or is certainly undefined,
   /// and input_error for names that may not be used (functions, constants, the same name twice).
   explicit expression(std::string_view text, const expression_names& names = {});
-  /// What a function of symbols returned (symbol.hpp); symbol::variable(i) is the i-th of the names' variables, and their
-  /// definitions are not looked at. Throws input_error where the formula is certainly undefined, or has a variable without a name.
+  /// What a function of symbols returned (symbol.hpp); symbol::variable(i) is the i-th of the
+  /// names' variables, and their definitions are not looked at. Throws input_error where the
+  /// formula is certainly undefined, or has a variable without a name.
   explicit expression(const symbol& formula, const expression_names& names);
 
   /// The value at x, at the precision of x, for a formula of at most one variable. Converts the
@@ -195,8 +200,8 @@ class expression {
   /// The value of a formula without variables, computed with p bits. Throws std::invalid_argument
   /// where there are variables in it.
   [[nodiscard]] ball value(precision p) const;
-  /// Where the value is undefined at p bits: the function, with its domain, that is the first in it not to be defined;
-  /// none where that is an operator.
+  /// Where the value is undefined at p bits: the function, with its domain, that is the first in it
+  /// not to be defined; none where that is an operator.
   [[nodiscard]] std::optional<expression_function> undefined_function(precision p) const;
   /// The formula with its constants converted to p bits (of their balls; a region or a double has
   /// a precision of its own).
@@ -214,10 +219,11 @@ class expression {
   [[nodiscard]] std::vector<std::string> used_variables() const;
   /// The value where the formula was found to be a rational number.
   [[nodiscard]] const std::optional<rational>& exact_value() const { return exact_; }
-  /// The value of a formula without variables where it is shown to be a rational number: by exact_value(), or by exact
-  /// rules for roots of rational numbers, rational multiples of pi, exponentials, logarithms and their inverses
-  /// ("cos(pi/3)", "log(8)/log(2)", "sqrt(3 + 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is
-  /// left open, never denied. The work is bounded, but for one evaluation with 512 bits.
+  /// The value of a formula without variables where it is shown to be a rational number: by
+  /// exact_value(), or by exact rules for roots of rational numbers, rational multiples of pi,
+  /// exponentials, logarithms and their inverses ("cos(pi/3)", "log(8)/log(2)", "sqrt(3 +
+  /// 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is left open, never
+  /// denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
   /// The values of the operations of the variable, at the number that the formula x is, in the
   /// order of compiled_expression::with_each. A value is there where the rules of rational_value()
@@ -292,15 +298,16 @@ class expression {
   struct of_exponential;
   [[nodiscard]] std::optional<of_exponential> by_exponential() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
-  /// products, whole powers and quotients by numbers. None where it is not, or its expansion is long:
-  /// a degree above 10,000, a million products of coefficients.
+  /// products, whole powers and quotients by numbers. None where it is not, or its expansion is
+  /// long: a degree above 10,000, a million products of coefficients.
   [[nodiscard]] std::optional<rational_polynomial> polynomial() const;
   /// The quotient of such polynomials that the formula is, with all that it divides by: "1/(1/x)"
   /// is x where x is not 0. None where it is no such quotient, where it divides by 0, or where its
   /// expansion is long.
   [[nodiscard]] std::optional<rational_quotient> quotient() const;
-  /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's value as an unknown of its own,
-  /// has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) - exp(x)^2". False where that is not shown.
+  /// Whether the formula is 0 wherever it is defined, because its expansion, with each function's
+  /// value as an unknown of its own, has no term: "sin(x) - sin(x)", "(1+exp(x))^2 - 1 - 2*exp(x) -
+  /// exp(x)^2". False where that is not shown.
   [[nodiscard]] bool is_formally_zero() const;
   /// Whether a formula of one variable is 0 so, and defined but for isolated points: "1/(x-sqrt(2))
   /// - 1/(x-sqrt(2))". It is meromorphic then.
@@ -309,11 +316,11 @@ class expression {
   /// of what is no sum. A value that cannot be told from 0 has no relative digits, but beside this
   /// size.
   [[nodiscard]] expression sum_of_sizes() const;
-  /// The base and the exponent where the value is a power of a rational number that is too long to be
-  /// worked out (1e1000000).
+  /// The base and the exponent where the value is a power of a rational number that is too long to
+  /// be worked out (1e1000000).
   [[nodiscard]] std::optional<std::pair<rational, long>> exact_power() const;
-  /// A function of the variables in it that is not analytic in the complex plane: abs, min, max, floor or ceil. None
-  /// where there is none.
+  /// A function of the variables in it that is not analytic in the complex plane: abs, min, max,
+  /// floor or ceil. None where there is none.
   [[nodiscard]] std::optional<std::string_view> function_not_analytic() const;
   /// Operations that an evaluation does; a subexpression that occurs twice is computed once.
   [[nodiscard]] std::size_t operation_count() const;
@@ -321,9 +328,9 @@ class expression {
   [[nodiscard]] std::size_t live_numbers() const;
   [[nodiscard]] expression_cost cost() const;
 
-  /// The formula as text without the names of definitions, numbers as quotients: read again with the
-  /// same variables it gives the same operations. Throws std::length_error where it would be longer
-  /// than longest_expression.
+  /// The formula as text without the names of definitions, numbers as quotients: read again with
+  /// the same variables it gives the same operations. Throws std::length_error where it would be
+  /// longer than longest_expression.
   [[nodiscard]] std::string to_text() const;
   /// The instructions that evaluate the formula, for those who walk them (program.hpp).
   [[nodiscard]] const detail::program& instructions() const { return *program_; }

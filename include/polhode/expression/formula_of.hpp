@@ -70,8 +70,8 @@ template <class V>
 
 }  // namespace detail
 
-/// A generic function of one argument as a formula in x. It is called once, with a symbol; or with a
-/// machine_symbol<R>, beside which numbers of type R stand.
+/// A generic function of one argument as a formula in x. It is called once, with a symbol; or with
+/// a machine_symbol<R>, beside which numbers of type R stand.
 template <class Symbol = symbol, class F>
 requires std::derived_from<Symbol, symbol>
 [[nodiscard]] expression formula_of(const F& f) {
@@ -110,8 +110,8 @@ template <class F>
   return formula_of(detail::symbol_of(f(symbol::variable(0), std::as_const(p))), names);
 }
 
-/// A generic function of a std::vector, which returns a range, as formulas in x1, x2, ..., one for each
-/// component. It is called once, with symbols of that type.
+/// A generic function of a std::vector, which returns a range, as formulas in x1, x2, ..., one for
+/// each component. It is called once, with symbols of that type.
 template <class Symbol = symbol, class F>
 [[nodiscard]] std::vector<expression> formulas_of(const F& f, std::size_t variables) {
   using arguments = std::vector<Symbol>;

@@ -2,29 +2,36 @@
 
 // The table of the named functions of formulas: one row a function.
 //
-// The reader, `polhode eval --functions`, the check of docs/expressions.md, the texts of formulas, the cost of one, and the evaluation
-// over every arithmetic are made of these rows. A row becomes an enumerator, a case of a switch and a call by that name
-// found by its arguments; only the preprocessor makes all three of one word, so the table is a macro:
+// The reader, `polhode eval --functions`, the check of docs/expressions.md, the texts of formulas,
+// the cost of one, and the evaluation over every arithmetic are made of these rows. A row becomes
+// an enumerator, a case of a switch and a call by that name found by its arguments; only the
+// preprocessor makes all three of one word, so the table is a macro:
 //
 //   POLHODE_FUNCTION_TABLE(OF_ONE, OF_TWO, OF_EITHER, MADE)
 //     OF_ONE(name, "x", what it is, where it is defined, kind, reader)      f(x), an operation
 //     OF_TWO(name, "x, y", ..., kind, reader)                               f(x, y), an operation
-//     OF_EITHER(name, "x, y", ..., kind, reader)                            the same, with f(x, y) = f(y, x)
-//     MADE(name, arguments, what it is, where it is defined, reader)        made of other operations when the formula is read
+//     OF_EITHER(name, "x, y", ..., kind, reader)
+//       the same, with f(x, y) = f(y, x)
+//     MADE(name, arguments, what it is, where it is defined, reader)
+//       made of other operations when the formula is read
 //
-// A derivative is no column: no formula is differentiated as a text. Derivatives are values of the same call at a jet, and jet.hpp has for
-// each function the recurrence of its Taylor coefficients, of every order, which a formula for f' could not give without making
-// it grow; end_series.hpp and symmetry.hpp have rules that are none of derivatives. A T without such a rule answers for itself (value_over in
-// evaluation.hpp), and functions beyond the table bring their gradient (further_function).
+// A derivative is no column: no formula is differentiated as a text. Derivatives are values of the
+// same call at a jet, and jet.hpp has for each function the recurrence of its Taylor coefficients,
+// of every order, which a formula for f' could not give without making it grow; end_series.hpp and
+// symmetry.hpp have rules that are none of derivatives. A T without such a rule answers for itself
+// (value_over in evaluation.hpp), and functions beyond the table bring their gradient
+// (further_function).
 //
-// The rows are in the order of the tables that people see. `reader` is a name in src/expression/functions.cpp: a domain, bool(const rational&),
-// which refuses a number outside; or a function that makes the node of a call.
+// The rows are in the order of the tables that people see. `reader` is a name in
+// src/expression/functions.cpp: a domain, bool(const rational&), which refuses a number outside; or
+// a function that makes the node of a call.
 
 #include "polhode/language.hpp"
 
 namespace polhode::detail {
 
-/// What is known of a named function beside its values: how dear it is, and whether it is made of several analytic functions.
+/// What is known of a named function beside its values: how dear it is, and whether it is made of
+/// several analytic functions.
 enum class function_kind {
   algebraic,   // as dear as a product or a quotient
   piecewise,   // no dearer, and not analytic

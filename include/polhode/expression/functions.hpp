@@ -1,7 +1,7 @@
 #pragma once
 
-// The functions and constants that a formula may use: the one list from which the reader, the help of the
-// program and the check of docs/expressions.md are made.
+// The functions and constants that a formula may use: the one list from which the reader, the help
+// of the program and the check of docs/expressions.md are made.
 
 #include <functional>
 #include <optional>
@@ -30,7 +30,8 @@ struct expression_constant {
   std::string description;
 };
 
-/// Another name of a function or constant. Texts of formulas (expression::to_text) have the name it stands for.
+/// Another name of a function or constant. Texts of formulas (expression::to_text) have the name it
+/// stands for.
 struct expression_alias {
   std::string name;
   std::string meaning;
@@ -40,22 +41,24 @@ struct expression_alias {
 using known_arguments = std::span<const std::optional<pi_combination>>;
 
 /// A function of real arguments that whoever reads formulas adds to those of this room
-/// (expression_names::further), known by what it is over balls. Its values over other real types are made of
-/// these; it is not available over series, nor in derivatives beyond the first. Functions may share a name where their
-/// numbers of arguments differ.
+/// (expression_names::further), known by what it is over balls. Its values over other real types
+/// are made of these; it is not available over series, nor in derivatives beyond the first.
+/// Functions may share a name where their numbers of arguments differ.
 struct further_function {
   expression_function what;
   std::size_t arity = 1;
   /// Obeys the inclusion principle.
   std::function<ball(std::span<const ball>)> value;
-  /// The partial derivatives over the balls, in the order of the arguments; empty where there are none.
+  /// The partial derivatives over the balls, in the order of the arguments; empty where there are
+  /// none.
   std::function<std::vector<ball>(std::span<const ball>)> gradient = nullptr;
   /// False where it is certain that the function is not defined at the arguments; may be empty.
   std::function<bool(known_arguments)> may_be_defined = nullptr;
-  /// A formula in the names of what.arguments that has the same values, for arguments that have one; may be empty.
+  /// A formula in the names of what.arguments that has the same values, for arguments that have
+  /// one; may be empty.
   std::function<std::optional<std::string>(known_arguments)> simpler = nullptr;
-  /// The analytic continuation over regions and over complex balls, as region.hpp and complex_ball.hpp have it of other
-  /// functions; not available where empty.
+  /// The analytic continuation over regions and over complex balls, as region.hpp and
+  /// complex_ball.hpp have it of other functions; not available where empty.
   std::function<region(std::span<const region>)> over_regions = nullptr;
   std::function<complex_ball(std::span<const complex_ball>)> over_complex = nullptr;
 };
@@ -65,7 +68,8 @@ using further_functions = std::vector<further_function>;
 [[nodiscard]] const std::vector<expression_constant>& expression_constants();
 [[nodiscard]] const std::vector<expression_alias>& expression_aliases();
 
-/// Whether the text is a name of infinity: inf, infinity or oo, in any case of letters. No formula has it; limits do.
+/// Whether the text is a name of infinity: inf, infinity or oo, in any case of letters. No formula
+/// has it; limits do.
 [[nodiscard]] bool is_infinity(std::string_view text);
 
 }  // namespace polhode

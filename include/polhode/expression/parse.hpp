@@ -23,10 +23,10 @@ using formula_definition = std::pair<std::string, std::string>;
 [[nodiscard]] std::vector<formula_definition> in_order_of_need(
     std::vector<formula_definition> definitions);
 
-/// Reads a formula in the variables, with the functions of docs/expressions.md and docs/elliptic.md.
-/// The definitions may use each other in any order. Throws expression_error where the text cannot be
-/// read or is certainly undefined, and input_error for names that may not be used and definitions that
-/// need each other.
+/// Reads a formula in the variables, with the functions of docs/expressions.md and
+/// docs/elliptic.md. The definitions may use each other in any order. Throws expression_error where
+/// the text cannot be read or is certainly undefined, and input_error for names that may not be
+/// used and definitions that need each other.
 [[nodiscard]] expression parse(std::string_view text,
                                const std::vector<std::string>& variables = {"x"},
                                const std::vector<formula_definition>& definitions = {});

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a formula is turned into: flat lists of instructions. Only evaluation.hpp and the compiled half
-// need to know.
+// What a formula is turned into: flat lists of instructions. Only evaluation.hpp and the compiled
+// half need to know.
 
 #include <cstddef>
 #include <cstdint>

@@ -2,19 +2,21 @@
 
 // A formula made by calling a generic function once.
 //
-//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });    // in expression/formula_of.hpp
+//   // formula_of is in expression/formula_of.hpp:
+//   const expression f = formula_of([](auto x) { return exp(-x * x) / (1 + x / 3); });
 //
 // A symbol stands for a number that is not known yet. Operators and the functions of the table
-// (function_table.hpp) applied to symbols give symbols, until the function returns one; what it did is
-// then an expression, with all that the library knows of those. Beside symbols stand exact numbers:
-// whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5), and Boost's
-// floating-point numbers, each as the exact number that it is. A double variable is refused when it is
-// compiled, but beside a machine_symbol<double>, which integrate<double> and its like call the function
-// with. A ball stands for a number in it; where it is used twice, for two numbers that may differ,
-// unless a symbol is made of it once. A complex ball stands for a complex number.
+// (function_table.hpp) applied to symbols give symbols, until the function returns one; what it did
+// is then an expression, with all that the library knows of those. Beside symbols stand exact
+// numbers: whole numbers, rationals ("0.1"_r), double literals that are what they look like (0.5),
+// and Boost's floating-point numbers, each as the exact number that it is. A double variable is
+// refused when it is compiled, but beside a machine_symbol<double>, which integrate<double> and its
+// like call the function with. A ball stands for a number in it; where it is used twice, for two
+// numbers that may differ, unless a symbol is made of it once. A complex ball stands for a complex
+// number.
 //
-// A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what to
-// write.
+// A function cannot branch on a symbol: comparisons do not compile, with a sentence that says what
+// to write.
 
 #include <concepts>
 #include <cstddef>
@@ -129,7 +131,8 @@ class symbol {
 
 namespace detail {
 
-/// How a symbol came about: a number, an enclosed number, a variable, or what `name` names (an operator, a function, a constant) of operands.
+/// How a symbol came about: a number, an enclosed number, a variable, or what `name` names (an
+/// operator, a function, a constant) of operands.
 struct symbol_node {
   std::string_view name;  // empty for a number and a variable
   rational number;
@@ -150,8 +153,8 @@ concept is_symbol = std::same_as<std::remove_cvref_t<X>, symbol>;
 
 }  // namespace detail
 
-/// A symbol beside which a variable of type R stands for the number that it is: for R = double or long double, whose
-/// functions hold numbers of type R.
+/// A symbol beside which a variable of type R stands for the number that it is: for R = double or
+/// long double, whose functions hold numbers of type R.
 template <std::floating_point R>
 class machine_symbol : public symbol {
  public:
@@ -239,7 +242,8 @@ concept call_of_symbols = ((is_symbol<X> || is_machine_symbol<X>) || ...) &&
 
 }  // namespace detail
 
-// The operators. A double literal comes as an exact_double: a parameter that the compiler converts to.
+// The operators. A double literal comes as an exact_double: a parameter that the compiler converts
+// to.
 #define POLHODE_SYMBOL_OPERATOR(op)                                           \
   [[nodiscard]] inline symbol operator op(const symbol& x, const symbol& y) { \
     return symbol::call(#op, {x, y});                                         \

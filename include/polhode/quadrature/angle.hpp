@@ -1,9 +1,10 @@
 #pragma once
 
-// Real numbers at equal distances, as arguments of a periodic function: balls that also have their sines and cosines,
-// from a table, at the price of four multiplications. A function written for any type of argument is called with an
-// `angle` where the trapezoidal rule is summed; sin(x), cos(x) and tan(x) then cost next to nothing, and so do those of
-// small whole multiples of x. Everything else is what it is for a ball.
+// Real numbers at equal distances, as arguments of a periodic function: balls that also have their
+// sines and cosines, from a table, at the price of four multiplications. A function written for any
+// type of argument is called with an `angle` where the trapezoidal rule is summed; sin(x), cos(x)
+// and tan(x) then cost next to nothing, and so do those of small whole multiples of x. Everything
+// else is what it is for a ball.
 
 #include <memory>
 #include <utility>
@@ -34,7 +35,8 @@ class equidistant_angles {
 /// A ball, or m times one of the numbers above.
 class angle {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   angle() = default;
   explicit angle(ball x) : value_(std::move(x)) {}

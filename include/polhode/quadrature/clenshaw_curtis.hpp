@@ -1,20 +1,25 @@
 #pragma once
 
-// Clenshaw and Curtis's rule and Fejer's first: integrate the polynomial that agrees with f at Chebyshev's points.
-// The first has the ends among its nodes, and those of 2n among them those of n. What they leave out:
-// clenshaw_curtis_error and fejer_error (error_bounds.hpp).
+// Clenshaw and Curtis's rule and Fejer's first: integrate the polynomial that agrees with f at
+// Chebyshev's points. The first has the ends among its nodes, and those of 2n among them those of
+// n. What they leave out: clenshaw_curtis_error and fejer_error (error_bounds.hpp).
 //
-// THE WEIGHTS are sums of cosines, Fourier sums of rational numbers (J. Waldvogel, BIT 46 (2006), has them so).
-// Let p = sum of A_k cos(k t) be that polynomial at x = cos t; its integral is the sum of 2 A_k/(1 - k^2) over even k.
+// THE WEIGHTS are sums of cosines, Fourier sums of rational numbers (J. Waldvogel, BIT 46 (2006),
+// has them so). Let p = sum of A_k cos(k t) be that polynomial at x = cos t; its integral is the
+// sum of 2 A_k/(1 - k^2) over even k.
 //
-// With the nodes cos(j pi/n), j = 0 ... n: A_k = (2/n) (the sum of f_j cos(j k pi/n) with the terms j = 0 and n
-// halved), and A_0 and A_n half of that. So with c_j = 1 for j = 0 and n, else 2, and k = 2m,
-//   w_j = (c_j/n) sum over 0 <= m <= n/2 of b_m/(1 - 4m^2) cos(2 pi m j/n),  b_m = 1 for m = 0 and n/2, else 2,
+// With the nodes cos(j pi/n), j = 0 ... n: A_k = (2/n) (the sum of f_j cos(j k pi/n) with the terms
+// j = 0 and n halved), and A_0 and A_n half of that. So with c_j = 1 for j = 0 and n, else 2, and k
+// = 2m,
+//   w_j = (c_j/n) sum over 0 <= m <= n/2 of b_m/(1 - 4m^2) cos(2 pi m j/n),  b_m = 1 for m = 0 and
+//   n/2, else 2,
 //       = (c_j/n) sum over 0 <= m < n of e^(2 pi i m j/n)/(1 - 4 min(m, n-m)^2),
 // the terms m and n - m of which are conjugate.
 //
-// With the nodes cos((2j+1) pi/(2n)), j = 0 ... n-1: A_k = (2/n) sum of f_j cos(k (2j+1) pi/(2n)), A_0 half of that:
-//   w_j = (2/n) Re sum over 0 <= m < n/2 of b_m/(1 - 4m^2) e^(pi i m/n) e^(2 pi i m j/n),  b_0 = 1, else 2.
+// With the nodes cos((2j+1) pi/(2n)), j = 0 ... n-1: A_k = (2/n) sum of f_j cos(k (2j+1) pi/(2n)),
+// A_0 half of that:
+//   w_j = (2/n) Re sum over 0 <= m < n/2 of b_m/(1 - 4m^2) e^(pi i m/n) e^(2 pi i m j/n),  b_0 = 1,
+//   else 2.
 
 #include <stdexcept>
 #include <utility>
@@ -33,8 +38,9 @@ struct complex_scalar {
   T im;
 };
 
-/// The sums of v_m e^(2 pi i m j/n), j = 0 ... n-1, for n = v.size() >= 1. roots holds e^(2 pi i j/n). In
-/// n (q_1 + q_2 + ...) multiplications, n = q_1 q_2 ... with primes q: by the sums over each residue of m modulo a q.
+/// The sums of v_m e^(2 pi i m j/n), j = 0 ... n-1, for n = v.size() >= 1. roots holds e^(2 pi i
+/// j/n). In n (q_1 + q_2 + ...) multiplications, n = q_1 q_2 ... with primes q: by the sums over
+/// each residue of m modulo a q.
 template <scalar T>
 [[nodiscard]] std::vector<complex_scalar<T>> fourier_sums(const std::vector<complex_scalar<T>>& v,
                                                           const circle_powers<T>& roots) {
@@ -86,8 +92,8 @@ struct chebyshev_points_rule {
   std::vector<T> weights;
 };
 
-/// Clenshaw and Curtis's rule with the n + 1 nodes cos(j pi/n). Fast where n has small prime factors.
-/// Throws std::invalid_argument for n < 1.
+/// Clenshaw and Curtis's rule with the n + 1 nodes cos(j pi/n). Fast where n has small prime
+/// factors. Throws std::invalid_argument for n < 1.
 template <scalar T>
 [[nodiscard]] chebyshev_points_rule<T> clenshaw_curtis_rule(long n, precision p) {
   if (n < 1) throw std::invalid_argument("clenshaw_curtis_rule: at least n = 1 is needed");
@@ -150,8 +156,8 @@ template <scalar T>
   return half;
 }
 
-/// The sum of w_j f(x_j): with T = ball an enclosure of the rule's value, with T = mpfr_float the uncertified
-/// value. It calls f once a node.
+/// The sum of w_j f(x_j): with T = ball an enclosure of the rule's value, with T = mpfr_float the
+/// uncertified value. It calls f once a node.
 template <scalar T, class F>
 requires function_on<F, T>
 [[nodiscard]] T chebyshev_points_sum(const F& f, const chebyshev_points_rule<T>& rule) {

@@ -5,16 +5,17 @@
 //   const auto f = [](const auto& z) { return exp(z) / pow(z, 3); };
 //   contour_integral i = integrate_along(f, path::circle(0, 1), {.digits = 50});   // pi i
 //
-// f is a formula or a generic function, as for `integrate`. It is evaluated over a `region`, to prove
-// where it is analytic and how large it is there, and over complex balls at the nodes.
+// f is a formula or a generic function, as for `integrate`. It is evaluated over a `region`, to
+// prove where it is analytic and how large it is there, and over complex balls at the nodes.
 //
-// What is proved: f, with the branch cuts that complex_ball.hpp and region.hpp say its functions have, is analytic on
-// a neighbourhood of every piece of the path but for the piece's ends. A path that crosses a cut, or runs along one, or
-// through a pole, is refused, however near to an end that is. At an end of a piece f need not be analytic where it is bounded (sqrt(z) at
-// 0, or at -1); beside such an end one looks for cuts down to 2^-420 of the piece's length, or less for many digits. Nearer to it the
-// values of f are its principal ones.
-// And that the pieces join: integrate_along says how.
-// How: integrate.hpp says; the ellipses around a panel are covered wholly, for f is not real on it.
+// What is proved: f, with the branch cuts that complex_ball.hpp and region.hpp say its functions
+// have, is analytic on a neighbourhood of every piece of the path but for the piece's ends. A path
+// that crosses a cut, or runs along one, or through a pole, is refused, however near to an end that
+// is. At an end of a piece f need not be analytic where it is bounded (sqrt(z) at 0, or at -1);
+// beside such an end one looks for cuts down to 2^-420 of the piece's length, or less for many
+// digits. Nearer to it the values of f are its principal ones. And that the pieces join:
+// integrate_along says how. How: integrate.hpp says; the ellipses around a panel are covered
+// wholly, for f is not real on it.
 
 #include <concepts>
 #include <functional>
@@ -31,8 +32,8 @@ namespace polhode {
 /// A point of the complex plane: exact, a set, or a number that can be had to any precision.
 class path_point {
  public:
-  /// re + im i. What is a limit is a part: an exact number, a ball, a function of the precision. Throws
-  /// std::invalid_argument where a part is infinite.
+  /// re + im i. What is a limit is a part: an exact number, a ball, a function of the precision.
+  /// Throws std::invalid_argument where a part is infinite.
   template <class N>
   requires std::convertible_to<const N&, end_point> path_point(
       const N& re)  // NOLINT(google-explicit-constructor): exact, or the same set
@@ -64,8 +65,8 @@ struct line_piece {
   path_point from;
   path_point to;
 };
-/// centre + radius e^(i angle), from one angle to the other, which may be the smaller one. A negative radius is that
-/// of the opposite arc.
+/// centre + radius e^(i angle), from one angle to the other, which may be the smaller one. A
+/// negative radius is that of the opposite arc.
 struct arc_piece {
   path_point centre;
   end_point radius;
@@ -74,7 +75,8 @@ struct arc_piece {
 };
 using path_piece = std::variant<line_piece, arc_piece>;
 
-/// Pieces one after the other. Each starts where the one before it ends; integrate_along refuses others.
+/// Pieces one after the other. Each starts where the one before it ends; integrate_along refuses
+/// others.
 class path {
  public:
   /// No piece: every integral is 0.
@@ -118,20 +120,20 @@ struct complex_integrand {
 
 }  // namespace detail
 
-/// f in the arithmetics of integrals along paths. Its first variable is the argument; where it has a
-/// second one, that is the imaginary unit. Throws input_error where it has more.
+/// f in the arithmetics of integrals along paths. Its first variable is the argument; where it has
+/// a second one, that is the imaginary unit. Throws input_error where it has more.
 [[nodiscard]] detail::complex_integrand complex_integrand_of(const expression& f);
 
-/// The integral of f(z) dz along a path, for a formula as complex_integrand_of has it. Each part of the
-/// enclosure has a radius of at most 10^-options.digits of the integral's size, or of that which
-/// options says, where it is certified. Verdicts as of `integrate`; not_analytic says which function is
-/// in the way, and near which z. A piece without length (points that are the same, radius 0, equal
-/// angles) adds 0, and f is not asked there.
+/// The integral of f(z) dz along a path, for a formula as complex_integrand_of has it. Each part of
+/// the enclosure has a radius of at most 10^-options.digits of the integral's size, or of that
+/// which options says, where it is certified. Verdicts as of `integrate`; not_analytic says which
+/// function is in the way, and near which z. A piece without length (points that are the same,
+/// radius 0, equal angles) adds 0, and f is not asked there.
 ///
-/// That a piece starts where the one before it ends is proved where both points are one path_point or
-/// both are exact, as the corners of a polygon are. Of others, such as the ends of arcs, equality cannot
-/// be proved: their enclosures to twice the digits must overlap. Throws std::invalid_argument where
-/// pieces do not join, and for options.digits < 1.
+/// That a piece starts where the one before it ends is proved where both points are one path_point
+/// or both are exact, as the corners of a polygon are. Of others, such as the ends of arcs,
+/// equality cannot be proved: their enclosures to twice the digits must overlap. Throws
+/// std::invalid_argument where pieces do not join, and for options.digits < 1.
 [[nodiscard]] contour_integral integrate_along(const expression& f, const path& along,
                                                const integrate_options& options = {});
 

@@ -1,13 +1,14 @@
 #pragma once
 
-// The double exponential (tanh-sinh) rule, for functions on (a, b) that may be singular at both ends. With
+// The double exponential (tanh-sinh) rule, for functions on (a, b) that may be singular at both
+// ends. With
 //
 //   x = (a+b)/2 + ((b-a)/2) tanh((pi/2) sinh t),   v = e^(pi sinh t),
 //   x - a = (b-a) v/(1 + v),   b - x = (b-a)/(1 + v),   dx/dt = pi cosh(t) (x - a)(b - x)/(b - a)
 //
-// the integral becomes one over all t, of a function that falls like e^(-c e^|t|): the trapezoidal rule's case
-// (trapezoid.hpp). x - a and b - x are computed as above, without cancellation.
-// Source of the substitution: H. Takahasi, M. Mori, Publ. RIMS 9 (1974).
+// the integral becomes one over all t, of a function that falls like e^(-c e^|t|): the trapezoidal
+// rule's case (trapezoid.hpp). x - a and b - x are computed as above, without cancellation. Source
+// of the substitution: H. Takahasi, M. Mori, Publ. RIMS 9 (1974).
 //
 // f is a function of x, or one of two arguments f(x - a, b - x), which loses nothing near the ends:
 //
@@ -47,10 +48,10 @@ template <class F, class Y, class A>
 
 }  // namespace detail
 
-/// The trapezoidal rule with n nodes t over -range <= t <= range after the substitution, with p bits. With
-/// T = ball an enclosure of the rule's value, with T = mpfr_float the uncertified value. It calls f n times, in
-/// pairs of points symmetric about the middle. f(x) or f(x - a, b - x) must be a T.
-/// Throws std::invalid_argument for n < 1.
+/// The trapezoidal rule with n nodes t over -range <= t <= range after the substitution, with p
+/// bits. With T = ball an enclosure of the rule's value, with T = mpfr_float the uncertified value.
+/// It calls f n times, in pairs of points symmetric about the middle. f(x) or f(x - a, b - x) must
+/// be a T. Throws std::invalid_argument for n < 1.
 template <scalar T, class F>
 [[nodiscard]] T double_exponential_sum(const F& f, const rational& a, const rational& b,
                                        const rational& range, long n, precision p) {
@@ -91,8 +92,8 @@ template <scalar T, class F>
   return T(sum * T(T(4 * half_pi) * half_step));
 }
 
-/// What is known of f near an end. At a complex x at the distance s from it, 0 < |s| <= reach, however often the path
-/// to x went around the end,
+/// What is known of f near an end. At a complex x at the distance s from it, 0 < |s| <= reach,
+/// however often the path to x went around the end,
 ///
 ///   |f(x)| <= factor |s|^exponent (1 + |log s|)^log_degree,
 ///
@@ -104,8 +105,9 @@ struct end_growth {
   double reach = 0;
 };
 
-/// From the series of f as a function of the distance: |sum of L^k G_k| <= (1 + |L|)^K times the sum of |G_k|.
-/// Nothing where there is none. reach is the half-side of the square over which the series was made.
+/// From the series of f as a function of the distance: |sum of L^k G_k| <= (1 + |L|)^K times the
+/// sum of |G_k|. Nothing where there is none. reach is the half-side of the square over which the
+/// series was made.
 [[nodiscard]] std::optional<end_growth> growth_from_series(const end_series& series, double reach);
 
 namespace detail {
@@ -126,17 +128,18 @@ struct double_exponential_problem {
                                                          long& evaluations) const;
 };
 
-/// A range for which beyond() is less than 2^-bits, and so much less that the sides do not matter; 0 for none.
+/// A range for which beyond() is less than 2^-bits, and so much less that the sides do not matter;
+/// 0 for none.
 [[nodiscard]] double range_for(const double_exponential_problem& problem, long bits);
 
 }  // namespace detail
 
-/// Encloses the integral of f over (a, b) in a ball of radius at most 2^-bits. f is one generic function, of x or
-/// of (x - a, b - x), called with regions (to prove it analytic around the open range), with an end_series (to bound
-/// it near the ends; not where growth is given for an end) and with balls.
-/// Verdicts: as for integrate_line; not_analytic also where there is no series at an end, not_integrable where that
-/// says that f grows too fast. Throws std::invalid_argument unless a < b, and where a growth that is given has an
-/// exponent <= -1 or no reach.
+/// Encloses the integral of f over (a, b) in a ball of radius at most 2^-bits. f is one generic
+/// function, of x or of (x - a, b - x), called with regions (to prove it analytic around the open
+/// range), with an end_series (to bound it near the ends; not where growth is given for an end) and
+/// with balls. Verdicts: as for integrate_line; not_analytic also where there is no series at an
+/// end, not_integrable where that says that f grows too fast. Throws std::invalid_argument unless a
+/// < b, and where a growth that is given has an exponent <= -1 or no reach.
 template <class F>
 [[nodiscard]] line_integral integrate_double_exponential(
     const F& f, const rational& a, const rational& b, long bits,

@@ -1,26 +1,29 @@
 #pragma once
 
-// What a function is like at an end of its range, where it may be singular: found by calling it with an
-// end_series for its argument.
+// What a function is like at an end of its range, where it may be singular: found by calling it
+// with an end_series for its argument.
 //
 // An end_series is a function of t near t = 0, t > 0, of the form
 //
 //   h(t) = t^m * (G_0(t) + L G_1(t) + ... + L^K G_K(t)),    L = log t,
 //
-// with a rational m and functions G_k that are real for real t and analytic on a neighbourhood of the square
-// |Re t| <= r, |Im t| <= r. Of each G_k it knows two jets: the Taylor coefficients at 0, as real balls, and exactly where
-// they are rational numbers of moderate size; and enclosures over the whole square, as regions. So
-// 1 - cos t is known to be t^2 times something that is not 0 near 0, and log(t) / sqrt(t) is what it
-// looks like. What does not have this form (exp(1/t), t^t, a pole inside the square) is *blocked*, with
-// the name of the function that did it, and blocks all that is made of it.
+// with a rational m and functions G_k that are real for real t and analytic on a neighbourhood of
+// the square
+// |Re t| <= r, |Im t| <= r. Of each G_k it knows two jets: the Taylor coefficients at 0, as real
+// balls, and exactly where they are rational numbers of moderate size; and enclosures over the
+// whole square, as regions. So 1 - cos t is known to be t^2 times something that is not 0 near 0,
+// and log(t) / sqrt(t) is what it looks like. What does not have this form (exp(1/t), t^t, a pole
+// inside the square) is *blocked*, with the name of the function that did it, and blocks all that
+// is made of it.
 //
-// h is meant as the analytic continuation from small t > 0: the branch of t^m and log t is the real one
-// there, and every function below is the real function of real arguments, continued.
+// h is meant as the analytic continuation from small t > 0: the branch of t^m and log t is the real
+// one there, and every function below is the real function of real arguments, continued.
 //
-// DIVISION BY t. Where G(0) = 0 is known exactly, G(t) = t H(t) with H(t) = integral of G'(s t) over
-// 0 <= s <= 1, so that H^(j)(t)/j! = integral of (j+1) s^j [G^(j+1)(s t)/(j+1)!] ds is a mean of values of
-// G's coefficient of order j+1 (the square is convex and holds s t): H's coefficients at 0 are G's, moved
-// down by one, and over the square they lie in the convex hulls of the sets that hold G's.
+// DIVISION BY t. Where G(0) = 0 is known exactly, G(t) = t H(t) with H(t) = integral of G'(s t)
+// over 0 <= s <= 1, so that H^(j)(t)/j! = integral of (j+1) s^j [G^(j+1)(s t)/(j+1)!] ds is a mean
+// of values of G's coefficient of order j+1 (the square is convex and holds s t): H's coefficients
+// at 0 are G's, moved down by one, and over the square they lie in the convex hulls of the sets
+// that hold G's.
 
 #include <memory>
 #include <optional>
@@ -36,7 +39,8 @@ namespace polhode {
 
 class end_series {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// What may help a series that is blocked, to search with.
   enum class remedy {
@@ -65,10 +69,11 @@ class end_series {
   [[nodiscard]] const rational& exponent() const { return m_; }
   /// K.
   [[nodiscard]] int log_degree() const { return static_cast<int>(terms_.size()) - 1; }
-  /// The same function with G_0(0), ..., G_K(0) not all known to be 0, as far as the known orders go.
+  /// The same function with G_0(0), ..., G_K(0) not all known to be 0, as far as the known orders
+  /// go.
   [[nodiscard]] end_series simplified() const;
-  /// The same function where it is known from elsewhere to be q at t = 0: G_0(0) is made exact, where m = 0 = K.
-  /// Blocked where its enclosure says otherwise.
+  /// The same function where it is known from elsewhere to be q at t = 0: G_0(0) is made exact,
+  /// where m = 0 = K. Blocked where its enclosure says otherwise.
   [[nodiscard]] end_series with_value_at_0(const rational& q) const;
   /// G_K(0) is certainly not 0.
   [[nodiscard]] bool leads_surely() const;
@@ -149,7 +154,8 @@ class end_series {
   /// Blocked, if it is, by what another kind of series may yet help.
   [[nodiscard]] end_series with_any_remedy() const;
   [[nodiscard]] end_series moved(long powers) const;
-  /// K = 0 and m such that G_0(0) is certainly not 0 and G_0 has no zero in the square; else blocked.
+  /// K = 0 and m such that G_0(0) is certainly not 0 and G_0 has no zero in the square; else
+  /// blocked.
   [[nodiscard]] end_series normalised(std::string_view name) const;
   /// m = 0 and K = 0, with t^m multiplied in where m is a natural number; else blocked.
   [[nodiscard]] end_series plain(std::string_view name) const;

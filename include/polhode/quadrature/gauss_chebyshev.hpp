@@ -1,8 +1,8 @@
 #pragma once
 
-// Gauss and Chebyshev's rules, for integrals over [-1, 1] with the weight 1/sqrt(1 - x^2) (the first kind) or
-// sqrt(1 - x^2) (the second). Nodes and weights are cosines, in closed form. What they leave out:
-// gauss_chebyshev_error and gauss_chebyshev_second_error (error_bounds.hpp).
+// Gauss and Chebyshev's rules, for integrals over [-1, 1] with the weight 1/sqrt(1 - x^2) (the
+// first kind) or sqrt(1 - x^2) (the second). Nodes and weights are cosines, in closed form. What
+// they leave out: gauss_chebyshev_error and gauss_chebyshev_second_error (error_bounds.hpp).
 
 #include <stdexcept>
 
@@ -25,10 +25,10 @@ struct function_of_cosine {
 
 }  // namespace detail
 
-/// (pi/n) times the sum of f(cos((2j+1) pi/(2n))), j = 0 ... n-1, with p bits: about the integral of
-/// f(x)/sqrt(1 - x^2) over [-1, 1], and exactly so for polynomials of degree below 2n. With T = ball an enclosure
-/// of the rule's value, with T = mpfr_float the uncertified value. It calls f n times.
-/// Throws std::invalid_argument for n < 1.
+/// (pi/n) times the sum of f(cos((2j+1) pi/(2n))), j = 0 ... n-1, with p bits: about the integral
+/// of f(x)/sqrt(1 - x^2) over [-1, 1], and exactly so for polynomials of degree below 2n. With T =
+/// ball an enclosure of the rule's value, with T = mpfr_float the uncertified value. It calls f n
+/// times. Throws std::invalid_argument for n < 1.
 template <scalar T, class F>
 requires function_on<F, T>
 [[nodiscard]] T gauss_chebyshev_sum(const F& f, long n, precision p) {
@@ -37,8 +37,9 @@ requires function_on<F, T>
   return periodic_trapezoid_sum<T>(detail::function_of_cosine<F>{f}, n, p);
 }
 
-/// pi/(n+1) times the sum of sin(j pi/(n+1))^2 f(cos(j pi/(n+1))), j = 1 ... n, with p bits: about the integral of
-/// f(x) sqrt(1 - x^2) over [-1, 1], and exactly so for polynomials of degree below 2n. Otherwise as above.
+/// pi/(n+1) times the sum of sin(j pi/(n+1))^2 f(cos(j pi/(n+1))), j = 1 ... n, with p bits: about
+/// the integral of f(x) sqrt(1 - x^2) over [-1, 1], and exactly so for polynomials of degree below
+/// 2n. Otherwise as above.
 template <scalar T, class F>
 requires function_on<F, T>
 [[nodiscard]] T gauss_chebyshev_second_sum(const F& f, long n, precision p) {

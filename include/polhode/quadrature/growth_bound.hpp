@@ -1,17 +1,20 @@
 #pragma once
 
-// How fast a function grows at an end of its range, where it has no series there: found by calling it with an growth_bound for its argument.
+// How fast a function grows at an end of its range, where it has no series there: found by calling
+// it with an growth_bound for its argument.
 //
 // An growth_bound is a real function v(t) for 0 < t <= r, r < 1, of which it knows that
 //
 //   c t^a <= |v(t)| <= C t^b,      c >= 0, a >= b,
 //
-// and its sign, where it has one; and where the function has an end_series, that too. So x^x, x^sqrt(2), log(log(1/x)) and 1/(1 + x^pi) are
-// known to be integrable beside 0, though none has the form t^m (G_0 + log(t) G_1 + ...). Nothing is said of functions off the real line: it is
+// and its sign, where it has one; and where the function has an end_series, that too. So x^x,
+// x^sqrt(2), log(log(1/x)) and 1/(1 + x^pi) are known to be integrable beside 0, though none has
+// the form t^m (G_0 + log(t) G_1 + ...). Nothing is said of functions off the real line: it is
 // bounds of regions that prove where the function is analytic.
 //
-// All bounds rest on 0 < t <= r < 1: t^e <= r^(e-f) t^f and t^f >= r^(f-e) t^e for e >= f; and on |log t| <= t^-d/(e d) for d > 0, since
-// t^d |log t| has its greatest value, 1/(e d), at t = e^(-1/d).
+// All bounds rest on 0 < t <= r < 1: t^e <= r^(e-f) t^f and t^f >= r^(f-e) t^e for e >= f; and on
+// |log t| <= t^-d/(e d) for d > 0, since t^d |log t| has its greatest value, 1/(e d), at t =
+// e^(-1/d).
 
 #include <memory>
 #include <optional>
@@ -24,7 +27,8 @@ namespace polhode {
 
 class growth_bound {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
 
   /// Blocked.
@@ -36,8 +40,8 @@ class growth_bound {
   [[nodiscard]] static growth_bound reciprocal_of(const growth_bound& y);
   [[nodiscard]] static growth_bound blocked(std::string_view where);
   [[nodiscard]] bool is_blocked() const { return blocked_; }
-  /// v(t) is defined for no 0 < t <= r: a square root of a negative number, say, is a part of it. Then it
-  /// is blocked, too.
+  /// v(t) is defined for no 0 < t <= r: a square root of a negative number, say, is a part of it.
+  /// Then it is blocked, too.
   [[nodiscard]] bool is_nowhere_defined() const { return nowhere_defined_; }
   /// The name of the function that could not be followed; empty where there is none.
   [[nodiscard]] std::string_view where() const { return where_; }
@@ -51,7 +55,8 @@ class growth_bound {
   /// 1 or -1 for all t; 0 where it is not known to be one.
   [[nodiscard]] int sign() const { return sign_; }
 
-  /// A sine or cosine of what grows as a power is in it: regions will hardly follow its oscillations to t = 0.
+  /// A sine or cosine of what grows as a power is in it: regions will hardly follow its
+  /// oscillations to t = 0.
   [[nodiscard]] bool oscillates() const { return oscillates_; }
 
   friend growth_bound operator+(const growth_bound& x) { return x; }
@@ -93,7 +98,8 @@ class growth_bound {
   /// A function of this one, which is blocked.
   [[nodiscard]] growth_bound passed_on() const;
   [[nodiscard]] growth_bound constant_of(const ball& x, end_series series) const;
-  /// With these bounds and this series, of which the better ones are kept. Blocked where the bounds are no numbers and the series is blocked.
+  /// With these bounds and this series, of which the better ones are kept. Blocked where the bounds
+  /// are no numbers and the series is blocked.
   [[nodiscard]] growth_bound made(std::string_view name, const ball& most, const rational& b,
                                   const ball& least, const rational& a, int sign,
                                   end_series series) const;

@@ -5,21 +5,21 @@
 //   integral i = integrate([](auto x) { return exp(-x * x); }, 0, 1, {.digits = 50});
 //   integral j = integrate(parse("sin(x)"), 0, end_point_of(parse("pi/2", {})));
 //
-// A generic function is called once, with a symbol, and becomes a formula (formula_of.hpp). What makes
-// a formula not analytic (a square root's branch cut, a pole, |x|, floor) shows when it is evaluated
-// over a `region`, a cheap complex rectangle: nothing needs to be declared and nothing can be
-// forgotten.
+// A generic function is called once, with a symbol, and becomes a formula (formula_of.hpp). What
+// makes a formula not analytic (a square root's branch cut, a pole, |x|, floor) shows when it is
+// evaluated over a `region`, a cheap complex rectangle: nothing needs to be declared and nothing
+// can be forgotten.
 //
 // How: the formula's operations are recorded (recorded.hpp). A sum of functions whose logarithmic
 // derivative is rational, in x, e^(k x) or sin^2 (k x), is integrated by its Taylor series
-// (src/quadrature/series). For others the range is cut where abs, min, max, floor or ceil passes from
-// one analytic function to another, at points that are found to any precision. Each piece is cut into
-// panels. Around each, a Bernstein ellipse is covered by regions, which prove that f is analytic inside
-// and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most a multiple of
-// M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. Where f is found to
-// be even about both limits, or periodic (symmetry.hpp), the trapezoidal rule may serve with less work.
-// end_series.hpp describes an end where f is singular, or a point between the limits where the range
-// is cut; tail_series.hpp an exponential decay.
+// (src/quadrature/series). For others the range is cut where abs, min, max, floor or ceil passes
+// from one analytic function to another, at points that are found to any precision. Each piece is
+// cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove that f is
+// analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most a
+// multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. Where
+// f is found to be even about both limits, or periodic (symmetry.hpp), the trapezoidal rule may
+// serve with less work. end_series.hpp describes an end where f is singular, or a point between the
+// limits where the range is cut; tail_series.hpp an exponential decay.
 
 #include <functional>
 #include <optional>
@@ -55,7 +55,8 @@ struct integrate_options {
   /// The goal: a radius of at most 10^-digits of the value. Where the value is 0, or smaller than
   /// 10^-digits of the integral of |f|, that size stands for the value's.
   long digits = 15;
-  /// An absolute goal beside it, as a power of two: a radius of at most 2^absolute_exponent will do.
+  /// An absolute goal beside it, as a power of two: a radius of at most 2^absolute_exponent will
+  /// do.
   std::optional<long> absolute_exponent = std::nullopt;
   [[nodiscard]] polhode::goal goal() const { return {digits, absolute_exponent}; }
   /// Of f, at nodes and over regions; and terms of Taylor series.
@@ -64,12 +65,14 @@ struct integrate_options {
   std::optional<long> most_depth = std::nullopt;
   /// Bits that rounding errors may raise the working precision to; by default 64 times the goal's.
   std::optional<precision> most_precision = std::nullopt;
-  /// Bytes that the nodes and weights of the rules may take together, by an estimate; by default without limit.
+  /// Bytes that the nodes and weights of the rules may take together, by an estimate; by default
+  /// without limit.
   std::optional<double> most_memory = std::nullopt;
-  /// A rule to insist on. Where it does not apply the verdict says so (not_applicable), and what is missing.
+  /// A rule to insist on. Where it does not apply the verdict says so (not_applicable), and what is
+  /// missing.
   quadrature_rule rule = quadrature_rule::automatic;
-  /// On how many threads f is evaluated at the nodes; 0 for as many as the machine has processors, which are the
-  /// most. The result is the same bit for bit.
+  /// On how many threads f is evaluated at the nodes; 0 for as many as the machine has processors,
+  /// which are the most. The result is the same bit for bit.
   int threads = 1;
   /// Called before the nodes of a panel are summed, by the thread that integrates; may be empty.
   std::function<void(const integration_progress&)> progress = {};
@@ -107,14 +110,15 @@ struct integral : certified_integral<ball> {};
 
 namespace detail {
 
-/// A bound of |F| on the part of a rectangle that lies in the set where a series for F is known to hold.
+/// A bound of |F| on the part of a rectangle that lies in the set where a series for F is known to
+/// hold.
 struct known_bound {
   magnitude bound;
   bool everywhere = false;  // the rectangle lies wholly in the set
 };
 
-/// What a segment has in place of `evaluator`, `scale` and `position` where F is not real for real t: that of a
-/// path's piece.
+/// What a segment has in place of `evaluator`, `scale` and `position` where F is not real for real
+/// t: that of a path's piece.
 struct complex_piece {
   std::function<std::function<complex_ball(const ball& t)>(precision p)> evaluator;
   std::function<complex_ball(precision)> scale;
@@ -132,19 +136,20 @@ struct segment {
   std::function<ball(const ball& t)> position;
   /// x(t), where `position` is in another variable.
   std::function<ball(const ball& t)> place = nullptr;
-  /// Near t = 0, where F is known by a series: a bound of |F|, and so its analyticity, on the part of a
-  /// rectangle of t where the series holds; nothing where that may be empty. The series' set is a disc around 0
-  /// or a half plane, open, whose boundary in an ellipse's upper half is connected and ends on the real axis.
-  /// May be empty.
+  /// Near t = 0, where F is known by a series: a bound of |F|, and so its analyticity, on the part
+  /// of a rectangle of t where the series holds; nothing where that may be empty. The series' set
+  /// is a disc around 0 or a half plane, open, whose boundary in an ellipse's upper half is
+  /// connected and ends on the real axis. May be empty.
   std::function<std::optional<known_bound>(double_interval re, double_interval im)> known;
-  /// Not empty where F(t + 1) = F(t) near t = 0, or F is even about t = 0 and about t = 1, if it is analytic there
-  /// (see mean_trapezoid_error): given n and p, returns a factory of evaluators k -> F((k + 1/2)/n) with p bits.
+  /// Not empty where F(t + 1) = F(t) near t = 0, or F is even about t = 0 and about t = 1, if it is
+  /// analytic there (see mean_trapezoid_error): given n and p, returns a factory of evaluators k ->
+  /// F((k + 1/2)/n) with p bits.
   std::function<std::function<std::function<ball(long k)>()>(long n, precision p)> equidistant;
-  /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of ellipses are
-  /// looked at too.
+  /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of
+  /// ellipses are looked at too.
   std::optional<complex_piece> along = std::nullopt;
-  /// The values of F count only as its analytic continuation from t = 0 along 0 <= t <= 1: it must be proved analytic
-  /// everywhere there. Its points are then none of the x.
+  /// The values of F count only as its analytic continuation from t = 0 along 0 <= t <= 1: it must
+  /// be proved analytic everywhere there. Its points are then none of the x.
   bool continued = false;
 };
 
@@ -262,16 +267,16 @@ class affine_map {
 /// input_error where f has more than one variable.
 [[nodiscard]] std::optional<pi_combination> period_of(const expression& f);
 
-/// An integral of f that is not certified for want of digits, because it is 0: where f is 0 wherever
-/// it is defined (is_formally_zero), and the enclosure, which is bounded, shows that it is defined
-/// almost everywhere, the integral is 0 exactly.
+/// An integral of f that is not certified for want of digits, because it is 0: where f is 0
+/// wherever it is defined (is_formally_zero), and the enclosure, which is bounded, shows that it is
+/// defined almost everywhere, the integral is 0 exactly.
 [[nodiscard]] integral settled_zero(const expression& f, integral found);
 
-/// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a = b.
-/// Limits may be infinite (end_point::infinity()), and f singular at them, where end_series.hpp finds
-/// it integrable. Verdicts: certified; not_certified with not_analytic (obstacle says what and where),
-/// not_integrable, evaluation_limit, precision_limit, not_applicable. The enclosure holds the integral
-/// with every verdict. Throws input_error where f has more than one variable.
+/// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a =
+/// b. Limits may be infinite (end_point::infinity()), and f singular at them, where end_series.hpp
+/// finds it integrable. Verdicts: certified; not_certified with not_analytic (obstacle says what
+/// and where), not_integrable, evaluation_limit, precision_limit, not_applicable. The enclosure
+/// holds the integral with every verdict. Throws input_error where f has more than one variable.
 [[nodiscard]] integral integrate(const expression& f, const end_point& a, const end_point& b,
                                  const integrate_options& options = {});
 

@@ -5,17 +5,18 @@
 //     integral from 0 to pi of g(cos t) dt.
 //
 // t -> g(cos t) is even and 2 pi-periodic, so the rule with 2n nodes (2k+1) pi / (2n) on the whole
-// circle needs the n of them in (0, pi) only; all weights are pi / n. (The same nodes and weights are
-// Gauss and Chebyshev's for g(x) / sqrt(1 - x^2) on [-1, 1].) It converges geometrically, at the rate
-// of the strip in which g(cos t) is analytic, and everything at the nodes is real arithmetic.
+// circle needs the n of them in (0, pi) only; all weights are pi / n. (The same nodes and weights
+// are Gauss and Chebyshev's for g(x) / sqrt(1 - x^2) on [-1, 1].) It converges geometrically, at
+// the rate of the strip in which g(cos t) is analytic, and everything at the nodes is real
+// arithmetic.
 //
 // An integrand is an object that says two things of g:
 //
 //   template <scalar T> auto evaluator(precision p) const;
 //       a function object T -> T: g at the cosine it is given, with p bits;
 //   std::optional<strip_bound> bound_on_strip(const ball& half_width) const;
-//       a bound of |g(cos t)| for |Im t| <= H (error_bounds.hpp says what that claims), or nothing where
-//       the integrand cannot prove one.
+//       a bound of |g(cos t)| for |Im t| <= H (error_bounds.hpp says what that claims), or nothing
+//       where the integrand cannot prove one.
 
 #include <functional>
 #include <optional>
@@ -35,8 +36,8 @@ struct periodic_plan {
   reason why = reason::none;  // where nodes == 0
 };
 
-/// Looks for the least n for which the proved truncation error is at most 2^(-bits), and for the strip
-/// that proves it. The search is heuristic; the error in the result is proved. Fails with
+/// Looks for the least n for which the proved truncation error is at most 2^(-bits), and for the
+/// strip that proves it. The search is heuristic; the error in the result is proved. Fails with
 /// not_analytic where no strip was proved, with evaluation_limit where n would exceed most_nodes.
 [[nodiscard]] periodic_plan plan_periodic_trapezoid(
     const std::function<std::optional<strip_bound>(const ball& half_width)>& bound_on_strip,
@@ -44,8 +45,8 @@ struct periodic_plan {
 
 namespace detail {
 
-/// w^j for j = 0 ... count-1, where w = c + i s lies on the unit circle: {cosines, sines}. Each power is
-/// the product of two of half its exponent, so that errors grow with the logarithm of j.
+/// w^j for j = 0 ... count-1, where w = c + i s lies on the unit circle: {cosines, sines}. Each
+/// power is the product of two of half its exponent, so that errors grow with the logarithm of j.
 template <scalar T>
 struct circle_powers {
   std::vector<T> cosines;
@@ -77,12 +78,12 @@ struct circle_powers {
 
 }  // namespace detail
 
-/// The rule itself: (pi / n) * sum of g(cos((2k+1) pi / (2n))), k = 0 ... n-1, evaluated with p bits.
-/// With T = ball an enclosure of the rule's value, which the truncation error is then to be added to;
-/// with T = mpfr_float the uncertified value. It calls g n times.
+/// The rule itself: (pi / n) * sum of g(cos((2k+1) pi / (2n))), k = 0 ... n-1, evaluated with p
+/// bits. With T = ball an enclosure of the rule's value, which the truncation error is then to be
+/// added to; with T = mpfr_float the uncertified value. It calls g n times.
 ///
-/// cos of a sum of two tabulated angles costs two multiplications, so the nodes cost no cosine each; and
-/// they come in pairs c, -c.
+/// cos of a sum of two tabulated angles costs two multiplications, so the nodes cost no cosine
+/// each; and they come in pairs c, -c.
 template <scalar T, class Integrand>
 [[nodiscard]] T periodic_trapezoid_sum(const Integrand& integrand, long n, precision p) {
   const auto g = integrand.template evaluator<T>(p);

@@ -2,14 +2,14 @@
 
 // Records a function's operations by calling it once.
 //
-// Call a generic function with a `recorded` number for its argument: each operation becomes a node, which knows
-// how it is done over balls, jets of balls, regions and series. So abs, min, max, floor and ceil, the functions that are made
-// of several analytic ones, can be told apart, and evaluated again with a branch of each that was proved to
-// be the one that holds on a piece of the range (breaks.hpp in src/quadrature): the result is the analytic
-// continuation of f from that piece.
+// Call a generic function with a `recorded` number for its argument: each operation becomes a node,
+// which knows how it is done over balls, jets of balls, regions and series. So abs, min, max, floor
+// and ceil, the functions that are made of several analytic ones, can be told apart, and evaluated
+// again with a branch of each that was proved to be the one that holds on a piece of the range
+// (breaks.hpp in src/quadrature): the result is the analytic continuation of f from that piece.
 //
-// The same operation of the same nodes is one node; so |t|/t has one t. Exact numbers are kept exactly. A ball is one
-// unknown number of its set each time that it is met: two nodes.
+// The same operation of the same nodes is one node; so |t|/t has one t. Exact numbers are kept
+// exactly. A ball is one unknown number of its set each time that it is met: two nodes.
 
 #include <memory>
 #include <optional>
@@ -26,7 +26,8 @@ namespace detail {
 
 using slope_jet = jet<ball, 1>;
 
-/// What an operation is, for those who take a formula apart (hyperexponential.hpp, oscillation.hpp and poles.hpp in src/quadrature).
+/// What an operation is, for those who take a formula apart (hyperexponential.hpp, oscillation.hpp
+/// and poles.hpp in src/quadrature).
 enum class recorded_rule : std::uint8_t {
   other,
   negative,
@@ -86,7 +87,8 @@ struct recorded_node {
     constant,  // `exact`, or else `enclosure`
     function,  // `operation` of left, right and number
     power,     // left to the power `exact`
-    // Made of several analytic functions: which of them holds depends on the value of the node `decider`.
+    // Made of several analytic functions: which of them holds depends on the value of the node
+    // `decider`.
     abs,
     min,
     max,
@@ -112,7 +114,8 @@ using recorded_nodes = std::vector<recorded_node>;
 
 class recorded {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// No number: to be assigned to.
   recorded() = default;

@@ -11,8 +11,9 @@
 
 namespace polhode {
 
-/// A function of a scalar that answers with a scalar of the same type. (A lambda that returns what an operator
-/// of mpfr_float returns, an expression of references to its argument, is none: let it say `-> T`.)
+/// A function of a scalar that answers with a scalar of the same type. (A lambda that returns what
+/// an operator of mpfr_float returns, an expression of references to its argument, is none: let it
+/// say `-> T`.)
 template <class F, class T>
 concept function_on = scalar<T> && requires(const F& f, const T& x) {
   { f(x) } -> std::same_as<T>;
@@ -51,8 +52,9 @@ struct interval_map {
   void offset(T& result, const T& node) const { result = half_length * node; }
 };
 
-/// sum += the sum of w_k (f(centre + h x_k) + f(centre - h x_k)) over k = first ... last-1, where x_0 = 0 counts once. `at` has the
-/// centre, a T, and offset(h x, x). T: ball, or mpfr_float for the uncertified sum; Value: what f answers with.
+/// sum += the sum of w_k (f(centre + h x_k) + f(centre - h x_k)) over k = first ... last-1, where
+/// x_0 = 0 counts once. `at` has the centre, a T, and offset(h x, x). T: ball, or mpfr_float for
+/// the uncertified sum; Value: what f answers with.
 template <class F, class Map, class Value>
 void add_nodes(const F& f, const symmetric_nodes& rule, const Map& at, long first, long last,
                Value& sum) {
@@ -70,10 +72,11 @@ void add_nodes(const F& f, const symmetric_nodes& rule, const Map& at, long firs
 
 }  // namespace detail
 
-/// half_length times the sum of w_k f(centre + half_length x_k): about the integral of f from centre - half_length
-/// to centre + half_length. With T = ball an enclosure of that sum, whatever member of its set each node and weight is, and so
-/// of the true rule's; what the rule leaves out is not in it. With T = mpfr_float the uncertified value, from the midpoints of
-/// nodes and weights. It calls f rule.n times. `integrate` sums by the same terms (add_nodes).
+/// half_length times the sum of w_k f(centre + half_length x_k): about the integral of f from
+/// centre - half_length to centre + half_length. With T = ball an enclosure of that sum, whatever
+/// member of its set each node and weight is, and so of the true rule's; what the rule leaves out
+/// is not in it. With T = mpfr_float the uncertified value, from the midpoints of nodes and
+/// weights. It calls f rule.n times. `integrate` sums by the same terms (add_nodes).
 template <scalar T, class F>
 requires function_on<F, T>
 [[nodiscard]] T rule_sum(const F& f, const symmetric_nodes& rule, const T& centre,

@@ -2,22 +2,23 @@
 
 // What a function does under a symmetry of its argument: found by calling it with a `symmetry`.
 //
-// Let sigma be a motion of the real line: a reflection x -> 2a - x, or a translation x -> x + L. A symmetry is
-// what is known of a function v under it:
+// Let sigma be a motion of the real line: a reflection x -> 2a - x, or a translation x -> x + L. A
+// symmetry is what is known of a function v under it:
 //
 //   v(sigma x) = e v(x) + c   for all real x, e = 1 or -1, c = q + r pi with known rational q, r,
 //
-// or nothing. (Where one side is not defined, the other is not.) e = 1, c = 0 is invariance: even about a, or
-// periodic. A constant is known to be one, and by its value where that is q' + r' pi; it has e = 1, c = 0, and
-// also e = -1, c = twice its value. The argument itself has e = -1, c = 2a, or e = 1, c = L.
+// or nothing. (Where one side is not defined, the other is not.) e = 1, c = 0 is invariance: even
+// about a, or periodic. A constant is known to be one, and by its value where that is q' + r' pi;
+// it has e = 1, c = 0, and also e = -1, c = twice its value. The argument itself has e = -1, c =
+// 2a, or e = 1, c = L.
 //
 //   const auto f = [](const auto& x) { return exp(cos(x)) * square(sin(x)); };
 //   f(symmetry::reflection({0, rational(1, 2)})).is_invariant();   // false: cos is odd about pi/2
 //   f(symmetry::reflection({0, 1})).is_invariant();                // true: even about pi
 //   f(symmetry::translation({0, 2})).is_invariant();               // true: 2 pi is a period
 //
-// The rules below are identities of the real functions. That an expression is found to have no symmetry says
-// nothing: x + exp(x) - exp(x) is not seen to be odd.
+// The rules below are identities of the real functions. That an expression is found to have no
+// symmetry says nothing: x + exp(x) - exp(x) is not seen to be odd.
 
 #include <optional>
 
@@ -29,7 +30,8 @@ namespace polhode {
 
 class symmetry {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// Nothing is known.
   symmetry() = default;
@@ -78,8 +80,8 @@ class symmetry {
   friend symmetry root(const symmetry& v, long n) {
     return n % 2 != 0 ? v.under_odd_function() : v.under_any_function();
   }
-  // sin(e v + k pi) = (-1)^k e sin v, cos(e v + k pi) = (-1)^k cos v, tan(e v + k pi) = e tan v for whole k; with
-  // pi as the unit for sinpi and cospi.
+  // sin(e v + k pi) = (-1)^k e sin v, cos(e v + k pi) = (-1)^k cos v, tan(e v + k pi) = e tan v for
+  // whole k; with pi as the unit for sinpi and cospi.
   friend symmetry sin(const symmetry& v) { return v.under_circular_function(true, v.half_turns()); }
   friend symmetry cos(const symmetry& v) {
     return v.under_circular_function(false, v.half_turns());

@@ -1,12 +1,13 @@
 #pragma once
 
-// What a function is like at infinity where it decays (or grows) exponentially: a bound of its tail, found
-// by calling it with a tail_series for its argument.
+// What a function is like at infinity where it decays (or grows) exponentially: a bound of its
+// tail, found by calling it with a tail_series for its argument.
 //
 // A tail_series is a real function of t, 0 < t <= r, of the form e^phi(t) h(t) U(t): phi is 0 or an
-// end_series with a negative power, such as -1/t^2, h an end_series, and U a function of which only an
-// interval is known that holds its values. With x = s/t this describes exp(-x^2), sech x, x^1000 e^-x sin x
-// for large x. It knows nothing of complex arguments. What does not have this form is blocked.
+// end_series with a negative power, such as -1/t^2, h an end_series, and U a function of which only
+// an interval is known that holds its values. With x = s/t this describes exp(-x^2), sech x, x^1000
+// e^-x sin x for large x. It knows nothing of complex arguments. What does not have this form is
+// blocked.
 
 #include <memory>
 #include <optional>
@@ -18,7 +19,8 @@ namespace polhode {
 
 class tail_series {
  public:
-  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the rest.
+  /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
+  /// rest.
   static constexpr bool takes_exact_numbers = true;
   /// Blocked.
   tail_series() = default;
@@ -45,8 +47,8 @@ class tail_series {
   ///   integral of B y^P e^(-c y^mu) dy = (B/mu) integral of v^Q e^(-c v) dv over v >= V = Y^mu,
   ///   Q = (P + 1)/mu - 1,  <=  (B/mu) V^Q e^(-c V) / (c - max(Q, 0)/V)   where that is positive:
   ///
-  /// the logarithm of v^Q e^(-c v) has the slope Q/v - c <= max(Q, 0)/V - c. Infinite where there is no
-  /// exponential decay, or Y is too small.
+  /// the logarithm of v^Q e^(-c v) has the slope Q/v - c <= max(Q, 0)/V - c. Infinite where there
+  /// is no exponential decay, or Y is too small.
   [[nodiscard]] magnitude integral_beyond(const ball& y) const { return integral(y, 0); }
   /// The same of |f(t)| over 0 < t <= 1/Y: with t = 1/y, dt = y^-2 dy in size.
   [[nodiscard]] magnitude integral_before(const ball& y) const { return integral(y, -2); }
@@ -72,8 +74,8 @@ class tail_series {
   friend tail_series log1p(const tail_series& x);
   /// |erf| <= 1, with the sign of x.
   friend tail_series erf(const tail_series& x);
-  /// For x > 0, erfc(x) = (2/sqrt(pi)) integral of e^(-s^2) over s >= x <= (2/sqrt(pi)) integral of (s/x) e^(-s^2) =
-  /// e^(-x^2)/(x sqrt(pi)); between 0 and 2 else.
+  /// For x > 0, erfc(x) = (2/sqrt(pi)) integral of e^(-s^2) over s >= x <= (2/sqrt(pi)) integral of
+  /// (s/x) e^(-s^2) = e^(-x^2)/(x sqrt(pi)); between 0 and 2 else.
   friend tail_series erfc(const tail_series& x);
   friend tail_series sin(const tail_series& x);
   friend tail_series cos(const tail_series& x);
@@ -109,9 +111,10 @@ class tail_series {
   /// e^phi with phi bounded goes into h.
   void settle();
   [[nodiscard]] static tail_series sum(const tail_series& x, const tail_series& y);
-  /// e^x for x = e^phi h U of which no range is known, with |h| instead of h and U's sign turned where h < 0. Without phi, x <= |h| u
-  /// for u = sup U. Where phi > 0 and u < 0: e^phi >= e phi (the tangent at 1), so that x <= e phi |h| u. With H for that bound
-  /// the value is e^H times something in (0, 1].
+  /// e^x for x = e^phi h U of which no range is known, with |h| instead of h and U's sign turned
+  /// where h < 0. Without phi, x <= |h| u for u = sup U. Where phi > 0 and u < 0: e^phi >= e phi
+  /// (the tangent at 1), so that x <= e phi |h| u. With H for that bound the value is e^H times
+  /// something in (0, 1].
   [[nodiscard]] tail_series exp_of_growing() const;
   /// The number 1.
   [[nodiscard]] bool is_one() const;

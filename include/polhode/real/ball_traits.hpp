@@ -1,10 +1,12 @@
 #pragma once
 
-// What the standard library asks of a number type, for balls. (Text: operator<< in arithmetic/ball.hpp, fmt in arithmetic/format.hpp.)
+// What the standard library asks of a number type, for balls. (Text: operator<< in
+// arithmetic/ball.hpp, fmt in arithmetic/format.hpp.)
 //
-// A ball is no floating-point number: it has no epsilon, no greatest number and no precision of its type. numeric_limits says so; algorithms that ask
-// for these, as Boost.Math's do to end an iteration, do not compile with a ball, or say that they cannot. docs/boost.md says which ones
-// may be given balls, and why others may not.
+// A ball is no floating-point number: it has no epsilon, no greatest number and no precision of its
+// type. numeric_limits says so; algorithms that ask for these, as Boost.Math's do to end an
+// iteration, do not compile with a ball, or say that they cannot. docs/boost.md says which ones may
+// be given balls, and why others may not.
 
 #include <cstddef>
 #include <functional>
@@ -53,8 +55,9 @@ class std::numeric_limits<polhode::ball> {
   static polhode::ball signaling_NaN() = delete;
 };
 
-/// Of the set: balls with the same ends have the same hash. There is no operator== that would go with it, since balls may overlap: a container
-/// needs a predicate, such as is_equal (arithmetic/interval.hpp).
+/// Of the set: balls with the same ends have the same hash. There is no operator== that would go
+/// with it, since balls may overlap: a container needs a predicate, such as is_equal
+/// (arithmetic/interval.hpp).
 template <>
 struct std::hash<polhode::ball> {
   [[nodiscard]] std::size_t operator()(const polhode::ball& x) const noexcept;

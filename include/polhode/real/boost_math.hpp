@@ -1,11 +1,14 @@
 #pragma once
 
-// What a generic function for the templates over Real may call by Boost.Math's names, and the exact numbers that may stand beside a Real.
+// What a generic function for the templates over Real may call by Boost.Math's names, and the exact
+// numbers that may stand beside a Real.
 //
-//   [](auto x) { using T = decltype(x); return boost::math::constants::pi<T>() * boost::math::ellint_1(x) * "0.1"_r; }
+//   [](auto x) { using T = decltype(x); return boost::math::constants::pi<T>() *
+//   boost::math::ellint_1(x) * "0.1"_r; }
 //
-// When such a function is recorded, x is a symbol: pi is then the number pi itself, not a decimal of it. Boost's elliptic integrals take the modulus k,
-// those of formulas the parameter m = k^2, and ellint_3(k, n, phi) is ellipticPi(n, phi, k^2); signs and principal values are the same.
+// When such a function is recorded, x is a symbol: pi is then the number pi itself, not a decimal
+// of it. Boost's elliptic integrals take the modulus k, those of formulas the parameter m = k^2,
+// and ellint_3(k, n, phi) is ellipticPi(n, phi, k^2); signs and principal values are the same.
 
 #include <cmath>
 
@@ -112,7 +115,8 @@ POLHODE_BOOST_CONSTANT(zeta_three, zeta(number(3)))
 
 namespace boost::math {
 
-// Those of one argument are no templates, and so preferred to Boost's; those of more are templates as Boost's are, and more constrained.
+// Those of one argument are no templates, and so preferred to Boost's; those of more are templates
+// as Boost's are, and more constrained.
 
 #define POLHODE_BOOST_OF_ONE(name, formula)                             \
   [[nodiscard]] inline polhode::symbol name(const polhode::symbol& x) { \
@@ -251,8 +255,9 @@ template <floating_real R>
 
 namespace boost::multiprecision {
 
-// A rational number beside a number of Boost's with a floating point, which Boost leaves to the person: the rational is converted, to nearest. Here,
-// as this is where the compiler looks for operators of both.
+// A rational number beside a number of Boost's with a floating point, which Boost leaves to the
+// person: the rational is converted, to nearest. Here, as this is where the compiler looks for
+// operators of both.
 #define POLHODE_RATIONAL_BESIDE_REAL(op)                                                      \
   template <polhode::detail::boost_real R>                                                    \
   [[nodiscard]] R operator op(const polhode::rational& q, const R& x) {                       \

@@ -1,11 +1,13 @@
 #pragma once
 
-// Integrals of a person's generic function along paths in the complex plane, with parts of type Real.
+// Integrals of a person's generic function along paths in the complex plane, with parts of type
+// Real.
 //
-//   const auto i = polhode::integrate_along<Real>([](auto z) { return exp(z) / (z * z * z); }, path::circle(0, 1));   // i.im is pi
+//   const auto i = polhode::integrate_along<Real>([](auto z) { return exp(z) / (z * z * z); },
+//                                                 path::circle(0, 1));   // i.im is pi
 //
-// The sums are of complex balls, so that the rounding errors are proved too: Boost's own complex numbers need a library (MPC) that this one
-// does without.
+// The sums are of complex balls, so that the rounding errors are proved too: Boost's own complex
+// numbers need a library (MPC) that this one does without.
 
 #include <limits>
 #include <string>
@@ -18,7 +20,8 @@
 
 namespace polhode {
 
-/// An integral along a path. Where the verdict is certified its parts differ from re and im by no more than the errors.
+/// An integral along a path. Where the verdict is certified its parts differ from re and im by no
+/// more than the errors.
 template <floating_real R>
 struct path_integral {
   R re = std::numeric_limits<R>::quiet_NaN();
@@ -42,7 +45,8 @@ void set_number_and_error(const ball& x, precision p, R& value, R& error) {
 }
 }  // namespace detail
 
-/// The integral of a generic function f along a path, an enclosure: as integrate_along in quadrature/contour.hpp.
+/// The integral of a generic function f along a path, an enclosure: as integrate_along in
+/// quadrature/contour.hpp.
 template <class Real, class F>
 requires std::same_as<Real, ball>
 [[nodiscard]] contour_integral integrate_along(const F& f, const path& along,

@@ -1,11 +1,13 @@
 #pragma once
 
-// Integrals of black boxes: by Boost.Math's rules, with Boost's own estimate of the error. Nothing is proved.
+// Integrals of black boxes: by Boost.Math's rules, with Boost's own estimate of the error. Nothing
+// is proved.
 //
 //   const auto e = polhode::estimate(f, Real(0), Real(1));     // e.value, e.claimed_error
 //
-// For a function that takes one type only (a measurement, a simulation, a function of another library), of which nothing can be known between its
-// values. The type of the result is of its own, so that it is never taken for a proved one.
+// For a function that takes one type only (a measurement, a simulation, a function of another
+// library), of which nothing can be known between its values. The type of the result is of its own,
+// so that it is never taken for a proved one.
 
 #include <cmath>
 #include <limits>
@@ -27,7 +29,8 @@ enum class estimate_rule { automatic, tanh_sinh, exp_sinh, sinh_sinh, gauss_kron
 struct estimate_options {
   /// By default tanh_sinh for a finite range, exp_sinh for a half line, sinh_sinh for the line.
   estimate_rule rule = estimate_rule::automatic;
-  /// Relative digits to ask for; by default two thirds of those of Real, which Boost's rules take for the square root of a unit in the last place.
+  /// Relative digits to ask for; by default two thirds of those of Real, which Boost's rules take
+  /// for the square root of a unit in the last place.
   std::optional<long> digits = std::nullopt;
 };
 
@@ -42,8 +45,9 @@ struct estimated_integral {
   std::string method;
 };
 
-/// The integral of f from a to b by Boost's rule, for ends in either order. f takes a Real and returns one. Throws input_error for NaN ends and a rule that is not for the range; and
-/// what Boost's rules throw (boost::math::evaluation_error).
+/// The integral of f from a to b by Boost's rule, for ends in either order. f takes a Real and
+/// returns one. Throws input_error for NaN ends and a rule that is not for the range; and what
+/// Boost's rules throw (boost::math::evaluation_error).
 template <floating_real Real, class F>
 [[nodiscard]] estimated_integral<Real> estimate(const F& f, const Real& a, const Real& b,
                                                 const estimate_options& options = {}) {

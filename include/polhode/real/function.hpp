@@ -1,6 +1,7 @@
 #pragma once
 
-// A person's generic function for the templates over Real: as a formula, for the proof; as itself, for the values.
+// A person's generic function for the templates over Real: as a formula, for the proof; as itself,
+// for the values.
 
 #include <functional>
 #include <stdexcept>
@@ -15,8 +16,8 @@
 
 namespace polhode::detail {
 
-/// What a function for a template over Real is called with to record it. Numbers of type double or long double stand
-/// beside their own symbols; those of Boost's, and exact numbers, beside all.
+/// What a function for a template over Real is called with to record it. Numbers of type double or
+/// long double stand beside their own symbols; those of Boost's, and exact numbers, beside all.
 template <class Real>
 struct recording_symbol {
   using type = symbol;
@@ -28,7 +29,8 @@ struct recording_symbol<Real> {
 template <class Real>
 using symbol_of_real = typename recording_symbol<Real>::type;
 
-/// While it lives, new numbers of type mpfr_float have p bits, or a few more, on this thread; for other types, nothing.
+/// While it lives, new numbers of type mpfr_float have p bits, or a few more, on this thread; for
+/// other types, nothing.
 template <floating_real R>
 class thread_precision {
  public:
@@ -50,8 +52,9 @@ class thread_precision {
   unsigned before_ = 0;
 };
 
-/// Whether f(x) at an R is a number of its own, with R's digits. An expression template refers to what it was made of, which may be gone when the function has
-/// returned; and an unqualified sin(x) of a long double is C's, of a double.
+/// Whether f(x) at an R is a number of its own, with R's digits. An expression template refers to
+/// what it was made of, which may be gone when the function has returned; and an unqualified sin(x)
+/// of a long double is C's, of a double.
 template <class F, floating_real R>
 inline constexpr bool returns_a_number = [] {
   if constexpr (std::same_as<R, long double>) {
@@ -61,7 +64,8 @@ inline constexpr bool returns_a_number = [] {
   }
 }();
 
-/// f over R: itself where it returns numbers, else by its formula, in MPFR's arithmetic at R's precision.
+/// f over R: itself where it returns numbers, else by its formula, in MPFR's arithmetic at R's
+/// precision.
 template <floating_real R, class F>
 [[nodiscard]] std::function<R(const R&)> values_in(const F& f, const expression& formula,
                                                    precision p) {
@@ -79,8 +83,9 @@ template <floating_real R, class F>
   }
 }
 
-/// The same as a function of balls: of the number in the middle of the argument, rounded to R. Undefined where the function throws what Boost's
-/// functions throw beyond their domain or range, which a rounded argument may be.
+/// The same as a function of balls: of the number in the middle of the argument, rounded to R.
+/// Undefined where the function throws what Boost's functions throw beyond their domain or range,
+/// which a rounded argument may be.
 template <floating_real R, class F>
 [[nodiscard]] std::function<ball(const ball&)> values_as_balls(const F& f,
                                                                const expression& formula,

@@ -7,14 +7,17 @@
 //   const auto i = polhode::integrate<Real>(f, 0, 1);            // i.value, i.truncation_error
 //   const auto c = polhode::integrate<polhode::ball>(f, 0, 1);   // c.enclosure
 //
-// f is called once with a symbol (expression/symbol.hpp), which makes it a formula; of the formula it is proved where it is analytic and how large it is
-// there, and so which rule with how many nodes is enough, as integrate.hpp in quadrature/ has it. With a ball the result is an
-// enclosure. With another Real the same rule is summed over values of f in Real: then what the rule leaves out, the truncation error, is proved, and
-// the rounding errors in the values of f are not. The type of the result says so.
+// f is called once with a symbol (expression/symbol.hpp), which makes it a formula; of the formula
+// it is proved where it is analytic and how large it is there, and so which rule with how many
+// nodes is enough, as integrate.hpp in quadrature/ has it. With a ball the result is an enclosure.
+// With another Real the same rule is summed over values of f in Real: then what the rule leaves
+// out, the truncation error, is proved, and the rounding errors in the values of f are not. The
+// type of the result says so.
 //
-// f(x) at a Real is f itself where it returns numbers: double, and Boost's numbers without expression templates or with a lambda that says its type. A
-// lambda that returns an expression template returns references to numbers that may be gone; then, and for long double, f's formula is evaluated in its place, by
-// MPFR with as many bits as Real has.
+// f(x) at a Real is f itself where it returns numbers: double, and Boost's numbers without
+// expression templates or with a lambda that says its type. A lambda that returns an expression
+// template returns references to numbers that may be gone; then, and for long double, f's formula
+// is evaluated in its place, by MPFR with as many bits as Real has.
 
 #include <algorithm>
 #include <chrono>
@@ -34,7 +37,8 @@
 namespace polhode {
 
 struct real_integrate_options {
-  /// Relative digits of the truncation error; by default all that Real has, or that the policy asks for.
+  /// Relative digits of the truncation error; by default all that Real has, or that the policy asks
+  /// for.
   std::optional<long> digits = std::nullopt;
   /// An absolute goal beside it, as a power of two.
   std::optional<long> absolute_exponent = std::nullopt;
@@ -47,7 +51,8 @@ struct real_integrate_options {
   std::function<void(const integration_progress&)> progress = {};
 };
 
-/// What a proof of the rounding errors too costs for one integrand: the same integral with values in Real and with balls.
+/// What a proof of the rounding errors too costs for one integrand: the same integral with values
+/// in Real and with balls.
 struct price_of_certainty {
   double seconds = 0;
   double seconds_certified = 0;
@@ -59,7 +64,9 @@ struct price_of_certainty {
 
 /// What is proved of an integral that was summed in a Real.
 enum class truncation_verdict {
-  proved,  // but for rounding errors, the integral is within truncation_error of the value, and the goal is reached
+  // But for rounding errors, the integral is within truncation_error of the value, and the goal is
+  // reached.
+  proved,
   not_proved  // it is not, and `obstacle` says why
 };
 
@@ -68,7 +75,8 @@ enum class truncation_verdict {
 /// An integral whose truncation error is proved, and whose rounding errors are not.
 template <floating_real R>
 struct rounded_integral {
-  /// The rule's sum over values of f in R. Where the verdict is not_proved: what was reached, a NaN where that is nothing.
+  /// The rule's sum over values of f in R. Where the verdict is not_proved: what was reached, a NaN
+  /// where that is nothing.
   R value = std::numeric_limits<R>::quiet_NaN();
   /// An upper bound of what the rule leaves out; infinite where none is known.
   R truncation_error = std::numeric_limits<R>::infinity();
@@ -102,9 +110,11 @@ inline void expect_digits(long digits) {
 }
 
 /// A formula's integrand with other values at the nodes. The formula's own values, of balls, stay
-///   - for every argument that is more than a rounded number: bounds of f over a set are made of such, and must hold;
+///   - for every argument that is more than a rounded number: bounds of f over a set are made of
+///     such, and must hold;
 ///   - where the others are not defined;
-///   - beside ends of the range that are not 0: a rounded x says too little there of its distance from the end, where f may be singular.
+///   - beside ends of the range that are not 0: a rounded x says too little there of its distance
+///     from the end, where f may be singular.
 [[nodiscard]] inline integrand with_values(integrand result,
                                            const std::function<ball(const ball&)>& values,
                                            const end_point& a, const end_point& b) {
@@ -151,8 +161,9 @@ template <class Work>
 
 }  // namespace detail
 
-/// The integral of a generic function f from a to b, an enclosure: as integrate in quadrature/integrate.hpp, with f recorded once instead of compiled for
-/// each arithmetic, and 15 digits unless options has others.
+/// The integral of a generic function f from a to b, an enclosure: as integrate in
+/// quadrature/integrate.hpp, with f recorded once instead of compiled for each arithmetic, and 15
+/// digits unless options has others.
 template <class Real, class F>
 requires std::same_as<Real, ball>
 [[nodiscard]] integral integrate(const F& f, const range_limit<ball>& a, const range_limit<ball>& b,
@@ -160,9 +171,10 @@ requires std::same_as<Real, ball>
   return integrate(formula_of<detail::symbol_of_real<Real>>(f), a.point(), b.point(), options);
 }
 
-/// The integral of a generic function f from a to b, summed in Real. The order of the ends, infinite ends and ends where f is singular are as in
-/// quadrature/integrate.hpp. Without a policy of Boost's the verdict says what is not proved, and input_error is thrown for ends and options that are no
-/// numbers; with a policy, its evaluation_error and domain_error decide.
+/// The integral of a generic function f from a to b, summed in Real. The order of the ends,
+/// infinite ends and ends where f is singular are as in quadrature/integrate.hpp. Without a policy
+/// of Boost's the verdict says what is not proved, and input_error is thrown for ends and options
+/// that are no numbers; with a policy, its evaluation_error and domain_error decide.
 template <class Real, class F, class Policy = answer_by_verdict>
 requires floating_real<Real>
 [[nodiscard]] rounded_integral<Real> integrate(const F& f, const range_limit<Real>& a,

@@ -12,8 +12,9 @@
 
 namespace polhode {
 
-/// An end of a range of numbers of type R: an R, which is the exact number that it is, an infinity of R, a whole number, a rational, a double
-/// literal that is what it looks like, or an end_point. R's own pi is a decimal of pi: the number pi itself is end_point::pi(), or
+/// An end of a range of numbers of type R: an R, which is the exact number that it is, an infinity
+/// of R, a whole number, a rational, a double literal that is what it looks like, or an end_point.
+/// R's own pi is a decimal of pi: the number pi itself is end_point::pi(), or
 /// boost::math::constants::pi<symbol>().
 template <class R>
 class range_limit {
@@ -92,7 +93,8 @@ class range_limit {
 };
 
 namespace detail {
-/// The bits to compute with between two ends: the more precise of numbers of variable precision, else those of R.
+/// The bits to compute with between two ends: the more precise of numbers of variable precision,
+/// else those of R.
 template <floating_real R>
 [[nodiscard]] precision working_bits(const range_limit<R>& a, const range_limit<R>& b) {
   const precision given = std::max(a.bits(), b.bits());

@@ -41,9 +41,10 @@ concept binary_boost_real = boost_real<R> && std::numeric_limits<R>::radix == 2 
 };
 }  // namespace detail
 
-/// A floating-point type without enclosures: double, long double, and the numbers of Boost.Multiprecision
-/// with a binary floating point and correct rounding: mpfr_float (with the precision of its arguments),
-/// mpfr_float_50, ..., cpp_bin_float_50, ..., with expression templates or without.
+/// A floating-point type without enclosures: double, long double, and the numbers of
+/// Boost.Multiprecision with a binary floating point and correct rounding: mpfr_float (with the
+/// precision of its arguments), mpfr_float_50, ..., cpp_bin_float_50, ..., with expression
+/// templates or without.
 template <class R>
 concept floating_real = std::same_as<R, double> || std::same_as<R, long double> ||
                         (detail::boost_real<R>&& mpfr_like<R>) ||
@@ -75,7 +76,8 @@ struct real_needed {
 
 }  // namespace detail
 
-/// The bits of a number of type R: of mpfr_float the thread's default, which mpfr_float::thread_default_precision(digits) sets.
+/// The bits of a number of type R: of mpfr_float the thread's default, which
+/// mpfr_float::thread_default_precision(digits) sets.
 template <floating_real R>
 [[nodiscard]] precision usual_bits() {
   if constexpr (detail::has_variable_precision<R>) {
@@ -87,8 +89,8 @@ template <floating_real R>
 
 namespace detail {
 
-/// x as an R of p bits (of R's bits, where those are fixed), rounded in one direction. Values beyond the range of R become infinite, its greatest,
-/// its smallest or 0, as the direction has it.
+/// x as an R of p bits (of R's bits, where those are fixed), rounded in one direction. Values
+/// beyond the range of R become infinite, its greatest, its smallest or 0, as the direction has it.
 template <floating_real R>
 [[nodiscard]] R rounded_to(mpfr_srcptr x, precision p, mpfr_rnd_t direction) {
   if constexpr (std::same_as<R, double>) {
@@ -143,7 +145,8 @@ template <floating_real R>
 
 }  // namespace detail
 
-/// A number near the middle of the set, with p bits where R has no precision of its own; a NaN where the ball is undefined.
+/// A number near the middle of the set, with p bits where R has no precision of its own; a NaN
+/// where the ball is undefined.
 template <floating_real R>
 [[nodiscard]] R nearest_as(const ball& x, precision p = usual_bits<R>()) {
   return detail::bound_as<R>(x, p, MPFR_RNDN);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Policies of Boost.Math's at the door of this library: what happens where an answer is not proved, and how many digits are wanted.
+// Policies of Boost.Math's at the door of this library: what happens where an answer is not proved,
+// and how many digits are wanted.
 
 #include <limits>
 #include <string>
@@ -13,7 +14,8 @@
 
 namespace polhode {
 
-/// In place of a policy: what is not proved says so in the answer, by its verdict; input that cannot be used throws input_error.
+/// In place of a policy: what is not proved says so in the answer, by its verdict; input that
+/// cannot be used throws input_error.
 struct answer_by_verdict {};
 
 namespace detail {
@@ -21,7 +23,8 @@ namespace detail {
 template <class Policy>
 inline constexpr bool is_policy = boost::math::policies::is_policy<Policy>::value;
 
-/// The decimal digits that the policy asks for (digits10<N>, digits2<N>), or those of R with so many bits.
+/// The decimal digits that the policy asks for (digits10<N>, digits2<N>), or those of R with so
+/// many bits.
 template <floating_real R, class Policy>
 [[nodiscard]] long digits_wanted(precision p) {
   const long all = digits_in_bits(p);
@@ -34,8 +37,8 @@ template <floating_real R, class Policy>
   return all;
 }
 
-/// What the policy makes of an answer that is not proved: an exception (boost::math::evaluation_error), errno, or nothing more. Returns the value to
-/// answer with.
+/// What the policy makes of an answer that is not proved: an exception
+/// (boost::math::evaluation_error), errno, or nothing more. Returns the value to answer with.
 template <floating_real R, class Policy>
 R not_proved(const char* function, const std::string& why, const R& value, const Policy& policy) {
   if constexpr (is_policy<Policy>) {
@@ -50,7 +53,8 @@ R not_proved(const char* function, const std::string& why, const R& value, const
   }
 }
 
-/// The same of input that cannot be used: boost::math's domain error (std::domain_error), errno, or a NaN; without a policy, input_error.
+/// The same of input that cannot be used: boost::math's domain error (std::domain_error), errno, or
+/// a NaN; without a policy, input_error.
 template <floating_real R, class Policy>
 R bad_input(const char* function, const input_error& error, const Policy& policy) {
   if constexpr (is_policy<Policy>) {

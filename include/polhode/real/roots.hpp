@@ -6,9 +6,9 @@
 //   const auto r = polhode::find_root<Real>([](auto x) { return cos(x) - x; }, 0, 1);
 //   // r.value, r.lower <= the root <= r.upper, r.verdict == root_verdict::unique
 //
-// f is called once with a symbol (expression/symbol.hpp), which makes it a formula; what is proved is proved of the formula, by balls
-// (roots/isolate.hpp), and rounded outward to Real. A person may choose one of Boost.Math's iterations to look for the root; the proof
-// afterwards is the same.
+// f is called once with a symbol (expression/symbol.hpp), which makes it a formula; what is proved
+// is proved of the formula, by balls (roots/isolate.hpp), and rounded outward to Real. A person may
+// choose one of Boost.Math's iterations to look for the root; the proof afterwards is the same.
 
 #include <array>
 #include <cstdint>
@@ -69,20 +69,23 @@ template <class Real>
 struct certified_root {
   /// Near the middle of the bracket; a NaN (an undefined ball) where there is no root to show.
   Real value = detail::no_number<Real>();
-  /// lower <= root <= upper; every root of the region lies between them where the verdict is not that of one root.
+  /// lower <= root <= upper; every root of the region lies between them where the verdict is not
+  /// that of one root.
   Real lower = detail::no_number<Real>();
   Real upper = detail::no_number<Real>();
-  /// What is proved of the roots in the interval; by an iteration of Boost's, of those in [lowest, greatest].
+  /// What is proved of the roots in the interval; by an iteration of Boost's, of those in [lowest,
+  /// greatest].
   root_verdict verdict = root_verdict::unresolved;
-  /// No other root lies between these. NaNs (undefined balls) where that is not proved, or no number of
-  /// type Real is in the box of the proof.
+  /// No other root lies between these. NaNs (undefined balls) where that is not proved, or no
+  /// number of type Real is in the box of the proof.
   Real lowest = detail::no_number<Real>();
   Real greatest = detail::no_number<Real>();
   /// Where it is proved; else 0.
   long multiplicity = 0;
   /// The root, or one of them, where it is known to be this rational number.
   std::optional<rational> exact;
-  /// The radius is at most 10^-digits of the root's size (of the interval's, where the root may be 0).
+  /// The radius is at most 10^-digits of the root's size (of the interval's, where the root may be
+  /// 0).
   bool reached = false;
   /// Of the iteration of Boost's that was chosen.
   std::uintmax_t iterations = 0;
@@ -94,7 +97,8 @@ template <class Real>
 struct certified_roots {
   /// In ascending order.
   std::vector<certified_root<Real>> roots;
-  /// The whole interval was searched, every root is proved to be one (is_one_root), and there is no other.
+  /// The whole interval was searched, every root is proved to be one (is_one_root), and there is no
+  /// other.
   bool resolved = false;
   /// f is 0 everywhere; there are no roots in the list then.
   bool identically_zero = false;
@@ -243,7 +247,8 @@ template <floating_real Real, class F>
   return options;
 }
 
-/// The proof that f has exactly one root near x: by interval Newton, in boxes around x that grow from a few units in its last place.
+/// The proof that f has exactly one root near x: by interval Newton, in boxes around x that grow
+/// from a few units in its last place.
 [[nodiscard]] root_enclosure proved_near(const expression& formula, const ball& x,
                                          const ball& interval, precision p);
 
@@ -267,8 +272,8 @@ template <class Real>
 
 }  // namespace detail
 
-/// All roots of a generic function f with lower <= x <= upper, each with its bracket. Real: a floating_real, or ball. Throws input_error for an
-/// interval that is none and digits below 1.
+/// All roots of a generic function f with lower <= x <= upper, each with its bracket. Real: a
+/// floating_real, or ball. Throws input_error for an interval that is none and digits below 1.
 template <class Real, class F>
 requires real_or_ball<Real>
 [[nodiscard]] certified_roots<Real> isolate_roots(const F& f, const range_limit<Real>& lower,
@@ -288,10 +293,12 @@ requires real_or_ball<Real>
   return result;
 }
 
-/// The root of a generic function f with lower <= x <= upper. By isolation, unique or multiple says that there is no other; where there are several,
-/// the verdict is at_least_one, and the bracket that of the lowest. By an iteration of Boost's, unique says that it is the only one
-/// in [lowest, greatest]. Real: a floating_real; or ball, by isolation.
-/// Without a policy of Boost's, the verdict says what is not proved; with one, its evaluation_error decides where there is no proved root.
+/// The root of a generic function f with lower <= x <= upper. By isolation, unique or multiple says
+/// that there is no other; where there are several, the verdict is at_least_one, and the bracket
+/// that of the lowest. By an iteration of Boost's, unique says that it is the only one in [lowest,
+/// greatest]. Real: a floating_real; or ball, by isolation. Without a policy of Boost's, the
+/// verdict says what is not proved; with one, its evaluation_error decides where there is no proved
+/// root.
 template <class Real, class F, class Policy = answer_by_verdict>
 requires real_or_ball<Real>
 [[nodiscard]] certified_root<Real> find_root(const F& f, const range_limit<Real>& lower,

@@ -2,10 +2,11 @@
 
 // Systems of equations of a person's own, over a type Real: all solutions in a box, each proved.
 //
-//   const auto f = [](const auto& x) { return std::vector{x[0] * x[0] + x[1] - 11, x[0] + x[1] * x[1] - 7}; };
-//   const auto s = polhode::solve_system<Real>(f, {{-5, 5}, {-5, 5}});
+//   const auto f = [](const auto& x) { return std::vector{x[0] * x[0] + x[1] - 11, x[0] + x[1] *
+//   x[1] - 7}; }; const auto s = polhode::solve_system<Real>(f, {{-5, 5}, {-5, 5}});
 //
-// f is called once with a vector of symbols (expression/symbol.hpp), and answers with as many symbols.
+// f is called once with a vector of symbols (expression/symbol.hpp), and answers with as many
+// symbols.
 
 #include <iterator>
 #include <string>
@@ -46,7 +47,8 @@ struct real_system_options {
   system_options search = {};
 };
 
-/// The solutions of f(x) = 0 in a box, faces included. Real: a floating_real, or ball. Throws input_error for a box that is none.
+/// The solutions of f(x) = 0 in a box, faces included. Real: a floating_real, or ball. Throws
+/// input_error for a box that is none.
 template <class Real, class F>
 requires real_or_ball<Real>
 [[nodiscard]] certified_solutions<Real> solve_system(

@@ -16,8 +16,9 @@
 
 namespace polhode {
 
-/// Whether a mass distribution has these moments: its greatest moment is at most the sum of the others, and is that sum
-/// where all mass lies in a plane. Undecided: some members of the ranges given are physical and others are not.
+/// Whether a mass distribution has these moments: its greatest moment is at most the sum of the
+/// others, and is that sum where all mass lies in a plane. Undecided: some members of the ranges
+/// given are physical and others are not.
 enum class body_kind { physical, planar, non_physical, undecided };
 
 /// "physical", "planar", "non-physical", "undecided".
@@ -27,15 +28,16 @@ class inertia_tensor;
 
 class body {
  public:
-  /// Throws input_error, which says what was given and what would be right, where a <= 0, b <= 0 or b >= 1.
+  /// Throws input_error, which says what was given and what would be right, where a <= 0, b <= 0 or
+  /// b >= 1.
   body(rational a, rational b);
 
-  /// The principal moments in any order and any one unit. Throws input_error where one is not positive, or where two are
-  /// equal: such a symmetric top has no intermediate axis.
+  /// The principal moments in any order and any one unit. Throws input_error where one is not
+  /// positive, or where two are equal: such a symmetric top has no intermediate axis.
   static body from_moments(const std::array<rational, 3>& given);
 
-  /// The rotational constants of a molecule in any order and any one unit (1/cm, MHz): its moments are as their inverses.
-  /// moments() are these inverses. Throws input_error as from_moments does.
+  /// The rotational constants of a molecule in any order and any one unit (1/cm, MHz): its moments
+  /// are as their inverses. moments() are these inverses. Throws input_error as from_moments does.
   static body from_rotational_constants(const std::array<rational, 3>& given);
 
   /// The inertia tensor in any axes, by its entries xx, yy, zz, xy, xz, yz. Throws input_error as
@@ -53,7 +55,8 @@ class body {
 
   /// I_x, I_y, I_z, where the body was made from rational moments.
   [[nodiscard]] const std::optional<std::array<rational, 3>>& moments() const { return moments_; }
-  /// Which of the moments given (0, 1 or 2) is I_x, which I_y, which I_z; {0, 1, 2} where they came in this order.
+  /// Which of the moments given (0, 1 or 2) is I_x, which I_y, which I_z; {0, 1, 2} where they came
+  /// in this order.
   [[nodiscard]] const std::array<int, 3>& order() const { return order_; }
 
   /// Physical where ab + 2b < 1, planar where ab + 2b = 1, else non-physical; in rationals (of a
@@ -62,8 +65,8 @@ class body {
   /// b).
   [[nodiscard]] body_kind kind() const;
 
-  /// The paper's geometric constant (1 - b)/sqrt(b (a + b)), to about p bits. It is above, at or below 1 as the body is
-  /// physical, planar or not: (1 - b)^2 - b (a + b) = 1 - 2b - ab.
+  /// The paper's geometric constant (1 - b)/sqrt(b (a + b)), to about p bits. It is above, at or
+  /// below 1 as the body is physical, planar or not: (1 - b)^2 - b (a + b) = 1 - 2b - ab.
   [[nodiscard]] ball geometric_constant(precision p) const;
   /// Its value where that is a rational number.
   [[nodiscard]] std::optional<rational> exact_geometric_constant() const;
@@ -89,7 +92,8 @@ class body {
   std::array<int, 3> order_{0, 1, 2};
 };
 
-/// Throws input_error, which says what was given, unless all three principal moments are positive. Any one unit.
+/// Throws input_error, which says what was given, unless all three principal moments are positive.
+/// Any one unit.
 void refuse_unless_positive(const std::array<rational, 3>& moments);
 
 /// The numbers from low to high, both included.
@@ -112,13 +116,13 @@ class uncertain_body {
   /// The moments in any order. Throws input_error where a sigma is negative or a range reaches 0.
   explicit uncertain_body(const std::array<uncertain_moment, 3>& given);
 
-  /// Of every member of the ranges, or undecided; planar only where every sigma is 0. The order of the moments need not
-  /// be known, and they may be equal.
+  /// Of every member of the ranges, or undecided; planar only where every sigma is 0. The order of
+  /// the moments need not be known, and they may be equal.
   ///
-  /// All are physical exactly where each moment's upper end is at most the sum of the others' lower ends. None is exactly
-  /// where one moment's lower end is above the sum of the others' upper ends: the sets of moments in which the first,
-  /// the second, the third exceeds the sum of the others are open and disjoint, and the ranges' product is connected,
-  /// so that it lies in one of them.
+  /// All are physical exactly where each moment's upper end is at most the sum of the others' lower
+  /// ends. None is exactly where one moment's lower end is above the sum of the others' upper ends:
+  /// the sets of moments in which the first, the second, the third exceeds the sum of the others
+  /// are open and disjoint, and the ranges' product is connected, so that it lies in one of them.
   [[nodiscard]] body_kind kind() const;
 
   /// Whether the ranges are disjoint: then the axes x, y, z are known, and the ranges below exist.
@@ -129,17 +133,20 @@ class uncertain_body {
     return ordered_;
   }
 
-  /// The range of the geometric constant: from its square I_y I_z/((I_x - I_y)(I_x - I_z)) it increases in I_y and I_z and
-  /// decreases in I_x, so that the ends are its values at two corners. Undefined where not is_ordered().
+  /// The range of the geometric constant: from its square I_y I_z/((I_x - I_y)(I_x - I_z)) it
+  /// increases in I_y and I_z and decreases in I_x, so that the ends are its values at two corners.
+  /// Undefined where not is_ordered().
   [[nodiscard]] ball geometric_constant(precision p) const;
-  /// The same of J, where (J + 1)^2 = I_x I_y/((I_y - I_z)(I_x - I_z)) decreases in I_x and I_y and increases in I_z.
+  /// The same of J, where (J + 1)^2 = I_x I_y/((I_y - I_z)(I_x - I_z)) decreases in I_x and I_y and
+  /// increases in I_z.
   [[nodiscard]] ball second_geometric_constant(precision p) const;
   /// a = I_y/I_z - 1 and b = 1 - I_y/I_x, by the corners. Undefined where not is_ordered().
   [[nodiscard]] ball a(precision p) const;
   [[nodiscard]] ball b(precision p) const;
 
  private:
-  /// The bodies at two corners: each moment at its upper end where the flag says so, and at its other end.
+  /// The bodies at two corners: each moment at its upper end where the flag says so, and at its
+  /// other end.
   [[nodiscard]] std::array<body, 2> corners(bool x_up, bool y_up, bool z_up) const;
 
   std::array<rational_range, 3> given_;

@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// The middles of `points` equal parts of a range of c, without one of [-b, min(a, b)]: neither end, where there may be nothing to
-/// compute, is among them.
+/// The middles of `points` equal parts of a range of c, without one of [-b, min(a, b)]: neither
+/// end, where there may be nothing to compute, is among them.
 [[nodiscard]] inline std::vector<rational> curve_motions(
     const body& rigid, const std::optional<std::array<rational, 2>>& range, long points) {
   // Numbers of a few bits just within irrational ends.

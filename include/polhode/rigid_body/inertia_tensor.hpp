@@ -1,7 +1,8 @@
 #pragma once
 
-// A body by its inertia tensor in any axes, with rational entries. Its principal moments are the roots of a cubic and in
-// general irrational: they are enclosed, and what is a question of yes or no is decided in rationals.
+// A body by its inertia tensor in any axes, with rational entries. Its principal moments are the
+// roots of a cubic and in general irrational: they are enclosed, and what is a question of yes or
+// no is decided in rationals.
 
 #include <array>
 #include <memory>
@@ -14,13 +15,15 @@ namespace polhode {
 
 class inertia_tensor {
  public:
-  /// By its entries xx, yy, zz, xy, xz, yz. Throws input_error where it is not positive definite, where two principal moments
-  /// are equal (decided by Sturm's theorem), and where with a common denominator an entry has more than 4096 bits.
+  /// By its entries xx, yy, zz, xy, xz, yz. Throws input_error where it is not positive definite,
+  /// where two principal moments are equal (decided by Sturm's theorem), and where with a common
+  /// denominator an entry has more than 4096 bits.
   explicit inertia_tensor(const std::array<rational, 6>& given);
 
-  /// Of the principal moments I_x, I_y, I_z, exactly. With the roots x > y > z > 0 of the characteristic polynomial chi and
-  /// their sum T, the numbers T/2 - z = (x + y - z)/2 and T/2 - y = (x + z - y)/2 are positive, so that
-  /// chi(T/2) = (T/2 - x)(T/2 - y)(T/2 - z) has the sign of y + z - x.
+  /// Of the principal moments I_x, I_y, I_z, exactly. With the roots x > y > z > 0 of the
+  /// characteristic polynomial chi and their sum T, the numbers T/2 - z = (x + y - z)/2 and T/2 - y
+  /// = (x + z - y)/2 are positive, so that chi(T/2) = (T/2 - x)(T/2 - y)(T/2 - z) has the sign of y
+  /// + z - x.
   [[nodiscard]] body_kind kind() const;
 
   /// I_x > I_y > I_z, each where it is rational. Either all are, or at most one is: the sum is.
@@ -50,16 +53,18 @@ class inertia_tensor {
   /// interval Newton steps.
   [[nodiscard]] std::array<ball, 3> moments(precision p) const;
 
-  /// From these, for x, y, z as above: a = (y - z)/z, b = (x - y)/x, the square of the geometric constant yz/((x-y)(x-z)) (1
-  /// exactly for a planar body), and J = q/(s + 1) with s^2 = xy/((y-z)(x-z)) and q = s^2 - 1 = z (x+y-z)/((y-z)(x-z)). Only the
-  /// differences of moments cancel, by at most lost_bits() bits.
+  /// From these, for x, y, z as above: a = (y - z)/z, b = (x - y)/x, the square of the geometric
+  /// constant yz/((x-y)(x-z)) (1 exactly for a planar body), and J = q/(s + 1) with s^2 =
+  /// xy/((y-z)(x-z)) and q = s^2 - 1 = z (x+y-z)/((y-z)(x-z)). Only the differences of moments
+  /// cancel, by at most lost_bits() bits.
   [[nodiscard]] ball a(precision p) const;
   [[nodiscard]] ball b(precision p) const;
   [[nodiscard]] ball geometric_constant(precision p) const;
   [[nodiscard]] ball second_geometric_constant(precision p) const;
 
-  /// With the integers of the tensor's multiple L and the trace T of that, the discriminant ((x-y)(y-z)(x-z))^2 is an integer and
-  /// at least 1, each factor less than T: so each is above 1/T^2, and by T^3 smaller than the greatest moment at most.
+  /// With the integers of the tensor's multiple L and the trace T of that, the discriminant
+  /// ((x-y)(y-z)(x-z))^2 is an integer and at least 1, each factor less than T: so each is above
+  /// 1/T^2, and by T^3 smaller than the greatest moment at most.
   [[nodiscard]] precision lost_bits() const;
 
  private:
@@ -81,9 +86,9 @@ class inertia_tensor {
   std::shared_ptr<known_moments> known_;
 };
 
-/// I_x >= I_y >= I_z of a tensor where two of them are equal, which may not be positive; nothing where
-/// all are different. By its entries xx, yy, zz, xy, xz, yz. The characteristic polynomial x^3 - T x^2 +
-/// M x - D has the discriminant
+/// I_x >= I_y >= I_z of a tensor where two of them are equal, which may not be positive; nothing
+/// where all are different. By its entries xx, yy, zz, xy, xz, yz. The characteristic polynomial
+/// x^3 - T x^2 + M x - D has the discriminant
 ///   18 T M D - 4 T^3 D + T^2 M^2 - 4 M^3 - 27 D^2.
 /// Where that is 0, the double root is (T M - 9 D)/(2 (T^2 - 3 M)), or all are T/3 where T^2 = 3 M.
 /// Proof: with the roots r, r, s, T = 2 r + s, M = r^2 + 2 r s and D = r^2 s, so that T^2 - 3 M is

@@ -47,8 +47,9 @@ void refuse_unless_rotation(const matrix3<rational>& rows);
 /// A body with its motion at time 0, exact.
 class initial_state {
  public:
-  /// Throw input_error, which says what was given and what would be right, where a moment is not positive, and where the
-  /// momentum (or velocity) is 0: such a body rests. The attitude is that of body axes along the axes of space.
+  /// Throw input_error, which says what was given and what would be right, where a moment is not
+  /// positive, and where the momentum (or velocity) is 0: such a body rests. The attitude is that
+  /// of body axes along the axes of space.
   static initial_state from_momentum(const triple<rational>& moments,
                                      const triple<rational>& momentum);
   static initial_state from_angular_velocity(const triple<rational>& moments,
@@ -56,17 +57,18 @@ class initial_state {
   /// The same of a body by its inertia tensor, and J in the axes of the tensor.
   static initial_state from_tensor(std::shared_ptr<const principal_axes> tensor,
                                    const triple<rational>& momentum);
-  /// The momentum by the squares of its components and their signs -1, 0, 1: the components themselves may be irrational. Throws
-  /// input_error, too, where these contradict each other.
+  /// The momentum by the squares of its components and their signs -1, 0, 1: the components
+  /// themselves may be irrational. Throws input_error, too, where these contradict each other.
   static initial_state from_squared_momentum(const triple<rational>& moments,
                                              const triple<rational>& squares,
                                              const triple<int>& senses);
-  /// The motion c of a body with I_y = 1 and |J| = 1, axes in the order x, y, z, from the middle of the twist: u_0 = 0, psi = 0.
-  /// Throws input_error for c outside [-b, a].
+  /// The motion c of a body with I_y = 1 and |J| = 1, axes in the order x, y, z, from the middle of
+  /// the twist: u_0 = 0, psi = 0. Throws input_error for c outside [-b, a].
   static initial_state at_middle_of_twist(const body& rigid, const rational& c);
 
-  /// The attitude at time 0. Each throws input_error for what is no rotation: a matrix (by rows) with R R^T not exactly 1 or
-  /// determinant -1, a quaternion w + x i + y j + z k of norm 0 (another norm is divided out: it enters R squared).
+  /// The attitude at time 0. Each throws input_error for what is no rotation: a matrix (by rows)
+  /// with R R^T not exactly 1 or determinant -1, a quaternion w + x i + y j + z k of norm 0
+  /// (another norm is divided out: it enters R squared).
   void set_matrix(const matrix3<rational>& rows);
   void set_quaternion(const std::array<rational, 4>& wxyz);
   /// R = R_i(first) R_j(second) R_k(third) about the axes i, j, k of the body (0 for x), each
@@ -82,15 +84,16 @@ class initial_state {
   [[nodiscard]] const rational& twice_energy() const { return twice_energy_; }
   /// The motion with its a, b and c: a >= 0 and 0 <= b < 1 are 0 where moments are equal.
   [[nodiscard]] const polhode::motion& motion() const { return motion_; }
-  /// That of the motion, but equilibrium_y where J is exactly along y. An equilibrium is J parallel to omega; of a spherical top
-  /// every motion is one.
+  /// That of the motion, but equilibrium_y where J is exactly along y. An equilibrium is J parallel
+  /// to omega; of a spherical top every motion is one.
   [[nodiscard]] polhode::regime regime() const { return regime_; }
   /// The principal axes where each is a body axis or the opposite of one: J_x = signs[0]
   /// J[order[0]].
   [[nodiscard]] std::optional<axis_order> along_body_axes() const;
   /// Unit vectors along x, y, z in the body axes, by rows, to about p bits.
   [[nodiscard]] matrix3<ball> frame(precision p) const;
-  /// J_x^2/J^2, J_y^2/J^2, J_z^2/J^2 and the signs (-1, 0, 1) of J_x, J_y, J_z in the principal axes.
+  /// J_x^2/J^2, J_y^2/J^2, J_z^2/J^2 and the signs (-1, 0, 1) of J_x, J_y, J_z in the principal
+  /// axes.
   [[nodiscard]] const triple<exact_real>& direction_squares() const { return squares_; }
   [[nodiscard]] const triple<int>& direction_signs() const { return senses_; }
   /// R at time 0, to about p bits.
@@ -136,16 +139,18 @@ struct rotor_attitude {
   matrix3<T> matrix;
   /// J/|J| in the principal axes x, y, z.
   triple<T> direction;
-  /// What angles() needs: phi is phase - atan2(lag[0], lag[1]); J_x and J_y times a common positive factor.
+  /// What angles() needs: phi is phase - atan2(lag[0], lag[1]); J_x and J_y times a common positive
+  /// factor.
   T phase;
   std::array<T, 2> lag;
   std::array<T, 2> across;
 
-  /// w, x, y, z of R, of norm 1; of the two, q and -q, the one whose component of greatest size is positive.
+  /// w, x, y, z of R, of norm 1; of the two, q and -q, the one whose component of greatest size is
+  /// positive.
   [[nodiscard]] std::array<T, 4> quaternion() const;
-  /// The paper's angles of the principal axes about J: J = |J| (-sin theta cos psi, sin theta sin psi, cos theta), and
-  /// R_z(phi) R_y(theta) R_z(psi) takes them to axes of which the third is along J. (In z-x-z: phi + pi/2, theta, psi - pi/2.)
-  /// Where J is exactly along z, psi is 0.
+  /// The paper's angles of the principal axes about J: J = |J| (-sin theta cos psi, sin theta sin
+  /// psi, cos theta), and R_z(phi) R_y(theta) R_z(psi) takes them to axes of which the third is
+  /// along J. (In z-x-z: phi + pi/2, theta, psi - pi/2.) Where J is exactly along z, psi is 0.
   [[nodiscard]] rotor_angles<T> angles() const;
 };
 
@@ -154,16 +159,19 @@ template <class T>
 class rotor_motion;
 }
 
-/// The motion from a state; T is ball, mpfr_float or double, from the same templates. All that does not depend on time is computed once.
-/// A sample costs the same at every time (but for log2(t/T) bits more), momentum without any integral of the third kind. May be
-/// used by many threads at once; copies share what they hold.
+/// The motion from a state; T is ball, mpfr_float or double, from the same templates. All that does
+/// not depend on time is computed once. A sample costs the same at every time (but for log2(t/T)
+/// bits more), momentum without any integral of the third kind. May be used by many threads at
+/// once; copies share what they hold.
 ///   ball        enclosures. Components of J, omega and R have radii of at most 2^-p of |J|, of
 ///               |J|/I_i and of 1, where I_i is the moment along the component's axis and, where
 ///               that is no principal axis, I_z: precision is raised until they do (by up to 2^18
 ///               bits: beyond, they are as wide as they are). p = precision.
-///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same sense.
-///   double      the state and t are taken as the exact numbers they are; then the error of J is a few units of |J| in the last
-///               place, at any time below 2^50 periods. Computed in long double.
+///   mpfr_float  the middle of the same computation: uncertified, to about p bits in the same
+///               sense.
+///   double      the state and t are taken as the exact numbers they are; then the error of J is a
+///               few units of |J| in the last place, at any time below 2^50 periods. Computed in
+///               long double.
 template <class T>
 class rotor {
  public:
@@ -181,12 +189,14 @@ class rotor {
   [[nodiscard]] const initial_state& state() const;
   /// |J|.
   [[nodiscard]] T momentum_size() const;
-  /// The time in which J goes once around, 4 K/lambda; none where it is steady or on the separatrix.
+  /// The time in which J goes once around, 4 K/lambda; none where it is steady or on the
+  /// separatrix.
   [[nodiscard]] std::optional<T> period() const;
   /// The angle by which the body has then turned about J: the Montgomery phase, unwrapped.
   [[nodiscard]] std::optional<T> phase_per_period() const;
-  /// What was computed at once, for all times: elliptic integrals, those of repetitions with more digits included. Times so far that
-  /// the digits do not suffice have their own, which are not counted.
+  /// What was computed at once, for all times: elliptic integrals, those of repetitions with more
+  /// digits included. Times so far that the digits do not suffice have their own, which are not
+  /// counted.
   [[nodiscard]] const work_count& work() const;
   /// The mean of dphi/dt: that phase over the period; |J|/I where it is steady, |J|/I_y on the
   /// separatrix. It is the mean rate about J of the least axis. Where the motion is rotating, that

@@ -4,7 +4,8 @@
 
 namespace polhode {
 
-/// What a computation has cost, whatever the machine. It is a value, passed along: nothing counts behind the caller's back.
+/// What a computation has cost, whatever the machine. It is a value, passed along: nothing counts
+/// behind the caller's back.
 struct work_count {
   long integrals = 0;     // elliptic integrals, or pairs of them from one sequence of steps
   long agm_steps = 0;     // steps of arithmetic-geometric means

@@ -1,13 +1,15 @@
 #pragma once
 
-// What a function is besides its values. Call a generic function with a function_structure, and the result has
-//   the function as a quotient of products of factors with their powers, over a box: sin(x)^2 (x - 1) has
-//     the factors sin(x), twice, and x - 1, and tan(x) is sin(x)/cos(x), so that poles are roots of the
-//     denominator;
-//   its range over that part of the box on which it is defined (natural_domain.hpp);
-//   its Taylor coefficients at a point q + r pi, q and r rational, exactly where they are evidently rational.
-// This is what multiple roots and poles are proved by: enclosures alone cannot tell a double root from two
-// roots or none.
+// What a function is besides its values. Call a generic function with a function_structure, and the
+// result has
+//   the function as a quotient of products of factors with their powers, over a box: sin(x)^2 (x -
+//   1) has
+//     the factors sin(x), twice, and x - 1, and tan(x) is sin(x)/cos(x), so that poles are roots of
+//     the denominator;
+//   its range over that part of the box on which it is defined (natural_domain.hpp); its Taylor
+//   coefficients at a point q + r pi, q and r rational, exactly where they are evidently rational.
+// This is what multiple roots and poles are proved by: enclosures alone cannot tell a double root
+// from two roots or none.
 
 #include <memory>
 #include <optional>
@@ -85,8 +87,9 @@ class function_structure {
   function_structure& operator*=(const function_structure& y) { return *this = *this * y; }
   function_structure& operator/=(const function_structure& y) { return *this = *this / y; }
 
-  /// A new factor f(x): on_jets is called with jets of balls and with balls, natural with balls, and
-  /// on_series with exact_series (or it is nullptr, where f has none). never_zero: f has no zero.
+  /// A new factor f(x): on_jets is called with jets of balls and with balls, natural with balls,
+  /// and on_series with exact_series (or it is nullptr, where f has none). never_zero: f has no
+  /// zero.
   template <class OnJets, class Natural, class OnSeries>
   [[nodiscard]] static function_structure applied(const function_structure& x, OnJets&& on_jets,
                                                   Natural&& natural, OnSeries&& on_series,

@@ -8,16 +8,17 @@
 
 namespace polhode {
 
-/// The c in [2^least_exponent, 2^greatest_exponent] with g(c) = value, to a relative radius of about 2^-p, found
-/// in the variable t = log c, in which all sizes of c are alike: h(t) = g(e^t) - value, h'(t) = g'(e^t) e^t.
+/// The c in [2^least_exponent, 2^greatest_exponent] with g(c) = value, to a relative radius of
+/// about 2^-p, found in the variable t = log c, in which all sizes of c are alike: h(t) = g(e^t) -
+/// value, h'(t) = g'(e^t) e^t.
 ///
-/// g(c), derivative(c) and value(precision) are function objects whose results are balls that obey the inclusion
-/// principle. Hypothesis, which is not checked: g is continuously differentiable and strictly monotone on that
-/// range. It makes a root the only one in the range, and equal signs of h at its ends a proof that there is none;
-/// without it, verdict unique still says that there is exactly one root in the result's box.
-/// Verdict unresolved: a sign at an end of the range, or at a point where it was to be halved, was not
-/// decided by most_precision bits, or Newton's method did not contract.
-/// Throws input_error where the exponents are the wrong way round.
+/// g(c), derivative(c) and value(precision) are function objects whose results are balls that obey
+/// the inclusion principle. Hypothesis, which is not checked: g is continuously differentiable and
+/// strictly monotone on that range. It makes a root the only one in the range, and equal signs of h
+/// at its ends a proof that there is none; without it, verdict unique still says that there is
+/// exactly one root in the result's box. Verdict unresolved: a sign at an end of the range, or at a
+/// point where it was to be halved, was not decided by most_precision bits, or Newton's method did
+/// not contract. Throws input_error where the exponents are the wrong way round.
 template <class G, class Derivative, class Value>
 [[nodiscard]] root_enclosure solve_on_log_scale(const G& g, const Derivative& derivative,
                                                 const Value& value, long least_exponent,

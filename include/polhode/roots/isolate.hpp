@@ -1,13 +1,13 @@
 #pragma once
 
-// All roots of a function of one variable in an interval, each proved to exist and to be the only one in its
-// box, or said not to be.
+// All roots of a function of one variable in an interval, each proved to exist and to be the only
+// one in its box, or said not to be.
 //
 //   root_set s = isolate_roots([](const auto& x) { return cos(x) - x; }, 0, 1);
 //   refined_root r = refine(s.regions[0], 100);       // a hundred digits
 //
-// Outside the regions of the answer f has no root in the interval: they cover what could not be excluded,
-// without gaps. A region says what is proved of it (root_verdict, newton.hpp).
+// Outside the regions of the answer f has no root in the interval: they cover what could not be
+// excluded, without gaps. A region says what is proved of it (root_verdict, newton.hpp).
 //
 // A quotient of polynomials with rational coefficients is searched exactly. Its numerator is made
 // free of multiple roots (Yun, 1976), the rational roots are found (Hensel lifting), and the others
@@ -16,23 +16,26 @@
 //
 // For other functions the interval is cut into boxes. Over a box X with its middle m, f and f' are
 // enclosed by evaluation and by Taylor's formula about m. A box whose range does not hold 0 has no
-// root; one on which f' has one
-// sign and which interval Newton maps into itself has exactly one. Where this fails the box is halved, with more
-// bits where rounding is in the way. A root found is looked for in a box wider than its own, which is then
-// taken out of the others, so that a root at a common end is found once. What halving cannot decide is asked of
-// the function's structure (function_structure.hpp):
-//   a factor g^m, g with one simple root in the box and the other factors without one: multiplicity m;
-//   f, f', ..., f^(m-1) exactly 0 at a rational point and f^(m) not 0 over the box: that point, m times, and by
+// root; one on which f' has one sign and which interval Newton maps into itself has exactly one.
+// Where this fails the box is halved, with more bits where rounding is in the way. A root found is
+// looked for in a box wider than its own, which is then taken out of the others, so that a root at
+// a common end is found once. What halving cannot decide is asked of the function's structure
+// (function_structure.hpp):
+//   a factor g^m, g with one simple root in the box and the other factors without one: multiplicity
+//   m; f, f', ..., f^(m-1) exactly 0 at a rational point and f^(m) not 0 over the box: that point,
+//   m times, and by
 //     Rolle's theorem no other;
-//   f exactly 0 at a rational point c, and |f(c +- t)| >= k t^a with k > 0 on either side (growth_bound.hpp), or f
+//   f exactly 0 at a rational point c, and |f(c +- t)| >= k t^a with k > 0 on either side
+//   (growth_bound.hpp), or f
 //     not defined there: c, and no other; c may be a kink or a branch point;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does;
 //   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (growth_bound.hpp): no root.
-// What an examination of a box has proved, it says of pieces, and the search proves in exact arithmetic that the pieces make up
-// the box; the result is made only where all pieces, settled and open, are proved to make up the interval, each point
-// once. Otherwise std::logic_error is thrown: a fault of the library.
-// A multiple root that none of these proves stays unresolved, however many bits are spent; the number of complex
-// roots near it, which Rouche's theorem gives, is reported with it.
+// What an examination of a box has proved, it says of pieces, and the search proves in exact
+// arithmetic that the pieces make up the box; the result is made only where all pieces, settled and
+// open, are proved to make up the interval, each point once. Otherwise std::logic_error is thrown:
+// a fault of the library. A multiple root that none of these proves stays unresolved, however many
+// bits are spent; the number of complex roots near it, which Rouche's theorem gives, is reported
+// with it.
 
 #include <chrono>
 #include <functional>
@@ -52,11 +55,13 @@ struct root_region {
   root_verdict verdict = root_verdict::unresolved;
   ball box;        // what the verdict is about; unbounded towards infinity
   ball enclosure;  // holds every root of f in the box
-  /// Of the root, where the verdict is unique (then 1) or multiple; else 0. An isolated root has none.
+  /// Of the root, where the verdict is unique (then 1) or multiple; else 0. An isolated root has
+  /// none.
   long multiplicity = 0;
   /// The root, where it is known to be this rational number.
   std::optional<rational> exact;
-  /// The complex roots of f in a disc around the box, counted with their multiplicities, where proved.
+  /// The complex roots of f in a disc around the box, counted with their multiplicities, where
+  /// proved.
   std::optional<long> complex_roots;
   /// It is not decided on which side of an end of the interval the root lies.
   bool may_lie_outside = false;
@@ -109,14 +114,16 @@ struct isolation_progress {
   long boxes_done = 0;
   long boxes_waiting = 0;
   long roots = 0;
-  /// The fraction of the interval, as it was open when the run began, that is settled or given up; nothing where it is unbounded. To be shown.
+  /// The fraction of the interval, as it was open when the run began, that is settled or given up;
+  /// nothing where it is unbounded. To be shown.
   std::optional<double> share_done = std::nullopt;
 };
 
 struct isolate_options {
   /// Boxes that may be examined in one run.
   long most_boxes = 100'000;
-  /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval, or the like.
+  /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval, or
+  /// the like.
   long most_unresolved = 2'000;
   /// The time that one run may take.
   std::optional<std::chrono::milliseconds> most_time = std::nullopt;
@@ -165,25 +172,27 @@ class root_search {
 struct refined_root {
   ball enclosure;
   std::optional<rational> exact;
-  /// Certified where the radius is at most 10^-digits of the root, or of the box where the root is 0.
+  /// Certified where the radius is at most 10^-digits of the root, or of the box where the root is
+  /// 0.
   status verdict = status::not_certified;
   int evaluations_of_f = 0;
   int evaluations_of_derivative = 0;
 };
 
-/// The root of a region that is unique or multiple, to a radius of 10^-digits of its size (of the box's where
-/// the root is so near 0 that it cannot be told from it), by interval Newton with precision doubling:
-/// refine_root of newton.hpp. f is evaluated once with the full precision, and f' once with half of it, and once
-/// more with the bits that cancellation costs where it does; a multiple root is refined as the simple root of a
-/// factor of f. Of another region, the enclosure as it is.
-/// Throws std::invalid_argument for digits < 1.
+/// The root of a region that is unique or multiple, to a radius of 10^-digits of its size (of the
+/// box's where the root is so near 0 that it cannot be told from it), by interval Newton with
+/// precision doubling: refine_root of newton.hpp. f is evaluated once with the full precision, and
+/// f' once with half of it, and once more with the bits that cancellation costs where it does; a
+/// multiple root is refined as the simple root of a factor of f. Of another region, the enclosure
+/// as it is. Throws std::invalid_argument for digits < 1.
 [[nodiscard]] refined_root refine(const root_region& region, long digits);
 /// The same for each region, on several threads (isolate_options::threads).
 [[nodiscard]] std::vector<refined_root> refine(const std::vector<root_region>& regions, long digits,
                                                int threads);
 
-/// A point x in the box at which derivative(x) is certainly not f'(x); std::nullopt where none was found at
-/// `points` equally spaced points. f' comes from jets; derivative is a function object ball -> ball.
+/// A point x in the box at which derivative(x) is certainly not f'(x); std::nullopt where none was
+/// found at `points` equally spaced points. f' comes from jets; derivative is a function object
+/// ball -> ball.
 [[nodiscard]] std::optional<rational> refute_derivative(
     const real_function& f, const std::function<ball(const ball&)>& derivative,
     const rational& lower, const rational& upper, int points = 16);

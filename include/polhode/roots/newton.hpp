@@ -42,15 +42,17 @@ struct root_enclosure {
 
 /// One step of the interval Newton method: N(X) = m - f(m)/F'(X) for m = X.middle().
 ///
-/// Theorem (R. E. Moore, 1966; A. Neumaier, Interval Methods for Systems of Equations, 1990, Thm 5.1.7):
-/// let f be continuously differentiable on X and F'(X) hold f'(x) for all x in X, without 0. Then
+/// Theorem (R. E. Moore, 1966; A. Neumaier, Interval Methods for Systems of Equations, 1990, Thm
+/// 5.1.7): let f be continuously differentiable on X and F'(X) hold f'(x) for all x in X, without
+/// 0. Then
 /// (1) every root of f in X lies in N(X); (2) if N(X) and X are disjoint, f has no root in X;
 /// (3) if N(X) lies in X, f has exactly one root in X, and it is simple.
-/// Proof. (1) For a root x, -f(m) = f(x) - f(m) = f'(t)(x - m) for some t in X, so
-/// x = m - f(m)/f'(t). (2) follows. (3) Two roots would make f' vanish between them (Rolle). Suppose there
-/// is none: f keeps one sign on X, and so does f'. Let f' > 0 > f (the other cases are mirror images) and
-/// let h be the upper end of X. Then f(m) < f(h) < 0 or m = h, and h - m = (f(h) - f(m))/f'(t) < -f(m)/f'(t),
-/// so that m - f(m)/f'(t) is an element of N(X) beyond h: a contradiction.
+/// Proof. (1) For a root x, -f(m) = f(x) - f(m) = f'(t)(x - m) for some t in X, so x = m -
+/// f(m)/f'(t). (2) follows. (3) Two roots would make f' vanish between them (Rolle). Suppose there
+/// is none: f keeps one sign on X, and so does f'. Let f' > 0 > f (the other cases are mirror
+/// images) and let h be the upper end of X. Then f(m) < f(h) < 0 or m = h, and h - m = (f(h) -
+/// f(m))/f'(t) < -f(m)/f'(t), so that m - f(m)/f'(t) is an element of N(X) beyond h: a
+/// contradiction.
 struct newton_step {
   ball derivative;
   ball image;  // undefined where F'(X) holds 0 or f or F' is undefined
@@ -66,20 +68,19 @@ template <class F, class Derivative>
 }
 
 /// Refines a simple root of f that is believed to lie in `box` to a radius of about 2^-(p-4) of its
-/// size (of the box's size where the root is so near 0 that the enclosure holds 0), and proves on the
-/// way that it exists and is the only one there.
+/// size (of the box's size where the root is so near 0 that the enclosure holds 0), and proves on
+/// the way that it exists and is the only one there.
 ///
 /// f(x) and derivative(x) are function objects ball -> ball that obey the inclusion principle,
-/// derivative(x) an enclosure of f' over the whole of x; f must be continuously differentiable on every
-/// x on which f(x) and derivative(x) are both defined. That they are is checked on the whole box: where
-/// f has a jump, its derivative alone may have a continuation (2x + arctan(1/x) at 0), and the theorem
-/// says nothing.
-/// Cost: the precision doubles from step to step along a chain that ends at p, so that f is called once
-/// with p bits and once with each of about p/2, p/4, ... bits, and the derivative with half of those;
-/// and once with the box itself.
-/// Verdict unique: root holds the only root in the given box. Verdict none: the box holds no root.
-/// Verdict unresolved: the first steps did not contract (the box is too wide, the root is multiple, or f
-/// is not defined on it); root is then what is left of the box.
+/// derivative(x) an enclosure of f' over the whole of x; f must be continuously differentiable on
+/// every x on which f(x) and derivative(x) are both defined. That they are is checked on the whole
+/// box: where f has a jump, its derivative alone may have a continuation (2x + arctan(1/x) at 0),
+/// and the theorem says nothing. Cost: the precision doubles from step to step along a chain that
+/// ends at p, so that f is called once with p bits and once with each of about p/2, p/4, ... bits,
+/// and the derivative with half of those; and once with the box itself. Verdict unique: root holds
+/// the only root in the given box. Verdict none: the box holds no root. Verdict unresolved: the
+/// first steps did not contract (the box is too wide, the root is multiple, or f is not defined on
+/// it); root is then what is left of the box.
 template <class F, class Derivative>
 [[nodiscard]] root_enclosure refine_root(const F& f, const Derivative& derivative, const ball& box,
                                          precision p) {
@@ -104,7 +105,8 @@ template <class F, class Derivative>
     const bool proved = result.verdict == root_verdict::unique;
     precision next = (proved ? p : std::max<precision>(p, bits)) + guard;
     while (next > 64 && next > 2 * bits + 2 * guard) next = next / 2 + guard;
-    // The derivative is needed to the bits that the step gains only; the box is not made wider for it.
+    // The derivative is needed to the bits that the step gains only; the box is not made wider for
+    // it.
     const ball rounded = result.root.with_precision(
         std::max<precision>(std::max(next / 2 + guard, std::min(next, bits + 4)), 53));
     // By midpoint and radius, as f' over a narrow ball is cheapest.
@@ -143,8 +145,9 @@ template <class F, class Derivative>
   return result;
 }
 
-/// The uncertified counterpart from the same iteration: Newton's method over mpfr_float from a start
-/// x0 that is right to about start_bits bits, with precision doubling to p bits. It certifies nothing.
+/// The uncertified counterpart from the same iteration: Newton's method over mpfr_float from a
+/// start x0 that is right to about start_bits bits, with precision doubling to p bits. It certifies
+/// nothing.
 template <class F, class Derivative>
 [[nodiscard]] mpfr_float newton(const F& f, const Derivative& derivative, const mpfr_float& x0,
                                 long start_bits, precision p) {
@@ -170,12 +173,12 @@ template <class F, class Derivative>
   return x;
 }
 
-/// An interval with a certified change of sign of f at its ends, by bisection of [lower, upper] until
-/// its width is at most 2^-bits of the interval it started with, or until f's sign at a middle is not
-/// decided at any precision up to most_precision (the bracket reached is returned).
-/// Verdict certified: f(lower) and f(upper) have certainly opposite signs, so that a continuous f has a
-/// root between them; or the interval is a single point, at which f is exactly 0. Not certified,
-/// not_defined or refuted: the signs at the given ends are unknown, or equal and not 0.
+/// An interval with a certified change of sign of f at its ends, by bisection of [lower, upper]
+/// until its width is at most 2^-bits of the interval it started with, or until f's sign at a
+/// middle is not decided at any precision up to most_precision (the bracket reached is returned).
+/// Verdict certified: f(lower) and f(upper) have certainly opposite signs, so that a continuous f
+/// has a root between them; or the interval is a single point, at which f is exactly 0. Not
+/// certified, not_defined or refuted: the signs at the given ends are unknown, or equal and not 0.
 struct sign_bracket {
   ball interval;
   status verdict = status::not_certified;

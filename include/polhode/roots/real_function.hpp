@@ -4,12 +4,13 @@
 //
 //   real_function f([](const auto& x) { return cos(x) - x; });
 //
-// is made of a formula, or of a generic function, which is called once, with a symbol, and becomes one
-// (formula_of.hpp). The formula is evaluated over balls (values), jets (derivatives), regions (to prove
-// it analytic) and a function_structure (to prove multiplicities and poles).
+// is made of a formula, or of a generic function, which is called once, with a symbol, and becomes
+// one (formula_of.hpp). The formula is evaluated over balls (values), jets (derivatives), regions
+// (to prove it analytic) and a function_structure (to prove multiplicities and poles).
 //
-// Of a function that is an integral or a mean, say, and has no generic form, with_derivative takes enclosures
-// of f and f'. Then multiplicities, poles and the range towards infinity cannot be proved.
+// Of a function that is an integral or a mean, say, and has no generic form, with_derivative takes
+// enclosures of f and f'. Then multiplicities, poles and the range towards infinity cannot be
+// proved.
 
 #include <concepts>
 #include <functional>
@@ -26,8 +27,8 @@
 
 namespace polhode {
 
-/// f with its constants made for one precision. Every member obeys the inclusion principle (ball.hpp), and
-/// what it does not know is undefined.
+/// f with its constants made for one precision. Every member obeys the inclusion principle
+/// (ball.hpp), and what it does not know is undefined.
 struct function_evaluator {
   std::function<ball(const ball& x)> value;
   /// f' over x.
@@ -47,14 +48,14 @@ class real_function {
   requires(!std::same_as<F, real_function> && !std::same_as<F, expression>)
       real_function(const F& f)  // NOLINT(google-explicit-constructor): the same function
       : real_function(formula_of(f)) {}
-  /// Of f and its derivative, function objects ball -> ball, f continuously differentiable wherever both are
-  /// defined.
+  /// Of f and its derivative, function objects ball -> ball, f continuously differentiable wherever
+  /// both are defined.
   template <class F, class Derivative>
   [[nodiscard]] static real_function with_derivative(F f, Derivative derivative);
   /// Of a polynomial.
   [[nodiscard]] static real_function of(const rational_polynomial& p);
-  /// Of a factory of evaluators, for other kinds of functions. Taylor coefficients beyond most_order are not
-  /// asked for.
+  /// Of a factory of evaluators, for other kinds of functions. Taylor coefficients beyond
+  /// most_order are not asked for.
   explicit real_function(std::function<function_evaluator(precision)> at, int most_order)
       : at_(std::move(at)), most_order_(most_order) {}
 
@@ -72,7 +73,8 @@ class real_function {
   }
   /// The formula of one variable that f is; nullptr where f was given otherwise.
   [[nodiscard]] const expression* formula() const { return formula_.get(); }
-  /// The greatest order of a series that is worth asking for, and the one that bounds f over a box best.
+  /// The greatest order of a series that is worth asking for, and the one that bounds f over a box
+  /// best.
   [[nodiscard]] int most_order() const { return most_order_; }
   [[nodiscard]] int best_order() const { return best_order_; }
 
@@ -80,7 +82,8 @@ class real_function {
   [[nodiscard]] region over(const region& x) const {
     return over_ ? over_(x) : region::blocked(obstacle::unknown, "this function");
   }
-  /// Proved: f has no root x with at < x <= at + width, or at + width <= x < at where width is negative.
+  /// Proved: f has no root x with at < x <= at + width, or at + width <= x < at where width is
+  /// negative.
   [[nodiscard]] bool has_no_root_beside(const pi_combination& at, const rational& width) const {
     return no_root_beside_ && no_root_beside_(at, width);
   }

@@ -1,19 +1,21 @@
 #pragma once
 
-// All roots of n equations in n variables in a box, each proved to exist and to be the only one near it.
+// All roots of n equations in n variables in a box, each proved to exist and to be the only one
+// near it.
 //
-//   const auto f = [](const auto& x) { return std::vector{square(x[0]) + x[1] - 11, x[0] + square(x[1]) - 7}; };
-//   system_root_set s = solve_system(f, {{-5, 5}, {-5, 5}});
+//   const auto f = [](const auto& x) { return std::vector{square(x[0]) + x[1] - 11, x[0] +
+//   square(x[1]) - 7}; }; system_root_set s = solve_system(f, {{-5, 5}, {-5, 5}});
 //
-// f is a generic function of a std::vector. It is called once, with symbols, and becomes a formula for each
-// component (formula_of.hpp).
+// f is a generic function of a std::vector. It is called once, with symbols, and becomes a formula
+// for each component (formula_of.hpp).
 //
-// How: branch and prune. A box is discarded where a component of f, or of the mean value form
-// f(m) + J(X) (X - m), does not hold 0, or where the preconditioned interval Newton method in Gauss-Seidel form
-// (E. Hansen, S. Sengupta, 1981) leaves nothing of it. It has exactly one root where Krawczyk's operator maps it
-// into its interior. What is left is halved. The proof is tried on a wider box, which is then taken out, so that a
-// root on a face of boxes is found once. The result is made only where the boxes, settled and open, are proved to be the whole
-// box, each part once; otherwise std::logic_error is thrown: a fault of the library.
+// How: branch and prune. A box is discarded where a component of f, or of the mean value form f(m)
+// + J(X) (X - m), does not hold 0, or where the preconditioned interval Newton method in
+// Gauss-Seidel form (E. Hansen, S. Sengupta, 1981) leaves nothing of it. It has exactly one root
+// where Krawczyk's operator maps it into its interior. What is left is halved. The proof is tried
+// on a wider box, which is then taken out, so that a root on a face of boxes is found once. The
+// result is made only where the boxes, settled and open, are proved to be the whole box, each part
+// once; otherwise std::logic_error is thrown: a fault of the library.
 
 #include <functional>
 #include <optional>
@@ -38,16 +40,16 @@ using system_box = std::vector<system_side>;
 /// n functions of n variables.
 class real_system {
  public:
-  /// Of formulas in the same variables, one for each component. Throws input_error where there are not
-  /// as many of them as variables.
+  /// Of formulas in the same variables, one for each component. Throws input_error where there are
+  /// not as many of them as variables.
   explicit real_system(const std::vector<expression>& components);
   /// Of a generic function of a std::vector, through the formulas of its components (formulas_of).
   template <class F>
   real_system(const F& f, std::size_t variables) : real_system(formulas_of(f, variables)) {}
 
   [[nodiscard]] std::vector<ball> operator()(const std::vector<ball>& x) const { return value_(x); }
-  /// Row i, column j: an enclosure of the derivative of f_i by x_j over the box. The values of f over the box
-  /// come with it.
+  /// Row i, column j: an enclosure of the derivative of f_i by x_j over the box. The values of f
+  /// over the box come with it.
   struct linearised {
     std::vector<ball> value;
     std::vector<std::vector<ball>> jacobian;
@@ -61,19 +63,19 @@ class real_system {
   std::function<std::vector<jet<ball, 1>>(const std::vector<jet<ball, 1>>&)> slope_;
 };
 
-/// One step of Krawczyk's method: K(X) = m - Y f(m) + (I - Y J(X)) (X - m), m the middle of X and Y near the
-/// inverse of the middle of J(X).
+/// One step of Krawczyk's method: K(X) = m - Y f(m) + (I - Y J(X)) (X - m), m the middle of X and Y
+/// near the inverse of the middle of J(X).
 ///
-/// Theorem (R. Krawczyk, 1969; R. E. Moore, SIAM J. Numer. Anal. 14 (1977); A. Neumaier, Interval Methods for
-/// Systems of Equations, 1990, Thm 5.1.8). Let f be continuously differentiable on X with its derivatives in
-/// J(X). (1) Every root of f in X lies in K(X). (2) If K(X) lies in the interior of X, f has exactly one
-/// root in X, and J there is regular.
-/// Proof. For x in X, f(x) - f(m) = A (x - m) with a matrix A in J(X), row by row by the mean value theorem, so
-/// that x - Y f(x) = m - Y f(m) + (I - Y A)(x - m) lies in K(X): hence (1). (2) The width of K(X) is at least
-/// that of (I - Y A)(X - m), which is |I - Y A| times that of X; it is less than that of X, so |I - Y A| w < w
-/// for the positive vector w of widths. So the spectral radius of I - Y A is below 1, and Y and every such A are
-/// regular. By Brouwer x - Y f(x) has a fixed point in X, a root since Y is regular; for two roots
-/// A (x - x') = 0 with such an A, so they are equal.
+/// Theorem (R. Krawczyk, 1969; R. E. Moore, SIAM J. Numer. Anal. 14 (1977); A. Neumaier, Interval
+/// Methods for Systems of Equations, 1990, Thm 5.1.8). Let f be continuously differentiable on X
+/// with its derivatives in J(X). (1) Every root of f in X lies in K(X). (2) If K(X) lies in the
+/// interior of X, f has exactly one root in X, and J there is regular. Proof. For x in X, f(x) -
+/// f(m) = A (x - m) with a matrix A in J(X), row by row by the mean value theorem, so that x - Y
+/// f(x) = m - Y f(m) + (I - Y A)(x - m) lies in K(X): hence (1). (2) The width of K(X) is at least
+/// that of (I - Y A)(X - m), which is |I - Y A| times that of X; it is less than that of X, so |I -
+/// Y A| w < w for the positive vector w of widths. So the spectral radius of I - Y A is below 1,
+/// and Y and every such A are regular. By Brouwer x - Y f(x) has a fixed point in X, a root since Y
+/// is regular; for two roots A (x - x') = 0 with such an A, so they are equal.
 struct krawczyk_step {
   std::vector<ball> image;  // undefined where f or J is, or Y was not found
   std::vector<std::vector<ball>> jacobian;
@@ -158,14 +160,16 @@ template <class F>
 
 struct refined_system_root {
   std::vector<ball> enclosure;
-  /// Certified where each radius is at most 10^-digits of its component, or of the box where that may be 0.
+  /// Certified where each radius is at most 10^-digits of its component, or of the box where that
+  /// may be 0.
   status verdict = status::not_certified;
   int evaluations_of_f = 0;
   int evaluations_of_jacobian = 0;
 };
 
-/// The root of a unique region to `digits` digits by Krawczyk's method, with f(m) at the precision of
-/// each step and the Jacobian and its inverse at half of it; the precision doubles from step to step.
+/// The root of a unique region to `digits` digits by Krawczyk's method, with f(m) at the precision
+/// of each step and the Jacobian and its inverse at half of it; the precision doubles from step to
+/// step.
 [[nodiscard]] refined_system_root refine(const real_system& f, const system_region& region,
                                          long digits);
 /// The same of a generic function of a std::vector.

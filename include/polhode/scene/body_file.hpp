@@ -16,8 +16,8 @@ namespace polhode {
 ///   {"moments": [Ix, Iy, Iz]}, and "sigma": [sx, sy, sz] beside it where they are known up to that
 ///   {"rotational": [A, B, C]}
 ///   {"tensor": [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]}
-/// and a "name" where it has one. Numbers are read exactly as they stand, 0.0629 as 629/10000; a string may hold a quotient,
-/// "1/3".
+/// and a "name" where it has one. Numbers are read exactly as they stand, 0.0629 as 629/10000; a
+/// string may hold a quotient, "1/3".
 struct body_file {
   std::optional<std::array<rational, 2>> ab;
   std::optional<std::array<rational, 3>> moments;
@@ -31,8 +31,8 @@ struct body_file {
 /// The same of what stands in such a file.
 [[nodiscard]] body_file parse_body_file(const std::string& text);
 
-/// A whole file of text. Throws input_error where it is no regular file (a pipe would be waited for), cannot be read, is empty, or is
-/// longer than 4,000,000 bytes.
+/// A whole file of text. Throws input_error where it is no regular file (a pipe would be waited
+/// for), cannot be read, is empty, or is longer than 4,000,000 bytes.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 /// Such files, each read once.

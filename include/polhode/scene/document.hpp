@@ -1,6 +1,7 @@
 #pragma once
 
-// A TOML file as a tree of values whose numbers are kept as they are written, with the line of each.
+// A TOML file as a tree of values whose numbers are kept as they are written, with the line of
+// each.
 
 #include <map>
 #include <optional>
@@ -14,7 +15,8 @@
 
 namespace polhode {
 
-/// A value of a TOML file. A number's text is what stands in the file, without underscores: nothing is rounded.
+/// A value of a TOML file. A number's text is what stands in the file, without underscores: nothing
+/// is rounded.
 struct document_member;
 struct document_value {
   enum class kind { number, text, boolean, array, table };
@@ -31,17 +33,19 @@ struct document_member {
   document_value value;
 };
 
-/// Reads TOML 1.0. Throws input_error, "line 3: ...", for anything else, and for dates and infinities, which no scene has.
-/// A number written with a point or an exponent is taken from its place in the text; that it is the one which the
-/// parser read there is checked against the parser's double.
+/// Reads TOML 1.0. Throws input_error, "line 3: ...", for anything else, and for dates and
+/// infinities, which no scene has. A number written with a point or an exponent is taken from its
+/// place in the text; that it is the one which the parser read there is checked against the
+/// parser's double.
 [[nodiscard]] document_value parse_document(const std::string& text);
 
 /// Throws input_error "line N: KEY: what".
 [[noreturn]] void refuse_value(const document_value& at, const std::string& key,
                                const std::string& what);
 
-/// Numbers that stand in the place of those in the file, by their keys ("state.omega[0]"), as a sweep gives them; and all the keys of
-/// numbers that were read, so that a key that is none can be told.
+/// Numbers that stand in the place of those in the file, by their keys ("state.omega[0]"), as a
+/// sweep gives them; and all the keys of numbers that were read, so that a key that is none can be
+/// told.
 struct replacements {
   std::map<std::string, rational> numbers;
   std::set<std::string> seen;

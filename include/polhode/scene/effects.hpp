@@ -1,7 +1,8 @@
 #pragma once
 
-// The effects that a scene may ask for. They form a graph: an effect may need the results of others. Of the wanted ones and all that they
-// need each is computed once; those that do not need each other, in parallel.
+// The effects that a scene may ask for. They form a graph: an effect may need the results of
+// others. Of the wanted ones and all that they need each is computed once; those that do not need
+// each other, in parallel.
 
 #include <functional>
 #include <map>

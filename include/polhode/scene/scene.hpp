@@ -1,6 +1,7 @@
 #pragma once
 
-// A scene: a body, its state, a time, and the effects asked for, read from a TOML file (docs/scenes.md). All numbers are exact.
+// A scene: a body, its state, a time, and the effects asked for, read from a TOML file
+// (docs/scenes.md). All numbers are exact.
 
 #include <array>
 #include <filesystem>
@@ -22,7 +23,8 @@ using rational_vector = std::array<rational, 3>;
 struct body_solid {
   std::string shape;
   std::size_t axis = 2;  // along which a cylinder is
-  /// Half its sides, or its semi-axes, and its centre as seen from the body's centre of mass, in one unit of length.
+  /// Half its sides, or its semi-axes, and its centre as seen from the body's centre of mass, in
+  /// one unit of length.
   rational_vector half;
   rational_vector position;
 };
@@ -35,7 +37,8 @@ struct scene_body {
   std::shared_ptr<const principal_axes> axes;
   pi_scale size;
   bool has_unit = false;
-  /// Where uncertainties were given; and the moments' own, in the order of `moments`: each in value - sigma .. value + sigma.
+  /// Where uncertainties were given; and the moments' own, in the order of `moments`: each in value
+  /// - sigma .. value + sigma.
   std::optional<uncertain_body> ranges;
   std::array<uncertain_moment, 3> uncertainties;
   /// Where it was given by solids.
@@ -62,7 +65,8 @@ struct scene_state {
   bool by_omega = false;
   std::optional<initial_state> start;
   pi_scale momentum_size;
-  /// The attitude, as a quaternion w, x, y, z that is not normalised: from the frame in which the body was given to that of space.
+  /// The attitude, as a quaternion w, x, y, z that is not normalised: from the frame in which the
+  /// body was given to that of space.
   std::optional<std::array<rational, 4>> quaternion;
   /// Or as its matrix, by rows.
   std::optional<matrix3<rational>> matrix;
@@ -85,7 +89,8 @@ struct scene {
   scene_body body;
   std::optional<scene_state> state;
   std::optional<scene_time> time;
-  /// The unit in which times are given and reported; its size is 1 where nothing in the scene has units.
+  /// The unit in which times are given and reported; its size is 1 where nothing in the scene has
+  /// units.
   unit time_unit{"I_y/J", {1, 0}};
   /// Whether that is a time of the SI, the given units' own, or I_y/J.
   enum class time_scale { si, as_given, natural } time_kind = time_scale::natural;
@@ -105,8 +110,9 @@ struct scene {
   std::vector<std::string> remarks;
 };
 
-/// Reads a scene. Paths in it are taken from `directory`. `replaced` stands in for numbers of the file (a point of its sweep).
-/// Throws input_error, "line 12: body.moments[0]: ...", for whatever cannot be used.
+/// Reads a scene. Paths in it are taken from `directory`. `replaced` stands in for numbers of the
+/// file (a point of its sweep). Throws input_error, "line 12: body.moments[0]: ...", for whatever
+/// cannot be used.
 [[nodiscard]] scene read_scene(const std::string& text, const std::filesystem::path& directory,
                                const std::map<std::string, rational>& replaced = {});
 /// The same. A file that the scene names is taken from `files`.

@@ -30,7 +30,8 @@ struct unit {
   pi_scale size;
 };
 
-// What may stand in a scene. The names are those of the units: "mm", "g", "kg/m^3", "kg m^2", "deg/s", "day".
+// What may stand in a scene. The names are those of the units: "mm", "g", "kg/m^3", "kg m^2",
+// "deg/s", "day".
 [[nodiscard]] const std::vector<unit>& length_units();
 [[nodiscard]] const std::vector<unit>& mass_units();
 [[nodiscard]] const std::vector<unit>& density_units();
@@ -43,7 +44,8 @@ struct unit {
 [[nodiscard]] const std::vector<unit>& angular_velocity_units();
 [[nodiscard]] const std::vector<unit>& angle_units();
 
-/// Planck's constant over 8 pi^2, in kg m^2 Hz (exact in the SI, 2019): a moment of inertia times its rotational constant.
+/// Planck's constant over 8 pi^2, in kg m^2 Hz (exact in the SI, 2019): a moment of inertia times
+/// its rotational constant.
 [[nodiscard]] pi_scale inertia_times_rotational_constant();
 
 }  // namespace polhode

@@ -1,15 +1,17 @@
 #pragma once
 
-// A second opinion: a result is found again by a route that shares as little with the first as there is, and the two are compared.
+// A second opinion: a result is found again by a route that shares as little with the first as
+// there is, and the two are compared.
 //
 //   const expression f = parse("exp(-x^2)");
 //   const integral first = integrate(f, 0, 1, {.digits = 30});
 //   const second_opinion second = integral_again(f, 0, 1, first, 30);     // second_integral.hpp
 //   if (second.agrees()) std::cout << second.routes().back().route;
 //
-// Each route proves that the true value lies in a set. Two such sets without a common number are a contradiction: one of the
-// proofs is wrong, and contradiction_error is thrown. Where they have one, and the second is as narrow as the digits
-// that were asked for, the result is confirmed. A route that proves less confirms nothing.
+// Each route proves that the true value lies in a set. Two such sets without a common number are a
+// contradiction: one of the proofs is wrong, and contradiction_error is thrown. Where they have
+// one, and the second is as narrow as the digits that were asked for, the result is confirmed. A
+// route that proves less confirms nothing.
 
 #include <stdexcept>
 #include <string>
@@ -25,7 +27,8 @@
 
 namespace polhode {
 
-/// Two proofs contradict each other, so that one of them is wrong: a fault in Polhode. what() names both, in several lines.
+/// Two proofs contradict each other, so that one of them is wrong: a fault in Polhode. what() names
+/// both, in several lines.
 class contradiction_error : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -38,17 +41,19 @@ struct finding {
   Set enclosure;
 };
 
-/// Throws contradiction_error where the two sets have no number in common; `what` is the number: "the integral". A set that is undefined or
-/// unbounded holds everything.
+/// Throws contradiction_error where the two sets have no number in common; `what` is the number:
+/// "the integral". A set that is undefined or unbounded holds everything.
 void expect_overlap(std::string_view what, const finding<ball>& first, const finding<ball>& second);
 void expect_overlap(std::string_view what, const finding<complex_ball>& first,
                     const finding<complex_ball>& second);
 
-/// Throws contradiction_error: the first route proved one thing, and the second another that excludes it.
+/// Throws contradiction_error: the first route proved one thing, and the second another that
+/// excludes it.
 [[noreturn]] void contradict(std::string_view what, const finding<std::string>& first,
                              const finding<std::string>& second);
 
-/// How wide an enclosure may be to confirm `first` to so many digits: the greater of first's radius and 10^-digits of its size.
+/// How wide an enclosure may be to confirm `first` to so many digits: the greater of first's radius
+/// and 10^-digits of its size.
 [[nodiscard]] magnitude confirming_radius(const ball& first, long digits);
 [[nodiscard]] magnitude confirming_radius(const complex_ball& first, long digits);
 

@@ -34,8 +34,8 @@ struct ball_access {
   /// Makes r the set [lower, upper]; the cells have the precision that r shall have, and are
   /// emptied. A NaN at either end makes r undefined.
   static void set_ends(ball& r, detail::mpfr_cell& lower, detail::mpfr_cell& upper);
-  /// The same, but that no end is moved: what set_ends keeps by midpoint and radius, at the cost of a wider
-  /// set, stays a pair of ends.
+  /// The same, but that no end is moved: what set_ends keeps by midpoint and radius, at the cost of
+  /// a wider set, stays a pair of ends.
   static void set_exact_ends(ball& r, detail::mpfr_cell& lower, detail::mpfr_cell& upper);
 
  private:
@@ -48,7 +48,8 @@ namespace detail {
 /// the least positive number where it underflowed. Infinite where it overflowed.
 [[nodiscard]] magnitude rounding_error(mpfr_srcptr x);
 
-/// The end points of a ball, computed at precision p only where the ball does not already hold them.
+/// The end points of a ball, computed at precision p only where the ball does not already hold
+/// them.
 class end_points {
  public:
   end_points(const ball& x, precision p);

@@ -1,4 +1,5 @@
-// Comparisons, containment and signs. Ends are compared exactly: an MPFR sum has no rounding where its sign is asked.
+// Comparisons, containment and signs. Ends are compared exactly: an MPFR sum has no rounding where
+// its sign is asked.
 
 #include <cstdint>
 

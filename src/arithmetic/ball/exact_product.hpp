@@ -1,7 +1,7 @@
 #pragma once
 
-// a b + c d, a b - c d and a b + c, rounded once, as mpfr_fmma, mpfr_fmms and mpfr_fma have them: the
-// products are made exactly, on the stack, and MPFR adds them.
+// a b + c d, a b - c d and a b + c, rounded once, as mpfr_fmma, mpfr_fmms and mpfr_fma have them:
+// the products are made exactly, on the stack, and MPFR adds them.
 
 #include <utility>
 
@@ -17,8 +17,8 @@ inline constexpr long most_limbs_of_factor = 20;
 
 inline long limbs_of_precision(mpfr_prec_t p) { return (p + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS; }
 
-/// A regular number that exact_product takes. It is to be moderate as well: the product is then a number
-/// within MPFR's range, which MPFR's functions take it for.
+/// A regular number that exact_product takes. It is to be moderate as well: the product is then a
+/// number within MPFR's range, which MPFR's functions take it for.
 inline bool is_short(mpfr_srcptr x) {
   return mpfr_regular_p(x) != 0 &&
          mpfr_get_prec(x) <= mpfr_prec_t{most_limbs_of_factor} * GMP_NUMB_BITS;
@@ -67,9 +67,9 @@ class exact_product {
   mp_limb_t limbs_[2 * most_limbs_of_factor];  // set as far as they are used
 };
 
-/// r = a b + c d, and a b - c d, to nearest; the answer is MPFR's. All four are to be moderate: where one product is 0 and
-/// the other underflows, mpfr_fmma and mpfr_fmms of MPFR 4.2.0 return a number with an exponent far
-/// outside the range.
+/// r = a b + c d, and a b - c d, to nearest; the answer is MPFR's. All four are to be moderate:
+/// where one product is 0 and the other underflows, mpfr_fmma and mpfr_fmms of MPFR 4.2.0 return a
+/// number with an exponent far outside the range.
 inline int sum_of_products(mpfr_ptr r, mpfr_srcptr a, mpfr_srcptr b, mpfr_srcptr c, mpfr_srcptr d) {
   if (!is_short(a) || !is_short(b) || !is_short(c) || !is_short(d)) {
     return mpfr_fmma(r, a, b, c, d, MPFR_RNDN);

@@ -1,5 +1,5 @@
-// The two ways of making a ball: from a midpoint that MPFR rounded, with a bound of the error, and from two ends. Each
-// keeps by midpoint and radius what is narrow, and by its ends what is wide.
+// The two ways of making a ball: from a midpoint that MPFR rounded, with a bound of the error, and
+// from two ends. Each keeps by midpoint and radius what is narrow, and by its ends what is wide.
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ using form = ball_access::form;
 
 namespace {
 
-// Above this radius, relative to the midpoint, a ball is kept by its end points: the rounding of the
-// radius to 31 bits then costs at most 2^-54 of an end.
+// Above this radius, relative to the midpoint, a ball is kept by its end points: the rounding of
+// the radius to 31 bits then costs at most 2^-54 of an end.
 constexpr int widest_radius_log2 = -24;
 
 }  // namespace
@@ -93,8 +93,8 @@ void detail::shifted_by_radius(mpfr_ptr r, mpfr_srcptr x, const magnitude& radiu
 
 namespace {
 
-/// A number that MPFR rounded to an infinity in round-to-nearest: it is at least as great in size as
-/// the greatest number of its precision, and the members lie within `error` of it.
+/// A number that MPFR rounded to an infinity in round-to-nearest: it is at least as great in size
+/// as the greatest number of its precision, and the members lie within `error` of it.
 void set_overflowed(ball& r, const magnitude& error) {
   const precision p = r.precision();
   const bool positive = mpfr_sgn(ball_access::first(std::as_const(r))) > 0;

@@ -1,6 +1,7 @@
 #pragma once
 
-// The two forms of a ball, by midpoint and radius or by its end points, for the files that make balls.
+// The two forms of a ball, by midpoint and radius or by its end points, for the files that make
+// balls.
 
 #include <algorithm>
 

@@ -1,4 +1,5 @@
-// What a ball says of itself: its ends, midpoint, radius and size; and the same ball at another precision, or larger.
+// What a ball says of itself: its ends, midpoint, radius and size; and the same ball at another
+// precision, or larger.
 
 #include "arithmetic/ball/ball_access.hpp"
 #include "arithmetic/ball/forms.hpp"

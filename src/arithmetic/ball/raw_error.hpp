@@ -1,7 +1,8 @@
 #pragma once
 
-// The hot path: sums, products, quotients and roots of balls by midpoint. At small precisions an MPFR
-// operation takes some 10 ns, so the error is kept as bare integers until it is normalised, once.
+// The hot path: sums, products, quotients and roots of balls by midpoint. At small precisions an
+// MPFR operation takes some 10 ns, so the error is kept as bare integers until it is normalised,
+// once.
 
 #include <cstdint>
 #include <utility>

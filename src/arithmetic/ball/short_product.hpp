@@ -47,9 +47,9 @@ inline long_product full_product(uint128 x, uint128 y) {
           (middle << 64) | static_cast<std::uint64_t>(low)};
 }
 
-/// r = x y for numbers with two limbs, r having as many, rounded to nearest and ties to even: bit for bit
-/// what mpfr_mul computes. Returns 0 where that is exact and 1 where it is not, without the sign of
-/// mpfr_mul's answer.
+/// r = x y for numbers with two limbs, r having as many, rounded to nearest and ties to even: bit
+/// for bit what mpfr_mul computes. Returns 0 where that is exact and 1 where it is not, without the
+/// sign of mpfr_mul's answer.
 inline int multiply_two_limbs(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y) {
   long_product product = full_product(significand_of(x), significand_of(y));
   mpfr_exp_t exponent = mpfr_get_exp(x) + mpfr_get_exp(y);

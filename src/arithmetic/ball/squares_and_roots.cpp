@@ -66,9 +66,9 @@ void sqrt(ball& result, const ball& x) {
     if (!in_place) fresh.reset(p);
     mpfr_cell& target = in_place ? own : fresh;
     const int ternary = mpfr_sqrt(target.get(), x.first_.get(), MPFR_RNDN);
-    // |sqrt(m + d) - sqrt(m)| = |d| / (sqrt(m + d) + sqrt(m)) <= r / (2 sqrt(m - r)), and for p >= 32
-    // sqrt(m - r) > s - 129 units of the 30 leading bits of s = sqrt(m) rounded: half a unit of the last
-    // place is less than one of these, and sqrt(m) - sqrt(m - r) < 2^-23 sqrt(m).
+    // |sqrt(m + d) - sqrt(m)| = |d| / (sqrt(m + d) + sqrt(m)) <= r / (2 sqrt(m - r)), and for p >=
+    // 32 sqrt(m - r) > s - 129 units of the 30 leading bits of s = sqrt(m) rounded: half a unit of
+    // the last place is less than one of these, and sqrt(m) - sqrt(m - r) < 2^-23 sqrt(m).
     raw_error error;
     if (!radius.is_zero()) {
       const leading_bits s(target.get());

@@ -1,5 +1,6 @@
-// Sums, products and quotients of balls, and of a ball and an integer. Narrow balls by midpoint and radius: the midpoints'
-// result, rounded once, and a bound of the error in 64-bit integers. Others by their ends.
+// Sums, products and quotients of balls, and of a ball and an integer. Narrow balls by midpoint and
+// radius: the midpoints' result, rounded once, and a bound of the error in 64-bit integers. Others
+// by their ends.
 
 #include <algorithm>
 #include <cstdint>

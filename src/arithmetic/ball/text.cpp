@@ -112,8 +112,8 @@ std::string at_places(const decimal& x, long first, std::size_t count) {
   return result;
 }
 
-/// The exponents of two decimals, if they lie further apart than this, differ by so much that a difference of the sizes is
-/// at most the larger, and no less than all but 10^-39 of it.
+/// The exponents of two decimals, if they lie further apart than this, differ by so much that a
+/// difference of the sizes is at most the larger, and no less than all but 10^-39 of it.
 constexpr long far_apart = 40;
 
 /// A decimal of two digits, at least |x - y|.
@@ -124,7 +124,8 @@ decimal distance_up(const decimal& x, const decimal& y) {
   const decimal& greater = x_first ? x : y;
   const decimal& smaller = x_first ? y : x;
   if (greater.exponent - smaller.exponent > far_apart) {
-    // At most |greater| + |smaller|, and |smaller| is less than a unit of the digit after next of the greater.
+    // At most |greater| + |smaller|, and |smaller| is less than a unit of the digit after next of
+    // the greater.
     decimal sum = two_digits_up({false, greater.digits, greater.exponent});
     if (sum.digits.size() < 2) sum.digits += '0';
     if (!add_to_numeral(sum.digits, 1)) {
@@ -172,17 +173,19 @@ bool is_at_most(const decimal& x, const decimal& y) {
   return a.digits <= b.digits;
 }
 
-/// The greatest n <= most for which the radius is at most one unit of the n-th significant digit of the value; or 0.
+/// The greatest n <= most for which the radius is at most one unit of the n-th significant digit of
+/// the value; or 0.
 long digits_within(const decimal& value, const decimal& radius, long most) {
   if (value.digits.empty()) return 0;
   if (radius.digits.empty()) return most;
-  // The radius is below 10^radius.exponent, and 10^(radius.exponent - 1) where its one digit is 1; the unit of the n-th digit
-  // is 10^(value.exponent - n).
+  // The radius is below 10^radius.exponent, and 10^(radius.exponent - 1) where its one digit is 1;
+  // the unit of the n-th digit is 10^(value.exponent - n).
   const long unit = radius.digits == "1" ? radius.exponent - 1 : radius.exponent;
   return std::clamp(value.exponent - unit, 0L, most);
 }
 
-/// The two ends as they are printed, and what is printed of the value beside them, which is cut off or rounded.
+/// The two ends as they are printed, and what is printed of the value beside them, which is cut off
+/// or rounded.
 decimal_enclosure assembled(const decimal& value, decimal low, decimal high, long shared,
                             long most_digits) {
   const bool cut = shared >= most_digits;
@@ -221,9 +224,10 @@ unsigned long width_in_units(mpfr_srcptr width, long exponent) {
   return mpfr_get_ui(quotient.get(), MPFR_RNDU) + 1;
 }
 
-/// The enclosure of a narrow set of one sign from a single conversion to decimals, which is most of the
-/// cost at many digits: of |x|'s lower end, cut off after 8 digits more than asked for. Every member's
-/// size then lies between that numeral and the numeral plus the width in units of its last digit plus 1.
+/// The enclosure of a narrow set of one sign from a single conversion to decimals, which is most of
+/// the cost at many digits: of |x|'s lower end, cut off after 8 digits more than asked for. Every
+/// member's size then lies between that numeral and the numeral plus the width in units of its last
+/// digit plus 1.
 std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most_digits) {
   const int sign = mpfr_sgn(e.lower());
   if (sign == 0 || sign != mpfr_sgn(e.upper())) return std::nullopt;
@@ -238,8 +242,8 @@ std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most
   const auto wanted = low.digits.begin() + most_digits;
   const auto shared = std::mismatch(low.digits.begin(), wanted, high.digits.begin()).first;
   const auto digits = static_cast<std::size_t>(shared - low.digits.begin());
-  // A set this narrow changes a wanted digit only by a carry through a run of nines, which may be the
-  // numerals' and not the ends': the ends decide.
+  // A set this narrow changes a wanted digit only by a carry through a run of nines, which may be
+  // the numerals' and not the ends': the ends decide.
   if (shared != wanted) return std::nullopt;
   decimal value = low;
   value.digits.resize(digits);
@@ -250,7 +254,8 @@ std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most
   return assembled(value, std::move(low), std::move(high), most_digits, most_digits);
 }
 
-/// The middle of the ends, to nearest, with the digits that its distance from them gives a meaning; at most so many.
+/// The middle of the ends, to nearest, with the digits that its distance from them gives a meaning;
+/// at most so many.
 decimal rounded_middle(const end_points& e, long most_digits, precision p) {
   mpfr_cell middle(p);
   mpfr_cell half(64);
@@ -271,9 +276,9 @@ decimal rounded_middle(const end_points& e, long most_digits, precision p) {
   return result;
 }
 
-/// How many digits to look at for that many wanted: no more than there can be. An exact number of p bits
-/// and exponent e has at most p + |e| digits, fewer than its bits before and after the point; the ends
-/// of other balls are computed to p + 32 bits and share no more digits than that.
+/// How many digits to look at for that many wanted: no more than there can be. An exact number of p
+/// bits and exponent e has at most p + |e| digits, fewer than its bits before and after the point;
+/// the ends of other balls are computed to p + 32 bits and share no more digits than that.
 long useful_digits(const ball& x, long most_digits) {
   if (most_digits < 1) {
     throw std::invalid_argument(std::to_string(most_digits) + " digits: it must be at least 1");
@@ -323,8 +328,8 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
     }
   }
 
-  // As many digits as the ball's width gives a meaning, though the two ends may share fewer: 2 may lie
-  // between 1.9999 and 2.0001.
+  // As many digits as the ball's width gives a meaning, though the two ends may share fewer: 2 may
+  // lie between 1.9999 and 2.0001.
   long meaningful = 1;
   const magnitude width = x.radius();
   const magnitude size = x.magnitude_upper();

@@ -1,4 +1,5 @@
-// The class of complex balls, its sums, products and squares, and its functions, which are those of rectangles.
+// The class of complex balls, its sums, products and squares, and its functions, which are those of
+// rectangles.
 
 #include <algorithm>
 #include <optional>
@@ -69,8 +70,8 @@ detail::raw_error products_error(const ball& a, const ball& b, const ball& c, co
   return raw_sum(halved(product_error(a, b)), halved(product_error(c, d)));
 }
 
-/// z w for moderate z and w, each part rounded once. The error of a product of balls is that of product_error,
-/// whatever is added to it.
+/// z w for moderate z and w, each part rounded once. The error of a product of balls is that of
+/// product_error, whatever is added to it.
 complex_ball narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) {
   const precision p = common_precision(z, w);
   const mpfr_srcptr a = ball_access::first(z.re);
@@ -85,7 +86,8 @@ complex_ball narrow_product(const rectangle<ball>& z, const rectangle<ball>& w) 
   return r;
 }
 
-/// z^2 for a moderate z, each part rounded once: a product of a ball with itself is a product of balls.
+/// z^2 for a moderate z, each part rounded once: a product of a ball with itself is a product of
+/// balls.
 complex_ball narrow_square(const rectangle<ball>& z) {
   const precision p = common_precision(z, z);
   const mpfr_srcptr a = ball_access::first(z.re);

@@ -1,4 +1,5 @@
-// Quotients of complex balls: to first order around the midpoints, and of others scaled to a moderate size first.
+// Quotients of complex balls: to first order around the midpoints, and of others scaled to a
+// moderate size first.
 
 #include <algorithm>
 #include <cstdint>
@@ -91,8 +92,9 @@ std::optional<complex_ball> detail::complex_balls::centred_quotient(const centre
 
 namespace {
 
-/// z / w by interval evaluation, with both brought near 1 in size by powers of two, and of w's parts one at least: nothing
-/// leaves the range that is not negligible beside 1, and balls enclose what does. Undefined where |w|^2 may be 0.
+/// z / w by interval evaluation, with both brought near 1 in size by powers of two, and of w's
+/// parts one at least: nothing leaves the range that is not negligible beside 1, and balls enclose
+/// what does. Undefined where |w|^2 may be 0.
 rectangle<ball> scaled_quotient(const rectangle<ball>& z, const rectangle<ball>& w, precision p) {
   constexpr precision guard = 10;
   const auto exponent_of = [](const rectangle<ball>& x) {

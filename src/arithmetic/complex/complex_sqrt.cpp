@@ -18,16 +18,17 @@ using detail::mpfr_cell;
 
 namespace {
 
-/// The square root about that of the moderate midpoint m = x + iy; nothing where the set is not far from 0 for its radii,
-/// or may meet the cut, or an intermediate number left MPFR's range.
+/// The square root about that of the moderate midpoint m = x + iy; nothing where the set is not far
+/// from 0 for its radii, or may meet the cut, or an intermediate number left MPFR's range.
 ///
-/// With r = |m|, w = sqrt((r + |x|)/2) and |y|/(2w) are the parts' sizes, in this order for x >= 0. r^2, r, the sum, w and
-/// the quotient are rounded once each, to p + 10 bits: relative errors, in units of 2^-(p+10), below 1, 1.6, 2.7, 2.4 and
-/// 3.5. So both parts have one below 2^-(p+8).
+/// With r = |m|, w = sqrt((r + |x|)/2) and |y|/(2w) are the parts' sizes, in this order for x >= 0.
+/// r^2, r, the sum, w and the quotient are rounded once each, to p + 10 bits: relative errors, in
+/// units of 2^-(p+10), below 1, 1.6, 2.7, 2.4 and 3.5. So both parts have one below 2^-(p+8).
 ///
-/// For a member z = m + s + it of the set, |z| >= L: f(z) = sqrt z is off from f(m) by at most (|s| + |t|)/(2 sqrt L) =: e,
-/// as |f'| = 1/(2 sqrt|z|). f' = conj(f)/(2|z|), so that the real part of f changes by at most
-/// ((|Re f(m)| + e)|s| + (|Im f(m)| + e)|t|)/(2L), and the imaginary one by the same with |s| and |t| exchanged.
+/// For a member z = m + s + it of the set, |z| >= L: f(z) = sqrt z is off from f(m) by at most (|s|
+/// + |t|)/(2 sqrt L) =: e, as |f'| = 1/(2 sqrt|z|). f' = conj(f)/(2|z|), so that the real part of f
+/// changes by at most ((|Re f(m)| + e)|s| + (|Im f(m)| + e)|t|)/(2L), and the imaginary one by the
+/// same with |s| and |t| exchanged.
 std::optional<complex_ball> narrow_sqrt(const rectangle<ball>& z) {
   const centred c(z);
   if (mpfr_number_p(c.re) == 0 || mpfr_regular_p(c.im) == 0) return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Rectangles in the hardware: whether they have left the range of doubles, or may have, and products of their parts.
+// Rectangles in the hardware: whether they have left the range of doubles, or may have, and
+// products of their parts.
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,8 @@ constexpr precision ball_bits = 64;  // of a set that only left the hardware's r
 
 using hardware_rectangle = rectangle<double_interval>;
 
-/// x * y. Where every end is 0 or far from a double's limits, a product of two of them is 0 only if a factor is.
+/// x * y. Where every end is 0 or far from a double's limits, a product of two of them is 0 only if
+/// a factor is.
 [[nodiscard]] inline double_interval times(double_interval x, double_interval y) {
   const auto is_plain = [](double end) {
     const double size = std::abs(end);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Complex balls whose parts are narrow and far from MPFR's limits of exponents: they are computed with by midpoints and
-// radii, to first order.
+// Complex balls whose parts are narrow and far from MPFR's limits of exponents: they are computed
+// with by midpoints and radii, to first order.
 
 #include <algorithm>
 #include <optional>
@@ -102,8 +102,8 @@ inline void set_rounded(ball& r, mpfr_srcptr value, precision p, const magnitude
   set_midpoint(r, p, error, [&](mpfr_ptr m) { return mpfr_set(m, value, MPFR_RNDN); });
 }
 
-/// The quotient of moderate sets, to first order; nothing where an intermediate number left MPFR's range, or b's
-/// midpoint is 0.
+/// The quotient of moderate sets, to first order; nothing where an intermediate number left MPFR's
+/// range, or b's midpoint is 0.
 [[nodiscard]] std::optional<complex_ball> centred_quotient(const centred& a, const centred& b,
                                                            precision p);
 

@@ -42,8 +42,8 @@ ball between(mpfr_cell& lower, mpfr_cell& upper) {
   return r;
 }
 
-/// The range of a monotone function over x cut with its domain. The ends that are tested are rounded
-/// outward: what they show to lie off the domain does.
+/// The range of a monotone function over x cut with its domain. The ends that are tested are
+/// rounded outward: what they show to lie off the domain does.
 std::optional<ball> range(const monotone_function& g, const ball& x) {
   if (x.is_undefined()) return x;
   if (ball whole = g.defined(x); !whole.is_undefined()) return whole;
@@ -181,12 +181,12 @@ std::optional<ball> pow(const ball& x, const ball& y) {
   }
   mpfr_cell zero(2);
   const mpfr_srcptr low = mpfr_sgn(ex.lower()) <= 0 ? zero.get() : ex.lower();
-  // Over [a, b] x [c, d] with 0 < a: x^y is monotone in x for each y, and in y for each x, so its least
-  // and its greatest value lie at corners (where the rectangle meets x = 1 or y = 0, the value 1 is
-  // between those at the corners). As a goes to 0 and b, -c, d to infinity each corner value converges,
-  // to what MPFR gives there: 0^c is +inf, 1 or 0 for c < 0, c = 0, c > 0, and b^d likewise at
-  // infinity. The hull of the union of the ranges is that of the limits, and x = 0 with y > 0 adds 0,
-  // which is the limit already.
+  // Over [a, b] x [c, d] with 0 < a: x^y is monotone in x for each y, and in y for each x, so its
+  // least and its greatest value lie at corners (where the rectangle meets x = 1 or y = 0, the
+  // value 1 is between those at the corners). As a goes to 0 and b, -c, d to infinity each corner
+  // value converges, to what MPFR gives there: 0^c is +inf, 1 or 0 for c < 0, c = 0, c > 0, and b^d
+  // likewise at infinity. The hull of the union of the ranges is that of the limits, and x = 0 with
+  // y > 0 adds 0, which is the limit already.
   mpfr_cell lower(p);
   mpfr_cell upper(p);
   mpfr_cell other(p);

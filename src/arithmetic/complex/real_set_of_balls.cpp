@@ -33,7 +33,8 @@ bool real_set<ball>::is_narrow(const ball& x) { return ball_access::is_midpoint_
 
 namespace {
 
-// The ends of a narrow ball are computed to so many bits more: see guard_bits in functions/elementary/carrying.hpp.
+// The ends of a narrow ball are computed to so many bits more: see guard_bits in
+// functions/elementary/carrying.hpp.
 constexpr precision end_bits = 64;
 
 /// An end as a point; the numbers beyond the greatest finite one where it is infinite.
@@ -97,7 +98,8 @@ std::pair<ball, ball> real_set<ball>::sinh_cosh(const ball& x) {
       ball_access::is_midpoint_radius(x) && ball_access::radius(x) <= magnitude::power_of_two(-10);
   const mpfr_srcptr m = ball_access::first(x);
   const precision p = x.precision();
-  // mpfr_sinh_cosh works with as many bits as a tiny x has zeros behind the point; mpfr_sinh and mpfr_cosh do not.
+  // mpfr_sinh_cosh works with as many bits as a tiny x has zeros behind the point; mpfr_sinh and
+  // mpfr_cosh do not.
   if (!is_thin ||
       (mpfr_regular_p(m) != 0 && (mpfr_get_exp(m) > moderate || mpfr_get_exp(m) < -p))) {
     return {sinh(x), cosh(x)};

@@ -14,8 +14,8 @@ using namespace detail::regions;
 
 namespace {
 
-// Products and quotients of rectangles, of which one often is real or touches the real axis: what 0 adds to a product is
-// 0 exactly, and need not be computed.
+// Products and quotients of rectangles, of which one often is real or touches the real axis: what 0
+// adds to a product is 0 exactly, and need not be computed.
 
 bool is_real(const hardware_rectangle& z) { return z.im.lower() == 0 && z.im.upper() == 0; }
 
@@ -34,9 +34,9 @@ bool leaves_range(const hardware_rectangle& z, long n) {
   return exponent * n > 1100 || (exponent + 2) * n < -1100;
 }
 
-/// x / (x^2 + y^2), the real part of 1/(x + iy), over a rectangle without 0. It is odd in x; for x > 0 it falls
-/// with |y|, and with x rises up to x = |y| and falls from there: its least value is at the greatest |y| and an
-/// end of x, its greatest at the least |y| and the x nearest to that.
+/// x / (x^2 + y^2), the real part of 1/(x + iy), over a rectangle without 0. It is odd in x; for x
+/// > 0 it falls with |y|, and with x rises up to x = |y| and falls from there: its least value is
+/// at the greatest |y| and an end of x, its greatest at the least |y| and the x nearest to that.
 double_interval real_part_of_inverse(double_interval x, double_interval y) {
   const auto at = [](double s, double t) {
     const double_interval end(s);

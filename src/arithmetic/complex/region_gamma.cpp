@@ -8,14 +8,16 @@
 
 // Stirling's series, for Re w > 0, with the Bernoulli numbers B_2k:
 //
-//   log Gamma(w) = (w - 1/2) log w - w + log(2 pi)/2 + sum over 0 < k < N of B_2k/(2k (2k-1) w^(2k-1)) + R_N(w),
-//   R_N(w) = (1/2N) integral over t > 0 of (B_2N - B_2N({t})) (w + t)^(-2N) dt
+//   log Gamma(w) = (w - 1/2) log w - w + log(2 pi)/2 + sum over 0 < k < N of B_2k/(2k (2k-1)
+//   w^(2k-1)) + R_N(w), R_N(w) = (1/2N) integral over t > 0 of (B_2N - B_2N({t})) (w + t)^(-2N) dt
 //
-// (Euler and Maclaurin; E. T. Whittaker, G. N. Watson, A Course of Modern Analysis, 12.33). B_2N({t}) is at most
-// |B_2N| in size, so that the numerator has the sign of B_2N or is 0, and B_2N alternates in sign with N. So R_N(x) and
-// R_(N+1)(x) have opposite signs for x > 0, and each is smaller than their difference: |R_N(x)| is at most the first term
-// left out; and so for the derivative R_N', whose integral has (w + t)^(-2N-1).
-// For complex w = |w| e^(i a): |w + t|^2 - (|w| + t)^2 cos^2(a/2) = (1 - cos a)/2 (|w| - t)^2 >= 0, so that
+// (Euler and Maclaurin; E. T. Whittaker, G. N. Watson, A Course of Modern Analysis, 12.33).
+// B_2N({t}) is at most
+// |B_2N| in size, so that the numerator has the sign of B_2N or is 0, and B_2N alternates in sign
+// with N. So R_N(x) and R_(N+1)(x) have opposite signs for x > 0, and each is smaller than their
+// difference: |R_N(x)| is at most the first term left out; and so for the derivative R_N', whose
+// integral has (w + t)^(-2N-1). For complex w = |w| e^(i a): |w + t|^2 - (|w| + t)^2 cos^2(a/2) =
+// (1 - cos a)/2 (|w| - t)^2 >= 0, so that
 //   |R_N(w)| <= sec^(2N)(a/2) |R_N(|w|)|,  |R_N'(w)| <= sec^(2N+1)(a/2) |R_N'(|w|)|,
 // with sec^2(a/2) < 2 for Re w > 0.
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What lies beyond the range of doubles: a rectangle times a power of two, and its functions, which a region tries before
-// those of balls.
+// What lies beyond the range of doubles: a rectangle times a power of two, and its functions, which
+// a region tries before those of balls.
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ struct region::scaled_interval {
   [[nodiscard]] double_interval over(long e) const { return scale(m, exponent - e); }
 };
 
-/// 2^exponent times a rectangle: what lies beyond the range of doubles, without balls. Each form below is
-/// the function's usual one, whose factors beyond the range have the exponent split off. Nothing where a
-/// function has no such form.
+/// 2^exponent times a rectangle: what lies beyond the range of doubles, without balls. Each form
+/// below is the function's usual one, whose factors beyond the range have the exponent split off.
+/// Nothing where a function has no such form.
 struct region::scaled {
   rectangle<double_interval> m;
   long exponent = 0;
@@ -41,7 +41,8 @@ struct region::scaled {
     return {{scale(m.re, -k), scale(m.im, -k)}, exponent + k};
   }
 
-  /// A region in the hardware; nothing where the rectangle's parts differ by more than doubles hold.
+  /// A region in the hardware; nothing where the rectangle's parts differ by more than doubles
+  /// hold.
   [[nodiscard]] std::optional<region> to_region() const {
     if (is_undefined(m) || std::abs(exponent) > largest_exponent) return std::nullopt;
     scaled r = normalised();
@@ -113,8 +114,9 @@ struct region::scaled {
     const auto [sine, cosine] = sin_cos(z.m.im);
     return scaled{{size->m * cosine, size->m * sine}, size->exponent, size};
   }
-  /// cosh z = cosh x cos y + i sinh x sin y and sinh z = sinh x cos y + i cosh x sin y. |cosh z|^2 = sinh^2 x + cos^2 y =
-  /// cosh^2 x - sin^2 y and |sinh z|^2 = sinh^2 x + sin^2 y = cosh^2 x - cos^2 y: both between |sinh x| and cosh x.
+  /// cosh z = cosh x cos y + i sinh x sin y and sinh z = sinh x cos y + i cosh x sin y. |cosh z|^2
+  /// = sinh^2 x + cos^2 y = cosh^2 x - sin^2 y and |sinh z|^2 = sinh^2 x + sin^2 y = cosh^2 x -
+  /// cos^2 y: both between |sinh x| and cosh x.
   static std::optional<scaled> hyperbolic(const scaled& z, bool is_cosh) {
     if (z.exponent != 0) return std::nullopt;
     const long k = exponent_of_exp(z.m.re.magnitude());

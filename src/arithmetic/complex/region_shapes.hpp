@@ -1,7 +1,8 @@
 #pragma once
 
-// How a function of regions is put together from the same function of rectangles in the hardware, of rectangles times a
-// power of two, and of balls: the first that serves is taken, and a set on which the function may be singular is blocked.
+// How a function of regions is put together from the same function of rectangles in the hardware,
+// of rectangles times a power of two, and of balls: the first that serves is taken, and a set on
+// which the function may be singular is blocked.
 
 #include <algorithm>
 #include <memory>
@@ -14,11 +15,12 @@
 
 namespace polhode {
 
-/// f in hardware, with an exponent, or in balls where an operand is kept in them or the result leaves the hardware's
-/// range: also where an end may have underflowed to 0, so that the set would seem to touch a pole or a
-/// branch point. (What is made of sets that end at 0, or hold it, ends at 0 as a rule, and balls would not help; not
-/// so exp of [-1000, 0]: `zero_is_news` where it may underflow.) An undefined result of operands without an obstacle is
-/// retried too: it may come of infinity - infinity; if balls do no better, it is not analytic.
+/// f in hardware, with an exponent, or in balls where an operand is kept in them or the result
+/// leaves the hardware's range: also where an end may have underflowed to 0, so that the set would
+/// seem to touch a pole or a branch point. (What is made of sets that end at 0, or hold it, ends at
+/// 0 as a rule, and balls would not help; not so exp of [-1000, 0]: `zero_is_news` where it may
+/// underflow.) An undefined result of operands without an obstacle is retried too: it may come of
+/// infinity - infinity; if balls do no better, it is not analytic.
 template <class Hardware, class Balls, class Scaled>
 region region::combined(const region& z, const region& w, Hardware&& hardware, Balls&& balls,
                         const Scaled& scaled_form, bool zero_is_news) {
@@ -49,7 +51,8 @@ region region::combined(const region& z, const region& w, Hardware&& hardware, B
 
 /// The shapes of the functions of regions.
 struct region::functions {
-  /// f in hardware, in r, for operands and results that need nothing else: `combined` would do the same.
+  /// f in hardware, in r, for operands and results that need nothing else: `combined` would do the
+  /// same.
   template <class F>
   static bool quick(region& r, const region& z, const region& w, F&& f) {
     if (!z.is_moderate() || !w.is_moderate()) return false;
@@ -94,7 +97,8 @@ struct region::functions {
     const double_interval b = y.over(e);
     return {hull(abs(a - b), a + b), e};
   }
-  /// By the scaled form, where the result may leave the hardware's range; nothing where that does not help.
+  /// By the scaled form, where the result may leave the hardware's range; nothing where that does
+  /// not help.
   template <class Scaled>
   static std::optional<region> in_scale(const region& z, const Scaled& scaled_form) {
     if (!z.is_moderate()) return std::nullopt;

@@ -1,4 +1,5 @@
-// Functions of regions that are analytic on each side of their kinks and jumps: a set that meets one is blocked.
+// Functions of regions that are analytic on each side of their kinks and jumps: a set that meets
+// one is blocked.
 
 #include <utility>
 

@@ -35,12 +35,12 @@ void angles_on_axis(ball& result, const end_points& x, precision p) {
   ball_access::set_ends(result, lower, upper);
 }
 
-/// The angles of [a, b] x [c, d] with 0 <= c, d > 0, the origin left out. The angle's derivatives are
-/// -y / (x^2 + y^2) in x and x / (x^2 + y^2) in y: it falls as x grows (jumping from pi to 0 through the
-/// origin where y = 0), and with y it grows where x > 0 and falls where x < 0. So it is least at x = b, for
-/// the least y where b > 0 and the greatest y where b <= 0, and greatest at x = a likewise. None of
-/// these corners is the origin, for d > 0, and none has two infinite coordinates: where b or a is
-/// infinite, y is c.
+/// The angles of [a, b] x [c, d] with 0 <= c, d > 0, the origin left out. The angle's derivatives
+/// are -y / (x^2 + y^2) in x and x / (x^2 + y^2) in y: it falls as x grows (jumping from pi to 0
+/// through the origin where y = 0), and with y it grows where x > 0 and falls where x < 0. So it is
+/// least at x = b, for the least y where b > 0 and the greatest y where b <= 0, and greatest at x =
+/// a likewise. None of these corners is the origin, for d > 0, and none has two infinite
+/// coordinates: where b or a is infinite, y is c.
 void angles_above(ball& result, const end_points& x, mpfr_srcptr c, mpfr_srcptr d, precision p) {
   mpfr_cell lower(p);
   mpfr_cell upper(p);

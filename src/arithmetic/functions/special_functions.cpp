@@ -28,8 +28,8 @@ ball monotone_between(const end_points& e, precision p, int (*f)(mpfr_ptr, mpfr_
   return r;
 }
 
-/// A monotone function on R: thin balls by the values at their ends too, for these functions' slopes
-/// would cost as much as a second value.
+/// A monotone function on R: thin balls by the values at their ends too, for these functions'
+/// slopes would cost as much as a second value.
 ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), bool increasing) {
   const precision p = x.precision();
   if (x.is_undefined()) return x;
@@ -42,9 +42,10 @@ ball monotone_at_ends(const ball& x, int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)
   return monotone_between(end_points(x, p + special_guard_bits), p, f, increasing);
 }
 
-/// The precision in which a ball's ends hardly move outward. Beside a pole Gamma magnifies what its argument loses by up to
-/// 2^(2p), and log Gamma does so relatively beside its zeros: so a radius far below the midpoint's last place is
-/// kept, up to where it is below notice, but for sets about a zero of log Gamma that are narrower still.
+/// The precision in which a ball's ends hardly move outward. Beside a pole Gamma magnifies what its
+/// argument loses by up to 2^(2p), and log Gamma does so relatively beside its zeros: so a radius
+/// far below the midpoint's last place is kept, up to where it is below notice, but for sets about
+/// a zero of log Gamma that are narrower still.
 precision precision_of_ends(const ball& x) {
   const precision p = x.precision();
   if (!ball_access::is_midpoint_radius(x) || ball_access::radius(x).is_zero())
@@ -75,15 +76,17 @@ bool has_pole(const end_points& x) {
   return mpfr_lessequal_p(first.get(), x.upper()) != 0 && mpfr_sgn(first.get()) <= 0;
 }
 
-/// The sign of the digamma function at a point that is no pole; correctly rounded, so the sign is right.
+/// The sign of the digamma function at a point that is no pole; correctly rounded, so the sign is
+/// right.
 int digamma_sign(mpfr_srcptr x) {
   mpfr_cell value(32);
   mpfr_digamma(value.get(), x, MPFR_RNDN);
   return mpfr_sgn(value.get());
 }
 
-/// A lower bound of the convex f over [l, u], in which f' changes sign: f(x) >= f(m) + s (x - m) for the
-/// slope s of f at any point m. m is found by bisection on the digamma function (a search: any m is sound).
+/// A lower bound of the convex f over [l, u], in which f' changes sign: f(x) >= f(m) + s (x - m)
+/// for the slope s of f at any point m. m is found by bisection on the digamma function (a search:
+/// any m is sound).
 void convex_minimum(mpfr_ptr r, const end_points& x, precision p, convex_function f,
                     bool logarithm) {
   mpfr_cell low(p);

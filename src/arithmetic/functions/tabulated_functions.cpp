@@ -15,8 +15,9 @@ static_assert(GMP_NUMB_BITS == 64, "polhode: limbs of 64 bits are assumed");
 __extension__ using uint128 = unsigned __int128;
 __extension__ using int128 = __int128;
 
-// ---------------------------------------------------------------------------------------------
-// The tables, made at build time (make_function_tables.cpp). Entries are cut off: what is read of one is less than a unit too small.
+// --------------------------------------------------------------------------------------------- The
+// tables, made at build time (make_function_tables.cpp). Entries are cut off: what is read of one
+// is less than a unit too small.
 
 struct entry {
   std::array<limb, most_tabulated_limbs> limbs;
@@ -31,7 +32,8 @@ using table = std::array<entry, size>;
 #include "function_tables.hpp"
 
 // ---------------------------------------------------------------------------------------------
-// Arithmetic at a number of limbs that the compiler knows. A product is cut off: it is less than a unit too small.
+// Arithmetic at a number of limbs that the compiler knows. A product is cut off: it is less than a
+// unit too small.
 
 template <std::size_t w>
 void multiply(limb* r, const limb* x, const limb* y) {
@@ -65,9 +67,10 @@ void multiply(limb* r, const limb* x, const limb* y) {
   }
   std::copy_n(product.data() + w, w, r);
 }
-/// The same where a few units do not matter: for 2 <= w <= 4 without the products x[i] y[k] with i + k < w - 1, which reach the result by
-/// carries alone. The w - 1 of them with i + k = w - 2 are at most (1 - 2^-64)^2 units each, the others together less than (w - 1) 2^-64, so that all
-/// are below w - 1: the result is less than w units too small.
+/// The same where a few units do not matter: for 2 <= w <= 4 without the products x[i] y[k] with i
+/// + k < w - 1, which reach the result by carries alone. The w - 1 of them with i + k = w - 2 are
+/// at most (1 - 2^-64)^2 units each, the others together less than (w - 1) 2^-64, so that all are
+/// below w - 1: the result is less than w units too small.
 template <std::size_t w>
 void multiply_roughly(limb* r, const limb* x, const limb* y) {
   if constexpr (w < 2 || w > 4) {
@@ -116,8 +119,9 @@ limb subtract(limb* r, const limb* x, const limb* y) {
   return borrow;
 }
 
-// ---------------------------------------------------------------------------------------------
-// The series P(z) = c_0 + c_1 z + c_2 z^2 + ..., or with alternating signs, for 0 <= z < 2^-bits and positive decreasing coefficients c_0 <= 1/2.
+// --------------------------------------------------------------------------------------------- The
+// series P(z) = c_0 + c_1 z + c_2 z^2 + ..., or with alternating signs, for 0 <= z < 2^-bits and
+// positive decreasing coefficients c_0 <= 1/2.
 
 using coefficients = decltype(inverse_numbers);
 
@@ -156,7 +160,8 @@ struct arctangent_defect {
   static constexpr bool alternating = true;
 };
 
-/// The least count n of terms with c_n z^n <= 2^(-64 w - 1): what is left out is at most 2 c_n z^n, a unit.
+/// The least count n of terms with c_n z^n <= 2^(-64 w - 1): what is left out is at most 2 c_n z^n,
+/// a unit.
 template <class series, std::size_t w>
 constexpr std::size_t terms = [] {
   for (std::size_t n = 0;; ++n) {
@@ -170,7 +175,8 @@ constexpr std::size_t terms = [] {
   }
 }();
 
-/// The limbs with which the sum from term k on is computed: as it is multiplied by z^k, the last ones do not matter.
+/// The limbs with which the sum from term k on is computed: as it is multiplied by z^k, the last
+/// ones do not matter.
 template <class series, std::size_t w>
 constexpr std::size_t limbs_from(std::size_t k) {
   constexpr std::size_t guard = 10;
@@ -180,10 +186,12 @@ constexpr std::size_t limbs_from(std::size_t k) {
 
 /// P(z) by Horner's rule, in sum: c_k + c_(k+1) z + ... in the first limbs_from(k) limbs.
 ///
-/// The error of P, in units. A step commits up to five errors of 2^(-64 v), v = limbs_from(k + 1): z is cut off (the sum is below 1), and the
-/// product is less than four units too small; and its coefficient is wrong by less than 2^(-64 limbs_from(k)). They are multiplied by
-/// z^k < 2^(-bits k). Where limbs are dropped, 64 (w - v) <= bits k - 10 makes each of them at most 2^-10 units; elsewhere they are at most
-/// 2^(-bits k). So all steps together commit less than 6 (1 + 2^-12 + 44 * 2^-10) < 6.3, and with what is left out P is wrong by less than 8 units.
+/// The error of P, in units. A step commits up to five errors of 2^(-64 v), v = limbs_from(k + 1):
+/// z is cut off (the sum is below 1), and the product is less than four units too small; and its
+/// coefficient is wrong by less than 2^(-64 limbs_from(k)). They are multiplied by z^k < 2^(-bits
+/// k). Where limbs are dropped, 64 (w - v) <= bits k - 10 makes each of them at most 2^-10 units;
+/// elsewhere they are at most 2^(-bits k). So all steps together commit less than 6 (1 + 2^-12 + 44
+/// * 2^-10) < 6.3, and with what is left out P is wrong by less than 8 units.
 template <class series, std::size_t w, std::size_t k = 0>
 void evaluate(limb* sum, const limb* z) {
   constexpr std::size_t here = limbs_from<series, w>(k);
@@ -207,9 +215,10 @@ void evaluate(limb* sum, const limb* z) {
 // ---------------------------------------------------------------------------------------------
 // The functions. P's error of 8 units, multiplied by r^2 < 2^-14 or less, is below 2^-10 units.
 
-/// t = j/128 + i/16384 + r: e^t - 1 = x + m + x m for m = e^r - 1 and x = a + b + a b of two entries a, b. Errors: r^2 P is cut off twice,
-/// m is wrong by less than 3; x by less than (1 + b) + (1 + a) + 1 < 5; the sum by less than 5 (1 + m) + 3 (1 + x) + 1 < 13.
-/// All of x, m and the products are below their true values, so that the sum is below e^t - 1 < 1.
+/// t = j/128 + i/16384 + r: e^t - 1 = x + m + x m for m = e^r - 1 and x = a + b + a b of two
+/// entries a, b. Errors: r^2 P is cut off twice, m is wrong by less than 3; x by less than (1 + b)
+/// + (1 + a) + 1 < 5; the sum by less than 5 (1 + m) + 3 (1 + x) + 1 < 13. All of x, m and the
+/// products are below their true values, so that the sum is below e^t - 1 < 1.
 template <std::size_t w>
 std::uint64_t expm1_at(limb* m, const limb* t) {
   const limb top = t[w - 1];
@@ -236,8 +245,8 @@ std::uint64_t expm1_at(limb* m, const limb* t) {
 
 /// t = j/128 + r. With v = 1 - cos r and q = r - sin r:
 ///     sin t = S + C (r - q) - S v,  cos t = C - S (r - q) - C v.
-/// Errors: z = r^2 is cut off, v is wrong by less than 1 + 1 + 2^-10, q = r z P by 1 + 1 + 2^-10. With 1 for S and C each of the two
-/// is wrong by less than 1 + (r + 2.1 + 1) + (v + 2.1 + 1) < 8.
+/// Errors: z = r^2 is cut off, v is wrong by less than 1 + 1 + 2^-10, q = r z P by 1 + 1 + 2^-10.
+/// With 1 for S and C each of the two is wrong by less than 1 + (r + 2.1 + 1) + (v + 2.1 + 1) < 8.
 template <std::size_t w>
 std::uint64_t sin_cos_at(limb* s, limb* c, const limb* t) {
   const limb top = t[w - 1];
@@ -283,9 +292,10 @@ constexpr std::array<limb, 128> inverses = [] {
   return result;
 }();
 
-/// (1 + f) (k/256) (1 - i/16384) = 1 + g: log(1 + f) = log(256/k) - log(1 - i/16384) + log(1 + g), where 2^22 g is computed exactly.
-/// |g| < 2^-13 is looked at, whatever k and i are. Errors: 1 for either entry, 1 for g cut off, which the logarithm magnifies by less than
-/// 1 + 2^-12; g^2 P is cut off twice: less than 6.
+/// (1 + f) (k/256) (1 - i/16384) = 1 + g: log(1 + f) = log(256/k) - log(1 - i/16384) + log(1 + g),
+/// where 2^22 g is computed exactly.
+/// |g| < 2^-13 is looked at, whatever k and i are. Errors: 1 for either entry, 1 for g cut off,
+/// which the logarithm magnifies by less than 1 + 2^-12; g^2 P is cut off twice: less than 6.
 template <std::size_t w>
 std::optional<std::uint64_t> log1p_at(limb* l, const limb* f) {
   const limb k = inverses[f[w - 1] >> 57];
@@ -329,8 +339,9 @@ std::optional<std::uint64_t> log1p_at(limb* l, const limb* f) {
 
 /// a/b = tan(first + second + rest) with tan first = j/128 and tan second = i/16384. With
 ///     p = 2^21 (1 - i j/2^21),  q = 2^21 (j/128 + i/16384),  tan rest = (a p - b q)/(b p + a q),
-/// numerator and denominator being computed exactly. |tan rest| < 2^-13 is looked at, whatever j and i are. Errors: 1 for the quotient cut
-/// off, y z P is cut off twice, z once, which does not matter; 1 for either entry: less than 6.
+/// numerator and denominator being computed exactly. |tan rest| < 2^-13 is looked at, whatever j
+/// and i are. Errors: 1 for the quotient cut off, y z P is cut off twice, z once, which does not
+/// matter; 1 for either entry: less than 6.
 template <std::size_t w>
 std::optional<std::uint64_t> atan_at(limb* t, const limb* a, const limb* b) {
   // a/b and i, nearly.

@@ -1,5 +1,5 @@
-// The angle of a point of the plane, and the inverse circular functions that are such angles, at a point with proofs and of
-// intervals.
+// The angle of a point of the plane, and the inverse circular functions that are such angles, at a
+// point with proofs and of intervals.
 
 #include <algorithm>
 #include <cmath>
@@ -123,9 +123,9 @@ double_interval atan(double_interval x) {
   return limited(increasing(x, f, point::angle_bound), half_pi_up);
 }
 
-// The least and the greatest angle are at corners, and the side of the axes on which they lie decides
-// at which. Where left > 0 does not hold, the left corners have left <= 0. An infinite corner is a
-// limit: the corners chosen here are infinite in one coordinate at most.
+// The least and the greatest angle are at corners, and the side of the axes on which they lie
+// decides at which. Where left > 0 does not hold, the left corners have left <= 0. An infinite
+// corner is a limit: the corners chosen here are infinite in one coordinate at most.
 double_interval atan2(double_interval y, double_interval x) {
   if (x.is_undefined() || y.is_undefined()) return double_interval::undefined();
   const double left = x.lower();

@@ -24,11 +24,14 @@ namespace {
 // t = k * half_pi_3 is below 2^-44 and off by 2^-97 at most, with the error of half_pi_3 itself,
 // 2^20 * 2^-118; l - t rounds by less than 2^-97. So the computed r = h + (l - t) is
 // (r + e) (1 + d), |e| <= 2^-96, |d| <= u: off by u |r| + 2^-95.9.
-//   Where |h| < 2^-30, next to a multiple of pi/2, that would be much of r. There d and w, multiples of 2^-63, have
-// an exact difference: l = 0. k * half_pi_4 is exact (20 + 31 bits); s + f = h - k * half_pi_4 exactly, with |s| < 2^-29,
-// |f| <= 2^-83; k * half_pi_5 is exact (20 + 25 bits) and below 2^-83; k * half_pi_6 is below 2^-109 and off by 2^-162, with
-// the error of half_pi_6 itself, 2^20 * 2^-184; the two differences that follow are below 2^-81 and round by 2^-135 each. So
-// the computed r is off by u |r| + 2^-133.9.
+//   Where |h| < 2^-30, next to a multiple of pi/2, that would be much of r. There d and w,
+//   multiples of 2^-63, have
+// an exact difference: l = 0. k * half_pi_4 is exact (20 + 31 bits); s + f = h - k * half_pi_4
+// exactly, with |s| < 2^-29,
+// |f| <= 2^-83; k * half_pi_5 is exact (20 + 25 bits) and below 2^-83; k * half_pi_6 is below
+// 2^-109 and off by 2^-162, with the error of half_pi_6 itself, 2^20 * 2^-184; the two differences
+// that follow are below 2^-81 and round by 2^-135 each. So the computed r is off by u |r| +
+// 2^-133.9.
 struct reduced_angle {
   double r;
   long k;
@@ -87,8 +90,9 @@ double cosine_reduced(double r) {
 
 namespace detail::approximation {
 
-// 4.6 u <= 8 u for both, and 2^-95.9 <= 2^-94 absolutely. Where one of them is below 2^-31, |r| is below 2^-30.9, and |h|,
-// which differs from r by |l - t| < 2^-43 at most, below 2^-30: then 2^-133.9 <= 2^-132 for both.
+// 4.6 u <= 8 u for both, and 2^-95.9 <= 2^-94 absolutely. Where one of them is below 2^-31, |r| is
+// below 2^-30.9, and |h|, which differs from r by |l - t| < 2^-43 at most, below 2^-30: then
+// 2^-133.9 <= 2^-132 for both.
 circular sin_cos(double x) {
   const reduced_angle a = reduce_by_half_pi(x);
   const double s = sine_reduced(a.r);
@@ -108,8 +112,9 @@ namespace {
 
 constexpr double widest_reduced = 0x1p20;
 
-/// The end of an interval, |x| <= 2^20, with floor(2 x / pi) between first and last. The computed r has the sign of
-/// r where it is greater in size than `absolute`, for it is off by less beside a rounding; if k = 0, r = x.
+/// The end of an interval, |x| <= 2^20, with floor(2 x / pi) between first and last. The computed r
+/// has the sign of r where it is greater in size than `absolute`, for it is off by less beside a
+/// rounding; if k = 0, r = x.
 struct circular_end {
   point::circular at;
   long first_quadrant;

@@ -1,4 +1,5 @@
-// Intervals of doubles from numbers and balls, and back, and as text; and whether this processor rounds as they need.
+// Intervals of doubles from numbers and balls, and back, and as text; and whether this processor
+// rounds as they need.
 
 #include "polhode/arithmetic/double_interval.hpp"
 
@@ -39,8 +40,8 @@ double_interval double_interval::from_rational(mpq_srcptr q) {
     const double n = mpz_get_d(mpq_numref(q));
     const double d = mpz_get_d(mpq_denref(q));
     const double nearest = n / d;
-    // n - d nearest is a double (the remainder of a division), far above the least one; its sign is that of
-    // n/d - nearest.
+    // n - d nearest is a double (the remainder of a division), far above the least one; its sign is
+    // that of n/d - nearest.
     const double rest = std::fma(-nearest, d, n);
     if (rest == 0) return double_interval(nearest);
     return rest > 0 ? ends(nearest, detail::next_up(nearest))

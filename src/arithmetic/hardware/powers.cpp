@@ -20,8 +20,8 @@ double detail::scale_down(double x, long n) {
     const long step = std::clamp(n, -1000L, 1000L);
     n -= step;
     const double product = x * power_of_two(step);
-    // The way back is exact: it leads to x where nothing was rounded, and beyond x where the product was rounded up,
-    // also where it was rounded up to the least normal number.
+    // The way back is exact: it leads to x where nothing was rounded, and beyond x where the
+    // product was rounded up, also where it was rounded up to the least normal number.
     x = product * power_of_two(-step) > x ? next_down(product) : product;
   }
   return x;

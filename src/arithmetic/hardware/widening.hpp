@@ -16,10 +16,11 @@
 // = y - E and E is the computed b |y|. Let s be the distance from RN(v) to the double below; v is
 // at least RN(v) - s/2, so next_down(RN(v)) <= v - s/2.
 //   |y| >= 2^-960: E = b |y| exactly, and s/2 > 2^-1075.
-//   |y| < 2^-960: E is off by at most 2^-1075, and v is a multiple of 2^-1074. Either v is a double,
-// and the step takes it down by 2^-1074 at least; or |v| > 2^-1021, and v lies 2^-1074 or more above
-// next_down(RN(v)), as multiples of 2^-1074 do. So the result is at most v - 2^-1074
-// <= y - b |y| - 2^-1075. []
+//   |y| < 2^-960: E is off by at most 2^-1075, and v is a multiple of 2^-1074. Either v is a
+//   double,
+// and the step takes it down by 2^-1074 at least; or |v| > 2^-1021, and v lies 2^-1074 or more
+// above next_down(RN(v)), as multiples of 2^-1074 do. So the result is at most v - 2^-1074 <= y - b
+// |y| - 2^-1075. []
 //
 // A relative error e with respect to f, e <= 2^-48, is one of e / (1 - e) < e (1 + 2^-47) with
 // respect to y; the bounds have room for that, and it is not mentioned again.

@@ -17,9 +17,11 @@
 namespace polhode::checker {
 namespace {
 
-/// One chain of whole numbers over the scale S, from (sqrt(1+x), sqrt(x)), x = n/S. Where `upward` every pair is at or above what the mean's step
-/// makes of the pair before, so that the mean of all the numbers is at least agm(sqrt(1+x), sqrt(x)): it increases in both its arguments and is
-/// not changed by a step. At the end both numbers are below S/2: agm < 1/2, and as it increases in x, x < beta. Else the reverse.
+/// One chain of whole numbers over the scale S, from (sqrt(1+x), sqrt(x)), x = n/S. Where `upward`
+/// every pair is at or above what the mean's step makes of the pair before, so that the mean of all
+/// the numbers is at least agm(sqrt(1+x), sqrt(x)): it increases in both its arguments and is not
+/// changed by a step. At the end both numbers are below S/2: agm < 1/2, and as it increases in x, x
+/// < beta. Else the reverse.
 void check_chain_of_steps(const place& chain, const integer& S, const integer& n, bool upward) {
   constexpr std::size_t most_steps = 200;
   chain.expect_keys({"argument", "start", "steps"});
@@ -87,8 +89,8 @@ range check_agm_bracket(examination& e) {
   return {rational(from, S), rational(to, S)};
 }
 
-/// f' = M (x + 1/2 - S)/(2 x (1+x)) over the box, S the sum of 2^(n-1) c_n^2 over n >= 1: of f = agm - 1/2. In parts of the box, as intervals that
-/// occur several times in a formula make it wide.
+/// f' = M (x + 1/2 - S)/(2 x (1+x)) over the box, S the sum of 2^(n-1) c_n^2 over n >= 1: of f =
+/// agm - 1/2. In parts of the box, as intervals that occur several times in a formula make it wide.
 interval derivative_over(const range& box, precision bits) {
   constexpr int parts = 32;
   const precision w = bits + 64;
@@ -132,7 +134,8 @@ void check_newton(examination& e) {
         const interval at_upper = mean_equation(image.upper, more);
         if (slope.lower <= 0 || at_lower.is_positive() || at_upper.is_negative()) return false;
         if (!at_lower.is_negative() || !at_upper.is_positive()) return std::nullopt;
-        // The step from the box's middle, for f = agm - 1/2, which is half of the equation's function.
+        // The step from the box's middle, for f = agm - 1/2, which is half of the equation's
+        // function.
         const precision w = more + bit_length(box.lower) + bit_length(box.upper);
         const rational middle((box.lower + box.upper) / 2);
         const interval step =
@@ -156,7 +159,8 @@ periodic_integrand inverse_root(const rational& x) {
           }};
 }
 
-/// The integral exceeds pi at the first digits of beta, and is below pi one unit of the last place higher.
+/// The integral exceeds pi at the first digits of beta, and is below pi one unit of the last place
+/// higher.
 void check_integrals(examination& e, const range& beta) {
   const place quadrature = e.witness("quadrature");
   constexpr long most_quadrature_digits = 100;

@@ -1,6 +1,7 @@
 #pragma once
 
-// Brackets of a value of a phase: the phase is above it at one end, below it at the other, and monotone.
+// Brackets of a value of a phase: the phase is above it at one end, below it at the other, and
+// monotone.
 
 #include <functional>
 #include <string>
@@ -22,8 +23,9 @@ namespace polhode::checker {
 
 /// "k = 1 ... 3 and no other k >= 1".
 [[nodiscard]] std::string counted(const integer& count);
-/// That G(u) = q(k) pi has one solution for each k = 1 ... count, q(k) falling: brackets of at most six of them, as the witness `key`
-/// gives them; or where count is 0, that G is q(1) pi nowhere: I >= q(1).
+/// That G(u) = q(k) pi has one solution for each k = 1 ... count, q(k) falling: brackets of at most
+/// six of them, as the witness `key` gives them; or where count is 0, that G is q(1) pi nowhere: I
+/// >= q(1).
 void check_values_of_half_phase(examination& e, const integer& count,
                                 const std::function<rational(int k)>& q, const std::string& key);
 

@@ -16,7 +16,8 @@ void check_epsilon0_min(examination& e) {
   e.fact(
       "log(tan(x/2)) + pi has exactly one root in [0.086, 0.087] (interval Newton), and its "
       "enclosure overlaps the one by the formula",
-      // log(tan(x/2)) increases on (0, pi), so that the root is where the signs differ, and tan(x/2) = e^-pi is the formula.
+      // log(tan(x/2)) increases on (0, pi), so that the root is where the signs differ, and
+      // tan(x/2) = e^-pi is the formula.
       [&](precision bits) {
         const auto value = [&](const rational& x) {
           const sine_and_cosine at = sin_cos(exactly(rational(x / 2), bits));

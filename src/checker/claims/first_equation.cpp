@@ -7,8 +7,9 @@
 namespace polhode::checker {
 namespace {
 
-/// The integrals are compared by their integrands and ranges: the integrand is positive, and at every x smaller for the greater c (the
-/// claim's steps), and the range u < x < 1 is smaller for the greater u. All five comparisons are of one of these two kinds.
+/// The integrals are compared by their integrands and ranges: the integrand is positive, and at
+/// every x smaller for the greater c (the claim's steps), and the range u < x < 1 is smaller for
+/// the greater u. All five comparisons are of one of these two kinds.
 void check_first_equation(examination& e) {
   e.read_body();
   e.steps();

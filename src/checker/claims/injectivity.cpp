@@ -17,7 +17,8 @@ namespace {
 
 /// Bits for the twist defect, which has some 50 at any precision.
 constexpr std::array<long, 2> twist_precisions{128, 320};
-/// The series are meant for numbers of this size: their cost grows with it, and with the number of points.
+/// The series are meant for numbers of this size: their cost grows with it, and with the number of
+/// points.
 constexpr long most_twist_bits = 4000;
 constexpr long most_level_bits = 4000;
 constexpr std::size_t most_points = 100;

@@ -34,7 +34,8 @@ struct printed_number {
 [[nodiscard]] tri is_right(const interval& value, const char* printed, int places);
 [[nodiscard]] tri is_wrong(const interval& value, const char* printed, int places);
 
-/// The numbers, and a fact of each: that it is right to the last digit printed, or wrong. One without a value is beta.
+/// The numbers, and a fact of each: that it is right to the last digit printed, or wrong. One
+/// without a value is beta.
 void check_printed(examination& e, const std::vector<printed_number>& numbers, bool right);
 
 }  // namespace polhode::checker

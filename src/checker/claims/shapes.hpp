@@ -26,7 +26,8 @@ struct bounded_phase {
   interval least;
   interval most;
 };
-/// At 1/4, 1/2, 3/4 of the range the phase decreases and keeps within its bounds and above the limit.
+/// At 1/4, 1/2, 3/4 of the range the phase decreases and keeps within its bounds and above the
+/// limit.
 [[nodiscard]] std::optional<bool> phase_obeys_its_bounds(
     const interval& limit, const std::function<bounded_phase(int quarter)>& at);
 /// At u = 1/4, 1/2, 3/4 G decreases and keeps within its bounds.

@@ -16,8 +16,9 @@
 namespace polhode::checker {
 namespace {
 
-/// -(1/4) b^(-1/2) (1 + cos t)(a + (a+2) b X)/(X (a + b X))^(3/2), X = ((1+u) - (1-u) cos t)/2: dG/du is its integral. On the strip |X| <= above,
-/// Re X >= below, |1 + cos t| <= 1 + cosh H, and |X (a + b X)| >= below (a + b below).
+/// -(1/4) b^(-1/2) (1 + cos t)(a + (a+2) b X)/(X (a + b X))^(3/2), X = ((1+u) - (1-u) cos t)/2:
+/// dG/du is its integral. On the strip |X| <= above, Re X >= below, |1 + cos t| <= 1 + cosh H, and
+/// |X (a + b X)| >= below (a + b below).
 periodic_integrand slope_integrand(const rational& a, const rational& b, const rational& u) {
   const rational slope((a + 2) * b);
   return {[=](const interval& cosine) {
@@ -40,8 +41,8 @@ periodic_integrand slope_integrand(const rational& a, const rational& b, const r
           }};
 }
 
-/// d(h^2)/du, expanded: with X = u + (1-u) k, k = y^2, N = a (1 - bX)^2 and D = (1-k) X (a + bX), (N' D - N D')/D^2 is
-/// -a (1 - bX)(a + (a+2) b X)/(X (a + bX))^2.
+/// d(h^2)/du, expanded: with X = u + (1-u) k, k = y^2, N = a (1 - bX)^2 and D = (1-k) X (a + bX),
+/// (N' D - N D')/D^2 is -a (1 - bX)(a + (a+2) b X)/(X (a + bX))^2.
 bool identity_holds() {
   const polynomial x = polynomial::read("u+(1-u)*k");
   const auto in_x = [&](const char* text) { return polynomial::read(text).with('x', x); };
@@ -63,7 +64,8 @@ void check_integral_route(examination& e, const range& value) {
     quadrature["note"].expect_text(
         "u is so near 0 that the rule would need more than 200000 nodes: this route is left out, "
         "and the AGM stands alone");
-    // The strip's half-width is below artanh sqrt u < 2 sqrt u: for u above q^2 the rule has the digits with fewer nodes.
+    // The strip's half-width is below artanh sqrt u < 2 sqrt u: for u above q^2 the rule has the
+    // digits with fewer nodes.
     const rational q(4 * std::min(e.digits(), 1000L) + 200 + e.input_bits(), 250'000);
     if (u > q * q) quadrature["note"].refute("u is not so near 0");
   } else {

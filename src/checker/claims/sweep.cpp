@@ -40,8 +40,9 @@ interval sweep_integrand(const interval& cos_squared, const interval& sigma, con
   return cos_squared / sqrt(sigma) * (exactly(1, sigma.bits()) + r_u / sigma);
 }
 
-/// A lower bound of W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt, sigma = u + p (1-u) cos^2 t, on a box: on every cell the
-/// least cos^2 outside, the greatest sigma, which increases in u, in p and in cos^2, and the least r u.
+/// A lower bound of W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt,
+/// sigma = u + p (1-u) cos^2 t, on a box: on every cell the least cos^2 outside, the greatest
+/// sigma, which increases in u, in p and in cos^2, and the least r u.
 interval lower_bound(const box& b, const std::vector<interval>& cosines) {
   const precision& bits = cosines.front().bits();
   const interval r_u = exactly(rational(b.r.lower * b.u.lower), bits);

@@ -14,8 +14,8 @@ struct periodic_integrand {
   std::function<interval(const rational& half_width, precision bits)> supremum;
 };
 
-/// Repeats the integral that a witness describes by "nodes", "half_width", "supremum" and "truncation_error", with `extra` bits for
-/// what inputs of so many bits cancel.
+/// Repeats the integral that a witness describes by "nodes", "half_width", "supremum" and
+/// "truncation_error", with `extra` bits for what inputs of so many bits cancel.
 [[nodiscard]] interval check_quadrature(const place& where, const periodic_integrand& f,
                                         long extra);
 /// cosh H.

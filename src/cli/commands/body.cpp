@@ -43,7 +43,8 @@ struct body_options {
 constexpr std::array axis_names{"x", "y", "z"};
 constexpr std::array moment_names{"I_x", "I_y", "I_z"};
 
-/// One of the body's numbers: a rational, or an enclosure of it, or of its range where the moments have ranges.
+/// One of the body's numbers: a rational, or an enclosure of it, or of its range where the moments
+/// have ranges.
 struct number {
   const char* symbol;
   const char* name;
@@ -67,8 +68,9 @@ json as_json(const number& n, long digits) {
   return n.exact ? exact_json(*n.exact, digits) : to_json(n.enclosure, digits);
 }
 
-/// Guard bits that suffice for I and J: their squares (that of J + 1) are quotients q/r of 3 size_in_bits(a) + 3 size_in_bits(b)
-/// bits at most and a few, and a decimal d of k digits that such a root is not differs from it by at least some 1/(r 100^k).
+/// Guard bits that suffice for I and J: their squares (that of J + 1) are quotients q/r of 3
+/// size_in_bits(a) + 3 size_in_bits(b) bits at most and a few, and a decimal d of k digits that
+/// such a root is not differs from it by at least some 1/(r 100^k).
 precision sufficient_guard(const body& rigid, long digits) {
   return 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b())) + 15 * bits_for_digits(digits) +
          1024;
@@ -87,7 +89,8 @@ number certain(const char* symbol, const char* name, std::optional<rational> exa
   return result;
 }
 
-/// What is printed: the moments where they were given, the axes where they were reordered, the numbers.
+/// What is printed: the moments where they were given, the axes where they were reordered, the
+/// numbers.
 struct answer {
   std::vector<number> moments;  // I_x, I_y, I_z, or none
   std::array<int, 3> order{0, 1, 2};

@@ -176,7 +176,8 @@ std::string file_name(const std::string& claim_name) { return claim_name + ".jso
 
 std::string as_json_text(const json& value) { return value.dump(2) + '\n'; }
 
-/// What the checker says of a certificate, before it is written. A refutation is a fault of the program: it ends the run.
+/// What the checker says of a certificate, before it is written. A refutation is a fault of the
+/// program: it ends the run.
 void expect_checkable(const certificate& c, const std::string& text) {
   if (c.verdict != status::certified) return;
   checker::limits few;

@@ -190,8 +190,8 @@ std::vector<enclosed_constant> enclose_all(const std::vector<const constant*>& c
   return result;
 }
 
-/// By the constant's second formula, and by the checker from the claim's certificate; that of few digits, as its time grows with their square
-/// and more.
+/// By the constant's second formula, and by the checker from the claim's certificate; that of few
+/// digits, as its time grows with their square and more.
 printed_opinion verify(const enclosed_constant& c, long digits) {
   constexpr long most_digits_for_checker = 1000;
   constexpr long more_digits = 11;
@@ -227,7 +227,8 @@ printed_opinion verify(const enclosed_constant& c, long digits) {
   return result;
 }
 
-/// The claim of a constant's name. Throws usage_error unless one constant is asked for, and there is such a claim.
+/// The claim of a constant's name. Throws usage_error unless one constant is asked for, and there
+/// is such a claim.
 const proofs::claim& claim_about(const std::vector<const constant*>& constants) {
   if (constants.size() != 1) {
     throw usage_error(fmt::format(

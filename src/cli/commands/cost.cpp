@@ -115,7 +115,8 @@ class references {
   std::map<long, ball> known_;
 };
 
-/// The fraction of the time for all that a measurement of short calls takes at least, and the seconds that it takes at most.
+/// The fraction of the time for all that a measurement of short calls takes at least, and the
+/// seconds that it takes at most.
 constexpr double share_of_time = 0.001;
 constexpr double most_for_short_calls = 0.04;
 
@@ -134,7 +135,8 @@ measured_quantity measured(const cost::quantity& q, const std::vector<long>& dig
     const cost::method& m = q.methods[i];
     std::vector<long> possible = digits;
     std::erase_if(possible, [&](long n) { return n > m.most_digits; });
-    // A call whose memory is counted and one by the clock; of the first method also one in a new process.
+    // A call whose memory is counted and one by the clock; of the first method also one in a new
+    // process.
     const double calls = i == 0 ? 3 : 2;
     const auto of_reference = [&](long n) {
       if (m.certified || known.has(n)) return 0.0;

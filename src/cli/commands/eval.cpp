@@ -76,8 +76,9 @@ struct answer {
   bool is_beside_terms = false;
 };
 
-/// The precision at which it is given up: cancellation of tens of thousands of digits is seen through,
-/// less where functions are in it whose cost grows with the square of the precision or faster.
+/// The precision at which it is given up: cancellation of tens of thousands of digits is seen
+/// through, less where functions are in it whose cost grows with the square of the precision or
+/// faster.
 precision greatest_working_precision(const expression& f, precision needed) {
   switch (f.cost()) {
     case expression_cost::algebraic:

@@ -225,8 +225,9 @@ struct nothing {
   void operator()(const Integral&) const {}
 };
 
-/// Prints an integral that integral_to(options) computes, after before_printing(integral). With --verify, verify(integral) is the second
-/// opinion of a certified one, and comes first: where it contradicts, nothing is printed.
+/// Prints an integral that integral_to(options) computes, after before_printing(integral). With
+/// --verify, verify(integral) is the second opinion of a certified one, and comes first: where it
+/// contradicts, nothing is printed.
 template <class Integral, class Again, class Then = nothing>
 exit_status report(const expression& f, const integrate_command_options& options,
                    const Integral& integral_to, const Again& verify,
@@ -370,7 +371,8 @@ formula_over_range checkable_range(const expression& f, const integrate_command_
   return what;
 }
 
-/// The checker's opinion, where there is a certificate of the integral; of few digits, as its time grows with their square and more.
+/// The checker's opinion, where there is a certificate of the integral; of few digits, as its time
+/// grows with their square and more.
 void add_checkers_opinion(printed_opinion& result, const expression& f,
                           const integrate_command_options& options, const integral& i) {
   constexpr long most_digits_for_checker = 200;

@@ -55,7 +55,8 @@ struct answer {
   std::vector<meeting> meetings;
   std::optional<rational> c;
   twist at_c;
-  /// Whether epsilon0 and c0, about e^(-pi sqrt(ab)) and its square, may be below the exponents that numbers have.
+  /// Whether epsilon0 and c0, about e^(-pi sqrt(ab)) and its square, may be below the exponents
+  /// that numbers have.
   bool may_be_too_small = false;
 };
 

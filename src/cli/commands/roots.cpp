@@ -387,7 +387,8 @@ proved_roots as_proved(const answer& a) {
   return result;
 }
 
-/// The checker's opinion, where there is a certificate of the roots; of few digits, as its time grows with their square and more.
+/// The checker's opinion, where there is a certificate of the roots; of few digits, as its time
+/// grows with their square and more.
 void add_checkers_opinion(printed_opinion& result, const expression& f, const given_range& range,
                           const answer& a, const std::string& first_route, long digits) {
   constexpr long most_digits_for_checker = 1000;

@@ -108,8 +108,8 @@ table_rows rows_of(const scene_options& options) {
   return options.out || options.format.value() == "json" ? table_rows::kept : table_rows::counted;
 }
 
-/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and, where rows are kept, as text, in
-/// JSON.
+/// What the reports of all jobs take, which are kept to the end: each number is held as a ball and,
+/// where rows are kept, as text, in JSON.
 class memory_of_reports {
  public:
   void add(const scene_options& options, const scene& what);
@@ -138,7 +138,8 @@ void memory_of_reports::add(const scene_options& options, const scene& what) {
   options.memory_limit.check({fmt::format("some {} numbers", numbers_), bytes_});
 }
 
-/// Reads and checks everything, so that a fault in the last file is found before the first is computed.
+/// Reads and checks everything, so that a fault in the last file is found before the first is
+/// computed.
 std::vector<job> jobs_of(const scene_options& options, text_files& files) {
   std::vector<job> jobs;
   std::set<std::string> stems;
@@ -171,7 +172,8 @@ std::vector<job> jobs_of(const scene_options& options, text_files& files) {
   return jobs;
 }
 
-/// The report that an earlier run left of the same job; nothing where it left none, or of something else.
+/// The report that an earlier run left of the same job; nothing where it left none, or of something
+/// else.
 std::optional<json> kept_report(const scene_options& options, const job& one) {
   const auto written = [&](const std::string& end) {
     return fs::path(*options.out) / (one.stem + end);
@@ -280,8 +282,8 @@ exit_status run(const scene_options& options) {
   } else if (options.plot) {
     require_gnuplot("leave out --plot");
   }
-  // Before anything is computed: whether the table of results can be written.
-  // Until the end, so that another run with this directory waits, and then keeps what this one has computed.
+  // Before anything is computed: whether the table of results can be written. Until the end, so
+  // that another run with this directory waits, and then keeps what this one has computed.
   std::optional<output_directory> reserved;
   if (options.out) reserved.emplace(*options.out, std::vector<std::string>{"results.csv"});
   std::optional<progress> line(std::in_place);
@@ -289,8 +291,8 @@ exit_status run(const scene_options& options) {
   reports.reserve(jobs.size());
   std::size_t kept = 0;
   const time_watch watch(options.time_limit.limit(static_cast<double>(jobs.size())));
-  std::string
-      estimated;  // the file whose first scene is the last that was: the points of a sweep take alike
+  // The file whose first scene was the last to be estimated: the points of a sweep take alike.
+  std::string estimated;
   for (const job& one : jobs) {
     line->show_part("computing " + one.stem, reports.size(), jobs.size());
     if (options.out) {

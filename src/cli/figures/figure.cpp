@@ -109,7 +109,8 @@ std::string draw(const figure& f, const figure_content& content, const std::stri
       "set title \"F{}: {}{}\\n{{/*0.85 Every coordinate certified to within {}: {}.csv has the "
       "enclosures.}}\"\n",
       f.place.substr(1), f.shows, f.note.empty() ? "" : "\\n" + f.note, width, csv_name);
-  // The legend is beneath the frame, where no curve runs, in two columns. gnuplot takes letters for wider than they are.
+  // The legend is beneath the frame, where no curve runs, in two columns. gnuplot takes letters for
+  // wider than they are.
   std::size_t entries = 0;
   std::size_t longest = 0;
   for (const figure_curve& curve : content.curves) {

@@ -52,15 +52,18 @@ struct figure {
 /// All figures of the paper, in its order.
 [[nodiscard]] const std::vector<figure>& all_figures();
 
-/// A curve's name and part, both coordinates: the certain digits and the ends of the enclosure, rounded outward.
+/// A curve's name and part, both coordinates: the certain digits and the ends of the enclosure,
+/// rounded outward.
 [[nodiscard]] std::string csv_of(const figure& f, const figure_content& content, long digits);
 
-/// The greatest difference of two ends in that CSV, to two significant digits, rounded up: "1.3e-15".
+/// The greatest difference of two ends in that CSV, to two significant digits, rounded up:
+/// "1.3e-15".
 [[nodiscard]] std::string greatest_width(const figure_content& content, long digits);
 
 enum class picture_format { svg, png };
 
-/// Its picture, with a line in its title that says how wide the enclosures are. Throws output_error as run_gnuplot does.
+/// Its picture, with a line in its title that says how wide the enclosures are. Throws output_error
+/// as run_gnuplot does.
 [[nodiscard]] std::string draw(const figure& f, const figure_content& content,
                                const std::string& width, picture_format format);
 

@@ -1,4 +1,5 @@
-// The paper's curves over c: the Montgomery phase, figure 3, and the defect epsilon, figures 5 to 8.
+// The paper's curves over c: the Montgomery phase, figure 3, and the defect epsilon, figures 5 to
+// 8.
 
 #include <utility>
 

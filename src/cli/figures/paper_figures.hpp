@@ -1,7 +1,8 @@
 #pragma once
 
-// What the figures of the paper have in common: styles of gnuplot, numbers to so many certain digits, sets of motions, curves. All that
-// takes `digits` throws not_certified_error where so many are not reached.
+// What the figures of the paper have in common: styles of gnuplot, numbers to so many certain
+// digits, sets of motions, curves. All that takes `digits` throws not_certified_error where so many
+// are not reached.
 
 #include <string>
 #include <vector>
@@ -66,7 +67,8 @@ inline constexpr long digits_of_names = 20;
                                     const figure_point& from, const figure_point& to,
                                     const std::string& title = "");
 
-/// S from epsilon = 0 to pi/2, and its mirror up to pi: c = -b sin^2 epsilon. For b = 1 it is beta over epsilon.
+/// S from epsilon = 0 to pi/2, and its mirror up to pi: c = -b sin^2 epsilon. For b = 1 it is beta
+/// over epsilon.
 [[nodiscard]] figure_curve turning_curve(const rational& b, bool with_mirror,
                                          const std::string& title, long digits);
 

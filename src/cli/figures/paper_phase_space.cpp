@@ -29,8 +29,9 @@ ball height_of_theta(const body& rigid, const rational& c, const ball&, const ba
   return atan(sqrt(level / rational(rigid.a().exact() - c)));
 }
 
-/// The quarter of an oscillating motion in which psi and the height are positive, from psi near 0 to the turning point:
-/// sin psi = sqrt(1-u) sin t, so that cos^2 psi = 1 - (1-u) sin^2 t and c + b cos^2 psi = b (1-u) cos^2 t.
+/// The quarter of an oscillating motion in which psi and the height are positive, from psi near 0
+/// to the turning point: sin psi = sqrt(1-u) sin t, so that cos^2 psi = 1 - (1-u) sin^2 t and c + b
+/// cos^2 psi = b (1-u) cos^2 t.
 std::vector<figure_point> oscillating_quarter(const body& rigid, const rational& c, const height& f,
                                               long digits) {
   constexpr long steps = 40;

@@ -11,13 +11,15 @@
 
 namespace polhode::cli {
 
-/// --let NAME=VALUE, as often as wanted; a value is a formula in numbers, constants and other names defined so.
+/// --let NAME=VALUE, as often as wanted; a value is a formula in numbers, constants and other names
+/// defined so.
 struct let_option {
   std::vector<std::string> texts;
 
   void declare(CLI::App& app);
-  /// Names with their values, each behind those that its value has. Throws usage_error for what is not NAME=VALUE, for a
-  /// name that cannot be one, or is given twice, and for values that need each other.
+  /// Names with their values, each behind those that its value has. Throws usage_error for what is
+  /// not NAME=VALUE, for a name that cannot be one, or is given twice, and for values that need
+  /// each other.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> value() const;
   /// Those whose value is an interval, "a=[1, 1.1]"; the others.
   [[nodiscard]] let_option intervals() const;
@@ -26,7 +28,8 @@ struct let_option {
 
 [[nodiscard]] std::string without_margins(const std::string& text);
 
-/// Throws usage_error where the text cannot be the name of a variable, or is the name of a function or a constant.
+/// Throws usage_error where the text cannot be the name of a variable, or is the name of a function
+/// or a constant.
 void check_variable(const std::string& name);
 
 /// The texts between the commas that are in no parentheses.

@@ -29,10 +29,12 @@ struct motion_range {
 [[nodiscard]] motion_range read_motion_range(const std::string& text, const body& rigid);
 inline constexpr long most_steps = 1'000'000;
 
-/// The enclosure, where it is certified; else throws not_certified_error, which says what was not, and why.
+/// The enclosure, where it is certified; else throws not_certified_error, which says what was not,
+/// and why.
 [[nodiscard]] ball certain(const certain_number& n, const std::string& what, long digits);
 
-/// Throws usage_error unless the angular momentum moves in the body at c, with a `name` that there is then.
+/// Throws usage_error unless the angular momentum moves in the body at c, with a `name` that there
+/// is then.
 void refuse_equilibrium(const body& rigid, const rational& c, const std::string& name);
 
 }  // namespace polhode::cli

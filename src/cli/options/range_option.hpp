@@ -12,7 +12,8 @@
 
 namespace polhode::cli {
 
-/// The sign of the infinity that an end of a range is, by one of its names (is_infinity) and a sign or none; 0 for other texts.
+/// The sign of the infinity that an end of a range is, by one of its names (is_infinity) and a sign
+/// or none; 0 for other texts.
 [[nodiscard]] int infinite_sign_of(const std::string& text);
 
 struct range_option {
@@ -30,8 +31,9 @@ struct range_option {
   void declare(CLI::App& app);
   /// In how many of the ways a range is given, or a part of one.
   [[nodiscard]] int ways() const;
-  /// Both ends, as texts without margins; an infinite one is "inf" or "-inf", another can be read with these names. Throws
-  /// usage_error where an end is missing or cannot be read. Hypothesis: ways() is 1.
+  /// Both ends, as texts without margins; an infinite one is "inf" or "-inf", another can be read
+  /// with these names. Throws usage_error where an end is missing or cannot be read. Hypothesis:
+  /// ways() is 1.
   [[nodiscard]] std::pair<std::string, std::string> ends(const let_option& let) const;
 };
 

@@ -19,7 +19,8 @@ struct verify_option {
   bool given = false;
 
   void declare(CLI::App& app);
-  /// Throws usage_error, with --verify, where the format has no place for a second opinion: csv and cpp.
+  /// Throws usage_error, with --verify, where the format has no place for a second opinion: csv and
+  /// cpp.
   void expect_format(const std::string& format) const;
 };
 
@@ -45,10 +46,11 @@ class printed_opinion {
   void add(printed_route r) { tried_.push_back(std::move(r)); }
   /// A route confirms the result.
   [[nodiscard]] bool agrees() const;
-  /// One line for each route that confirms the result; where there is none, one line with the reasons.
+  /// One line for each route that confirms the result; where there is none, one line with the
+  /// reasons.
   [[nodiscard]] std::string as_text() const;
-  /// {"agrees", "route", "enclosure", "cost", "further"} of the first route that confirms the result and those after it; where there is none,
-  /// {"agrees": false, "tried"} with the reasons.
+  /// {"agrees", "route", "enclosure", "cost", "further"} of the first route that confirms the
+  /// result and those after it; where there is none, {"agrees": false, "tried"} with the reasons.
   [[nodiscard]] json as_json() const;
   /// What a certified result exits with.
   [[nodiscard]] exit_status status() const {
@@ -59,8 +61,9 @@ class printed_opinion {
   std::vector<printed_route> tried_;
 };
 
-/// Has the independent checker (`polhode check`) show the certificate again. What it refutes is a contradiction; `what` is the number, and
-/// `first` the route that the certificate's number comes from.
+/// Has the independent checker (`polhode check`) show the certificate again. What it refutes is a
+/// contradiction; `what` is the number, and `first` the route that the certificate's number comes
+/// from.
 [[nodiscard]] printed_route checked_again(std::string_view what, const std::string& first,
                                           const json& certificate);
 

@@ -69,7 +69,8 @@ std::vector<price_pair> pairs_of(const measured_quantity& q) {
   return result;
 }
 
-/// "Left out for want of time (--seconds): tanh-sinh from 3000 digits on; ..." in lines; none where nothing was.
+/// "Left out for want of time (--seconds): tanh-sinh from 3000 digits on; ..." in lines; none where
+/// nothing was.
 template <class Methods, class NameOf>
 std::string left_out_text(const Methods& methods, const NameOf& name_of, const char* from) {
   std::string names;
@@ -225,7 +226,8 @@ std::string style(std::size_t i, bool certified) {
                      certified ? 7 : 6, colours[i % colours.size()]);
 }
 
-/// Points of methods that have fewer digits than were asked for, and those among them whose own error estimate says otherwise.
+/// Points of methods that have fewer digits than were asked for, and those among them whose own
+/// error estimate says otherwise.
 struct failures {
   std::vector<std::pair<double, double>> few_digits;
   std::vector<std::pair<double, double>> claimed;

@@ -21,7 +21,8 @@ struct measured_quantity {
   std::vector<measured_method> methods;
 };
 
-/// Of a family of hard cases: the points are by the exponent, `digits` of each is what was asked for.
+/// Of a family of hard cases: the points are by the exponent, `digits` of each is what was asked
+/// for.
 struct measured_family {
   const cost::hard_family* what = nullptr;
   long digits = 0;

@@ -40,8 +40,8 @@ class not_certified_error : public std::runtime_error {
 /// "No space left on device" for ENOSPC, and so on.
 [[nodiscard]] std::string system_message(int error_number);
 
-/// Prints the exception being handled as "polhode: ..." on standard error, in one line unless it is a
-/// contradiction_error. To be called in a catch block; returns the status to exit with.
+/// Prints the exception being handled as "polhode: ..." on standard error, in one line unless it is
+/// a contradiction_error. To be called in a catch block; returns the status to exit with.
 [[nodiscard]] exit_status report_current_exception() noexcept;
 
 }  // namespace polhode::cli

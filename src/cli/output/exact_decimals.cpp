@@ -29,8 +29,8 @@ integer shifted(const rational& q, long n, bool& exact) {
   return result;
 }
 
-/// With the decimal point where it is short, else with an exponent. `places` is the number of digits
-/// before the point.
+/// With the decimal point where it is short, else with an exponent. `places` is the number of
+/// digits before the point.
 std::string written(const std::string& digits, long places) {
   const auto n = static_cast<long>(digits.size());
   if (places > n || places < -5) {
@@ -47,8 +47,8 @@ std::string written(const std::string& digits, long places) {
 leading_digits leading_digits_of(const rational& q, long most) {
   if (q == 0) return {"0", 1, true};
   const rational size = abs(q);
-  // The digits before the point, negative for zeros behind it: at least so many. The length that GMP gives
-  // is the number's or one more.
+  // The digits before the point, negative for zeros behind it: at least so many. The length that
+  // GMP gives is the number's or one more.
   const auto length = [](const integer& n) {
     return static_cast<long>(mpz_sizeinbase(n.backend().data(), 10));
   };

@@ -19,8 +19,8 @@ struct leading_digits {
 };
 [[nodiscard]] leading_digits leading_digits_of(const rational& q, long most);
 
-/// Whether a rational number is written out in full: where a part has no more digits than were asked
-/// for, or than a line.
+/// Whether a rational number is written out in full: where a part has no more digits than were
+/// asked for, or than a line.
 [[nodiscard]] bool is_short(const rational& q, long digits);
 
 /// Dots behind the digits, and before an exponent, where more digits would follow.
@@ -32,11 +32,12 @@ struct leading_digits {
 /// In one line: "1/3 exactly", "1e-300 exactly"; "0.333..." where the quotient is long.
 [[nodiscard]] std::string exact_number_text(const rational& q, long digits);
 
-/// A command's answer, in lines: "1/3 exactly" and its decimals; only the decimals, said to be of a number that is exactly
-/// known, where the quotient is long.
+/// A command's answer, in lines: "1/3 exactly" and its decimals; only the decimals, said to be of a
+/// number that is exactly known, where the quotient is long.
 [[nodiscard]] std::string exact_answer(const rational& q, long digits);
 
-/// Two cells for a table that other programs read: a decimal, cut off where it does not end, and the quotient.
+/// Two cells for a table that other programs read: a decimal, cut off where it does not end, and
+/// the quotient.
 [[nodiscard]] std::string csv_cells(const rational& q);
 /// The same; of an irrational number the decimal alone, and an empty cell.
 [[nodiscard]] std::string csv_cells(const exact_real& x);

@@ -9,7 +9,8 @@
 
 namespace polhode::cli {
 
-/// Of the JSON that the commands print: raised when a key gets another meaning or goes. Certificates have their own.
+/// Of the JSON that the commands print: raised when a key gets another meaning or goes.
+/// Certificates have their own.
 inline constexpr int json_version = 2;
 
 /// {"format": "polhode NAME", "version": 2, ...the content's keys}.

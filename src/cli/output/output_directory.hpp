@@ -9,12 +9,14 @@ namespace polhode::cli {
 ///
 /// Each is written beside its place under a hidden name and renamed by publish(). Until then
 /// whatever ends the program (an exception, a signal, a full disk) leaves neither files nor
-/// directories behind; only SIGKILL and a loss of power can leave a hidden temporary file, which the next
-/// run with that directory removes. A directory of --out belongs to one process until it ends; others wait.
+/// directories behind; only SIGKILL and a loss of power can leave a hidden temporary file, which
+/// the next run with that directory removes. A directory of --out belongs to one process until it
+/// ends; others wait.
 class output_directory {
  public:
-  /// Creates the directory where it is missing, and its parents, and makes sure that files of
-  /// these names can be created in it. Throws output_error otherwise, in which `option` is what gave the path.
+  /// Creates the directory where it is missing, and its parents, and makes sure that files of these
+  /// names can be created in it. Throws output_error otherwise, in which `option` is what gave the
+  /// path.
   output_directory(std::string path, const std::vector<std::string>& names,
                    std::string option = "--out");
   ~output_directory();

@@ -30,7 +30,8 @@ bool understands_escapes() {
   return terminal != nullptr && std::string_view(terminal) != "dumb";
 }
 
-/// What fits in a line of the terminal: of a line that it has broken only the last part could be cleared.
+/// What fits in a line of the terminal: of a line that it has broken only the last part could be
+/// cleared.
 std::string shortened(std::string line) {
   winsize size{};
   if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return line;
@@ -71,7 +72,8 @@ double seconds_between_lines() {
 
 }  // namespace
 
-/// On a terminal shows the line, and anew every second while there is a time to count down to; elsewhere writes a line a minute.
+/// On a terminal shows the line, and anew every second while there is a time to count down to;
+/// elsewhere writes a line a minute.
 class progress::countdown {
  public:
   explicit countdown(bool on_terminal)

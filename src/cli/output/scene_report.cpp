@@ -147,7 +147,8 @@ std::string paragraph(const std::string& text, std::size_t indent) {
   return result;
 }
 
-/// In lines of at most the terminal's width, also where there is no space to break at: certain digits are long words.
+/// In lines of at most the terminal's width, also where there is no space to break at: certain
+/// digits are long words.
 std::string named_number(const std::string& name, const std::string& digits,
                          const std::string& unit) {
   const bool range = digits.rfind("from ", 0) == 0;

@@ -9,10 +9,12 @@
 
 namespace polhode::cli {
 
-/// A point of a sweep: the numbers that stand in the place of the file's. Empty where the scene has none.
+/// A point of a sweep: the numbers that stand in the place of the file's. Empty where the scene has
+/// none.
 using sweep_point = std::vector<std::pair<std::string, rational>>;
 
-/// Whether a report has the rows of curves and series, of which there may be millions, or their number.
+/// Whether a report has the rows of curves and series, of which there may be millions, or their
+/// number.
 enum class table_rows { kept, counted };
 
 /// The whole report. `digest` is that of everything it was computed from.
@@ -23,8 +25,9 @@ enum class table_rows { kept, counted };
 /// For a terminal, made from the JSON.
 [[nodiscard]] std::string scene_text(const json& report);
 
-/// One line a number, of any scenes: the scene, two columns for each parameter of a sweep (a decimal and the quotient), effect,
-/// quantity, unit, value, radius, lower, upper, digits, word, verdict. What is no number is a word.
+/// One line a number, of any scenes: the scene, two columns for each parameter of a sweep (a
+/// decimal and the quotient), effect, quantity, unit, value, radius, lower, upper, digits, word,
+/// verdict. What is no number is a word.
 [[nodiscard]] std::string results_csv(const std::vector<json>& reports);
 
 /// An effect's series: its columns with their ends, and units in the header.

@@ -49,8 +49,8 @@ std::array<double, 3> relative_moments(const scene_body& of) {
   return result;
 }
 
-/// The half sides of a box with these moments, the longest 1: side i^2 is as I_j + I_k - I_i. A non-physical body has none: its least
-/// side is drawn thin.
+/// The half sides of a box with these moments, the longest 1: side i^2 is as I_j + I_k - I_i. A
+/// non-physical body has none: its least side is drawn thin.
 std::array<double, 3> half_sides(const scene_body& of) {
   const std::array<double, 3> m = relative_moments(of);
   std::array<double, 3> side{};
@@ -71,7 +71,8 @@ json axes_of(const scene_body& of) {
   return result;
 }
 
-/// The solids of which the body is composed, so large that none reaches farther from the centre of mass than 1 along an axis.
+/// The solids of which the body is composed, so large that none reaches farther from the centre of
+/// mass than 1 along an axis.
 json solids_of(const scene_body& of) {
   rational reach = 0;
   for (const body_solid& one : of.solids) {
@@ -131,7 +132,8 @@ std::string axis_label(const effect_table& table, std::size_t column, const std:
   return symbol_of(name) + (has_unit ? " [" + table.units[column] + ']' : "");
 }
 
-/// Of the Montgomery phase over c, which is infinite at c = 0: no line is drawn from one side to the other.
+/// Of the Montgomery phase over c, which is infinite at c = 0: no line is drawn from one side to
+/// the other.
 bool is_apart(const effect_table& table, std::size_t row) {
   return row > 0 && table.columns[1] == "phase" && table.first[row - 1] < 0 && table.first[row] > 0;
 }
@@ -181,7 +183,8 @@ std::string scene_page(const scene& what, const scene_report& results, const jso
 
 namespace {
 
-/// Between single quotes for gnuplot, which reads them as they are, but for a quote (doubled) and the end of a line.
+/// Between single quotes for gnuplot, which reads them as they are, but for a quote (doubled) and
+/// the end of a line.
 std::string for_gnuplot(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
@@ -192,7 +195,8 @@ std::string for_gnuplot(const std::string& text) {
   return result + '\'';
 }
 
-/// The columns by what stands before "_" in their names: x, y, z of a vector in one group. The first column is in none.
+/// The columns by what stands before "_" in their names: x, y, z of a vector in one group. The
+/// first column is in none.
 std::vector<std::pair<std::string, std::vector<std::size_t>>> groups_of(const effect_table& table) {
   std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;
   for (std::size_t k = 1; k < table.columns.size(); ++k) {
@@ -254,7 +258,8 @@ std::string scene_plot(const std::string& title, const effect_table& table,
       program += fmt::format("set xlabel '{}'\n", axis_label(table, 0, table.columns[0]));
     }
     std::string plots;
-    // A mark now and then, of one shape for each curve: colours alone do not tell them apart in print, or for everyone.
+    // A mark now and then, of one shape for each curve: colours alone do not tell them apart in
+    // print, or for everyone.
     constexpr std::array marks{7, 5, 9, 13};  // disc, square, triangle, diamond
     constexpr std::size_t marks_of_curve = 20;
     const std::size_t interval = std::max<std::size_t>(1, rows.size() / marks_of_curve);

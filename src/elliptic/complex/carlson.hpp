@@ -3,21 +3,24 @@
 // Carlson's integrals in the complex plane.
 //
 // DUPLICATION. On the plane cut along (-oo, 0], where Re sqrt > 0,
-//   R_F(x,y,z) = R_F((x+L)/4, (y+L)/4, (z+L)/4),  L = sqrt x sqrt y + sqrt y sqrt z + sqrt z sqrt x:
-// the integral of R_F is analytic in the cut plane, and x + L = (sqrt x + sqrt y)(sqrt x + sqrt z) is in it as a product of
-// two numbers with Re > 0. For R_J with positive real parts
+//   R_F(x,y,z) = R_F((x+L)/4, (y+L)/4, (z+L)/4),  L = sqrt x sqrt y + sqrt y sqrt z + sqrt z sqrt
+//   x:
+// the integral of R_F is analytic in the cut plane, and x + L = (sqrt x + sqrt y)(sqrt x + sqrt z)
+// is in it as a product of two numbers with Re > 0. For R_J with positive real parts
 //   R_J(x,y,z,p) = R_J((x+L)/4, ..., (p+L)/4)/4 + (6/d) R_C(1, 1+e),   1+e = 2b/d,
 //   d = (sqrt p + sqrt x)(sqrt p + sqrt y)(sqrt p + sqrt z) = a + b,  b = sqrt p (p + L)
-// (carlson_core.hpp). There the roots are within 45 degrees of the real line, so that Re L > 0 and real parts stay
-// positive, and u = sqrt x/sqrt p, v, w alike have Re > 0. With a/b = (u+v+w+uvw)/(1+uv+vw+wu) multiplying out gives
+// (carlson_core.hpp). There the roots are within 45 degrees of the real line, so that Re L > 0 and
+// real parts stay positive, and u = sqrt x/sqrt p, v, w alike have Re > 0. With a/b =
+// (u+v+w+uvw)/(1+uv+vw+wu) multiplying out gives
 //   (1 + a/b)/(1 - a/b) = (1+u)(1+v)(1+w)/((1-u)(1-v)(1-w)),
-// and |(1+t)/(1-t)| > 1 says the same as Re t > 0: so Re a/b > 0, and 1 + e = 2/(1 + a/b) is within 1 of 1, where R_C
-// is analytic. With x = 0 all this holds but for |(1+u)/(1-u)| = 1.
+// and |(1+t)/(1-t)| > 1 says the same as Re t > 0: so Re a/b > 0, and 1 + e = 2/(1 + a/b) is within
+// 1 of 1, where R_C is analytic. With x = 0 all this holds but for |(1+u)/(1-u)| = 1.
 //
-// SERIES. With A the mean (p taken twice), X_i = 1 - x_i/A, and |X_i| <= s < 1: R_F(1-X_1, ...) is the
-// power series of carlson_core.hpp, whose proof of convergence and of the rest is by absolute values, and
-// R_F(A t) = A^(-1/2) R_F(t) (R_J: A^(-3/2)) for all t_i with |t_i - 1| <= s, where the disc of radius s |A| around A stays
-// off (-oo, 0]: that says |arg A| + asin s < pi, so that A may turn from |A| to where it is, with A t_i in the cut plane.
+// SERIES. With A the mean (p taken twice), X_i = 1 - x_i/A, and |X_i| <= s < 1: R_F(1-X_1, ...) is
+// the power series of carlson_core.hpp, whose proof of convergence and of the rest is by absolute
+// values, and R_F(A t) = A^(-1/2) R_F(t) (R_J: A^(-3/2)) for all t_i with |t_i - 1| <= s, where the
+// disc of radius s |A| around A stays off (-oo, 0]: that says |arg A| + asin s < pi, so that A may
+// turn from |A| to where it is, with A t_i in the cut plane.
 
 #include <array>
 #include <optional>
@@ -27,7 +30,8 @@
 
 namespace polhode::detail::in_plane {
 
-/// The sum of factor T_N/(2N + factor), N < terms: 2N T_N = -sum over j >= 2 of d_j (2N - j) T_(N-j).
+/// The sum of factor T_N/(2N + factor), N < terms: 2N T_N = -sum over j >= 2 of d_j (2N - j)
+/// T_(N-j).
 template <class Z>
 Z symmetric_series(const std::vector<Z>& d, long factor, long terms, const Z& like) {
   std::vector<Z> t{plane<Z>::number(1, like), plane<Z>::number(0, like)};
@@ -51,8 +55,9 @@ struct plan {
   long terms;
   std::int64_t wanted;
 };
-/// Steps that bring numbers together as far as `wanted` says: x + L >= x/4 + sqrt(x y) more than halves the logarithm of the
-/// ratio of the greatest to the next in as many steps as it has quaternary digits. For more the sets are too wide.
+/// Steps that bring numbers together as far as `wanted` says: x + L >= x/4 + sqrt(x y) more than
+/// halves the logarithm of the ratio of the greatest to the next in as many steps as it has
+/// quaternary digits. For more the sets are too wide.
 template <class Z>
 int most_steps(const std::vector<Z>& x, std::int64_t wanted) {
   std::vector<std::int64_t> sizes;
@@ -66,7 +71,8 @@ int most_steps(const std::vector<Z>& x, std::int64_t wanted) {
   return static_cast<int>(std::min(16 + (*greatest - *least) - wanted, most));
 }
 
-/// R_F with the roots of its arguments given: for these the formulas that tell where they lie may be better.
+/// R_F with the roots of its arguments given: for these the formulas that tell where they lie may
+/// be better.
 template <class Z>
 Z rf_with_roots(std::array<Z, 3> x, std::array<Z, 3> root) {
   const plan p(plane<Z>::bits(x[0]));
@@ -114,7 +120,8 @@ Z rf(const Z& x, const Z& y, const Z& z) {
   return rf_with_roots<Z>({x, y, z}, roots);
 }
 
-/// R_C(1, w) for w = 1 + e within 1 of 1: the sum of (-e)^k/(2k+1), what is left out after n terms being at most
+/// R_C(1, w) for w = 1 + e within 1 of 1: the sum of (-e)^k/(2k+1), what is left out after n terms
+/// being at most
 /// |e|^n/(1-|e|), or R_F(1, w, w).
 template <class Z>
 Z rc_of_one(const Z& w, const Z& e) {

@@ -15,8 +15,9 @@ using namespace detail::in_plane;  // NOLINT(google-build-using-namespace)
 
 namespace {
 
-/// f(x...), with its name on an obstacle. Over regions, where f is not available there but is at the middle, the set is too
-/// wide, it or an enclosure made of it reaching a cut; smaller ones are of use.
+/// f(x...), with its name on an obstacle. Over regions, where f is not available there but is at
+/// the middle, the set is too wide, it or an enclosure made of it reaching a cut; smaller ones are
+/// of use.
 template <class F>
 complex_ball answered(const char*, const F& f, const std::same_as<complex_ball> auto&... x) {
   return f(x...);

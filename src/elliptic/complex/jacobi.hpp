@@ -1,6 +1,7 @@
 #pragma once
 
-// Jacobi's elliptic functions of complex arguments, by theta functions, and their inverses, by Carlson's R_F.
+// Jacobi's elliptic functions of complex arguments, by theta functions, and their inverses, by
+// Carlson's R_F.
 
 #include <array>
 #include <optional>
@@ -23,10 +24,14 @@ period<Z> period_of(const Z& m) {
   return {k, exp(complete(Z(1 - m)).k / k * -pi(plane<Z>::bits(m) + 34))};
 }
 
-/// What sn, cn, dn and 1 are proportional to at u: with k = sqrt m and k' = sqrt(1-m), z = pi u/(2K),
-///   theta_1(z)/sqrt k, theta_2(z) sqrt(k'/k), theta_3(z) sqrt k', theta_4(z)      (DLMF 22.2.4-6 with 22.2.2);
-/// the one of the letter s, c, d or n. For Re m < 0 and Re m > 1 by 22.17(i) and C. G. J. Jacobi's real transformation:
-///   sn(u|m) = sd(r u|M)/r, cn = cd, dn = nd, r^2 = 1 - m, M = -m/(1-m);   k sn(u|m) = sn(k u|1/m), cn = dn, dn = cn, k^2 = m.
+/// What sn, cn, dn and 1 are proportional to at u: with k = sqrt m and k' = sqrt(1-m), z = pi
+/// u/(2K),
+///   theta_1(z)/sqrt k, theta_2(z) sqrt(k'/k), theta_3(z) sqrt k', theta_4(z)
+///     (DLMF 22.2.4-6 with 22.2.2);
+/// the one of the letter s, c, d or n. For Re m < 0 and Re m > 1 by 22.17(i) and C. G. J. Jacobi's
+/// real transformation:
+///   sn(u|m) = sd(r u|M)/r, cn = cd, dn = nd, r^2 = 1 - m, M = -m/(1-m);
+///     k sn(u|m) = sn(k u|1/m), cn = dn, dn = cn, k^2 = m.
 template <class Z>
 class jacobi_parts {
  public:
@@ -73,8 +78,9 @@ class jacobi_parts {
   Z z_, q_, root_k_, root_k1_;
 };
 
-/// am u = z + 2 sum of q^n sin(2nz)/(n (1 + q^(2n))), z = pi u/(2K), for |q| e^(2 |Im z|) = x < 1 (DLMF 22.16.9): the terms
-/// from n on are at most 2 x^n/(1 - |q|^2) together times 1/(1-x), as |sin 2nz| <= e^(2n |Im z|).
+/// am u = z + 2 sum of q^n sin(2nz)/(n (1 + q^(2n))), z = pi u/(2K), for |q| e^(2 |Im z|) = x < 1
+/// (DLMF 22.16.9): the terms from n on are at most 2 x^n/(1 - |q|^2) together times 1/(1-x), as
+/// |sin 2nz| <= e^(2n |Im z|).
 template <class Z>
 Z amplitude(const Z& u, const Z& m) {
   if (!is_known(u)) return u;
@@ -120,8 +126,8 @@ constexpr std::array<const char*, 16> names_of_inverse = {
     "", "jacobiArcDN", "jacobiArcNS", "jacobiArcNC", "jacobiArcND",
     ""};
 
-/// As in jacobi.cpp: R_F of three polynomials in x^2 times a square root, for Re x > 0 (the odd ones: anywhere), where the
-/// roots of x^2 are x; 2K - u(-x) of cn, cs and cd for Re x < 0.
+/// As in jacobi.cpp: R_F of three polynomials in x^2 times a square root, for Re x > 0 (the odd
+/// ones: anywhere), where the roots of x^2 are x; 2K - u(-x) of cn, cs and cd for Re x < 0.
 template <class Z>
 Z inverse_function(char p, char q, const Z& x, const Z& m) {
   const bool odd = p == 's';
@@ -135,8 +141,9 @@ Z inverse_function(char p, char q, const Z& x, const Z& m) {
   const Z one = plane<Z>::number(1, x);
   const auto below_one = [&] { return plane<Z>::root(1 - x) * plane<Z>::root(1 + x); };
   const auto above_one = [&] { return plane<Z>::root(x - 1) * plane<Z>::root(x + 1); };
-  // Of the arguments of R_F two are m1 and m1 x^2, or m and m x^2. Where the product of x and the principal root of m1, or m,
-  // is not the principal root of theirs, R_F is that of another branch, whose pq is -x.
+  // Of the arguments of R_F two are m1 and m1 x^2, or m and m x^2. Where the product of x and the
+  // principal root of m1, or m, is not the principal root of theirs, R_F is that of another branch,
+  // whose pq is -x.
   const auto has_root_beside = [&](const Z& parameter) {
     return is_right_of<Z>(x * plane<Z>::root(parameter), 0);
   };

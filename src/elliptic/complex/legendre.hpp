@@ -2,11 +2,13 @@
 
 // Legendre's integrals in the complex plane.
 //
-// COMPLETE INTEGRALS. With r = sqrt(1-m), Re r > 0, k = (1-r)/(1+r), r' = 2 sqrt r/(1+r) = 2/(sqrt r + 1/sqrt r), Re r' > 0:
+// COMPLETE INTEGRALS. With r = sqrt(1-m), Re r > 0, k = (1-r)/(1+r), r' = 2 sqrt r/(1+r) = 2/(sqrt
+// r + 1/sqrt r), Re r' > 0:
 //   K(m) = 2 K(k^2)/(1+r),   D(m) = (K(k^2) + k D(k^2))/(1+r),   1 - k^2 = r'^2
 // (J. Landen; DLMF 19.8.12-13; the second from K - E = m D). For |m| < 1, with a_n = (1/2)_n/n!,
 //   K = (pi/2) sum of a_n^2 m^n,   D = (pi/2) sum over n >= 1 of a_n^2 2n/(2n-1) m^(n-1),
-// with coefficients that are at most 1 and do not grow: what is left out from m^N on is at most 2 |m|^N/(1-|m|).
+// with coefficients that are at most 1 and do not grow: what is left out from m^N on is at most 2
+// |m|^N/(1-|m|).
 
 #include <array>
 #include <optional>
@@ -99,8 +101,9 @@ std::optional<quarter<Z>> quarter_of(const Z& phi) {
   return result;
 }
 
-/// The integrals from 0 to phi with |Re phi| < pi/2 (F = s R_F(c^2, 1 - m s^2, 1) and so on, DLMF 19.25(i)), those of
-/// the second and third kind where they are wanted. Hypothesis, checked: Re (factor sqrt(1 - m s^2)) > 0.
+/// The integrals from 0 to phi with |Re phi| < pi/2 (F = s R_F(c^2, 1 - m s^2, 1) and so on, DLMF
+/// 19.25(i)), those of the second and third kind where they are wanted. Hypothesis, checked: Re
+/// (factor sqrt(1 - m s^2)) > 0.
 template <class Z>
 struct parts {
   Z f, d, pi;
@@ -128,12 +131,14 @@ std::optional<parts<Z>> to_amplitude(const Z& phi, const Z& m, bool d_wanted, co
 
 enum class integral { f, e, d, pi };
 
-/// Beyond, from the nearest multiple of pi by whole periods, or from the nearest odd multiple j pi/2: with t = j pi/2 + theta,
-/// M = -m/(1-m) and N = -n/(1-n),
-///   1 - m sin^2 t = (1-m)(1 - M sin^2 theta),  1 - n sin^2 t = (1-n)(1 - N sin^2 theta),  sin^2 t = 1 - sin^2 theta.
-/// Both forms are the same function where they meet: on the real line, where 1 - m sin^2 t runs on the segment from 1 to
-/// 1 - m, its root is that of 1 - m times the other; and from there as far as the product of these two has a positive
-/// real part, as is required, so that the derivatives agree. Across a cut of one of the forms it has not.
+/// Beyond, from the nearest multiple of pi by whole periods, or from the nearest odd multiple j
+/// pi/2: with t = j pi/2 + theta, M = -m/(1-m) and N = -n/(1-n),
+///   1 - m sin^2 t = (1-m)(1 - M sin^2 theta),  1 - n sin^2 t = (1-n)(1 - N sin^2 theta),  sin^2 t
+///   = 1 - sin^2 theta.
+/// Both forms are the same function where they meet: on the real line, where 1 - m sin^2 t runs on
+/// the segment from 1 to 1 - m, its root is that of 1 - m times the other; and from there as far as
+/// the product of these two has a positive real part, as is required, so that the derivatives
+/// agree. Across a cut of one of the forms it has not.
 template <class Z>
 Z incomplete(integral which, const Z* n, const Z& phi, const Z& m) {
   if (!is_known(m)) return m;

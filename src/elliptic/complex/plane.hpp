@@ -1,10 +1,12 @@
 #pragma once
 
-// What regions and complex balls have in common for the functions of this folder, which are templates over both.
+// What regions and complex balls have in common for the functions of this folder, which are
+// templates over both.
 //
-// Each function is an analytic one, made of operations that are checked to be analytic where they are taken, and equal to
-// the real function at real arguments: so it is the continuation. What is to be shown is that the identities used
-// hold between analytic functions on a connected set that has real positive points; they are known there.
+// Each function is an analytic one, made of operations that are checked to be analytic where they
+// are taken, and equal to the real function at real arguments: so it is the continuation. What is
+// to be shown is that the identities used hold between analytic functions on a connected set that
+// has real positive points; they are known there.
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +100,8 @@ Z root_in_plane(const Z& z) {
   return is_zero(z) ? z : plane<Z>::root(z);
 }
 
-/// Whether a series in numbers of that size is to be used: it is small, or it does not shrink further.
+/// Whether a series in numbers of that size is to be used: it is small, or it does not shrink
+/// further.
 class shrinking {
  public:
   explicit shrinking(std::int64_t wanted) : wanted_(wanted) {}

@@ -6,9 +6,10 @@
 
 namespace polhode::detail::in_plane {
 
-/// The sum of the definition, DLMF 20.2(i): with l = 2n+1 (theta_1, theta_2) or 2n, the terms are in size at most
-/// b_l = 2 |q|^(l^2/4) e^(l |Im z|), times l in the derivative. b_(l+2)/b_l = |q|^(l+1) e^(2 |Im z|) falls; where it is at
-/// most 1/6, the terms from l >= 1 on have ratios of at most (l+2)/l/6 <= 1/2, and their sum is at most twice the first.
+/// The sum of the definition, DLMF 20.2(i): with l = 2n+1 (theta_1, theta_2) or 2n, the terms are
+/// in size at most b_l = 2 |q|^(l^2/4) e^(l |Im z|), times l in the derivative. b_(l+2)/b_l =
+/// |q|^(l+1) e^(2 |Im z|) falls; where it is at most 1/6, the terms from l >= 1 on have ratios of
+/// at most (l+2)/l/6 <= 1/2, and their sum is at most twice the first.
 template <class Z>
 Z theta_series(int j, bool derivative, const Z& z, const Z& q) {
   if (j < 1 || j > 4) {

@@ -1,5 +1,6 @@
-// Numbers of exact_field shown to be rational where the terms of their sums do not cancel by themselves: cbrt(2 + sqrt 5) + cbrt(2 - sqrt 5)
-// is 1. An enclosure of 512 bits suggests the rational number q; that x - q is 0 is shown in one of three ways, each of them a proof.
+// Numbers of exact_field shown to be rational where the terms of their sums do not cancel by
+// themselves: cbrt(2 + sqrt 5) + cbrt(2 - sqrt 5) is 1. An enclosure of 512 bits suggests the
+// rational number q; that x - q is 0 is shown in one of three ways, each of them a proof.
 
 #include <algorithm>
 #include <map>
@@ -25,9 +26,10 @@ struct combination {
 
 rational absolute(const rational& q) { return q < 0 ? rational(-q) : q; }
 
-/// Whether all roots but 0 of the polynomial a_0 + a_1 t + ... + a_n t^n, a_n not 0, lie outside of `around`, and 0 is a root. By Cauchy:
-/// with a_j the first coefficient that is not 0, |t| >= |a_j|/(|a_j| + max |a_i|) for roots t other than 0, as
-/// 1/t is a root of a_j t^(n-j) + ... + a_n, whose roots are at most 1 + max |a_i/a_j| (M. Marden, Geometry of Polynomials, 1966, th. 27.2).
+/// Whether all roots but 0 of the polynomial a_0 + a_1 t + ... + a_n t^n, a_n not 0, lie outside of
+/// `around`, and 0 is a root. By Cauchy: with a_j the first coefficient that is not 0, |t| >=
+/// |a_j|/(|a_j| + max |a_i|) for roots t other than 0, as 1/t is a root of a_j t^(n-j) + ... + a_n,
+/// whose roots are at most 1 + max |a_i/a_j| (M. Marden, Geometry of Polynomials, 1966, th. 27.2).
 bool has_no_root_but_zero_in(const std::vector<rational>& a, const ball& around) {
   std::size_t j = 0;
   while (a[j] == 0) ++j;
@@ -73,7 +75,8 @@ bool exact_field::is_shown_to_be_zero(const exact_sum& x) {
   return is_zero_by_a_polynomial(y);
 }
 
-/// x times powers of generators of which it has reciprocals: none is 0, or it would have none. So the result is 0 where x is.
+/// x times powers of generators of which it has reciprocals: none is 0, or it would have none. So
+/// the result is 0 where x is.
 exact_sum exact_field::without_reciprocals(exact_sum x) {
   for (int round = 0; round < most_rounds; ++round) {
     std::map<generator_id, rational> least;  // whole exponents
@@ -107,8 +110,8 @@ exact_sum exact_field::without_reciprocals(exact_sum x) {
   throw not_decided();
 }
 
-/// x = a + b s with a square root s is 0 where (a + b s)(a - b s) = a^2 - b^2 s^2 is, and a - b s is not: the enclosure tells that. One
-/// root after the other, the outer ones first.
+/// x = a + b s with a square root s is 0 where (a + b s)(a - b s) = a^2 - b^2 s^2 is, and a - b s
+/// is not: the enclosure tells that. One root after the other, the outer ones first.
 bool exact_field::is_zero_by_conjugates(exact_sum x) {
   for (int round = 0; round < most_rounds; ++round) {
     bool found = false;
@@ -139,10 +142,11 @@ bool exact_field::is_algebraic(generator_id g) const {
   });
 }
 
-/// x = the sum of A_k M_k with different products M_k of generators that are not algebraic: each A_k is shown to be 0. The powers 1, A, A^2, ...
-/// lie in a space over the rational numbers whose dimension is the product of the degrees of A's roots at most, so that some
-/// combination of them cancels term by term: a polynomial that A is a root of. Where 0 is a root of it too, and the others are farther from 0
-/// than A's enclosure reaches, A is 0.
+/// x = the sum of A_k M_k with different products M_k of generators that are not algebraic: each
+/// A_k is shown to be 0. The powers 1, A, A^2, ... lie in a space over the rational numbers whose
+/// dimension is the product of the degrees of A's roots at most, so that some combination of them
+/// cancels term by term: a polynomial that A is a root of. Where 0 is a root of it too, and the
+/// others are farther from 0 than A's enclosure reaches, A is 0.
 bool exact_field::is_zero_by_a_polynomial(const exact_sum& x) {
   std::map<monomial, exact_sum> coefficients;
   for (const auto& [m, c] : x) {

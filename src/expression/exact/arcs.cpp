@@ -1,5 +1,5 @@
-// Inverse trigonometric functions in exact_field: a rational multiple of pi where a number is the sine or tangent of one, else a sum of arc
-// tangents of as few as possible.
+// Inverse trigonometric functions in exact_field: a rational multiple of pi where a number is the
+// sine or tangent of one, else a sum of arc tangents of as few as possible.
 
 #include <optional>
 #include <utility>
@@ -18,7 +18,8 @@ namespace {
 
 constexpr long greatest_denominator = 120;  // of an angle that is looked for
 
-/// The fraction of few digits in an enclosure of an angle over pi: a candidate, which is no more than near.
+/// The fraction of few digits in an enclosure of an angle over pi: a candidate, which is no more
+/// than near.
 std::optional<rational> near_fraction(const ball& angle) {
   if (!angle.is_bounded()) return std::nullopt;
   const ball turns = angle / polhode::pi(angle.precision());
@@ -70,10 +71,10 @@ exact_sum exact_field::generated_arctan(const rational& t) {
   return t < 1 ? generated(g) : difference(scaled(pi(), half), generated(g));
 }
 
-/// atan t of t = n/d > 0 by the factors of d + i n in Z[i] (C. F. Gauss; J. Todd, A problem on arc tangent relations,
-/// 1949): d + i n = i^k (1 + i)^f times powers of a + i b or a - i b, one of the two for each prime p = a^2 + b^2 that
-/// divides d^2 + n^2, as d and n are coprime. So atan t = k pi/2 + f pi/4 + the sum of their +-e atan(b/a), and an
-/// enclosure tells k.
+/// atan t of t = n/d > 0 by the factors of d + i n in Z[i] (C. F. Gauss; J. Todd, A problem on arc
+/// tangent relations, 1949): d + i n = i^k (1 + i)^f times powers of a + i b or a - i b, one of the
+/// two for each prime p = a^2 + b^2 that divides d^2 + n^2, as d and n are coprime. So atan t = k
+/// pi/2 + f pi/4 + the sum of their +-e atan(b/a), and an enclosure tells k.
 ///
 /// None where the factors are not known or great.
 std::optional<exact_sum> exact_field::arctan_by_gaussian_factors(const rational& t) {

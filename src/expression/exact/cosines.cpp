@@ -1,4 +1,5 @@
-// Cosines and sines in exact_field: of rational multiples of pi, of whole multiples of arc tangents, and of sums of both.
+// Cosines and sines in exact_field: of rational multiples of pi, of whole multiples of arc
+// tangents, and of sums of both.
 
 #include <cstdlib>
 #include <optional>
@@ -12,9 +13,9 @@ namespace polhode::detail {
 
 using namespace exact_parts;
 
-/// cos(pi q) of 0 <= q <= 1/2 by the roots of natural numbers: cos(pi/3) = 1/2, cos(pi/4) = sqrt(2)/2,
-/// cos(pi/6) = sqrt(3)/2, cos(pi/5) = (1 + sqrt 5)/4, cos(2 pi/5) = (sqrt 5 - 1)/4, cos(pi/12) = (sqrt 6 + sqrt 2)/4,
-/// cos(5 pi/12) = (sqrt 6 - sqrt 2)/4.
+/// cos(pi q) of 0 <= q <= 1/2 by the roots of natural numbers: cos(pi/3) = 1/2, cos(pi/4) =
+/// sqrt(2)/2, cos(pi/6) = sqrt(3)/2, cos(pi/5) = (1 + sqrt 5)/4, cos(2 pi/5) = (sqrt 5 - 1)/4,
+/// cos(pi/12) = (sqrt 6 + sqrt 2)/4, cos(5 pi/12) = (sqrt 6 - sqrt 2)/4.
 std::optional<exact_sum> exact_field::cospi_of_few_roots(const rational& angle) {
   const auto root = [this](long n) { return number_power(n, half); };
   const auto is = [&](long above, long below) { return angle == rational(above, below); };
@@ -31,8 +32,8 @@ std::optional<exact_sum> exact_field::cospi_of_few_roots(const rational& angle) 
   return std::nullopt;
 }
 
-/// cos(pi q): by its period and symmetries from 0 <= q <= 1/2, and by cos(x/2) = sqrt((1 + cos x)/2) from angles of few roots where the denominator
-/// is one of theirs and some factors 2 more.
+/// cos(pi q): by its period and symmetries from 0 <= q <= 1/2, and by cos(x/2) = sqrt((1 + cos
+/// x)/2) from angles of few roots where the denominator is one of theirs and some factors 2 more.
 exact_sum exact_field::cospi(const rational& q) {
   if (bits_of(q) > most_bits) throw not_decided();
   spend(4);
@@ -59,7 +60,8 @@ std::pair<exact_sum, exact_sum> exact_field::cos_and_sin_of_sum(
   return {std::move(cosine), std::move(sine)};
 }
 
-/// {cos(x + n y), sin(x + n y)} from {cos x, sin x}, for y = atan(tangent): cos y = 1/sqrt(1 + tangent^2) and sin y = tangent cos y.
+/// {cos(x + n y), sin(x + n y)} from {cos x, sin x}, for y = atan(tangent): cos y = 1/sqrt(1 +
+/// tangent^2) and sin y = tangent cos y.
 std::pair<exact_sum, exact_sum> exact_field::turned_by_arcs(std::pair<exact_sum, exact_sum> x,
                                                             const exact_sum& tangent, long n) {
   const exact_sum cosine = reciprocal(sqrt(sum(exactly(1), product(tangent, tangent))));
@@ -68,8 +70,8 @@ std::pair<exact_sum, exact_sum> exact_field::turned_by_arcs(std::pair<exact_sum,
   return x;
 }
 
-/// By the sums of angles. What is left but multiples of pi and of arc tangents is an angle of which cosine and sine are generators, or nothing is
-/// known.
+/// By the sums of angles. What is left but multiples of pi and of arc tangents is an angle of which
+/// cosine and sine are generators, or nothing is known.
 std::pair<exact_sum, exact_sum> exact_field::cos_and_sin(const exact_sum& x) {
   constexpr long most_arcs = 16;
   rational turns = 0;

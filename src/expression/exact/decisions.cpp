@@ -1,5 +1,6 @@
-// What exact_field decides of a number: its sign, its integer part, and whether it is rational. Enclosures decide the first two, but for numbers that they
-// do not tell from 0 or from an integer, which have to be shown to be rational.
+// What exact_field decides of a number: its sign, its integer part, and whether it is rational.
+// Enclosures decide the first two, but for numbers that they do not tell from 0 or from an integer,
+// which have to be shown to be rational.
 
 #include <algorithm>
 #include <map>
@@ -48,7 +49,8 @@ std::optional<rational> exact_field::as_rational(const exact_sum& x) {
   return further_ ? rational_by_further_rules(x) : rational_by_common_denominator(x);
 }
 
-/// Where x has the reciprocals of sums v_i: q with N = q D, for D the product of their powers and N = x D.
+/// Where x has the reciprocals of sums v_i: q with N = q D, for D the product of their powers and N
+/// = x D.
 std::optional<rational> exact_field::rational_by_common_denominator(const exact_sum& x) {
   std::map<generator_id, rational> reciprocals;  // the least exponents
   for (const auto& [m, c] : x) {

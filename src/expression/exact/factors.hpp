@@ -1,7 +1,8 @@
 #pragma once
 
-// Factors of natural numbers. A power or a logarithm of a natural number is that of its factors, so that log 6 = log 2 + log 3 and
-// sqrt 12 = 2 sqrt 3 show themselves. Factors of numbers with great prime factors are not looked for: what is left is taken as it is.
+// Factors of natural numbers. A power or a logarithm of a natural number is that of its factors, so
+// that log 6 = log 2 + log 3 and sqrt 12 = 2 sqrt 3 show themselves. Factors of numbers with great
+// prime factors are not looked for: what is left is taken as it is.
 
 #include <cstddef>
 #include <vector>
@@ -16,7 +17,8 @@ struct factor {
   bool is_prime;  // as far as is known
 };
 
-/// n > 0 as a product of powers: of small primes, and of what is left of n, which is no power itself.
+/// n > 0 as a product of powers: of small primes, and of what is left of n, which is no power
+/// itself.
 [[nodiscard]] std::vector<factor> factors_of(integer n);
 
 /// Of finding the factors of c, in steps, of which one takes about a microsecond.

@@ -1,5 +1,5 @@
-// The generators of exact_field, and the bounds of its work: of terms, generators, bits and steps in all. What is known of a sum without a rule is its enclosure,
-// made of those of its generators.
+// The generators of exact_field, and the bounds of its work: of terms, generators, bits and steps
+// in all. What is known of a sum without a rule is its enclosure, made of those of its generators.
 
 #include <algorithm>
 #include <cstddef>

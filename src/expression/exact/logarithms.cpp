@@ -1,4 +1,5 @@
-// Exponentials and logarithms in exact_field: exp(c log v) = v^c, and log of a product is the sum of the logarithms of its factors.
+// Exponentials and logarithms in exact_field: exp(c log v) = v^c, and log of a product is the sum
+// of the logarithms of its factors.
 
 #include <optional>
 
@@ -39,8 +40,8 @@ exact_sum exact_field::log_of_number(const rational& c) {
   return result;
 }
 
-/// log v of a positive sum with coprime integer coefficients: -log(1/v) where v < 1 and 1/v is such a sum, 2 log sqrt(v)
-/// where the root has a form without nested roots.
+/// log v of a positive sum with coprime integer coefficients: -log(1/v) where v < 1 and 1/v is such
+/// a sum, 2 log sqrt(v) where the root has a form without nested roots.
 exact_sum exact_field::log_of_sum(const exact_sum& v) {
   if (const auto q = plain_number(v)) return log_of_number(*q);
   if (sign(difference(exactly(1), v)) > 0) {

@@ -1,5 +1,6 @@
-// Powers with rational exponents in exact_field: of a product, those of its factors; of a natural number, those of its prime factors; of a sum,
-// those of its content and of the sum that is left, which becomes a generator where its root is no simpler (roots_of_sums.cpp).
+// Powers with rational exponents in exact_field: of a product, those of its factors; of a natural
+// number, those of its prime factors; of a sum, those of its content and of the sum that is left,
+// which becomes a generator where its root is no simpler (roots_of_sums.cpp).
 
 #include <optional>
 
@@ -25,7 +26,8 @@ exact_sum exact_field::number_power(const rational& c, const rational& q) {
   return result;
 }
 
-/// v^q for a natural number v > 1 that is no power, or a sum v > 0 with coprime integer coefficients.
+/// v^q for a natural number v > 1 that is no power, or a sum v > 0 with coprime integer
+/// coefficients.
 exact_sum exact_field::base_power(const exact_sum& v, const rational& q) {
   const integer n = floor_of(q);
   const rational rest = q - rational(n);

@@ -1,5 +1,6 @@
-// Quotients in exact_field. What is divided by is shown not to be 0; of a sum with square roots the denominator is made rational where
-// that can be done, else the sum's reciprocal becomes a generator.
+// Quotients in exact_field. What is divided by is shown not to be 0; of a sum with square roots the
+// denominator is made rational where that can be done, else the sum's reciprocal becomes a
+// generator.
 
 #include <algorithm>
 #include <optional>
@@ -43,8 +44,8 @@ std::optional<std::pair<exact_sum, exact_sum>> exact_field::split(const exact_su
   return std::pair(a, b);
 }
 
-/// 1/x by x (a - b s) = a^2 - b^2 s^2 for x = a + b s and a square root s, until one term is left: x times the
-/// factors is then that term, and as the term is not 0, neither is x.
+/// 1/x by x (a - b s) = a^2 - b^2 s^2 for x = a + b s and a square root s, until one term is left:
+/// x times the factors is then that term, and as the term is not 0, neither is x.
 exact_sum exact_field::rationalised_reciprocal(exact_sum x) {
   exact_sum factors = exactly(1);
   while (x.size() > 1) {

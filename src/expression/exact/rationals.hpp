@@ -1,7 +1,7 @@
 #pragma once
 
-// Rational numbers as coefficients and exponents of exact_sum: their size, their parts, and those of
-// their powers that are short enough to be written out.
+// Rational numbers as coefficients and exponents of exact_sum: their size, their parts, and those
+// of their powers that are short enough to be written out.
 
 #include <cstddef>
 

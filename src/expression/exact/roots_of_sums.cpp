@@ -1,5 +1,6 @@
-// Square roots of sums in exact_field, written without a root under a root: sqrt(3 + 2 sqrt 2) = 1 + sqrt 2. A candidate is found
-// by a formula and then squared: what is returned is a root whatever led to it.
+// Square roots of sums in exact_field, written without a root under a root: sqrt(3 + 2 sqrt 2) = 1
+// + sqrt 2. A candidate is found by a formula and then squared: what is returned is a root whatever
+// led to it.
 
 #include <optional>
 
@@ -36,8 +37,9 @@ std::optional<exact_sum> exact_field::times_known_root(const exact_sum& x, const
   return std::nullopt;
 }
 
-/// sqrt(x) of a sum x = a + b g^(1/2) > 0 as sqrt((a + r)/2) + sqrt((a - r)/2), or the difference, with
-/// r = sqrt(a^2 - b^2 g). However it was found, s is the root where s^2 = x and s > 0; both are checked.
+/// sqrt(x) of a sum x = a + b g^(1/2) > 0 as sqrt((a + r)/2) + sqrt((a - r)/2), or the difference,
+/// with r = sqrt(a^2 - b^2 g). However it was found, s is the root where s^2 = x and s > 0; both
+/// are checked.
 std::optional<exact_sum> exact_field::denested_root(const exact_sum& x, int depth) {
   if (depth == 0 || x.size() < 2) return std::nullopt;
   for (const generator_id g : square_roots_in(x)) {

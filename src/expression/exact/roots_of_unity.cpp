@@ -1,5 +1,5 @@
-// Cosines of rational multiples of pi as sums of roots of unity, by which polynomials in them are shown to be rational: cos(2 pi/7) + cos(4 pi/7) + cos(6 pi/7) is
-// -1/2.
+// Cosines of rational multiples of pi as sums of roots of unity, by which polynomials in them are
+// shown to be rational: cos(2 pi/7) + cos(4 pi/7) + cos(6 pi/7) is -1/2.
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +19,8 @@ namespace {
 /// A polynomial's coefficients, from the constant one.
 using coefficients = std::vector<rational>;
 
-/// Leaves the remainder of division by a polynomial whose leading coefficient is 1, and returns the quotient.
+/// Leaves the remainder of division by a polynomial whose leading coefficient is 1, and returns the
+/// quotient.
 coefficients divide(coefficients& x, const coefficients& y) {
   if (x.size() < y.size()) return {};
   coefficients quotient(x.size() - y.size() + 1);
@@ -38,8 +39,8 @@ coefficients at_power(const coefficients& x, std::size_t p) {
   return result;
 }
 
-/// The cyclotomic polynomial Phi_n, whose roots are the primitive n-th roots of unity: Phi_1 = x - 1, and for a prime p
-/// Phi_pm(x) = Phi_m(x^p) where p divides m, else Phi_m(x^p)/Phi_m(x).
+/// The cyclotomic polynomial Phi_n, whose roots are the primitive n-th roots of unity: Phi_1 = x -
+/// 1, and for a prime p Phi_pm(x) = Phi_m(x^p) where p divides m, else Phi_m(x^p)/Phi_m(x).
 coefficients cyclotomic(std::size_t n) {
   coefficients result{-1, 1};
   std::size_t done = 1;
@@ -55,7 +56,8 @@ coefficients cyclotomic(std::size_t n) {
 
 }  // namespace
 
-/// An N for which x is a sum of products of cosines of multiples of pi/N; none where it is no such sum, or N or the products are great.
+/// An N for which x is a sum of products of cosines of multiples of pi/N; none where it is no such
+/// sum, or N or the products are great.
 std::optional<long> exact_field::common_order_of_cosines(const exact_sum& x) const {
   constexpr long greatest_order = 120;
   constexpr long most_factors = 30;
@@ -76,8 +78,9 @@ std::optional<long> exact_field::common_order_of_cosines(const exact_sum& x) con
   return as_long(common);
 }
 
-/// Of a sum of products of cosines: with z = e^(i pi/N), cos(pi k/N) = (z^k + z^-k)/2, so that the sum is a polynomial in z, of which
-/// z^(2N) = 1 and the cyclotomic polynomial's value 0 leave the remainder.
+/// Of a sum of products of cosines: with z = e^(i pi/N), cos(pi k/N) = (z^k + z^-k)/2, so that the
+/// sum is a polynomial in z, of which z^(2N) = 1 and the cyclotomic polynomial's value 0 leave the
+/// remainder.
 std::optional<rational> exact_field::rational_by_roots_of_unity(const exact_sum& x) {
   const auto common = common_order_of_cosines(x);
   if (!common) return std::nullopt;

@@ -1,5 +1,5 @@
-// Sums, products and integer powers in exact_field. A product of powers is kept with exponents below 1 of the natural numbers and sums in
-// it: what is above is multiplied out.
+// Sums, products and integer powers in exact_field. A product of powers is kept with exponents
+// below 1 of the natural numbers and sums in it: what is above is multiplied out.
 
 #include <algorithm>
 #include <optional>
@@ -34,8 +34,8 @@ exact_sum exact_field::difference(const exact_sum& x, const exact_sum& y) {
   return sum(x, scaled(y, -1));
 }
 
-/// The product of powers m, in which g^q = g^floor(q) g^(q - floor(q)) is done for those g that are a natural number or
-/// a sum.
+/// The product of powers m, in which g^q = g^floor(q) g^(q - floor(q)) is done for those g that are
+/// a natural number or a sum.
 exact_sum exact_field::expanded(const monomial& m) {
   if (has_waves_to_reduce(m)) return with_waves_reduced(m);
   monomial kept;

@@ -9,7 +9,8 @@
 
 namespace polhode::detail::exact_parts {
 
-/// The greatest rational number c > 0 with x / c of coprime integer coefficients. Hypothesis: x is not 0.
+/// The greatest rational number c > 0 with x / c of coprime integer coefficients. Hypothesis: x is
+/// not 0.
 [[nodiscard]] rational content(const exact_sum& x);
 /// The product of x and y.
 [[nodiscard]] monomial merged(const monomial& x, const monomial& y);

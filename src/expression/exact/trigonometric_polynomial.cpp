@@ -1,13 +1,16 @@
-// Cosines and sines of angles that are no multiples of pi, as generators of exact_field: cos(x) and sin(x) for a sum x.
+// Cosines and sines of angles that are no multiples of pi, as generators of exact_field: cos(x) and
+// sin(x) for a sum x.
 //
 // Products of them are made into sums, by
 //   cos a cos b = (cos(a - b) + cos(a + b))/2,   sin a sin b = (cos(a - b) - cos(a + b))/2,
 //   sin a cos b = (sin(a + b) + sin(a - b))/2,
-// so that every polynomial in them is a linear combination of cosines and sines of different angles: a polynomial in the e^(i x_k) in its
-// one form, without a complex number. By the theorem of Lindemann and Weierstrass (A. Baker, Transcendental Number Theory, 1975, theorem
-// 1.4) the e^(i x) of different algebraic x are linearly independent over the algebraic numbers, so that with algebraic angles two equal
-// numbers have the same form, up to relations among the coefficients. Nothing rests on that: here, as in all of exact_field, a sum whose
-// terms cancel is 0, which needs the identities above alone.
+// so that every polynomial in them is a linear combination of cosines and sines of different
+// angles: a polynomial in the e^(i x_k) in its one form, without a complex number. By the theorem
+// of Lindemann and Weierstrass (A. Baker, Transcendental Number Theory, 1975, theorem 1.4) the e^(i
+// x) of different algebraic x are linearly independent over the algebraic numbers, so that with
+// algebraic angles two equal numbers have the same form, up to relations among the coefficients.
+// Nothing rests on that: here, as in all of exact_field, a sum whose terms cancel is 0, which needs
+// the identities above alone.
 
 #include <algorithm>
 #include <vector>
@@ -33,7 +36,8 @@ monomial without_one(monomial m, generator_id g) {
 
 }  // namespace
 
-/// {cos x, sin x} of a sum x that has no multiples of pi, with cos(-x) = cos x and sin(-x) = -sin x.
+/// {cos x, sin x} of a sum x that has no multiples of pi, with cos(-x) = cos x and sin(-x) = -sin
+/// x.
 std::pair<exact_sum, exact_sum> exact_field::generated_cos_and_sin(const exact_sum& x) {
   if (!further_) throw not_decided();
   const int s = x.begin()->second.sign();
@@ -68,7 +72,8 @@ bool exact_field::has_waves_to_reduce(const monomial& m) const {
   return (of_pi > 1 || others > 1) && of_pi <= most_factors && others <= most_factors;
 }
 
-/// The product of two of the same sort. The angle of the sum and the difference may have a closed form: x + x for x = atan(1/2)/2 has.
+/// The product of two of the same sort. The angle of the sum and the difference may have a closed
+/// form: x + x for x = atan(1/2)/2 has.
 exact_sum exact_field::product_of_waves(generator_id v, generator_id w) {
   const rational half(1, 2);
   const generator a = generators_[v];
@@ -88,7 +93,8 @@ exact_sum exact_field::product_of_waves(generator_id v, generator_id w) {
   return scaled(sum(cos_difference, cos_sum), half);
 }
 
-/// One pair after the other. Longer products factor by factor, so that equal terms come together at every step.
+/// One pair after the other. Longer products factor by factor, so that equal terms come together at
+/// every step.
 exact_sum exact_field::with_waves_reduced(const monomial& m) {
   const auto [of_pi, others] = waves_in(m);
   std::vector<generator_id> of_sort;  // the factors of a sort with two or more, or else all

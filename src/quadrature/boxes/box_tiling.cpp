@@ -26,8 +26,8 @@ struct cutting_plane {
   std::size_t below = 0;  // so many parts
 };
 
-/// Sorts the parts by their lower ends in that direction. The plane, of those that pass through no part, with the numbers of
-/// parts on its sides nearest to each other.
+/// Sorts the parts by their lower ends in that direction. The plane, of those that pass through no
+/// part, with the numbers of parts on its sides nearest to each other.
 std::optional<cutting_plane> best_plane(parts_of_box& parts, std::size_t direction) {
   std::sort(parts.begin(), parts.end(), [&](const parameter_box* x, const parameter_box* y) {
     return (*x)[direction].lower() < (*y)[direction].lower();

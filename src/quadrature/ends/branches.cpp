@@ -22,8 +22,8 @@ std::optional<long> integer_below(const ball& x) {
   return static_cast<long>(n);
 }
 
-/// The branch for the whole range of the decider; `strictly`: it is strictly monotone, so that of the range's ends each is
-/// reached at one point at most, which does not matter to an integral.
+/// The branch for the whole range of the decider; `strictly`: it is strictly monotone, so that of
+/// the range's ends each is reached at one point at most, which does not matter to an integral.
 std::optional<long> branch_over(kind what, const ball& range, bool strictly) {
   if (range.is_undefined()) return std::nullopt;
   if (what == kind::ceil) {
@@ -41,16 +41,16 @@ std::optional<long> branch_over(kind what, const ball& range, bool strictly) {
   return not_positive(range) ? std::optional(-1L) : std::nullopt;
 }
 
-/// The branch for a decider between n and the next integer in the direction of the sign; for other kinds than floor and
-/// ceil n is 0.
+/// The branch for a decider between n and the next integer in the direction of the sign; for other
+/// kinds than floor and ceil n is 0.
 long branch_beside(kind what, long n, int side) {
   if (what == kind::floor) return side > 0 ? n : n - 1;
   if (what == kind::ceil) return side > 0 ? n + 1 : n;
   return side;
 }
 
-/// The integer at which alone the branch may change where the decider has values in this range; nothing where there may
-/// be more.
+/// The integer at which alone the branch may change where the decider has values in this range;
+/// nothing where there may be more.
 std::optional<long> only_change(kind what, const ball& range) {
   if (what != kind::floor && what != kind::ceil) return 0;
   const std::optional<long> below = integer_below(range);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Which branch of each abs, min, max, floor and ceil of a recorded function holds over an interval of x.
+// Which branch of each abs, min, max, floor and ceil of a recorded function holds over an interval
+// of x.
 
 #include <optional>
 
@@ -35,7 +36,8 @@ struct interval {
 struct traced {
   choices chosen;
   bool decided = true;  // all of them
-  // Of the first that is not, where its decider is strictly monotone and has one n at most to go through:
+  // Of the first that is not, where its decider is strictly monotone and has one n at most to go
+  // through:
   std::optional<crossing> suspect;
   ball slope;
   bool crosses = false;  // it does

@@ -44,8 +44,9 @@ std::optional<rational> break_point::as_rational() {
   return std::nullopt;
 }
 
-/// Newton's steps N(X) = m - t(m)/t'(X), which hold every zero in X (R. E. Moore, 1966: 0 = t(r) = t(m) + t'(s) (r - m)
-/// with s in X), and halvings by the sign at the middle where these do not contract.
+/// Newton's steps N(X) = m - t(m)/t'(X), which hold every zero in X (R. E. Moore, 1966: 0 = t(r) =
+/// t(m) + t'(s) (r - m) with s in X), and halvings by the sign at the middle where these do not
+/// contract.
 void break_point::refine(precision p) {
   int stalls = 0;
   long extra = 64;

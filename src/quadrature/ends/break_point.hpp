@@ -15,7 +15,8 @@ class break_point {
  public:
   break_point(std::shared_ptr<const formula> f, crossing c, choices chosen, const interval& x);
 
-  /// An enclosure to about p bits of its size; where the formula's constants do not allow that, a wider one.
+  /// An enclosure to about p bits of its size; where the formula's constants do not allow that, a
+  /// wider one.
   [[nodiscard]] ball at(precision p);
   /// The same as a rational number with a small denominator, where f is proved to break there.
   [[nodiscard]] std::optional<rational> as_rational();

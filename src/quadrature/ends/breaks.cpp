@@ -92,7 +92,8 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   return result;
 }
 
-/// The pieces of f's range, from the covering: each cut lies between two of them, and each has one set of branches.
+/// The pieces of f's range, from the covering: each cut lies between two of them, and each has one
+/// set of branches.
 class assembly {
  public:
   /// f is g's recording; the range from a to b, with `fine` bits.

@@ -6,13 +6,15 @@
 
 namespace polhode::detail {
 
-/// A part of the range on which each abs, min, max, floor and ceil of f is proved to be one of its branches, or is
-/// left as it is; and f with these branches, which is f's continuation from the piece.
+/// A part of the range on which each abs, min, max, floor and ceil of f is proved to be one of its
+/// branches, or is left as it is; and f with these branches, which is f's continuation from the
+/// piece.
 struct piece {
   end_point left;
   end_point right;
   integrand f;
-  /// The same, which knows besides that at that end, a break, the function that changes there is exactly 0.
+  /// The same, which knows besides that at that end, a break, the function that changes there is
+  /// exactly 0.
   integrand at_left;
   integrand at_right;
 };
@@ -40,7 +42,8 @@ struct pieces_of_range {
 [[nodiscard]] pieces_of_range analytic_pieces(const integrand& g, const end_point& a,
                                               const end_point& b, long bits);
 
-/// The least n >= e, n <= e + 16, such that g is proved to have no break at sign * x for x >= 2^n; e where there is none.
+/// The least n >= e, n <= e + 16, such that g is proved to have no break at sign * x for x >= 2^n;
+/// e where there is none.
 [[nodiscard]] unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int sign);
 
 }  // namespace polhode::detail

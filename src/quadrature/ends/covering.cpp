@@ -106,7 +106,8 @@ std::optional<stretch> covering::around_a_multiple_of_pi(const interval& x) {
   return stretch{x, stretch::form::plain, *std::move(before), {}, std::nullopt};
 }
 
-/// Into halves; or, where the decider can only be n within a short interval, into that and what is beside it.
+/// Into halves; or, where the decider can only be n within a short interval, into that and what is
+/// beside it.
 void covering::split(const interval& x, const traced& t, std::vector<interval>& open) const {
   const precision p = x.bits();
   std::vector<rational> cuts{x.middle()};

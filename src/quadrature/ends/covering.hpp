@@ -11,8 +11,8 @@
 
 namespace polhode::detail::breaks {
 
-/// A part of the range: with one set of branches; or with a break in it, and the branches before and beyond it; or
-/// so short that it is left out; or unresolved.
+/// A part of the range: with one set of branches; or with a break in it, and the branches before
+/// and beyond it; or so short that it is left out; or unresolved.
 struct stretch {
   enum class form : std::uint8_t { plain, broken, short_one, unresolved };
   interval x;
@@ -33,7 +33,8 @@ class covering {
 
  private:
   void cover(const interval& whole);
-  /// The interval with its branches, with a break and what is beside it, or left as it is; nothing where it is to be cut first.
+  /// The interval with its branches, with a break and what is beside it, or left as it is; nothing
+  /// where it is to be cut first.
   [[nodiscard]] std::optional<stretch> resolved(const interval& x, const traced& t);
   /// At a simple rational number in x, at which a decider may be 0 without a simple crossing: what
   /// is on its two sides, by series; none where they do not tell.

@@ -1,7 +1,7 @@
 #pragma once
 
-// A function near an end as a sum of oscillations, with its constants to as many bits as are asked for: what
-// oscillation.hpp needs of waves.hpp.
+// A function near an end as a sum of oscillations, with its constants to as many bits as are asked
+// for: what oscillation.hpp needs of waves.hpp.
 
 #include <map>
 #include <memory>

@@ -41,8 +41,8 @@ end_plan plan_from_series(const end_series& series, long q, double r) {
 
 using series_function = std::function<end_series(const end_series& x)>;
 
-/// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which its series is
-/// known; with few orders first, which cost less and mostly suffice.
+/// f near an end, with the substitution x = p + s t^q, over the largest of some squares on which
+/// its series is known; with few orders first, which cost less and mostly suffice.
 end_series series_at_end(const series_function& f, const end_of_range& end, long q, double& r) {
   constexpr std::array<double, 6> sizes{0.5, 0.25, 0x1p-4, 0x1p-8, 0x1p-16, 0x1p-32};
   using remedy = end_series::remedy;

@@ -30,7 +30,8 @@ struct end_of_range {
     const end_point end = sign > 0 ? end_point::infinity() : -end_point::infinity();
     return {end_point(0), start, true, end, start};
   }
-  /// Whether the integral runs to the end: with direction 1 it runs from a finite end, and to an infinite one.
+  /// Whether the integral runs to the end: with direction 1 it runs from a finite end, and to an
+  /// infinite one.
   [[nodiscard]] bool is_reached_last(int direction) const { return (direction > 0) == infinite; }
   /// Between two points, of which the first is nearer to the end.
   [[nodiscard]] part_done part(const end_point& near, const end_point& far, int direction) const {
@@ -47,7 +48,8 @@ struct end_plan {
   double r = 0;           // the series holds for |Re t|, |Im t| <= r
   rational exponent = 0;  // M: F(t) = t^M (G_0 + L G_1 + ...) with the substitution's factor in it
   std::vector<magnitude> bounds;  // of |G_k|
-  /// There is no series: |F(t)| <= t^M bounds[0] for 0 < t <= r, and nothing is known off the real line.
+  /// There is no series: |F(t)| <= t^M bounds[0] for 0 < t <= r, and nothing is known off the real
+  /// line.
   bool has_growth_only = false;
   std::string obstacle;
 };

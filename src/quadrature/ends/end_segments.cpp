@@ -50,7 +50,8 @@ bound_near_end bound_of_power(const end_plan& plan) {
   };
 }
 
-/// |t F(t)| with t = r0 e^(-w), w = length v: F dt = -t F(t) dw, and |t F(t)| <= |t|^(M+1) sum of B_k |log t|^k, |log t| <=
+/// |t F(t)| with t = r0 e^(-w), w = length v: F dt = -t F(t) dw, and |t F(t)| <= |t|^(M+1) sum of
+/// B_k |log t|^k, |log t| <=
 /// |log r0| + |w|, for |t| < r, whatever the argument of t: the series is continued with it.
 bound_near_end bound_of_exponential(const end_plan& plan, double r0, double length) {
   const long q = plan.q;

@@ -1,6 +1,7 @@
 #pragma once
 
-// The segments of a range near its ends: x as a function of t or w, and the bounds that are known from the series there.
+// The segments of a range near its ends: x as a function of t or w, and the bounds that are known
+// from the series there.
 
 #include "quadrature/ends/end_plan.hpp"
 

@@ -19,7 +19,8 @@ Jet without_last(const Jet& x, int order) {
 const known_number& mean_of(const known_number& x) { return x; }
 region mean_of(const region& x) { return x.convex_hull(); }
 
-/// G's jet -> that of G/t, of one order less: at 0 its coefficients, moved down, and over the square means of them.
+/// G's jet -> that of G/t, of one order less: at 0 its coefficients, moved down, and over the
+/// square means of them.
 template <class Jet>
 Jet divided_by_t(const Jet& x) {
   Jet r(x.order() - 1);
@@ -334,8 +335,8 @@ end_series log(const end_series& x) {
   return r.checked("log");
 }
 
-/// exp(m L + G) = t^m exp(G), where m is a known rational number: G_1 is m at 0, and its slope is 0 all over the
-/// square. Where no slope is known (at order 0) G_1 may move.
+/// exp(m L + G) = t^m exp(G), where m is a known rational number: G_1 is m at 0, and its slope is 0
+/// all over the square. Where no slope is known (at order 0) G_1 may move.
 end_series exp(const end_series& x) {
   if (!x.blocked_ && x.log_degree() == 1 && x.m_ == 0) {
     const auto& slope = x.terms_[1];
@@ -411,7 +412,8 @@ end_series tan(const end_series& x) {
   return quotient.blocked_ ? r.with_any_remedy() : quotient;
 }
 
-// At infinity: atan w = +-pi/2 - atan(1/w), and asinh w = +-log(|w| + sqrt(w^2 + 1)), with the sign of w.
+// At infinity: atan w = +-pi/2 - atan(1/w), and asinh w = +-log(|w| + sqrt(w^2 + 1)), with the sign
+// of w.
 end_series atan(const end_series& x) {
   const int sign = !x.blocked_ && x.m_ < 0 ? x.sign() : 0;
   if (sign != 0) {
@@ -454,7 +456,8 @@ end_series asin(const end_series& x) {
   if (start && *start == -1) return acos(-x) - pi(end_series::bits) / 2;
   return end_series::regular(x, "asin", [](const auto& g) { return asin(g); });
 }
-// acosh w = 2 asinh sqrt((w - 1)/2) for w >= 1; acosh w = log(w + sqrt((w - 1)(w + 1))) at infinity.
+// acosh w = 2 asinh sqrt((w - 1)/2) for w >= 1; acosh w = log(w + sqrt((w - 1)(w + 1))) at
+// infinity.
 end_series acosh(const end_series& x) {
   if (x.blocked_) return x;
   const std::optional<long> start = x.exact_value_at_0();

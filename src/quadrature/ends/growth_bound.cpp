@@ -86,7 +86,8 @@ ball growth_bound::power_of_r(const rational& e) const {
   return pow(ball::exactly(r_), ball(e, bits));
 }
 
-/// C t^b and c t^a from the series h = t^m (G_0 + ... + L^K G_K): |h| <= t^m sum of sup |G_k| |L|^k with |L|^k <= (1/(e d))^k t^(-k d); and for K = 0
+/// C t^b and c t^a from the series h = t^m (G_0 + ... + L^K G_K): |h| <= t^m sum of sup |G_k| |L|^k
+/// with |L|^k <= (1/(e d))^k t^(-k d); and for K = 0
 /// |h| >= t^m inf |G_0|. (On the square |Re t|, |Im t| <= r, which holds 0 < t <= r.)
 void growth_bound::improve_by_series() {
   if (series_.is_blocked()) return;
@@ -179,8 +180,9 @@ growth_bound operator-(const growth_bound& x) {
   return result;
 }
 
-/// |x + y| <= (C_x r^(b_x - b) + C_y r^(b_y - b)) t^b with the lesser b. With one sign for both, the sum is at least as great as either; else as what is left of
-/// the one that is greater by its bounds: c t^a - C t^b >= (c - C r^(b-a)) t^a for b >= a.
+/// |x + y| <= (C_x r^(b_x - b) + C_y r^(b_y - b)) t^b with the lesser b. With one sign for both,
+/// the sum is at least as great as either; else as what is left of the one that is greater by its
+/// bounds: c t^a - C t^b >= (c - C r^(b-a)) t^a for b >= a.
 growth_bound operator+(const growth_bound& x, const growth_bound& y) {
   if (x.blocked_ || y.blocked_) return growth_bound::blocked_one(x, y);
   const rational b = lesser(x.upper_exponent_, y.upper_exponent_);
@@ -240,8 +242,8 @@ growth_bound operator/(const growth_bound& x, const growth_bound& y) {
   return result;
 }
 
-/// (C t^b)^y for y >= 0, and (c t^a)^y for y < 0; the lower bounds the other way round. Of all y in a ball that is not
-/// on both sides of 0.
+/// (C t^b)^y for y >= 0, and (c t^a)^y for y < 0; the lower bounds the other way round. Of all y in
+/// a ball that is not on both sides of 0.
 growth_bound growth_bound::to_the(const ball& y, std::string_view name, end_series series) const {
   if (!y.is_bounded()) return blocked(name);
   const exponent_range range = range_of(y);
@@ -316,9 +318,10 @@ growth_bound root(const growth_bound& x, long n) {
   return x.to_the(ball(rational(1, n), 128), "root", pow(x.series_, rational(1, n)));
 }
 
-/// Where |x| <= C t^b with b >= 0: |x| <= C r^b, so that e^x lies between e^(-C r^b) and its inverse. Where x < 0: e^x <= 1.
-/// For x <= -u with u = c t^a, a < 0: let u_r = c r^a, the least u, and 0 <= k <= u_r. As e^-u u^k
-/// falls for u >= k, e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a k) t^(-a k), at most 1.
+/// Where |x| <= C t^b with b >= 0: |x| <= C r^b, so that e^x lies between e^(-C r^b) and its
+/// inverse. Where x < 0: e^x <= 1. For x <= -u with u = c t^a, a < 0: let u_r = c r^a, the least u,
+/// and 0 <= k <= u_r. As e^-u u^k falls for u >= k, e^x <= e^-u <= e^-u_r u_r^k u^-k = e^-u_r r^(a
+/// k) t^(-a k), at most 1.
 growth_bound exp(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
   growth_bound result = x.exponential();
@@ -354,8 +357,9 @@ growth_bound growth_bound::exponential() const {
   return result;
 }
 
-/// log x lies between log c + a log t and log C + b log t. Where b > 0 and C r^b < 1 it is negative, and |log x| >= |log(C r^b)|; where a < 0 and
-/// c r^a > 1 it is positive, and log x >= log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
+/// log x lies between log c + a log t and log C + b log t. Where b > 0 and C r^b < 1 it is
+/// negative, and |log x| >= |log(C r^b)|; where a < 0 and c r^a > 1 it is positive, and log x >=
+/// log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
 growth_bound log(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
   if (x.logarithm_) return *x.logarithm_;
@@ -366,7 +370,8 @@ growth_bound log(const growth_bound& x) {
   const ball a(x.lower_exponent_, bits);
   const ball b(x.upper_exponent_, bits);
   const ball log_r = log(ball::exactly(x.r_));
-  // On the whole of 0 < t <= r: the greatest of log C + b log t is at r for b >= 0, the least of log c + a log t for a <= 0.
+  // On the whole of 0 < t <= r: the greatest of log C + b log t is at r for b >= 0, the least of
+  // log c + a log t for a <= 0.
   const ball at_r_above = log_most + b * log_r;
   const ball at_r_below = log_least + a * log_r;
   int sign = 0;

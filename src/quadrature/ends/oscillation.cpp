@@ -15,9 +15,11 @@ using oscillations::decomposition;
 using oscillations::oscillation;
 using shared_decomposition = std::shared_ptr<const decomposition>;
 
-/// A bound of |h(t)| for |t| <= r < 1, Re t > 0, from its series there; infinite where h is not known to tend to 0:
-/// |t|^m |log t|^k, with |log t| <= l + pi/2 for l = -log |t| >= 0, is at most e^(-m l) (l + 2)^k, which is largest
-/// at l + 2 = k/m, if ever, and so at most e^(2m) (k/m)^k for k > 0, and at most 1 for k = 0.
+/// A bound of |h(t)| for |t| <= r < 1, Re t > 0, from its series there; infinite where h is not
+/// known to tend to 0:
+/// |t|^m |log t|^k, with |log t| <= l + pi/2 for l = -log |t| >= 0, is at most e^(-m l) (l + 2)^k,
+/// which is largest at l + 2 = k/m, if ever, and so at most e^(2m) (k/m)^k for k > 0, and at most 1
+/// for k = 0.
 magnitude bound_of(const end_series& series) {
   if (series.is_blocked()) return magnitude::infinity();
   const end_series h = series.simplified();
@@ -114,7 +116,8 @@ struct start_of_lines {
   rational far;
 };
 
-/// The points that may serve as Y0, in increasing order: 2^(d e), with d the denominator of theta. None where theta is not simple.
+/// The points that may serve as Y0, in increasing order: 2^(d e), with d the denominator of theta.
+/// None where theta is not simple.
 std::vector<start_of_lines> possible_starts(const rational& theta) {
   constexpr long most_bits = 30;
   if (denominator(theta) > most_bits || abs(numerator(theta)) > most_bits) return {};

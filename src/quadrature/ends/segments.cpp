@@ -19,7 +19,8 @@ using namespace ends;  // NOLINT(google-build-using-namespace)
 
 namespace {
 
-/// About log2 of the largest |f| at a few points p + s t; 0 where f is undefined or 0 at all of them.
+/// About log2 of the largest |f| at a few points p + s t; 0 where f is undefined or 0 at all of
+/// them.
 double log2_of_samples(const integrand& f, const ball& p, const ball& s,
                        std::initializer_list<long> eighths) {
   const auto at = f.evaluator(64);
@@ -37,7 +38,8 @@ double approximate_log2_of(const ball& x) {
   return x.magnitude_upper().is_zero() ? 0 : static_cast<double>(x.magnitude_upper().log2_floor());
 }
 
-/// The least Y = 1/t >= 1/r, to about a tenth, at which what is left is at most `goal`; 0 where there is none.
+/// The least Y = 1/t >= 1/r, to about a tenth, at which what is left is at most `goal`; 0 where
+/// there is none.
 double cut_for(const std::function<magnitude(const ball& y)>& left, double r,
                const magnitude& goal) {
   const auto enough = [&](double y) { return left(ball::exactly(y, 64)) <= goal; };
@@ -64,8 +66,9 @@ void add_analytic_pieces(preparation& result, const integrand& f, const end_poin
   }
 }
 
-/// A function that decays exponentially: at infinity, from x = s on, or at a finite end p, as exp(-1/x) at 0.
-/// It is cut off where the rest is less than about 2^-bits of the largest value seen.
+/// A function that decays exponentially: at infinity, from x = s on, or at a finite end p, as
+/// exp(-1/x) at 0. It is cut off where the rest is less than about 2^-bits of the largest value
+/// seen.
 bool add_decaying_part(preparation& result, const integrand& f, const end_of_range& end,
                        int direction, long bits) {
   const ball s = end.distance.at(192);
@@ -74,7 +77,8 @@ bool add_decaying_part(preparation& result, const integrand& f, const end_of_ran
       end.infinite
           ? log2_of_samples(f, p.with_precision(64), s.with_precision(64), {8, 9, 12, 20, 40})
           : log2_of_samples(f, p.with_precision(64), s.with_precision(64), {1, 2, 4, 7, 8});
-  // Numbers have exponents down to about -2^30; where the samples lie far from a peak they tell nothing of it.
+  // Numbers have exponents down to about -2^30; where the samples lie far from a peak they tell
+  // nothing of it.
   constexpr double least_goal = -0x1p29;
   const double log2_goal = std::max(size - 1.05 * static_cast<double>(bits) - 48, least_goal);
   const magnitude goal = magnitude::power_of_two(static_cast<long>(log2_goal));
@@ -220,7 +224,8 @@ void add_segment(preparation& result, segment s, const end_of_range& end, const 
   result.parts.push_back(end.part(near, far, direction));
 }
 
-/// An end that is singular, but integrable: from t = 1 to r0 without the exponential, and from there with it.
+/// An end that is singular, but integrable: from t = 1 to r0 without the exponential, and from
+/// there with it.
 void add_exponential_part(preparation& result, const integrand& f, const end_of_range& end,
                           const end_plan& plan, int direction, long bits) {
   const double r0 = plan.r / 8;
@@ -251,8 +256,8 @@ bool decays_exponentially(const integrand& f, const end_of_range& end) {
   return false;
 }
 
-/// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away from the end
-/// as the integral does.
+/// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away
+/// from the end as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
               long bits, bool prefers_exponential) {
   const end_plan plan = look_at_end(f, end);
@@ -333,8 +338,8 @@ void add_finite_range(preparation& result, const integrand& f, const end_point& 
   }
 }
 
-/// The part from sign * infinity to sign * 2^e, beyond the start, every cut and, if that can be, every break: f is asked for nothing
-/// on the other side of the start. Returns that point.
+/// The part from sign * infinity to sign * 2^e, beyond the start, every cut and, if that can be,
+/// every break: f is asked for nothing on the other side of the start. Returns that point.
 end_point add_infinite_part(preparation& result, const integrand& f, const end_point& start,
                             int sign, const std::vector<end_point>& cuts, long bits) {
   magnitude reach = start.at(64).magnitude_upper();

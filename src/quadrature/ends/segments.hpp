@@ -20,7 +20,8 @@ struct preparation {
   ball remainder = ball(0, 64);
   /// A tail was cut off for the given number of bits; more bits make it smaller.
   bool has_tail = false;
-  /// About log2 of how many periods the segments stand for: a value counts as 0 beside the integral of |f| over one.
+  /// About log2 of how many periods the segments stand for: a value counts as 0 beside the integral
+  /// of |f| over one.
   long log2_periods = 0;
   reason why = reason::none;  // where it cannot be done
   std::string obstacle;
@@ -28,14 +29,15 @@ struct preparation {
   std::vector<part_done> parts;
 };
 
-/// The parts run from a to b, each from where another one ends: their integrals add up to that from a to b. Points are
-/// the same where end_point::is_same_as says so.
+/// The parts run from a to b, each from where another one ends: their integrals add up to that from
+/// a to b. Points are the same where end_point::is_same_as says so.
 [[nodiscard]] bool is_tiled(const std::vector<part_done>& parts, const end_point& a,
                             const end_point& b);
 
-/// The range from a to b, cut at points between them, in increasing order. a < b as far as is known, or
-/// neither is infinite. The tails, where there are any, are made smaller than about 2^-bits of the rest.
-/// Throws std::logic_error where the parts do not tile the range, whatever they say.
+/// The range from a to b, cut at points between them, in increasing order. a < b as far as is
+/// known, or neither is infinite. The tails, where there are any, are made smaller than about
+/// 2^-bits of the rest. Throws std::logic_error where the parts do not tile the range, whatever
+/// they say.
 [[nodiscard]] preparation prepare(const integrand& f, const end_point& a, const end_point& b,
                                   const std::vector<end_point>& cuts, long bits);
 

@@ -70,8 +70,9 @@ tail_series operator/(const tail_series& x, const tail_series& y) {
   return x * y.with(std::move(phi), 1 / y.h_, exact ? double_interval(1) : 1 / y.u_);
 }
 
-/// With the greater exponential in front: e^phi h (U + (g/h) V e^delta), where delta = -c y^mu times at
-/// least 1 and |g/h| <= B y^P as for integral_beyond, and y^P e^(-c y^mu) decreases for y >= 1/r.
+/// With the greater exponential in front: e^phi h (U + (g/h) V e^delta), where delta = -c y^mu
+/// times at least 1 and |g/h| <= B y^P as for integral_beyond, and y^P e^(-c y^mu) decreases for y
+/// >= 1/r.
 tail_series operator+(const tail_series& x, const tail_series& y) {
   tail_series sum = tail_series::sum(x, y);
   if (sum.is_blocked()) return sum;
@@ -139,7 +140,8 @@ tail_series pow(const tail_series& x, const rational& e) {
 
 tail_series pow(const tail_series& x, long n) { return pow(x, rational(n)); }
 
-/// Where x >= 1 and y <= e: x^y = x^e U with U = x^(y - e) in (0, 1]; where 0 < x <= 1, so for y >= e. Else e^(y log x).
+/// Where x >= 1 and y <= e: x^y = x^e U with U = x^(y - e) in (0, 1]; where 0 < x <= 1, so for y >=
+/// e. Else e^(y log x).
 tail_series pow(const tail_series& x, const tail_series& y) {
   if (x.is_blocked() || y.is_blocked()) return exp(y * log(x));
   const double_interval exponents = y.is_plain() ? y.h_.real_range() : double_interval::undefined();

@@ -24,7 +24,8 @@ constexpr std::size_t most_exact_bits = 4096;
 /// The sum of c_e y^e, without zeros.
 using power_sum = std::map<rational, coefficient>;
 
-/// The sum of amplitudes times e^(i w y). Real for real y: the amplitudes of w and -w are conjugate.
+/// The sum of amplitudes times e^(i w y). Real for real y: the amplitudes of w and -w are
+/// conjugate.
 struct wave {
   std::map<frequency, amplitude> terms;
   /// Where there is no oscillation, and it is known.
@@ -184,8 +185,8 @@ class separation {
     });
     return is_long ? std::nullopt : std::optional(std::move(x));
   }
-  /// One power to the e. Of a negative number only a whole one is taken, and of a constant that is not a rational
-  /// number none.
+  /// One power to the e. Of a negative number only a whole one is taken, and of a constant that is
+  /// not a rational number none.
   [[nodiscard]] std::optional<power_sum> power_of_powers(const wave& x, const rational& e) const {
     if (!x.powers || x.powers->size() != 1) return std::nullopt;
     const auto& [g, c] = *x.powers->begin();
@@ -345,8 +346,8 @@ class separation {
         if (!x.is_steady()) return std::nullopt;
         return steady(sqrt(value(x)), power_of_powers(x, rational(1, 2)));
       case recorded_rule::root:
-        // Of a positive number the power. That it is positive from Y0 on is proved where the power is bounded: powers of
-        // negative numbers have no series, and lie on a cut.
+        // Of a positive number the power. That it is positive from Y0 on is proved where the power
+        // is bounded: powers of negative numbers have no series, and lie on a cut.
         if (!is_constant(x)) return power(x, rational(1, node.number));
         break;
       case recorded_rule::power: {

@@ -1,11 +1,13 @@
 #pragma once
 
-// A function taken apart into oscillations, by its recording: step 1 of what oscillation.hpp describes.
+// A function taken apart into oscillations, by its recording: step 1 of what oscillation.hpp
+// describes.
 //
 //   f(x) |dx/dy| = sum over w of W_w(y) e^(i w y),   x = p + s y^theta,
 //
-// with W_w = u + i v, u and v recorded functions of y. The sum and the product of such sums is one; the sine or cosine
-// of P = w y + R is one where P is known as a sum of powers of y, and R's are not positive.
+// with W_w = u + i v, u and v recorded functions of y. The sum and the product of such sums is one;
+// the sine or cosine of P = w y + R is one where P is known as a sum of powers of y, and R's are
+// not positive.
 
 #include <map>
 #include <optional>
@@ -70,19 +72,20 @@ class program_of_parts {
   std::vector<std::size_t> steps_;
 };
 
-/// f(x) |dx/dy| taken apart. The recording that is made does not depend on the precision, but for the enclosures of its
-/// constants.
+/// f(x) |dx/dy| taken apart. The recording that is made does not depend on the precision, but for
+/// the enclosures of its constants.
 struct separated {
   /// y, in the recording of the amplitudes.
   recorded y;
-  /// The amplitudes of e^(i w y), those of w and -w conjugate; nothing where f is not found to be such a sum.
+  /// The amplitudes of e^(i w y), those of w and -w conjugate; nothing where f is not found to be
+  /// such a sum.
   std::optional<std::map<frequency, amplitude>> terms;
   /// Where a phase grows like another power than y: that power.
   std::optional<rational> growth;
 };
 
-/// f between x = at + s and `at`, or an infinity, as a function of y with x = at + s y^theta, with constants to p bits. The integral counts
-/// with this sign.
+/// f between x = at + s and `at`, or an infinity, as a function of y with x = at + s y^theta, with
+/// constants to p bits. The integral counts with this sign.
 [[nodiscard]] separated separate(const formula& f, precision p, const end_point& at,
                                  const end_point& s, const rational& theta, int sign);
 

@@ -169,8 +169,8 @@ struct supplement<recorded> {
   }
 };
 
-/// What a jet of regions has beside its own functions: the value of the region's function, and its derivative. Not
-/// available are those of gamma, log_gamma and agm.
+/// What a jet of regions has beside its own functions: the value of the region's function, and its
+/// derivative. Not available are those of gamma, log_gamma and agm.
 template <>
 struct supplement<jet<region, 1>> {
   using series = jet<region, 1>;
@@ -237,7 +237,8 @@ struct supplement<jet<region, 1>> {
   static series not_available(std::string_view name) {
     return constant(region::blocked(obstacle::unknown, name));
   }
-  /// x where Re distance > 0 on the whole region, y where it is < 0; the value says whether either is so.
+  /// x where Re distance > 0 on the whole region, y where it is < 0; the value says whether either
+  /// is so.
   static series chosen(const series& x, const series& y, const region& value,
                        const region& distance) {
     if (!value.is_analytic()) return constant(value);

@@ -51,7 +51,8 @@ bool is_circular(const recorded_node& node) {
   }
 }
 
-/// The period that all circular functions in it would have if their arguments were affine. To search with.
+/// The period that all circular functions in it would have if their arguments were affine. To
+/// search with.
 std::optional<pi_combination> period_to_try(const formula& f) {
   std::size_t last = 0;
   for (std::size_t i = 0; i < f.size(); ++i) {

@@ -129,8 +129,8 @@ bool is_zero(const recorded& x) {
   const recorded_node& node = x.nodes()[x.node()];
   return node.what == recorded_node::kind::constant && node.exact && *node.exact == 0;
 }
-/// x and y in an order that depends on the pair only, with a 0 as the second: so that min(x, y), max(y, x) and,
-/// for y = 0, |x| change at the zeros of one and the same node.
+/// x and y in an order that depends on the pair only, with a 0 as the second: so that min(x, y),
+/// max(y, x) and, for y = 0, |x| change at the zeros of one and the same node.
 std::pair<recorded, recorded> ordered(const recorded& x, const recorded& y) {
   const bool swap = is_zero(x) || (!is_zero(y) && y.node() < x.node());
   return swap ? std::pair(y, x) : std::pair(x, y);

@@ -15,8 +15,9 @@
 
 namespace polhode::detail {
 
-/// Of each node the branch that is taken: of abs 1 where the operand is >= 0, else -1; of min and max the sign of
-/// left - right; of floor and ceil the value. Nothing where the node is left as it is.
+/// Of each node the branch that is taken: of abs 1 where the operand is >= 0, else -1; of min and
+/// max the sign of left - right; of floor and ceil the value. Nothing where the node is left as it
+/// is.
 using choices = std::vector<std::optional<long>>;
 
 inline ball operate(const recorded_operation& op, const ball& x, const ball& y, long n) {
@@ -143,7 +144,8 @@ class evaluation {
   std::vector<T> values_;
 };
 
-/// f's recording, with its constants to as many bits as are asked for; safe to be used by several threads.
+/// f's recording, with its constants to as many bits as are asked for; safe to be used by several
+/// threads.
 class formula {
  public:
   explicit formula(std::function<recorded(const recorded& x, precision p)> record)

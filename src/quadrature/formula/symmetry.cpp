@@ -4,7 +4,8 @@ namespace polhode {
 
 namespace {
 
-/// Numbers that have become longer are forgotten: what is made of them is known less well, and no worse.
+/// Numbers that have become longer are forgotten: what is made of them is known less well, and no
+/// worse.
 bool is_short(const rational& q) {
   constexpr std::size_t most_bits = 4096;
   return mpz_sizeinbase(numerator(q).backend().data(), 2) <= most_bits &&

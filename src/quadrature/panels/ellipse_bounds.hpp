@@ -57,10 +57,10 @@ inline std::string in_words(const obstacle_report& report) {
 /// Proves F analytic inside an ellipse and bounds it there.
 ///
 /// F is real on the panel. Where it is analytic on a neighbourhood of the closed upper half of the
-/// ellipse, Schwarz's reflection F(conj z) = conj F(z) continues it to the lower half, with the same
-/// bound. Tiles cover the upper half; by the maximum principle |F| inside is at most its supremum on the
-/// boundary, whose upper half is covered by arcs. Where F is not real there (`whole`), tiles and arcs cover the lower
-/// halves too.
+/// ellipse, Schwarz's reflection F(conj z) = conj F(z) continues it to the lower half, with the
+/// same bound. Tiles cover the upper half; by the maximum principle |F| inside is at most its
+/// supremum on the boundary, whose upper half is covered by arcs. Where F is not real there
+/// (`whole`), tiles and arcs cover the lower halves too.
 class ellipse_bounds {
  public:
   ellipse_bounds(const panel_regions& f, int most_tiles, bool whole, std::optional<box> suspect)
@@ -82,7 +82,8 @@ class ellipse_bounds {
   /// The tile at which `inside` failed last, or what was given.
   [[nodiscard]] const std::optional<box>& suspect() const { return suspect_; }
 
-  /// The bound from so many arcs of the boundary. The ellipse must have been proved analytic inside.
+  /// The bound from so many arcs of the boundary. The ellipse must have been proved analytic
+  /// inside.
   [[nodiscard]] magnitude on_boundary(const ellipse& e, int arcs) const {
     magnitude supremum;
     double right = 1;
@@ -154,8 +155,8 @@ class ellipse_bounds {
     suspect_ = {t.left * a, t.right * a, t.bottom * b, t.top * b, t.below};
     return std::nullopt;
   }
-  /// What of the suspect is in the ellipse, with the depth of tiles of its size: all tiles around it need not be
-  /// looked at to see the ellipse fail. Proves nothing.
+  /// What of the suspect is in the ellipse, with the depth of tiles of its size: all tiles around
+  /// it need not be looked at to see the ellipse fail. Proves nothing.
   [[nodiscard]] std::optional<tile> tile_at_suspect(const ellipse& e) const {
     if (!suspect_) return std::nullopt;
     const double a = e.a.midpoint();

@@ -18,8 +18,8 @@ bool is_regular_at(const integrand& f, const end_point& x) {
   return ends::is_regular(f, ends::end_of_range::finite(x, beyond));
 }
 
-/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is not regular
-/// there and understood on both of its sides.
+/// Adds x in its place, where it certainly is in the range and none of the cuts, and f is not
+/// regular there and understood on both of its sides.
 void add_cut(std::vector<end_point>& cuts, const integrand& f, const end_point& x,
              const end_point& a, const end_point& b) {
   constexpr precision p = 192;

@@ -10,8 +10,8 @@
 
 namespace polhode::detail {
 
-/// A lower bound of the integral of |f|: from the ranges of F over pieces of the panels, which are shorter where longer ones all
-/// hold a zero of F.
+/// A lower bound of the integral of |f|: from the ranges of F over pieces of the panels, which are
+/// shorter where longer ones all hold a zero of F.
 magnitude integrator::least_size() const {
   constexpr std::size_t most_pieces = 1U << 16;
   for (const long log2_pieces : {4L, 8L, 12L}) {
@@ -118,7 +118,8 @@ contour_integral integrator::run() {
   return result_;
 }
 
-/// A value that cannot be told from 0 has no digits of its own: 10^-digits of the integral of |f| counts in its place.
+/// A value that cannot be told from 0 has no digits of its own: 10^-digits of the integral of |f|
+/// counts in its place.
 bool integrator::counts_as_zero() const {
   const complex_ball& value = result_.enclosure;
   if (result_.why != reason::precision_limit || value.is_undefined()) return false;

@@ -1,8 +1,8 @@
 #pragma once
 
-// Integrals over panels: a plan that a goal needs, the sums of the plan's rules, and the loop over goals.
-// The plan is made in plan.cpp, the sums in sums.cpp, the loop in integrator.cpp, and what it begins
-// with, the size of the integral, in size_estimate.cpp.
+// Integrals over panels: a plan that a goal needs, the sums of the plan's rules, and the loop over
+// goals. The plan is made in plan.cpp, the sums in sums.cpp, the loop in integrator.cpp, and what
+// it begins with, the size of the integral, in size_estimate.cpp.
 
 #include <functional>
 #include <map>
@@ -25,8 +25,9 @@ class ellipse_bounds;
 
 class integrator {
  public:
-  /// `known` are points that were tried as cuts, or are ends of segments: they are of no interest again.
-  /// pole_in(x): what holds a pole in the set x, for which the integral is proved to diverge; may be empty.
+  /// `known` are points that were tried as cuts, or are ends of segments: they are of no interest
+  /// again. pole_in(x): what holds a pole in the set x, for which the integral is proved to
+  /// diverge; may be empty.
   integrator(const preparation& prepared, const integrate_options& options,
              const std::vector<rational>& known,
              std::function<std::optional<ball>(const ball& x)> pole_in = {})
@@ -39,12 +40,13 @@ class integrator {
         pole_in_(std::move(pole_in)) {}
 
   contour_integral run();
-  /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting the range
-  /// there may help.
+  /// Where not empty, points at which f seems not to be analytic: run() has given up, and cutting
+  /// the range there may help.
   [[nodiscard]] const std::vector<rational>& points_of_interest() const { return points_; }
   /// Panels that become ever shorter are no reason to look for such points: a long range has them.
   void take_short_panels() { takes_short_panels_ = true; }
-  /// run() has come to its precision's limit, and 0 is a value within 10^-digits of the integral of |f|.
+  /// run() has come to its precision's limit, and 0 is a value within 10^-digits of the integral of
+  /// |f|.
   [[nodiscard]] bool counts_as_zero() const;
 
  private:
@@ -95,8 +97,8 @@ class integrator {
   std::function<std::optional<ball>(const ball& x)> pole_in_;
   std::vector<rational> points_;
   bool hopeless_ = false;  // a function is not available over regions
-  // Beside a singular point there are few panels of one length of which the range is all that is known. Where they do
-  // not end, F is known on the real line alone.
+  // Beside a singular point there are few panels of one length of which the range is all that is
+  // known. Where they do not end, F is known on the real line alone.
   static constexpr long most_ranges_in_a_row = 64;
   long ranges_in_a_row_ = 0;
   long short_panels_ = 0;  // that were halved again

@@ -32,7 +32,8 @@ struct panel {
   double log2_typical = 0;  // about log2 |F| at its middle, to search with
   long nodes = 0;
   const panel_rule* rule = nullptr;
-  /// Of the trapezoidal rule, which stands for the rule and the ellipse: the panel is a whole segment.
+  /// Of the trapezoidal rule, which stands for the rule and the ellipse: the panel is a whole
+  /// segment.
   std::optional<periodic_strip> strip;
   std::optional<box>
       suspect;  // where no ellipse was found, what was in the way last: to look there first

@@ -10,8 +10,8 @@
 
 namespace polhode::detail {
 
-/// The regions that tile the Bernstein ellipses of one panel. Coordinates are those in which the panel
-/// is [-1, 1].
+/// The regions that tile the Bernstein ellipses of one panel. Coordinates are those in which the
+/// panel is [-1, 1].
 class panel_regions {
  public:
   panel_regions(const segment& s, const panel& p, long& evaluations)
@@ -48,21 +48,24 @@ class panel_regions {
     }
   }
 
-  /// F over the rectangle's part in an ellipse. Where a series for F is known, it holds on a set K; what lies
-  /// outside of K is evaluated directly. Both are one analytic function: the direct one is analytic on a
-  /// neighbourhood of the half ellipse less K, and agrees with the series along K's boundary in it, which is
-  /// connected and begins at a real t > 0, where both are the real function. Inside K the direct one need not be F
-  /// (a root may have another sign there): of a rectangle that lies partly in K, that part has the series' bound.
+  /// F over the rectangle's part in an ellipse. Where a series for F is known, it holds on a set K;
+  /// what lies outside of K is evaluated directly. Both are one analytic function: the direct one
+  /// is analytic on a neighbourhood of the half ellipse less K, and agrees with the series along
+  /// K's boundary in it, which is connected and begins at a real t > 0, where both are the real
+  /// function. Inside K the direct one need not be F (a root may have another sign there): of a
+  /// rectangle that lies partly in K, that part has the series' bound.
   ///
-  /// Connected: for a half plane the boundary is a line's part in a convex set that is symmetric to the real axis.
-  /// For a disc around 0 it is an arc. The ellipse has its centre c and its foci c +- h on t >= 0, c >= h, and
-  /// semi-axes A >= h, B, A^2 - B^2 = h^2. On its boundary t = c + A cos u + i B sin u, 0 <= u <= pi, d|t|^2/du =
-  /// -2 sin u (c A + h^2 cos u) <= 0: |t| falls from right to left, so that the points of the half ellipse with
+  /// Connected: for a half plane the boundary is a line's part in a convex set that is symmetric to
+  /// the real axis. For a disc around 0 it is an arc. The ellipse has its centre c and its foci c
+  /// +- h on t >= 0, c >= h, and semi-axes A >= h, B, A^2 - B^2 = h^2. On its boundary t = c + A
+  /// cos u + i B sin u, 0 <= u <= pi, d|t|^2/du = -2 sin u (c A + h^2 cos u) <= 0: |t| falls from
+  /// right to left, so that the points of the half ellipse with
   /// |t| = R have arguments from 0 up to some angle, without a gap.
   [[nodiscard]] region operator()(double_interval re, double_interval im) const {
     ++evaluations_;
     if (panel_.level < 900) {
-      // Products round outward, also where they are exact; the panel itself is not to reach beyond t = 0.
+      // Products round outward, also where they are exact; the panel itself is not to reach beyond
+      // t = 0.
       const bool is_whole = re.lower() == -1 && re.upper() == 1;
       const double_interval t_re =
           is_whole ? hardware_whole_ : hardware_centre_ + hardware_half_ * re;

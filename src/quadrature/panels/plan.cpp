@@ -21,8 +21,8 @@ const panel_rule& panel_rule_of(const quadrature_rule& chosen) {
 }
 
 double integrator::log2_of_typical(const panel& p, double log2_goal) const {
-  // The middle and two points beside it, so that a zero of F does not mislead; with more bits where F
-  // cannot tell them from a singularity nearby.
+  // The middle and two points beside it, so that a zero of F does not mislead; with more bits where
+  // F cannot tell them from a singularity nearby.
   double largest = -infinite;
   const auto most = static_cast<precision>(8 * std::max(log2_size_ - log2_goal, 48.0));
   for (precision wide = 96 + 2 * p.level; wide == 96 + 2 * p.level || wide < most; wide *= 4) {
@@ -50,8 +50,8 @@ double integrator::nodes_accepted(const panel& p, double log2_goal) const {
   return 0.42 * std::max(p.log2_typical - mean_goal(p, log2_goal), 8.0) + 10;
 }
 
-/// The best ellipse found around the panel, in p. The number of nodes it needs for a mean of F to 2^goal; infinite where
-/// none was found.
+/// The best ellipse found around the panel, in p. The number of nodes it needs for a mean of F to
+/// 2^goal; infinite where none was found.
 double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const {
   // The price of a region's evaluation in those of f at a node.
   const double bits = std::max(p.log2_typical - goal, 8.0);
@@ -101,7 +101,8 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
   return best_nodes;
 }
 
-/// How the panel's integral is to be had, in p. The number of nodes that takes; infinite where no way was found.
+/// How the panel's integral is to be had, in p. The number of nodes that takes; infinite where no
+/// way was found.
 double integrator::try_panel(panel& p, double log2_goal) {
   const segment& s = segments_[p.segment];
   p.log2_typical = log2_of_typical(p, log2_goal);
@@ -128,8 +129,8 @@ double integrator::try_panel(panel& p, double log2_goal) {
   }
   hopeless_ = bounds.report().why == obstacle::unknown;
   result_.obstacle = in_words(bounds.report());
-  // So short that the range of F over it is enough. It says nothing of F being analytic, which it must be along a
-  // path, but for the ends, and where it is continued.
+  // So short that the range of F over it is enough. It says nothing of F being analytic, which it
+  // must be along a path, but for the ends, and where it is continued.
   const bool need_not_be_analytic = !s.continued && (!s.along || p.is_at_end());
   const bool may_be_range = over_panel.is_analytic() || need_not_be_analytic;
   if (p.level >= short_level && may_be_range) {
@@ -216,7 +217,8 @@ integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal
                                                      : outcome::done;
 }
 
-/// From one end to the other; with what is beside it, as far as the segment reaches, where `around` is above 1.
+/// From one end to the other; with what is beside it, as far as the segment reaches, where `around`
+/// is above 1.
 ball integrator::range_of(const panel& p, long around) const {
   const segment& s = segments_[p.segment];
   const rational half = p.half_length() * around;
@@ -226,8 +228,8 @@ ball integrator::range_of(const panel& p, long around) const {
   return hull(x(ball(low, 192)), x(ball(high, 192)));
 }
 
-/// A rational number of small denominator in a range of x that is not known yet; at most one of a few
-/// neighbouring panels has the same.
+/// A rational number of small denominator in a range of x that is not known yet; at most one of a
+/// few neighbouring panels has the same.
 std::optional<rational> integrator::point_in(const ball& both, long greatest_denominator) const {
   if (!both.is_bounded()) return std::nullopt;
   const rational q = simplest_between(lower_rational(both), upper_rational(both));
@@ -237,8 +239,8 @@ std::optional<rational> integrator::point_in(const ball& both, long greatest_den
   return known ? std::nullopt : std::optional(q);
 }
 
-/// Ranges over panels as short as p would take too many of them up to the segment's end: each costs hundreds of evaluations,
-/// with what is tried before.
+/// Ranges over panels as short as p would take too many of them up to the segment's end: each costs
+/// hundreds of evaluations, with what is tried before.
 bool integrator::is_hopeless_beyond(const panel& p) const {
   constexpr double evaluations_of_panel = 200;
   const auto left = static_cast<double>(1 - p.centre);
@@ -292,8 +294,8 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   constexpr long suspicious_level = 40;
   const segment& own = segments_[p.segment];
   const bool is_real = !own.along && !own.continued;
-  // Ever shorter panels on the way to a point: such as it takes where numbers cancel in f, as in x - sin x, whose sets are
-  // wider than the values by then.
+  // Ever shorter panels on the way to a point: such as it takes where numbers cancel in f, as in x
+  // - sin x, whose sets are wider than the values by then.
   constexpr long short_level = 10;
   constexpr long most_short_panels = 48;
   if (is_real && !takes_short_panels_ && p.level >= short_level && !std::isfinite(own_nodes) &&
@@ -335,8 +337,8 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   };
   std::array<panel, 2> halves{p.half(-1), p.half(1)};
   std::array<double, 2> nodes_of_halves{infinite, infinite};
-  // Where the halves take no fewer nodes theirs mostly do not: with so few bits, at which regions cost more than
-  // nodes, they are not looked at.
+  // Where the halves take no fewer nodes theirs mostly do not: with so few bits, at which regions
+  // cost more than nodes, they are not looked at.
   constexpr double few_bits = 600;
   if (bits < few_bits && own_nodes <= most_own_nodes) {
     for (std::size_t k = 0; k < 2; ++k) nodes_of_halves[k] = try_panel(halves[k], log2_goal);

@@ -45,9 +45,10 @@ double integrator::log2_of_samples(std::size_t index) const {
   return most;
 }
 
-/// An estimate of log2 of the integral of |f|: by samples; and where the bounds of |f| say that these may have missed the
-/// most of it, by branch and bound. The part with the greatest bound is halved, and f sampled in the middle of the
-/// halves, until no bound is much above the greatest sample.
+/// An estimate of log2 of the integral of |f|: by samples; and where the bounds of |f| say that
+/// these may have missed the most of it, by branch and bound. The part with the greatest bound is
+/// halved, and f sampled in the middle of the halves, until no bound is much above the greatest
+/// sample.
 void integrator::estimate_size() {
   constexpr double enough = 16;
   constexpr int most_halvings = 400;

@@ -91,8 +91,8 @@ ball integrator::trapezoid_part(const panel& p, precision working) const {
   return sum_in_chunks(p.nodes, working, options_.threads, adder) / p.nodes;
 }
 
-/// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds. `exhausted` where
-/// the precision that this would take is not allowed, or does not help.
+/// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds.
+/// `exhausted` where the precision that this would take is not allowed, or does not help.
 panel_sum integrator::part_of_panel(panel& p, double share, precision most_precision,
                                     bool& exhausted) {
   const segment& s = segments_[p.segment];
@@ -132,8 +132,8 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
     const panel_sum part{enlarged(s, sum.value, truncation) * scale_of(s, working), sum.done};
     const double radius = estimated_log2(radius_of(part.value));
     if (radius <= share + 1) return part;
-    // More bits, until they do not help any more; to tell a short panel's nodes from what is beside it, they
-    // may have to be many before they do.
+    // More bits, until they do not help any more; to tell a short panel's nodes from what is beside
+    // it, they may have to be many before they do.
     const bool helps = !last_radius || radius <= *last_radius - 4;
     const bool stuck = !helps && working >= 128 + 2 * p.level;
     if (stuck || working >= most_precision) {
@@ -149,8 +149,8 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
 /// The nodes and weights of the panel's rule, beside those of the others, keep to the limit.
 bool integrator::has_room_for(const panel& p, precision working) {
   if (!options_.most_memory || p.strip) return true;
-  // A number takes its bits, and some more for its place on the heap and its radius; of nodes that lie
-  // symmetrically one half is kept.
+  // A number takes its bits, and some more for its place on the heap and its radius; of nodes that
+  // lie symmetrically one half is kept.
   const double bytes_of_number = static_cast<double>(working) / 8 + 96;
   double& bytes = bytes_of_rules_[p.nodes];
   bytes = std::max(bytes, static_cast<double>(p.nodes) * bytes_of_number);

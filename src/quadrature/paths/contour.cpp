@@ -140,7 +140,8 @@ segment segment_on(const complex_integrand& f, const line_piece& piece) {
   return result;
 }
 
-/// z = c + r w, w = e^(i theta), theta = from + (to - from) t, dz = i r w (to - from) dt. All of it is analytic in t.
+/// z = c + r w, w = e^(i theta), theta = from + (to - from) t, dz = i r w (to - from) dt. All of it
+/// is analytic in t.
 segment segment_on(const complex_integrand& f, const arc_piece& piece) {
   const auto arc = std::make_shared<const arc_piece>(piece);
   const auto centre = [arc](precision p) { return arc->centre.at(p); };

@@ -82,7 +82,8 @@ class neighbourhood_of_end {
     const ball t(at_start_ ? u : rational(1 - u), 128 + gap_ + 2 * deepest_);
     return {value.why(), std::string(value.where()), segment_.along->position(t)};
   }
-  /// What is in the way between two points beside the end; nothing where F is proved analytic, or that takes too long.
+  /// What is in the way between two points beside the end; nothing where F is proved analytic, or
+  /// that takes too long.
   [[nodiscard]] std::optional<obstacle_near_end> search_between(const rational& near,
                                                                 const rational& far, long level) {
     constexpr long most_evaluations = 20'000;

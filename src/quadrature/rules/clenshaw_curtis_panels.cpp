@@ -14,7 +14,8 @@ class clenshaw_curtis_on_panels final : public panel_rule {
   [[nodiscard]] std::string_view purpose() const override {
     return "on panels, with their ends as nodes";
   }
-  /// With the 2n + 1 nodes of its degree 2n it is about as exact as Gauss and Legendre's rule with n.
+  /// With the 2n + 1 nodes of its degree 2n it is about as exact as Gauss and Legendre's rule with
+  /// n.
   [[nodiscard]] long nodes_for(double rho, double log2_supremum, double log2_goal) const override {
     return 2 * gauss_legendre_degree_at_least(
                    static_cast<long>(estimated_gauss_nodes(rho, log2_supremum, log2_goal))) +

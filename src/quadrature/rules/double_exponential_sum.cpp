@@ -32,13 +32,15 @@ ball length_of(const double_exponential_problem& problem) {
 
 ball upper_ball(const magnitude& m) { return ball(0, bits).enlarged(m); }
 
-/// A bound of the integrand in t, f dx/dt, for from <= |Re t| <= to and |Im t| <= height < pi/2, from > 0, on the side
-/// of the end that grows so; infinite where the end's distance may exceed its reach.
+/// A bound of the integrand in t, f dx/dt, for from <= |Re t| <= to and |Im t| <= height < pi/2,
+/// from > 0, on the side of the end that grows so; infinite where the end's distance may exceed its
+/// reach.
 ///
-/// With v = e^(+-pi sinh t) such that |v| < 1 and Re sinh t = sinh(Re t) cos(Im t): |v| <= W = e^(-pi sinh(from)
-/// cos(height)). The distance s from the end is L v/(1 + v), at most L W/(1 - W) in size; the other distance is
-/// L/(1 + v), at most L/(1 - W); |cosh t| <= cosh(Re t), and so |dx/dt| <= pi cosh(to) |s|/(1 - W). Continued from
-/// real t, log s = log L -+ pi sinh t - log(1 + v), |sinh t| <= cosh(Re t): |log s| <= |log L| + pi cosh(to)
+/// With v = e^(+-pi sinh t) such that |v| < 1 and Re sinh t = sinh(Re t) cos(Im t): |v| <= W =
+/// e^(-pi sinh(from) cos(height)). The distance s from the end is L v/(1 + v), at most L W/(1 - W)
+/// in size; the other distance is L/(1 + v), at most L/(1 - W); |cosh t| <= cosh(Re t), and so
+/// |dx/dt| <= pi cosh(to) |s|/(1 - W). Continued from real t, log s = log L -+ pi sinh t - log(1 +
+/// v), |sinh t| <= cosh(Re t): |log s| <= |log L| + pi cosh(to)
 /// - log(1 - W). f and the factor |s| make |s|^(exponent + 1), which grows with |s|.
 magnitude bound_near_end(const end_growth& growth, const ball& length, double from, double to,
                          double height) {
@@ -59,8 +61,8 @@ magnitude bound_near_end(const end_growth& growth, const ball& length, double fr
   return size.magnitude_upper();
 }
 
-/// The least |Re t|, about, beyond which the distances are within reach for |Im t| <= d. A search: whether it is so
-/// bound_near_end finds out.
+/// The least |Re t|, about, beyond which the distances are within reach for |Im t| <= d. A search:
+/// whether it is so bound_near_end finds out.
 double start_of_ends(const double_exponential_problem& problem, double d) {
   const double length = double_interval(rational(problem.b - problem.a)).midpoint();
   const double reach = std::min(problem.left.reach, problem.right.reach);
@@ -70,9 +72,10 @@ double start_of_ends(const double_exponential_problem& problem, double d) {
 
 }  // namespace
 
-/// The x at t > T are within s <= D of the end, D = L/(1 + e^(pi sinh T)) at t = T; with s = e^(-v) the integral of
-/// s^alpha (1 + |log s|)^k over 0 < s <= D < 1 is that of e^(-c v) (1 + v)^k over v >= V = -log D, c = alpha + 1:
-/// e^(-c V) times the sum of k!/(k-j)! (1 + V)^(k-j)/c^(j+1) over 0 <= j <= k, by parts.
+/// The x at t > T are within s <= D of the end, D = L/(1 + e^(pi sinh T)) at t = T; with s = e^(-v)
+/// the integral of s^alpha (1 + |log s|)^k over 0 < s <= D < 1 is that of e^(-c v) (1 + v)^k over v
+/// >= V = -log D, c = alpha + 1: e^(-c V) times the sum of k!/(k-j)! (1 + V)^(k-j)/c^(j+1) over 0
+/// <= j <= k, by parts.
 magnitude double_exponential_problem::beyond(double range) const {
   const ball t = ball::exactly(range, bits);
   const ball distance = length_of(*this) / (1 + exp(pi(bits) * sinh(t)));

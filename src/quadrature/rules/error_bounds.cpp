@@ -44,8 +44,8 @@ magnitude mean_trapezoid_error(const strip_bound& bound, long nodes) {
 
 magnitude gauss_legendre_error(long n, const ball& rho, const magnitude& bound) {
   if (n < 1 || !certainly_greater(rho, 1)) return magnitude::infinity();
-  // 64 / (15 (rho^2 - 1) rho^(2n - 2)), decreasing in rho: its greatest value over the ball is at the least rho,
-  // and is inside the enclosure.
+  // 64 / (15 (rho^2 - 1) rho^(2n - 2)), decreasing in rho: its greatest value over the ball is at
+  // the least rho, and is inside the enclosure.
   const ball factor = 64 / (15 * (square(rho) - 1) * pow(square(rho), n - 1));
   return times(factor, bound);
 }

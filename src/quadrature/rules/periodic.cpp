@@ -54,13 +54,15 @@ class strip_search {
   }
 
  private:
-  /// Whether that part of the nodes is worth the evaluations over regions that looking for it takes.
+  /// Whether that part of the nodes is worth the evaluations over regions that looking for it
+  /// takes.
   [[nodiscard]] bool pays(double part) const {
     constexpr double evaluations = 12;
     return best_.nodes * part > evaluations * price_;
   }
 
-  /// Whether the strip of this half-width in s = pi t is proved, and takes fewer nodes than the best so far.
+  /// Whether the strip of this half-width in s = pi t is proved, and takes fewer nodes than the
+  /// best so far.
   bool consider(double half_width) {
     // In t, made sure to be no narrower.
     const double h = (double_interval(half_width) / (4 * atan(double_interval(1)))).upper();
@@ -111,9 +113,9 @@ std::optional<fundamental_range> fundamental_range_of(const integrand& f, const 
   fundamental_range range{*a.form(), *b.form(), 0};
   const bool even = is_even_about(range.a) && is_even_about(range.b);
   if (!even && !has_period(range.b - range.a)) return std::nullopt;
-  // Even about the middle, or with a half of the range for a period: half of the range has half of the integral, and
-  // again one of the two symmetries. For if f is even about b, or has the period b - a, evenness about the middle makes
-  // it even about a too.
+  // Even about the middle, or with a half of the range for a period: half of the range has half of
+  // the integral, and again one of the two symmetries. For if f is even about b, or has the period
+  // b - a, evenness about the middle makes it even about a too.
   constexpr long most_halvings = 10;
   while (range.log2_copies < most_halvings) {
     const pi_combination middle = (range.a + range.b) * rational(1, 2);

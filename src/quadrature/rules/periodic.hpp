@@ -1,7 +1,7 @@
 #pragma once
 
-// Periodic functions, and functions that are even about both ends of a range, which are so: their symmetry, and the
-// trapezoidal rule that it makes fast (mean_trapezoid_error in error_bounds.hpp).
+// Periodic functions, and functions that are even about both ends of a range, which are so: their
+// symmetry, and the trapezoidal rule that it makes fast (mean_trapezoid_error in error_bounds.hpp).
 
 #include <optional>
 
@@ -9,8 +9,8 @@
 
 namespace polhode::detail {
 
-/// A part [a, b] of a range whose 2^log2_copies copies have the integral over the whole range, and of which f has the
-/// symmetry that the rule needs: even about a and about b, or of period b - a.
+/// A part [a, b] of a range whose 2^log2_copies copies have the integral over the whole range, and
+/// of which f has the symmetry that the rule needs: even about a and about b, or of period b - a.
 struct fundamental_range {
   pi_combination a;
   pi_combination b;
@@ -22,7 +22,8 @@ struct fundamental_range {
                                                                     const end_point& a,
                                                                     const end_point& b);
 
-/// F is analytic where mean_trapezoid_error asks for it with H = half_width, and bounded there by the supremum.
+/// F is analytic where mean_trapezoid_error asks for it with H = half_width, and bounded there by
+/// the supremum.
 struct periodic_strip {
   double half_width = 0;
   magnitude supremum;
@@ -35,8 +36,9 @@ struct periodic_strip {
 /// About how many nodes such a strip takes for an error of the mean of F of 2^log2_goal.
 [[nodiscard]] double nodes_in_strip(double half_width, const magnitude& supremum, double log2_goal);
 
-/// The strip of a segment with equidistant points that takes the fewest nodes of those tried; nothing where none was
-/// proved that takes less than most_nodes. The search is heuristic; what is said of the strip is proved.
+/// The strip of a segment with equidistant points that takes the fewest nodes of those tried;
+/// nothing where none was proved that takes less than most_nodes. The search is heuristic; what is
+/// said of the strip is proved.
 [[nodiscard]] std::optional<periodic_strip> find_strip(const segment& s, double log2_goal,
                                                        double most_nodes, long& evaluations);
 

@@ -40,8 +40,9 @@ periodic_plan plan_periodic_trapezoid(
     }
     return c;
   };
-  // From wide to narrow in factors of 2 until a strip is proved, and while it gets better: M falls as the
-  // strip shrinks, so the best is near the widest that can be proved. Then between the neighbours.
+  // From wide to narrow in factors of 2 until a strip is proved, and while it gets better: M falls
+  // as the strip shrinks, so the best is near the widest that can be proved. Then between the
+  // neighbours.
   candidate best;
   double half_width = 32;
   for (; half_width > 1e-300; half_width /= 2) {

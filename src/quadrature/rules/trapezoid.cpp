@@ -5,7 +5,8 @@ namespace polhode::detail {
 
 namespace {
 
-/// Over a whole segment; the planner takes it by itself where it needs fewer nodes (plan_segment in plan.cpp).
+/// Over a whole segment; the planner takes it by itself where it needs fewer nodes (plan_segment in
+/// plan.cpp).
 class trapezoid_on_circles final : public quadrature_strategy {
  public:
   [[nodiscard]] std::string_view name() const override { return "trapezoid"; }

@@ -56,8 +56,8 @@ line_plan plan_trapezoid(const bound_on_rectangle& bound, const rational& length
     }
     return c;
   };
-  // From high to low until a rectangle is proved that will do, and while it gets better; then between the
-  // neighbours.
+  // From high to low until a rectangle is proved that will do, and while it gets better; then
+  // between the neighbours.
   constexpr int patience = 3;
   candidate best;
   int worse = 0;

@@ -130,7 +130,8 @@ struct affine {
 /// The same for a range without an end.
 [[nodiscard]] std::optional<rational> beyond(const ball& x);
 
-/// x = sign y, sign = 1 or -1. `plain` are the forms in x of what exponential and circular functions are taken of.
+/// x = sign y, sign = 1 or -1. `plain` are the forms in x of what exponential and circular
+/// functions are taken of.
 [[nodiscard]] substitution argument_itself(const formula& f, int sign, const rational& inside,
                                            const forms* plain);
 

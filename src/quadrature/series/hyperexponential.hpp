@@ -4,13 +4,14 @@
 //
 //   f(y) = c p_1(y)^e_1 ... p_m(y)^e_m exp(s(y) + i t(y))
 //
-// with polynomials p_i, s and t that have rational coefficients, rational e_i, and a number c. The coefficients of such a
-// function's Taylor series follow from a few of those before them (taylor_series.hpp). Of f with t != 0 the real or the
-// imaginary part is meant.
+// with polynomials p_i, s and t that have rational coefficients, rational e_i, and a number c. The
+// coefficients of such a function's Taylor series follow from a few of those before them
+// (taylor_series.hpp). Of f with t != 0 the real or the imaginary part is meant.
 //
-// Where a formula is a sum of such, in x itself, in y = e^(k x + d), or in y = sin^2 (k x), cos(k x) or sin(k x), it is
-// taken apart: its integral is a sum of integrals of hyperexponential functions of y. All of this is about real
-// functions on a range, with one sign where a root of them is taken: branches and cuts have no part in it.
+// Where a formula is a sum of such, in x itself, in y = e^(k x + d), or in y = sin^2 (k x), cos(k
+// x) or sin(k x), it is taken apart: its integral is a sum of integrals of hyperexponential
+// functions of y. All of this is about real functions on a range, with one sign where a root of
+// them is taken: branches and cuts have no part in it.
 
 #include <optional>
 #include <vector>
@@ -22,12 +23,13 @@
 
 namespace polhode::detail {
 
-/// base(y)^exponent. The base is not constant, has coprime integer coefficients, and is expected to be positive where it
-/// must not vanish.
+/// base(y)^exponent. The base is not constant, has coprime integer coefficients, and is expected to
+/// be positive where it must not vanish.
 struct polynomial_power {
   rational_polynomial base;
   rational exponent;
-  /// It must be positive between the ends of the range, whatever the exponent: a root of it was taken.
+  /// It must be positive between the ends of the range, whatever the exponent: a root of it was
+  /// taken.
   bool must_be_positive = false;
 
   bool operator==(const polynomial_power&) const = default;
@@ -70,14 +72,14 @@ struct hyperexponential_integral {
   hyperexponential function;
   end_point lower = 0;  // less than upper
   end_point upper = 0;
-  /// y >= 0 and, where it is given, y <= the second, are natural bounds of the variable, which the range may be
-  /// prolonged to: an irrational end close to it is no place to begin a series at.
+  /// y >= 0 and, where it is given, y <= the second, are natural bounds of the variable, which the
+  /// range may be prolonged to: an irrational end close to it is no place to begin a series at.
   bool begins_at_0 = false;
   std::optional<rational> greatest = std::nullopt;
 };
 
-/// Integrals whose sum is that of f from a to b, where f is found to be such a sum; a < b as far as is known.
-/// The equality holds if each `must_be_positive` does between the ends of its range.
+/// Integrals whose sum is that of f from a to b, where f is found to be such a sum; a < b as far as
+/// is known. The equality holds if each `must_be_positive` does between the ends of its range.
 [[nodiscard]] std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(
     const formula& f, const end_point& a, const end_point& b);
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t most_factors = 32;
 
-/// gcd of the numerators over the least common denominator, so that p over it has coprime integer coefficients.
+/// gcd of the numerators over the least common denominator, so that p over it has coprime integer
+/// coefficients.
 rational content(const rational_polynomial& p) {
   integer above = 0;
   integer below = 1;

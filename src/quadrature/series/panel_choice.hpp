@@ -39,8 +39,8 @@ class panel_choice {
   [[nodiscard]] bool is_singular_at(const rational& y) const;
   /// The range is singular at y, and integrable there.
   [[nodiscard]] bool is_integrable_at(const rational& y) const;
-  /// Where panels begin: at the range's end or, if that is not exact, a little before it, or at the singular point before
-  /// it that a series begins at and reaches it from.
+  /// Where panels begin: at the range's end or, if that is not exact, a little before it, or at the
+  /// singular point before it that a series begins at and reaches it from.
   [[nodiscard]] end lower_end(double low, double length) const;
   [[nodiscard]] end upper_end(double high, double length) const;
 

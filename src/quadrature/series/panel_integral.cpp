@@ -256,8 +256,9 @@ ball panel_integral::integral_of(const series_part& own, const cut_ends& ends, l
   // Each b_n is off by less than a unit, and 0 where e_n is.
   const magnitude of_terms = multiply_up(times(own.terms), unit);
   const auto at = [&](const std::optional<antiderivative>& cut, const ball& z) {
-    // b_n z^n is off by less than a unit for b_n and another one for the product; z^n by at most n - 1 units, as 1 and
-    // z are not rounded and each product by z adds less than one; and z by its own error, with |G'(z)| <= sum of |e_n|.
+    // b_n z^n is off by less than a unit for b_n and another one for the product; z^n by at most n
+    // - 1 units, as 1 and z are not rounded and each product by z adds less than one; and z by its
+    // own error, with |G'(z)| <= sum of |e_n|.
     const magnitude of_powers =
         multiply_up(scale(ball(own.of_powers, 64).magnitude_upper(), -f), unit);
     const magnitude size = scale(ball(own.sum_of_sizes, 64).magnitude_upper(), -f);
@@ -296,7 +297,8 @@ std::optional<ball> panel_integral::sum(long f, precision p, long most_terms) {
   const magnitude of_series = error_of_coefficients(terms->divisions, parts, f);
   const ball real = integral_of(part[0], ends, f, p);
   if (parts == 1) return real.enlarged(of_series) * constant(p);
-  // The part of (real + i imaginary) e^(i t(c)) that is meant. What A is off by is a complex number, and turned with it.
+  // The part of (real + i imaginary) e^(i t(c)) that is meant. What A is off by is a complex
+  // number, and turned with it.
   const ball imaginary = integral_of(part[1], ends, f, p);
   const ball angle(rational(phase_.coefficients.front() * phase_.content), p);
   const ball result = range_.is_sine ? real * sin(angle) + imaginary * cos(angle)

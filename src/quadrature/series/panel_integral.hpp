@@ -24,8 +24,8 @@ class panel_integral {
   panel_integral(const smooth_range& range, const taylor_panel& panel)
       : range_(range), panel_(panel) {}
 
-  /// To about 2^log2_goal. Returns nullopt where the theorem's hypotheses are not proved, or where it takes more bits or
-  /// terms than allowed.
+  /// To about 2^log2_goal. Returns nullopt where the theorem's hypotheses are not proved, or where
+  /// it takes more bits or terms than allowed.
   std::optional<panel_value> to(double log2_goal, precision most_bits, long most_terms);
   /// The same in units of 2^-f, with a result of p bits.
   std::optional<panel_value> in_units(long f, precision p, long most_terms);
@@ -63,8 +63,8 @@ class panel_integral {
   [[nodiscard]] cut_ends cut_ends_in_z(precision bits) const;
   /// The sums at these ends, in units of 2^-f; false where an end is not proved to be in the panel.
   [[nodiscard]] bool add_cut_ends(const cut_ends& cut, long f, series_part& own) const;
-  /// What the a_n are off by makes the integral of g so much wrong, in size: that of A for g, integrated, with N, or
-  /// sqrt(2) N < 3/2 N, of the theorem.
+  /// What the a_n are off by makes the integral of g so much wrong, in size: that of A for g,
+  /// integrated, with N, or sqrt(2) N < 3/2 N, of the theorem.
   [[nodiscard]] magnitude error_of_coefficients(long count_of_divisions, std::size_t parts,
                                                 long f) const;
   /// The integral of one part of the series, but for what the a_n are off by.

@@ -1,6 +1,7 @@
 #pragma once
 
-// The integral of a node over a range, in another variable: as integrals of hyperexponential functions of it.
+// The integral of a node over a range, in another variable: as integrals of hyperexponential
+// functions of it.
 
 #include <vector>
 
@@ -12,13 +13,15 @@ struct formula_range {
   const formula& f;
   const end_point& a;  // less than b, as far as is known
   const end_point& b;
-  /// What nodes are in x, where the formula has exponential or circular functions of them; else null.
+  /// What nodes are in x, where the formula has exponential or circular functions of them; else
+  /// null.
   const forms* plain = nullptr;
 };
 
 using hyperexponential_integrals = std::vector<hyperexponential_integral>;
 
-// Each adds to the result, and returns whether the node is such a sum in its variable; where it is not, the result is of no use.
+// Each adds to the result, and returns whether the node is such a sum in its variable; where it is
+// not, the result is of no use.
 
 /// y = x, or -x.
 bool add_in_argument(const formula_range& of, std::size_t node, hyperexponential_integrals& result);

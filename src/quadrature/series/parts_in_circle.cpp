@@ -14,8 +14,8 @@ class in_circle {
  public:
   explicit in_circle(const formula_range& of) : f_(of.f), a_(of.a), b_(of.b), plain_(of.plain) {}
 
-  /// By quarters of a period: y = sin^2 w', where w = k pi/2 + w'. By halves: y = sin^2(w'/2), where
-  /// w = (k - shift/2) pi + w'. So y grows with w.
+  /// By quarters of a period: y = sin^2 w', where w = k pi/2 + w'. By halves: y = sin^2(w'/2),
+  /// where w = (k - shift/2) pi + w'. So y grows with w.
   bool add(std::size_t node, bool by_quarters, int shift,
            hyperexponential_integrals& result) const {
     const auto own = common_frequency(node);

@@ -30,7 +30,8 @@ struct smooth_range {
   std::optional<rational> greatest;
   bool is_inverted = false;  // the line is that of 1/y
 
-  /// Where it lies in the range of y that it was cut from, of which it keeps the ends that are not exact.
+  /// Where it lies in the range of y that it was cut from, of which it keeps the ends that are not
+  /// exact.
   [[nodiscard]] piece_done piece() const {
     const place from = lower.exact() ? place(*lower.exact()) : place::lower_end();
     const place to = upper.exact() ? place(*upper.exact()) : place::upper_end();
@@ -65,8 +66,8 @@ struct taylor_panel {
   [[nodiscard]] bool is_cut() const { return from_lower || to_upper; }
 };
 
-/// Those of the panels, which follow one another, that meet the range, with the ones that its ends cut marked. Returns
-/// nullopt where it is not clear which those are.
+/// Those of the panels, which follow one another, that meet the range, with the ones that its ends
+/// cut marked. Returns nullopt where it is not clear which those are.
 [[nodiscard]] std::optional<std::vector<taylor_panel>> cut_to(
     const smooth_range& range, const std::vector<taylor_panel>& panels);
 

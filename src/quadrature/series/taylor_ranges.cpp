@@ -56,8 +56,9 @@ smooth_range inverted(const smooth_range& range) {
   return result;
 }
 
-/// The coefficients of (1 + w)^n p(inner + (outer - inner) w/(1 + w)), n the degree; of p(inner + w) where outer is infinite.
-/// Where all have one sign, or are 0, p has that sign between the two, or is 0.
+/// The coefficients of (1 + w)^n p(inner + (outer - inner) w/(1 + w)), n the degree; of p(inner +
+/// w) where outer is infinite. Where all have one sign, or are 0, p has that sign between the two,
+/// or is 0.
 std::vector<rational> coefficients_between(const rational_polynomial& p, const rational& inner,
                                            const std::optional<rational>& outer) {
   std::vector<rational> at_inner = shifted(p, inner).coefficients();
@@ -79,12 +80,13 @@ std::vector<rational> coefficients_between(const rational_polynomial& p, const r
   return sum.coefficients();
 }
 
-/// A bound of the integral between two points, between which the integrand falls from the inner to the outer; outer is
-/// infinite where it is not given. Nothing where none is proved.
+/// A bound of the integral between two points, between which the integrand falls from the inner to
+/// the outer; outer is infinite where it is not given. Nothing where none is proved.
 ///
-/// With P^ >= |P|, of the absolute values of P's coefficients, y >= 0, let |(log (P^ h))'| be at least lambda > 0 between
-/// the two, with the sign that makes P^ h fall. Then P^ h is at most (P^ h)(inner) e^(-lambda |y - inner|), and its integral
-/// at most (P^ h)(inner)/lambda. With Q the product of the p_i and d the direction, the condition is that
+/// With P^ >= |P|, of the absolute values of P's coefficients, y >= 0, let |(log (P^ h))'| be at
+/// least lambda > 0 between the two, with the sign that makes P^ h fall. Then P^ h is at most (P^
+/// h)(inner) e^(-lambda |y - inner|), and its integral at most (P^ h)(inner)/lambda. With Q the
+/// product of the p_i and d the direction, the condition is that
 ///   d (P^' Q + P^ (sum of e_i p_i' Q/p_i) + s' P^ Q) + lambda P^ Q <= 0:
 /// it is proved, as is p_i > 0, by the signs of coefficients.
 std::optional<ball> bound_by_slope(const smooth_range& range, const rational& inner,
@@ -133,7 +135,8 @@ double size_of_roots(const smooth_range& range) {
   return size;
 }
 
-/// The zeros of the logarithmic derivative P'/P + sum of e_i p_i'/p_i + s' are those of this polynomial.
+/// The zeros of the logarithmic derivative P'/P + sum of e_i p_i'/p_i + s' are those of this
+/// polynomial.
 rational_polynomial slope_of(const smooth_range& range) {
   rational_polynomial q({rational(1)});
   rational_polynomial slope = range.numerator.derivative();
@@ -145,8 +148,8 @@ rational_polynomial slope_of(const smooth_range& range) {
   return slope + range.exponent.derivative() * range.numerator * q;
 }
 
-/// Searches in doubles for points beyond which the integrand is too small to count for so many bits. What it finds is
-/// proposed only: bound_by_slope has to prove that it is so.
+/// Searches in doubles for points beyond which the integrand is too small to count for so many
+/// bits. What it finds is proposed only: bound_by_slope has to prove that it is so.
 class cut_search {
  public:
   cut_search(const smooth_range& range, double bits)
@@ -175,8 +178,8 @@ class cut_search {
   [[nodiscard]] bool is_small(const std::optional<ball>& bound) const {
     return bound && estimated_log2(bound->magnitude_upper()) <= greatest_ - bits_;
   }
-  /// Of an infinite range: proposes points farther and farther out, from the first beyond which little is left, until one is
-  /// taken; false where none is.
+  /// Of an infinite range: proposes points farther and farther out, from the first beyond which
+  /// little is left, until one is taken; false where none is.
   template <class Take>
   [[nodiscard]] bool propose_towards_infinity(const Take& take) const {
     double outside = std::max(std::abs(last_), 1e-3);
@@ -188,7 +191,8 @@ class cut_search {
     }
     return false;
   }
-  /// Between the last value that counts and the upper end, which is a number; nothing where a cut is not worth a proof.
+  /// Between the last value that counts and the upper end, which is a number; nothing where a cut
+  /// is not worth a proof.
   [[nodiscard]] std::optional<rational> upper_cut() const {
     if (!range_.upper.exact() || !(size(high_) < least() - much)) return std::nullopt;
     const rational t = short_number(crossing(last_, high_), last_);
@@ -212,7 +216,8 @@ class cut_search {
   [[nodiscard]] double least() const { return greatest_ - bits_ - 10; }
   [[nodiscard]] bool counts(double y) const { return size(y) >= least(); }
 
-  /// Where the greatest values may be, in order: at the ends, where the logarithmic derivative is 0, and near a singular end.
+  /// Where the greatest values may be, in order: at the ends, where the logarithmic derivative is
+  /// 0, and near a singular end.
   [[nodiscard]] std::vector<double> possible_peaks() const {
     std::vector<double> peaks{low_};
     if (!range_.upper.is_infinite()) peaks.push_back(high_);
@@ -285,7 +290,8 @@ void leave_out_below(finite_ranges& result, smooth_range& range, const rational&
   range.lower = t;
 }
 
-/// Without what is proved to be too small to count for so many bits. Nothing where no end of an infinite range is found.
+/// Without what is proved to be too small to count for so many bits. Nothing where no end of an
+/// infinite range is found.
 std::optional<finite_ranges> cut_off(const smooth_range& whole, double bits) {
   cut_search search(whole, bits);
   if (!search.prepare()) return std::nullopt;

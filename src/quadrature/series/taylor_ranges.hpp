@@ -1,6 +1,7 @@
 #pragma once
 
-// The finite ranges that a hyperexponential function is summed over by Taylor series, and bounds of what is left out.
+// The finite ranges that a hyperexponential function is summed over by Taylor series, and bounds of
+// what is left out.
 
 #include <optional>
 #include <vector>

@@ -25,8 +25,8 @@ class taylor_sum {
              const integrate_options& options)
       : f_(f), parts_(parts), options_(options) {}
 
-  /// To about 2^-bits of the greatest part, or to the absolute goal. Returns nullopt where it is not found, or where the
-  /// pieces are not proved to tile their ranges.
+  /// To about 2^-bits of the greatest part, or to the absolute goal. Returns nullopt where it is
+  /// not found, or where the pieces are not proved to tile their ranges.
   std::optional<ball> to(double bits) {
     struct covered_range {
       const smooth_range* range;
@@ -94,7 +94,8 @@ class taylor_sum {
   [[nodiscard]] const integral_account& account() const { return account_; }
 
  private:
-  /// Adds the integral over a panel, by its halves where that is needed. Returns false where it is not found.
+  /// Adds the integral over a panel, by its halves where that is needed. Returns false where it is
+  /// not found.
   bool add_panel(tiled_sum<ball>& sum, const smooth_range& range, const taylor_panel& panel,
                  double goal, precision most_bits, int depth) {
     panel_integral own(range, panel);

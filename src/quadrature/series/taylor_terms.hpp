@@ -100,8 +100,8 @@ struct computed_terms {
   long divisions = 0;  // by (1), of numbers that are not 0: N of the theorem
 };
 
-/// Adds the terms to the real part and, where there are two, the imaginary one. Returns nullopt where that takes more terms
-/// than allowed, or where the series does not converge.
+/// Adds the terms to the real part and, where there are two, the imaginary one. Returns nullopt
+/// where that takes more terms than allowed, or where the series does not converge.
 [[nodiscard]] std::optional<computed_terms> add_terms(const taylor_recurrence& of,
                                                       const wanted_terms& wanted,
                                                       std::vector<series_part>& part);

@@ -21,7 +21,8 @@ void in_order(std::vector<root_region>& regions) {
   });
 }
 
-/// Roots of different factors, neither in the other's enclosure, may have enclosures that overlap: they are made narrower.
+/// Roots of different factors, neither in the other's enclosure, may have enclosures that overlap:
+/// they are made narrower.
 void keep_apart(std::vector<root_region>& regions) {
   constexpr long most_digits = 1L << 14;
   for (std::size_t i = 1; i < regions.size(); ++i) {

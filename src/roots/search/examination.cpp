@@ -232,8 +232,8 @@ class examination {
   /// There is no root in x, nor in the set, which holds it.
   void exclude(const exact_box& x, const ball& over) { result_.excluded.push_back({x, over}); }
 
-  /// What is spent on cancellation grows with the depth: a function that is 0 on an interval is not to cost
-  /// the most everywhere.
+  /// What is spent on cancellation grows with the depth: a function that is 0 on an interval is not
+  /// to cost the most everywhere.
   [[nodiscard]] precision most_bits(const work_box& b) const {
     return std::min<precision>(options_.most_precision, 512 + 32L * b.halvings);
   }
@@ -245,7 +245,8 @@ class examination {
            (halvings > turns.back() && halvings % later == 0);
   }
 
-  /// True where the box is settled: it has no root, its root was found, or a narrower box takes its place.
+  /// True where the box is settled: it has no root, its root was found, or a narrower box takes its
+  /// place.
   bool by_newton(const work_box& b, const ball& x, const ball& middle, const ball& value,
                  const ball& slope) {
     const ball image = middle - value / slope;
@@ -476,7 +477,8 @@ class examination {
     return r;
   }
 
-  /// The simplest rational number in the box, where f is exactly 0 there and has no known derivative.
+  /// The simplest rational number in the box, where f is exactly 0 there and has no known
+  /// derivative.
   std::optional<rational> kink_in(const work_box& b) {
     const rational at = simplest_between(*b.x.lower, *b.x.upper);
     if (height(at) > simple_height) return std::nullopt;
@@ -487,8 +489,9 @@ class examination {
     return is_kink ? std::optional(at) : std::nullopt;
   }
 
-  /// f, ..., f^(m-1) are exactly 0 at c in x, and f^(m) has no zero in x: then c is the only root in x, m
-  /// times, since m + 1 roots, counted with their multiplicities, would give f^(m) a zero (Rolle).
+  /// f, ..., f^(m-1) are exactly 0 at c in x, and f^(m) has no zero in x: then c is the only root
+  /// in x, m times, since m + 1 roots, counted with their multiplicities, would give f^(m) a zero
+  /// (Rolle).
   bool by_exact_point(const work_box& b, const exact_box& wide, const ball& x,
                       const exact_zero& zero) {
     if (zero.multiplicity == 0) return false;
@@ -536,8 +539,9 @@ class examination {
   // -------------------------------------------------------------------------------------------
   // Towards infinity
 
-  /// f^(k) > 0 on [M, inf), f^(j)(M) >= 0 for j < k and f(M) > 0 prove f > 0 on [M, inf): going down from k,
-  /// f^(j)(x) = f^(j)(M) + the integral of f^(j+1). Likewise for f < 0, and towards -infinity with f(-x).
+  /// f^(k) > 0 on [M, inf), f^(j)(M) >= 0 for j < k and f(M) > 0 prove f > 0 on [M, inf): going
+  /// down from k, f^(j)(x) = f^(j)(M) + the integral of f^(j+1). Likewise for f < 0, and towards
+  /// -infinity with f(-x).
   bool keeps_its_sign(const work_box& b, const series_type& over) {
     const bool rightward = b.x.lower.has_value();
     const ball end(rightward ? *b.x.lower : *b.x.upper, b.bits);
@@ -615,7 +619,8 @@ class examination {
     add(b, done, x, image, problem(b).multiplicity, std::nullopt, problem(b).g);
   }
 
-  /// The only root of the problem in the box, of multiplicity 0 where it has none; `done`, which lies in the box, need not be searched any more.
+  /// The only root of the problem in the box, of multiplicity 0 where it has none; `done`, which
+  /// lies in the box, need not be searched any more.
   void add(const work_box& b, const exact_box& done, const ball& box, const ball& enclosure,
            long multiplicity, std::optional<rational> exact,
            std::shared_ptr<const real_function> simple) {

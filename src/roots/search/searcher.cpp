@@ -17,8 +17,9 @@ namespace polhode::detail {
 
 namespace {
 
-/// One run of a search. Boxes are examined from left to right, each result before the next box; more threads examine
-/// boxes before their turn, and what they find waits for it. So their number changes nothing in the answer.
+/// One run of a search. Boxes are examined from left to right, each result before the next box;
+/// more threads examine boxes before their turn, and what they find waits for it. So their number
+/// changes nothing in the answer.
 class searcher {
  public:
   searcher(root_search::state& s, const isolate_options& options) : s_(s), options_(options) {
@@ -146,7 +147,8 @@ class searcher {
     waiting_ += count;
   }
 
-  /// The boxes that are to be examined, in the order in which the search will meet them, as far as that is known.
+  /// The boxes that are to be examined, in the order in which the search will meet them, as far as
+  /// that is known.
   void collect(std::vector<work_box>& stack, std::vector<work_box*>& boxes) const {
     constexpr long most_waiting = 4096;  // they take memory
     const long most = workers_ && waiting_ < most_waiting ? most_at_a_time_ : 1;
@@ -170,7 +172,8 @@ class searcher {
   // -------------------------------------------------------------------------------------------
   // Merging
 
-  /// Proves that the outcome is about the whole box, and keeps it. Of the box, the parts are what was open until now.
+  /// Proves that the outcome is about the whole box, and keeps it. Of the box, the parts are what
+  /// was open until now.
   void merge(const work_box& b, const std::vector<const exact_box*>& parts, outcome o) {
     if (o.error) std::rethrow_exception(o.error);
     expect_whole(b.x, o);
@@ -186,7 +189,8 @@ class searcher {
     append(s_.pending, o.rest);
   }
 
-  /// A cluster's outcome is about its hull, one set without a root or with known ones, and settles its parts.
+  /// A cluster's outcome is about its hull, one set without a root or with known ones, and settles
+  /// its parts.
   void settle(const work_box& b, const std::vector<const exact_box*>& parts, outcome& o) {
     settled_pieces& settled = s_.settled[b.problem];
     const bool is_cluster = parts.size() != 1 || parts.front() != &b.x;
@@ -248,8 +252,8 @@ class searcher {
     return true;
   }
 
-  /// Appends the box to a stack: beside an isolated root at c, in pieces whose distances from c grow by a constant factor, as
-  /// there may be roots at any scale. Rightward: c is on the left.
+  /// Appends the box to a stack: beside an isolated root at c, in pieces whose distances from c
+  /// grow by a constant factor, as there may be roots at any scale. Rightward: c is on the left.
   static void append_in_shells(std::vector<work_box>& stack, work_box b,
                                const std::optional<rational>& c, bool rightward) {
     if (!c) {
@@ -273,8 +277,8 @@ class searcher {
                  std::make_move_iterator(shells.end()));
   }
 
-  /// Settles `done`, in which all roots of the problem are known, and perhaps an isolated one. Gives what it takes out to
-  /// add_piece.
+  /// Settles `done`, in which all roots of the problem are known, and perhaps an isolated one.
+  /// Gives what it takes out to add_piece.
   template <class AddPiece>
   void take_out(std::size_t problem, const exact_box& done,
                 const std::optional<rational>& isolated_at, const AddPiece& add_piece) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// What a search for roots knows: the boxes that are left, the roots and the singular places that were found, and the pieces of the
-// interval that are settled.
+// What a search for roots knows: the boxes that are left, the roots and the singular places that
+// were found, and the pieces of the interval that are settled.
 
 #include <exception>
 #include <memory>
@@ -20,7 +20,8 @@ using exact_box = exact_interval;
 
 constexpr precision first_bits = 64;
 
-/// What counts, at most, as the halvings of a box beside one with an exact zero, or beside a root that was found.
+/// What counts, at most, as the halvings of a box beside one with an exact zero, or beside a root
+/// that was found.
 constexpr int halvings_beside_zero = 64;
 
 struct outcome;
@@ -37,13 +38,15 @@ struct work_box {
   std::shared_ptr<outcome> ahead = nullptr;
 };
 
-/// What the examination of a box gives, of pieces that make up the box. It depends on the box and the options alone.
+/// What the examination of a box gives, of pieces that make up the box. It depends on the box and
+/// the options alone.
 struct outcome {
   struct without_root {
     exact_box x;
     ball over;  // has no root in this set
   };
-  /// All roots in `done`, which holds the box, are known: the region's, or none where there is no region.
+  /// All roots in `done`, which holds the box, are known: the region's, or none where there is no
+  /// region.
   struct known_part {
     exact_box done;
     ball over;  // what the proof is about: the region's box
@@ -59,10 +62,12 @@ struct outcome {
   std::exception_ptr error;  // what f threw
 };
 
-/// Proves that the outcome is about the whole box: the pieces make it up, and what was proved was proved over them.
+/// Proves that the outcome is about the whole box: the pieces make it up, and what was proved was
+/// proved over them.
 void expect_whole(const exact_box& box, const outcome& o);
 
-/// A function whose roots are looked for: f, or a factor of the polynomial f with simple roots only.
+/// A function whose roots are looked for: f, or a factor of the polynomial f with simple roots
+/// only.
 struct root_problem {
   std::shared_ptr<const real_function> g;
   long multiplicity = 1;  // of its roots, as roots of f
@@ -98,8 +103,8 @@ struct root_search::state {
 
 namespace detail {
 
-/// Proves that the interval that was asked for, from end to end, is in the one that is searched, and that every point of
-/// it is settled or open: for every problem.
+/// Proves that the interval that was asked for, from end to end, is in the one that is searched,
+/// and that every point of it is settled or open: for every problem.
 void expect_whole(const root_search::state& s);
 
 }  // namespace detail

@@ -1,4 +1,5 @@
-// The program with a fault in the first route of each command, put in by the linker (--wrap): its second route must find it.
+// The program with a fault in the first route of each command, put in by the linker (--wrap): its
+// second route must find it.
 
 #include <utility>
 

@@ -21,11 +21,11 @@ constexpr precision agm_guard_bits = 24;
 
 /// As a near_function, for two positive numbers of up to r's precision.
 ///
-/// The mean M is increasing in both arguments, homogeneous, and the same for (a + b) / 2 and sqrt(a b).
-/// Let u = 2^-wp. A step rounds the first with a relative error of u at most, and the second with u/2
-/// from the product and u, so that it changes M by a factor within 1 +- 2 u (1 + u). Where |a - b| <= a u^(1/2)
-/// the rest is below (a + b) / 2 - sqrt(a b) <= (a - b)^2 / (8 min(a, b)) <= u a / 2, and the sum is
-/// rounded once more.
+/// The mean M is increasing in both arguments, homogeneous, and the same for (a + b) / 2 and sqrt(a
+/// b). Let u = 2^-wp. A step rounds the first with a relative error of u at most, and the second
+/// with u/2 from the product and u, so that it changes M by a factor within 1 +- 2 u (1 + u). Where
+/// |a - b| <= a u^(1/2) the rest is below (a + b) / 2 - sqrt(a b) <= (a - b)^2 / (8 min(a, b)) <= u
+/// a / 2, and the sum is rounded once more.
 bool near_agm(mpfr_ptr r, mpfr_srcptr x, mpfr_srcptr y, magnitude& error) {
   const precision p = mpfr_get_prec(r);
   // Products and differences stay far inside MPFR's range, which a caller may have narrowed.

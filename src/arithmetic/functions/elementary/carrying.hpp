@@ -1,8 +1,8 @@
 #pragma once
 
-// How the radius of a ball is carried through a function: a thin ball's by a bound of first order around the value at its
-// midpoint, a wide ball's by the values at its ends. The bounds of first order are put together from those of magnitudes
-// at the end of this file.
+// How the radius of a ball is carried through a function: a thin ball's by a bound of first order
+// around the value at its midpoint, a wide ball's by the values at its ends. The bounds of first
+// order are put together from those of magnitudes at the end of this file.
 
 #include <utility>
 
@@ -25,8 +25,9 @@ inline constexpr magnitude small_radius = magnitude::power_of_two(-10);
 // magnify their rounding into sight.
 constexpr precision guard_bits = 64;
 
-/// f at the midpoint, by `near` where that is given and can. error(value) bounds |f(x) - f(midpoint)| over
-/// the ball, given an MPFR number within value_error of f(midpoint); it is not asked when x is exact.
+/// f at the midpoint, by `near` where that is given and can. error(value) bounds |f(x) -
+/// f(midpoint)| over the ball, given an MPFR number within value_error of f(midpoint); it is not
+/// asked when x is exact.
 template <class Error>
 void at_midpoint(ball& result, const ball& x, mpfr_function f, Error&& error,
                  near_function near = nullptr) {
@@ -80,8 +81,8 @@ void monotone(ball& result, const ball& x, mpfr_function f, bool increasing, Err
   }
 }
 
-/// How far a computed value y is from the number that it stands for: half a unit in the last place, as MPFR
-/// rounds, and 2^-10 units more for what a near_function grants itself.
+/// How far a computed value y is from the number that it stands for: half a unit in the last place,
+/// as MPFR rounds, and 2^-10 units more for what a near_function grants itself.
 [[nodiscard]] inline magnitude value_error(mpfr_srcptr y) {
   const magnitude half_unit = rounding_error(y);
   return add_up(half_unit, scale(half_unit, -9));

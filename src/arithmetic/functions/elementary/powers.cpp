@@ -20,9 +20,9 @@ void rsqrt(ball& result, const ball& x) {
     const precision p = x.precision();
     return at_ends(result, end_points(x, p + guard_bits), p, mpfr_rec_sqrt, false);
   }
-  // |(m+h)^(-1/2) - m^(-1/2)| <= m^(-1/2) ((1 - q)^(-1/2) - 1) with q = r / m < 2^-22. In the power series
-  // of (1 - q)^(-1/2) the coefficients from q^2 on are at most 3/8, so it is at most
-  // 1 + q/2 + (3/8) q^2 / (1 - q) <= 1 + (q + q^2) / 2 for q <= 1/4.
+  // |(m+h)^(-1/2) - m^(-1/2)| <= m^(-1/2) ((1 - q)^(-1/2) - 1) with q = r / m < 2^-22. In the power
+  // series of (1 - q)^(-1/2) the coefficients from q^2 on are at most 3/8, so it is at most 1 + q/2
+  // + (3/8) q^2 / (1 - q) <= 1 + (q + q^2) / 2 for q <= 1/4.
   const magnitude q = divide_up(ball_access::radius(x), magnitude::abs_down(ball_access::first(x)));
   at_midpoint(result, x, mpfr_rec_sqrt, [&](mpfr_srcptr value) {
     return multiply_up(true_value_up(value), scale(plus_square_up(q), -1));
@@ -33,8 +33,8 @@ ball hypot(const ball& x, const ball& y) {
   const precision p = std::max(x.precision(), y.precision());
   if (x.is_undefined() || y.is_undefined()) return ball::undefined(p);
   if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y)) {
-    // The derivatives are x / |(x, y)| and y / |(x, y)|: at most 1 in size, and at most the greatest |x|, or |y|, over the
-    // least |(x, y)|.
+    // The derivatives are x / |(x, y)| and y / |(x, y)|: at most 1 in size, and at most the
+    // greatest |x|, or |y|, over the least |(x, y)|.
     const magnitude least_x = x.magnitude_lower();
     const magnitude least_y = y.magnitude_lower();
     const magnitude least =
@@ -115,8 +115,9 @@ ball root(const ball& x, unsigned long n) {
   if (n == 2) return sqrt(x);
   if (x.is_undefined()) return x;
   if (ball_access::is_midpoint_radius(x) && (n % 2 != 0 || sign_of(x) == certain_sign::positive)) {
-    // |(m+h)^(1/n) - m^(1/n)| <= |m|^(1/n) (1 - (1 - q)^(1/n)) for q = r/|m| < 2^-22: the root is concave. By the mean
-    // value theorem that is at most (q/n) (1 - q)^(1/n - 1) <= (q/n) / (1 - q) <= (q + 2 q^2) / n.
+    // |(m+h)^(1/n) - m^(1/n)| <= |m|^(1/n) (1 - (1 - q)^(1/n)) for q = r/|m| < 2^-22: the root is
+    // concave. By the mean value theorem that is at most (q/n) (1 - q)^(1/n - 1) <= (q/n) / (1 - q)
+    // <= (q + 2 q^2) / n.
     const mpfr_srcptr m = ball_access::first(x);
     const magnitude q =
         x.is_exact() ? magnitude{} : divide_up(ball_access::radius(x), magnitude::abs_down(m));
@@ -153,9 +154,9 @@ bool is_machine_integer(const ball& y, long& n) {
   return true;
 }
 
-/// x^y over a rectangle with x >= 0. d/dx has the sign of y and d/dy that of log x, constant along each
-/// side, so the extremes lie at the corners and, where the rectangle crosses x = 1 or y = 0, the
-/// values there are 1, which lies between corner values on both sides.
+/// x^y over a rectangle with x >= 0. d/dx has the sign of y and d/dy that of log x, constant along
+/// each side, so the extremes lie at the corners and, where the rectangle crosses x = 1 or y = 0,
+/// the values there are 1, which lies between corner values on both sides.
 ball power_at_corners(const end_points& x, const end_points& y, precision p) {
   mpfr_cell lower(p);
   mpfr_cell upper(p);
@@ -195,8 +196,8 @@ ball pow(const ball& x, const ball& y) {
   // An infinite end is a limit, and MPFR gives that of the power at each corner.
   if (zero_base && !(x.is_bounded() && y.is_bounded())) return ball::undefined(p);
   if (ball_access::is_midpoint_radius(x) && ball_access::is_midpoint_radius(y) && !zero_base) {
-    // The exponent y log x changes by at most d = |y| (q + q^2) + ry |log x|, q = rx / mx, and the power
-    // by a factor within e^(+-d): |change| <= value (d + d^2) for d <= 1.
+    // The exponent y log x changes by at most d = |y| (q + q^2) + ry |log x|, q = rx / mx, and the
+    // power by a factor within e^(+-d): |change| <= value (d + d^2) for d <= 1.
     const mpfr_srcptr mx = ball_access::first(x);
     const mpfr_srcptr my = ball_access::first(y);
     const magnitude q = divide_up(ball_access::radius(x), magnitude::abs_down(mx));

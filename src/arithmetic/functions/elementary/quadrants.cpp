@@ -36,8 +36,8 @@ void quadrant(mpz_ptr result, mpfr_srcptr x) {
   mpz_clear(other);
 }
 
-/// For a set no wider than `widest`, given what sets an integer to the number of quarter turns up to a point;
-/// points that are too large to say so may be anywhere on the circle.
+/// For a set no wider than `widest`, given what sets an integer to the number of quarter turns up
+/// to a point; points that are too large to say so may be anywhere on the circle.
 template <class TooLarge, class Quadrant>
 quarter_turns turns_between(const end_points& x, unsigned long widest, TooLarge&& too_large,
                             Quadrant&& set_quadrant) {

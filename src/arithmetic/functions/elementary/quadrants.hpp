@@ -1,7 +1,7 @@
 #pragma once
 
-// Which quarter turns a wide argument of a circular function passes: there sine and cosine turn, and the tangent has its
-// poles.
+// Which quarter turns a wide argument of a circular function passes: there sine and cosine turn,
+// and the tangent has its poles.
 
 #include <mpfr.h>
 

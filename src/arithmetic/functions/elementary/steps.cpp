@@ -1,5 +1,5 @@
-// Functions that are constant but for steps, or piecewise linear: rounding, sign, absolute value, minimum and maximum.
-// Their values at the ends are exact.
+// Functions that are constant but for steps, or piecewise linear: rounding, sign, absolute value,
+// minimum and maximum. Their values at the ends are exact.
 
 #include <algorithm>
 

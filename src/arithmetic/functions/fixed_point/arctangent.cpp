@@ -12,9 +12,10 @@ using namespace fixed_point;
 
 namespace {
 
-/// near_atan by tables: |x| = a/b with b = 1, or a = 2^-e and b = |x| 2^-e in [1/2, 1) for |x| >= 1, where atan |x| = pi/2 - atan(1/|x|).
-/// |x| or b may be cut off by less than a unit, which changes the angle by less than one: |d atan(a/b)| <= |da|/b for b = 1, and
-/// a/(a^2 + b^2) |db| <= |db|/(2b) <= |db|.
+/// near_atan by tables: |x| = a/b with b = 1, or a = 2^-e and b = |x| 2^-e in [1/2, 1) for |x| >=
+/// 1, where atan |x| = pi/2 - atan(1/|x|).
+/// |x| or b may be cut off by less than a unit, which changes the angle by less than one: |d
+/// atan(a/b)| <= |da|/b for b = 1, and a/(a^2 + b^2) |db| <= |db|/(2b) <= |db|.
 bool tabulated_arctangent(mpfr_ptr r, mpfr_srcptr x, long w, magnitude& error) {
   const mpfr_exp_t e = mpfr_get_exp(x);
   const bool steep = e > 0;
@@ -105,8 +106,9 @@ bool near_atan(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   } else {
     mpn_add_n(value.data(), value.data(), correction.data(), w + 1);
   }
-  // Both num and den are wrong by less than both errors and 3 for the products, shifts and |x| cut off;
-  // b cos >= 0.35, so that the quotient is by three times that for num, and 2^-49 of it for den.
+  // Both num and den are wrong by less than both errors and 3 for the products, shifts and |x| cut
+  // off; b cos >= 0.35, so that the quotient is by three times that for num, and 2^-49 of it for
+  // den.
   std::uint64_t units = 3 * (cosine_units + sine_units + 3) + 3 + 1;
   if (steep) {
     const quarter_pi eighth(w);

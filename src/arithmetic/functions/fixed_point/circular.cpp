@@ -83,7 +83,8 @@ near_pair sin_cos_beside(long near_zero, mpfr_ptr sine, mpfr_ptr cosine, mpfr_sr
   const std::uint64_t first_units =
       tabulated ? tabulated_sin_cos(sine_of_t.data(), cosine_of_t.data(), t.data(), w)
                 : versine_of_fraction(v, t.data(), w);
-  // By the quadrant: sin, cos, -sin, -cos (of t, or of -t) for the sine of |x|, and one on for the cosine.
+  // By the quadrant: sin, cos, -sin, -cos (of t, or of -t) for the sine of |x|, and one on for the
+  // cosine.
   const auto set = [&](mpfr_ptr r, std::uint64_t quadrant, bool negated, magnitude& error) {
     std::uint64_t units = first_units;
     bool negative = negated != (quadrant % 4 >= 2);

@@ -62,9 +62,10 @@ namespace {
 
 /// (e^|x| + e^-|x|)/2, or (e^|x| - e^-|x|)/2 with x's sign.
 ///
-/// e^|x| = 2^n V with V = e^t, 1 <= V < 2, is computed as near_exp does, with E units of error and V >= 1. Its inverse,
-/// cut off, is then wrong by E + 2 at most, and 2^-2n/V by E + 3. The value is 2^(n-1) times
-/// V + 2^-2n/V <= 5/2, or V - 2^-2n/V >= 0: for n = 0 and small t the bits that V and 1/V have in common are lost.
+/// e^|x| = 2^n V with V = e^t, 1 <= V < 2, is computed as near_exp does, with E units of error and
+/// V >= 1. Its inverse, cut off, is then wrong by E + 2 at most, and 2^-2n/V by E + 3. The value is
+/// 2^(n-1) times V + 2^-2n/V <= 5/2, or V - 2^-2n/V >= 0: for n = 0 and small t the bits that V and
+/// 1/V have in common are lost.
 bool near_hyperbolic(mpfr_ptr r, mpfr_srcptr x, magnitude& error, bool sine) {
   constexpr mpfr_exp_t least_exponent = -32;
   if (mpfr_regular_p(x) == 0) return false;

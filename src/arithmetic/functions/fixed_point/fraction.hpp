@@ -1,9 +1,10 @@
 #pragma once
 
-// The arithmetic of the functions in fixed point. All numbers here are fractions of w limbs: the integer in {x, w} stands
-// for itself times 2^(-64 w), the unit of all errors below. Some have a limb before the point and may be negative, in two's
-// complement. Every product, quotient and shift is cut off, which loses less than a unit; so that "E units"
-// of error are counted, not estimated, and the guard bits hide them.
+// The arithmetic of the functions in fixed point. All numbers here are fractions of w limbs: the
+// integer in {x, w} stands for itself times 2^(-64 w), the unit of all errors below. Some have a
+// limb before the point and may be negative, in two's complement. Every product, quotient and shift
+// is cut off, which loses less than a unit; so that "E units" of error are counted, not estimated,
+// and the guard bits hide them.
 
 #include <algorithm>
 #include <bit>
@@ -45,7 +46,8 @@ using double_fraction = limbs<2 * most_limbs + 2>;
 inline long integer_sqrt(long n) { return static_cast<long>(std::sqrt(static_cast<double>(n))); }
 
 // Limbs of the fractions for p bits and such guard bits that a function's error is hardly ever too
-// great for `store`; halving the arguments some sqrt(p)/4 times takes as many pairs of them, tables take few.
+// great for `store`; halving the arguments some sqrt(p)/4 times takes as many pairs of them, tables
+// take few.
 inline long limbs_for_tables(mpfr_prec_t p, long more) {
   return std::max((p + more + 20 + 63) / 64, 2L);
 }
@@ -118,8 +120,8 @@ inline bool difference(fraction& num, const limb* x, const limb* y, long w) {
 /// x = |a|, a number below 2^63 that is cut off behind w limbs.
 void load(number& x, mpfr_srcptr a, mpfr_exp_t exponent, long w);
 
-/// r = x * 2^exponent with that sign, rounded to nearest; `error` is that of x in units, and becomes that
-/// of r. False where x is not known well enough.
+/// r = x * 2^exponent with that sign, rounded to nearest; `error` is that of x in units, and
+/// becomes that of r. False where x is not known well enough.
 [[nodiscard]] bool store(mpfr_ptr r, number& x, long w, int sign, mpfr_exp_t exponent,
                          std::uint64_t units, magnitude& error);
 
@@ -155,8 +157,8 @@ struct quarter_pi : constant {
   explicit quarter_pi(long w) : constant(mpfr_const_pi, tabulated_quarter_pi, w) {}
 };
 
-/// x = n c + rest with 0 <= rest < c for a number 0 <= x < 2^16 and a fraction c >= 1/2. x becomes the
-/// rest. Exact but for what c is cut off, n units.
+/// x = n c + rest with 0 <= rest < c for a number 0 <= x < 2^16 and a fraction c >= 1/2. x becomes
+/// the rest. Exact but for what c is cut off, n units.
 std::uint64_t reduce(number& x, const constant& c, long w);
 
 }  // namespace polhode::detail::fixed_point

@@ -25,8 +25,8 @@ bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
       mpfr_get_exp(x) < -most_exponent || !has_wide_range()) {
     return false;
   }
-  // x = (1 + f) 2^e, exactly. Near 1 the logarithm begins as many bits behind the point as x and 1 have
-  // in common.
+  // x = (1 + f) 2^e, exactly. Near 1 the logarithm begins as many bits behind the point as x and 1
+  // have in common.
   const mpfr_exp_t e = mpfr_get_exp(x) - 1;
   const auto* significand = static_cast<const limb*>(mpfr_custom_get_significand(x));
   const limb top = significand[(mpfr_get_prec(x) - 1) / 64];
@@ -65,8 +65,8 @@ bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   den[w] = 2 + mpn_add_n(den.data(), f.data(), m.data(), w);
   number correction;
   if (!arctangent_of_quotient(correction, num.data(), den, w, true)) return false;
-  // The error of m, through d/dE of (F - E) / (F + E), which is below 2 F / (F + E)^2 <= 1 for E, F >= 1,
-  // twice; and that of log 2, |e| units.
+  // The error of m, through d/dE of (F - E) / (F + E), which is below 2 F / (F + E)^2 <= 1 for E, F
+  // >= 1, twice; and that of log 2, |e| units.
   number value{};
   mpn_copyi(value.data(), l.data(), w);
   for (int i = 0; i < 2; ++i) {

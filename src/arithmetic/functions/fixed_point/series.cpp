@@ -7,8 +7,9 @@
 namespace polhode::detail::fixed_point {
 namespace {
 
-/// The quotient of two coefficients: the exponential series is the sum of z^k / (1 * 2 * ... * k), the
-/// circular one, for 1 - cos(sqrt(z)), of (-1)^(k+1) z^k / ((1*2) * (3*4) * ... * ((2k-1)*2k)), k >= 1.
+/// The quotient of two coefficients: the exponential series is the sum of z^k / (1 * 2 * ... * k),
+/// the circular one, for 1 - cos(sqrt(z)), of (-1)^(k+1) z^k / ((1*2) * (3*4) * ... * ((2k-1)*2k)),
+/// k >= 1.
 constexpr limb factor(series s, long k) {
   return static_cast<limb>(s == series::exponential ? k : (2 * k - 1) * 2 * k);
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-// The two series that exp, sin and cos are computed by, that of e^z and that of 1 - cos(sqrt(z)), which halving the argument
-// makes short; and the powers that they and the arc tangent's series are summed with.
+// The two series that exp, sin and cos are computed by, that of e^z and that of 1 - cos(sqrt(z)),
+// which halving the argument makes short; and the powers that they and the arc tangent's series are
+// summed with.
 
 #include <cstdint>
 
@@ -17,8 +18,8 @@ enum class series { exponential, circular };
 /// so is the rest. (Of positive terms each is less than half of the one before, so it is 2 units.)
 [[nodiscard]] long terms_needed(series s, long small, long w);
 
-/// z, z^2, ..., z^m, and sums of them. A power is cut off at each product: for z <= 1/4 it is less than 2
-/// units too small, as e' <= 1 + 2 (1/4)^(i/2) e for a square and 1 + e/4 for a product.
+/// z, z^2, ..., z^m, and sums of them. A power is cut off at each product: for z <= 1/4 it is less
+/// than 2 units too small, as e' <= 1 + 2 (1/4)^(i/2) e for a square and 1 + e/4 for a product.
 class power_table {
  public:
   power_table(const limb* z, long w, long m) : w_(w), m_(m) {
@@ -56,17 +57,19 @@ class power_table {
 
 /// sum = the series at z < 1/4, to `terms` terms, within 34 units.
 ///
-/// The coefficients are integers c over common denominators D, each the product of a run a..b of factors:
+/// The coefficients are integers c over common denominators D, each the product of a run a..b of
+/// factors:
 ///     sum over k >= a of z^k / (f(a) ... f(k)) = (sum over k = a..b of c_k z^k + rest) / D,
-/// c_k = f(k+1) ... f(b), where `rest` is the same sum from b + 1 on. In blocks of m terms the powers
-/// below z^m are at hand, and a block is multiplied by z^m to join the next lower one
-/// (M. S. Paterson and L. J. Stockmeyer 1973; D. M. Smith 1989).
+/// c_k = f(k+1) ... f(b), where `rest` is the same sum from b + 1 on. In blocks of m terms the
+/// powers below z^m are at hand, and a block is multiplied by z^m to join the next lower one (M. S.
+/// Paterson and L. J. Stockmeyer 1973; D. M. Smith 1989).
 ///
-/// Error, in units. A power is less than 2 too small. In a run, S = sum of c_k / D <= 1/f(a) + 1/(f(a) f(a+1)) + ... < 1.72. So the terms of a run are
-/// wrong by less than 2 S D < 3.5 D; the sum before a division stays below 1.75 D + 2 < 2^63, each
-/// product of it with z^m, itself 2 units wrong, loses less than 3.5 D + 5 and divides the error from before
-/// by 16 at least (m >= 2); a run's products together then lose less than 16/15 (3.5 D + 5) < 4 D + 6.
-/// With the division, and the error e of the run above,
+/// Error, in units. A power is less than 2 too small. In a run, S = sum of c_k / D <= 1/f(a) +
+/// 1/(f(a) f(a+1)) + ... < 1.72. So the terms of a run are wrong by less than 2 S D < 3.5 D; the
+/// sum before a division stays below 1.75 D + 2 < 2^63, each product of it with z^m, itself 2 units
+/// wrong, loses less than 3.5 D + 5 and divides the error from before by 16 at least (m >= 2); a
+/// run's products together then lose less than 16/15 (3.5 D + 5) < 4 D + 6. With the division, and
+/// the error e of the run above,
 ///     e' < 3.5 + 4 + 6 / D + 1 + e / D < 15 + e / 2 for D >= 2,
 /// below 30 for every run with D >= 2; a run with D = 1 would be the factor 1 alone, which never
 /// is by itself: it is joined to the run above. With the terms left out, 2 more, less than 34.

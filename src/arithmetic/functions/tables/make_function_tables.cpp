@@ -1,6 +1,8 @@
-// Writes the tables of tabulated_functions.cpp, as a header, to the file that is named: run at build time.
+// Writes the tables of tabulated_functions.cpp, as a header, to the file that is named: run at
+// build time.
 //
-// Each entry is a number in [0, 1) to 512 bits, cut off: MPFR rounds the function of an exact argument correctly, towards zero.
+// Each entry is a number in [0, 1) to 512 bits, cut off: MPFR rounds the function of an exact
+// argument correctly, towards zero.
 
 #include <cinttypes>
 #include <cstdint>
@@ -40,7 +42,8 @@ void write(std::FILE* file, const char* name, unsigned long size, const setter& 
 
 using mpfr_function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-/// f(numerator(i)/denominator(i)), f increasing or decreasing, for arguments that a double holds exactly.
+/// f(numerator(i)/denominator(i)), f increasing or decreasing, for arguments that a double holds
+/// exactly.
 setter of_quotients(mpfr_function f, double denominator, double sign = 1) {
   return [=](mpfr_ptr value, unsigned long i) {
     mpfr_t x;

@@ -9,7 +9,8 @@ namespace polhode::detail::legendre {
 
 static_assert(GMP_NUMB_BITS == 64, "limbs of 64 bits without nails");
 
-/// At `count` arguments; a number is kept with a limb below it, into which the product's lowest limb goes.
+/// At `count` arguments; a number is kept with a limb below it, into which the product's lowest
+/// limb goes.
 void fixed_point_polynomial::evaluate(const std::uint64_t* arguments, std::size_t count,
                                       std::vector<values>& results) const {
   const mp_size_t limbs_of_one = coefficients_.size;

@@ -13,7 +13,8 @@
 
 namespace polhode::detail::legendre {
 
-/// q and q' at Y/2^64, in fixed point: with Horner's scheme as in few_limbs/few_limbed_zeros.cpp, whose errors are counted there.
+/// q and q' at Y/2^64, in fixed point: with Horner's scheme as in few_limbs/few_limbed_zeros.cpp,
+/// whose errors are counted there.
 class fixed_point_polynomial {
  public:
   fixed_point_polynomial(const legendre_shape& s, precision fraction_bits)
@@ -23,8 +24,8 @@ class fixed_point_polynomial {
     ball value;
     ball slope;
   };
-  /// For each Y, an enclosure of q and q' with `fraction_bits` bits. The coefficients are read once for a
-  /// few Y together.
+  /// For each Y, an enclosure of q and q' with `fraction_bits` bits. The coefficients are read once
+  /// for a few Y together.
   [[nodiscard]] std::vector<values> at(const std::vector<std::uint64_t>& arguments) const;
 
  private:

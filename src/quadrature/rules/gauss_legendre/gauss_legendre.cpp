@@ -1,18 +1,20 @@
 // How the nodes and weights are found and proved.
 //
-// Write P_n(x) = x^e q(x^2), e = 0 for even n and 1 for odd n, where q has degree m = floor(n/2). The m zeros of
-// q lie in (0, 1): they are the squares y of the positive nodes. Everything is done in y.
+// Write P_n(x) = x^e q(x^2), e = 0 for even n and 1 for odd n, where q has degree m = floor(n/2).
+// The m zeros of q lie in (0, 1): they are the squares y of the positive nodes. Everything is done
+// in y.
 //   1. Search, in floating point: y_0 = Y/2^64 near each zero (starts.cpp).
-//   2. q(y_0) and q'(y_0), from the coefficients (polynomial.cpp), in fixed point: y_0 is one limb, so that a step of
-//      Horner's scheme is one pass over the limbs (fixed_point_values.cpp).
-//   3. The Taylor coefficients of q at y_0, from Legendre's differential equation, in balls (taylor_polynomial.cpp); a
-//      bound of the remainder, by Cauchy (taylor_remainder.cpp).
-//   4. Newton's method on the Taylor polynomial, and in its last step the interval Newton operator, which
-//      proves that there is one zero and encloses it (proved_zero.cpp).
-//   5. From the zeros the nodes and weights (nodes_and_weights.cpp), which are kept (node_cache.cpp).
-// As the m enclosures are disjoint and q has no more than m zeros, each of them holds one, in order.
-// With few limbs steps 2 to 4 are those of few_limbs/few_limbed_zeros.cpp, in integers alone; what is said here is how it
-// is done with many, and where a start is so bad that they fail.
+//   2. q(y_0) and q'(y_0), from the coefficients (polynomial.cpp), in fixed point: y_0 is one limb,
+//      so that a step of Horner's scheme is one pass over the limbs (fixed_point_values.cpp).
+//   3. The Taylor coefficients of q at y_0, from Legendre's differential equation, in balls
+//      (taylor_polynomial.cpp); a bound of the remainder, by Cauchy (taylor_remainder.cpp).
+//   4. Newton's method on the Taylor polynomial, and in its last step the interval Newton operator,
+//      which proves that there is one zero and encloses it (proved_zero.cpp).
+//   5. From the zeros the nodes and weights (nodes_and_weights.cpp), which are kept
+//      (node_cache.cpp).
+// As the m enclosures are disjoint and q has no more than m zeros, each of them holds one, in
+// order. With few limbs steps 2 to 4 are those of few_limbs/few_limbed_zeros.cpp, in integers
+// alone; what is said here is how it is done with many, and where a start is so bad that they fail.
 
 #include "polhode/quadrature/gauss_legendre.hpp"
 
@@ -31,7 +33,8 @@ namespace polhode {
 
 gauss_legendre_rule make_gauss_legendre(long n, precision bits) {
   return detail::make_gauss_legendre_from(n, bits, [bits](long degree) {
-    // A start of 60 bits, for less terms of the series, is worth its time where they have many limbs.
+    // A start of 60 bits, for less terms of the series, is worth its time where they have many
+    // limbs.
     const bool few = degree <= detail::few_limbed_zeros::greatest_n &&
                      bits < detail::few_limbed_zeros::most_bits / 2;
     const detail::legendre_shape s(degree);
@@ -56,7 +59,8 @@ gauss_legendre_rule detail::make_gauss_legendre_from(
     throw std::invalid_argument("estimates of " + std::to_string(starts.size()) +
                                 " nodes; the rule has " + std::to_string(n / 2) + " above 0");
   }
-  // Near 0 and 1 the zeros are 1/n^2 apart, and an error in y counts n and n^2 times in node and weight.
+  // Near 0 and 1 the zeros are 1/n^2 apart, and an error in y counts n and n^2 times in node and
+  // weight.
   const precision loss = 3 * static_cast<precision>(std::bit_width(static_cast<unsigned long>(n)));
   for (const precision more : {16, 80, 300, 2000}) {
     auto rule = legendre::rule_with(n, bits, bits + loss + more, starts);

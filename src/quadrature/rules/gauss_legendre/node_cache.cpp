@@ -41,12 +41,13 @@ std::string file_name(long n, precision bits) {
 // ---------------------------------------------------------------------------------------------
 // The format: words of 64 bits in the machine's order; a file of another order is not believed.
 //   header     8 words
-//   payload    for each node > 0, then for each weight: exponent e, significand s of `bits` bits, the
-//              lowest limb first; the value is s 2^(e - bits), and s has its highest bit set
+//   payload    for each node > 0, then for each weight: exponent e, significand s of `bits` bits,
+//              the lowest limb first; the value is s 2^(e - bits), and s has its highest bit set
 //   digest     SHA-256 of all before
 // The radii are not in the file: they follow from bits and e (see gauss_legendre_rule).
 
-// To be raised when the format changes, or a change of make_gauss_legendre changes the bits of a rule.
+// To be raised when the format changes, or a change of make_gauss_legendre changes the bits of a
+// rule.
 constexpr word format_version = 1;
 constexpr std::size_t digest_size = std::tuple_size_v<sha256_digest>;
 

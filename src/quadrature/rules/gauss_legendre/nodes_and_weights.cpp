@@ -23,9 +23,9 @@ std::optional<ball> with_radius(const ball& x, precision bits, bool relative) {
   return ball::from_midpoint_radius(cell.get(), radius);
 }
 
-/// The weight of a node x is 2 / ((1 - x^2) P_n'(x)^2). With y = x^2: P_n' = 2x q' for even n, and 2 x^2 q' for
-/// odd n, where q = 0. So it is 2 / (4y (1-y) q'^2), and divided by y once more for odd n. At the node 0 of an
-/// odd n P_n' = q(0).
+/// The weight of a node x is 2 / ((1 - x^2) P_n'(x)^2). With y = x^2: P_n' = 2x q' for even n, and
+/// 2 x^2 q' for odd n, where q = 0. So it is 2 / (4y (1-y) q'^2), and divided by y once more for
+/// odd n. At the node 0 of an odd n P_n' = q(0).
 std::optional<gauss_legendre_rule> rule_with(long n, precision bits, precision bits_at_work,
                                              const std::vector<std::uint64_t>& starts) {
   const legendre_shape s(n);

@@ -10,8 +10,8 @@
 namespace polhode::detail::legendre {
 namespace {
 
-/// Newton's method at growing precision: a number near the zero of the series, to about half its bits. A search:
-/// the midpoints of balls are taken for numbers.
+/// Newton's method at growing precision: a number near the zero of the series, to about half its
+/// bits. A search: the midpoints of balls are taken for numbers.
 ball approximate_zero(const local_series& series, precision bits) {
   const auto& d = series.coefficients;
   const auto log2_of = [](const ball& x) {
@@ -26,8 +26,8 @@ ball approximate_zero(const local_series& series, precision bits) {
   long good = static_cast<long>(-2 * log2_of(g));
   if (series.last >= 2) {
     bend = std::max(log2_of(d[2]) - log2_of(d[1]), 0.0);
-    // That of the start, with the second term of the inverse series, is |2 (d_2/d_1)^2 - d_3/d_1| |g|^3, and d_2 is small
-    // in the middle of [0, 1].
+    // That of the start, with the second term of the inverse series, is |2 (d_2/d_1)^2 - d_3/d_1|
+    // |g|^3, and d_2 is small in the middle of [0, 1].
     double third = 2 * bend + 1;
     if (series.last >= 3) third = std::max(third, log2_of(d[3]) - log2_of(d[1]));
     good = static_cast<long>(-3 * log2_of(g) - third) - 5;

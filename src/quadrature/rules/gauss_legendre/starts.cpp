@@ -9,8 +9,8 @@
 namespace polhode::detail::legendre {
 namespace {
 
-/// An estimate of the k-th zero of P_n from the right, k = 1 ... n/2: Halley's method, from the classical guess.
-/// The recurrence is written as P_(k+1) = x P_k + k/(k+1) (x P_k - P_(k-1)).
+/// An estimate of the k-th zero of P_n from the right, k = 1 ... n/2: Halley's method, from the
+/// classical guess. The recurrence is written as P_(k+1) = x P_k + k/(k+1) (x P_k - P_(k-1)).
 long double estimated_node(long n, long k, const std::vector<long double>& quotients) {
   const auto degree = static_cast<long double>(n);
   const long double angle =
@@ -63,9 +63,9 @@ struct lanes {
   double& operator[](std::size_t i) { return values[i]; }
 };
 
-/// Estimates of 1 - x for the k-th zeros of P_n from the right, k = first, first + 1 ...: Halley's method, from the
-/// classical guess. With t = 1 - x and D_k = P_k - P_(k-1) the recurrence is D_(k+1) = r D_k - (1 + r) t P_k, r = k/(k+1), which
-/// is as exact near x = 1 as elsewhere.
+/// Estimates of 1 - x for the k-th zeros of P_n from the right, k = first, first + 1 ...: Halley's
+/// method, from the classical guess. With t = 1 - x and D_k = P_k - P_(k-1) the recurrence is
+/// D_(k+1) = r D_k - (1 + r) t P_k, r = k/(k+1), which is as exact near x = 1 as elsewhere.
 lanes estimated_complements(long n, long first, const std::vector<double>& ratios) {
   const auto degree = static_cast<double>(n);
   const double shrinkage = (degree - 1) / (8 * degree * degree * degree);

@@ -20,7 +20,8 @@ std::optional<local_series> make_series(const legendre_shape& s, std::uint64_t a
                                         double log2_reach, precision bits) {
   constexpr precision bits_of_constants = 192;  // enough to have them exactly, for all n allowed
   local_series series;
-  // Bits of the k-th term, by the bound of detail::legendre_taylor_remainder; its slope's, in fact, which needs one reach less.
+  // Bits of the k-th term, by the bound of detail::legendre_taylor_remainder; its slope's, in fact,
+  // which needs one reach less.
   const auto log2_term = [&](long k) {
     const double base = std::numbers::e * static_cast<double>(s.n) / static_cast<double>(2 * k);
     return static_cast<double>(2 * k) * std::log2(base) + static_cast<double>(k - 1) * log2_reach +

@@ -10,7 +10,8 @@
 namespace polhode::detail::legendre {
 namespace {
 
-/// A better start by a step of Newton's method, in units of 2^-64; the old one where that leaves (0, 1).
+/// A better start by a step of Newton's method, in units of 2^-64; the old one where that leaves
+/// (0, 1).
 std::uint64_t improved(std::uint64_t argument, const fixed_point_polynomial::values& at) {
   constexpr precision p = 128;
   const ball step = scale(at.value.with_precision(p) / at.slope.with_precision(p), 64);

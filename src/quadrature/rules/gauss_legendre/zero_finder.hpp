@@ -1,7 +1,7 @@
 #pragma once
 
-// All zeros of q from their starts: in few limbs where that is possible (few_limbs/), otherwise by Taylor polynomials in
-// balls (proved_zero.hpp).
+// All zeros of q from their starts: in few limbs where that is possible (few_limbs/), otherwise by
+// Taylor polynomials in balls (proved_zero.hpp).
 
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,8 @@
 #pragma once
 
-// The zeros of a Legendre polynomial of which a start of 64 bits is known, in fixed point with few limbs: what most
-// integrals take their Gauss and Legendre rules from. With many limbs, or from bad starts, ../proved_zero.cpp does without.
+// The zeros of a Legendre polynomial of which a start of 64 bits is known, in fixed point with few
+// limbs: what most integrals take their Gauss and Legendre rules from. With many limbs, or from bad
+// starts, ../proved_zero.cpp does without.
 
 #include <cstdint>
 #include <optional>
@@ -22,8 +23,9 @@ class few_limbed_zeros {
   /// The greatest order of a Taylor polynomial.
   static constexpr long greatest_order = 40;
 
-  /// q with at least so many bits behind the point, 2 <= n <= greatest_n, 1 <= bits <= most_bits. Taylor polynomials have at most
-  /// the order `most`, 1 <= most <= greatest_order: with a smaller one only starts that are very near find their zeros.
+  /// q with at least so many bits behind the point, 2 <= n <= greatest_n, 1 <= bits <= most_bits.
+  /// Taylor polynomials have at most the order `most`, 1 <= most <= greatest_order: with a smaller
+  /// one only starts that are very near find their zeros.
   few_limbed_zeros(const legendre_shape& s, precision bits, long most = greatest_order);
 
   /// A zero near Y/2^64, Y > 0, enclosed; nothing where the start is too far from one.

@@ -1,8 +1,8 @@
 #pragma once
 
-// The work on one start, in four steps, a file each: the values of q there (values.cpp), its Taylor coefficients
-// (terms.cpp), the search for the zero (search.cpp) and the proof that there is one (proof.cpp). few_limbed_zeros.cpp says
-// how, and counts the errors.
+// The work on one start, in four steps, a file each: the values of q there (values.cpp), its Taylor
+// coefficients (terms.cpp), the search for the zero (search.cpp) and the proof that there is one
+// (proof.cpp). few_limbed_zeros.cpp says how, and counts the errors.
 
 #include <cstdint>
 #include <optional>

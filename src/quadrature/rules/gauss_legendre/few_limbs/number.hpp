@@ -1,7 +1,7 @@
 #pragma once
 
-// Numbers with a sign, a limb before the point and some behind it, in arrays of a fixed size: with few limbs, fetching
-// memory would take longer than the arithmetic.
+// Numbers with a sign, a limb before the point and some behind it, in arrays of a fixed size: with
+// few limbs, fetching memory would take longer than the arithmetic.
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// The proof, in integers: q changes its sign around the zero that was found, and by how much its position and its slope can be off.
+// The proof, in integers: q changes its sign around the zero that was found, and by how much its
+// position and its slope can be off.
 
 #include <algorithm>
 #include <cstdint>
@@ -9,13 +10,15 @@
 
 namespace polhode::detail::legendre {
 
-/// Let v be a bound of |T(g)| and of what T leaves out of q, in units, and r u a radius. |T''| <= M = 2 |e_2| + 2^-22 on [g - r u,
-/// g + r u], as the other terms add at most 64 (6 * 2^-31 + 12 * 2^-62 + ...); so |T'| >= t = |T'(g)| - r u M there, and where r t >= v,
-/// q is of other signs, or 0, at g - r u and g + r u.
+/// Let v be a bound of |T(g)| and of what T leaves out of q, in units, and r u a radius. |T''| <= M
+/// = 2 |e_2| + 2^-22 on [g - r u, g + r u], as the other terms add at most 64 (6 * 2^-31 + 12 *
+/// 2^-62 + ...); so |T'| >= t = |T'(g)| - r u M there, and where r t >= v, q is of other signs, or
+/// 0, at g - r u and g + r u.
 ///
-/// t: with r < 2^48 and F >= 128, r u M < 2^-72, as is what T'(g) is off by; they are less than one unit of 2^-64.
-/// y is off by s r/n units, and by less than two for a product and a quotient that are cut off. T' is off by M r units, and by what
-/// T'(g) is. That is true for each zero between g - r u and g + r u; the zero's slope is s q'(y) = n T' and what T leaves out of q', times s <= 1.
+/// t: with r < 2^48 and F >= 128, r u M < 2^-72, as is what T'(g) is off by; they are less than one
+/// unit of 2^-64. y is off by s r/n units, and by less than two for a product and a quotient that
+/// are cut off. T' is off by M r units, and by what T'(g) is. That is true for each zero between g
+/// - r u and g + r u; the zero's slope is s q'(y) = n T' and what T leaves out of q', times s <= 1.
 /// |y - y_0| <= s (|g| + r u)/n, as |g| + r u is less than its first limb and two units of 2^-64.
 std::optional<legendre_zero> neighbourhood::proved() {
   const number value = evaluate<false>(w_, last_);

@@ -1,4 +1,5 @@
-// The Taylor polynomial's zero, by Newton's method in so many limbs as are known at each step. The proof evaluates the polynomial in the same way.
+// The Taylor polynomial's zero, by Newton's method in so many limbs as are known at each step. The
+// proof evaluates the polynomial in the same way.
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,19 @@ long neighbourhood::last_for(long bits) const {
   return std::clamp((bits + 10) / gap_ + 1, 1L, last_);
 }
 
-/// T(g) or T'(g) from the terms up to `last`, and w limbs behind the point, the first ones of g and of the terms.
+/// T(g) or T'(g) from the terms up to `last`, and w limbs behind the point, the first ones of g and
+/// of the terms.
 ///
-/// Let v = 2^(-64 w). In Horner's scheme h_k = e_k + g h_(k+1), or h_k = k e_k + g h_(k+1), down to h_0 or h_1. As
-/// |e_k| < 64, k <= 40 and |g| < 2^-32, |h_k| < 2^12. h_k has so many limbs behind the point, at least w_k, that
-/// 2^(-64 w_k) |g|^j <= 2^-24 v, j being the powers of g that it will be multiplied by, and w for j = 0; g is cut off after as
-/// many. The step commits at most k units 2^(-64 w_k) for e_k, one for the product, and |h_(k+1)| for g; but none for
-/// e_k and g, j = 0, if w is w_. All that, with j > 0, is at most 2^13 2^-24 v in the result, so 40 such steps count less than v,
-/// and the last step's product less than v. What the e_k, j > 0, themselves are off by, k E_k u with E_k <= 2^12,
-/// multiplied by |g|^j, is in all less than u. So T(g) is off by less than E_0 + 3 units, and T'(g) by less than E_1 + 3,
-/// where w is w_ and `last` is K.
+/// Let v = 2^(-64 w). In Horner's scheme h_k = e_k + g h_(k+1), or h_k = k e_k + g h_(k+1), down to
+/// h_0 or h_1. As
+/// |e_k| < 64, k <= 40 and |g| < 2^-32, |h_k| < 2^12. h_k has so many limbs behind the point, at
+/// least w_k, that 2^(-64 w_k) |g|^j <= 2^-24 v, j being the powers of g that it will be multiplied
+/// by, and w for j = 0; g is cut off after as many. The step commits at most k units 2^(-64 w_k)
+/// for e_k, one for the product, and |h_(k+1)| for g; but none for e_k and g, j = 0, if w is w_.
+/// All that, with j > 0, is at most 2^13 2^-24 v in the result, so 40 such steps count less than v,
+/// and the last step's product less than v. What the e_k, j > 0, themselves are off by, k E_k u
+/// with E_k <= 2^12, multiplied by |g|^j, is in all less than u. So T(g) is off by less than E_0 +
+/// 3 units, and T'(g) by less than E_1 + 3, where w is w_ and `last` is K.
 template <bool derivative>
 number neighbourhood::evaluate(long w, long last) const {
   const auto limbs_at = [&](long j) {
@@ -106,7 +110,8 @@ bool neighbourhood::search(long wanted) {
     if (shift != 0 && at + 1 < w_) g_.limbs[at + 1] |= bits >> (64 - shift);
   }
   g_.is_negative = g < 0;
-  // The error of g is below 2^-known. That after a step of Newton's method is 2^bend times its square.
+  // The error of g is below 2^-known. That after a step of Newton's method is 2^bend times its
+  // square.
   const auto loss = static_cast<long>(std::max(-std::log2(std::abs(slope)), 0.0)) + 2;
   const auto bend =
       static_cast<long>(std::max(std::log2(std::abs(second / slope) + 1e-9), 0.0)) + 1;

@@ -17,7 +17,8 @@ void multiply_and_add(limb* result, const limb* x, limb y, const limb* c, long s
   if ((x[size - 1] >> 63) != 0) result[size] -= y;
 }
 
-/// A two's complement with `size` limbs, as a number with w limbs behind the point; false where it is too large for one.
+/// A two's complement with `size` limbs, as a number with w limbs behind the point; false where it
+/// is too large for one.
 bool take(number& result, limb* x, long size, long w) {
   result.is_negative = (x[size - 1] >> 63) != 0;
   if (result.is_negative) mpn_neg(x, x, size);
