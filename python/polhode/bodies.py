@@ -1,7 +1,9 @@
 """Rigid bodies and the claims of the paper: the commands of the program."""
 
 import io
+import json
 import pathlib
+import tempfile
 
 from ._polhode import ball, link_tensors
 from .program import PolhodeError, answer_of, joined, options_of, run, run_for_bytes
@@ -100,9 +102,23 @@ def certify(*claims, out=None, **options):
     return answer_of("certify", *claims, *options_of({"out": out, **options}))
 
 
-def check(*paths, **options):
-    """Checks certificates with the independent checker: the command check."""
-    return answer_of("check", *paths, *options_of(options))
+def check(*certificates, **options):
+    """Checks certificates, files or dicts, with the independent checker: the command check.
+
+    >>> import polhode
+    >>> found = polhode.integrate("4/(1+x^2)", 0, 1, digits=20)
+    >>> polhode.check(found.certificate())["verified"]
+    True
+    """
+    with tempfile.TemporaryDirectory() as directory:
+        paths = []
+        for number, certificate in enumerate(certificates):
+            if isinstance(certificate, dict):
+                path = pathlib.Path(directory) / f"certificate-{number}.json"
+                path.write_text(json.dumps(certificate), encoding="utf-8")
+                certificate = path
+            paths.append(certificate)
+        return answer_of("check", *paths, *options_of(options))
 
 
 def table(quantity, **options):

@@ -238,11 +238,13 @@ class Scene:
         return SceneAnswer(answer)
 
     def page(self, **options):
-        """The page of the scene: drawn in a browser, the body turns as it does."""
+        """The page of the scene: drawn in a browser, the body turns as it does. Of a sweep a list
+        of pages, one for each point."""
         with self._file() as path, tempfile.TemporaryDirectory() as directory:
             run("scene", path, "--page", "--out", directory, *options_of(options))
-            pages = sorted(pathlib.Path(directory).rglob("*.html"))
-            return Page(pages[0].read_text(encoding="utf-8"))
+            pages = [Page(page.read_text(encoding="utf-8"))
+                     for page in sorted(pathlib.Path(directory).rglob("*.html"))]
+            return pages[0] if len(pages) == 1 else pages
 
     def __repr__(self):
         return f"<scene {self._path}>" if self._path else f"<scene of {len(self._text)} characters>"

@@ -7,11 +7,13 @@
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
+#include "certificates.hpp"
 #include "conversions.hpp"
 #include "formulas.hpp"
 #include "interruptible.hpp"
 #include "polhode/arithmetic/certain_digits.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/certificate_of.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/roots/systems.hpp"
@@ -56,10 +58,15 @@ struct root_answer {
   long digits = default_digits;
 };
 
-struct roots_answer {
+struct found_roots {
   std::vector<root_answer> roots;
   root_set found;
   bool certified = false;
+};
+/// With what a certificate is of.
+struct roots_answer : found_roots {
+  range_of_python range;
+  long digits = default_digits;
 };
 
 roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long digits, int threads,
@@ -68,12 +75,12 @@ roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long di
   const end_point lower = end_from(a);
   const end_point upper = end_from(b);
   (void)checked_digits(digits);
-  return interruptible(time_limit, [=](const stop_flag& flag) {
+  auto found = interruptible(time_limit, [=](const stop_flag& flag) {
     isolate_options options;
     options.threads = threads;
     options.by_period = true;
     options.progress = [&](const isolation_progress&) { return !*flag; };
-    roots_answer result;
+    found_roots result;
     result.found = isolate_roots(formula, lower, upper, options);
     result.certified = result.found.is_resolved();
     for (const root_region& region : result.found.regions) {
@@ -90,6 +97,16 @@ roots_answer roots_from_python(py::handle f, py::handle a, py::handle b, long di
     }
     return result;
   });
+  return {std::move(found),
+          {formula, lower, upper, py::reinterpret_borrow<py::object>(a),
+           py::reinterpret_borrow<py::object>(b)},
+          digits};
+}
+
+py::object certificate_of_roots(const roots_answer& a, std::optional<double> time_limit) {
+  return certificate_to_python(
+      time_limit, [what = a.range.checkable(), found = a.found, digits = a.digits](
+                      const stop_flag&) { return certificate_of(what, found, digits); });
 }
 
 struct complex_root_answer {
@@ -250,9 +267,13 @@ void declare_computations(py::module_& m) {
       .def("__len__", [](const roots_answer& a) { return a.roots.size(); })
       .def("__getitem__", [](const roots_answer& a, long i) { return item(a.roots, i); })
       .def("__bool__", [](const roots_answer& a) { return a.certified; })
-      .def_readonly("certified", &roots_answer::certified,
-                    "These are all roots in the range, or in one period of it (`period`), each to "
-                    "the digits asked for.")
+      .def("certificate", &certificate_of_roots, py::kw_only(), py::arg("time_limit") = py::none(),
+           "A dict that polhode.check shows again, and `polhode check` as JSON. Raises ValueError "
+           "where no certificate can hold the roots: where one is multiple, for one.")
+      .def_property_readonly(
+          "certified", [](const roots_answer& a) { return a.certified; },
+          "These are all roots in the range, or in one period of it (`period`), each to the digits "
+          "asked for.")
       .def_property_readonly("identically_zero",
                              [](const roots_answer& a) { return a.found.identically_zero; })
       .def_property_readonly(

@@ -1,16 +1,19 @@
 // Integrals over ranges, along paths in the complex plane, and over boxes of parameters.
 
 #include <algorithm>
+#include <chrono>
 #include <complex>
 #include <utility>
 
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
+#include "certificates.hpp"
 #include "conversions.hpp"
 #include "formulas.hpp"
 #include "interruptible.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/certificate/certificate_of.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/exact_integral.hpp"
@@ -29,6 +32,7 @@ template <class Integral>
 struct integral_answer {
   Integral found;
   long digits;
+  double seconds = 0;
   [[nodiscard]] bool is_certified() const { return found.verdict == status::certified; }
   [[nodiscard]] std::string reason_text() const {
     if (is_certified()) return "";
@@ -42,13 +46,13 @@ struct integral_answer {
   }
 };
 
-py::dict account_of(const integral_account& a) {
+py::dict account_of(const integral_account& a, double seconds) {
   using namespace py::literals;
   py::list rules;
   for (const quadrature_rule& r : a.rules) rules.append(to_text(r));
   return py::dict("rules"_a = rules, "panels"_a = a.panels, "evaluations"_a = a.evaluations,
                   "region_evaluations"_a = a.region_evaluations, "terms"_a = a.terms,
-                  "precision"_a = a.precision);
+                  "precision"_a = a.precision, "seconds"_a = seconds);
 }
 
 quadrature_rule rule_from(const std::optional<std::string>& word) {
@@ -102,12 +106,19 @@ auto watched(const integrate_options& options, const std::optional<py::function>
       counts->done = p.panels_done;
       counts->panels = p.panels;
     };
-    return integrate(own);
+    const auto start = std::chrono::steady_clock::now();
+    auto answer = integrate(own);
+    answer.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return answer;
   };
   return interruptible(time_limit, work, listener(progress, counts));
 }
 
-using real_answer = integral_answer<integral>;
+/// Over a range, with what a certificate is of.
+struct real_answer : integral_answer<integral> {
+  range_of_python range;
+};
 using contour_answer = integral_answer<contour_integral>;
 using box_answer = integral_answer<box_integral>;
 
@@ -120,16 +131,32 @@ real_answer integrate_from_python(py::handle f, py::handle a, py::handle b, long
   const end_point from = end_from(a);
   const end_point to = end_from(b);
   const integrate_options options = options_from(digits, threads, absolute_exponent, rule);
-  return watched(options, progress, time_limit, [=](const integrate_options& own) {
+  auto found = watched(options, progress, time_limit, [=](const integrate_options& own) {
     if (own.rule.is_automatic()) {
       if (const auto exact = exact_integral(formula, from, to)) {
-        integral found;
-        found.enclosure = ball(*exact, bits_for_digits(digits) + 64);
-        found.verdict = status::certified;
-        return real_answer{std::move(found), digits};
+        integral known;
+        known.enclosure = ball(*exact, bits_for_digits(digits) + 64);
+        known.verdict = status::certified;
+        return integral_answer<integral>{std::move(known), digits};
       }
     }
-    return real_answer{integrate(formula, from, to, own), digits};
+    return integral_answer<integral>{integrate(formula, from, to, own), digits};
+  });
+  return {std::move(found),
+          {formula, from, to, py::reinterpret_borrow<py::object>(a),
+           py::reinterpret_borrow<py::object>(b)}};
+}
+
+py::object certificate_of_integral(const real_answer& a, std::optional<double> time_limit) {
+  constexpr long more_digits = 4;  // the certificate's number is wider than the enclosure
+  const formula_over_range what = a.range.checkable();
+  return certificate_to_python(time_limit, [what, end_points = a.range.end_points(),
+                                            digits = a.digits](const stop_flag& flag) {
+    integrate_options options;
+    options.digits = digits + more_digits;
+    options.progress = [flag](const integration_progress&) { expect_going_on(flag); };
+    return certificate_of(what, integrate(what.f, end_points.first, end_points.second, options),
+                          digits);
   });
 }
 
@@ -211,8 +238,10 @@ box_answer integrate_box_from_python(py::handle f, py::handle a, py::handle b, c
   box_options options;
   options.digits = checked_digits(digits);
   options.most_boxes = most_boxes;
-  return interruptible(time_limit, [=](const stop_flag&) {
-    return box_answer{integrate_box(formula, from, to, ranges, options), digits};
+  return interruptible(time_limit, [=](const stop_flag& flag) {
+    box_options own = options;
+    own.progress = [flag](long) { expect_going_on(flag); };
+    return box_answer{integrate_box(formula, from, to, ranges, own), digits};
   });
 }
 
@@ -232,8 +261,8 @@ py::class_<Answer> declare_answer(py::module_& m, const char* name, const char* 
 template <class Answer>
 py::class_<Answer> with_account(py::class_<Answer> answer) {
   answer.def_property_readonly(
-      "account", [](const Answer& a) { return account_of(a.found.account); },
-      "What it cost: rules, panels, evaluations, bits.");
+      "account", [](const Answer& a) { return account_of(a.found.account, a.seconds); },
+      "What it cost: rules, panels, evaluations, bits, seconds.");
   return answer;
 }
 
@@ -257,7 +286,11 @@ expression complex_formula_from(py::handle f) {
 void declare_integrals(py::module_& m) {
   with_account(
       declare_answer<real_answer>(m, "Integral", "An integral with its proof, or how far it got."))
-      .def("__float__", [](const real_answer& a) { return nearest_double(a.found.enclosure); });
+      .def("__float__", [](const real_answer& a) { return nearest_double(a.found.enclosure); })
+      .def("certificate", &certificate_of_integral, py::kw_only(),
+           py::arg("time_limit") = py::none(),
+           "A dict that polhode.check shows again, and `polhode check` as JSON. Raises ValueError "
+           "where no certificate can hold the integral: over an infinite range, for one.");
   m.def("integrate", &integrate_from_python, py::arg("f"), py::arg("a"), py::arg("b"),
         py::arg("digits") = default_digits, py::kw_only(), py::arg("threads") = 1,
         py::arg("absolute_exponent") = py::none(), py::arg("rule") = py::none(),

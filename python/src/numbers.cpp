@@ -1,5 +1,7 @@
 // polhode.ball: a real number, or all numbers of a set.
 
+#include <cstring>
+
 #include <fmt/format.h>
 #include <pybind11/operators.h>
 
@@ -193,7 +195,11 @@ binary number itself. A comparison that the sets do not decide raises polhode.Un
       .def("__format__", &formatted)
       .def(
           "_mpmath_",
-          [](const ball& x, py::handle bits, py::handle rounding) {
+          [](const ball& x, long bits, const std::string& rounding) {
+            // mpmath's own conversion does not look at these, and may end the interpreter.
+            if (bits < 0 || rounding.size() != 1 || !std::strchr("nfcdu", rounding[0])) {
+              throw input_error("_mpmath_ is for mpmath: bits >= 0, and one of n, f, c, d, u");
+            }
             const mpfr_float middle = midpoint(expect_bounded(x));
             integer mantissa;
             long exponent = 0;

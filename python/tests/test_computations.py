@@ -251,3 +251,33 @@ def test_lists_are_taken_member_by_member():
         polhode.sin(of_itself)
     numpy = pytest.importorskip("numpy")
     assert [float(y) for y in polhode.abs(numpy.arange(-2, 1))] == [2.0, 1.0, 0.0]
+
+
+def test_certificates():
+    found = polhode.integrate("4/(1+x^2)", 0, 1, digits=20)
+    certificate = found.certificate()
+    assert certificate["claim"] == "integral" and polhode.check(certificate)["verified"]
+    to_pi = polhode.integrate(lambda x: polhode.exp(x), 0, polhode.pi, 15)
+    roots = polhode.roots("cos(x) = x", 0, 1, digits=30)
+    both = polhode.check(to_pi.certificate(), roots.certificate())
+    assert both["verified"] and len(both["files"]) == 2
+    certificate["numbers"]["integral"] = {"lower": "3", "upper": "3.1"}
+    with pytest.raises(polhode.PolhodeError, match="digest|number"):
+        assert not polhode.check(certificate)["verified"]
+        raise polhode.PolhodeError("its number is not shown")
+    for refused, why in [
+            (polhode.integrate("exp(-x)", 0, polhode.oo), "finite"),
+            (polhode.integrate("1/x", 0, 1), "not certified"),
+            (polhode.integrate("x", 0, polhode.ball.hull_of(1, 2)), "no single number"),
+            (polhode.roots("x^2", -1, 1), "multiple"), (polhode.roots("sin(x)", 0, polhode.oo),
+                                                        "finite")]:
+        with pytest.raises(ValueError, match=why):
+            refused.certificate()
+
+
+def test_boxes_are_stopped():
+    start = time.monotonic()
+    with pytest.raises(TimeoutError):
+        polhode.integrate_box("exp(-k*x)*sin(x+exp(x))", 0, 8, {"k": (1, 2)}, 15,
+                              most_boxes=10**6, time_limit=0.3)
+    assert time.monotonic() - start < 30

@@ -98,8 +98,14 @@ def test_is_shown_with_certain_digits():
 
 def test_is_pickled():
     for x in [ball(F(1, 3)), ball.hull_of(-1, F(1, 7)), ball(2)]:
-        y = pickle.loads(pickle.dumps(x))
-        assert (y.lower, y.upper, y.precision) == (x.lower, x.upper, x.precision)
+        for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+            y = pickle.loads(pickle.dumps(x, protocol=protocol))
+            assert (y.lower, y.upper, y.precision) == (x.lower, x.upper, x.precision)
+    for protocol in (0, 1):
+        with pytest.raises(TypeError, match="protocol 2"):
+            pickle.dumps(ball(2), protocol=protocol)
+    with pytest.raises(TypeError, match="pickle"):
+        pickle.dumps(polhode.Path.circle())
 
 
 def test_functions_are_those_of_formulas():

@@ -18,7 +18,7 @@ oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gn
 # Of modules of the program: MPI and HDF5, for maps.
 module_packages=(libopenmpi-dev openmpi-bin libhdf5-dev)
 peer_packages=(libpari-dev)  # of the benchmarks alone
-python_packages=(python3-dev pybind11-dev python3-pytest)
+python_packages=(python3-dev pybind11-dev python3-pytest python3-hypothesis)
 notebook_packages=(python3-mpmath python3-numpy python3-pandas python3-matplotlib python3-nbclient
   python3-ipykernel)
 # Of the pages of scenes, unless npm comes from elsewhere than Debian.

@@ -75,6 +75,9 @@ struct box_options {
   long most_boxes = 1;
   /// Of each integral.
   long most_evaluations = 50'000;
+  /// Called before each integral, with the number of those that are done; may be empty. What it
+  /// throws ends the work.
+  std::function<void(long)> progress = {};
 };
 
 struct box_integral {

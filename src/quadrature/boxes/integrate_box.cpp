@@ -53,6 +53,7 @@ class box_integrator {
   integral at_point(const parameter_box& point);
   /// To some digits, which is more than the widths of the parameters leave.
   integral over(const integrand& f);
+  void count_one();
 
   const parametric_integrand& f_;
   const end_point& a_;
@@ -61,15 +62,20 @@ class box_integrator {
   long integrals_ = 0;
 };
 
-integral box_integrator::at_point(const parameter_box& point) {
+void box_integrator::count_one() {
+  if (options_.progress) options_.progress(integrals_);
   ++integrals_;
+}
+
+integral box_integrator::at_point(const parameter_box& point) {
+  count_one();
   return integrate_function(
       f_.over_box(point), a_, b_,
       {.digits = options_.digits, .most_evaluations = options_.most_evaluations});
 }
 
 integral box_integrator::over(const integrand& f) {
-  ++integrals_;
+  count_one();
   constexpr long few_digits = 10;
   constexpr long little_depth = 100;
   return integrate_function(f, a_, b_,
