@@ -148,14 +148,24 @@ region regions::root(const region& z, long n) {
 }
 region regions::erf(const region& z) {
   if (!z.is_analytic()) return z;
-  const double_interval re = z.re();
-  const double_interval im = z.im();
-  if (!re.is_bounded() || !im.is_bounded()) return region::blocked(obstacle::undefined, "erf");
-  const double_interval middle(re.midpoint());
-  const region w(hull(re, middle), hull(im, double_interval(0)));
-  const region slope = (exp(-square(w)) * 2 / region(polhode::sqrt(pi(64)))).convex_hull();
-  const region value(polhode::erf(to_ball(middle, 64)));
-  return value + (z - region(middle)) * slope;
+  const complex_ball set = z.to_complex_ball();
+  if (!set.is_bounded()) return region::blocked(obstacle::undefined, "erf");
+  const auto as_z_is = [&](const complex_ball& w) {
+    return z.is_in_hardware() ? region(w) : region::in_balls(w);
+  };
+  // m is real where the set touches the real axis, or is so large that erf(m) is not known.
+  complex_ball m = set.middle();
+  complex_ball value(ball(0, 64));
+  if (!contains_zero(set.im)) value = polhode::erf(m);
+  if (contains_zero(set.im) || value.is_undefined()) {
+    m = complex_ball(m.re);
+    value = polhode::erf(m);
+  }
+  const region between = as_z_is(hull(set, m));
+  const region slope =
+      (exp(-square(between)) * 2 / as_z_is(complex_ball(polhode::sqrt(pi(m.precision())))))
+          .convex_hull();
+  return as_z_is(value) + as_z_is(set - m) * slope;
 }
 region regions::erfc(const region& z) { return 1 - erf(z); }
 

@@ -164,6 +164,29 @@ std::vector<known_contour_integral> closed_forms() {
   all.push_back(known(
       "tanh: log cosh", [](const auto& z) { return tanh(z); }, path::line(0, path_point(1, 1)),
       [](precision p) { return log(cosh(number(1, 1, p))); }));
+  // Residues of Gamma at -n: (-1)^n/n!.
+  all.push_back(known(
+      "gamma around 0", [](const auto& z) { return gamma(z); }, path::circle(0, rational(1, 2)),
+      [](precision p) { return i_times(2 * pi(p)); }));
+  all.push_back(known(
+      "gamma around -2", [](const auto& z) { return gamma(z); }, path::circle(-2, rational(1, 2)),
+      [](precision p) { return i_times(pi(p)); }));
+  // Raabe's formula: log Gamma over [z, z + 1] is z log z - z + log(2 pi)/2.
+  all.push_back(known(
+      "log_gamma from 1+i to 2+i", [](const auto& z) { return log_gamma(z); },
+      path::line(path_point(1, 1), path_point(2, 1)),
+      [](precision p) {
+        const complex_ball z = number(1, 1, p);
+        return z * log(z) - z + log(2 * pi(p)) / 2;
+      }));
+  all.push_back(known(
+      "erf: z erf z + exp(-z^2)/sqrt(pi)", [](const auto& z) { return erf(z); }, corner,
+      [](precision p) {
+        const auto at = [&](const complex_ball& z) {
+          return z * erf(z) + exp(-square(z)) / sqrt(pi(p));
+        };
+        return at(number(-1, 1, p)) - at(number(1, 0, p));
+      }));
   all.push_back(known(
       "a constant: the ends' difference", [](const auto&) { return rational(3, 7); }, corner,
       [](precision p) { return number(-2, 1, p) * rational(3, 7); }));

@@ -157,6 +157,36 @@ TEST(ZerosInRectangle, AreExactOnlyWhereTheyAre) {
   EXPECT_FALSE(zeros_of("z*exp(1/z)", {-3, 3, -3, 3}, 10).is_complete());
 }
 
+// The zeros of erf in the first quadrant (DLMF 7.13(i), table 7.13.1), and roots of gamma.
+TEST(ZerosInRectangle, OfSpecialFunctions) {
+  constexpr precision p = 200;
+  const auto near = [](const char* re, const char* im) {
+    const magnitude error = pow(ball(10, 64), -8).magnitude_upper();
+    return complex_ball(parse_ball(re, p), parse_ball(im, p)).enlarged(error);
+  };
+  const zeros_answer of_erf = zeros_of("erf(z)", {-3, 3, -3, 3}, 30);
+  EXPECT_TRUE(of_erf.is_complete());
+  ASSERT_EQ(of_erf.zeros.size(), 9U);
+  for (const complex_ball& number :
+       {near("1.450616163", "1.880943000"), near("2.244659274", "2.616575141")}) {
+    long count = 0;
+    for (const complex_zero& z : of_erf.zeros) {
+      EXPECT_TRUE(contains_zero(erf(z.enclosure).re));
+      count += hold(z.enclosure, number) ? 1 : 0;
+    }
+    EXPECT_EQ(count, 1);
+  }
+  const zeros_answer of_gamma = zeros_of("gamma(z)-6", {rational(1, 8), 5, -3, 3}, 40);
+  EXPECT_TRUE(of_gamma.is_complete());
+  ASSERT_EQ(of_gamma.zeros.size(), 2U);
+  expect_simple(of_gamma, complex_ball(ball(4, p)), 40);
+  const zeros_answer of_logarithm = zeros_of("log_gamma(z)", {rational(1, 8), 5, -3, 3}, 30);
+  EXPECT_TRUE(of_logarithm.is_complete());
+  ASSERT_EQ(of_logarithm.zeros.size(), 2U);
+  expect_simple(of_logarithm, complex_ball(ball(1, p)), 30);
+  expect_simple(of_logarithm, complex_ball(ball(2, p)), 30);
+}
+
 TEST(ZerosInRectangle, RefuseWhatIsNotAnalytic) {
   EXPECT_THROW((void)zeros_of("abs(z)-1", {-2, 2, -2, 2}, 10), input_error);
   EXPECT_THROW((void)zeros_of("z-z", {-2, 2, -2, 2}, 10), input_error);

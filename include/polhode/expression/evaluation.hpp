@@ -66,9 +66,8 @@ struct supplement<region> {
   static region agm(const region& z, const region& w);
   static region atan2(const region& y, const region& x);
   static region root(const region& z, long n);
-  /// erf is entire: with m real, erf(z) - erf(m) is z - m times a mean of its derivative over the
-  /// segment between them, and lies in (Z - m) (2/sqrt(pi)) exp(-W^2) for any convex W that holds m
-  /// and Z.
+  /// erf is entire: erf(z) - erf(m) is z - m times a mean of its derivative over the segment
+  /// between them, and lies in (Z - m) (2/sqrt(pi)) exp(-W^2) for any convex W that holds m and Z.
   static region erf(const region& z);
   static region erfc(const region& z);
 };

@@ -19,8 +19,8 @@
 // include evaluation.hpp. Over each type the inclusion principle of ball.hpp holds (but for the
 // uncertified ones), and what is not defined, or has no enclosure in that type, is answered in the
 // type's own way: an undefined ball or coefficient, a region that is not analytic
-// (obstacle::unknown where the function is not available for regions, as gamma), a NaN. Off the
-// real line each function means what region.hpp says, so a formula over regions or complex balls is
+// (obstacle::unknown where the function is not available there), a NaN. Off the real line each
+// function means what region.hpp says, so a formula over regions or complex balls is
 // the continuation of the real one; over complex balls, which know nothing of analyticity, with
 // principal values.
 

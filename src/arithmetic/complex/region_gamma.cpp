@@ -1,25 +1,15 @@
 #include <array>
 #include <cmath>
 
+#include "arithmetic/functions/bernoulli.hpp"
+#include "arithmetic/functions/gamma_series.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
 
-// Stirling's series, for Re w > 0, with the Bernoulli numbers B_2k:
-//
-//   log Gamma(w) = (w - 1/2) log w - w + log(2 pi)/2 + sum over 0 < k < N of B_2k/(2k (2k-1)
-//   w^(2k-1)) + R_N(w), R_N(w) = (1/2N) integral over t > 0 of (B_2N - B_2N({t})) (w + t)^(-2N) dt
-//
-// (Euler and Maclaurin; E. T. Whittaker, G. N. Watson, A Course of Modern Analysis, 12.33).
-// B_2N({t}) is at most
-// |B_2N| in size, so that the numerator has the sign of B_2N or is 0, and B_2N alternates in sign
-// with N. So R_N(x) and R_(N+1)(x) have opposite signs for x > 0, and each is smaller than their
-// difference: |R_N(x)| is at most the first term left out; and so for the derivative R_N', whose
-// integral has (w + t)^(-2N-1). For complex w = |w| e^(i a): |w + t|^2 - (|w| + t)^2 cos^2(a/2) =
-// (1 - cos a)/2 (|w| - t)^2 >= 0, so that
-//   |R_N(w)| <= sec^(2N)(a/2) |R_N(|w|)|,  |R_N'(w)| <= sec^(2N+1)(a/2) |R_N'(|w|)|,
-// with sec^2(a/2) < 2 for Re w > 0.
+// Stirling's series over regions: the series and the bound of its remainder are those of
+// gamma_series.hpp, with sec^2(a/2) < 2 for Re w > 0.
 
 namespace polhode {
 
@@ -30,9 +20,11 @@ constexpr double least_real_part = 7;  // of w
 
 /// B_2, B_4, ..., B_16.
 const std::array<rational, terms>& bernoulli_numbers() {
-  static const std::array<rational, terms> numbers{
-      rational(1, 6),  rational(-1, 30),     rational(1, 42), rational(-1, 30),
-      rational(5, 66), rational(-691, 2730), rational(7, 6),  rational(-3617, 510)};
+  static const std::array<rational, terms> numbers = [] {
+    std::array<rational, terms> made;
+    for (std::size_t k = 0; k < made.size(); ++k) made.at(k) = detail::bernoulli_number(k + 1);
+    return made;
+  }();
   return numbers;
 }
 
@@ -86,21 +78,22 @@ region series_of_derivative(const region& z) {
   return result;
 }
 
-/// A set around z, and its middle.
-struct centred {
-  region set;
-  region middle;
-};
-centred about_middle(const region& z) {
-  const complex_ball set = z.to_complex_ball();
-  const complex_ball middle{real_set<ball>::middle(set.re), real_set<ball>::middle(set.im)};
-  if (z.is_in_hardware()) return {region(set), region(middle)};
-  return {region::in_balls(set), region::in_balls(middle)};
+/// log Gamma at the middle of z; with all bits where z is kept in balls.
+region log_at_middle(const complex_ball& set, const region& z) {
+  const complex_ball middle = set.middle();
+  if (z.is_in_hardware()) return series_of_log(region(middle));
+  return region::in_balls(detail::log_gamma_by_series(middle));
 }
 
 bool is_right_of_zero(const region& z) { return certainly_positive(z.to_complex_ball().re); }
 
 }  // namespace
+
+region digamma(const region& z) {
+  if (!z.is_analytic()) return z;
+  if (!is_right_of_zero(z)) return region::blocked(obstacle::unknown, "digamma");
+  return series_of_derivative(z);
+}
 
 region log_gamma(const region& z) {
   if (!z.is_analytic()) return z;
@@ -110,8 +103,12 @@ region log_gamma(const region& z) {
                            "log_gamma");
   }
   // log Gamma(m) and z - m times a mean of the derivative over the segment between them.
-  const auto [set, m] = about_middle(z);
-  return series_of_log(m) + (set - m) * series_of_derivative(set).convex_hull();
+  const complex_ball set = z.to_complex_ball();
+  const auto as_z_is = [&](const complex_ball& w) {
+    return z.is_in_hardware() ? region(w) : region::in_balls(w);
+  };
+  return log_at_middle(set, z) +
+         as_z_is(set - set.middle()) * series_of_derivative(as_z_is(set)).convex_hull();
 }
 
 region gamma(const region& z) {

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "arithmetic/ball/ball_access.hpp"
+#include "erf_series.hpp"
+#include "gamma_series.hpp"
 
 namespace polhode {
 
@@ -157,10 +159,14 @@ ball convex_over(const ball& x, convex_function f, bool logarithm) {
 
 }  // namespace
 
-ball erf(const ball& x) { return monotone_at_ends(x, mpfr_erf, true); }
+ball erf(const ball& x) {
+  if (const auto value = detail::erf_by_series(x)) return *value;
+  return monotone_at_ends(x, mpfr_erf, true);
+}
 ball erfc(const ball& x) { return monotone_at_ends(x, mpfr_erfc, false); }
 
 ball gamma(const ball& x) {
+  if (const auto value = detail::gamma_by_series(x)) return *value;
   ball size = convex_over(x, abs_gamma, false);
   if (size.is_undefined() || certainly_positive(x)) return size;
   // Gamma is negative between -1 and 0, -3 and -2, ...: where the floor of x is odd.
@@ -173,7 +179,10 @@ ball gamma(const ball& x) {
   return negative ? -size : size;
 }
 
-ball log_gamma(const ball& x) { return convex_over(x, log_abs_gamma, true); }
+ball log_gamma(const ball& x) {
+  if (const auto value = detail::log_gamma_by_series(x)) return *value;
+  return convex_over(x, log_abs_gamma, true);
+}
 
 ball digamma(const ball& x) {
   const precision p = x.precision();
