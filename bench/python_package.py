@@ -24,7 +24,7 @@ try:
 except ImportError:
     flint = None
 
-ROUNDS = 5
+ROUNDS = 3
 
 
 def least_time(f, least=0.01):

@@ -180,7 +180,9 @@ def test_functions_of_complex_balls_are_their_principal_values():
     across = polhode.complex_ball(-1, ball.hull_of(-1, 1))
     assert polhode.log(across).imag.contains(polhode.eval("3*pi/4", 20))
     assert polhode.log(across).imag.contains(polhode.eval("-3*pi/4", 20))
-    assert str(polhode.gamma(z)) == "undefined"
+    assert polhode.gamma(z + 1).overlaps(z * polhode.gamma(z))
+    assert abs(complex(polhode.erf(polhode.complex_ball(0, 1))) - 1.6504257587975429j) < 1e-15
+    assert str(polhode.log_gamma(polhode.complex_ball(-1, 1))) == "undefined"
     assert polhode.formula("z^2 + 1", ["z"])(1j) == 0
 
 
