@@ -152,6 +152,16 @@ binary number itself. A comparison that the sets do not decide raises polhode.Un
       .def_property_readonly(
           "upper", [](const ball& x) { return to_python(upper_rational(expect_bounded(x))); },
           "The upper end, a Fraction.")
+      .def(
+          "decimals",
+          [](const ball& x, long digits) {
+            const decimal_enclosure d =
+                to_decimal_enclosure(expect_bounded(x), checked_digits(digits));
+            const py::object decimal = py::module_::import("decimal").attr("Decimal");
+            return py::make_tuple(decimal(d.lower), decimal(d.upper));
+          },
+          py::arg("digits") = default_digits,
+          "Two Decimals of about so many digits, between which every number of the set lies.")
       .def_property_readonly("is_exact", &ball::is_exact, "It is one number.")
       .def_property_readonly("is_bounded", &ball::is_bounded)
       .def_property_readonly("is_undefined", &ball::is_undefined, "Nothing is known of it.")

@@ -96,6 +96,16 @@ def test_is_shown_with_certain_digits():
     assert ball("0.1").digits() >= 50
 
 
+def test_decimals_are_rounded_outward():
+    third = ball(F(1, 3), 40)
+    low, high = third.decimals(20)
+    assert isinstance(low, decimal.Decimal) and F(low) <= third.lower and third.upper <= F(high)
+    assert high - low < decimal.Decimal("1e-19")
+    assert ball("0.25").decimals() == (decimal.Decimal("0.25"), decimal.Decimal("0.25"))
+    with pytest.raises(ValueError, match="bounded"):
+        (ball(1) / ball(0)).decimals()
+
+
 def test_is_pickled():
     for x in [ball(F(1, 3)), ball.hull_of(-1, F(1, 7)), ball(2)]:
         for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):

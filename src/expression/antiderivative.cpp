@@ -5,6 +5,10 @@
 //
 // by n integrations by parts. What is found is entire, so that its difference at two numbers is the
 // integral between them. Where l is 0, but not shown to be, the quotients have no value.
+//
+// With x = e^-s the integral of f(x) from a to b, 0 < a < b, is that of f(e^-s) e^-s from -log b to
+// -log a, and this is such a sum for products of powers of x and of log x. s^n exp(l s) tends to 0
+// for s -> inf and l < 0, and for s -> -inf and l > 0, and is integrable up to there.
 
 #include <algorithm>
 #include <optional>
@@ -44,9 +48,12 @@ class antiderivative {
       for (std::size_t n = 0; n < u->size(); ++n) c[n].re = (*u)[n];
       for (std::size_t n = 0; n < v->size(); ++n) c[n].im = (*v)[n];
       sum = nodes_.sum(sum, e.empty() ? of_polynomial(c) : of_exponential(c, e.front()));
+      rates_.push_back(e.empty() ? g_.number(0) : e.front().re);
     }
     return sum;
   }
+  /// The real parts of the exponents k of the terms.
+  [[nodiscard]] const std::vector<node_id>& rates() const { return rates_; }
 
  private:
   node_id of_polynomial(const std::vector<complex_node>& c) {
@@ -87,6 +94,75 @@ class antiderivative {
   detail::graph& g_;
   complex_nodes nodes_;
   node_id x_;
+  std::vector<node_id> rates_;
+};
+
+/// Marks the nodes that are positive, or analytic, for every x > 0: the variable, positive
+/// constants, their products, quotients, powers and roots; and of these logarithms.
+class right_of_zero {
+ public:
+  /// is_positive(i) says it of the node i, a constant.
+  template <class IsPositive>
+  right_of_zero(const detail::graph& g, const IsPositive& is_positive)
+      : varies_(detail::varying(g)), positive_(g.root + 1), has_(g.root + 1) {
+    using detail::operation;
+    const std::vector<char> reached = detail::reachable(g);
+    for (node_id i = 0; i <= g.root; ++i) {
+      if (reached[i] == 0) continue;
+      const detail::node& n = g[i];
+      if (varies_[i] == 0) {
+        positive_[i] = is_positive(i) ? 1 : 0;
+        has_[i] = 1;
+        continue;
+      }
+      const auto both = [&](const std::vector<char>& marks) {
+        return marks[n.left] != 0 && marks[n.right] != 0 ? char{1} : char{0};
+      };
+      switch (n.what) {
+        case operation::variable:
+          positive_[i] = has_[i] = 1;
+          break;
+        case operation::add:
+        case operation::subtract:
+          has_[i] = both(has_);
+          break;
+        case operation::multiply:
+          positive_[i] = both(positive_);
+          has_[i] = both(has_);
+          break;
+        case operation::divide:
+          positive_[i] = both(positive_);
+          has_[i] = positive_[n.right] != 0 || varies_[n.right] == 0 ? has_[n.left] : char{0};
+          break;
+        case operation::negate:
+          has_[i] = has_[n.left];
+          break;
+        case operation::power_integer:
+          positive_[i] = positive_[n.left];
+          has_[i] = n.number >= 0 ? has_[n.left] : positive_[n.left];
+          break;
+        case operation::root:
+        case operation::sqrt:
+          positive_[i] = has_[i] = positive_[n.left];
+          break;
+        case operation::power:
+          positive_[i] = has_[i] =
+              positive_[n.left] != 0 && varies_[n.right] == 0 ? char{1} : char{0};
+          break;
+        case operation::log:
+          has_[i] = positive_[n.left];
+          break;
+        default:
+          break;
+      }
+    }
+  }
+  [[nodiscard]] bool holds(node_id i) const { return has_[i] != 0; }
+
+ private:
+  std::vector<char> varies_;
+  std::vector<char> positive_;
+  std::vector<char> has_;
 };
 
 }  // namespace
@@ -102,6 +178,43 @@ std::optional<expression> expression::entire_antiderivative() const {
     const auto root = antiderivative_impl::antiderivative(g).root();
     if (!root) return std::nullopt;
     return with_root(std::move(g), *root);
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+std::optional<expression::logarithmic_antiderivative> expression::antiderivative_in_logarithm()
+    const {
+  namespace impl = antiderivative_impl;
+  if (variables_.size() != 1 || graph_->size() > impl::most_nodes) return std::nullopt;
+  constexpr precision few = 64;
+  const auto value_in = [&](const detail::graph& g, detail::node_id i) {
+    return with_root(g, i).value(few);
+  };
+  try {
+    // Most formulas are not of this kind whatever their constants are.
+    const detail::node_id top = graph_->root;
+    if (!impl::right_of_zero(*graph_, [](detail::node_id) { return true; }).holds(top)) {
+      return std::nullopt;
+    }
+    const auto is_positive = [&](detail::node_id i) {
+      return certainly_positive(value_in(*graph_, i));
+    };
+    if (!impl::right_of_zero(*graph_, is_positive).holds(top)) return std::nullopt;
+    const expression zero("0", {.variables = {}, .definitions = {}});
+    const std::optional<expression> in_s = in_exponential(&zero, 1);
+    if (!in_s || detail::has_other_than_entire(*in_s->graph_)) return std::nullopt;
+    detail::graph g = *in_s->graph_;
+    impl::antiderivative found(g);
+    const auto root = found.root();
+    if (!root) return std::nullopt;
+    logarithmic_antiderivative result{in_s->with_root(g, *root), true, true};
+    for (const detail::node_id rate : found.rates()) {
+      const ball k = value_in(g, rate);
+      result.vanishes_at_zero = result.vanishes_at_zero && certainly_negative(k);
+      result.vanishes_at_infinity = result.vanishes_at_infinity && certainly_positive(k);
+    }
+    return result;
   } catch (const detail::undefined_operation&) {
     return std::nullopt;  // an operation has no value anywhere
   }

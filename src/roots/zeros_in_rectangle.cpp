@@ -205,6 +205,9 @@ class zero_search {
       : zero_search(fraction_of(f), std::move(where), options) {}
 
   zeros_answer answer() {
+    constexpr int deepest_beside_cuts = 24;  // poles and branch cuts stay undecided
+    divisors_may_have_poles_ = true;
+    divisors_may_have_poles_ = pole_of_divisor(whole_, 0).has_value();
     struct part {
       complex_rectangle box;
       int depth;
@@ -225,17 +228,22 @@ class zero_search {
       const region value = over(next.box, next.depth);
       if (!value.is_analytic() && has_no_value_0(next.box, next.depth)) continue;
       if (value.is_analytic()) {
-        if (!value.magnitude_lower().is_zero()) continue;
+        const bool may_be_0 = value.magnitude_lower().is_zero();
+        const std::optional<std::string> pole = pole_of_divisor(next.box, next.depth);
+        if (!may_be_0 && !pole) continue;
+        if (!may_be_0 && next.depth >= deepest_beside_cuts) {
+          result_.undecided.push_back({next.box, *pole});
+          continue;
+        }
         constexpr int first_depth = 2;
         // Beside zeros that were not told apart it seldom helps.
         const bool is_hard = next.depth % 8 != 0 && is_in_cluster(next.box);
-        if (next.depth >= first_depth && !is_hard) look_near(next.box);
+        if (may_be_0 && next.depth >= first_depth && !is_hard) look_near(next.box);
         if (is_done(next.box)) continue;
         // So small that zeros which are still together may stay so.
         constexpr int depth_of_clusters = 30;
         if (next.depth >= depth_of_clusters && take_cluster(next.box)) continue;
       }
-      constexpr int deepest_beside_cuts = 24;  // poles and branch cuts stay undecided
       if (next.depth >= 2 * options_.most_depth ||
           (!value.is_analytic() && next.depth >= deepest_beside_cuts)) {
         result_.undecided.push_back(
@@ -331,6 +339,20 @@ class zero_search {
     return f_.over(depth < depth_of_doubles ? region(set) : region::in_balls(set));
   }
 
+  /// What of a divisor may have a pole in the part, as gamma has: f tends to 0 there, but has no
+  /// value. None where no divisor has one.
+  [[nodiscard]] std::optional<std::string> pole_of_divisor(const complex_rectangle& box,
+                                                           int depth) const {
+    if (!divisors_may_have_poles_) return std::nullopt;
+    const region set(complex_ball(between(box.left, box.right, 64 + depth),
+                                  between(box.bottom, box.top, 64 + depth)));
+    for (const detail::complex_integrand& d : over_divisors_) {
+      const region value = d.over(set);
+      if (!value.is_analytic() && value.why() == obstacle::pole) return in_words(value);
+    }
+    return std::nullopt;
+  }
+
   /// Whether no value over the part, by principal values, is 0, be it beside a branch cut or on it.
   /// Where f has conjugate values, a part below the real axis is taken for its mirror image: on a
   /// cut the values are those from above.
@@ -416,7 +438,7 @@ class zero_search {
   /// The large square is done; the small one has all its zeros.
   void take(const complex_rectangle& large, const complex_rectangle& small, long count,
             bool is_one = false) {
-    done_.push_back(large);
+    done_.push_back(pole_of_divisor(large, 64) ? small : large);
     if (!meets(small, whole_)) return;  // they are beyond the rectangle
     if (const auto obstacle = obstacle_to_value(small)) {
       small_.push_back(small);
@@ -606,6 +628,7 @@ class zero_search {
   expression numerator_;
   std::vector<expression> divisors_;
   std::vector<detail::complex_integrand> over_divisors_;
+  bool divisors_may_have_poles_ = false;
   detail::complex_integrand f_;  // the numerator
   bool is_real_;                 // for real arguments
   bool is_mirrored_;             // has_cuts_on_the_real_line_alone

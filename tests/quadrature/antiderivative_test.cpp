@@ -111,6 +111,25 @@ TEST(ExactIntegral, ByTheEntireAntiderivative) {
   EXPECT_EQ(exactly("x*sin(x)", "0", "pi"), "none");
 }
 
+TEST(ExactIntegral, ByTheAntiderivativeInTheLogarithm) {
+  EXPECT_EQ(exactly("log(x)", "0", "1"), "-1");
+  EXPECT_EQ(exactly("sqrt(x)*log(x)", "0", "1"), "-4/9");
+  EXPECT_EQ(exactly("sqrt(x)*log(x)", "1", "0"), "4/9");
+  EXPECT_EQ(exactly("log(x)/x^2", "1", "inf"), "1");
+  EXPECT_EQ(exactly("log(x)^2/x", "1", "e"), "1/3");
+  EXPECT_EQ(exactly("log(x)/x^1.0000001", "1", "inf"), "100000000000000");
+  EXPECT_EQ(exactly("log(x)^3*(1+1/sqrt(x))", "0", "1"), "-102");
+  EXPECT_EQ(exactly("log(x)", "0", "2"), "none");
+  EXPECT_EQ(exactly("log(x)/x", "0", "1"), "none");
+  EXPECT_EQ(exactly("log(x)/x", "1", "inf"), "none");
+  EXPECT_EQ(exactly("log(x)+1/x^2", "0", "1"), "none");
+  EXPECT_EQ(exactly("log(x)", "-1", "0"), "none");
+  // Where logarithms or roots have no value nothing is known.
+  EXPECT_EQ(exactly("log(x)+log(-x)", "0", "1"), "none");
+  EXPECT_EQ(exactly("sqrt(log(x))^2", "0", "1"), "none");
+  EXPECT_EQ(exactly("sqrt(-x)^2*log(x)", "0", "1"), "none");
+}
+
 TEST(Antiderivative, OfSumsOfExponentials) {
   expect_known(
       {
@@ -121,6 +140,32 @@ TEST(Antiderivative, OfSumsOfExponentials) {
           {"x^3*sinpi(x)^2*cosh(x)", "0", "2", "4.562950911276741597263404974916156326693"},
       },
       0);
+}
+
+TEST(Antiderivative, OfPowersAndLogarithms) {
+  expect_known(
+      {
+          {"x^(pi-2)*log(x)^2", "0", "1", "0.2036195111538343583225312201991242783713"},
+          {"sqrt(x)*log(x)", "2", "9", "27.50011025620330378910068287477256803987"},
+          {"log(3*x)^2/x^2", "1/2", "inf", "5.950664340218988387217324894863442774417"},
+          {"(x^(1/3)+x^(-2/3))*log(x^2)^3", "0", "2", "-3901.654196653753893673868033172559146819"},
+          {"(log(x)/x)^3*x", "sqrt(2)", "e", "0.1111910304317927457841626138640116879112"},
+          {"(log(x)/x)^3*x", "e", "sqrt(2)", "-0.1111910304317927457841626138640116879112"},
+      },
+      0);
+  const auto with = [](const char* formula, const end_point& a, const end_point& b) {
+    return integrate(parse(formula), a, b, {.digits = 20, .rule = quadrature_rule::antiderivative});
+  };
+  EXPECT_EQ(with("sqrt(x)*log(x)", 0, 2).verdict, status::certified);
+  // Not up to the ends, not to the left of 0, and of nothing that is undefined somewhere.
+  for (const char* refused : {"log(x)/x", "x^(-3/2)*log(x)", "sqrt(log(x))^2", "log(x-1)",
+                              "log(2-x)*sqrt(x)", "log(x)*abs(x)", "log(log(x)^2)", "1/log(x)"}) {
+    EXPECT_EQ(with(refused, 0, 2).why, reason::not_applicable) << refused;
+  }
+  EXPECT_EQ(with("log(x)", 1, end_point::infinity()).why, reason::not_applicable);
+  EXPECT_EQ(with("log(x^2)", -1, 1).why, reason::not_applicable);
+  EXPECT_EQ(with("log(x)*x^(sqrt(2)+sqrt(3)-sqrt(5+2*sqrt(6))-1)", 0, 1).why,
+            reason::not_applicable);
 }
 
 TEST(Antiderivative, OfWhatIsZeroAlmostEverywhereIsZeroBetweenLimits) {

@@ -1,5 +1,6 @@
 // Zeros of analytic functions in rectangles.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,26 @@ TEST(ZerosInRectangle, OfSpecialFunctions) {
   ASSERT_EQ(of_logarithm.zeros.size(), 2U);
   expect_simple(of_logarithm, complex_ball(ball(1, p)), 30);
   expect_simple(of_logarithm, complex_ball(ball(2, p)), 30);
+}
+
+// 1/gamma is 0 at the poles of gamma in the limit, where the formula has no value.
+TEST(ZerosInRectangle, AtPolesOfDivisorsStayUndecided) {
+  for (const char* formula :
+       {"1/gamma(z)", "exp(z)/gamma(z)^2", "sin(z)/gamma(z)", "(z-1/3)/gamma(z)"}) {
+    const zeros_answer found = zeros_of(formula, {rational(-3, 2), 1, -1, 1}, 10);
+    EXPECT_FALSE(found.is_complete()) << formula;
+    for (const long pole : {0L, -1L}) {
+      EXPECT_TRUE(std::ranges::any_of(found.undecided,
+                                      [&](const undecided_rectangle& u) {
+                                        return u.where.left <= pole && pole <= u.where.right &&
+                                               u.where.bottom <= 0 && 0 <= u.where.top;
+                                      }))
+          << formula << ' ' << pole;
+    }
+  }
+  const zeros_answer right = zeros_of("(z-1/3)/gamma(z)", {rational(1, 8), 1, -1, 1}, 10);
+  EXPECT_TRUE(right.is_complete());
+  ASSERT_EQ(right.zeros.size(), 1U);
 }
 
 TEST(ZerosInRectangle, RefuseWhatIsNotAnalytic) {

@@ -248,6 +248,13 @@ class expression {
   /// of f from a to b is F(b) - F(a) wherever F has values there. None for other formulas, and long
   /// ones.
   [[nodiscard]] std::optional<expression> entire_antiderivative() const;
+  /// For a formula of one variable x that is made of x, constants, powers, roots and logarithms of
+  /// products of powers of x and positive constants by + - * / : G, a formula in s, entire, where
+  /// f(e^-s) e^-s is a sum of products s^n e^(k s), so that the integral of f from a to b is
+  /// G(-log a) - G(-log b) for 0 < a, b; G tends to 0 for s -> inf where each k is negative, that
+  /// is at x = 0, and for s -> -inf, at x = inf, where each k is positive. None for other formulas.
+  struct logarithmic_antiderivative;
+  [[nodiscard]] std::optional<logarithmic_antiderivative> antiderivative_in_logarithm() const;
   /// Formulas g_j in s with: the integral of f from `start` to infinity is the sum of those of the
   /// g_j from 0 to infinity, and the g_j decay where f oscillates.
   struct rays;
@@ -348,6 +355,11 @@ class expression {
   std::shared_ptr<const detail::graph> graph_;
 };
 
+struct expression::logarithmic_antiderivative {
+  expression of_s;
+  bool vanishes_at_zero = false;      // of x
+  bool vanishes_at_infinity = false;  // of x
+};
 struct expression::fraction {
   expression numerator;
   std::vector<expression> divisors;

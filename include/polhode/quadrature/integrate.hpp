@@ -177,8 +177,10 @@ struct integrand {
   /// which what is a power of the distance or of x is an exponential. Nothing where that is not
   /// available; may be empty.
   std::function<std::optional<integrand>(const end_point& end, int side)> in_exponential;
-  /// F with F' = f everywhere, entire, by the precision. Nothing where none is known; may be empty.
-  std::function<std::function<std::function<ball(const ball& x)>(precision p)>()> antiderivative;
+  /// The integral from a to b by an antiderivative at the ends, by the precision. Nothing where
+  /// none is known; may be empty.
+  std::function<std::function<ball(precision p)>(const end_point& a, const end_point& b)>
+      antiderivative;
   /// The integral from some p >= `from` to infinity (to the end of sign `side`, for |x| >= p) as a
   /// sum of others. Nothing where that is not available; may be empty.
   std::function<std::optional<turned_rays>(const rational& from, int side)> on_turned_rays;

@@ -21,6 +21,7 @@
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 #include "quadrature/formula/exponential_variable.hpp"
+#include "quadrature/formula/logarithmic_ends.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
 
 namespace polhode {
@@ -291,6 +292,30 @@ std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
 /// f(-x), of one variable.
 expression reflected(const expression& f) { return expression(f(-symbol::variable(0)), f.names()); }
 
+/// F(b) - F(a) for an antiderivative F that is entire, or is so in log x, by the precision; nothing
+/// where there is none, or it does not reach up to the ends.
+std::function<ball(precision)> difference_at_ends(const expression& f, const end_point& a,
+                                                  const end_point& b) {
+  if (a.infinite_sign() == 0 && b.infinite_sign() == 0) {
+    if (const auto found = f.entire_antiderivative()) {
+      return [F = *found, a, b](precision p) {
+        const auto at = F.evaluator<ball>(p);
+        return at(b.at(p)) - at(a.at(p));
+      };
+    }
+  }
+  if (!detail::is_right_of_zero(a) || !detail::is_right_of_zero(b)) return nullptr;
+  const auto found = f.antiderivative_in_logarithm();
+  if (!found || !detail::reaches(*found, a) || !detail::reaches(*found, b)) return nullptr;
+  return [G = found->of_s, a, b](precision p) {
+    const auto of_s = G.evaluator<ball>(p);
+    const auto at = [&](const end_point& x) {
+      return detail::is_limit_of_logarithm(x) ? ball(0, p) : of_s(-log(x.at(p)));
+    };
+    return at(a) - at(b);
+  };
+}
+
 /// With so many changes of the variable to an exponential, one after the other, at most.
 detail::integrand integrand_with_changes(const expression& f, int changes) {
   constexpr precision series_bits = 192;
@@ -338,12 +363,8 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
     }
     return points;
   };
-  result.antiderivative = [f]() -> std::function<std::function<ball(const ball&)>(precision)> {
-    const std::optional<expression> found = f.entire_antiderivative();
-    if (!found) return nullptr;
-    return [antiderivative = *found](precision p) -> std::function<ball(const ball&)> {
-      return antiderivative.evaluator<ball>(p);
-    };
+  result.antiderivative = [f](const end_point& a, const end_point& b) {
+    return difference_at_ends(f, a, b);
   };
   result.on_turned_rays = [f](const rational& from,
                               int side) -> std::optional<detail::turned_rays> {

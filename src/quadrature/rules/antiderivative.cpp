@@ -15,7 +15,7 @@ class antiderivative final : public quadrature_strategy {
  public:
   [[nodiscard]] std::string_view name() const override { return "antiderivative"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "for sums of x^n exp(k x), x^n sin(k x) and x^n cos(k x)";
+    return "for sums of x^n exp(k x), x^n sin(k x), x^n cos(k x), and of x^k log(x)^n";
   }
   [[nodiscard]] bool is_automatic() const override { return true; }
   /// With so many bits that what F(b) and F(a) have in common does not matter; nothing where that
@@ -23,15 +23,14 @@ class antiderivative final : public quadrature_strategy {
   [[nodiscard]] std::optional<integral> attempt(const integrand& f, const end_point& a,
                                                 const end_point& b,
                                                 const integrate_options& options) const override {
-    if (!f.antiderivative || a.infinite_sign() != 0 || b.infinite_sign() != 0) return std::nullopt;
+    if (!f.antiderivative) return std::nullopt;
     const auto start = std::chrono::steady_clock::now();
-    const auto with_bits = f.antiderivative();
-    if (!with_bits) return std::nullopt;
+    const auto difference = f.antiderivative(a, b);
+    if (!difference) return std::nullopt;
     const precision wanted = bits_for_digits(options.digits) + 32;
     const precision most = options.most_precision.value_or(16 * wanted + 1024);
     for (precision p = wanted; p <= most; p *= 2) {
-      const auto antiderivative = with_bits(p);
-      const ball value = antiderivative(b.at(p)) - antiderivative(a.at(p));
+      const ball value = difference(p);
       if (!options.goal().is_met_by(value)) continue;
       integral result;
       result.enclosure = value;
@@ -45,7 +44,8 @@ class antiderivative final : public quadrature_strategy {
     return std::nullopt;
   }
   [[nodiscard]] std::string_view need() const override {
-    return "an antiderivative needs x^n exp(k x), x^n sin(k x) or x^n cos(k x), and a finite range";
+    return "an antiderivative needs x^n exp(k x), x^n sin(k x) or x^n cos(k x) and a finite range, "
+           "or x^k log(x)^n and x >= 0";
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/formula_end.hpp"
+#include "quadrature/formula/logarithmic_ends.hpp"
 
 namespace polhode {
 namespace {
@@ -232,18 +233,28 @@ std::optional<rational> integral_of_stairs(const expression& f, const rational& 
   return rest ? std::optional<rational>(sum + *rest) : std::nullopt;
 }
 
-/// By the entire antiderivative, at ends that are given by formulas.
+/// By an antiderivative that is entire, or is so in log x, at ends that are given by formulas.
 std::optional<rational> difference_at_ends(const expression& f, const end_point& a,
                                            const end_point& b) {
   const auto at_a = formula_of(a);
   const auto at_b = formula_of(b);
-  if (!at_a || !at_b) return std::nullopt;
-  const auto antiderivative = f.entire_antiderivative();
-  if (!antiderivative) return std::nullopt;
-  const auto at = [&](const expression& x) {
-    return (*antiderivative)(x.evaluate(std::span<const symbol>()));
+  const auto number = [](const expression& x) { return x.evaluate(std::span<const symbol>()); };
+  if (at_a && at_b) {
+    if (const auto antiderivative = f.entire_antiderivative()) {
+      const auto at = [&](const expression& x) { return (*antiderivative)(number(x)); };
+      return expression(at(*at_b) - at(*at_a), {}).rational_value();
+    }
+  }
+  if (!detail::is_right_of_zero(a) || !detail::is_right_of_zero(b)) return std::nullopt;
+  const bool is_known_at_a = at_a || a.is_infinite();
+  const bool is_known_at_b = at_b || b.is_infinite();
+  if (!is_known_at_a || !is_known_at_b) return std::nullopt;
+  const auto found = f.antiderivative_in_logarithm();
+  if (!found || !detail::reaches(*found, a) || !detail::reaches(*found, b)) return std::nullopt;
+  const auto at = [&](const end_point& x, const std::optional<expression>& formula) {
+    return detail::is_limit_of_logarithm(x) ? symbol(0) : found->of_s(-log(number(*formula)));
   };
-  return expression(at(*at_b) - at(*at_a), {}).rational_value();
+  return expression(at(a, at_a) - at(b, at_b), {}).rational_value();
 }
 
 }  // namespace
@@ -272,7 +283,10 @@ std::optional<rational> exact_integral(const expression& f, const end_point& a,
   if (a.infinite_sign() == b.infinite_sign() && a.infinite_sign() != 0) return std::nullopt;
   const maybe_end& lower = a.exact();
   const maybe_end& upper = b.exact();
-  if (!lower || !upper) return smooth_integral(f, lower, upper);
+  if (!lower || !upper) {
+    if (auto value = smooth_integral(f, lower, upper)) return value;
+    return difference_at_ends(f, a, b);
+  }
   if (auto sum = integral_of_stairs(f, *lower, *upper)) return sum;
   if (auto sum = integral_by_pieces(f, *lower, *upper)) return sum;
   return difference_at_ends(f, a, b);
