@@ -5,10 +5,13 @@ import decimal
 import doctest
 import math
 
-from hypothesis import HealthCheck, given, settings, strategies as some
+import pytest
 
 import polhode
 from polhode import _polhode, ball
+
+pytest.importorskip("hypothesis")
+from hypothesis import HealthCheck, given, settings, strategies as some  # noqa: E402
 
 REFUSALS = (TypeError, ValueError, OverflowError, ZeroDivisionError, TimeoutError, IndexError,
             KeyError)

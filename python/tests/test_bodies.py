@@ -93,3 +93,31 @@ def test_every_command_of_the_program_has_a_counterpart():
                     "merge": polhode.merged, "scene": polhode.Scene.run,
                     "figures": polhode.figures, "cost": polhode.cost}
     assert names == set(counterparts)
+
+
+# What stands for an option of the program: a parameter of a function, or why there is none.
+OF_FORMULAS = {"--from": "a", "--to": "b", "--in": "a", "--digits": "digits",
+               "--time-limit": "time_limit", "--variable": "f", "--let": "f",
+               "--certificate": polhode.Integral.certificate,
+               "--format": "objects, in place of text and JSON",
+               "--memory-limit": "digits are bounded instead", "--help": "help()",
+               "--verify": "the program gives second opinions"}
+OPTIONS = {
+    "integrate": {**OF_FORMULAS, "--rule": "rule", "--threads": "threads",
+                  "--along": polhode.integrate_along, "--circle": polhode.Path.circle,
+                  "--boxes": polhode.integrate_box},
+    "roots": {**OF_FORMULAS, "--threads": "threads", "--complex": polhode.complex_roots,
+              "--rectangle": polhode.complex_roots, "--certificate": polhode.Roots.certificate},
+    "eval": {**OF_FORMULAS, "--functions": "polhode.functions"}}
+
+
+@pytest.mark.parametrize("command", OPTIONS)
+def test_every_option_of_formulas_has_a_counterpart(command):
+    shown = set(re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", polhode.run(command, "--help"), re.M))
+    known = OPTIONS[command]
+    assert shown and shown <= set(known)
+    signature = getattr(polhode, command).__doc__.partition("\n")[0]
+    for option in shown:
+        if isinstance(known[option], str) and known[option].isidentifier():
+            name = known[option]
+            assert f"{name}:" in signature, (option, signature)

@@ -18,9 +18,10 @@ oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gn
 # Of modules of the program: MPI and HDF5, for maps.
 module_packages=(libopenmpi-dev openmpi-bin libhdf5-dev)
 peer_packages=(libpari-dev)  # of the benchmarks alone
-python_packages=(python3-dev pybind11-dev python3-pytest python3-hypothesis)
-notebook_packages=(python3-mpmath python3-numpy python3-pandas python3-matplotlib python3-nbclient
-  python3-ipykernel)
+python_packages=(python3-dev pybind11-dev python3-pytest)
+# Of some tests of the package, and of its notebooks.
+notebook_packages=(python3-hypothesis python3-mpmath python3-numpy python3-pandas python3-matplotlib
+  python3-nbclient python3-ipykernel)
 # Of the pages of scenes, unless npm comes from elsewhere than Debian.
 page_packages=()
 if ! { command -v node && command -v npm; } >/dev/null; then page_packages=(nodejs npm); fi

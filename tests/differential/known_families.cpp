@@ -1,6 +1,8 @@
 // Integrals that are known in closed form: derivatives of random formulas, elliptic and gamma
 // functions.
 
+#include <cmath>
+
 #include "integrals.hpp"
 
 namespace polhode::differential {
@@ -235,6 +237,48 @@ integral_case book_integral(maker& m) {
   }
 }
 
+/// Sums of c x^p log(q x)^n from 0, to infinity, or between. The integral of x^p L^n, L = log(q x),
+/// is x^k times the sum over j of (-1)^j n!/(n-j)! L^(n-j)/k^(j+1), k = p + 1 not 0. It diverges
+/// where one of the powers does, as no two are the same.
+integral_case power_and_logarithm(maker& m) {
+  const long kind = m.between(0, 3);  // from 0, to infinity, between, either with any powers
+  const bool is_up_to_zero = kind == 0 || (kind == 3 && m.one_in(2));
+  const bool is_up_to_infinity = kind == 1 || (kind == 3 && !is_up_to_zero);
+  term f = 0;
+  term at = 0;  // the antiderivative
+  bool diverges = false;
+  for (long i = m.between(1, 3); i > 0; --i) {
+    // Distinct for distinct i: k is i/7 more than a quotient of halves and thirds.
+    double size = m.within(0.1, 3);
+    if (is_up_to_infinity || (kind == 2 && m.one_in(2))) size = -size;
+    if (kind == 3 && m.one_in(2)) size = -size;
+    const term k = term(std::lround(6 * size)) / 6 + term(i) / 7 + (m.one_in(4) ? term("pi") : 0);
+    const double about = approximately(k);
+    diverges = diverges || (is_up_to_zero && about < 0) || (is_up_to_infinity && about > 0);
+    const term c = m.coefficient();
+    const long n = m.between(0, 4);
+    const term logarithm = call("log", m.one_in(3) ? m.positive_rational() * x : x);
+    f = f + c * power(x, k - 1) * power(logarithm, n);
+    term sum = 0;
+    long factor = 1;
+    for (long j = 0; j <= n; ++j) {
+      sum = sum + factor * power(logarithm, n - j) / power(k, j + 1);
+      factor *= -(n - j);
+    }
+    at = at + c * power(x, k) * sum;
+  }
+  const auto value_at = [&](const term& end) { return substituted(at, "x", end); };
+  const term low = is_up_to_zero ? term(0) : m.positive_rational();
+  const term high = is_up_to_infinity ? term("inf") : low + m.positive_rational();
+  integral_case c{f, low, high, few_digits(m)};
+  c.diverges = diverges;
+  if (!diverges) {
+    const term upper = is_up_to_infinity ? term(0) : value_at(high);
+    c.value = is_up_to_zero ? upper : upper - value_at(low);
+  }
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> known_families() {
@@ -245,6 +289,7 @@ std::vector<integral_family> known_families() {
           {"elliptic integrals", 7, mostly_cheap(elliptic_integral)},
           {"Carlson's integrals", 5, mostly_cheap(carlson_integral)},
           {"Jacobi's functions", 4, mostly_cheap(jacobi_integral)},
+          {"powers and logarithms", 10, mostly_cheap(power_and_logarithm)},
           {"integrals of the books", 7, mostly_cheap(book_integral)}};
 }
 
