@@ -37,7 +37,8 @@ T sum_of_terms(const T& w, precision bits, std::int64_t small) {
     if (falls && (below < -small || !(last < previous))) return sum.enlarged(last);
     previous = last;
     // A term needs the bits that it has above the last place of the sum.
-    const precision wanted = std::clamp<std::int64_t>(below + bits + spare, least_bits, bits);
+    const precision wanted =
+        std::min<std::int64_t>(bits, std::max<std::int64_t>(least_bits, below + bits + spare));
     if (falls && wanted + at_once < term.precision()) {
       term = term.with_precision(wanted);
       factor = w.with_precision(wanted);

@@ -99,7 +99,7 @@ T log_at(const T& w, const plan& how, const stirling_constants& constants) {
   // Each term needs the bits that it has above the last place of the sum.
   const auto bits_of_term = [&](std::size_t k) {
     const double above = log_of_coefficient(k) - static_cast<double>(2 * k - 1) * how.log_size;
-    return std::clamp<precision>(bits + static_cast<precision>(above) + spare, least_bits, bits);
+    return std::min(bits, std::max(least_bits, bits + static_cast<precision>(above) + spare));
   };
   T sum(ball(0, least_bits));
   T factor = inverse_square;
