@@ -24,7 +24,7 @@ try:
 except ImportError:
     flint = None
 
-ROUNDS = 3
+ROUNDS = 4
 
 
 def least_time(f, least=0.01):

@@ -2,6 +2,7 @@
 
 import fractions
 import math
+import os
 import signal
 import threading
 import time
@@ -281,3 +282,38 @@ def test_boxes_are_stopped():
         polhode.integrate_box("exp(-k*x)*sin(x+exp(x))", 0, 8, {"k": (1, 2)}, 15,
                               most_boxes=10**6, time_limit=0.3)
     assert time.monotonic() - start < 30
+
+
+def test_a_forked_process_computes():
+    polhode.integrate("exp(x)", 0, 1, 5)
+    child = os.fork()
+    if child == 0:
+        found = polhode.integrate("exp(x)", 0, 1, 5)
+        os._exit(0 if found.certified else 1)
+    deadline = time.monotonic() + 60
+    while time.monotonic() < deadline:
+        ended, status = os.waitpid(child, os.WNOHANG)
+        if ended:
+            assert os.waitstatus_to_exitcode(status) == 0
+            return
+        time.sleep(0.01)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    raise AssertionError("the child waits for a thread that it has not")
+
+
+def test_many_threads_of_python_compute_at_once():
+    found = [None] * 8
+
+    def compute(i):
+        for _ in range(20):
+            found[i] = polhode.integrate(f"exp({i + 1}*x)", 0, 1, 20)
+
+    threads = [threading.Thread(target=compute, args=[i]) for i in range(len(found))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for i, integral in enumerate(found):
+        exact = (polhode.exp(ball(i + 1)) - 1) / (i + 1)
+        assert integral.value.overlaps(exact)
