@@ -97,6 +97,19 @@ class antiderivative {
   std::vector<node_id> rates_;
 };
 
+/// Without these the other ways are as good.
+bool has_logarithm_or_root(const detail::graph& g) {
+  using detail::operation;
+  for (node_id i = 0; i <= g.root; ++i) {
+    const operation what = g[i].what;
+    if (what == operation::log || what == operation::sqrt || what == operation::root ||
+        what == operation::power) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Marks the nodes that are positive, or analytic, for every x > 0: the variable, positive
 /// constants, their products, quotients, powers and roots; and of these logarithms.
 class right_of_zero {
@@ -186,7 +199,10 @@ std::optional<expression> expression::entire_antiderivative() const {
 std::optional<expression::logarithmic_antiderivative> expression::antiderivative_in_logarithm()
     const {
   namespace impl = antiderivative_impl;
-  if (variables_.size() != 1 || graph_->size() > impl::most_nodes) return std::nullopt;
+  if (variables_.size() != 1 || graph_->size() > impl::most_nodes ||
+      !impl::has_logarithm_or_root(*graph_)) {
+    return std::nullopt;
+  }
   constexpr precision few = 64;
   const auto value_in = [&](const detail::graph& g, detail::node_id i) {
     return with_root(g, i).value(few);

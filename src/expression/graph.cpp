@@ -338,12 +338,28 @@ node_id double_factorial(graph& g, node_id x) {
   return is_even ? evens : divide(g, factorial(g, g.number(rational(2 * k))), evens);
 }
 
+namespace {
+
+/// Calls each with the operands of a node, some of them perhaps twice.
+template <class Each>
+void for_each_operand(const graph& g, node_id i, const Each& each) {
+  const node& n = g[i];
+  if (n.what == operation::further) {
+    for (const node_id x : g.call_at(i).operands) each(x);
+    return;
+  }
+  const int count = operands_of(n.what);
+  if (count > 0) each(n.left);
+  if (count > 1) each(n.right);
+}
+
+}  // namespace
+
 std::vector<char> reachable(const graph& g) {
   std::vector<char> marks(g.size(), 0);
   marks[g.root] = 1;
   for (node_id i = g.root + 1; i-- > 0;) {
-    if (marks[i] == 0) continue;
-    for (const node_id x : operands_at(g, i)) marks[x] = 1;
+    if (marks[i] != 0) for_each_operand(g, i, [&](node_id x) { marks[x] = 1; });
   }
   return marks;
 }
@@ -369,7 +385,7 @@ std::vector<char> varying(const graph& g) {
   for (node_id i = 0; i <= g.root; ++i) {
     if (used[i] == 0) continue;
     bool varies = g[i].what == operation::variable;
-    for (const node_id x : operands_at(g, i)) varies = varies || marks[x] != 0;
+    for_each_operand(g, i, [&](node_id x) { varies = varies || marks[x] != 0; });
     marks[i] = varies ? 1 : 0;
   }
   return marks;

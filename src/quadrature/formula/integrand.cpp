@@ -304,9 +304,11 @@ std::function<ball(precision)> difference_at_ends(const expression& f, const end
       };
     }
   }
-  if (!detail::is_right_of_zero(a) || !detail::is_right_of_zero(b)) return nullptr;
   const auto found = f.antiderivative_in_logarithm();
-  if (!found || !detail::reaches(*found, a) || !detail::reaches(*found, b)) return nullptr;
+  if (!found || !detail::is_right_of_zero(a) || !detail::is_right_of_zero(b) ||
+      !detail::reaches(*found, a) || !detail::reaches(*found, b)) {
+    return nullptr;
+  }
   return [G = found->of_s, a, b](precision p) {
     const auto of_s = G.evaluator<ball>(p);
     const auto at = [&](const end_point& x) {
