@@ -206,8 +206,6 @@ class zero_search {
 
   zeros_answer answer() {
     constexpr int deepest_beside_cuts = 24;  // poles and branch cuts stay undecided
-    divisors_may_have_poles_ = true;
-    divisors_may_have_poles_ = pole_of_divisor(whole_, 0).has_value();
     struct part {
       complex_rectangle box;
       int depth;
@@ -226,10 +224,10 @@ class zero_search {
         continue;
       }
       const region value = over(next.box, next.depth);
-      if (!value.is_analytic() && has_no_value_0(next.box, next.depth)) continue;
+      const std::optional<std::string> pole = pole_of_divisor(next.box, next.depth);
+      if (!value.is_analytic() && !pole && has_no_value_0(next.box, next.depth)) continue;
       if (value.is_analytic()) {
         const bool may_be_0 = value.magnitude_lower().is_zero();
-        const std::optional<std::string> pole = pole_of_divisor(next.box, next.depth);
         if (!may_be_0 && !pole) continue;
         if (!may_be_0 && next.depth >= deepest_beside_cuts) {
           result_.undecided.push_back({next.box, *pole});
@@ -270,7 +268,12 @@ class zero_search {
         whole_(std::move(where)),
         options_(options),
         bits_(bits_for_digits(options.digits) + 64) {
-    for (const expression& d : divisors_) over_divisors_.push_back(complex_integrand_of(d));
+    for (const expression& d : divisors_) {
+      over_divisors_.push_back(complex_integrand_of(d));
+      // With log_gamma, which has a branch cut there, some are named in vain.
+      const bool may_have_poles = d.to_text().find("gamma(") != std::string::npos;
+      if (may_have_poles) over_divisors_with_poles_.push_back(over_divisors_.back());
+    }
   }
 
   /// By the real parts, to the digits asked for, then by the imaginary ones.
@@ -340,15 +343,16 @@ class zero_search {
   }
 
   /// What of a divisor may have a pole in the part, as gamma has: f tends to 0 there, but has no
-  /// value. None where no divisor has one.
+  /// value. None where no divisor has one: the poles of quotients and tangents are worked out, so
+  /// that gamma alone brings some.
   [[nodiscard]] std::optional<std::string> pole_of_divisor(const complex_rectangle& box,
                                                            int depth) const {
-    if (!divisors_may_have_poles_) return std::nullopt;
+    if (over_divisors_with_poles_.empty()) return std::nullopt;
     const region set(complex_ball(between(box.left, box.right, 64 + depth),
                                   between(box.bottom, box.top, 64 + depth)));
-    for (const detail::complex_integrand& d : over_divisors_) {
+    for (const detail::complex_integrand& d : over_divisors_with_poles_) {
       const region value = d.over(set);
-      if (!value.is_analytic() && value.why() == obstacle::pole) return in_words(value);
+      if (!value.is_analytic()) return in_words(value);
     }
     return std::nullopt;
   }
@@ -435,10 +439,24 @@ class zero_search {
     while (half > goal && has_all(half / 4)) half /= 4;
     clusters_.push_back({large.as_rectangle(), around(half), count});
   }
+  /// A rectangle between the two, with the same zeros of the numerator, in which no divisor has a
+  /// pole; the small one where none is found.
+  [[nodiscard]] complex_rectangle without_pole(const complex_rectangle& large,
+                                               const complex_rectangle& small) const {
+    constexpr int most_steps = 40;
+    constexpr int depth = 64;
+    complex_rectangle part = large;
+    for (int i = 0; i < most_steps; ++i) {
+      if (!pole_of_divisor(part, depth)) return part;
+      part = {(part.left + small.left) / 2, (part.right + small.right) / 2,
+              (part.bottom + small.bottom) / 2, (part.top + small.top) / 2};
+    }
+    return small;
+  }
   /// The large square is done; the small one has all its zeros.
   void take(const complex_rectangle& large, const complex_rectangle& small, long count,
             bool is_one = false) {
-    done_.push_back(pole_of_divisor(large, 64) ? small : large);
+    done_.push_back(without_pole(large, small));
     if (!meets(small, whole_)) return;  // they are beyond the rectangle
     if (const auto obstacle = obstacle_to_value(small)) {
       small_.push_back(small);
@@ -628,7 +646,7 @@ class zero_search {
   expression numerator_;
   std::vector<expression> divisors_;
   std::vector<detail::complex_integrand> over_divisors_;
-  bool divisors_may_have_poles_ = false;
+  std::vector<detail::complex_integrand> over_divisors_with_poles_;
   detail::complex_integrand f_;  // the numerator
   bool is_real_;                 // for real arguments
   bool is_mirrored_;             // has_cuts_on_the_real_line_alone

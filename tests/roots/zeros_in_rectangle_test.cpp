@@ -191,7 +191,8 @@ TEST(ZerosInRectangle, OfSpecialFunctions) {
 // 1/gamma is 0 at the poles of gamma in the limit, where the formula has no value.
 TEST(ZerosInRectangle, AtPolesOfDivisorsStayUndecided) {
   for (const char* formula :
-       {"1/gamma(z)", "exp(z)/gamma(z)^2", "sin(z)/gamma(z)", "(z-1/3)/gamma(z)"}) {
+       {"1/gamma(z)", "exp(z)/gamma(z)^2", "sin(z)/gamma(z)", "(z-1/3)/gamma(z)",
+        "sqrt(z+5)/(gamma(z)*log(z))", "sqrt(z)/gamma(z)", "log(z-9)/gamma(z)"}) {
     const zeros_answer found = zeros_of(formula, {rational(-3, 2), 1, -1, 1}, 10);
     EXPECT_FALSE(found.is_complete()) << formula;
     for (const long pole : {0L, -1L}) {

@@ -15,7 +15,7 @@ class region;
 [[nodiscard]] ball erf(const ball& x);
 [[nodiscard]] ball erfc(const ball& x);
 
-/// The same of complex sets, for |z| up to 128 (DLMF 7.6.2); undefined beyond. erfc is 1 - erf, to
+/// The same of complex sets, for |z| up to 32 (DLMF 7.6.2); undefined beyond. erfc is 1 - erf, to
 /// an absolute error.
 [[nodiscard]] complex_ball erf(const complex_ball& z);
 [[nodiscard]] complex_ball erfc(const complex_ball& z);
@@ -35,7 +35,7 @@ class region;
 /// Gamma of a complex set without a pole, by Stirling's series where Re z > 0 and by reflection
 /// where Re z < 1 (DLMF 5.5.3, 5.11.1); else undefined. log Gamma(z), the branch that is real on
 /// the positive axis, for Re z > 0; undefined elsewhere, but log|Gamma(x)| where the imaginary part
-/// is exactly 0.
+/// is exactly 0. To 8,192 bits at most, whatever the precision.
 [[nodiscard]] complex_ball gamma(const complex_ball& z);
 [[nodiscard]] complex_ball log_gamma(const complex_ball& z);
 

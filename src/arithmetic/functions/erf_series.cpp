@@ -93,7 +93,7 @@ complex_ball erf_by_series(const complex_ball& z) {
   using namespace erf_series_impl;
   constexpr precision guard = 16;
   const precision p = z.precision();
-  const magnitude most = magnitude::power_of_two(7);
+  const magnitude most = magnitude::power_of_two(5);
   if (!z.is_bounded() || most < z.magnitude_upper()) return complex_ball::undefined(p);
   const complex_ball m = z.middle();
   // The terms are at most e^(|z|^2) in size, and the sum at least about e^(Re z^2)/|z|^2.

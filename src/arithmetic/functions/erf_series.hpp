@@ -22,7 +22,7 @@ namespace polhode::detail {
 /// erf of a narrow set, to about its precision. Nothing for a set, size or precision for which
 /// another way is better.
 [[nodiscard]] std::optional<ball> erf_by_series(const ball& x);
-/// erf for |z| up to 128; undefined beyond.
+/// erf for |z| up to 32; undefined beyond, where the terms cancel in more than 2,900 bits.
 [[nodiscard]] complex_ball erf_by_series(const complex_ball& z);
 
 }  // namespace polhode::detail

@@ -226,13 +226,15 @@ complex_ball sine_of_half_turns(const complex_ball& z) {
   return n % 2 == 0 ? sine : -sine;
 }
 
+/// Bits beyond which the Bernoulli numbers cost too much.
+constexpr precision most_bits = 1L << 13;
+
 /// floor(log2 |x|) for a point that is not 0.
 std::int64_t exponent_of(const ball& x) { return x.magnitude_upper().log2_floor(); }
 
-/// Sizes and precisions for which the series are the better way: beyond them the Bernoulli numbers
-/// cost too much, or the steps, or the bits before the point.
+/// Sizes and precisions for which the series are the better way: beyond them there are too many
+/// bits, or steps, or bits before the point.
 bool is_for_series(const ball& x) {
-  constexpr precision most_bits = 1L << 13;
   constexpr std::int64_t most_exponent = 40;
   if (!x.is_bounded() || x.precision() > most_bits) return false;
   const ball m = x.middle();
@@ -290,14 +292,16 @@ std::optional<ball> log_gamma_by_series(const ball& x) {
 
 complex_ball log_gamma_by_series(const complex_ball& z) {
   using namespace gamma_series_impl;
-  const precision p = z.precision();
+  const precision p = std::min(z.precision(), most_bits);
   if (!z.is_bounded() || !certainly_positive(z.re)) return complex_ball::undefined(p);
   const complex_ball m = z.middle();
   complex_ball value = log_gamma_at(m, p);
   // Beside the zeros at 1 and 2 bits are lost.
   constexpr std::int64_t small = -8;
-  if (value.magnitude_lower() < magnitude::power_of_two(small)) value = log_gamma_at(m, 2 * p);
-  return (z.is_exact() ? value : value + change_from(m, z)).with_precision(p);
+  if (value.magnitude_lower() < magnitude::power_of_two(small)) {
+    value = log_gamma_at(m, std::min(2 * p, most_bits));
+  }
+  return (z.is_exact() ? value : value + change_from(m, z)).with_precision(z.precision());
 }
 
 }  // namespace polhode::detail
@@ -311,17 +315,18 @@ complex_ball log_gamma(const complex_ball& z) {
 
 complex_ball gamma(const complex_ball& z) {
   using namespace detail::gamma_series_impl;
-  const precision p = z.precision();
+  const precision wanted = z.precision();
+  const precision p = std::min(wanted, most_bits);
   if (sign_of(z.im) == certain_sign::zero) return complex_ball(gamma(z.re));
-  if (!z.is_bounded()) return complex_ball::undefined(p);
-  if (certainly_positive(z.re)) return gamma_right_of_zero(z, p).with_precision(p);
+  if (!z.is_bounded()) return complex_ball::undefined(wanted);
+  if (certainly_positive(z.re)) return gamma_right_of_zero(z, p).with_precision(wanted);
   // Gamma(z) Gamma(1 - z) = pi/sin(pi z) (DLMF 5.5.3).
   constexpr precision guard = 16;
   const complex_ball own = z.with_precision(p + guard);
   const complex_ball mirrored = 1 - own;
-  if (!certainly_positive(mirrored.re)) return complex_ball::undefined(p);
+  if (!certainly_positive(mirrored.re)) return complex_ball::undefined(wanted);
   const complex_ball divisor = sine_of_half_turns(own) * gamma_right_of_zero(mirrored, p + guard);
-  return (pi(p + guard) / divisor).with_precision(p);
+  return (pi(p + guard) / divisor).with_precision(wanted);
 }
 
 }  // namespace polhode
