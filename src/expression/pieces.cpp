@@ -229,6 +229,28 @@ class separation : rewriting {
   std::vector<rational> points_;
 };
 
+/// A formula with numbers in place of its steps.
+class numbered_steps : rewriting {
+ public:
+  using rewriting::rewriting;
+
+  expression::stepped with(const std::vector<integer>& values) {
+    using step = expression::stepped::step;
+    step next = step::none;
+    node_id argument = 0;
+    std::size_t known = 0;
+    const auto root = root_by([&](node_id i) -> std::optional<node_id> {
+      const operation what = g_[i].what;
+      if (what != operation::floor && what != operation::ceil) return with_places(i);
+      if (known < values.size()) return g_.number(rational(values[known++]));
+      next = what == operation::floor ? step::floor : step::ceil;
+      argument = place_[g_[i].left];
+      return std::nullopt;
+    });
+    return {next, formula_at_(g_, root ? *root : argument)};
+  }
+};
+
 /// A polynomial in x and in steps.
 class steps : rewriting {
  public:
@@ -351,6 +373,18 @@ std::optional<std::vector<expression::piece>> expression::pieces(const rational&
                *graph_,
                [this](const detail::graph& g, detail::node_id root) { return with_root(g, root); })
         .between(a, b, most);
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+std::optional<expression::stepped> expression::with_steps(
+    const std::vector<integer>& values) const {
+  try {
+    return pieces_impl::numbered_steps(
+               *graph_,
+               [this](const detail::graph& g, detail::node_id root) { return with_root(g, root); })
+        .with(values);
   } catch (const detail::undefined_operation&) {
     return std::nullopt;  // an operation has no value anywhere
   }

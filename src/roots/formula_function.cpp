@@ -15,6 +15,7 @@
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
+#include "polhode/quadrature/growth_of_formulas.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/real_function.hpp"
 

@@ -294,9 +294,63 @@ POLHODE_PARTIAL(atanh)
   }
 POLHODE_WITHOUT_SERIES(erf, false)
 POLHODE_WITHOUT_SERIES(erfc, true)
-POLHODE_WITHOUT_SERIES(floor, false)
-POLHODE_WITHOUT_SERIES(ceil, false)
 #undef POLHODE_WITHOUT_SERIES
+
+namespace {
+
+using exact_series = function_structure::exact_series;
+
+/// Whether the function is known to be continuous at the point.
+bool is_continuous(const exact_series& s) {
+  return s.order() > 0 && !s[1].enclosure().is_undefined();
+}
+
+/// floor or ceil, whose value at t is `value`: a constant near a t between two integers.
+exact_series step_of(const exact_series& s, const known_number& value) {
+  const ball& t = s[0].enclosure();
+  const ball below = floor(t);
+  const bool is_between =
+      below.is_exact() && certainly_less(below, t) && certainly_less(t, below + 1);
+  return is_between && is_continuous(s) ? exact_series::constant(value, s.order())
+                                        : function_structure::value_alone(s, value);
+}
+
+/// The one of the two that is less, or the greater one, in a neighbourhood of the point.
+exact_series one_of(const exact_series& s, const exact_series& t, bool lesser) {
+  if (is_continuous(s) && is_continuous(t)) {
+    if (certainly_less(s[0].enclosure(), t[0].enclosure())) return lesser ? s : t;
+    if (certainly_less(t[0].enclosure(), s[0].enclosure())) return lesser ? t : s;
+  }
+  const auto& a = s[0].exact();
+  const auto& b = t[0].exact();
+  const known_number value = a && b   ? s[0].like(lesser ? std::min(*a, *b) : std::max(*a, *b))
+                             : lesser ? known_number(min(s[0].enclosure(), t[0].enclosure()))
+                                      : known_number(max(s[0].enclosure(), t[0].enclosure()));
+  return function_structure::value_alone(s, value);
+}
+
+}  // namespace
+
+function_structure floor(const function_structure& x) {
+  return function_structure::applied(
+      x, [](const auto& t) { return floor(t); },
+      [](const ball& t) { return std::optional<ball>(floor(t)); },
+      [](const exact_series& s) {
+        const auto& exact = s[0].exact();
+        return step_of(s, exact ? s[0].like(rational(floor_of(*exact)))
+                                : known_number(floor(s[0].enclosure())));
+      });
+}
+function_structure ceil(const function_structure& x) {
+  return function_structure::applied(
+      x, [](const auto& t) { return ceil(t); },
+      [](const ball& t) { return std::optional<ball>(ceil(t)); },
+      [](const exact_series& s) {
+        const auto& exact = s[0].exact();
+        return step_of(
+            s, exact ? s[0].like(rational(ceil_of(*exact))) : known_number(ceil(s[0].enclosure())));
+      });
+}
 
 function_structure tan(const function_structure& x) { return sin(x) / cos(x); }
 
@@ -313,12 +367,14 @@ function_structure abs(const function_structure& x) {
 function_structure min(const function_structure& x, const function_structure& y) {
   return function_structure::applied_to_two(
       x, y, [](const auto& s, const auto& t) { return min(s, t); },
-      [](const ball& s, const ball& t) { return std::optional<ball>(min(s, t)); });
+      [](const ball& s, const ball& t) { return std::optional<ball>(min(s, t)); },
+      [](const exact_series& s, const exact_series& t) { return one_of(s, t, true); });
 }
 function_structure max(const function_structure& x, const function_structure& y) {
   return function_structure::applied_to_two(
       x, y, [](const auto& s, const auto& t) { return max(s, t); },
-      [](const ball& s, const ball& t) { return std::optional<ball>(max(s, t)); });
+      [](const ball& s, const ball& t) { return std::optional<ball>(max(s, t)); },
+      [](const exact_series& s, const exact_series& t) { return one_of(s, t, false); });
 }
 function_structure pow(const function_structure& x, const function_structure& y) {
   return function_structure::applied_to_two(

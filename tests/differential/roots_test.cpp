@@ -334,6 +334,58 @@ known_case many_roots(maker& m) {
   return k;
 }
 
+/// floor, ceil or sign of a linear form beside a line, of x or of exp(x); often with a root at a
+/// jump, or very near one. On each step it is a line, whose root counts where the step has it.
+known_case beside_jumps(maker& m) {
+  const auto fraction = [&](long most) {
+    return rational(m.between(-most, most), m.between(1, 6));
+  };
+  const auto nonzero = [&](long most) {
+    const rational q = fraction(most);
+    return q == 0 ? rational(1) : q;
+  };
+  const auto number = [](const rational& q) {
+    return q < 0 ? -term(to_text(rational(-q))) : term(to_text(q));
+  };
+  enum kind { floors, ceils, signs };
+  const kind k = m.any_of({floors, ceils, signs});
+  const bool of_exponential = m.one_in(4);
+  const rational a = nonzero(8);
+  const rational b = fraction(8);
+  const rational p = nonzero(8);
+  const rational q = m.one_in(6) ? rational(0) : nonzero(8);
+  const auto step = [&](const rational& t) {
+    const rational u = a * t + b;
+    if (k == signs) return rational(u > 0 ? 1 : u < 0 ? -1 : 0);
+    return rational(k == floors ? floor_of(u) : ceil_of(u));
+  };
+  rational r = fraction(20);
+  if (!m.one_in(3)) {  // the value at a jump, or the limit on one of its sides, is 0, or nearly so
+    const rational jump = (rational(k == signs ? 0 : m.between(-4, 4)) - b) / a;
+    r = -(p * (step(jump) + m.between(-1, 1)) + q * jump);
+    if (m.one_in(3)) r += rational(m.one_in(2) ? 1 : -1, integer(10) * pow(integer(10), 20U));
+  }
+  known_case result;
+  const term t = of_exponential ? call("exp", x) : x;
+  const term u = number(a) * t + number(b);
+  const term stepped = call(k == floors ? "floor" : k == ceils ? "ceil" : "sign", u);
+  result.c = {number(p) * stepped + number(q) * t + number(r), of_exponential ? -3 : -6,
+              of_exponential ? 2 : 6};
+  const long most = 64;  // |a t + b| is less
+  bool is_constant_root = false;
+  for (long n = k == signs ? -1 : -most; n <= (k == signs ? 1 : most); ++n) {
+    if (q == 0) {
+      is_constant_root = is_constant_root || p * n + r == 0;
+      continue;
+    }
+    const rational at = -(p * n + r) / q;
+    if (step(at) != n || (of_exponential && at <= 0)) continue;
+    result.roots.push_back({of_exponential ? call("log", number(at)) : number(at), 1});
+  }
+  if (is_constant_root) result.c.f = power(result.c.f, 2) + 1;  // a step of zeros is no root
+  return result;
+}
+
 /// A root at a kink or branch point, and others beside it at any scale. A root at a kink counts
 /// once.
 known_case kinks_at_all_scales(maker& m) {
@@ -549,6 +601,7 @@ INSTANTIATE_TEST_SUITE_P(
                       known_family{"quotients of polynomials", 150, quotient_of_polynomials},
                       known_family{"roots at equal distances", 150, many_roots},
                       known_family{"kinks at all scales", 150, kinks_at_all_scales},
+                      known_family{"jumps", 150, beside_jumps},
                       known_family{"sums of exponentials", 60, sums_of_exponentials},
                       known_family{"removable points", 50, removable_points},
                       known_family{"touching at multiples of pi", 50, touching_at_multiples_of_pi}),

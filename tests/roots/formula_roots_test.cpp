@@ -81,6 +81,50 @@ TEST(FormulaRoots, BesidePointsWithoutValue) {
   EXPECT_EQ(ends.regions.size(), 5U);
 }
 
+TEST(FormulaRoots, BesideJumps) {
+  struct known {
+    const char* f;
+    std::vector<rational> isolated;
+    std::size_t all;
+  };
+  // Roots at a jump count once; the limit on one side of a jump is no root.
+  const std::vector<known> functions{
+      {"sign(x)", {0}, 1},
+      {"sign(x - 1/3) + x", {}, 0},
+      {"floor(x) - x/2", {0}, 1},
+      {"ceil(x) - x/2", {0}, 1},
+      {"x - floor(x)", {-4, -3, -2, -1, 0, 1, 2, 3, 4}, 9},
+      {"x - floor(x) - 1/2", {}, 8},
+      {"floor(floor(x)/2) - x/3", {0, 3}, 2},
+      {"floor(sin(x)) + 1/2", {}, 0},
+      {"floor(exp(x)) - x - 1", {0}, 3},
+      {"exp(floor(x)) - x", {}, 0},
+      {"floor(abs(x)) - abs(x)/2", {0}, 1},
+      {"(x + 1)^2*(floor(x) + 7/2)", {-1}, 1},
+      // More values than two, or a jump and back, beside a jump.
+      {"floor(300*x - 100*sin(x)) + 5 - 40*x - 9/10", {}, 1},
+      {"floor(4*x*(x - 1/100)) + 1 + x - 1/200", {}, 1},
+      // Another slope on each side.
+      {"x*min(floor(x) + 9, 17/2)", {0}, 1},
+      {"x*max(ceil(x) + 9, 19/2)", {0}, 1},
+      {"x*floor(floor(x) + 19/2)", {0}, 1},
+      {"x*ceil(floor(x) + 19/2)", {0}, 1},
+  };
+  for (const known& k : functions) {
+    const root_set found = isolate_roots(parse(k.f), -4, 4);
+    EXPECT_TRUE(found.is_resolved()) << k.f;
+    EXPECT_EQ(found.regions.size(), k.all) << k.f;
+    std::vector<rational> isolated;
+    for (const root_region& r : found.regions) {
+      if (r.verdict == root_verdict::isolated) isolated.push_back(r.exact.value_or(1000));
+    }
+    EXPECT_EQ(isolated, k.isolated) << k.f;
+  }
+  // At 0 it is 0, which no rule decides here.
+  const expression f = parse("sign(x) + sin(1)^2 + cos(1)^2 - 1");
+  EXPECT_FALSE(isolate_roots(f, -1, 1).is_resolved());
+}
+
 TEST(FormulaRoots, OfPowersAtRationalNumbers) {
   const root_set twice = isolate_roots(parse("x^x-x"), rational(1, 2), 2);
   ASSERT_TRUE(twice.is_resolved());

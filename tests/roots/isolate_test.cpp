@@ -582,7 +582,8 @@ TEST(IsolateRoots, WhereTheFunctionIsNotDefined) {
     return set.regions.size() == 1 ? set.regions[0].remark : std::string("?");
   };
   // Told apart from roots, by what is met.
-  EXPECT_EQ(remark_of(isolate_roots([](const auto& x) { return floor(x) - rational(1, 2); }, 0, 2)),
+  const auto above_root = [](const auto& x) { return floor(x * x) - x * x; };
+  EXPECT_EQ(remark_of(isolate_roots(above_root, rational(5, 4), rational(3, 2))),
             "the jump of floor");
   const root_set kink = isolate_roots([](const auto& x) { return abs(x); }, -1, 1);
   ASSERT_EQ(kink.regions.size(), 1U);

@@ -290,6 +290,10 @@ class expression {
   /// of them, or more than `most` pieces.
   [[nodiscard]] std::optional<std::vector<piece>> pieces(const rational& a, const rational& b,
                                                          std::size_t most) const;
+  /// A formula of one variable with whole numbers in place of its steps, the floors and ceilings of
+  /// what varies: of the first ones, in their order. None where it then has no value anywhere.
+  struct stepped;
+  [[nodiscard]] std::optional<stepped> with_steps(const std::vector<integer>& values) const;
   /// T > 0 and n where f is a polynomial in x and in floor and ceil of linear forms: then for all s
   /// and t f(s + T k + t) is a polynomial in k of degree at most n, k a whole number.
   struct staircase;
@@ -389,6 +393,11 @@ struct expression::piece {
   rational lower;
   rational upper;
   expression formula;
+};
+struct expression::stepped {
+  enum class step { none, floor, ceil };
+  step next = step::none;  // the first step without a number
+  expression formula;      // the whole, or, where there is a next step, its argument
 };
 struct expression::staircase {
   rational period;

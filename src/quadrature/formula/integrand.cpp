@@ -18,6 +18,7 @@
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/growth_of_formulas.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 #include "quadrature/formula/exponential_variable.hpp"
@@ -66,35 +67,6 @@ template <>
 struct supplement<end_series> : series_supplement<end_series> {
   static end_series expm1(const end_series& x) { return exp(x) - 1; }
   static end_series log1p(const end_series& x) { return log(x + 1); }
-};
-
-template <>
-struct supplement<growth_bound> {
-  static growth_bound sinpi(const growth_bound& x) { return sin(x * x.constant_like(pi(128))); }
-  static growth_bound cospi(const growth_bound& x) { return cos(x * x.constant_like(pi(128))); }
-  static growth_bound expm1(const growth_bound& x) { return exp(x) - x.constant_like(rational(1)); }
-  static growth_bound log1p(const growth_bound& x) { return log(x + x.constant_like(rational(1))); }
-  static growth_bound sinh(const growth_bound& x) {
-    return (exp(x) - exp(-x)) * x.constant_like(rational(1, 2));
-  }
-  static growth_bound cosh(const growth_bound& x) {
-    return (exp(x) + exp(-x)) * x.constant_like(rational(1, 2));
-  }
-  static growth_bound hypot(const growth_bound& x, const growth_bound& y) {
-    return sqrt(x * x + y * y);
-  }
-  template <class F, class Range>
-  static growth_bound further(const F& f, const Range& x) {
-    std::vector<ball> values;
-    values.reserve(x.size());
-    for (const growth_bound& v : x) {
-      if (v.is_blocked())
-        return v.is_nowhere_defined() ? v : growth_bound::blocked(name_of_function(f));
-      values.push_back(v.values());
-    }
-    const growth_bound& any = x.front();
-    return any.bounded_like(name_of_function(f), f.value(values));
-  }
 };
 
 template <>

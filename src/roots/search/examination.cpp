@@ -410,6 +410,9 @@ class examination {
         return true;
       }
     }
+    if (over[1].is_undefined() && is_turn_for_structure(b.halvings) && by_steps(b, wide, x)) {
+      return true;
+    }
     const auto zero = exact_zero_in(b);
     if (zero) return by_exact_point(b, wide, x, *zero) || by_growth(b, wide, x, *zero);
     return !is_defined && by_removed_point(b, x);
@@ -537,6 +540,128 @@ class examination {
   }
 
   // -------------------------------------------------------------------------------------------
+  // Jumps
+
+  /// True where the box is settled: on it each floor and ceil has one of few values, and f with
+  /// these values in their places has no root, or none but an exact one at the jump.
+  bool by_steps(const work_box& b, const exact_box& wide, const ball& x) {
+    const expression* const f = problem(b).g->formula();
+    if (f == nullptr || problem(b).is_factor) return false;
+    const auto first = f->with_steps({});
+    if (!first || first->next == step::none) return false;
+    if (has_no_root_for_any_values(*f, {}, b, x)) {
+      exclude(b.x, x);
+      return true;
+    }
+    const rational simplest = simplest_between(*b.x.lower, *b.x.upper);
+    if (height(simplest) <= simple_height && by_sides(*f, b, wide, x, {simplest, 0})) return true;
+    const auto turns = simplest_multiple_of_pi(*b.x.lower, *b.x.upper, b.bits + 64);
+    return turns && height(*turns) <= simple_height && by_sides(*f, b, wide, x, {0, *turns});
+  }
+
+  using step = expression::stepped::step;
+  static integer value_of(step s, const rational& u) {
+    return s == step::floor ? floor_of(u) : ceil_of(u);
+  }
+  /// The values of a step over x, from the first to the second: of one argument, of which no more
+  /// is known than its range. Nothing where that is not bounded.
+  std::optional<std::pair<integer, integer>> values_over(const expression::stepped& of,
+                                                         precision bits, const ball& x) {
+    ++result_.evaluations;
+    const ball u = real_function(of.formula).at(bits)->value(x);
+    if (u.is_undefined() || !u.is_bounded()) return std::nullopt;
+    return std::pair(value_of(of.next, lower_rational(u)), value_of(of.next, upper_rational(u)));
+  }
+
+  /// Proved: with the first steps' values as they are, and whatever values the others have over x,
+  /// f has no root there.
+  bool has_no_root_for_any_values(const expression& f, std::vector<integer> values,
+                                  const work_box& b, const ball& x) {
+    constexpr std::size_t most_steps = 4;
+    const auto of = f.with_steps(values);
+    if (!of) return true;  // f is not defined where it has these values
+    if (of->next == step::none) return has_no_zero_over(real_function(of->formula), b.bits, x);
+    if (values.size() == most_steps) return false;
+    const auto range = values_over(*of, b.bits, x);
+    if (!range || range->second - range->first > 1) return false;
+    for (integer n = range->first; n <= range->second; ++n) {
+      values.push_back(n);
+      if (!has_no_root_for_any_values(f, values, b, x)) return false;
+      values.pop_back();
+    }
+    return true;
+  }
+  /// By the range, or the mean value theorem.
+  bool has_no_zero_over(const real_function& g, precision bits, const ball& x) {
+    result_.evaluations += 2;
+    const auto at_bits = g.at(bits);
+    const jet<ball, 1> over = at_bits->slope(x);
+    if (is_certainly_not_zero(over[0])) return true;
+    if (over[0].is_undefined() || over[1].is_undefined()) return false;
+    const ball middle(exact_ends(x).middle(), bits);
+    return is_certainly_not_zero(at_bits->value(middle) + over[1] * (x - middle));
+  }
+
+  /// f(at) is known to be 0 or not, and f has no root in x on either side of that point.
+  bool by_sides(const expression& f, const work_box& b, const exact_box& wide, const ball& x,
+                const pi_combination& at) {
+    ++result_.evaluations;
+    const auto s = structure(problem(b), function_structure::variable_at(at, 1, b.bits));
+    if (!s || !s->series()) return false;
+    const known_number& value = (*s->series())[0];
+    const bool is_zero = value.is_exactly(0);
+    if (!is_zero && !is_certainly_not_zero(value.enclosure())) return false;
+    const exact_box whole = exact_ends(x);
+    for (const rational& end : {*whole.lower, *whole.upper}) {
+      if (!has_no_root_up_to(end, f, b, at)) return false;
+    }
+    if (is_zero) {
+      add_exact(b, wide, x, at, 0);
+    } else {
+      exclude(b.x, x);
+    }
+    return true;
+  }
+  /// f has no root between the point and the end, which is one. On the way from the point, that
+  /// excluded, each step keeps one value: its argument has a single one over all of it, or differs
+  /// from the only jump within reach, by a continuous function without a zero.
+  bool has_no_root_up_to(const rational& end, const expression& f, const work_box& b,
+                         const pi_combination& at) {
+    const ball point = at.at(b.bits + 64);
+    const ball way = ball(end, b.bits + 64) - point;
+    const bool rightward = certainly_positive(way);
+    if (!rightward && !certainly_negative(way)) return false;
+    const rational reach = rightward ? upper_rational(way) : lower_rational(way);
+    const ball side = hull(point, ball(end, b.bits + 64));
+    std::vector<integer> values;
+    while (true) {
+      const auto of = f.with_steps(values);
+      if (!of) return true;  // f is not defined there
+      const real_function u(of->formula);
+      if (of->next == step::none) {
+        return u.has_no_root_beside(at, reach) || has_no_zero_over(u, b.bits, side);
+      }
+      const auto range = values_over(*of, b.bits, side);
+      if (!range || range->second - range->first > 1) return false;
+      if (range->first == range->second) {
+        values.push_back(range->first);
+        continue;
+      }
+      // floor jumps up to its value at an integer, ceil up from it.
+      const integer jump = of->next == step::floor ? range->second : range->first;
+      const real_function from_jump(
+          expression(of->formula(symbol::variable(0)) - rational(jump), of->formula.names()));
+      result_.evaluations += 2;
+      const jet<ball, 1> over = from_jump.at(b.bits)->slope(side);
+      if (over[0].is_undefined() || over[1].is_undefined()) return false;  // is it continuous?
+      if (!from_jump.has_no_root_beside(at, reach)) return false;
+      const ball at_end = from_jump.at(b.bits)->value(ball(end, b.bits));
+      if (!is_certainly_not_zero(at_end)) return false;
+      values.push_back(certainly_positive(at_end) ? range->second : range->first);
+    }
+  }
+
+  // -------------------------------------------------------------------------------------------
   // Towards infinity
 
   /// f^(k) > 0 on [M, inf), f^(j)(M) >= 0 for j < k and f(M) > 0 prove f > 0 on [M, inf): going
@@ -648,7 +773,8 @@ class examination {
     r.function = r.simple = problem(b).g;
     if (b.x.is_bounded()) {
       // A structure that no single one of its boxes had.
-      if (by_structure(b)) return;
+      const exact_box wide = widened(b.x);
+      if (by_structure(b) || by_steps(b, wide, wide.to_ball(b.bits))) return;
       if (const auto zero = exact_zero_in(b)) {
         r.verdict = root_verdict::at_least_one;
         if (zero->at.is_rational()) r.exact = zero->at.q;
