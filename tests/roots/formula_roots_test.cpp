@@ -101,6 +101,9 @@ TEST(FormulaRoots, BesideJumps) {
       {"exp(floor(x)) - x", {}, 0},
       {"floor(abs(x)) - abs(x)/2", {0}, 1},
       {"(x + 1)^2*(floor(x) + 7/2)", {-1}, 1},
+      // A root beside a jump, of the branch on that side alone.
+      {"floor(x) + 1 + x + 1/1000", {}, 1},
+      {"ceil(x) - 1 + x - 1/1000", {}, 1},
       // More values than two, or a jump and back, beside a jump.
       {"floor(300*x - 100*sin(x)) + 5 - 40*x - 9/10", {}, 1},
       {"floor(4*x*(x - 1/100)) + 1 + x - 1/200", {}, 1},
