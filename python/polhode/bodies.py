@@ -126,9 +126,9 @@ def table(quantity, **options):
     return answer_of("table", quantity, *options_of(options))
 
 
-def grid(*quantities, a, b, c=None, **options):
+def grid(*quantities, a=None, b=None, c=None, moments=None, chi=None, beta=None, **options):
     """Quantities over a grid of bodies, as an array [quantity][value, radius][a][b][c] of NumPy's:
-    the command map. The radius holds the rounding to a float too; NaN stands where a quantity does
+    the command map. In place of a and b: moments, one number and two ranges; or chi and beta. The radius holds the rounding to a float too; NaN stands where a quantity does
     not exist or is not certified.
 
     >>> import polhode
@@ -136,7 +136,7 @@ def grid(*quantities, a, b, c=None, **options):
     [[0.0, 3.0], [1.0, 6.0], [2.0, 8.0]]
     """
     import numpy
-    given = {"a": a, "b": b, "c": c, **options}
+    given = {"a": a, "b": b, "c": c, "moments": moments, "chi": chi, "beta": beta, **options}
     return numpy.load(io.BytesIO(run_for_bytes("map", *quantities, "--format", "npy",
                                                *options_of(given))))
 

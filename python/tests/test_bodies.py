@@ -70,6 +70,10 @@ def test_grids(tmp_path):
     assert (whole[0, 1] < 1e-12).all()
     assert abs(whole[0, 0, 0, 0] - float(polhode.table("epsilon0", ab="1,0.1", digits=20)["rows"][0]
                                          ["epsilon0"].mid)) < 1e-12
+    moments = polhode.grid("epsilon0", moments="3,2..5/2,1..4/2", digits=12)
+    assert moments.shape == (1, 2, 3, 3)
+    assert abs(moments[0, 0, 0, 0] - polhode.grid("epsilon0", a=1, b="1/3")[0, 0, 0, 0]) < 1e-12
+    assert polhode.grid("epsilon", chi="1..2/2", beta="0..1/2").shape == (1, 2, 3, 3)
     for shard in ("1/2", "2/2"):
         polhode.run("map", "epsilon0", "c0", "--a", "1..9/3", "--b", "0.1..0.5/1", "--digits", 12,
                     "--blocks", tmp_path / "blocks", "--shard", shard)

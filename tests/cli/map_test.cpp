@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/text.hpp"
 #include "program.hpp"
 
 namespace polhode::test {
@@ -152,6 +154,18 @@ TEST(Map, RefusesWhatItCannotDo) {
   refused({"map", "c0", "--a", "2..1/3", "--b", "0.5"}, "--a");
   refused({"map", "c0", "--a", "1..2/99999", "--b", "0.1..0.2/99999"}, "at most");
   refused({"map", "c0", "--a", "1", "--b", "0.5", "--shard", "1/2"}, "--blocks");
+  refused({"map", "c0", "--a", "1"}, "the axes: give --a and --b");
+  refused({"map", "c0", "--a", "1", "--b", "0.5", "--moments", "3,1..2/2,2..3/2"}, "the axes");
+  refused({"map", "epsilon", "--chi", "1"}, "the axes");
+  refused({"map", "c0", "--moments", "1,2,3"}, "fewer ranges than two");
+  refused({"map", "c0", "--moments", "1..2/2,2..3/2,3..4/2"}, "three ranges");
+  refused({"map", "c0", "--moments", "1..2/2,2..3/2"}, "2 in place of three moments");
+  refused({"map", "c0", "--moments", "0..1/2,2..3/2,1"}, "moments are above 0");
+  refused({"map", "c0", "--chi", "1", "--beta", "1"}, "there is epsilon alone");
+  refused({"map", "epsilon", "--chi", "0..1/2", "--beta", "1"}, "chi must be above 0");
+  refused({"map", "epsilon", "--chi", "1", "--beta", "-1..1/2"}, "beta must be above -1");
+  refused({"map", "epsilon", "--chi", "1..2/2", "--beta", "1", "--cells"},
+          "without --c and --cells");
   const scratch_directory scratch;
   const std::string blocks = scratch.path("blocks");
   refused({"merge", blocks}, "has no map.json");
@@ -188,12 +202,68 @@ TEST(Map, IsDrawnWithItsCurves) {
     EXPECT_NE(svg.out.find(word), std::string::npos) << word;
   }
   EXPECT_EQ(drawn({"map", "physical"}, {"--format", "png"}).out.rfind("\x89PNG", 0), 0U);
+  const outcome of_moments =
+      run({"map", "epsilon0", "--moments", "3,1..2.9/5,0.5..2.5/5", "--format", "svg"});
+  for (const char* word : {"epsilon0 over two moments, the third is 3", "moment 2", "planar<"}) {
+    EXPECT_NE(of_moments.out.find(word), std::string::npos) << word;
+  }
+  const outcome of_limit =
+      run({"map", "epsilon", "--chi", "1..2/5", "--beta", "-0.5..0.5/5", "--format", "svg"});
+  EXPECT_NE(of_limit.out.find("epsilon in the limit of slender bodies"), std::string::npos);
   for (const words& quantities :
        {words{"map", "epsilon0", "c0"}, {"map", "phase", "--c", "0.01"}}) {
     const outcome refused = drawn(quantities, {"--format", "svg"});
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("of one quantity"), std::string::npos) << refused.err;
   }
+}
+
+TEST(Map, OverMoments) {
+  // In whatever order the moments are given, the numbers are those of a and b.
+  const std::string of_ratios = printed({"map", "epsilon0", "--a", "1", "--b", "1/3"});
+  const std::string number = of_ratios.substr(of_ratios.find("1/3,") + 4);
+  for (const words& moments : {words{"3,2..2/1,1..1/1", ""},
+                               {"3,2..5/2,1..4/2", "2,2,1,1,"},
+                               {"2..5/2,1..4/2,3", "2,2,1,1,"},
+                               {"1..4/2,3,2..5/2", "1,1,2,2,"},
+                               {"30,20..40/2,10..40/2", "20,20,10,10,"}}) {
+    const outcome map = run({"map", "epsilon0", "--moments", moments[0]});
+    if (moments[1].empty()) {
+      EXPECT_EQ(map.status, 2);  // LO is not below HI
+      continue;
+    }
+    EXPECT_EQ(map.status, 0) << map.err;
+    EXPECT_NE(map.out.find('\n' + moments[1] + number), std::string::npos) << map.out;
+  }
+  // Two equal moments have no intermediate axis between them.
+  EXPECT_EQ(printed({"map", "physical", "--moments", "1..2/1,2..3/1,3"}),
+            "moment_1,moment_1_exact,moment_2,moment_2_exact,physical,physical_radius\n"
+            "1,1,2,2,1,0\n1,1,3,3,none,\n2,2,2,2,none,\n2,2,3,3,none,\n");
+  const scratch_directory scratch;
+  const words map{"map", "c0", "meetings", "--moments", "3,1..2/7,1/2..5/2/5"};
+  const std::string whole = printed(map);
+  words in_blocks = map;
+  const std::string blocks = scratch.path("blocks");
+  in_blocks.insert(in_blocks.end(), {"--blocks", blocks, "--block-size", "5"});
+  EXPECT_EQ(printed(in_blocks), whole);
+  EXPECT_EQ(printed({"merge", blocks}), whole);
+}
+
+TEST(Map, OfTheLimit) {
+  const std::string limit =
+      printed({"map", "epsilon", "--chi", "1", "--beta", "1/2", "--digits", "20"});
+  EXPECT_EQ(limit.rfind("chi,chi_exact,beta,beta_exact,epsilon,epsilon_radius\n1,1,0.5,1/2,", 0),
+            0U);
+  // A body near the limit: a = 10^12, chi = a b, beta = c/b.
+  const auto epsilon_of = [](const words& command) {
+    const std::string out = printed(command);
+    std::istringstream row(out.substr(out.find('\n') + 1));
+    std::vector<std::string> columns;
+    for (std::string one; std::getline(row, one, ',');) columns.push_back(one);
+    return std::stod(columns.at(columns.size() - 2));
+  };
+  EXPECT_NEAR(epsilon_of({"map", "epsilon", "--chi", "1", "--beta", "1/2"}),
+              epsilon_of({"map", "epsilon", "--a", "1e12", "--b", "1e-12", "--c", "5e-13"}), 1e-9);
 }
 
 TEST(Map, AsNumPyHasIt) {
@@ -264,6 +334,41 @@ TEST(MapOfCells, CoversTheMapAndHoldsTheNumbersOfItsPoints) {
     }
   }
   EXPECT_EQ(area, (20 - rational(1, 20)) * (rational(9, 10) - rational(1, 20)));
+  EXPECT_GT(compared, 50);
+}
+
+TEST(MapOfCells, OverMomentsHoldTheNumbersOfTheirPoints) {
+  const words command{"map", "epsilon0", "intersections", "physical", "--digits", "12"};
+  words cells = command;
+  cells.insert(cells.end(), {"--moments", "1/2..5/2/4,3,1..7/2/5", "--cells", "--refine", "5",
+                             "--width", "0.2"});
+  long compared = 0;
+  for (const std::vector<std::string>& row : rows_of(run(cells).out)) {
+    if (row.at(8) == "undecided") continue;
+    // Corners, and a point inside: each with the moments in another order.
+    for (const rational& part : {rational(0), rational(1, 3), rational(1)}) {
+      const auto at = [&](std::size_t k) {
+        const rational low = parse_rational(row.at(k));
+        return rational(low + part * (parse_rational(row.at(k + 2)) - low));
+      };
+      const rational x = at(1);
+      const rational y = at(5);
+      words point = command;
+      point.insert(point.end(), {"--moments", fmt::format("{0}..{1}/1,{2}..{3}/1,3", to_text(x),
+                                                          to_text(rational(x + 1)), to_text(y),
+                                                          to_text(rational(y + 1)))});
+      const std::vector<std::string> numbers = rows_of(run(point).out).at(0);
+      ++compared;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::string& value = numbers.at(4 + 2 * k);
+        if (row.at(8 + 2 * k) == "undecided") continue;
+        ASSERT_NE(value, "none") << to_text(x) << ' ' << to_text(y);
+        const rational radius = parse_rational(numbers.at(5 + 2 * k));
+        EXPECT_LE(parse_rational(row.at(8 + 2 * k)), parse_rational(value) + radius);
+        EXPECT_GE(parse_rational(row.at(9 + 2 * k)), parse_rational(value) - radius);
+      }
+    }
+  }
   EXPECT_GT(compared, 50);
 }
 

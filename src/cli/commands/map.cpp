@@ -147,10 +147,10 @@ void check_format(const map_grid& g, const std::string& format) {
   }
   if (!is_picture(format)) return;
   constexpr std::size_t most = 1'000'000;
-  if (g.quantities.size() != 1 || g.c || g.a_values.size() < 2 || g.b_values.size() < 2 ||
+  if (g.quantities.size() != 1 || g.c || g.first.values.size() < 2 || g.second.values.size() < 2 ||
       g.points() > most) {
     throw usage_error(
-        "a picture is of one quantity over steps of a and b, without --c, and of at most 1000000 "
+        "a picture is of one quantity over steps of both axes, without --c, and of at most 1000000 "
         "points; give --format csv or npy");
   }
 }
@@ -159,14 +159,20 @@ std::string as_picture(const map_grid& g, const std::string& rows, const std::st
   map_values map;
   map.quantity = g.quantities.front();
   map.log = g.log;
+  map.plane = g.moments ? map_plane::moments : g.chi ? map_plane::limit : map_plane::bodies;
+  for (const auto& moment : g.fixed) {
+    if (moment) map.third_moment = static_cast<double>(*moment);
+  }
+  map.x_title = g.first.title;
+  map.y_title = g.second.title;
   if (g.cells) {
     map.tiles = map_tiles(g, rows);
   } else {
     map.values = map_numbers(g, rows);
     map.values.resize(g.points());  // without the radii
   }
-  for (const rational& a : g.a_values) map.a.push_back(static_cast<double>(a));
-  for (const rational& b : g.b_values) map.b.push_back(static_cast<double>(b));
+  for (const rational& x : g.first.values) map.x.push_back(static_cast<double>(x));
+  for (const rational& y : g.second.values) map.y.push_back(static_cast<double>(y));
   return map_picture(map, format);
 }
 
@@ -205,8 +211,7 @@ collected collect(const map_grid& g, const block_directory& directory) {
 
 struct map_options {
   std::vector<std::string> quantity;
-  std::string a, b;
-  std::optional<std::string> c;
+  std::optional<std::string> a, b, moments, chi, beta, c;
   bool log = false;
   bool cells = false;
   count_option refine{"--refine", 0, 0, 20};
@@ -261,6 +266,9 @@ map_grid grid_of(const map_options& options) {
   g.quantities = options.quantity;
   g.a = options.a;
   g.b = options.b;
+  g.moments = options.moments;
+  g.chi = options.chi;
+  g.beta = options.beta;
   g.c = options.c;
   g.log = options.log;
   g.digits = options.digits.value();
@@ -347,19 +355,26 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--a", options->a,
              "Values of a = I_y/I_z - 1 > 0: N equal steps from LO to HI,\n"
              "both included; or one")
-      .type_name("LO..HI/N")
-      .required();
+      .type_name("LO..HI/N");
   add_option(app, "--b", options->b, "Values of b = 1 - I_y/I_x in (0, 1), in the same way")
-      .type_name("LO..HI/N")
-      .required();
+      .type_name("LO..HI/N");
+  add_option(app, "--moments", options->moments,
+             "In place of a and b the principal moments, in any order and\n"
+             "unit: one number, and two ranges LO..HI/N")
+      .type_name("I1,I2,I3");
+  add_option(app, "--chi", options->chi,
+             "In place of bodies their limit, a to infinity and b to 0:\n"
+             "epsilon by chi = a b > 0 and beta = c/b > -1")
+      .type_name("LO..HI/N");
+  add_option(app, "--beta", options->beta, "Values of beta, in the same way").type_name("LO..HI/N");
   add_option(app, "--c", options->c, "The motions, for phase and epsilon, in the same way")
       .type_name("LO..HI/N");
   add_flag(app, "--log", options->log,
-           "Steps of a and b with equal ratios; the values are rounded\nto six digits");
+           "Steps of both axes with equal ratios; the values are rounded\nto six digits");
   add_flag(app, "--cells", options->cells,
            "Ranges over the cells between the values, in place of numbers\nat points");
   options->refine.declare(app,
-                          "Halve a cell up to so many times, in a and b by turns, until each\n"
+                          "Halve a cell up to so many times, along the axes by turns, until each\n"
                           "integer is decided and each range at most --width wide");
   add_option(app, "--width", options->width, "How wide a range may be, for --refine")
       .type_name("W");
@@ -411,13 +426,16 @@ command map_command() {
       "  polhode map epsilon0 c0 --a 0.1..10/40 --b 0.1..0.9/40 --log > map.csv\n"
       "  polhode map phase --a 1..3/2 --b 0.2..0.8/3 --c -0.1..0.1/4 --digits 30\n"
       "  polhode map meetings --a 1..9/8 --b 0.1..0.9/8 --format npy > map.npy\n"
+      "  polhode map epsilon0 --moments 3,1..2.9/19,0.5..2.5/20 --format png > map.png\n"
       "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --format hdf5 > map.h5\n"
       "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --log --format png > map.png\n"
       "  polhode map intersections physical --a 1e-6..1e6/48 --b 1e-6..0.999999/48 --log --cells "
       "--refine 4 --format areas\n"
+      "  polhode map epsilon --chi 0.1..2/20 --beta -0.5..0.5/20 --format svg > limit.svg\n"
       "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n"
       "  mpirun -n 64 polhode map epsilon0 --a 1..9/999 --b 0.1..0.9/999 --blocks map\n\n"
-      "A row has a, b, c where it is asked for, and of each quantity the value and its radius: "
+      "A row has a, b (or two moments), c where it is asked for, and of each quantity the value "
+      "and its radius: "
       "\"none\"\n"
       "where it does not exist, \"undecided\" where it is not certified (exit status 1). npy "
       "has doubles\n"

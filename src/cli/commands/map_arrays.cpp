@@ -84,8 +84,8 @@ std::vector<map_column> columns_of_cells(const map_grid& g, const std::string& r
     up.push_back(rounds_up);
   };
   std::size_t place = 0;
-  for (const char* axis : {"a", "b", "c"}) {
-    if (*axis == 'c' && !g.c) continue;
+  for (const std::string& axis : {g.first.name, g.second.name, std::string("c")}) {
+    if (axis == "c" && !g.c) continue;
     // The exact one of two columns, rounded into the cell.
     add(fmt::format("{}_low", axis), "1", place + 1, true);
     add(fmt::format("{}_high", axis), "1", place + 3, false);
@@ -141,14 +141,14 @@ hdf5_file file_of_points(const map_grid& g, const std::string& rows) {
     file.datasets.push_back(std::move(exact));
     shape.push_back(values.size());
   };
-  add_axis("a", g.a_values);
-  add_axis("b", g.b_values);
+  add_axis(g.first.name, g.first.values);
+  add_axis(g.second.name, g.second.values);
   if (g.c) add_axis("c", g.c_values);
   const std::vector<double> numbers = map_numbers(g, rows);
   const auto points = static_cast<std::ptrdiff_t>(g.points());
   auto next = numbers.begin();
   for (const quantity* q : g.chosen) {
-    const std::string axes = g.c ? "a, b, c" : "a, b";
+    const std::string axes = fmt::format("{}, {}{}", g.first.name, g.second.name, g.c ? ", c" : "");
     for (const char* of : {"", "_radius"}) {
       const std::string what = *of == '\0' ? "" : "greatest distance from the value of the ";
       file.datasets.push_back(
@@ -186,8 +186,8 @@ std::vector<double> map_numbers(const map_grid& g, const std::string& rows) {
 
 std::string map_npy(const map_grid& g, const std::string& rows) {
   if (!g.cells) {
-    std::string shape =
-        fmt::format("{}, 2, {}, {}", g.chosen.size(), g.a_values.size(), g.b_values.size());
+    std::string shape = fmt::format("{}, 2, {}, {}", g.chosen.size(), g.first.values.size(),
+                                    g.second.values.size());
     if (g.c) shape += fmt::format(", {}", g.c_values.size());
     return map_arrays_impl::npy_of(shape, map_numbers(g, rows));
   }

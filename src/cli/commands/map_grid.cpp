@@ -1,6 +1,9 @@
 #include "map_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -52,14 +55,91 @@ std::vector<rational> axis(const std::string& option, const std::string& text, b
   return log && range.steps ? in_equal_ratios(option, text, range) : range.values();
 }
 
+void set_a_and_b(map_grid& g) {
+  g.first = {"a", "a = I_y/I_z - 1", axis("--a", *g.a, g.log)};
+  g.second = {"b", "b = 1 - I_y/I_x", axis("--b", *g.b, g.log)};
+  for (const rational& a : {g.first.values.front(), g.first.values.back()}) {
+    if (!(a > 0)) throw usage_error(fmt::format("--a {}: a must be above 0", in_quotes(*g.a)));
+  }
+  for (const rational& b : {g.second.values.front(), g.second.values.back()}) {
+    if (!(b > 0 && b < 1)) {
+      throw usage_error(fmt::format("--b {}: b must be between 0 and 1", in_quotes(*g.b)));
+    }
+  }
+}
+
+void set_moments(map_grid& g) {
+  std::vector<std::string> given;
+  std::istringstream texts(*g.moments + ',');
+  for (std::string text; std::getline(texts, text, ',');) given.push_back(text);
+  const auto wrong = [&](const std::string& why) {
+    return usage_error(fmt::format(
+        "--moments {}: {}; give two ranges and one number, such as 3,1..2/10,0.5..1.5/10",
+        in_quotes(*g.moments), why));
+  };
+  if (given.size() != 3) throw wrong(fmt::format("{} in place of three moments", given.size()));
+  map_axis* next = &g.first;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    std::vector<rational> values = axis("--moments", given[i], g.log);
+    for (const rational& moment : {values.front(), values.back()}) {
+      if (!(moment > 0)) throw wrong("moments are above 0");
+    }
+    if (given[i].find("..") == std::string::npos) {
+      g.fixed[i] = values.front();
+      continue;
+    }
+    if (next == nullptr) throw wrong("three ranges");
+    *next = {fmt::format("moment_{}", i + 1), fmt::format("moment {}", i + 1), std::move(values)};
+    next = next == &g.first ? &g.second : nullptr;
+  }
+  if (next != nullptr) throw wrong("fewer ranges than two");
+}
+
+void set_limit(map_grid& g) {
+  g.first = {"chi", "chi = a b", axis("--chi", *g.chi, g.log)};
+  g.second = {"beta", "beta = c/b", axis("--beta", *g.beta, g.log)};
+  if (!(g.first.values.front() > 0)) {
+    throw usage_error(fmt::format("--chi {}: chi must be above 0", in_quotes(*g.chi)));
+  }
+  if (!(g.second.values.front() > -1)) {
+    throw usage_error(fmt::format("--beta {}: beta must be above -1", in_quotes(*g.beta)));
+  }
+  if (g.quantities != std::vector<std::string>{"epsilon"} || g.c || g.cells) {
+    throw usage_error(
+        "--chi, --beta: of the limit there is epsilon alone, without --c and --cells");
+  }
+}
+
+/// Which of the three pairs of axes is given.
+void set_axes(map_grid& g) {
+  const bool by_a = g.a || g.b;
+  const bool by_chi = g.chi || g.beta;
+  const bool is_one = (by_a ? 1 : 0) + (g.moments ? 1 : 0) + (by_chi ? 1 : 0) == 1;
+  if (!is_one || g.a.has_value() != g.b.has_value() || g.chi.has_value() != g.beta.has_value()) {
+    throw usage_error("the axes: give --a and --b, or --moments, or --chi and --beta");
+  }
+  if (by_a) set_a_and_b(g);
+  if (g.moments) set_moments(g);
+  if (by_chi) set_limit(g);
+}
+
+/// The options that are the texts of axes, by name.
+template <class Grid>
+auto axes_in(Grid& g) {
+  return std::array{
+      std::pair{"a", &g.a},     std::pair{"b", &g.b},       std::pair{"moments", &g.moments},
+      std::pair{"chi", &g.chi}, std::pair{"beta", &g.beta}, std::pair{"c", &g.c}};
+}
+
 json as_json(const map_grid& g) {
-  json result{{"quantities", g.quantities},
-              {"a", g.a},
-              {"b", g.b},
-              {"log", g.log},
-              {"digits", g.digits},
-              {"points", g.points()},
-              {"points_of_block", g.points_of_block}};
+  json result{{"quantities", g.quantities}};
+  for (const auto& [name, value] : axes_in(g)) {
+    if (*value) result[name] = **value;
+  }
+  result["log"] = g.log;
+  result["digits"] = g.digits;
+  result["points"] = g.points();
+  result["points_of_block"] = g.points_of_block;
   if (g.c) result["c"] = *g.c;
   if (g.cells) {
     result["cells"] = true;
@@ -83,7 +163,7 @@ map_grid completed(map_grid g) {
     const auto found = std::ranges::find(all_quantities(), name, &quantity::name);
     g.chosen.push_back(&*found);
     of_motion = of_motion || found->of_motion;
-    if (found->of_motion && !g.c) {
+    if (found->of_motion && !g.c && !g.chi) {
       throw usage_error(fmt::format("{} is that of a motion; give --c LO..HI/N, or --c C", name));
     }
   }
@@ -92,22 +172,33 @@ map_grid completed(map_grid g) {
                                   fmt::join(g.quantities, ", "),
                                   g.quantities.size() == 1 ? "is that" : "are those"));
   }
-  g.a_values = map_grid_impl::axis("--a", g.a, g.log);
-  g.b_values = map_grid_impl::axis("--b", g.b, g.log);
+  map_grid_impl::set_axes(g);
   if (g.c) g.c_values = map_grid_impl::axis("--c", *g.c, false);
-  for (const rational& a : {g.a_values.front(), g.a_values.back()}) {
-    if (!(a > 0)) throw usage_error(fmt::format("--a {}: a must be above 0", in_quotes(g.a)));
-  }
-  for (const rational& b : {g.b_values.front(), g.b_values.back()}) {
-    if (!(b > 0 && b < 1)) {
-      throw usage_error(fmt::format("--b {}: b must be between 0 and 1", in_quotes(g.b)));
-    }
-  }
   if (g.points() > map_grid_impl::most_points) {
     throw usage_error(fmt::format("a map of {} points: at most {} are possible", g.points(),
                                   map_grid_impl::most_points));
   }
   return g;
+}
+
+std::optional<body> body_at(const map_grid& g, const rational& x, const rational& y) {
+  if (!g.moments) return body(x, y);
+  const auto fixed = std::ranges::find_if(g.fixed, [](const auto& m) { return m.has_value(); });
+  const std::array<rational, 3> moments = moments_at(g, x, y, **fixed);
+  if (moments[0] == moments[1] || moments[1] == moments[2] || moments[0] == moments[2]) {
+    return std::nullopt;
+  }
+  return body::from_moments(moments);
+}
+
+std::optional<body_box> bodies_of_cell(const map_grid& g, const rational_range& x,
+                                       const rational_range& y) {
+  if (!g.moments) return body_box(x, y);
+  const auto fixed = std::ranges::find_if(g.fixed, [](const auto& m) { return m.has_value(); });
+  std::array<rational_range, 3> moments = moments_at<rational_range>(g, x, y, {**fixed, **fixed});
+  std::ranges::sort(moments, std::ranges::greater(), &rational_range::low);
+  if (!(moments[0].low > moments[1].high && moments[1].low > moments[2].high)) return std::nullopt;
+  return body_box::of_moments(moments);
 }
 
 std::string head_of(const map_grid& g) {
@@ -119,8 +210,6 @@ std::optional<map_grid> read_head(const std::string& text) {
     const json head = json::parse(text);
     map_grid g;
     head.at("quantities").get_to(g.quantities);
-    head.at("a").get_to(g.a);
-    head.at("b").get_to(g.b);
     head.at("log").get_to(g.log);
     head.at("digits").get_to(g.digits);
     head.at("points_of_block").get_to(g.points_of_block);
@@ -133,6 +222,9 @@ std::optional<map_grid> read_head(const std::string& text) {
       if (head.contains("width")) g.width = parse_rational(head.at("width").get<std::string>());
     }
     if (head.contains("c")) g.c = head.at("c").get<std::string>();
+    for (const auto& [name, value] : map_grid_impl::axes_in(g)) {
+      if (head.contains(name)) *value = head.at(name).get<std::string>();
+    }
     map_grid done = completed(g);
     if (head_of(done) == text) return done;
   } catch (const json::exception&) {

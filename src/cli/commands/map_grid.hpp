@@ -3,8 +3,10 @@
 // The grid of a map: which bodies and motions, and what is computed of them.
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "polhode/rigid_body/body_box.hpp"
@@ -12,10 +14,21 @@
 
 namespace polhode::cli {
 
+/// One of the two axes of the plane of bodies.
+struct map_axis {
+  std::string name;   // of columns
+  std::string title;  // of pictures
+  std::vector<rational> values;
+};
+
 /// The same numbers as `polhode map` was given, and what is computed at each point.
 struct map_grid {
   std::vector<std::string> quantities;
-  std::string a, b;
+  // The bodies: by a and b, or by moments of which one is a number; or the limit of slender ones,
+  // a -> infinity and b -> 0, by chi = a b and beta = c/b.
+  std::optional<std::string> a, b;
+  std::optional<std::string> moments;
+  std::optional<std::string> chi, beta;
   std::optional<std::string> c;
   bool log = false;
   long digits = 15;
@@ -25,11 +38,14 @@ struct map_grid {
   static constexpr long most_points_of_block = 1'000'000;
   std::size_t points_of_block = 1000;
   // Made of these:
-  std::vector<rational> a_values, b_values, c_values;
+  map_axis first, second;
+  std::vector<rational> c_values;
+  /// Of moments: the one that is a number, in its place; the others are on the axes in their order.
+  std::array<std::optional<rational>, 3> fixed;
   std::vector<const quantity*> chosen;
 
   [[nodiscard]] std::size_t points() const {
-    return count_along(a_values) * count_along(b_values) * motions();
+    return count_along(first.values) * count_along(second.values) * motions();
   }
   [[nodiscard]] std::size_t motions() const { return c_values.empty() ? 1 : count_along(c_values); }
   /// Points, or cells, along an axis with these values; a single value is a cell.
@@ -40,6 +56,29 @@ struct map_grid {
     return (points() + points_of_block - 1) / points_of_block;
   }
 };
+
+/// The moments at a point of a map over moments, in the order in which they were given.
+template <class Number>
+[[nodiscard]] std::array<Number, 3> moments_at(const map_grid& g, const Number& x, const Number& y,
+                                               const Number& fixed) {
+  std::array<Number, 3> result;
+  const Number* next = &x;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (g.fixed[i]) {
+      result[i] = fixed;
+    } else {
+      result[i] = *std::exchange(next, &y);
+    }
+  }
+  return result;
+}
+
+/// The body at a point of the axes, which are not chi and beta; nothing where two moments are
+/// equal.
+[[nodiscard]] std::optional<body> body_at(const map_grid& g, const rational& x, const rational& y);
+/// A box that holds all bodies of a cell; nothing where the order of the moments is not one.
+[[nodiscard]] std::optional<body_box> bodies_of_cell(const map_grid& g, const rational_range& x,
+                                                     const rational_range& y);
 
 /// Fills in what is made of the options; throws usage_error.
 [[nodiscard]] map_grid completed(map_grid g);

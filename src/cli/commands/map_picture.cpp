@@ -67,19 +67,35 @@ std::vector<curve> curves_over(const map_values& map) {
     curve one{std::move(name), {}};
     bool is_seen = false;
     for (const auto& [a, b] : points) {
-      const bool is_on_map = is_between(a, map.a) && is_between(b, map.b);
+      const bool is_on_map = is_between(a, map.x) && is_between(b, map.y);
       is_seen = is_seen || is_on_map;
       one.points.emplace_back(is_on_map ? a : no_number, is_on_map ? b : no_number);
     }
     if (is_seen) result.push_back(std::move(one));
   };
+  if (map.plane == map_plane::limit) return result;
+  if (map.plane == map_plane::moments) {
+    const double third = map.third_moment;
+    std::vector<std::pair<double, double>> planar;
+    // One moment is the sum of the others.
+    for (const double slope : {-1.0, 1.0}) {
+      for (const double sum : {-third, third}) {
+        if (slope < 0 && sum < 0) continue;
+        for (const double x : along(map.x.front(), map.x.back(), map.log))
+          planar.emplace_back(x, slope * x + sum);
+        planar.emplace_back(no_number, no_number);
+      }
+    }
+    add("planar", planar);
+    return result;
+  }
   // Of x^2 square + x linear = 1.
   const auto positive_root = [](double square, double linear) {
     return 2 / (linear + std::sqrt(linear * linear + 4 * square));
   };
   const auto defect = [&](const std::string& name, double q) {
     std::vector<std::pair<double, double>> points;
-    for (const double a : along(map.a.front(), map.a.back(), map.log))
+    for (const double a : along(map.x.front(), map.x.back(), map.log))
       points.emplace_back(a, positive_root(q * q - 1, q * q * a + 2));
     add("I = " + name, points);
   };
@@ -90,7 +106,7 @@ std::vector<curve> curves_over(const map_values& map) {
   for (const double q : {1.0, 2.0}) {
     std::vector<std::pair<double, double>> points;
     const double p = (q + 1) * (q + 1);
-    for (const double b : along(map.b.front(), map.b.back(), map.log))
+    for (const double b : along(map.y.front(), map.y.back(), map.log))
       points.emplace_back(positive_root(p - 1, p * b - 2), b);
     add(fmt::format("J = {}", q), points);
   }
@@ -100,10 +116,10 @@ std::vector<curve> curves_over(const map_values& map) {
 /// The values at points, as a block of gnuplot's data.
 std::string data_of_points(const map_values& map) {
   std::string result = "$map << EOD\n";
-  for (std::size_t i = 0; i < map.a.size(); ++i) {
-    for (std::size_t k = 0; k < map.b.size(); ++k) {
-      result += fmt::format("{} {} {}\n", number_of(map.a[i]), number_of(map.b[k]),
-                            number_of(map.values[i * map.b.size() + k]));
+  for (std::size_t i = 0; i < map.x.size(); ++i) {
+    for (std::size_t k = 0; k < map.y.size(); ++k) {
+      result += fmt::format("{} {} {}\n", number_of(map.x[i]), number_of(map.y[k]),
+                            number_of(map.values[i * map.y.size() + k]));
     }
     result += '\n';
   }
@@ -119,8 +135,8 @@ std::string data_of_tiles(const map_values& map, bool by_logarithm) {
   std::string undecided = "$undecided << EOD\n";
   for (const map_tile& t : map.tiles) {
     const std::string box =
-        fmt::format("{0} {2} {0} {1} {2} {3}", number_of(t.a_low), number_of(t.a_high),
-                    number_of(t.b_low), number_of(t.b_high));
+        fmt::format("{0} {2} {0} {1} {2} {3}", number_of(t.x_low), number_of(t.x_high),
+                    number_of(t.y_low), number_of(t.y_high));
     if (t.is_undecided) {
       undecided += box + '\n';
     } else if (t.value) {
@@ -147,18 +163,23 @@ std::string tics_of_counts(double most) {
 std::string frame_of(const map_values& map) {
   const bool has_unit = map.quantity.starts_with("epsilon");
   return fmt::format(
-      "set xlabel 'a = I_y/I_z - 1'\nset ylabel 'b = 1 - I_y/I_x'\n"
-      "set cblabel '{0}{1}'\nset title '{0} over the plane of bodies'\n"
+      "set xlabel '{7}'\nset ylabel '{8}'\n"
+      "set cblabel '{0}{1}'\nset title '{0} {9}'\n"
       "set xrange [{2}:{3}]\nset yrange [{4}:{5}]\nset tics out nomirror\n"
       "set lmargin at screen 0.12\nset rmargin at screen 0.82\nset bmargin at screen 0.24\n"
       "set tmargin at screen 0.92\n"
       "set key at screen 0.5, 0.06 center horizontal maxrows 2\n{6}"
       "set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#d7301f', 3 '#67001f')\n",
-      map.quantity, has_unit ? " [rad]" : "", number_of(map.a.front()), number_of(map.a.back()),
-      number_of(map.b.front()), number_of(map.b.back()),
-      map.log ? fmt::format("set logscale xy\nset xtics ({})\nset ytics ({})\n", tics_on(map.a),
-                            tics_on(map.b))
-              : "");
+      map.quantity, has_unit ? " [rad]" : "", number_of(map.x.front()), number_of(map.x.back()),
+      number_of(map.y.front()), number_of(map.y.back()),
+      map.log ? fmt::format("set logscale xy\nset xtics ({})\nset ytics ({})\n", tics_on(map.x),
+                            tics_on(map.y))
+              : "",
+      map.x_title, map.y_title,
+      map.plane == map_plane::moments
+          ? fmt::format("over two moments, the third is {:g}", map.third_moment)
+      : map.plane == map_plane::limit ? "in the limit of slender bodies"
+                                      : "over the plane of bodies");
 }
 
 /// Whether they are integers, and the greatest of them; of those that are finite.

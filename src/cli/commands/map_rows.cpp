@@ -10,13 +10,19 @@
 #include "cli/output/exact_decimals.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/twist_curve.hpp"
 
 namespace polhode::cli {
 namespace map_rows_impl {
 namespace {
 
-/// A value and its radius; "none" and nothing where the quantity does not exist, "undecided" and
-/// nothing where it is not certified.
+/// A value and its radius; "undecided" and nothing where it is not certified.
+std::string cells_of(const certain_number& found, long digits) {
+  if (found.verdict != status::certified) return "undecided,";
+  const decimal_enclosure d = to_decimal_enclosure(found.enclosure, digits);
+  return d.value + ',' + d.radius;
+}
+/// "none" and nothing where the quantity does not exist.
 std::string cells_of(const quantity& q, const body& rigid, const std::optional<rational>& c,
                      long digits) {
   const rational at = q.of_motion ? *c : rational(0);
@@ -29,10 +35,7 @@ std::string cells_of(const quantity& q, const body& rigid, const std::optional<r
     return "none,";
   }
   if (at == 0 && q.infinite_at_0) return "inf,0";
-  const certain_number found = q.compute(rigid, at, digits);
-  if (found.verdict != status::certified) return "undecided,";
-  const decimal_enclosure d = to_decimal_enclosure(found.enclosure, digits);
-  return d.value + ',' + d.radius;
+  return cells_of(q.compute(rigid, at, digits), digits);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -54,7 +57,7 @@ rational middle_of(const rational_range& range, bool log) {
 }
 
 struct map_cell {
-  rational_range a, b, c;
+  rational_range x, y, c;  // along the axes
 };
 
 /// The two columns of a quantity over a cell, and whether they are what was asked for.
@@ -63,9 +66,11 @@ struct range_cells {
   bool is_done = true;
 };
 range_cells range_of(const map_grid& g, const quantity& q, const map_cell& cell) {
-  const bool has_motions = cell.c.high > -cell.b.high && cell.c.low < cell.a.high;
+  const std::optional<body_box> bodies = bodies_of_cell(g, cell.x, cell.y);
+  if (!bodies) return {"undecided,", false};
+  const bool has_motions = cell.c.high > -bodies->b().high && cell.c.low < bodies->a().high;
   if (q.of_motion && !has_motions) return {"none,"};
-  const std::optional<ball> range = q.range({cell.a, cell.b}, cell.c, g.digits);
+  const std::optional<ball> range = q.range(*bodies, cell.c, g.digits);
   if (!range) return {"none,"};
   if (!range->is_bounded()) return {"undecided,", false};
   if (q.is_whole) {
@@ -78,8 +83,8 @@ range_cells range_of(const map_grid& g, const quantity& q, const map_cell& cell)
           !g.width || parse_rational(d.upper) - parse_rational(d.lower) <= *g.width};
 }
 
-/// The rows of a cell, or of its halves where that is not decided, or a range too wide: halved in a
-/// and b by turns.
+/// The rows of a cell, or of its halves where that is not decided, or a range too wide: halved
+/// along the axes by turns.
 std::string rows_of_cell(const map_grid& g, const map_cell& cell, long halvings) {
   std::string columns;
   bool is_done = true;
@@ -88,18 +93,18 @@ std::string rows_of_cell(const map_grid& g, const map_cell& cell, long halvings)
     columns += ',' + one.text;
     is_done = is_done && one.is_done;
   }
-  const bool a_is_thin = cell.a.low == cell.a.high;
-  const bool b_is_thin = cell.b.low == cell.b.high;
-  if (!is_done && halvings < g.refine && !(a_is_thin && b_is_thin)) {
-    const bool in_a = b_is_thin || (!a_is_thin && halvings % 2 == 0);
+  const bool x_is_thin = cell.x.low == cell.x.high;
+  const bool y_is_thin = cell.y.low == cell.y.high;
+  if (!is_done && halvings < g.refine && !(x_is_thin && y_is_thin)) {
+    const bool in_x = y_is_thin || (!x_is_thin && halvings % 2 == 0);
     map_cell low = cell;
     map_cell high = cell;
-    rational_range map_cell::*const halved = in_a ? &map_cell::a : &map_cell::b;
+    rational_range map_cell::*const halved = in_x ? &map_cell::x : &map_cell::y;
     (low.*halved).high = (high.*halved).low = middle_of(cell.*halved, g.log);
     return rows_of_cell(g, low, halvings + 1) + rows_of_cell(g, high, halvings + 1);
   }
   std::string result;
-  for (const rational_range* range : {&cell.a, &cell.b, &cell.c}) {
+  for (const rational_range* range : {&cell.x, &cell.y, &cell.c}) {
     if (range == &cell.c && !g.c) continue;
     result += csv_cells(range->low) + ',' + csv_cells(range->high) + ',';
   }
@@ -124,15 +129,18 @@ std::vector<std::vector<std::string>> columns_of(const std::string& rows) {
 
 std::string header_of(const map_grid& g) {
   if (g.cells) {
-    std::string result = csv_header("a_low") + ',' + csv_header("a_high") + ',' +
-                         csv_header("b_low") + ',' + csv_header("b_high");
+    std::string result;
+    for (const map_axis* axis : {&g.first, &g.second}) {
+      result += csv_header(axis->name + "_low") + ',' + csv_header(axis->name + "_high") + ',';
+    }
+    result.pop_back();
     if (g.c) result += ',' + csv_header("c_low") + ',' + csv_header("c_high");
     for (const std::string& name : g.quantities) {
       result += fmt::format(",{0}_lower,{0}_upper", name);
     }
     return result + '\n';
   }
-  std::string result = csv_header("a") + ',' + csv_header("b");
+  std::string result = csv_header(g.first.name) + ',' + csv_header(g.second.name);
   if (g.c) result += ',' + csv_header("c");
   for (const std::string& name : g.quantities) result += fmt::format(",{0},{0}_radius", name);
   return result + '\n';
@@ -141,22 +149,28 @@ std::string header_of(const map_grid& g) {
 std::string row_of(const map_grid& g, std::size_t index) {
   const std::size_t motions = g.motions();
   if (g.cells) {
-    const std::size_t along_b = g.count_along(g.b_values);
-    map_rows_impl::map_cell cell{map_rows_impl::cell_along(g.a_values, index / motions / along_b),
-                                 map_rows_impl::cell_along(g.b_values, index / motions % along_b),
-                                 {}};
+    const std::size_t along = g.count_along(g.second.values);
+    map_rows_impl::map_cell cell{
+        map_rows_impl::cell_along(g.first.values, index / motions / along),
+        map_rows_impl::cell_along(g.second.values, index / motions % along),
+        {}};
     if (g.c) cell.c = map_rows_impl::cell_along(g.c_values, index % motions);
     return map_rows_impl::rows_of_cell(g, cell, 0);
   }
-  const rational& a = g.a_values[index / motions / g.b_values.size()];
-  const rational& b = g.b_values[index / motions % g.b_values.size()];
+  const rational& x = g.first.values[index / motions / g.second.values.size()];
+  const rational& y = g.second.values[index / motions % g.second.values.size()];
   std::optional<rational> c;
   if (g.c) c = g.c_values[index % motions];
-  const body rigid = body(a, b);
-  std::string result = csv_cells(a) + ',' + csv_cells(b);
+  std::string result = csv_cells(x) + ',' + csv_cells(y);
+  if (g.chi) {
+    return result + ',' +
+           map_rows_impl::cells_of(limit_defect_to_digits(x, y, g.digits), g.digits) + '\n';
+  }
+  const std::optional<body> rigid = body_at(g, x, y);
   if (c) result += ',' + csv_cells(*c);
-  for (const quantity* q : g.chosen)
-    result += ',' + map_rows_impl::cells_of(*q, rigid, c, g.digits);
+  for (const quantity* q : g.chosen) {
+    result += rigid ? ',' + map_rows_impl::cells_of(*q, *rigid, c, g.digits) : ",none,";
+  }
   return result + '\n';
 }
 
@@ -202,10 +216,10 @@ std::vector<map_tile> map_tiles(const map_grid& g, const std::string& rows) {
   std::vector<map_tile> result;
   for (const std::vector<std::string>& columns : map_rows_impl::columns_of(rows)) {
     map_tile tile;
-    tile.a_low = number(columns.at(0));
-    tile.a_high = number(columns.at(2));
-    tile.b_low = number(columns.at(4));
-    tile.b_high = number(columns.at(6));
+    tile.x_low = number(columns.at(0));
+    tile.x_high = number(columns.at(2));
+    tile.y_low = number(columns.at(4));
+    tile.y_high = number(columns.at(6));
     const std::string& low = columns.at(first);
     const std::string& high = columns.at(first + 1);
     if (low == "undecided" || (low != "none" && g.chosen.front()->is_whole && low != high)) {
