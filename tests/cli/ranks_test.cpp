@@ -1,8 +1,8 @@
 // One run on several processes, under mpirun.
 
 #include <algorithm>
-
-#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <ios>
 #include <map>
 #include <random>
@@ -85,7 +85,7 @@ TEST(Ranks, FailTogether) {
     EXPECT_NE(result.err.find(said), std::string::npos) << result.err;
   };
   refused(mpirun + "-n 3 polhode map epsilonO --a 1 --b 0.5", "the nearest is epsilon");
-  refused(mpirun + "-n 3 polhode map epsilon0 --a 1", "--b is missing");
+  refused(mpirun + "-n 3 polhode map epsilon0 --a 1", "the axes: give --a and --b");
   // One of them is told another thing.
   const std::string three = "polhode map epsilon0 --a 1..2/99 --b 0.1..0.9/99";
   const std::string table = "polhode table epsilon0 --ab ";
@@ -109,6 +109,38 @@ TEST(Ranks, SayWhatIsNotCertified) {
   const outcome ranks = run_script(mpirun + "-n 3" + cells);
   EXPECT_EQ(ranks.status, 1);
   EXPECT_EQ(ranks.out, alone.out);
+}
+
+TEST(Ranks, ComputeTheSameScenes) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path("sweep.toml");
+  std::ofstream(file) << "digits = 20\n"
+                         "[body]\nmoments = [3, 2, 1]\n"
+                         "[state]\nomega = [0.1, 9, 0.2]\n"
+                         "[time]\nto = 2\nsamples = 11\n"
+                         "[effects]\nwant = [\"period\", \"montgomery_phase\", \"attitude\"]\n"
+                         "[sweep]\n\"state.omega[0]\" = { from = 0.1, to = 1, steps = 6 }\n";
+  const std::string scene = " polhode scene '" + file + "' --format ";
+  for (const std::string format : {"text", "csv", "json"}) {
+    EXPECT_EQ(printed(mpirun + "-n 3" + scene + format), printed(scene + format)) << format;
+  }
+  const auto all_in = [&](const std::string& directory) {
+    std::string all;
+    for (const std::string& name : names_in(directory)) {
+      all += name + '\n' + contents(directory + '/' + name) + '\n';
+    }
+    return all;
+  };
+  const std::string alone = scratch.path("alone");
+  const std::string together = scratch.path("together");
+  (void)printed(scene + "text --out '" + alone + "'");
+  const std::string more = scene + "text --out '" + together + "'";
+  EXPECT_EQ(printed(mpirun + "-n 3" + more).substr(0, 2), "7 ");
+  EXPECT_EQ(all_in(together), all_in(alone));
+  // What an earlier run has computed is kept.
+  std::filesystem::remove(together + "/sweep-0003.json");
+  EXPECT_NE(printed(mpirun + "-n 2" + more).find("1 computed, 6 kept"), std::string::npos);
+  EXPECT_EQ(all_in(together), all_in(alone));
 }
 
 TEST(Ranks, RunOtherCommandsAlone) {

@@ -24,6 +24,7 @@
 #include "cli/output/scene_report.hpp"
 #include "cli/output/streams.hpp"
 #include "cli/page/scene_page.hpp"
+#include "cli/ranks/ranks.hpp"
 #include "polhode/scene/body_file.hpp"
 #include "polhode/version.hpp"
 
@@ -213,10 +214,19 @@ void check_time(const scene_options& options, const std::string& file, const sce
 
 bool is_certified(const json& report) { return report["verdict"] == to_text(status::certified); }
 
-/// Writes what one job has come to; its files appear together or not at all.
-void write_job(const scene_options& options, const job& one, const scene& what, const json& report,
-               const scene_report& results) {
+/// What one job has come to: its report, and with --out its files by name.
+struct done_job {
+  json report;
   std::vector<std::pair<std::string, std::string>> files;
+};
+
+done_job compute_job(const scene_options& options, const job& one, text_files& texts) {
+  const scene what = scene_of(one, texts);
+  const scene_report results = compute(what);
+  done_job done{scene_json(what, results, one.file, one.point, one.digest, rows_of(options)), {}};
+  if (!options.out) return done;
+  const json& report = done.report;
+  auto& files = done.files;
   files.emplace_back(one.stem + ".txt", scene_text(report));
   for (const effect_result& effect : results.effects) {
     if (effect.table)
@@ -231,12 +241,38 @@ void write_job(const scene_options& options, const job& one, const scene& what, 
   if (options.page) files.emplace_back(one.stem + ".html", scene_page(what, results, report));
   files.emplace_back(one.stem + ".json",
                      json_text(report) + '\n');  // the last: it says that the others are there
+  return done;
+}
+
+/// Writes the files of a job, which appear together or not at all.
+void write_files(const scene_options& options, const done_job& done) {
   std::vector<std::string> names;
-  names.reserve(files.size());
-  for (const auto& [name, contents] : files) names.push_back(name);
+  names.reserve(done.files.size());
+  for (const auto& [name, contents] : done.files) names.push_back(name);
   output_directory out(*options.out, names);
-  for (const auto& [name, contents] : files) out.write(name, contents);
+  for (const auto& [name, contents] : done.files) out.write(name, contents);
   out.publish();
+}
+
+// From one rank to another.
+std::string packed(const done_job& done) {
+  json files = json::array();
+  for (const auto& [name, contents] : done.files) {
+    files.push_back({name, json::binary({contents.begin(), contents.end()})});
+  }
+  std::string bytes;
+  json::to_cbor(json{{"report", done.report}, {"files", std::move(files)}}, bytes);
+  return bytes;
+}
+done_job unpacked(const std::string& bytes) {
+  json all = json::from_cbor(bytes);
+  done_job done{std::move(all.at("report")), {}};
+  for (const json& file : all.at("files")) {
+    const auto& contents = file.at(1).get_binary();
+    done.files.emplace_back(file.at(0).get<std::string>(),
+                            std::string(contents.begin(), contents.end()));
+  }
+  return done;
 }
 
 std::string printed(const scene_options& options, const std::vector<json>& reports) {
@@ -285,30 +321,47 @@ exit_status run(const scene_options& options) {
   // Before anything is computed: whether the table of results can be written. Until the end, so
   // that another run with this directory waits, and then keeps what this one has computed.
   std::optional<output_directory> reserved;
-  if (options.out) reserved.emplace(*options.out, std::vector<std::string>{"results.csv"});
+  const bool writes = options.out && !ranks::is_worker();
+  if (writes) reserved.emplace(*options.out, std::vector<std::string>{"results.csv"});
   std::optional<progress> line(std::in_place);
-  std::vector<json> reports;
-  reports.reserve(jobs.size());
-  std::size_t kept = 0;
+  std::vector<json> reports(jobs.size());
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    auto report = writes ? kept_report(options, jobs[i]) : std::nullopt;
+    if (report) {
+      reports[i] = std::move(*report);
+    } else {
+      open.push_back(i);
+    }
+  }
+  const std::size_t kept = jobs.size() - open.size();
   const time_watch watch(options.time_limit.limit(static_cast<double>(jobs.size())));
+  std::size_t done = kept;
   // The file whose first scene was the last to be estimated: the points of a sweep take alike.
   std::string estimated;
-  for (const job& one : jobs) {
-    line->show_part("computing " + one.stem, reports.size(), jobs.size());
-    if (options.out) {
-      if (auto report = kept_report(options, one)) {
-        ++kept;
-        reports.push_back(std::move(*report));
-        continue;
-      }
-    }
-    const scene what = scene_of(one, files);
-    if (one.file != estimated) check_time(options, one.file, what);
-    estimated = one.file;
-    const scene_report results = compute(what);
-    reports.push_back(scene_json(what, results, one.file, one.point, one.digest, rows_of(options)));
-    if (options.out) write_job(options, one, what, reports.back(), results);
-  }
+  const auto begin = [&](std::size_t i) {
+    line->show_part("computing " + jobs[i].stem, done, jobs.size());
+    if (jobs[i].file != estimated) check_time(options, jobs[i].file, scene_of(jobs[i], files));
+    estimated = jobs[i].file;
+  };
+  const bool is_alone = ranks::count() == 1;
+  done_job last;  // alone: what is not sent needs no copy
+  if (!is_alone && !ranks::is_worker()) std::ranges::for_each(open, begin);
+  // Only rank 0 knows which are open.
+  ranks::distribute(
+      open,
+      [&](std::size_t i) {
+        if (!is_alone) return packed(compute_job(options, jobs[i], files));
+        begin(i);
+        last = compute_job(options, jobs[i], files);
+        return std::string();
+      },
+      [&](std::size_t i, const std::string& bytes) {
+        if (!is_alone) last = unpacked(bytes);
+        if (options.out) write_files(options, last);
+        reports[i] = std::move(last.report);
+        line->show_part("computing " + jobs[i].stem, ++done, jobs.size());
+      });
   line.reset();
   if (options.out) {
     output_directory out(*options.out, {"results.csv"});
@@ -320,7 +373,7 @@ exit_status run(const scene_options& options) {
         summary += fmt::format("{}: not certified\n", in_quotes(report["file"].get<std::string>()));
     }
     print(summary + fmt::format("{} scenes and points in {}: {} computed, {} kept from before\n",
-                                jobs.size(), *options.out, jobs.size() - kept, kept));
+                                jobs.size(), *options.out, open.size(), kept));
   } else {
     print(printed(options, reports));
   }
@@ -357,8 +410,10 @@ command scene_command() {
           "numbers are\n"
           "read exactly; every number printed is certified. A run with --out that was interrupted "
           "goes on\n"
-          "where it stopped: what was computed of the same scene is kept.\n",
-          scene_impl::declare};
+          "where it stopped: what was computed of the same scene is kept. Under mpirun the scenes "
+          "and\n"
+          "points are shared out to all ranks (docs/cluster.md).\n",
+          scene_impl::declare, true};
 }
 
 }  // namespace polhode::cli
