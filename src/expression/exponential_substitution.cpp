@@ -12,7 +12,8 @@
 //   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5);
 //     of a rational function 1 - m a power of the distance from a rational end, or of 1/|x|, is
 //     divided out of its polynomials in that,
-//   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos.
+//   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos,
+//   tan(k pi + w) = tan w,  tan(k pi + pi/2 + w) = -1/tan w.
 
 #include <algorithm>
 #include <functional>
@@ -255,6 +256,7 @@ class substitution {
         break;
       case operation::sin:
       case operation::cos:
+      case operation::tan:
         if (auto moved = by_quarter_turns(n)) return *moved;
         break;
       default:
@@ -373,7 +375,7 @@ class substitution {
   value scaled(const value& x, node_id y, node_id rest) {
     return {times(x.kappa, y), times(x.v, y), rest, std::nullopt};
   }
-  /// sin and cos of alpha + w where alpha is shown to be a whole number of quarter turns.
+  /// sin, cos and tan of alpha + w where alpha is shown to be a whole number of quarter turns.
   std::optional<value> by_quarter_turns(const node& n) {
     const value& x = *values_[n.left];
     if (!x.in_x || x.in_x->alpha == zero_) return std::nullopt;
@@ -384,6 +386,10 @@ class substitution {
     const integer k = numerator(*found);
     const long turns = static_cast<long>(mpz_fdiv_ui(k.backend().data(), 4));
     const node_id w = plain(linear(zero_, x.in_x->beta));
+    if (n.what == operation::tan) {
+      const node_id tangent = call("tan", {w});
+      return as_it_is(turns % 2 == 0 ? tangent : negate(g_, divide(g_, one_, tangent)));
+    }
     // The quarter turns that take sin w there: cos w = sin(w + pi/2).
     const long quarter = (turns + (n.what == operation::cos ? 1 : 0)) % 4;
     node_id result = call(quarter % 2 == 0 ? "sin" : "cos", {w});

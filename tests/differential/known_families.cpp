@@ -279,6 +279,38 @@ integral_case power_and_logarithm(maker& m) {
   return c;
 }
 
+/// sin(x)^p cos(x)^q from 0 to pi/2 is B((p+1)/2, (q+1)/2)/2 (DLMF 5.12.2), and diverges where p or
+/// q is at most -1; with q = -p it is a power of the tangent. 1/(1 + tan(x)^p) is 1 - the same at
+/// pi/2 - x: pi/4.
+integral_case power_of_sine_and_cosine(maker& m) {
+  const auto exponent = [&](double low, double high) {
+    const term e = m.near(m.within(low, high));
+    return std::abs(approximately(e) + 1) < 0.05 ? -(1 / call("sqrt", 2)) : e;
+  };
+  const bool is_shifted = m.one_in(3);
+  const term shift = is_shifted ? m.rational_near(m.within(-2, 2)) : term(0);
+  const term t = is_shifted ? x - shift : x;
+  integral_case c{0, shift, shift + term("pi") / 2, few_digits(m)};
+  const long kind = m.between(0, 3);
+  if (kind == 0) {
+    const term p = exponent(-3, 3);
+    c.integrand = 1 / (1 + power(call(m.one_in(2) ? "tan" : "cot", t), p));
+    c.value = term("pi") / 4;
+    return c;
+  }
+  const bool of_tangent = kind == 1;
+  const term p = of_tangent ? exponent(-0.9, 0.9) : exponent(-1.4, 3);
+  const term q = of_tangent ? -p : exponent(-1.4, 3);
+  c.integrand =
+      of_tangent ? power(call("tan", t), p) : power(call("sin", t), p) * power(call("cos", t), q);
+  c.diverges = approximately(p) <= -1 || approximately(q) <= -1;
+  if (!c.diverges) {
+    c.value = call("gamma", (p + 1) / 2) * call("gamma", (q + 1) / 2) /
+              (2 * call("gamma", (p + q) / 2 + 1));
+  }
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> known_families() {
@@ -290,6 +322,7 @@ std::vector<integral_family> known_families() {
           {"Carlson's integrals", 5, mostly_cheap(carlson_integral)},
           {"Jacobi's functions", 4, mostly_cheap(jacobi_integral)},
           {"powers and logarithms", 10, mostly_cheap(power_and_logarithm)},
+          {"powers of sine and cosine", 6, mostly_cheap(power_of_sine_and_cosine)},
           {"integrals of the books", 7, mostly_cheap(book_integral)}};
 }
 

@@ -107,7 +107,21 @@ TEST(GrowthBound, HoldsTheFunction) {
                              "(2+cos(log(x)))*x^(-1/pi)",
                              "log(1/2-x^pi)",
                              "cos(x^sqrt(2))",
-                             "log(x)*(1/x) - log(x)*(1/x - x)"}) {
+                             "log(x)*(1/x) - log(x)*(1/x - x)",
+                             "1/sin(x^sqrt(2))",
+                             "1/sin(-20*x^sqrt(2))",
+                             "sin(24*x^sqrt(2))",
+                             "sin(50*x^sqrt(2))",
+                             "1/tan(11*x^sqrt(2))",
+                             "tan(11*x^sqrt(2))",
+                             "tan(-x^sqrt(2))",
+                             "1/atan(20*x^sqrt(2))",
+                             "1/tanh(-20*x^sqrt(2))",
+                             "1/cos(11*x^sqrt(2))",
+                             "cos(12*x^sqrt(2))",
+                             "cos(50*x^sqrt(2))",
+                             "log(tan(x^sqrt(2)))",
+                             "sin(x^sqrt(2))^(-sqrt(3))"}) {
       expect_bounds(text, r);
     }
     for (const char* text : {"1/(1+x^pi)", "x^(-sqrt(2))", "x^sqrt(2)/(1+x^pi)", "1/(1+x^100)",
@@ -160,6 +174,11 @@ TEST(GrowthBound, IsNearlyAttained) {
   expect_attained("log(2+x^pi)", 0.25, rational(2, 5), rational(9, 10));
   expect_attained("cos(x^pi)", 0.25, nearly, 0);
   expect_attained("sin(x^pi)", 0.25, nearly, 0);
+  expect_attained("1/sin(15*x^sqrt(2))", 0.25, nearly, nearly);
+  expect_attained("1/tan(10*x^sqrt(2))", 0.25, nearly, nearly);
+  expect_attained("1/atan(20*x^sqrt(2))", 0.25, nearly, nearly);
+  expect_attained("1/tanh(20*x^sqrt(2))", 0.25, nearly, nearly);
+  expect_attained("1/cos(10*x^sqrt(2))", 0.25, nearly, nearly);
   expect_attained("atan(x^(-pi))", 0x1p-4, nearly, 0);
   expect_attained("tanh(x^(-pi))", 0x1p-4, nearly, 0);
   expect_attained("erf(x^(-pi))", 0x1p-4, nearly, 0);
@@ -215,8 +234,9 @@ TEST(GrowthBound, WhatIsNotFollowedIsBlocked) {
     EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
   }
   EXPECT_EQ(look("x/(-gamma(1/x))", 0.25).bound.sign(), -1);
-  for (const char* text : {"gamma(1/x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))",
-                           "1/cos(log(x))", "ellipticK(1-x)", "agm(1,cos(log(x)))"}) {
+  for (const char* text :
+       {"gamma(1/x)", "exp(x^(-pi))", "(x-1/8)^sqrt(2)", "log(cos(log(x)))", "1/cos(log(x))",
+        "ellipticK(1-x)", "agm(1,cos(log(x)))", "tan(25*x^sqrt(2))"}) {
     EXPECT_TRUE(look(text, 0.25).bound.is_blocked()) << text;
   }
   EXPECT_TRUE(look("cos(x^(-pi))*x^sqrt(2)", 0.25).bound.oscillates());
@@ -307,7 +327,7 @@ TEST(GrowthBound, DivergentIntegralsAreRefused) {
   for (const char* text :
        {"x^(-sqrt(2))", "x^(-pi/3)", "x^(-sqrt(1+1e-8))", "1/(x*log(x))",
         "1/(x^sqrt(2)*(2+cos(log(x))))", "x^(-1-x)", "log(log(1/x))/x", "1/(x^2*log(gamma(1/x)))",
-        "gamma(x)", "log_gamma(x)/x", "1/(x*agm(1,x))"}) {
+        "gamma(x)", "log_gamma(x)/x", "1/(x*agm(1,x))", "sin(x)^(-sqrt(2))", "tan(x)^(-pi/3)"}) {
     EXPECT_NE(integrate(parse(text), 0, rational(1, 4), {.digits = 10, .most_evaluations = 20000})
                   .verdict,
               status::certified)

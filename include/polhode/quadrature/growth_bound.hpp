@@ -74,6 +74,7 @@ class growth_bound {
   friend growth_bound log(const growth_bound& x);
   friend growth_bound sin(const growth_bound& x);
   friend growth_bound cos(const growth_bound& x);
+  friend growth_bound tan(const growth_bound& x);
   friend growth_bound atan(const growth_bound& x);
   friend growth_bound tanh(const growth_bound& x);
   friend growth_bound erf(const growth_bound& x);
@@ -108,9 +109,14 @@ class growth_bound {
   /// fall; undefined of others.
   [[nodiscard]] ball greatest_value() const;
   [[nodiscard]] ball least_value() const;
+  /// The greatest |v|, from above, where it does not grow towards t = 0; undefined of others.
+  [[nodiscard]] ball greatest_size() const;
   /// r^e for e >= 0, upper and lower.
   [[nodiscard]] ball power_of_r(const rational& e) const;
   [[nodiscard]] growth_bound exponential() const;
+  /// An odd function of it, which is flatter the farther from 0.
+  [[nodiscard]] growth_bound flattening(std::string_view name, const ball& bound, const ball& m,
+                                        const ball& value_at_m, end_series series) const;
   /// x^y for x > 0 and every y in the ball.
   [[nodiscard]] growth_bound to_the(const ball& y, std::string_view name, end_series series) const;
 

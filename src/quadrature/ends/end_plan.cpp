@@ -84,13 +84,10 @@ end_series series_at_end(const series_function& f, const end_of_range& end, long
   return *found;
 }
 
-/// What the growth of f proves where it has no series: that it is integrable, and how small the
-/// part beside the end is; or that it is not, as |f| >= c t^a with one sign and a <= -1.
+}  // namespace
+
 std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end) {
   if (!f.growth) return std::nullopt;
-  // Beside another point regions of 1 - x, say, are found by halving alone, in a thousand panels.
-  const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;
-  if (!end.infinite && !is_at_0) return std::nullopt;
   const long q = end.infinite ? -1 : 1;
   // The plan whose bound of the part up to t, C t^(M+1)/(M+1), is small from the greatest t on.
   std::optional<end_plan> best;
@@ -120,6 +117,8 @@ std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range&
   }
   return best;
 }
+
+namespace {
 
 /// The plan for x = p + s tau^(q d) from one for x = p + s t^q without logarithms, where d (M + 1)
 /// is a whole number. With t = tau^d, F_qd(tau) = d tau^(d-1) F_q(tau^d) = d tau^(d (M+1) - 1)
@@ -176,7 +175,11 @@ end_plan look_at_end(const integrand& f, const end_of_range& end) {
     }
   }
   if (best.how == manner::unknown) {
-    if (const auto plan = plan_from_growth(f, end)) return *plan;
+    // Beside another point regions of 1 - x, say, are found by halving alone, in many panels.
+    const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;
+    if (end.infinite || is_at_0) {
+      if (const auto plan = plan_from_growth(f, end)) return *plan;
+    }
   }
   return best;
 }

@@ -2,6 +2,7 @@
 
 // What is known of a function near an end of its range, and how the end is dealt with.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,10 @@ struct end_plan {
 
 /// Looks at f near an end. Tries substitutions x = p + s t^q for small q.
 [[nodiscard]] end_plan look_at_end(const integrand& f, const end_of_range& end);
+
+/// What the growth of f proves where it has no series: that it is integrable, and how small the
+/// part beside the end is; or that it is not, as |f| >= c t^a with one sign and a <= -1.
+[[nodiscard]] std::optional<end_plan> plan_from_growth(const integrand& f, const end_of_range& end);
 
 /// Whether f is analytic on a neighbourhood of the end, by regions alone.
 [[nodiscard]] bool is_regular(const integrand& f, const end_of_range& end);

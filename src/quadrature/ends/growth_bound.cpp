@@ -395,22 +395,70 @@ growth_bound log(const growth_bound& x) {
   return x.made("log", most, -d, least, 0, sign, series);
 }
 
-// |f| is at most the bound, and, where f is odd with |f'| <= 1, at most |v|.
-#define POLHODE_BOUNDED(f, bound, odd, periodic)                                               \
-  growth_bound f(const growth_bound& x) {                                                      \
-    if (x.blocked_) return x.passed_on();                                                      \
-    const bool by_itself = (odd) && x.upper_exponent_ > 0;                                     \
-    growth_bound result =                                                                      \
-        x.made(#f, by_itself ? x.most_ : (bound), by_itself ? x.upper_exponent_ : rational(0), \
-               ball(0, bits), 0, 0, f(x.series_));                                             \
-    if ((periodic) && 4 * x.upper_exponent_ < -1) result.oscillates_ = true;                   \
-    return result;                                                                             \
-  }
-POLHODE_BOUNDED(sin, ball(1, bits), true, true)
-POLHODE_BOUNDED(cos, ball(1, bits), false, true)
-POLHODE_BOUNDED(atan, pi(bits) / 2, true, false)
-POLHODE_BOUNDED(tanh, ball(1, bits), true, false)
-#undef POLHODE_BOUNDED
+ball growth_bound::greatest_size() const {
+  if (blocked_ || upper_exponent_ < 0) return ball::undefined(bits);
+  return upper_end(most_ * power_of_r(upper_exponent_));
+}
+
+/// f is odd, |f| is at most the bound, and f' is at most 1 and falls for 0 < v <= m. Then |f(v)| <=
+/// |v|. And f(v)/v falls, as v f'(v) - f(v) is 0 at 0 and falls (its derivative is v f''(v)): so
+/// |f(v)| >= |v| f(m)/m, with the sign of v. The value at m is f(m); undefined where f' does not
+/// fall up to m.
+growth_bound growth_bound::flattening(std::string_view name, const ball& bound, const ball& m,
+                                      const ball& value_at_m, end_series series) const {
+  const bool by_itself = upper_exponent_ > 0;
+  const ball share = lower_end(value_at_m / m);
+  const bool is_near_0 = certainly_positive(share);
+  return made(name, by_itself ? most_ : bound, by_itself ? upper_exponent_ : rational(0),
+              is_near_0 ? lower_end(least_) * share : ball(0, bits),
+              is_near_0 ? lower_exponent_ : rational(0), is_near_0 ? sign_ : 0, std::move(series));
+}
+
+/// sin' falls up to pi.
+growth_bound sin(const growth_bound& x) {
+  if (x.blocked_) return x.passed_on();
+  const ball m = x.greatest_size();
+  const ball value = certainly_less(m, pi(bits)) ? sin(m) : ball::undefined(bits);
+  growth_bound result = x.flattening("sin", ball(1, bits), m, value, sin(x.series_));
+  result.oscillates_ = result.oscillates_ || 4 * x.upper_exponent_ < -1;
+  return result;
+}
+growth_bound atan(const growth_bound& x) {
+  if (x.blocked_) return x.passed_on();
+  const ball m = x.greatest_size();
+  return x.flattening("atan", pi(bits) / 2, m, atan(m), atan(x.series_));
+}
+growth_bound tanh(const growth_bound& x) {
+  if (x.blocked_) return x.passed_on();
+  const ball m = x.greatest_size();
+  return x.flattening("tanh", ball(1, bits), m, tanh(m), tanh(x.series_));
+}
+
+/// By its range where x is bounded.
+growth_bound cos(const growth_bound& x) {
+  if (x.blocked_) return x.passed_on();
+  const ball m = x.greatest_size();
+  const ball value = m.is_bounded() ? cos(hull(-m, m)) : ball::undefined(bits);
+  const bool is_positive = certainly_positive(value);
+  growth_bound result =
+      x.made("cos", ball(1, bits), 0, is_positive ? lower_end(value) : ball(0, bits), 0,
+             is_positive ? 1 : 0, cos(x.series_));
+  result.oscillates_ = result.oscillates_ || 4 * x.upper_exponent_ < -1;
+  return result;
+}
+
+/// |v| <= m < pi/2: tan' grows from 1 on, and tan(v)/v with it: |v| <= |tan v| <= |v| tan(m)/m,
+/// with the sign of v. Elsewhere by the series.
+growth_bound tan(const growth_bound& x) {
+  if (x.blocked_) return x.passed_on();
+  const ball m = x.greatest_size();
+  const bool is_near_0 = certainly_positive(m) && certainly_less(m, pi(bits) / 2);
+  const ball most = is_near_0 ? upper_end(x.most_ * tan(m) / m) : ball::undefined(bits);
+  return x.made("tan", most, is_near_0 ? x.upper_exponent_ : rational(0),
+                is_near_0 ? lower_end(x.least_) : ball(0, bits),
+                is_near_0 ? x.lower_exponent_ : rational(0), is_near_0 ? x.sign_ : 0,
+                tan(x.series_));
+}
 
 growth_bound erf(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();

@@ -290,6 +290,15 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
   if (add_decaying_part(result, f, end, direction, bits)) return;
   if (add_oscillating_part(result, f, end, direction, place, bits)) return;
   if (add_in_exponential(result, f, end, direction, place, bits)) return;
+  if (const auto by_growth = end.infinite ? std::nullopt : plan_from_growth(f, end)) {
+    if (by_growth->how == manner::divergent) {
+      result.why = reason::not_integrable;
+      result.obstacle = "the integrand grows too fast at " + place;
+    } else {
+      add_exponential_part(result, f, end, *by_growth, direction, bits);
+    }
+    return;
+  }
   if (end.infinite) {
     result.why = reason::not_analytic;
     result.obstacle = "no proof of decay at infinity (" + plan.obstacle + ")";
