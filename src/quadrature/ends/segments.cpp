@@ -224,14 +224,35 @@ void add_segment(preparation& result, segment s, const end_of_range& end, const 
   result.parts.push_back(end.part(near, far, direction));
 }
 
+/// The exponential begins at t = r0, and w goes so far that the rest is small.
+double start_of_exponential(const end_plan& plan) { return plan.r / 8; }
+double length_of_exponential(const end_plan& plan, long bits) {
+  const double c = static_cast<double>(numerator(plan.exponent) + denominator(plan.exponent)) /
+                   static_cast<double>(denominator(plan.exponent));
+  return std::ceil((1.05 * static_cast<double>(bits) + 48) * 0.6931 / c);
+}
+
+/// Whether regions of x tell f apart as near to the end as the exponential goes: where they do not,
+/// panels would be halved for long, and in vain.
+bool is_followed_to_end(const integrand& f, const end_of_range& end, const end_plan& plan,
+                        long bits) {
+  const precision p = bits + 128;
+  const double depth = length_of_exponential(plan, bits) / 0.6931;
+  constexpr double deepest = 1e6;
+  if (!(depth < deepest)) return false;
+  const ball size =
+      scale(ball::exactly(start_of_exponential(plan)) * ball(1, p), -static_cast<long>(depth));
+  const ball side = size * hull(ball(rational(-1, 8), p), ball(rational(1, 8), p));
+  const region t = region::in_balls({size + side, side});
+  return f.over(end.at.at(p) + end.distance.at(p) * t).is_analytic();
+}
+
 /// An end that is singular, but integrable: from t = 1 to r0 without the exponential, and from
 /// there with it.
 void add_exponential_part(preparation& result, const integrand& f, const end_of_range& end,
                           const end_plan& plan, int direction, long bits) {
-  const double r0 = plan.r / 8;
-  const double c = static_cast<double>(numerator(plan.exponent) + denominator(plan.exponent)) /
-                   static_cast<double>(denominator(plan.exponent));
-  const double length = std::ceil((1.05 * static_cast<double>(bits) + 48) * 0.6931 / c);
+  const double r0 = start_of_exponential(plan);
+  const double length = length_of_exponential(plan, bits);
   const ball remainder = tail_beyond(end, plan, r0, length);
   segment near = exponential_segment(f, end, plan, r0, length);
   const end_point at_1 = end_point([at = near.position](precision p) { return at(ball(1, p)); });
@@ -294,10 +315,12 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
     if (by_growth->how == manner::divergent) {
       result.why = reason::not_integrable;
       result.obstacle = "the integrand grows too fast at " + place;
-    } else {
-      add_exponential_part(result, f, end, *by_growth, direction, bits);
+      return;
     }
-    return;
+    if (is_followed_to_end(f, end, *by_growth, bits)) {
+      add_exponential_part(result, f, end, *by_growth, direction, bits);
+      return;
+    }
   }
   if (end.infinite) {
     result.why = reason::not_analytic;
