@@ -215,6 +215,7 @@ void check_time(const scene_options& options, const std::string& file, const sce
 bool is_certified(const json& report) { return report["verdict"] == to_text(status::certified); }
 
 /// What one job has come to: its report, and with --out its files by name.
+// NOLINTNEXTLINE(bugprone-exception-escape): its destructor is the library's
 struct done_job {
   json report;
   std::vector<std::pair<std::string, std::string>> files;
