@@ -128,8 +128,9 @@ def table(quantity, **options):
 
 def grid(*quantities, a=None, b=None, c=None, moments=None, chi=None, beta=None, **options):
     """Quantities over a grid of bodies, as an array [quantity][value, radius][a][b][c] of NumPy's:
-    the command map. In place of a and b: moments, one number and two ranges; or chi and beta. The radius holds the rounding to a float too; NaN stands where a quantity does
-    not exist or is not certified.
+    the command map. In place of a and b: moments, one number and two ranges; or chi and beta. The
+    radius holds the rounding to a float too; NaN stands where a quantity does not exist or is not
+    certified.
 
     >>> import polhode
     >>> polhode.grid("meetings", a="1..9/2", b="0.1..0.5/1")[0, 0].tolist()
