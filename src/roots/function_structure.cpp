@@ -329,27 +329,28 @@ exact_series one_of(const exact_series& s, const exact_series& t, bool lesser) {
   return function_structure::value_alone(s, value);
 }
 
+/// floor or ceil, of a ball or jet and of an exact number.
+template <class OfSet, class OfNumber>
+function_structure step(const function_structure& x, const OfSet& of_set,
+                        const OfNumber& of_number) {
+  return function_structure::applied(
+      x, of_set, [&](const ball& t) { return std::optional<ball>(of_set(t)); },
+      [&](const exact_series& s) {
+        const auto& exact = s[0].exact();
+        return step_of(s, exact ? s[0].like(rational(of_number(*exact)))
+                                : known_number(of_set(s[0].enclosure())));
+      });
+}
+
 }  // namespace
 
 function_structure floor(const function_structure& x) {
-  return function_structure::applied(
-      x, [](const auto& t) { return floor(t); },
-      [](const ball& t) { return std::optional<ball>(floor(t)); },
-      [](const exact_series& s) {
-        const auto& exact = s[0].exact();
-        return step_of(s, exact ? s[0].like(rational(floor_of(*exact)))
-                                : known_number(floor(s[0].enclosure())));
-      });
+  return step(
+      x, [](const auto& t) { return floor(t); }, [](const rational& t) { return floor_of(t); });
 }
 function_structure ceil(const function_structure& x) {
-  return function_structure::applied(
-      x, [](const auto& t) { return ceil(t); },
-      [](const ball& t) { return std::optional<ball>(ceil(t)); },
-      [](const exact_series& s) {
-        const auto& exact = s[0].exact();
-        return step_of(
-            s, exact ? s[0].like(rational(ceil_of(*exact))) : known_number(ceil(s[0].enclosure())));
-      });
+  return step(
+      x, [](const auto& t) { return ceil(t); }, [](const rational& t) { return ceil_of(t); });
 }
 
 function_structure tan(const function_structure& x) { return sin(x) / cos(x); }

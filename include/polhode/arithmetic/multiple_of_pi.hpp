@@ -6,6 +6,7 @@
 
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 
 namespace polhode::detail {

@@ -160,9 +160,7 @@ std::string as_picture(const map_grid& g, const std::string& rows, const std::st
   map.quantity = g.quantities.front();
   map.log = g.log;
   map.plane = g.moments ? map_plane::moments : g.chi ? map_plane::limit : map_plane::bodies;
-  for (const auto& moment : g.fixed) {
-    if (moment) map.third_moment = static_cast<double>(*moment);
-  }
+  if (g.moments) map.third_moment = static_cast<double>(g.fixed);
   map.x_title = g.first.title;
   map.y_title = g.second.title;
   if (g.cells) {

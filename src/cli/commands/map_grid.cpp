@@ -85,7 +85,8 @@ void set_moments(map_grid& g) {
       if (!(moment > 0)) throw wrong("moments are above 0");
     }
     if (given[i].find("..") == std::string::npos) {
-      g.fixed[i] = values.front();
+      g.fixed = values.front();
+      g.place_of_fixed = i;
       continue;
     }
     if (next == nullptr) throw wrong("three ranges");
@@ -121,6 +122,16 @@ void set_axes(map_grid& g) {
   if (by_a) set_a_and_b(g);
   if (g.moments) set_moments(g);
   if (by_chi) set_limit(g);
+}
+
+/// The moments at a point of a map over moments, or of a cell, in the order in which they were given.
+template <class Number>
+std::array<Number, 3> moments_at(const map_grid& g, const Number& x, const Number& y,
+                                 const Number& fixed) {
+  std::vector<Number> result{x, y};
+  const auto place = result.begin() + static_cast<std::ptrdiff_t>(g.place_of_fixed);
+  result.insert(place, fixed);
+  return {result[0], result[1], result[2]};
 }
 
 /// The options that are the texts of axes, by name.
@@ -183,8 +194,7 @@ map_grid completed(map_grid g) {
 
 std::optional<body> body_at(const map_grid& g, const rational& x, const rational& y) {
   if (!g.moments) return body(x, y);
-  const auto fixed = std::ranges::find_if(g.fixed, [](const auto& m) { return m.has_value(); });
-  const std::array<rational, 3> moments = moments_at(g, x, y, **fixed);
+  const std::array<rational, 3> moments = map_grid_impl::moments_at<rational>(g, x, y, g.fixed);
   if (moments[0] == moments[1] || moments[1] == moments[2] || moments[0] == moments[2]) {
     return std::nullopt;
   }
@@ -194,8 +204,8 @@ std::optional<body> body_at(const map_grid& g, const rational& x, const rational
 std::optional<body_box> bodies_of_cell(const map_grid& g, const rational_range& x,
                                        const rational_range& y) {
   if (!g.moments) return body_box(x, y);
-  const auto fixed = std::ranges::find_if(g.fixed, [](const auto& m) { return m.has_value(); });
-  std::array<rational_range, 3> moments = moments_at<rational_range>(g, x, y, {**fixed, **fixed});
+  std::array<rational_range, 3> moments =
+      map_grid_impl::moments_at<rational_range>(g, x, y, {g.fixed, g.fixed});
   std::ranges::sort(moments, std::ranges::greater(), &rational_range::low);
   if (!(moments[0].low > moments[1].high && moments[1].low > moments[2].high)) return std::nullopt;
   return body_box::of_moments(moments);

@@ -3,10 +3,9 @@
 // The grid of a map: which bodies and motions, and what is computed of them.
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "polhode/rigid_body/body_box.hpp"
@@ -40,8 +39,10 @@ struct map_grid {
   // Made of these:
   map_axis first, second;
   std::vector<rational> c_values;
-  /// Of moments: the one that is a number, in its place; the others are on the axes in their order.
-  std::array<std::optional<rational>, 3> fixed;
+  /// Of moments: the one that is a number, and its place among the three; the others are on the axes
+  /// in their order.
+  rational fixed;
+  std::size_t place_of_fixed = 0;
   std::vector<const quantity*> chosen;
 
   [[nodiscard]] std::size_t points() const {
@@ -56,22 +57,6 @@ struct map_grid {
     return (points() + points_of_block - 1) / points_of_block;
   }
 };
-
-/// The moments at a point of a map over moments, in the order in which they were given.
-template <class Number>
-[[nodiscard]] std::array<Number, 3> moments_at(const map_grid& g, const Number& x, const Number& y,
-                                               const Number& fixed) {
-  std::array<Number, 3> result;
-  const Number* next = &x;
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    if (g.fixed[i]) {
-      result[i] = fixed;
-    } else {
-      result[i] = *std::exchange(next, &y);
-    }
-  }
-  return result;
-}
 
 /// The body at a point of the axes, which are not chi and beta; nothing where two moments are
 /// equal.

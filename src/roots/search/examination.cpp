@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "exact_points.hpp"
+#include "jumps.hpp"
 #include "polhode/arithmetic/interval.hpp"
-#include "polhode/arithmetic/multiple_of_pi.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
 #include "roots/count_zeros.hpp"
@@ -14,8 +15,6 @@
 namespace polhode::detail {
 
 namespace {
-
-exact_box exact_ends(const ball& x) { return {lower_rational(x), upper_rational(x)}; }
 
 /// The box and half of its width more on either side; a point, and a little.
 exact_box widened(const exact_box& b) {
@@ -55,14 +54,10 @@ real_function factor_of(const real_function& f, long id) {
       1);
 }
 
-bool is_certainly_not_zero(const ball& x) { return !x.is_undefined() && !contains_zero(x); }
 bool is_not_negative(const ball& x) {
   const certain_sign s = sign_of(x);
   return s == certain_sign::positive || s == certain_sign::zero;
 }
-
-/// Bits of the longer part of q.
-std::size_t height(const rational& q) { return rational_polynomial({q}).height(); }
 
 /// The examination of one box.
 class examination {
@@ -410,7 +405,7 @@ class examination {
         return true;
       }
     }
-    if (over[1].is_undefined() && is_turn_for_structure(b.halvings) && by_steps(b, wide, x)) {
+    if (over[1].is_undefined() && is_turn_for_structure(b.halvings) && by_jumps(b, wide, x)) {
       return true;
     }
     const auto zero = exact_zero_in(b);
@@ -421,12 +416,12 @@ class examination {
   /// f is not 0 at the simplest rational number in x, or not defined there, and its growth on both
   /// sides proves that x has no root: sin(x)/x and x^x at 0.
   bool by_removed_point(const work_box& b, const ball& x) {
-    const rational at = simplest_between(*b.x.lower, *b.x.upper);
-    if (height(at) > simple_height) return false;
-    const ball point(at, b.bits);
+    const auto at = simple_number_in(b.x);
+    if (!at) return false;
+    const ball point(*at, b.bits);
     const auto s = structure(problem(b), function_structure::variable(point, point));
     if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
-    if (!grows_on_both_sides(b, x, {at, 0})) return false;
+    if (!grows_on_both_sides(b, x, {*at, 0})) return false;
     result_.singular.push_back({s->natural_range() ? x : point, 0});
     result_.excluded.push_back({b.x, x});
     return true;
@@ -450,15 +445,9 @@ class examination {
     pi_combination at;
     long multiplicity = 0;  // 0 where it was not found
   };
-  static constexpr std::size_t simple_height = 200;
   std::optional<exact_zero> exact_zero_in(const work_box& b) {
-    const rational simplest = simplest_between(*b.x.lower, *b.x.upper);
-    if (height(simplest) <= simple_height) {
-      if (auto r = exact_zero_at({simplest, 0}, b)) return r;
-    }
-    const auto turns = simplest_multiple_of_pi(*b.x.lower, *b.x.upper, b.bits + 64);
-    if (!turns || height(*turns) > simple_height) return std::nullopt;
-    return exact_zero_at({0, *turns}, b);
+    return first_of_simple_points(b.x, b.bits,
+                                  [&](const pi_combination& at) { return exact_zero_at(at, b); });
   }
   std::optional<exact_zero> exact_zero_at(const pi_combination& at, const work_box& b) {
     exact_zero r{at, 0};
@@ -483,13 +472,13 @@ class examination {
   /// The simplest rational number in the box, where f is exactly 0 there and has no known
   /// derivative.
   std::optional<rational> kink_in(const work_box& b) {
-    const rational at = simplest_between(*b.x.lower, *b.x.upper);
-    if (height(at) > simple_height) return std::nullopt;
-    const auto s = structure(problem(b), function_structure::variable_at(at, 1, b.bits));
+    const auto at = simple_number_in(b.x);
+    if (!at) return std::nullopt;
+    const auto s = structure(problem(b), function_structure::variable_at(*at, 1, b.bits));
     if (!s || !s->series()) return std::nullopt;
     const auto& t = *s->series();
     const bool is_kink = t[0].is_exactly(0) && t[1].enclosure().is_undefined();
-    return is_kink ? std::optional(at) : std::nullopt;
+    return is_kink ? at : std::nullopt;
   }
 
   /// f, ..., f^(m-1) are exactly 0 at c in x, and f^(m) has no zero in x: then c is the only root
@@ -522,6 +511,17 @@ class examination {
         std::make_shared<real_function>(distance));
   }
 
+  /// True where the box is settled: it has no root, or none but an exact one at a jump of f.
+  bool by_jumps(const work_box& b, const exact_box& wide, const ball& x) {
+    const expression* const f = problem(b).g->formula();
+    if (f == nullptr || problem(b).is_factor) return false;
+    const jump_report r = examine_jumps(*f, b.x, x, b.bits);
+    result_.evaluations += r.evaluations;
+    if (r.has_no_root) exclude(b.x, x);
+    if (r.only_root) add_exact(b, wide, x, *r.only_root, 0);
+    return r.has_no_root || r.only_root;
+  }
+
   /// f is 0 at c in x, and its growth on both sides of c proves that x has no other root.
   bool by_growth(const work_box& b, const exact_box& wide, const ball& x, const exact_zero& zero) {
     if (!grows_on_both_sides(b, x, zero.at)) return false;
@@ -537,128 +537,6 @@ class examination {
     const rational below = lower_rational(ball(*whole.lower, b.bits + 64) - point);
     return above > 0 && below < 0 && f.has_no_root_beside(at, above) &&
            f.has_no_root_beside(at, below);
-  }
-
-  // -------------------------------------------------------------------------------------------
-  // Jumps
-
-  /// True where the box is settled: on it each floor and ceil has one of few values, and f with
-  /// these values in their places has no root, or none but an exact one at the jump.
-  bool by_steps(const work_box& b, const exact_box& wide, const ball& x) {
-    const expression* const f = problem(b).g->formula();
-    if (f == nullptr || problem(b).is_factor) return false;
-    const auto first = f->with_steps({});
-    if (!first || first->next == step::none) return false;
-    if (has_no_root_for_any_values(*f, {}, b, x)) {
-      exclude(b.x, x);
-      return true;
-    }
-    const rational simplest = simplest_between(*b.x.lower, *b.x.upper);
-    if (height(simplest) <= simple_height && by_sides(*f, b, wide, x, {simplest, 0})) return true;
-    const auto turns = simplest_multiple_of_pi(*b.x.lower, *b.x.upper, b.bits + 64);
-    return turns && height(*turns) <= simple_height && by_sides(*f, b, wide, x, {0, *turns});
-  }
-
-  using step = expression::stepped::step;
-  static integer value_of(step s, const rational& u) {
-    return s == step::floor ? floor_of(u) : ceil_of(u);
-  }
-  /// The values of a step over x, from the first to the second: of one argument, of which no more
-  /// is known than its range. Nothing where that is not bounded.
-  std::optional<std::pair<integer, integer>> values_over(const expression::stepped& of,
-                                                         precision bits, const ball& x) {
-    ++result_.evaluations;
-    const ball u = real_function(of.formula).at(bits)->value(x);
-    if (u.is_undefined() || !u.is_bounded()) return std::nullopt;
-    return std::pair(value_of(of.next, lower_rational(u)), value_of(of.next, upper_rational(u)));
-  }
-
-  /// Proved: with the first steps' values as they are, and whatever values the others have over x,
-  /// f has no root there.
-  bool has_no_root_for_any_values(const expression& f, std::vector<integer> values,
-                                  const work_box& b, const ball& x) {
-    constexpr std::size_t most_steps = 4;
-    const auto of = f.with_steps(values);
-    if (!of) return true;  // f is not defined where it has these values
-    if (of->next == step::none) return has_no_zero_over(real_function(of->formula), b.bits, x);
-    if (values.size() == most_steps) return false;
-    const auto range = values_over(*of, b.bits, x);
-    if (!range || range->second - range->first > 1) return false;
-    for (integer n = range->first; n <= range->second; ++n) {
-      values.push_back(n);
-      if (!has_no_root_for_any_values(f, values, b, x)) return false;
-      values.pop_back();
-    }
-    return true;
-  }
-  /// By the range, or the mean value theorem.
-  bool has_no_zero_over(const real_function& g, precision bits, const ball& x) {
-    result_.evaluations += 2;
-    const auto at_bits = g.at(bits);
-    const jet<ball, 1> over = at_bits->slope(x);
-    if (is_certainly_not_zero(over[0])) return true;
-    if (over[0].is_undefined() || over[1].is_undefined()) return false;
-    const ball middle(exact_ends(x).middle(), bits);
-    return is_certainly_not_zero(at_bits->value(middle) + over[1] * (x - middle));
-  }
-
-  /// f(at) is known to be 0 or not, and f has no root in x on either side of that point.
-  bool by_sides(const expression& f, const work_box& b, const exact_box& wide, const ball& x,
-                const pi_combination& at) {
-    ++result_.evaluations;
-    const auto s = structure(problem(b), function_structure::variable_at(at, 1, b.bits));
-    if (!s || !s->series()) return false;
-    const known_number& value = (*s->series())[0];
-    const bool is_zero = value.is_exactly(0);
-    if (!is_zero && !is_certainly_not_zero(value.enclosure())) return false;
-    const exact_box whole = exact_ends(x);
-    for (const rational& end : {*whole.lower, *whole.upper}) {
-      if (!has_no_root_up_to(end, f, b, at)) return false;
-    }
-    if (is_zero) {
-      add_exact(b, wide, x, at, 0);
-    } else {
-      exclude(b.x, x);
-    }
-    return true;
-  }
-  /// f has no root between the point and the end, which is one. On the way from the point, that
-  /// excluded, each step keeps one value: its argument has a single one over all of it, or differs
-  /// from the only jump within reach, by a continuous function without a zero.
-  bool has_no_root_up_to(const rational& end, const expression& f, const work_box& b,
-                         const pi_combination& at) {
-    const ball point = at.at(b.bits + 64);
-    const ball way = ball(end, b.bits + 64) - point;
-    const bool rightward = certainly_positive(way);
-    if (!rightward && !certainly_negative(way)) return false;
-    const rational reach = rightward ? upper_rational(way) : lower_rational(way);
-    const ball side = hull(point, ball(end, b.bits + 64));
-    std::vector<integer> values;
-    while (true) {
-      const auto of = f.with_steps(values);
-      if (!of) return true;  // f is not defined there
-      const real_function u(of->formula);
-      if (of->next == step::none) {
-        return u.has_no_root_beside(at, reach) || has_no_zero_over(u, b.bits, side);
-      }
-      const auto range = values_over(*of, b.bits, side);
-      if (!range || range->second - range->first > 1) return false;
-      if (range->first == range->second) {
-        values.push_back(range->first);
-        continue;
-      }
-      // floor jumps up to its value at an integer, ceil up from it.
-      const integer jump = of->next == step::floor ? range->second : range->first;
-      const real_function from_jump(
-          expression(of->formula(symbol::variable(0)) - rational(jump), of->formula.names()));
-      result_.evaluations += 2;
-      const jet<ball, 1> over = from_jump.at(b.bits)->slope(side);
-      if (over[0].is_undefined() || over[1].is_undefined()) return false;  // is it continuous?
-      if (!from_jump.has_no_root_beside(at, reach)) return false;
-      const ball at_end = from_jump.at(b.bits)->value(ball(end, b.bits));
-      if (!is_certainly_not_zero(at_end)) return false;
-      values.push_back(certainly_positive(at_end) ? range->second : range->first);
-    }
   }
 
   // -------------------------------------------------------------------------------------------
@@ -774,7 +652,7 @@ class examination {
     if (b.x.is_bounded()) {
       // A structure that no single one of its boxes had.
       const exact_box wide = widened(b.x);
-      if (by_structure(b) || by_steps(b, wide, wide.to_ball(b.bits))) return;
+      if (by_structure(b) || by_jumps(b, wide, wide.to_ball(b.bits))) return;
       if (const auto zero = exact_zero_in(b)) {
         r.verdict = root_verdict::at_least_one;
         if (zero->at.is_rational()) r.exact = zero->at.q;
