@@ -124,7 +124,7 @@ void set_axes(map_grid& g) {
   if (by_chi) set_limit(g);
 }
 
-/// The moments at a point of a map over moments, or of a cell, in the order in which they were given.
+/// The moments at a point of a map over moments, or of a cell, in the order that was given.
 template <class Number>
 std::array<Number, 3> moments_at(const map_grid& g, const Number& x, const Number& y,
                                  const Number& fixed) {

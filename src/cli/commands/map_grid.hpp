@@ -39,8 +39,8 @@ struct map_grid {
   // Made of these:
   map_axis first, second;
   std::vector<rational> c_values;
-  /// Of moments: the one that is a number, and its place among the three; the others are on the axes
-  /// in their order.
+  /// Of moments: the one that is a number, and its place among the three; the others are on the
+  /// axes, in their order.
   rational fixed;
   std::size_t place_of_fixed = 0;
   std::vector<const quantity*> chosen;
