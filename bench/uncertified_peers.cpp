@@ -22,7 +22,7 @@
 #endif
 #ifdef POLHODE_HAVE_PARI
 // Its macros take many a name: it is the last.
-#include <pari/pari.h>
+#include "support/pari.hpp"
 #endif
 
 namespace {
@@ -32,37 +32,7 @@ using namespace polhode::bench;
 using bench_row = polhode::bench::row;  // PARI has another
 
 #ifdef POLHODE_HAVE_PARI
-/// Leaves PARI's stack as it was.
-template <class F>
-void with_stack(const F& f) {
-  const pari_sp before = avma;
-  f();
-  set_avma(before);
-}
-
 using pari_function = GEN (*)(void*, GEN);
-
-/// The size of x's relative error: "   PARI's error: 1e-58", at most that power of ten.
-std::string error_text(GEN x, const ball& value, long digits) {
-  char* const text = GENtostr(x);
-  std::string decimals(text);
-  pari_free(text);
-  for (const char* exponent : {" E", "E"}) {
-    const auto at = decimals.find(exponent);
-    if (at != std::string::npos) {
-      decimals.replace(at, std::string(exponent).size(), "e");
-      break;
-    }
-  }
-  const polhode::precision p = polhode::bits_for_digits(2 * digits);
-  const ball found(polhode::parse_rational(decimals), p);
-  const ball error = abs(found / value - 1);
-  const std::string heading = "   PARI's error: ";
-  if (!error.is_bounded()) return heading + "unknown";
-  if (contains_zero(error)) return heading + "none";
-  const double exponent = mpfr_get_d(upper(log10(error)).backend().data(), MPFR_RNDU);
-  return heading + "1e" + std::to_string(std::lround(std::ceil(exponent)));
-}
 #endif
 
 #ifdef POLHODE_HAVE_PARI
@@ -86,7 +56,8 @@ outcome beside_pari(const std::function<void()>& ours, [[maybe_unused]] const pa
       warm([&] { with_stack([&] { benchmark::DoNotOptimize(theirs(prec)); }); }));
   race.ratios = {{0, 1}};
   outcome result = polhode::bench::detail::measure(race);
-  with_stack([&] { result.remark = error_text(theirs(prec), value(), digits); });
+  with_stack(
+      [&] { result.remark = "   PARI's error: " + error_text(theirs(prec), value(), digits); });
   return result;
 #else
   return polhode::bench::detail::measure(race);
@@ -222,9 +193,7 @@ bench_row of_intervals(ball_operation ours, mpfi_operation theirs, polhode::prec
 
 int main(int argc, char** argv) {
 #ifdef POLHODE_HAVE_PARI
-  constexpr std::size_t stack = std::size_t{1} << 28U;
-  pari_init(stack, 2);
-  GP_DATA->fmt->sigd = -1;  // all digits that there are
+  start_pari();
 #endif
   suite benchmarks;
   constexpr int label_width = 20;

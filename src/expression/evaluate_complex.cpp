@@ -5,6 +5,9 @@
 // complex points, the same whichever set they come in: where it is a choice between two formulas,
 // the real part of a point decides, and a set on which that is not the same has no answer.
 
+#include <optional>
+
+#include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/elliptic/complex.hpp"
 #include "polhode/expression/evaluation.hpp"
@@ -146,6 +149,27 @@ region regions::root(const region& z, long n) {
       return region::blocked(obstacle::branch_cut, "root");
   }
 }
+/// With z + s for t in erfc(z) = (2/sqrt(pi)) times the integral of e^(-t^2) from z to infinity
+/// (DLMF 7.2.2, along a line parallel to the real axis), where Re z >= r > 0:
+///
+///   |erfc(z)| <= (2/sqrt(pi)) |e^(-z^2)| times the integral of e^(-2 r s - s^2) over s > 0
+///             <= |e^(-z^2)| min(1, 1/(sqrt(pi) r)),
+///
+/// of which the integral is at most sqrt(pi)/2, and at most 1/(2 r). erf(z) = 1 - erfc(z) is odd.
+/// Nothing where the set is so small that the mean of the derivative over it says more.
+std::optional<complex_ball> erf_far_from_imaginary_axis(const complex_ball& set) {
+  const precision p = set.precision();
+  const bool is_right = certainly_positive(set.re);
+  if (!is_right && !certainly_negative(set.re)) return std::nullopt;
+  const ball r(lower(abs(set.re)));
+  const ball share = min(ball(1, p), 1 / (sqrt(pi(p)) * r));
+  const magnitude width = (set - set.middle()).magnitude_upper();
+  if (width < share.magnitude_upper()) return std::nullopt;
+  const ball size = exp(square(set.im) - square(set.re)) * share;
+  if (!size.is_bounded()) return std::nullopt;
+  return complex_ball(ball(is_right ? 1 : -1, p)).enlarged(size.magnitude_upper());
+}
+
 region regions::erf(const region& z) {
   if (!z.is_analytic()) return z;
   const complex_ball set = z.to_complex_ball();
@@ -153,6 +177,7 @@ region regions::erf(const region& z) {
   const auto as_z_is = [&](const complex_ball& w) {
     return z.is_in_hardware() ? region(w) : region::in_balls(w);
   };
+  if (const auto far = erf_far_from_imaginary_axis(set)) return as_z_is(*far);
   // m is real where the set touches the real axis, or is so large that erf(m) is not known.
   complex_ball m = set.middle();
   complex_ball value(ball(0, 64));

@@ -534,6 +534,36 @@ TEST(Regions, HoldErf) {
   }
 }
 
+TEST(Regions, HoldErfFarFromTheImaginaryAxis) {
+  random_source random(41);
+  const expression f = read("erf(x)");
+  for (repeat trial(300); trial.again();) {
+    const auto up_to = [&](long most) {
+      return static_cast<double>(random.between(1, most * 64)) / 64;
+    };
+    const double x = random.one_in(4) ? 3 : up_to(8);
+    const double width = up_to(4);
+    const double y = random.one_in(3) ? 0 : up_to(3) - 1.5;
+    const double height = random.one_in(3) ? 1.0 / 1024 : up_to(2);
+    const int side = random.one_in(2) ? -1 : 1;
+    const double left = side > 0 ? x : -x - width;
+    const region z(double_interval(left, left + width), double_interval(y, y + height));
+    const region value = f(z);
+    ASSERT_TRUE(value.is_analytic());
+    for (const double s : {0.0, 0.5, 1.0}) {
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const complex_ball member(ball::exactly(left + s * width, 300),
+                                  ball::exactly(y + t * height, 300));
+        EXPECT_TRUE(contains(value.to_complex_ball(), polhode::erf(member).middle()))
+            << left << " + " << s << " * " << width << ", " << y << " + " << t << " * " << height;
+      }
+    }
+  }
+  const region far = f(region(double_interval(10, 12), double_interval(-0.5, 0.5)));
+  EXPECT_LT((far - region(ball(1, 64))).to_complex_ball().magnitude_upper(),
+            magnitude::power_of_two(-50));
+}
+
 TEST(Regions, HoldTheContinuationsAtTheirMembers) {
   random_source random(37);
   const char* formulas[] = {

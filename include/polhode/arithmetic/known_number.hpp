@@ -24,9 +24,8 @@ class known_number {
   static constexpr std::size_t longest = 4096;  // bits
   static constexpr precision usual_precision = 128;
 
-  known_number() : known_number(rational(0)) {}
-  explicit known_number(const rational& q, precision p = usual_precision)
-      : known_number(pi_combination{q, 0}, p) {}
+  known_number() : exact_(0), enclosure_(0, usual_precision) {}
+  explicit known_number(const rational& q, precision p = usual_precision);
   explicit known_number(const pi_combination& x, precision p = usual_precision);
   /// A ball without width is the exact number that it is.
   explicit known_number(ball x);
@@ -45,7 +44,9 @@ class known_number {
   [[nodiscard]] known_number like(const pi_combination& x) const {
     return known_number(x, enclosure_.precision());
   }
-  [[nodiscard]] known_number like(const rational& q) const { return like(pi_combination{q, 0}); }
+  [[nodiscard]] known_number like(const rational& q) const {
+    return known_number(q, enclosure_.precision());
+  }
   [[nodiscard]] known_number like(long n) const { return like(rational(n)); }
 
   friend known_number operator-(const known_number& x) {
@@ -53,6 +54,7 @@ class known_number {
     return known_number(-x.enclosure_);
   }
   friend known_number operator+(const known_number& x, const known_number& y) {
+    if (y.is_zero()) return x;
     if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ + *y.exact_));
     if (const auto s = x.form(), t = y.form(); s && t) return x.like(*s + *t);
     return known_number(x.enclosure_ + y.enclosure_);
@@ -60,9 +62,9 @@ class known_number {
   friend known_number operator-(const known_number& x, const known_number& y) { return x + (-y); }
   /// 0 times a number is 0, however little is known of the number if it is defined.
   friend known_number operator*(const known_number& x, const known_number& y) {
+    if (x.is_zero() && !y.enclosure_.is_undefined()) return x;
+    if (y.is_zero() && !x.enclosure_.is_undefined()) return x.like(0);
     if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ * *y.exact_));
-    const bool defined = !x.enclosure_.is_undefined() && !y.enclosure_.is_undefined();
-    if (defined && (x.is_zero() || y.is_zero())) return x.like(0);
     if (x.with_pi_ && y.exact_) return x.like(*x.with_pi_ * *y.exact_);
     if (x.exact_ && y.with_pi_) return x.like(*y.with_pi_ * *x.exact_);
     return known_number(x.enclosure_ * y.enclosure_);

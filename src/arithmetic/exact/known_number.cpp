@@ -23,6 +23,10 @@ bool is_short(const ball& x) {
 
 }  // namespace
 
+known_number::known_number(const rational& q, precision p) : enclosure_(q, p) {
+  if (is_short(q)) exact_ = q;
+}
+
 known_number::known_number(const pi_combination& x, precision p) : enclosure_(x.at(p)) {
   if (!is_short(x.q) || !is_short(x.r)) return;
   if (x.is_rational()) {

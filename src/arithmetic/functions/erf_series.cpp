@@ -1,7 +1,6 @@
 #include "erf_series.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
@@ -75,9 +74,9 @@ std::optional<ball> erf_by_series(const ball& x) {
   const precision p = x.precision();
   const magnitude size = m.magnitude_upper();
   if (size.is_zero() || size.log2_floor() < -2 * p) return std::nullopt;
-  // The terms increase up to about k = x^2.
-  const auto most = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(p)) / 2);
-  if (magnitude::from_integer_up(most) < size) return std::nullopt;
+  // Beyond x^2 = p log(2) erf(x) is 1 to p bits, which MPFR sees at once.
+  const auto most_square = static_cast<std::uint64_t>(0.7 * static_cast<double>(p));
+  if (magnitude::from_integer_up(most_square) < multiply_up(size, size)) return std::nullopt;
   const bool is_exact = x.is_exact();
   if (!is_exact && !(x.radius().is_zero() || x.radius().log2_floor() < size.log2_floor() - narrow))
     return std::nullopt;

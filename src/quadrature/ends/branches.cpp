@@ -108,6 +108,23 @@ traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
   return result;
 }
 
+bool is_away_from_changes(const formula& f, const ball& m) {
+  const recorded_nodes& nodes = f.at(m.precision());
+  evaluation<slope_jet> at(nodes, slope_jet::variable(m));
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!f.needs(i)) continue;
+    std::optional<long> branch;
+    if (nodes[i].is_piecewise()) {
+      const ball& value = at[nodes[i].decider][0];
+      branch = branch_over(nodes[i].what, value, false);
+      const std::optional<long> n = only_change(nodes[i].what, value);
+      if (!branch || !n || contains_zero(value - *n)) return false;
+    }
+    at.step(i, branch);
+  }
+  return true;
+}
+
 std::optional<choices> branches_beside(const formula& f, const pi_combination& m, int side,
                                        const rational& reach) {
   constexpr double most = 1e6;

@@ -47,6 +47,9 @@ struct traced {
 [[nodiscard]] traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
                            const crossing* given, int side);
 
+/// Proved: at m no decider is where its branch changes.
+[[nodiscard]] bool is_away_from_changes(const formula& f, const ball& m);
+
 /// The branches on (m, m + reach], or for side = -1 on [m - reach, m), each by the sign of its
 /// decider's series at m over all of it, or by its range: so also where a decider is 0 at m, of
 /// whatever order. None where one is not known.

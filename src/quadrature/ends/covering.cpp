@@ -72,9 +72,17 @@ std::optional<stretch> covering::resolved(const interval& x, const traced& t) {
 constexpr long most_tries = 200;
 constexpr double effort_of_series = 100;
 
+bool covering::is_away_from_changes(const ball& m) {
+  effort_ += static_cast<double>(f_.size());
+  return breaks::is_away_from_changes(f_, m);
+}
+
 std::vector<stretch> covering::beside_a_rational(const interval& x) {
-  if (++tries_ > most_tries) return {};
+  ++asked_;
+  if (tries_ > most_tries) return {};
   const rational m = simplest_between(x.low, x.high);
+  if (is_away_from_changes(ball(m, x.bits()))) return {};
+  ++tries_;
   std::vector<stretch> sides;
   for (const int side : {-1, 1}) {
     const rational reach = side < 0 ? m - x.low : x.high - m;
@@ -90,11 +98,13 @@ std::vector<stretch> covering::beside_a_rational(const interval& x) {
 
 std::optional<stretch> covering::around_a_multiple_of_pi(const interval& x) {
   constexpr long each = 4;  // of the intervals where a rational number was tried
-  if (tries_ > most_tries || tries_ % each != 0) return std::nullopt;
+  if (tries_ > most_tries || asked_ % each != 0) return std::nullopt;
   const precision p = x.bits() + 64;
   const std::optional<rational> turns = simplest_multiple_of_pi(x.low, x.high, p);
   if (!turns) return std::nullopt;
   const pi_combination m{0, *turns};
+  if (is_away_from_changes(m.at(p))) return std::nullopt;
+  ++tries_;
   const rational above = upper_rational(ball(x.high, p) - m.at(p));
   const rational below = upper_rational(m.at(p) - ball(x.low, p));
   effort_ += effort_of_series * static_cast<double>(f_.size());

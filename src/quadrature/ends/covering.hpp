@@ -36,6 +36,8 @@ class covering {
   /// The interval with its branches, with a break and what is beside it, or left as it is; nothing
   /// where it is to be cut first.
   [[nodiscard]] std::optional<stretch> resolved(const interval& x, const traced& t);
+  /// No branch changes at m: series beside it would tell no more than narrower intervals do.
+  [[nodiscard]] bool is_away_from_changes(const ball& m);
   /// At a simple rational number in x, at which a decider may be 0 without a simple crossing: what
   /// is on its two sides, by series; none where they do not tell.
   [[nodiscard]] std::vector<stretch> beside_a_rational(const interval& x);
@@ -50,6 +52,7 @@ class covering {
   double effort_ = 0;  // in evaluations of a node with few bits
   double most_effort_;
   long breaks_ = 0;
+  long asked_ = 0;  // for what is beside a rational number
   long tries_ = 0;  // with series
   std::vector<stretch> stretches_;
 };

@@ -28,6 +28,13 @@ Jet divided_by_t(const Jet& x) {
   return r;
 }
 
+/// G's jet -> that of t G, where t is at x: (t G)_k = x G_k + G_(k-1).
+template <class Jet, class Scalar>
+void times_distance(Jet& g, const Scalar& x) {
+  for (int k = g.order(); k > 0; --k) g[k] = x * g[k] + g[k - 1];
+  g[0] = x * g[0];
+}
+
 }  // namespace
 
 using remedy = end_series::remedy;
@@ -105,13 +112,11 @@ end_series end_series::moved(long powers) const {
   end_series r = *this;
   r.m_ -= powers;
   const double_interval side(-r_, r_);
+  const region square(side, side);
   for (term& g : r.terms_) {
-    const int n = g.at_0.order();
-    const centre_jet t = centre_jet::variable(known_number(), n);
-    const square_jet tt = square_jet::variable(region(side, side), n);
     for (long k = 0; k < powers; ++k) {
-      g.at_0 *= t;
-      g.over *= tt;
+      times_distance(g.at_0, known_number());
+      times_distance(g.over, square);
     }
   }
   return r;
