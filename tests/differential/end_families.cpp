@@ -383,6 +383,55 @@ integral_case removable(maker& m) {
   return r;
 }
 
+/// Multiples of pi that cancel: in the poles of circular functions at an end, with the logarithm
+/// of the sine as an antiderivative, and between arcs at infinity (Frullani). A divergent twin in
+/// one case of four.
+integral_case multiples_of_pi_cancel(maker& m) {
+  const bool diverges = m.one_in(4);
+  const term c = m.coefficient();
+  const term other = diverges ? c * m.any_of({term(2), term(1) / 2, -term(1), term("1.001")}) : c;
+  const term shift = m.one_in(3) ? m.rational_near(m.within(-2, 2)) : term(0);
+  const term t = m.one_in(3) ? x - shift : x;
+  const term end = t.text() == "x" ? term(0) : shift;  // where t is 0
+  const term a = m.rational_near(m.within(0.1, 1.4));
+  integral_case r{0, end + a, end + term("pi"), few_digits(m)};
+  r.diverges = diverges;
+  switch (m.between(0, 4)) {
+    case 0:
+      r.integrand = c / call("sin", t) - other / (end + term("pi") - x);
+      r.value = c * (call("log", 2) - call("log", call("tan", a / 2) * (term("pi") - a)));
+      break;
+    case 1:
+      r.integrand = c * call("tan", t) - other / (end + term("pi") / 2 - x);
+      r.to = end + term("pi") / 2;
+      r.value = c * call("log", call("cos", a) / (term("pi") / 2 - a));
+      break;
+    case 2:
+      r.integrand = c / power(call("sin", t), 2) - other / power(end + term("pi") - x, 2);
+      r.value = c * (call("cot", a) + 1 / (term("pi") - a));
+      break;
+    case 3: {
+      const term p = m.positive_rational();
+      const term q = m.positive_rational();
+      r.integrand = (c * call("atan", p * x) - other * call("atan", q * x)) / x;
+      r.from = 0;
+      r.to = "inf";
+      r.value = c * term("pi") / 2 * call("log", p / q);
+      break;
+    }
+    default: {  // atan(1/(p x)), as it may be written
+      const term p = m.positive_rational();
+      const term e = diverges ? m.quotient(m.within(0.4, 1)) : m.quotient(m.within(1.05, 3));
+      r.integrand = c * power(term("pi") / 2 - call("atan", p * x), e);
+      r.from = a;
+      r.to = "inf";
+      break;
+    }
+  }
+  if (diverges) r.value = std::nullopt;
+  return r;
+}
+
 /// Powers of logarithms, powers of the distance from any end with any exponent, exponentials of
 /// powers and of powers of logarithms: what is known by a change of the variable to an exponential.
 /// A divergent twin in one case of four.
@@ -642,6 +691,7 @@ std::vector<integral_family> end_families() {
           {"special tail", 6, mostly_cheap(special_tail)},
           {"turning point at an end", 12, mostly_cheap(turning_end)},
           {"removable", 10, mostly_cheap(removable)},
+          {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},
           {"by an exponential", 14, mostly_cheap(by_exponential)},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},

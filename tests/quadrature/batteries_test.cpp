@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"

@@ -1,6 +1,7 @@
 // Integrals up to a point where what stands under a root, a logarithm or a divisor vanishes, and
 // 0/0 by constants that cancel: where the point, or a value there, is no rational number.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,11 @@
 namespace polhode {
 namespace turning_points_test {
 
-end_point number(const std::string& text) { return end_point_of(parse(text, {})); }
+end_point number(const std::string& text) {
+  if (text == "inf") return end_point::infinity();
+  if (text == "-inf") return -end_point::infinity();
+  return end_point_of(parse(text, {}));
+}
 
 integral of(const std::string& f, const std::string& a, const std::string& b, long digits = 30) {
   return integrate(parse(f), number(a), number(b), {.digits = digits});
@@ -181,6 +186,41 @@ TEST(TurningPoints, DivergentTwinsAreNotCertified) {
     const integral i = of(k.f, k.from, k.to, 10);
     EXPECT_EQ(i.verdict, status::not_certified) << k.f;
     EXPECT_EQ(i.why, reason::not_integrable) << k.f << ": " << i.obstacle;
+  }
+}
+
+// Multiples of pi that cancel, in values at infinity and beside ends that are multiples of pi.
+TEST(TurningPoints, MultiplesOfPiCancel) {
+  const std::vector<known> all{
+      {"(atan(2*x)-atan(x))/x", "0", "inf", "pi/2*log(2)"},
+      {"(pi/2-atan(x))/x", "1", "inf", "catalan"},
+      {"(pi/2+atan(x))/x", "-inf", "-1", "-catalan"},
+      {"(pi/2-atan(x))/sqrt(x)", "0", "inf", "sqrt(2)*pi"},
+      {"(acos(x)-pi/2)/x", "0", "1", "-pi/2*log(2)"},
+      {"(asin(x)-pi/2)/(x-1)", "0", "1", "pi/2*log(2)+2*catalan"},
+      {"(asin(x)+pi/2)/(x+1)", "-1", "0", "pi/2*log(2)+2*catalan"},
+      {"(pi-acos(x))/(x+1)", "-1", "0", "pi/2*log(2)+2*catalan"},
+      {"tan(x)-1/(pi/2-x)", "0", "pi/2", "-log(pi/2)"},
+      {"1/sin(x)-1/(pi-x)", "1", "pi", "log(2)-log(tan(1/2))-log(pi-1)"},
+      {"1/sin(x)-1/x-1/(pi-x)", "0", "pi", "2*log(2/pi)"},
+      {"1/sin(x)^2-1/(pi-x)^2", "1", "pi", "cot(1)+1/(pi-1)"},
+      {"1/tan(x-1)+1/(1+pi-x)", "3", "1+pi", "-log(sin(2)/(pi-2))"},
+  };
+  for (const known& k : all) {
+    const integral i = of(k.f, k.from, k.to);
+    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(200))) << k.f;
+  }
+  for (const auto& [f, from, to] :
+       std::vector<std::array<const char*, 3>>{{"atan(2*x)-atan(3*x)", "0", "inf"},
+                                               {"(atan(2*x)-2*atan(x))/x", "1", "inf"},
+                                               {"pi/2-atan(x)", "0", "inf"},
+                                               {"(pi/2+atan(x))/x", "1", "inf"},
+                                               {"(asin(x)+pi/2)/(x-1)", "0", "1"},
+                                               {"tan(x)-2/(pi/2-x)", "0", "pi/2"},
+                                               {"1/sin(x)^2-1/(pi-x)^2-1/(pi-x)", "1", "pi"}}) {
+    const integral i = of(f, from, to);
+    EXPECT_EQ(i.why, reason::not_integrable) << f;
   }
 }
 

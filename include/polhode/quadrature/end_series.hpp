@@ -135,6 +135,10 @@ class end_series {
   [[nodiscard]] end_series constant_like(const ball& x) const {
     return constant(known_number(x), region(x));
   }
+  [[nodiscard]] end_series constant_like(const pi_combination& x) const {
+    const known_number c(x, bits);
+    return constant(c, region(c.enclosure()));
+  }
 
  private:
   static constexpr precision bits = known_number::usual_precision;

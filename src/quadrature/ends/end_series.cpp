@@ -417,13 +417,18 @@ end_series tan(const end_series& x) {
   return quotient.blocked_ ? r.with_any_remedy() : quotient;
 }
 
+/// r pi, exactly.
+static end_series half_turns_like(const end_series& x, const rational& r) {
+  return x.constant_like(pi_combination{0, r});
+}
+
 // At infinity: atan w = +-pi/2 - atan(1/w), and asinh w = +-log(|w| + sqrt(w^2 + 1)), with the sign
 // of w.
 end_series atan(const end_series& x) {
   const int sign = !x.blocked_ && x.m_ < 0 ? x.sign() : 0;
   if (sign != 0) {
     const end_series inverse = 1 / x;
-    return sign * pi(end_series::bits) / 2 -
+    return half_turns_like(inverse, rational(sign, 2)) -
            end_series::regular(inverse, "atan", [](const auto& g) { return atan(g); });
   }
   return end_series::regular(x, "atan", [](const auto& g) { return atan(g); }).with_any_remedy();
@@ -451,14 +456,14 @@ end_series acos(const end_series& x) {
   if (x.blocked_) return x;
   const std::optional<long> start = x.exact_value_at_0();
   if (start && *start == 1) return 2 * asin(sqrt((1 - x) / 2));
-  if (start && *start == -1) return pi(end_series::bits) - acos(-x);
+  if (start && *start == -1) return half_turns_like(x, 1) - acos(-x);
   return end_series::regular(x, "acos", [](const auto& g) { return acos(g); });
 }
 end_series asin(const end_series& x) {
   if (x.blocked_) return x;
   const std::optional<long> start = x.exact_value_at_0();
-  if (start && *start == 1) return pi(end_series::bits) / 2 - acos(x);
-  if (start && *start == -1) return acos(-x) - pi(end_series::bits) / 2;
+  if (start && *start == 1) return half_turns_like(x, rational(1, 2)) - acos(x);
+  if (start && *start == -1) return acos(-x) - half_turns_like(x, rational(1, 2));
   return end_series::regular(x, "asin", [](const auto& g) { return asin(g); });
 }
 // acosh w = 2 asinh sqrt((w - 1)/2) for w >= 1; acosh w = log(w + sqrt((w - 1)(w + 1))) at

@@ -277,6 +277,18 @@ bool decays_exponentially(const integrand& f, const end_of_range& end) {
   return false;
 }
 
+/// The same finite end with a rational distance, somewhat less; nothing where it is rational, or
+/// not known to have a sign.
+std::optional<end_of_range> with_rational_distance(const end_of_range& end) {
+  const ball s = end.distance.at(64);
+  if (end.infinite || end.distance.exact()) return std::nullopt;
+  if (!certainly_positive(s) && !certainly_negative(s)) return std::nullopt;
+  const rational a = lower_rational(s) * rational(certainly_positive(s) ? 7 : 15, 16);
+  const rational b = upper_rational(s) * rational(certainly_positive(s) ? 15 : 7, 16);
+  const end_point nearer(simplest_between(std::min(a, b), std::max(a, b)));
+  return end_of_range{end.at, nearer, false, end.end, sum_of(end.at, nearer, 1)};
+}
+
 /// The part from `end` (t = 0), where f is not regular, to t = 1. direction: 1 where x runs away
 /// from the end as the integral does.
 void add_part(preparation& result, const integrand& f, const end_of_range& end, int direction,
@@ -307,6 +319,15 @@ void add_part(preparation& result, const integrand& f, const end_of_range& end, 
       return;
     default:
       break;
+  }
+  // The scale of t is in each coefficient: with a rational one more of them cancel exactly.
+  const auto nearer = with_rational_distance(end);
+  if (nearer && look_at_end(f, *nearer).how != manner::unknown) {
+    const auto [left, right] =
+        direction > 0 ? std::pair(nearer->start, end.start) : std::pair(end.start, nearer->start);
+    result.segments.push_back(regular_segment(f, left, right));
+    result.parts.push_back({left, right});
+    return add_part(result, f, *nearer, direction, bits, prefers_exponential);
   }
   if (add_decaying_part(result, f, end, direction, bits)) return;
   if (add_oscillating_part(result, f, end, direction, place, bits)) return;
