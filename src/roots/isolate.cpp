@@ -38,6 +38,17 @@ std::vector<detail::exact_box> by_scale(const detail::exact_box& range) {
   return result;
 }
 
+/// Whether f is seen to be 0 everywhere, as the derivative of a constant: sin(x)^2 + cos(x)^2 - 1.
+bool is_zero_everywhere(const real_function& f) {
+  const expression* const formula = f.formula();
+  if (formula == nullptr || formula->variables().size() != 1) return false;
+  constexpr precision p = 128;
+  const ball value = f.at(p)->value(ball(rational(5, 7), p));  // one value other than 0 refutes it
+  if (value.is_undefined() || !contains_zero(value)) return false;
+  const auto antiderivative = formula->entire_antiderivative();
+  return antiderivative && antiderivative->exact_value();
+}
+
 /// n/d without common factors, and a polynomial without multiple roots whose roots are those of
 /// all divisors.
 struct in_lowest_terms {
@@ -75,7 +86,9 @@ root_search::root_search(const real_function& f, const end_point& lower, const e
                            true, pole_order});
   };
   const rational_quotient* const q = f.quotient().get();
-  if (q == nullptr || (q->numerator.is_zero() && !q->divisors.empty())) {
+  if (q == nullptr && is_zero_everywhere(f)) {
+    s->identically_zero = true;
+  } else if (q == nullptr || (q->numerator.is_zero() && !q->divisors.empty())) {
     s->problems.push_back({s->f, 1, false});
     s->settled.emplace_back(range);
     for (detail::exact_box& part : by_scale(range)) {

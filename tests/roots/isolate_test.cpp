@@ -601,10 +601,19 @@ TEST(IsolateRoots, Constants) {
   EXPECT_TRUE(isolate_roots([](const auto& x) { return x - x; }, 0, 1).identically_zero);
   expect_resolved(isolate_roots([](const auto&) { return 1; }, 0, 1), 0);
   expect_resolved(isolate_roots([](const auto& x) { return exp(x * 0); }, 0, 1), 0);
-  // 0 everywhere, which no enclosure proves: left open, without an endless search.
+  // By an antiderivative.
+  const auto circle = [](const auto& x) { return square(sin(x)) + square(cos(x)) - 1; };
+  EXPECT_TRUE(isolate_roots(circle, 0, 1).identically_zero);
+  EXPECT_TRUE(isolate_roots([](const auto& x) { return exp(x) - cosh(x) - sinh(x); }, -1, 1)
+                  .identically_zero);
+  EXPECT_FALSE(
+      isolate_roots([&](const auto& x) { return circle(x) * x + pow(x - rational(5, 7), 2); }, 0, 1)
+          .identically_zero);
+  // 0 everywhere, which neither enclosures nor the rules prove: left open, without an endless
+  // search.
   const root_set s =
-      isolate_roots([](const auto& x) { return square(sin(x)) + square(cos(x)) - 1; }, 0, 1,
-                    {.most_unresolved = 50});
+      isolate_roots([](const auto& x) { return atan(sin(x)) - atan(sin(2 * x) / (2 * cos(x))); }, 0,
+                    1, {.most_unresolved = 50});
   EXPECT_FALSE(s.is_resolved());
   ASSERT_EQ(s.regions.size(), 1U);
   EXPECT_TRUE(contains(s.regions[0].box, rational(1, 3)));
