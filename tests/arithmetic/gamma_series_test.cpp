@@ -191,6 +191,26 @@ TEST(GammaOfSets, HoldsThatOfMembers) {
   }
 }
 
+// Of a narrow set nothing is lost but what the derivative asks for, and little is given away.
+TEST(GammaOfSets, AreAsWideAsTheDerivativeMakesThem) {
+  for (const rational& x : {rational(1, 2), rational(9, 10), rational(13, 10), rational(5, 2),
+                            rational(7), rational(401, 20), rational(1'000'001, 10)}) {
+    SCOPED_TRACE(x);
+    // The widest of narrow sets, where that is not too wide for a linear bound.
+    const ball center = ball(x, 200).middle();
+    const bool is_large = x > 1000;
+    const ball radius = is_large ? ball(rational(1, 23), 200) : scale(center, -22);
+    const ball set = hull(center - radius, center + radius);
+    const ball value = gamma(set);
+    const ball slope = abs(digamma(ball(x, 200)) * gamma(ball(x, 200)));
+    for (const rational& end : {lower_rational(set), upper_rational(set)}) {
+      EXPECT_TRUE(contains(value, gamma(ball(end, 400)).middle()));
+    }
+    const rational widest(is_large ? 16 : 11, 10);
+    EXPECT_TRUE(certainly_less(value - value.middle(), slope * radius * widest));
+  }
+}
+
 /// (2/sqrt(pi)) times the sum of (-1)^k z^(2k+1)/(k! (2k+1)), another series, in so many bits that
 /// nothing is lost; what is left out is at most the last term once terms fall by half.
 complex_ball erf_by_powers(const complex_ball& z) {

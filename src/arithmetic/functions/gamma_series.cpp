@@ -76,6 +76,12 @@ plan plan_for(double re, double im, precision bits) {
 }
 
 /// At least |R_N(w)|, N = result of the plan. Hypothesis: Re w > 0.
+magnitude remainder(const ball& w, std::size_t terms, const stirling_constants& constants) {
+  constexpr precision few = 64;
+  const ball power = pow(w.with_precision(few), 1 - 2 * static_cast<long>(terms));
+  const ball left_out = constants.coefficients[terms - 1].with_precision(few) * power;
+  return left_out.magnitude_upper();
+}
 template <class T>
 magnitude remainder(const T& w, std::size_t terms, const stirling_constants& constants) {
   constexpr precision few = 64;
@@ -206,8 +212,36 @@ complex_ball change_from(const complex_ball& m, const complex_ball& set) {
   if (!slope.is_analytic()) return complex_ball::undefined(set.precision());
   return (set - m) * slope.convex_hull().to_complex_ball();
 }
+/// An enclosure of the digamma function over a set of numbers x > 0, unbounded where doubles do not
+/// reach: psi(x) = psi(x + n) - 1/x - ... - 1/(x + n - 1) (DLMF 5.5.2), and with N = 1 in the series
+/// above log(y) - 1/(2 y) - 1/(12 y^2) <= psi(y) <= log(y) - 1/(2 y).
+double_interval digamma_in_doubles(const ball& set) {
+  constexpr int steps = 6;
+  double_interval y = double_interval::from_ball(set);
+  double_interval sum = 0;
+  for (int k = 0; k < steps; ++k) {
+    sum -= 1 / y;
+    y += 1;
+  }
+  const double_interval inverse = 1 / y;
+  const double_interval rest(0, (square(inverse) / 12).upper());
+  return sum + log(y) - inverse / 2 - rest;
+}
 ball change_from(const ball& m, const ball& set) {
-  return change_from(complex_ball(m), complex_ball(set)).re;
+  const double_interval slope = digamma_in_doubles(set);
+  if (!slope.is_bounded()) return change_from(complex_ball(m), complex_ball(set)).re;
+  return (set - m) * to_ball(slope, set.precision());
+}
+
+/// value e^d, for an enclosure of d about 0: |e^d - 1| <= |d| + d^2 where |d| <= 1.
+ball times_exponential(const ball& value, const ball& d) {
+  const magnitude size = d.magnitude_upper();
+  if (!(size < magnitude::power_of_two(0))) return value * exp(d);
+  const magnitude change = add_up(size, multiply_up(size, size));
+  return value.enlarged(multiply_up(value.magnitude_upper(), change));
+}
+complex_ball times_exponential(const complex_ball& value, const complex_ball& d) {
+  return value * exp(d);
 }
 
 /// Gamma of a set with positive real parts.
@@ -216,7 +250,7 @@ T gamma_right_of_zero(const T& set, precision p) {
   const T m = set.is_exact() ? set : T(set.middle());
   const parts<T> found = parts_at(m, p);
   const T value = exp(found.logarithm) / found.product;
-  return set.is_exact() ? value : value * exp(change_from(m, set));
+  return set.is_exact() ? value : times_exponential(value, change_from(m, set));
 }
 
 /// sin(pi z) = (-1)^n sin(pi (z - n)), n the whole number next to Re z.
