@@ -213,8 +213,8 @@ complex_ball change_from(const complex_ball& m, const complex_ball& set) {
   return (set - m) * slope.convex_hull().to_complex_ball();
 }
 /// An enclosure of the digamma function over a set of numbers x > 0, unbounded where doubles do not
-/// reach: psi(x) = psi(x + n) - 1/x - ... - 1/(x + n - 1) (DLMF 5.5.2), and with N = 1 in the series
-/// above log(y) - 1/(2 y) - 1/(12 y^2) <= psi(y) <= log(y) - 1/(2 y).
+/// reach: psi(x) = psi(x + n) - 1/x - ... - 1/(x + n - 1) (DLMF 5.5.2), and by R_1' of the header
+/// log(y) - 1/(2 y) - 1/(12 y^2) <= psi(y) <= log(y) - 1/(2 y).
 double_interval digamma_in_doubles(const ball& set) {
   constexpr int steps = 6;
   double_interval y = double_interval::from_ball(set);
