@@ -157,23 +157,45 @@ std::optional<rational> simplest_between(const rational& lower, const rational& 
     if (!positive) return std::nullopt;
     return rational(-*positive);
   }
-  const integer whole = ceil_of(lower);
-  if (rational(whole) <= upper) return rational(whole);
-  // Both lie strictly between the same two integers.
-  const integer below = whole - 1;
-  /// 1 / (q - below) = d / (n - below d) for q = n/d, in lowest terms because q is, and positive.
-  const auto turned = [&below](const rational& q) {
-    const mpq_srcptr given = q.backend().data();
-    rational r;
-    const mpq_ptr result = r.backend().data();
-    mpz_set(mpq_numref(result), mpq_denref(given));
-    mpz_set(mpq_denref(result), mpq_numref(given));
-    mpz_submul(mpq_denref(result), below.backend().data(), mpq_denref(given));
-    return r;
+  // The continued fractions of a/b = lower and c/d = upper begin with the same terms; where they
+  // part, the least whole number between them is the last one. In place, as this is asked often.
+  integer a = numerator(lower);
+  integer b = denominator(lower);
+  integer c = numerator(upper);
+  integer d = denominator(upper);
+  // The convergent before the last, and the last.
+  integer above_before = 0;
+  integer below_before = 1;
+  integer above = 1;
+  integer below = 0;
+  integer term;
+  integer rest;
+  const auto append = [&] {  // h = term h + h before it
+    mpz_addmul(above_before.backend().data(), term.backend().data(), above.backend().data());
+    mpz_addmul(below_before.backend().data(), term.backend().data(), below.backend().data());
+    std::swap(above_before, above);
+    std::swap(below_before, below);
   };
-  const auto rest = simplest_between(turned(upper), turned(lower), most_terms - 1);
-  if (!rest) return std::nullopt;
-  return rational(below + 1 / *rest);
+  for (int terms = 0; terms < most_terms; ++terms) {
+    mpz_cdiv_qr(term.backend().data(), rest.backend().data(), a.backend().data(),
+                b.backend().data());
+    mpz_mul(rest.backend().data(), term.backend().data(), d.backend().data());
+    if (rest <= c) {
+      append();
+      rational result;
+      mpz_swap(mpq_numref(result.backend().data()), above.backend().data());
+      mpz_swap(mpq_denref(result.backend().data()), below.backend().data());
+      return result;  // convergents are in lowest terms
+    }
+    // Both lie strictly between term - 1 and term: 1/(q - (term - 1)) of them, in the other order.
+    --term;
+    append();
+    mpz_submul(a.backend().data(), term.backend().data(), b.backend().data());
+    mpz_submul(c.backend().data(), term.backend().data(), d.backend().data());
+    std::swap(a, d);
+    std::swap(b, c);
+  }
+  return std::nullopt;
 }
 
 std::optional<rational> exact_root(const rational& q, unsigned long n) {

@@ -11,14 +11,22 @@ namespace polhode::detail {
 
 namespace {
 
-bool is_less(const ball& x, const ball& y) {
-  return mpfr_less_p(lower(x).backend().data(), lower(y).backend().data()) != 0;
+/// From left to right by the lower ends of what place(x) is. Each end is computed once, and what is
+/// sorted is moved once.
+template <class T, class Place>
+std::vector<T> sorted(std::vector<T> given, const Place& place) {
+  std::vector<std::pair<mpfr_float, std::size_t>> order;
+  order.reserve(given.size());
+  for (const T& x : given) order.emplace_back(lower(place(x)), order.size());
+  std::ranges::stable_sort(order, {}, &std::pair<mpfr_float, std::size_t>::first);
+  std::vector<T> result;
+  result.reserve(given.size());
+  for (const auto& [end, i] : order) result.push_back(std::move(given[i]));
+  return result;
 }
 
 void in_order(std::vector<root_region>& regions) {
-  std::sort(regions.begin(), regions.end(), [](const root_region& x, const root_region& y) {
-    return is_less(x.enclosure, y.enclosure);
-  });
+  regions = sorted(std::move(regions), [](const root_region& r) { return r.enclosure; });
 }
 
 /// Roots of different factors, neither in the other's enclosure, may have enclosures that overlap:
@@ -105,9 +113,7 @@ void add_open(const root_search::state& s, std::vector<root_region>& regions) {
 
 /// From left to right; neighbouring places where f is not defined are one.
 std::vector<singular_place> in_order(std::vector<singular_place> given) {
-  std::sort(given.begin(), given.end(), [](const singular_place& x, const singular_place& y) {
-    return is_less(x.place, y.place);
-  });
+  given = sorted(std::move(given), [](const singular_place& x) { return x.place; });
   std::vector<singular_place> places;
   for (singular_place& place : given) {
     const bool joins = !places.empty() && places.back().pole_order == 0 && place.pole_order == 0 &&

@@ -222,7 +222,10 @@ class searcher {
   /// The number of the region in the list.
   std::size_t add(std::size_t problem, root_region r) {
     const auto about = double_interval::from_ball(r.box);
-    for (std::size_t i = 0; i < s_.found.size(); ++i) {
+    // A search goes from left to right: mostly the root is beyond all others.
+    const bool is_beyond = about.lower() > s_.end_of_found;
+    s_.end_of_found = std::max(s_.end_of_found, about.upper());
+    for (std::size_t i = is_beyond ? s_.found.size() : 0; i < s_.found.size(); ++i) {
       found_root& known = s_.found[i];
       if (is_one_root(r.verdict) && known.problem == problem && overlaps(known.about, about) &&
           is_the_same(known.region, r)) {

@@ -4,6 +4,7 @@
 // were found, and the pieces of the interval that are settled.
 
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -94,6 +95,8 @@ struct root_search::state {
   std::vector<detail::work_box> pending;        // a stack, the leftmost box on top
   std::vector<detail::work_box> stuck;
   std::vector<detail::found_root> found;
+  /// None of these lies beyond it.
+  double end_of_found = -std::numeric_limits<double>::infinity();
   std::vector<singular_place> singular;
   bool identically_zero = false;
   bool concluded = false;
