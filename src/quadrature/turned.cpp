@@ -42,27 +42,32 @@ std::optional<integral> integrate_between_turned_rays(const integrand& f, const 
   const rational first = a.exact() ? *a.exact() : upper_rational(*near_a);
   const rational last = b.exact() ? *b.exact() : lower_rational(*near_b);
   if (!(first < last)) return std::nullopt;
-  std::vector<part> parts;
-  if (!a.exact()) parts.push_back({f, a, first});
-  if (!b.exact()) parts.push_back({f, last, b});
   // On each side of 0 by itself.
   std::vector<std::pair<rational, rational>> sides{{first, last}};
   if (first < 0 && last > 0) sides = {{first, 0}, {0, last}};
-  bool any = false;
+  std::vector<std::optional<rays_of_range>> rays_of_sides;
   for (const auto& [lower, upper] : sides) {
-    const auto rays = f.between_turned_rays(lower, upper, least_turns);
+    rays_of_sides.push_back(f.between_turned_rays(lower, upper, least_turns));
+  }
+  const auto has_rays = [](const auto& rays) { return rays.has_value(); };
+  if (std::ranges::none_of(rays_of_sides, has_rays)) return std::nullopt;
+  std::vector<part> parts;
+  if (!a.exact()) parts.push_back({f, a, first});
+  if (!b.exact()) parts.push_back({f, last, b});
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const auto& [lower, upper] = sides[i];
+    const auto& rays = rays_of_sides[i];
     if (!rays) {
       parts.push_back({f, lower, upper});
       continue;
     }
-    any = true;
     for (const integrand& g : rays->added) parts.push_back({g, 0, end_point::infinity()});
     for (const integrand& g : rays->subtracted) parts.push_back({g, 0, end_point::infinity(), -1});
     for (const integrand& g : rays->steady) parts.push_back({g, rays->lower, rays->upper});
     if (lower != rays->lower) parts.push_back({f, lower, rays->lower});
     if (upper != rays->upper) parts.push_back({f, rays->upper, upper});
   }
-  return any ? sum_to_goal(parts, options) : std::nullopt;
+  return sum_to_goal(parts, options);
 }
 
 std::optional<integral> integrate_by_exponential(const integrand& f, const end_point& a,
