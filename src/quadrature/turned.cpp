@@ -46,6 +46,7 @@ std::optional<integral> integrate_between_turned_rays(const integrand& f, const 
   std::vector<std::pair<rational, rational>> sides{{first, last}};
   if (first < 0 && last > 0) sides = {{first, 0}, {0, last}};
   std::vector<std::optional<rays_of_range>> rays_of_sides;
+  rays_of_sides.reserve(sides.size());
   for (const auto& [lower, upper] : sides) {
     rays_of_sides.push_back(f.between_turned_rays(lower, upper, least_turns));
   }

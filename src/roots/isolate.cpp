@@ -86,16 +86,16 @@ root_search::root_search(const real_function& f, const end_point& lower, const e
                            true, pole_order});
   };
   const rational_quotient* const q = f.quotient().get();
-  if (q == nullptr && is_zero_everywhere(f)) {
-    s->identically_zero = true;
-  } else if (q == nullptr || (q->numerator.is_zero() && !q->divisors.empty())) {
+  s->identically_zero =
+      q == nullptr ? is_zero_everywhere(f) : q->numerator.is_zero() && q->divisors.empty();
+  if (s->identically_zero) {
+    // Nothing is searched.
+  } else if (q == nullptr || q->numerator.is_zero()) {
     s->problems.push_back({s->f, 1, false});
     s->settled.emplace_back(range);
     for (detail::exact_box& part : by_scale(range)) {
       s->pending.push_back({std::move(part), 0, detail::first_bits, 0, {}});
     }
-  } else if (q->numerator.is_zero()) {
-    s->identically_zero = true;
   } else {
     const in_lowest_terms g(*q);
     for (const repeated_factor& factor : square_free_decomposition(g.above)) {
