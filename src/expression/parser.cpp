@@ -14,6 +14,8 @@
 //
 // Only parentheses recurse, and their depth is limited before the grammar sees the text.
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstdlib>
@@ -119,6 +121,11 @@ class reader {
     throw expression_error(where, "there is no function " + quoted(given) +
                                       suggestion("; the nearest is ", given, function_names()));
   }
+  /// Whether f(x, y, z) is f(f(x, y), z).
+  static bool is_of_any_number(const function_row& function) {
+    constexpr std::array<std::string_view, 3> all{"min", "max", "hypot"};
+    return std::ranges::find(all, function.what.name) != all.end();
+  }
   void end_call() {
     const call last = called_.back();
     called_.pop_back();
@@ -127,6 +134,15 @@ class reader {
     values_.resize(last.first_argument);
     if (find_function(view(last.name)) == nullptr) return end_call_of_further(last.name, arguments);
     const function_row& function = *find_function(view(last.name));
+    if (arguments.size() > 2 && is_of_any_number(function)) {
+      return push(made(last.name.begin(), [&] {
+        node_id result = arguments.front();
+        for (std::size_t i = 1; i < arguments.size(); ++i) {
+          result = function.build(graph_, {result, arguments[i]});
+        }
+        return result;
+      }));
+    }
     if (static_cast<int>(arguments.size()) != function.arity) {
       throw expression_error(column(last.name.begin()),
                              function.what.name + " takes " + std::to_string(function.arity) +

@@ -83,11 +83,11 @@ enum class function_kind {
   MADE(acoth, "x", "inverse of coth: atanh(1/x)", "x < -1 or x > 1", inverse_hyperbolic_cotangent) \
   OF_ONE(abs, "x", "|x|", "all x", piecewise, everywhere) \
   MADE(sign, "x", "-1, 0 or 1 as x < 0, x = 0 or x > 0", "all x", sign_of) \
-  OF_EITHER(min, "x, y", "the smaller of both", "all x and y", piecewise, smaller_of) \
-  OF_EITHER(max, "x, y", "the greater of both", "all x and y", piecewise, greater_of) \
+  OF_EITHER(min, "x, y", "the smaller of both; of several: min(x, y, z)", "all x and y", piecewise, smaller_of) \
+  OF_EITHER(max, "x, y", "the greater of both; of several: max(x, y, z)", "all x and y", piecewise, greater_of) \
   OF_ONE(floor, "x", "greatest integer <= x", "all x", piecewise, everywhere) \
   OF_ONE(ceil, "x", "least integer >= x", "all x", piecewise, everywhere) \
-  OF_EITHER(hypot, "x, y", "sqrt(x^2 + y^2)", "all x and y", algebraic, hypot_of) \
+  OF_EITHER(hypot, "x, y", "sqrt(x^2 + y^2); of several: hypot(x, y, z)", "all x and y", algebraic, hypot_of) \
   OF_EITHER(agm, "x, y", "arithmetic-geometric mean", "x >= 0 and y >= 0", elementary, agm_of) \
   OF_ONE(gamma, "x", "Euler's gamma function", "no whole number <= 0", special, gamma_of) \
   OF_ONE(log_gamma, "x", "log |gamma(x)|", "no whole number <= 0", special, log_gamma_of) \
