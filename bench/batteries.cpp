@@ -4,9 +4,10 @@
 // Every program has the same formula, in the order of its operations. Arb's evaluation says where
 // it is analytic; Arb is given the fewest guard bits, of 16, 64, 256, 1024 and 4096, with which its
 // answer is as accurate as was asked; where the range is infinite, or f singular at an end, a part
-// of the range, and a bound of the rest. PARI's intnum is given the ends and nothing else, which
-// reads them from the formula's text; behind its time is the error of its result. Times are those
-// of a call after a first one. A call of more than 20 s is not waited for.
+// of the range, and a bound of the rest. A result of Arb's that is disjoint from ours ends the
+// program. PARI's intnum reads the formula as a text, and is given the ends and nothing else;
+// behind its time is the error of its result. Times are those of a call after a first one. A call
+// of more than 20 s is not waited for.
 
 #include <algorithm>
 #include <cstdio>
@@ -63,7 +64,8 @@ ball certified(const battery_integral& i) {
 }
 
 /// The seconds of a later call of f, which answers whether its result is as accurate as was asked;
-/// none where it is not, or takes too long. What the libraries say of it is not shown.
+/// none where it is not, or takes too long. What the libraries say of it is not shown. Throws
+/// std::logic_error where f does: the results contradict.
 template <class F>
 std::optional<double> seconds_of_later_call(const F& f) {
   constexpr unsigned most_seconds = 20;
@@ -73,12 +75,17 @@ std::optional<double> seconds_of_later_call(const F& f) {
       [[maybe_unused]] const auto* const silenced = std::freopen("/dev/null", "w", stderr);
       bool is_accurate = true;
       const auto call = [&] { is_accurate = f() && is_accurate; };
-      const double first = processor_seconds_of(call, 1);
-      if (!is_accurate) return 0.0;
-      constexpr double least = 0.02;
-      const long calls = std::clamp(static_cast<long>(least / std::max(first, 1e-6)), 1L, 1000L);
-      return processor_seconds_of(call, calls) / static_cast<double>(calls);
+      try {
+        const double first = processor_seconds_of(call, 1);
+        if (!is_accurate) return 0.0;
+        constexpr double least = 0.02;
+        const long calls = std::clamp(static_cast<long>(least / std::max(first, 1e-6)), 1L, 1000L);
+        return processor_seconds_of(call, calls) / static_cast<double>(calls);
+      } catch (const std::logic_error&) {
+        return -1.0;
+      }
     });
+    if (seconds < 0) throw std::logic_error("the contestants' results are disjoint");
     if (seconds > 0) return seconds;
   } catch (const std::runtime_error&) {  // the child was ended
   }
@@ -125,8 +132,8 @@ std::optional<double> seconds_of_arb(const battery_integral& i, const ball& valu
       if (arb_is_finite(result.get()) == 0) return false;
       const long bits = bits_for_digits(least_digits);
       const ball theirs = from_arb(result.get(), bits + guard);
-      const bool is_accurate = theirs.radius() <= scale(theirs.magnitude_lower(), -bits);
-      return is_accurate && overlaps(value, theirs);
+      if (!overlaps(value, theirs)) throw std::logic_error(i.formula + ": disjoint from Arb's");
+      return theirs.radius() <= scale(theirs.magnitude_lower(), -bits);
     });
     if (seconds) return seconds;
   }

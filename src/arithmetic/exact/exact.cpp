@@ -169,7 +169,7 @@ std::optional<rational> simplest_between(const rational& lower, const rational& 
   integer above = 1;
   integer below = 0;
   integer term;
-  integer rest;
+  integer multiple;
   const auto append = [&] {  // h = term h + h before it
     mpz_addmul(above_before.backend().data(), term.backend().data(), above.backend().data());
     mpz_addmul(below_before.backend().data(), term.backend().data(), below.backend().data());
@@ -177,10 +177,9 @@ std::optional<rational> simplest_between(const rational& lower, const rational& 
     std::swap(below_before, below);
   };
   for (int terms = 0; terms < most_terms; ++terms) {
-    mpz_cdiv_qr(term.backend().data(), rest.backend().data(), a.backend().data(),
-                b.backend().data());
-    mpz_mul(rest.backend().data(), term.backend().data(), d.backend().data());
-    if (rest <= c) {
+    mpz_cdiv_q(term.backend().data(), a.backend().data(), b.backend().data());
+    mpz_mul(multiple.backend().data(), term.backend().data(), d.backend().data());
+    if (multiple <= c) {  // term <= upper
       append();
       rational result;
       mpz_swap(mpq_numref(result.backend().data()), above.backend().data());
