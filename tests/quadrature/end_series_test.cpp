@@ -120,6 +120,14 @@ void check_at(const end_series& h, const ball& t, const ball& value) {
   }
 }
 
+// 1 + t, whose two terms have other powers of t: the bounds are those of the sum, for |t| <= 1/2.
+TEST(EndSeries, BoundsOfASumAreOverTheWholeSquare) {
+  const known_number one(rational(1));
+  const end_series x = end_series::argument(one, one, 1, 0.5);
+  EXPECT_GE(x.supremum(0), magnitude::from_bits_down(3, -1));
+  EXPECT_GE(x.real_range().upper(), 1.5);
+}
+
 TEST(EndSeries, HoldsRandomExpressions) {
   support::random_source random(21);
   long open = 0;
