@@ -410,7 +410,8 @@ class landen_steps {
   }
 
  private:
-  static constexpr precision rough_bits = 96;
+  // Steps square the ratio b/a: there are fewer than 40 for what numbers hold.
+  static constexpr precision rough_bits = 64;
 
   [[nodiscard]] bool is_found() const {
     const bool mean_found = log2_up(divide_up(size_up(T(a_ - b_)), size_down(b_))) <= wanted_;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "arithmetic/functions/elementary/carrying.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "support/exact_set.hpp"
@@ -143,6 +144,35 @@ TEST(RoundingErrors, OfComplexProductsHoldTheCorners) {
       EXPECT_TRUE(holds(product.im, rational(x * v + y * u)));
       EXPECT_TRUE(holds(squared.re, rational(x * x - y * y)));
       EXPECT_TRUE(holds(squared.im, rational(2 * x * y)));
+    }
+  }
+}
+
+/// magnitude as the rational that it is.
+rational exact(const magnitude& m) {
+  return rational(integer(m.fraction())) * support::power_of_two(m.exponent());
+}
+
+TEST(RoundingErrors, OfCofunctionsAreNearlyAttained) {
+  random_source random(83);
+  for (repeat trial(6000); trial.again();) {
+    const precision p = random.one_in(2) ? 53 : random.between(30, 300);
+    // 1 - |y| between 2^-1 and 2^-40, or y anywhere.
+    const rational rest = rational(1 + random.between(0, 1L << 30), (1L << 30) + 1) *
+                          support::power_of_two(-random.between(0, 40));
+    support::real y(p,
+                    random.one_in(8) ? rational(random.between(1, 1000), 1001) : rational(1 - rest),
+                    random.one_in(2) ? MPFR_RNDU : MPFR_RNDD);
+    const rational middle = support::exact(ball::from_midpoint_radius(y, {})).lower.value();
+    if (random.one_in(2)) mpfr_neg(y, y, MPFR_RNDN);
+    // The number that y stands for may be smaller by half a unit of its last place and a little.
+    const rational unit = support::power_of_two(mpfr_get_exp(static_cast<mpfr_srcptr>(y)) - p);
+    const rational least = middle - unit * rational(513, 1024);
+    const rational bound = exact(detail::elementary::cofunction_up(y));
+    const rational square = 1 - (least > 0 ? rational(least * least) : rational(0));
+    EXPECT_GE(bound * bound, square) << middle << " with " << p << " bits";
+    if (p >= 53 && square > support::power_of_two(-20)) {
+      EXPECT_LE(bound * bound, square * (1 + support::power_of_two(-26))) << middle;
     }
   }
 }

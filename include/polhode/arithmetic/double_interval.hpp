@@ -395,6 +395,8 @@ std::ostream& operator<<(std::ostream& out, const double_interval& x);
 /// x^n; x^0 = 1 everywhere.
 [[nodiscard]] double_interval pow(double_interval x, long n);
 [[nodiscard]] double_interval hypot(double_interval x, double_interval y);
+/// Its upper end.
+[[nodiscard]] double hypot_up(double_interval x, double_interval y);
 
 [[nodiscard]] double_interval exp(double_interval x);
 [[nodiscard]] double_interval expm1(double_interval x);

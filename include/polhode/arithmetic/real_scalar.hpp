@@ -73,6 +73,10 @@ template <elliptic_scalar T>
 
 // x * 2^n.
 [[nodiscard]] inline ball scaled(const ball& x, long n) { return scale(x, n); }
+[[nodiscard]] inline ball scaled(ball&& x, long n) {
+  scale(x, x, n);
+  return std::move(x);
+}
 [[nodiscard]] inline mpfr_float scaled(const mpfr_float& x, long n) {
   mpfr_float r = zero_of_precision(precision_of(x));
   mpfr_mul_2si(r.backend().data(), x.backend().data(), n, MPFR_RNDN);

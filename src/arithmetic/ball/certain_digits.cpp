@@ -4,13 +4,6 @@
 
 namespace polhode {
 
-bool shows_digits(const ball& x, long digits) {
-  if (!x.is_bounded()) return false;
-  if (to_decimal_enclosure(x, digits).has_cut(digits)) return true;
-  constexpr long spare = 30;
-  return to_decimal_enclosure(x, digits + spare).has(digits + spare);
-}
-
 ball enclose_to_digits(const enclosing_function& f, long digits, precision most_guard) {
   const precision needed = bits_for_digits(digits);
   for (precision guard = 32; guard <= most_guard; guard *= 2) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ball_access.hpp"
+#include "polhode/arithmetic/certain_digits.hpp"
 
 namespace polhode {
 
@@ -224,33 +225,48 @@ unsigned long width_in_units(mpfr_srcptr width, long exponent) {
   return mpfr_get_ui(quotient.get(), MPFR_RNDU) + 1;
 }
 
-/// The enclosure of a narrow set of one sign from a single conversion to decimals, which is most of
-/// the cost at many digits: of |x|'s lower end, cut off after 8 digits more than asked for. Every
-/// member's size then lies between that numeral and the numeral plus the width in units of its last
-/// digit plus 1.
-std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most_digits) {
+/// Numerals of one size below and above the sizes of all members of a narrow set of one sign, and
+/// the sign.
+struct numerals {
+  int sign;
+  decimal below;
+  std::string above;
+};
+
+/// Numerals that share their first so many digits, from a single conversion to decimals, which is
+/// most of the cost at many digits: of |x|'s lower end, cut off after 8 digits more than asked for.
+/// Every member's size then lies between that numeral and the numeral plus the width in units of
+/// its last digit plus 1.
+std::optional<numerals> numerals_sharing(const end_points& e, long most_digits) {
   const int sign = mpfr_sgn(e.lower());
   if (sign == 0 || sign != mpfr_sgn(e.upper())) return std::nullopt;
-  decimal low = rounded(sign > 0 ? e.lower() : e.upper(), most_digits + 8, MPFR_RNDZ);
-  low.negative = sign < 0;
+  numerals result{sign, rounded(sign > 0 ? e.lower() : e.upper(), most_digits + 8, MPFR_RNDZ), {}};
+  result.below.negative = sign < 0;
   mpfr_cell width(64);
   mpfr_sub(width.get(), e.upper(), e.lower(), MPFR_RNDU);
-  const unsigned long units = width_in_units(width.get(), low.exponent - (most_digits + 8));
-  decimal high = low;
-  if (units == 0 || !add_to_numeral(high.digits, units + 1)) return std::nullopt;
-
-  const auto wanted = low.digits.begin() + most_digits;
-  const auto shared = std::mismatch(low.digits.begin(), wanted, high.digits.begin()).first;
-  const auto digits = static_cast<std::size_t>(shared - low.digits.begin());
+  const unsigned long units =
+      width_in_units(width.get(), result.below.exponent - (most_digits + 8));
+  result.above = result.below.digits;
+  if (units == 0 || !add_to_numeral(result.above, units + 1)) return std::nullopt;
   // A set this narrow changes a wanted digit only by a carry through a run of nines, which may be
   // the numerals' and not the ends': the ends decide.
-  if (shared != wanted) return std::nullopt;
-  decimal value = low;
-  value.digits.resize(digits);
-  low.digits.resize(digits + 3);
-  high.digits.resize(digits + 3);
+  const auto wanted = static_cast<std::size_t>(most_digits);
+  if (result.below.digits.compare(0, wanted, result.above, 0, wanted) != 0) return std::nullopt;
+  return result;
+}
+
+/// The enclosure of a narrow set of one sign.
+std::optional<decimal_enclosure> narrow_enclosure(const end_points& e, long most_digits) {
+  std::optional<numerals> n = numerals_sharing(e, most_digits);
+  if (!n) return std::nullopt;
+  decimal value = n->below;
+  value.digits.resize(static_cast<std::size_t>(most_digits));
+  decimal low = std::move(n->below);
+  decimal high{low.negative, std::move(n->above), low.exponent};
+  low.digits.resize(value.digits.size() + 3);
+  high.digits.resize(value.digits.size() + 3);
   if (!add_to_numeral(high.digits, 1)) return std::nullopt;
-  if (sign < 0) std::swap(low, high);
+  if (n->sign < 0) std::swap(low, high);
   return assembled(value, std::move(low), std::move(high), most_digits, most_digits);
 }
 
@@ -344,6 +360,21 @@ decimal_enclosure to_decimal_enclosure(const ball& x, long most_digits) {
   const bool cut = shared_digits >= most_digits;
   const decimal value = cut ? shared : rounded_middle(e, most_digits, x.precision() + 64);
   return assembled(value, std::move(low), std::move(high), shared_digits, most_digits);
+}
+
+bool shows_digits(const ball& x, long digits) {
+  if (!x.is_bounded()) return false;
+  // Without the texts of an enclosure, where that is enough.
+  if (!x.is_exact() && useful_digits(x, digits) == digits) {
+    const end_points e(x, x.precision() + 32);
+    if (mpfr_number_p(e.lower()) != 0 && mpfr_number_p(e.upper()) != 0 &&
+        numerals_sharing(e, digits)) {
+      return true;
+    }
+  }
+  if (to_decimal_enclosure(x, digits).has_cut(digits)) return true;
+  constexpr long spare = 30;
+  return to_decimal_enclosure(x, digits + spare).has(digits + spare);
 }
 
 std::string to_text(const decimal_enclosure& d) {

@@ -96,8 +96,8 @@ magnitude to_magnitude(double x, bool up) {
 magnitude region::magnitude_upper() const {
   if (!is_analytic()) return magnitude::infinity();
   if (balls_ != nullptr) return balls_->magnitude_upper();
-  const scaled_interval size = modulus();
-  return scale(to_magnitude(size.m.upper(), true), size.exponent);
+  const double size = knows_modulus() ? modulus().m.upper() : hypot_up(hardware_.re, hardware_.im);
+  return scale(to_magnitude(size, true), exponent_);
 }
 magnitude region::magnitude_lower() const {
   if (!is_analytic()) return {};

@@ -95,6 +95,11 @@ double_interval pow(double_interval x, long n) {
   return certainly_negative(x) && !is_even ? -result : result;
 }
 
+double hypot_up(double_interval x, double_interval y) {
+  if (x.is_undefined() || y.is_undefined()) return infinity;
+  return hypot_end(x.magnitude(), y.magnitude(), true);
+}
+
 double_interval hypot(double_interval x, double_interval y) {
   if (x.is_undefined() || y.is_undefined()) return double_interval::undefined();
   return from_ends(hypot_end(x.mignitude(), y.mignitude(), false),

@@ -53,17 +53,16 @@ void multiply_by(hyperexponential& f, const polynomial_power& p) {
   f.powers.push_back(p);
 }
 
-hyperexponential product(const hyperexponential& f, const hyperexponential& g) {
-  hyperexponential result = f;
-  result.coefficient *= g.coefficient;
-  for (const constant_power& c : g.constants) multiply_by(result, c);
-  for (const polynomial_power& p : g.powers) multiply_by(result, p);
-  if (!g.exponent.is_zero()) result.exponent = result.exponent + g.exponent;
+hyperexponential product(hyperexponential f, const hyperexponential& g) {
+  f.coefficient *= g.coefficient;
+  for (const constant_power& c : g.constants) multiply_by(f, c);
+  for (const polynomial_power& p : g.powers) multiply_by(f, p);
+  if (!g.exponent.is_zero()) f.exponent = f.exponent + g.exponent;
   if (!g.phase.is_zero()) {  // f has none
-    result.phase = g.phase;
-    result.is_sine = g.is_sine;
+    f.phase = g.phase;
+    f.is_sine = g.is_sine;
   }
-  return result;
+  return f;
 }
 
 /// f times the cosine or sine of t, where f has none of its own.
@@ -76,9 +75,18 @@ hyperexponential with_phase(hyperexponential f, const rational_polynomial& t, bo
   return f;
 }
 
+/// The sum of these alone: what an initializer list holds is copied.
+template <class... F>
+hyperexponential_sum sum_of(F&&... f) {
+  hyperexponential_sum result;
+  result.reserve(sizeof...(f));
+  (result.push_back(std::forward<F>(f)), ...);
+  return result;
+}
+
 /// f g, a sum where both have a phase.
 hyperexponential_sum products(const hyperexponential& f, const hyperexponential& g) {
-  if (f.phase.is_zero() || g.phase.is_zero()) return {product(f, g)};
+  if (f.phase.is_zero() || g.phase.is_zero()) return sum_of(product(f, g));
   hyperexponential x = f;
   hyperexponential y = g;
   x.phase = y.phase = {};
@@ -92,8 +100,8 @@ hyperexponential_sum products(const hyperexponential& f, const hyperexponential&
   // 2 cos a cos b = cos(a-b) + cos(a+b), 2 sin a sin b = cos(a-b) - cos(a+b),
   // 2 sin a cos b = sin(a-b) + sin(a+b), 2 cos a sin b = -sin(a-b) + sin(a+b).
   const bool is_sine = f.is_sine != g.is_sine;
-  return {with_phase(is_sine && g.is_sine ? negative : both, difference, is_sine),
-          with_phase(f.is_sine && g.is_sine ? negative : both, total, is_sine)};
+  return sum_of(with_phase(is_sine && g.is_sine ? negative : both, difference, is_sine),
+                with_phase(f.is_sine && g.is_sine ? negative : both, total, is_sine));
 }
 
 /// The exponent of a base; 0 where f does not have it.
@@ -151,8 +159,8 @@ maybe_sum taking_apart::multiplied(const hyperexponential_sum& f,
   hyperexponential_sum result;
   for (const hyperexponential& x : f) {
     for (const hyperexponential& y : g) {
-      for (const hyperexponential& term : products(x, y)) {
-        if (term.powers.size() > most_factors || !add(result, term)) return std::nullopt;
+      for (hyperexponential& term : products(x, y)) {
+        if (term.powers.size() > most_factors || !add(result, std::move(term))) return std::nullopt;
       }
     }
   }
@@ -194,7 +202,7 @@ maybe_sum taking_apart::raised(const hyperexponential_sum& f, const rational& e)
     result.coefficient = power;
     std::erase_if(result.powers,
                   [](const polynomial_power& p) { return p.exponent == 0 && !p.must_be_positive; });
-    return hyperexponential_sum{result};
+    return sum_of(std::move(result));
   }
   // Positive where its polynomials are.
   if (result.coefficient < 0) return std::nullopt;
@@ -207,7 +215,7 @@ maybe_sum taking_apart::raised(const hyperexponential_sum& f, const rational& e)
     multiply_by(result, c);
   }
   for (polynomial_power& p : result.powers) p.must_be_positive = true;
-  return hyperexponential_sum{result};
+  return sum_of(std::move(result));
 }
 
 std::optional<rational_polynomial> taking_apart::as_polynomial(const hyperexponential_sum& f) {
@@ -235,11 +243,7 @@ std::optional<rational_polynomial> taking_apart::polynomial_of(
   return result;
 }
 
-bool taking_apart::add(hyperexponential_sum& f, const hyperexponential& g) const {
-  if (g.coefficient == 0 && f.empty()) {
-    f.push_back(g);
-    return true;
-  }
+bool taking_apart::add(hyperexponential_sum& f, hyperexponential g) const {
   for (auto i = f.begin(); i != f.end(); ++i) {
     const bool is_alike = i->exponent == g.exponent && i->phase == g.phase &&
                           i->is_sine == g.is_sine && have_same_constants(*i, g);
@@ -287,10 +291,10 @@ bool taking_apart::add(hyperexponential_sum& f, const hyperexponential& g) const
       f.erase(i);
       return true;
     }
-    *i = product(common, of_polynomial(both));
+    *i = product(std::move(common), of_polynomial(both));
     return true;
   }
-  f.push_back(g);
+  f.push_back(std::move(g));
   return true;
 }
 

@@ -27,7 +27,7 @@ constexpr long greatest_degree = 32;
 /// f with c among its constants.
 void multiply_by(hyperexponential& f, const constant_power& c);
 /// f g, where at most one of them has a phase.
-[[nodiscard]] hyperexponential product(const hyperexponential& f, const hyperexponential& g);
+[[nodiscard]] hyperexponential product(hyperexponential f, const hyperexponential& g);
 /// f cos(t), or f sin(t).
 [[nodiscard]] hyperexponential with_phase(hyperexponential f, const rational_polynomial& t,
                                           bool is_sine);
@@ -56,7 +56,7 @@ class taking_apart {
       const rational& coefficient, const std::vector<polynomial_power>& powers);
 
   /// Adds g to f; false where nothing can be said.
-  [[nodiscard]] bool add(hyperexponential_sum& f, const hyperexponential& g) const;
+  [[nodiscard]] bool add(hyperexponential_sum& f, hyperexponential g) const;
 
   rational inside_;
 };
