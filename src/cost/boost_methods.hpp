@@ -1,21 +1,16 @@
 #pragma once
 
-// Boost.Math's quadrature and elliptic integrals over mpfr_float, to be measured beside our own.
+// Methods over mpfr_float and double, Boost.Math's among them, to be measured beside our own.
 
 #include <functional>
 
+#include "boost_rules.hpp"
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "quantity.hpp"
 
 namespace polhode::cost {
 
-/// A function over a finite range, at mpfr_float's precision of the moment.
-struct uncertified_integral {
-  std::function<mpfr_float(const mpfr_float& x)> f;
-  mpfr_float from;
-  mpfr_float to;
-};
-/// Makes it, with constants at that precision.
+/// Makes one, with constants at mpfr_float's precision of the moment.
 using integral_maker = std::function<uncertified_integral()>;
 
 [[nodiscard]] method boost_tanh_sinh(integral_maker make);
@@ -26,11 +21,5 @@ using integral_maker = std::function<uncertified_integral()>;
                                    std::function<mpfr_float()> compute);
 /// A value computed in double.
 [[nodiscard]] method in_double(std::string description, std::function<double()> compute);
-
-[[nodiscard]] mpfr_float boost_rf(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z);
-[[nodiscard]] mpfr_float boost_rj(const mpfr_float& x, const mpfr_float& y, const mpfr_float& z,
-                                  const mpfr_float& p);
-[[nodiscard]] double boost_rf(double x, double y, double z);
-[[nodiscard]] double boost_rj(double x, double y, double z, double p);
 
 }  // namespace polhode::cost

@@ -18,7 +18,9 @@ region region::rotating(double_interval size, double_interval angle) {
   const auto [sine, cosine] = sin_cos(angle);
   region r;
   r.hardware_ = {times(size, cosine), times(size, sine)};
-  return std::move(r).with_modulus({size, 0});
+  // The rectangle does not say more: a product of the size and both functions, each rounded.
+  if (r.is_analytic() && r.is_in_hardware() && !size.is_undefined()) r.modulus_ = size;
+  return r;
 }
 region exp(const region& z) {
   // Far from overflow and underflow the hardware's operations do.

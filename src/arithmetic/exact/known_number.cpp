@@ -77,7 +77,7 @@ POLHODE_KNOWN_AT(atanh, 0, 0)
 namespace {
 
 /// k where x is k pi/2, counted modulo 4.
-std::optional<int> quarter_turns(const known_number& x) {
+std::optional<int> quarters_in(const known_number& x) {
   const auto form = x.form();
   if (!form || form->q != 0) return std::nullopt;
   const rational twice = 2 * form->r;
@@ -89,16 +89,16 @@ std::optional<int> quarter_turns(const known_number& x) {
 
 known_number sin(const known_number& x) {
   constexpr std::array<long, 4> values = {0, 1, 0, -1};
-  if (const auto k = quarter_turns(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
+  if (const auto k = quarters_in(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
   return known_number(sin(x.enclosure()));
 }
 known_number cos(const known_number& x) {
   constexpr std::array<long, 4> values = {1, 0, -1, 0};
-  if (const auto k = quarter_turns(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
+  if (const auto k = quarters_in(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
   return known_number(cos(x.enclosure()));
 }
 known_number tan(const known_number& x) {
-  const auto k = quarter_turns(x);
+  const auto k = quarters_in(x);
   if (k && *k % 2 == 0) return x.like(0);
   return known_number(tan(x.enclosure()));
 }

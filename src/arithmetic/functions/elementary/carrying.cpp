@@ -50,9 +50,9 @@ magnitude one_minus_abs_down(mpfr_srcptr x) {
 
 // In hardware doubles where y has p >= 53 bits. Let t <= |y| have y's first 53 bits, e <= 2^-52
 // bound the error of y, and u = 2^-53. Then |v| >= t - e, so that 1 - v^2 <= 1 - t^2 + 2 e; the
-// hardware's square and difference are each wrong by at most u, so that 1 - v^2 <= s + 2^-50 where s
-// is what it computes. Adding 2^-49 to s <= 1 loses at most 2^-52 by rounding, and the square root
-// at most 2^-53 of itself, fewer than 2^8 units of 2^-60. Below 2^-16 that would be coarse.
+// hardware's square and difference are each wrong by at most u, so that 1 - v^2 <= s + 2^-50 where
+// s is what it computes. Adding 2^-49 to s <= 1 loses at most 2^-52 by rounding, and the square
+// root at most 2^-53 of itself, fewer than 2^8 units of 2^-60. Below 2^-16 that would be coarse.
 magnitude cofunction_up(mpfr_srcptr y) {
   const precision p = mpfr_get_prec(y);
   if (p >= 53 && mpfr_regular_p(y) != 0 && mpfr_get_exp(y) <= 0 && mpfr_get_exp(y) > -64) {
