@@ -1,4 +1,5 @@
 #include "exact_value.hpp"
+#include "graph.hpp"
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode {
@@ -90,25 +91,82 @@ std::optional<pi_combination> exact_result(const instruction& i,
   }
 }
 
+/// The formula of an instruction: null where it is not of exact numbers, or of a function beyond the
+/// table.
+exact_formula::pointer formula_of(const instruction& i, const exact_formula::pointer& x,
+                                  const exact_formula::pointer& y) {
+  const auto whole = [&] { return exact_formula::of(pi_combination{rational(i.number), 0}); };
+  switch (i.what) {
+    case operation::further:
+      return nullptr;
+    case operation::zeta:
+      return exact_formula::of("zeta", {whole()});
+    case operation::negate:
+      return exact_formula::of("-", {x});
+    case operation::power_integer:
+      return exact_formula::of("pow", {x, whole()});
+    case operation::root:
+      return exact_formula::of("root", {x, whole()});
+    case operation::add:
+      return exact_formula::of("+", {x, y});
+    case operation::subtract:
+      return exact_formula::of("-", {x, y});
+    case operation::multiply:
+      return exact_formula::of("*", {x, y});
+    case operation::divide:
+      return exact_formula::of("/", {x, y});
+    case operation::power:
+      return exact_formula::of("pow", {x, y});
+    default:
+      break;
+  }
+  const int count = operands_of(i.what);
+  if (count == 0) return exact_formula::of(name_of(i.what));
+  return count == 1 ? exact_formula::of(name_of(i.what), {x})
+                    : exact_formula::of(name_of(i.what), {x, y});
+}
+
 }  // namespace
 
 std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f, precision p) {
   const tape& t = f.constants;
-  std::vector<std::optional<pi_combination>> slots(t.slots);
+  struct slot {
+    std::optional<pi_combination> exact;
+    exact_formula::pointer formula;  // where it is not exact
+  };
+  std::vector<slot> slots(t.slots);
   const auto exactly = [&](std::uint32_t i) -> std::optional<pi_combination> {
     if (i < t.inputs) return pi_combination{f.numbers[i], 0};
-    return slots[i - t.inputs];
+    return slots[i - t.inputs].exact;
+  };
+  const auto formula = [&](std::uint32_t i) {
+    const auto exact = exactly(i);
+    return exact ? exact_formula::of(*exact) : slots[i - t.inputs].formula;
   };
   for (const instruction& i : t.code) {
     const bool has_operands = i.what >= operation::negate && i.what != operation::further;
-    slots[i.result] = has_operands ? exact_result(i, exactly(i.left), exactly(i.right))
-                                   : exact_result(i, std::nullopt, std::nullopt);
+    slot result;
+    result.exact = has_operands ? exact_result(i, exactly(i.left), exactly(i.right))
+                                : exact_result(i, std::nullopt, std::nullopt);
+    if (!result.exact) {
+      result.formula = has_operands ? formula_of(i, formula(i.left), formula(i.right))
+                                    : formula_of(i, nullptr, nullptr);
+    }
+    slots[i.result] = std::move(result);
   }
   std::vector<possibly_exact_constant> result;
   result.reserve(t.outputs.size());
   std::size_t k = 0;
   for (ball& x : constants_of(f, p)) {
-    result.push_back({std::move(x), exactly(t.outputs[k++])});
+    const std::uint32_t i = t.outputs[k++];
+    const auto exact = exactly(i);
+    if (exact && exact->is_rational()) {
+      result.emplace_back(exact->q);
+    } else if (exact) {
+      result.emplace_back(known_number(*exact, p));
+    } else {
+      result.emplace_back(known_number(std::move(x), slots[i - t.inputs].formula));
+    }
   }
   return result;
 }

@@ -118,6 +118,17 @@ ball expression::value(precision p) const {
   return any.empty() ? f(ball(0, p)) : f(any);
 }
 
+known_number expression::known_value(precision p) const {
+  if (!used_variables().empty()) return known_number(value(p));
+  const detail::tape& body = program_->body;
+  const std::uint32_t i = body.outputs.front();
+  // What has no variable is an output of the constants, which come after the variables.
+  if (i < variables_.size() || i >= body.inputs) return known_number(value(p));
+  const auto c = detail::possibly_exact_constants_of(*program_, p)[i - variables_.size()];
+  if (const rational* q = std::get_if<rational>(&c)) return known_number(*q, p);
+  return std::get<known_number>(c);
+}
+
 std::optional<expression_function> expression::undefined_function(precision p) const {
   const auto i = detail::first_undefined(*program_, p);
   if (!i) return std::nullopt;

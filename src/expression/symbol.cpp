@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <map>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -74,6 +73,32 @@ symbol machine_symbol<R>::exactly_of(R x) {
 }
 template class machine_symbol<double>;
 template class machine_symbol<long double>;
+
+namespace {
+
+symbol symbol_of_part(const exact_formula& x,
+                      std::unordered_map<const exact_formula*, symbol>& made) {
+  if (const auto known = made.find(&x); known != made.end()) return known->second;
+  symbol result;
+  if (x.function.empty()) {
+    result = x.number.q;
+    if (!x.number.is_rational()) result += symbol(x.number.r) * symbol::constant("pi");
+  } else {
+    std::vector<symbol> operands;
+    operands.reserve(x.operands.size());
+    for (const auto& operand : x.operands) operands.push_back(symbol_of_part(*operand, made));
+    result = symbol::call(x.function, std::move(operands));
+  }
+  made.emplace(&x, result);
+  return result;
+}
+
+}  // namespace
+
+symbol symbol_of(const exact_formula& x) {
+  std::unordered_map<const exact_formula*, symbol> made;
+  return symbol_of_part(x, made);
+}
 
 namespace detail {
 

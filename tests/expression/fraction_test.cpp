@@ -1,5 +1,6 @@
 // A formula over one denominator, and the constants of formulas that are exactly q + r pi.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/expression.hpp"
+#include "polhode/expression/symbol.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -61,11 +63,22 @@ TEST(Fraction, IsTheFormulaTimesItsDenominator) {
   }
 }
 
-/// A sum, difference, product or quotient of small numbers and multiples of pi.
+/// The number q + r pi that a constant is known to be.
+std::optional<pi_combination> form_of(const detail::possibly_exact_constant& c) {
+  if (const rational* q = std::get_if<rational>(&c)) return pi_combination{*q, 0};
+  return std::get<known_number>(c).form();
+}
+
+/// A sum, difference, product, quotient or function of small numbers and multiples of pi.
 std::string any_constant(support::random_source& random, int depth) {
   if (depth == 0) {
     return random.one_in(2) ? "pi"
                             : fmt::format("({}/{})", random.between(-9, 9), random.between(1, 9));
+  }
+  if (random.one_in(6)) {
+    constexpr std::array functions{"sqrt", "exp", "log", "sin", "cos", "atan", "tanh", "cospi"};
+    const auto i = static_cast<std::size_t>(random.between(0, functions.size() - 1));
+    return fmt::format("{}({})", functions.at(i), any_constant(random, depth - 1));
   }
   const std::string operators = "+-*/";
   return fmt::format("({}{}{})", any_constant(random, depth - 1),
@@ -76,6 +89,7 @@ std::string any_constant(support::random_source& random, int depth) {
 TEST(ExactConstants, LieInTheirEnclosures) {
   support::random_source random(7);
   long exact = 0;
+  long with_formula = 0;
   for (support::repeat trial(2000); trial.again();) {
     const std::string text = any_constant(random, static_cast<int>(random.between(1, 3)));
     std::optional<expression> f;
@@ -84,17 +98,29 @@ TEST(ExactConstants, LieInTheirEnclosures) {
     } catch (const input_error&) {
       continue;  // a quotient by 0
     }
-    for (const detail::possibly_exact_constant& c :
-         detail::possibly_exact_constants_of(f->instructions(), 300)) {
-      if (!c.exact) continue;
-      ++exact;
-      EXPECT_TRUE(overlaps(c.exact->at(400), c.enclosure)) << text << ' ' << to_text(*c.exact);
+    const auto values = detail::constants_of(f->instructions(), 400);
+    const auto known = detail::possibly_exact_constants_of(f->instructions(), 300);
+    ASSERT_EQ(values.size(), known.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (const auto form = form_of(known[k])) {
+        ++exact;
+        EXPECT_TRUE(overlaps(form->at(400), values[k])) << text << ' ' << to_text(*form);
+        continue;
+      }
+      const known_number& x = std::get<known_number>(known[k]);
+      if (!x.enclosure().is_bounded()) continue;
+      EXPECT_TRUE(overlaps(x.enclosure(), values[k])) << text;
+      if (!x.has_formula()) continue;
+      ++with_formula;
+      const expression same(symbol_of(*x.formula()), {});
+      EXPECT_TRUE(overlaps(same.value(400), values[k])) << text << ' ' << same.to_text();
     }
   }
   EXPECT_GT(exact, 500 * support::effort());
+  EXPECT_GT(with_formula, 100 * support::effort());
   const auto is_known = [](const std::string& text) {
     const auto all = detail::possibly_exact_constants_of(of_x("x+" + text).instructions(), 64);
-    return all.size() == 1 && all[0].exact.has_value();
+    return all.size() == 1 && form_of(all[0]).has_value();
   };
   EXPECT_TRUE(is_known("(pi/3-2)"));
   EXPECT_TRUE(is_known("2*pi*3"));

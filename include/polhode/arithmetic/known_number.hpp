@@ -1,21 +1,24 @@
 #pragma once
 
-// A real number that is known exactly, as q + r pi with rational q and r, or by an enclosure: the
-// scalar of jets and series in which "is this coefficient 0" can be decided.
+// A real number that is known exactly, as q + r pi with rational q and r, or by an enclosure and,
+// where there is one, a formula: the scalar of jets and series in which "is this coefficient 0" can
+// be decided.
 
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/exact_formula.hpp"
 #include "polhode/arithmetic/pi_combination.hpp"
 
 namespace polhode {
 
 /// Exact are the results of + - * / of exact numbers, as far as they have this form, and the values
 /// of functions at the few points where they are evidently rational (exp 0, cos 0, sin pi, sqrt of
-/// a square, ...). A number whose numerators or denominators pass 2^longest is kept by its
-/// enclosure alone.
+/// a square, ...). Other results of them have a formula while that is short. A number whose
+/// numerators or denominators pass 2^longest is kept by its enclosure alone.
 class known_number {
  public:
   /// Operators and functions take integers and rationals beside it; inexact_operand.hpp refuses the
@@ -29,6 +32,10 @@ class known_number {
   explicit known_number(const pi_combination& x, precision p = usual_precision);
   /// A ball without width is the exact number that it is.
   explicit known_number(ball x);
+  /// The number that the formula is, which lies in x; the formula may be null.
+  known_number(ball x, exact_formula::pointer formula) : known_number(std::move(x)) {
+    if (!exact_) formula_ = std::move(formula);
+  }
 
   /// The rational number that it is known to be.
   [[nodiscard]] const std::optional<rational>& exact() const { return exact_; }
@@ -36,6 +43,13 @@ class known_number {
   [[nodiscard]] std::optional<pi_combination> form() const {
     return exact_ ? pi_combination{*exact_, 0} : with_pi_;
   }
+  /// A formula of it; null where none is known.
+  [[nodiscard]] exact_formula::pointer formula() const {
+    if (formula_) return formula_;
+    const auto s = form();
+    return s ? exact_formula::of(*s) : nullptr;
+  }
+  [[nodiscard]] bool has_formula() const { return exact_ || with_pi_ || formula_; }
   [[nodiscard]] const ball& enclosure() const { return enclosure_; }
   [[nodiscard]] bool is_exactly(long n) const { return exact_ && *exact_ == n; }
   [[nodiscard]] bool is_zero() const { return is_exactly(0); }
@@ -51,13 +65,13 @@ class known_number {
 
   friend known_number operator-(const known_number& x) {
     if (const auto s = x.form()) return x.like(-*s);
-    return known_number(-x.enclosure_);
+    return made("-", -x.enclosure_, x);
   }
   friend known_number operator+(const known_number& x, const known_number& y) {
     if (y.is_zero()) return x;
     if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ + *y.exact_));
     if (const auto s = x.form(), t = y.form(); s && t) return x.like(*s + *t);
-    return known_number(x.enclosure_ + y.enclosure_);
+    return made("+", x.enclosure_ + y.enclosure_, x, y);
   }
   friend known_number operator-(const known_number& x, const known_number& y) { return x + (-y); }
   /// 0 times a number is 0, however little is known of the number if it is defined.
@@ -67,7 +81,7 @@ class known_number {
     if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ * *y.exact_));
     if (x.with_pi_ && y.exact_) return x.like(*x.with_pi_ * *y.exact_);
     if (x.exact_ && y.with_pi_) return x.like(*y.with_pi_ * *x.exact_);
-    return known_number(x.enclosure_ * y.enclosure_);
+    return made("*", x.enclosure_ * y.enclosure_, x, y);
   }
   /// Undefined where y may be 0.
   friend known_number operator/(const known_number& x, const known_number& y) {
@@ -76,7 +90,7 @@ class known_number {
       return x.like(*x.with_pi_ * rational(1 / *y.exact_));
     }
     if (x.is_zero() && !y.enclosure_.is_undefined() && !contains_zero(y.enclosure_)) return x;
-    return known_number(x.enclosure_ / y.enclosure_);
+    return made("/", x.enclosure_ / y.enclosure_, x, y);
   }
   known_number& operator+=(const known_number& y) { return *this = *this + y; }
   friend known_number operator+(const known_number& x, long n) { return x + x.like(n); }
@@ -84,9 +98,18 @@ class known_number {
   friend known_number operator*(const known_number& x, long n) { return x * x.like(n); }
   friend known_number operator/(const known_number& x, long n) { return x / x.like(n); }
 
+  /// The value of the function of these numbers, which lies in `value`.
+  template <class... Numbers>
+  [[nodiscard]] static known_number made(std::string_view function, ball value,
+                                         const Numbers&... x) {
+    if (!(x.has_formula() && ...)) return known_number(std::move(value));
+    return {std::move(value), exact_formula::of(function, {x.formula()...})};
+  }
+
  private:
   std::optional<rational> exact_;
   std::optional<pi_combination> with_pi_;  // q + r pi with r != 0: it is no rational number then
+  exact_formula::pointer formula_;         // where it has neither
   ball enclosure_;
 };
 

@@ -480,7 +480,8 @@ concept symbolic = requires(const rational& q, const instruction& i) {
 [[nodiscard]] std::vector<ball> constants_of(const program& f, precision p);
 /// The first instruction of that part whose value is undefined.
 [[nodiscard]] std::optional<instruction> first_undefined(const program& f, precision p);
-/// The values, exactly where it is a number of the formula, or q + r pi made of these by + - * /.
+/// The values, exactly where it is a number of the formula, or q + r pi made of these by + - * /,
+/// and else with a formula.
 [[nodiscard]] std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& f,
                                                                                precision p);
 
@@ -532,17 +533,16 @@ T compiled_expression<T>::evaluate(std::span<const T> values, const T& like,
     constants = &lifted;
   } else if constexpr (std::same_as<constant, detail::possibly_exact_constant>) {
     for (const constant& c : *constants_) {
-      if (c.exact && c.exact->is_rational()) {
-        lifted.push_back(like.constant_like(c.exact->q));
+      if (const rational* q = std::get_if<rational>(&c)) {
+        lifted.push_back(like.constant_like(*q));
         continue;
       }
-      if constexpr (requires { like.constant_like(*c.exact); }) {
-        if (c.exact) {
-          lifted.push_back(like.constant_like(*c.exact));
-          continue;
-        }
+      const known_number& value = std::get<known_number>(c);
+      if constexpr (requires { like.constant_like(value); }) {
+        lifted.push_back(like.constant_like(value));
+      } else {
+        lifted.push_back(like.constant_like(value.enclosure()));
       }
-      lifted.push_back(like.constant_like(c.enclosure));
     }
     constants = &lifted;
   } else {

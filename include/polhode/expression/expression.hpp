@@ -34,6 +34,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "polhode/arithmetic/ball.hpp"
@@ -42,7 +43,7 @@
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/jet.hpp"
-#include "polhode/arithmetic/pi_combination.hpp"
+#include "polhode/arithmetic/known_number.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/expression/functions.hpp"
@@ -116,12 +117,9 @@ template <>
 struct constant_of<region> {
   using type = region_constant_pair;
 };
-/// For types that know numbers q + r pi exactly, and make constants beside a value that they have:
+/// For types that know exact numbers, and make constants beside a value that they have:
 /// x.constant_like(c).
-struct possibly_exact_constant {
-  ball enclosure;
-  std::optional<pi_combination> exact;
-};
+using possibly_exact_constant = std::variant<rational, known_number>;  // of any length; irrational
 template <class T>
 requires requires(const T& x, const ball& c, const rational& q) {
   x.constant_like(c);
@@ -200,6 +198,8 @@ class expression {
   /// The value of a formula without variables, computed with p bits. Throws std::invalid_argument
   /// where there are variables in it.
   [[nodiscard]] ball value(precision p) const;
+  /// The same as an exact number, or with the formula.
+  [[nodiscard]] known_number known_value(precision p) const;
   /// Where the value is undefined at p bits: the function, with its domain, that is the first in it
   /// not to be defined; none where that is an operator.
   [[nodiscard]] std::optional<expression_function> undefined_function(precision p) const;

@@ -32,6 +32,7 @@
 #include "polhode/arithmetic/ball.hpp"
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/exact_formula.hpp"
 #include "polhode/expression/exact_literal.hpp"
 #include "polhode/expression/function_table.hpp"
 
@@ -128,6 +129,9 @@ class symbol {
 
   std::shared_ptr<detail::symbol_node> node_;
 };
+
+/// The formula as a symbol.
+[[nodiscard]] symbol symbol_of(const exact_formula& x);
 
 namespace detail {
 

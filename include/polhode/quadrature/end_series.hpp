@@ -135,9 +135,8 @@ class end_series {
   [[nodiscard]] end_series constant_like(const ball& x) const {
     return constant(known_number(x), region(x));
   }
-  [[nodiscard]] end_series constant_like(const pi_combination& x) const {
-    const known_number c(x, bits);
-    return constant(c, region(c.enclosure()));
+  [[nodiscard]] end_series constant_like(const known_number& x) const {
+    return constant(x, region(x.enclosure()));
   }
 
  private:
@@ -158,6 +157,7 @@ class end_series {
   /// Blocked, if it is, by what another kind of series may yet help.
   [[nodiscard]] end_series with_any_remedy() const;
   [[nodiscard]] end_series moved(long powers) const;
+  static void divide_by_t(term& g);
   /// K = 0 and m such that G_0(0) is certainly not 0 and G_0 has no zero in the square; else
   /// blocked.
   [[nodiscard]] end_series normalised(std::string_view name) const;
@@ -175,7 +175,8 @@ class end_series {
 
 namespace detail {
 template <class N>
-concept series_constant = exact_number<N> || std::same_as<N, ball>;
+concept series_constant =
+    exact_number<N> || std::same_as<N, ball> || std::same_as<N, known_number>;
 }  // namespace detail
 
 template <detail::series_constant N>

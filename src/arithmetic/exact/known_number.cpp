@@ -52,14 +52,14 @@ known_number sqrt(const known_number& x) {
       return x.like(root);
     }
   }
-  return known_number(sqrt(x.enclosure()));
+  return known_number::made("sqrt", sqrt(x.enclosure()), x);
 }
 
 // f(at) = value.
-#define POLHODE_KNOWN_AT(f, at, value)          \
-  known_number f(const known_number& x) {       \
-    if (x.is_exactly(at)) return x.like(value); \
-    return known_number(f(x.enclosure()));      \
+#define POLHODE_KNOWN_AT(f, at, value)                   \
+  known_number f(const known_number& x) {                \
+    if (x.is_exactly(at)) return x.like(value);          \
+    return known_number::made(#f, f(x.enclosure()), x);  \
   }
 POLHODE_KNOWN_AT(exp, 0, 1)
 POLHODE_KNOWN_AT(log, 1, 0)
@@ -90,17 +90,17 @@ std::optional<int> quarters_in(const known_number& x) {
 known_number sin(const known_number& x) {
   constexpr std::array<long, 4> values = {0, 1, 0, -1};
   if (const auto k = quarters_in(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
-  return known_number(sin(x.enclosure()));
+  return known_number::made("sin", sin(x.enclosure()), x);
 }
 known_number cos(const known_number& x) {
   constexpr std::array<long, 4> values = {1, 0, -1, 0};
   if (const auto k = quarters_in(x)) return x.like(values.at(static_cast<std::size_t>(*k)));
-  return known_number(cos(x.enclosure()));
+  return known_number::made("cos", cos(x.enclosure()), x);
 }
 known_number tan(const known_number& x) {
   const auto k = quarters_in(x);
   if (k && *k % 2 == 0) return x.like(0);
-  return known_number(tan(x.enclosure()));
+  return known_number::made("tan", tan(x.enclosure()), x);
 }
 
 }  // namespace polhode

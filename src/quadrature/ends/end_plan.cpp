@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "polhode/quadrature/formula_end.hpp"
+
 namespace polhode::detail::ends {
 
 end_point sum_of(const end_point& a, const end_point& b, const rational& factor) {
@@ -12,7 +14,9 @@ end_point sum_of(const end_point& a, const end_point& b, const rational& factor)
 end_point difference(const end_point& a, const end_point& b) { return sum_of(a, -b, 1); }
 
 known_number exactly(const end_point& x) {
-  return x.form() ? known_number(*x.form()) : known_number(x.at(192));
+  if (x.form()) return known_number(*x.form());
+  const auto f = formula_of(x);
+  return f ? f->known_value(192) : known_number(x.at(192));
 }
 
 namespace {

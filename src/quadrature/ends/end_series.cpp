@@ -4,6 +4,7 @@
 
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/symbol.hpp"
 
 namespace polhode {
 
@@ -36,6 +37,18 @@ void times_distance(Jet& g, const Scalar& x) {
 }
 
 }  // namespace
+
+/// x, exactly 0 where its enclosure holds 0 and the rules for formulas of numbers
+/// (expression::rational_value) show that it is; without its formula where they do not.
+known_number settled(const known_number& x) {
+  if (x.exact() || !x.has_formula() || !contains_zero(x.enclosure())) return x;
+  try {
+    if (expression(symbol_of(*x.formula()), {}).rational_value() == rational(0)) return x.like(0);
+  } catch (const input_error&) {
+    // An operation on exact numbers that is not defined.
+  }
+  return known_number(x.enclosure());
+}
 
 using remedy = end_series::remedy;
 
@@ -106,6 +119,12 @@ magnitude end_series::supremum(int k) const {
   return terms_[static_cast<std::size_t>(k)].over[0].magnitude_upper();
 }
 
+/// G -> G/t, where G(0) = 0.
+void end_series::divide_by_t(term& g) {
+  g = {divided_by_t(g.at_0), divided_by_t(g.over)};
+  g.at_0[0] = settled(g.at_0[0]);
+}
+
 /// The same function with m less by so many powers: each G_k times t^powers, powers >= 0.
 end_series end_series::moved(long powers) const {
   if (powers > 64) return blocked("a high power of the distance", remedy::none);
@@ -158,6 +177,8 @@ end_series operator+(const end_series& x, const end_series& y) {
       const auto a = cut(r.terms_[k]);
       const auto b = cut(other.terms_[k]);
       sum.push_back({a.at_0 + b.at_0, a.over + b.over});
+      known_number& leading = sum.back().at_0[0];
+      leading = settled(leading);
     }
   }
   r.terms_ = std::move(sum);
@@ -207,9 +228,7 @@ end_series end_series::simplified() const {
                        [](const term& g) { return g.at_0[0].is_zero() && g.at_0.order() > 0; });
   };
   while (vanish()) {
-    for (term& g : r.terms_) {
-      g = {divided_by_t(g.at_0), divided_by_t(g.over)};
-    }
+    for (term& g : r.terms_) divide_by_t(g);
     r.m_ += 1;
   }
   return r;
@@ -231,7 +250,7 @@ end_series end_series::normalised(std::string_view name) const {
   term& g = r.terms_.front();
   while (g.at_0[0].is_zero()) {
     if (g.at_0.order() < 1) return blocked(name, remedy::more_orders);
-    g = {divided_by_t(g.at_0), divided_by_t(g.over)};
+    divide_by_t(g);
     r.m_ += 1;
   }
   if (contains_zero(g.at_0[0].enclosure())) return blocked(name, remedy::none);
@@ -249,7 +268,7 @@ end_series end_series::plain(std::string_view name) const {
     end_series r = *this;
     while (r.m_ < 0 && r.terms_.front().at_0[0].is_zero() && r.terms_.front().at_0.order() > 0) {
       term& g = r.terms_.front();
-      g = {divided_by_t(g.at_0), divided_by_t(g.over)};
+      divide_by_t(g);
       r.m_ += 1;
     }
     if (r.m_ == 0) return r;
@@ -419,7 +438,7 @@ end_series tan(const end_series& x) {
 
 /// r pi, exactly.
 static end_series half_turns_like(const end_series& x, const rational& r) {
-  return x.constant_like(pi_combination{0, r});
+  return x.constant_like(known_number(pi_combination{0, r}));
 }
 
 // At infinity: atan w = +-pi/2 - atan(1/w), and asinh w = +-log(|w| + sqrt(w^2 + 1)), with the sign
