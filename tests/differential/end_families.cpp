@@ -432,6 +432,72 @@ integral_case multiples_of_pi_cancel(maker& m) {
   return r;
 }
 
+/// What grows at an end and does not, because constants that are neither rational nor multiples of
+/// pi cancel: at logarithms, roots and exponentials, and at infinity. A divergent twin in one case
+/// of four.
+integral_case constants_cancel(maker& m) {
+  const bool diverges = m.one_in(4);
+  const term c = m.coefficient();
+  const term other = diverges ? c * m.any_of({term(2), term(1) / 2, -term(1), term("1.001")}) : c;
+  const term n = m.one_in(2) ? term(m.between(2, 9)) : m.rational_near(m.within(1.1, 9));
+  const term d = m.rational_near(m.within(0.1, 2));
+  integral_case r{0, 0, 0, few_digits(m)};
+  r.diverges = diverges;
+  switch (m.between(0, 5)) {
+    case 0: {  // with t = x - log(n)/k: (1/(e^(k t) - 1) - 1/(k t))/n
+      const term k = m.rational_near(m.within(0.3, 3));
+      const term end = call("log", n) / k;
+      r.integrand = c / (call("exp", k * x) - n) - other / (n * (k * x - call("log", n)));
+      r.from = end;
+      r.to = end + d;
+      r.value = c / (n * k) * call("log", (1 - call("exp", -k * d)) / (k * d));
+      break;
+    }
+    case 1: {  // -1/(2 s (x + s)), s = sqrt(n)
+      const term s = call("sqrt", n);
+      r.integrand = c / (power(x, 2) - n) - other / (2 * s * (x - s));
+      r.from = s;
+      r.to = s + d;
+      r.value = -c / (2 * s) * call("log", 1 + d / (2 * s));
+      break;
+    }
+    case 2: {  // F tends to 0 for x -> inf
+      const bool is_acosh = m.one_in(2);
+      const term a = m.rational_near(m.within(1.1, 3));
+      const char* name = is_acosh ? "acosh" : "asinh";
+      const term root = call("sqrt", is_acosh ? power(n * a, 2) - 1 : power(n * a, 2) + 1);
+      r.integrand = c * call(name, n * x) - c * call("log", x) - other * call("log", 2 * n);
+      r.from = a;
+      r.to = "inf";
+      r.value = c * (root / n - a * (call(name, n * a) - call("log", a) + 1 - call("log", 2 * n)));
+      break;
+    }
+    case 3: {
+      const term s = call("sqrt", n);
+      r.integrand = (c * call("sqrt", n + x) - c * s - other * x / (2 * s)) / power(x, 2);
+      r.to = d;
+      break;
+    }
+    case 4: {
+      const term w = m.any_of({term("sqrt(2)"), term("1/sqrt(3)"), term("log(5)"), term("e/4")});
+      r.integrand = (c * power(x, w) - c - other * w * (x - 1)) / power(x - 1, 2);
+      r.from = 1;
+      r.to = 1 + d;
+      break;
+    }
+    default: {
+      const term q = m.rational_near(m.within(-1, 1));
+      const term end = call("exp", q);
+      r.integrand = c / (call("log", x) - q) - other * end / (x - end);
+      r.from = end;
+      r.to = end + d;
+      break;
+    }
+  }
+  if (diverges) r.value = std::nullopt;
+  return r;
+}
+
 /// Powers of logarithms, powers of the distance from any end with any exponent, exponentials of
 /// powers and of powers of logarithms: what is known by a change of the variable to an exponential.
 /// A divergent twin in one case of four.
@@ -692,6 +758,7 @@ std::vector<integral_family> end_families() {
           {"turning point at an end", 12, mostly_cheap(turning_end)},
           {"removable", 10, mostly_cheap(removable)},
           {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},
+          {"constants cancel", 10, mostly_cheap(constants_cancel)},
           {"by an exponential", 14, mostly_cheap(by_exponential)},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},

@@ -431,7 +431,8 @@ bool is_inside(const end_point& q, const end_point& a, const end_point& b) {
 
 bool can_cut_at(const integrand& f, const end_point& q) {
   const auto is_understood = [&](int side) {
-    const end_of_range end = end_of_range::finite(q, sum_of(q, end_point(side), 1));
+    // The distance is the number that it is: coefficients cancel exactly then.
+    const end_of_range end{q, end_point(side), false, q, sum_of(q, end_point(side), 1)};
     if (look_at_end(f, end).how != manner::unknown) return true;
     const tail_series near =
         f.near_infinity(tail_series::argument(exactly(q), known_number(rational(side)), 0x1p-8));
