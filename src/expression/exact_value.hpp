@@ -21,9 +21,4 @@ namespace polhode::detail {
 [[nodiscard]] std::optional<rational> rational_value_at(const graph& g, node_id i);
 [[nodiscard]] ball value_at(const graph& g, node_id i, precision p);
 
-/// The values of f's operations of its variable, in the order in which compile() has them, at the
-/// number that x is (expression::rational_values_at).
-[[nodiscard]] std::vector<std::optional<rational>> rational_values_at(const graph& f,
-                                                                      const graph& x);
-
 }  // namespace polhode::detail

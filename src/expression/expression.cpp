@@ -152,14 +152,6 @@ std::optional<rational> expression::rational_value() const {
   return detail::rational_value(*graph_, *program_);
 }
 
-std::vector<std::optional<rational>> expression::rational_values_at(const expression& x) const {
-  if (variables_.size() != 1 || !x.used_variables().empty()) {
-    throw std::invalid_argument(
-        "the values of a formula of one variable at a number are asked for");
-  }
-  return detail::rational_values_at(*graph_, *x.graph_);
-}
-
 std::optional<std::pair<rational, long>> expression::exact_power() const {
   const detail::node& root = (*graph_)[graph_->root];
   if (root.what != operation::power_integer) return std::nullopt;
@@ -246,5 +238,15 @@ expression_cost expression::cost() const {
 }
 
 std::string expression::to_text() const { return detail::to_text(*graph_, variables_); }
+
+known_number settled(const known_number& x) {
+  if (x.exact() || !x.has_formula() || !contains_zero(x.enclosure())) return x;
+  try {
+    if (expression(symbol_of(*x.formula()), {}).rational_value() == rational(0)) return x.like(0);
+  } catch (const input_error&) {
+    // An operation on exact numbers that is not defined.
+  }
+  return known_number(x.enclosure());
+}
 
 }  // namespace polhode

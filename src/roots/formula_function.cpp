@@ -366,9 +366,8 @@ real_function::real_function(const expression& f) {
                                                                   const rational& s) {
     if (f.variables().size() != 1) return false;
     std::call_once(made->flag, [&] { made->formula = integrand_of(f); });
-    const auto series = made->formula.near_known_end(end_point(p));
     const end_series at = end_series::argument(known_number(p), known_number(s), 1, 0.25);
-    return (series ? series(at) : made->formula.near_end(at)).sign() != 0;
+    return made->formula.near_end(at).sign() != 0;
   };
   // x = p - log(t) with p = from - 3/2, or -x for from < 0, takes all values beyond `from`: it
   // decreases to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of

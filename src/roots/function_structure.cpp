@@ -108,16 +108,9 @@ function_structure function_structure::constant(const ball& c) const {
   r.natural_ = c;
   return r;
 }
-function_structure function_structure::constant_like(const pi_combination& c) const {
-  const precision p = numerator_.at_point.precision();
-  function_structure r = constant(c.at(p));
-  if (series_) r.series_ = exact_series::constant(known_number(c, p), series_->order());
-  return r;
-}
-function_structure function_structure::constant_like(const ball& c) const {
-  if (c.is_exact()) return constant_like(lower_rational(c));
-  function_structure r = constant(c);
-  if (series_) r.series_ = exact_series::constant(known_number(c), series_->order());
+function_structure function_structure::constant_like(const known_number& c) const {
+  function_structure r = constant(c.enclosure());
+  if (series_) r.series_ = exact_series::constant(c, series_->order());
   return r;
 }
 

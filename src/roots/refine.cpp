@@ -181,7 +181,7 @@ refined_root refine(const root_region& region, long digits) {
         contains(x, *short_one) && contains(region.box, *short_one)) {
       const rational& q = *short_one;
       const auto s = region.function->structure(function_structure::variable_at(q, 0, p));
-      if (s && s->series() && (*s->series())[0].is_exactly(0)) {
+      if (s && s->series() && settled((*s->series())[0]).is_zero()) {
         result.exact = q;
         result.enclosure = ball(q, p);
       }

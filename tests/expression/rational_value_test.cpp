@@ -412,35 +412,6 @@ TEST(RationalValue, GivesUpOnGreatFormulas) {
   expect_value("(" + roots + ") - (" + roots + ")", "0");
 }
 
-// The operations of the variable, in the order in which an evaluation does them, at a number.
-TEST(RationalValuesAt, AreThoseOfTheOperations) {
-  const auto at = [](const std::string& f, const std::string& x) {
-    return expression(f, {.variables = {"x"}, .definitions = {}}).rational_values_at(expression(x));
-  };
-  using values = std::vector<std::optional<rational>>;
-  EXPECT_EQ(at("x - sqrt(2)", "sqrt(2)"), (values{rational(0)}));
-  EXPECT_EQ(at("1/sqrt(2-x^2)", "sqrt(2)"), (values{rational(2), rational(0), rational(0), {}}));
-  EXPECT_EQ(at("cos(x)-cos(1)", "1"), (values{{}, rational(0)}));
-  EXPECT_EQ(at("cos(x)-cos(1)", "1/2"), (values{{}, {}}));
-  EXPECT_EQ(at("exp(x)-5", "log(5)"), (values{rational(5), rational(0)}));
-  EXPECT_EQ(at("sin(x)+sin(2*x)", "pi/6"), (values{rational(1, 2), {}, {}, {}}));
-  EXPECT_EQ(at("x", "1"), values{});
-  // A step, an angle with a cut, and what is made of them, have values that are not their limits.
-  EXPECT_EQ(at("floor(x)", "1"), (values{{}}));
-  EXPECT_EQ(at("ceil(x)-1", "sqrt(2)-sqrt(2)"), (values{{}, {}}));
-  EXPECT_EQ(at("sin(pi*floor(x))", "1"), (values{{}, {}, {}}));
-  EXPECT_EQ(at("atan2(x-1, -1)", "1"), (values{rational(0), {}}));
-  EXPECT_EQ(at("x*floor(2) - 2", "1"), (values{rational(2), rational(0)}));
-  EXPECT_EQ(at("x*x^x", "0"), (values{{}, {}}));  // x^y near (0, 0)
-  // Where an operation is not defined, or its value is not rational, nothing is said.
-  EXPECT_EQ(at("1/(x-pi)", "pi"), (values{rational(0), {}}));
-  EXPECT_EQ(at("log(x-pi)", "pi"), (values{rational(0), {}}));
-  EXPECT_THROW(at("x", "1+x"), std::exception);
-  EXPECT_THROW((void)expression("x*y", {.variables = {"x", "y"}, .definitions = {}})
-                   .rational_values_at(expression("1")),
-               std::invalid_argument);
-}
-
 TEST(DivisorZeros, AreCandidates) {
   const auto of = [](const std::string& f) {
     std::vector<std::string> texts;

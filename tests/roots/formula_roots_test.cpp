@@ -124,8 +124,12 @@ TEST(FormulaRoots, BesideJumps) {
     EXPECT_EQ(isolated, k.isolated) << k.f;
   }
   // At 0 it is 0, which no rule decides here.
-  const expression f = parse("sign(x) + sin(1)^2 + cos(1)^2 - 1");
+  const expression f = parse("sign(x) + sqrt(3)*gamma(1/3)*gamma(2/3)/(2*pi) - 1");
   EXPECT_FALSE(isolate_roots(f, -1, 1).is_resolved());
+  const root_set decided = isolate_roots(parse("sign(x) + sin(1)^2 + cos(1)^2 - 1"), -1, 1);
+  ASSERT_TRUE(decided.is_resolved());
+  ASSERT_EQ(decided.regions.size(), 1U);
+  EXPECT_EQ(decided.regions[0].exact, rational(0));
 }
 
 TEST(FormulaRoots, OfPowersAtRationalNumbers) {

@@ -507,13 +507,6 @@ compiled_expression<T>::compiled_expression(std::shared_ptr<const detail::progra
 
 template <class T>
 T compiled_expression<T>::evaluate(std::span<const T> values, const T& like) const {
-  return evaluate(values, like, [](std::size_t, T&) {});
-}
-
-template <class T>
-template <class Each>
-T compiled_expression<T>::evaluate(std::span<const T> values, const T& like,
-                                   const Each& each) const {
   const detail::tape& body = program_->body;
   if (values.size() != program_->variables) {
     throw std::invalid_argument("an expression of " + std::to_string(program_->variables) +
@@ -554,14 +547,12 @@ T compiled_expression<T>::evaluate(std::span<const T> values, const T& like,
     if (i >= body.inputs) return slots[i - body.inputs];
     return i < variables ? values[i] : (*constants)[i - variables];
   };
-  std::size_t place = 0;
   for (const detail::instruction& i : body.code) {
     if (i.what == detail::operation::further) {
       slots[i.result] = detail::value_of_call<T>(body, i, operand);
     } else {
       detail::execute<T>(i, slots[i.result], operand(i.left), operand(i.right));
     }
-    each(place++, slots[i.result]);
   }
   const std::uint32_t result = body.outputs.front();
   if (result >= body.inputs) return std::move(slots[result - body.inputs]);

@@ -148,12 +148,6 @@ class compiled_expression {
       throw std::invalid_argument("an expression needs a value for each variable");
     return evaluate(values, values.front());
   }
-  /// The value at x of a formula of one variable, where each(i, y) may put what it knows of the
-  /// value y of the i-th operation of the variable (expression::rational_values_at) in y's place.
-  template <class Each>
-  [[nodiscard]] T with_each(const T& x, const Each& each) const {
-    return evaluate({&x, 1}, x, each);
-  }
 
  private:
   friend class expression;
@@ -161,8 +155,6 @@ class compiled_expression {
 
   compiled_expression(std::shared_ptr<const detail::program> program, precision p);
   [[nodiscard]] T evaluate(std::span<const T> values, const T& like) const;
-  template <class Each>
-  [[nodiscard]] T evaluate(std::span<const T> values, const T& like, const Each& each) const;
 
   std::shared_ptr<const detail::program> program_;
   std::shared_ptr<const std::vector<constant>> constants_;
@@ -225,13 +217,6 @@ class expression {
   /// 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is left open, never
   /// denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
-  /// The values of the operations of the variable, at the number that the formula x is, in the
-  /// order of compiled_expression::with_each. A value is there where the rules of rational_value()
-  /// show that it is rational, and where it is the limit of the operation at that number. An
-  /// operation that is made of floor, ceil, atan2, a power with the variable in its exponent or a
-  /// function beyond the table has none. Throws std::invalid_argument unless the formula has one
-  /// variable and x has none.
-  [[nodiscard]] std::vector<std::optional<rational>> rational_values_at(const expression& x) const;
   /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or
   /// what stands under a root or a logarithm, may be 0: candidates, found by inverting one
   /// operation after the other ("cos(x) - cos(1)": 1 and -1), at most 32. There may be others, and
@@ -440,5 +425,9 @@ extern template class compiled_expression<jet<ball, 1>>;
 extern template class compiled_expression<jet<ball, 2>>;
 extern template class compiled_expression<jet<ball, 3>>;
 extern template class compiled_expression<jet<ball, dynamic_order>>;
+
+/// x, exactly 0 where its enclosure holds 0 and the rules of expression::rational_value show for its
+/// formula that it is; without a formula where they do not.
+[[nodiscard]] known_number settled(const known_number& x);
 
 }  // namespace polhode

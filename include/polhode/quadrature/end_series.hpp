@@ -153,7 +153,7 @@ class end_series {
   /// Not blocked, or the first that is.
   template <class F>
   static end_series regular(const end_series& x, std::string_view name, F&& f);
-  [[nodiscard]] end_series checked(std::string_view name) const;
+  [[nodiscard]] end_series checked(std::string_view name) &&;
   /// Blocked, if it is, by what another kind of series may yet help.
   [[nodiscard]] end_series with_any_remedy() const;
   [[nodiscard]] end_series moved(long powers) const;

@@ -90,7 +90,10 @@ class growth_bound {
 
   /// A constant beside this one.
   [[nodiscard]] growth_bound constant_like(const rational& q) const;
-  [[nodiscard]] growth_bound constant_like(const ball& x) const;
+  [[nodiscard]] growth_bound constant_like(const ball& x) const {
+    return constant_like(known_number(x));
+  }
+  [[nodiscard]] growth_bound constant_like(const known_number& x) const;
 
  private:
   [[nodiscard]] static growth_bound undefined(std::string_view where);

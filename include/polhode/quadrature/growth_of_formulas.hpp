@@ -14,8 +14,8 @@ namespace polhode::detail {
 
 template <>
 struct supplement<growth_bound> {
-  static growth_bound sinpi(const growth_bound& x) { return sin(x * x.constant_like(pi(128))); }
-  static growth_bound cospi(const growth_bound& x) { return cos(x * x.constant_like(pi(128))); }
+  static growth_bound sinpi(const growth_bound& x) { return sin(x * half_turn(x)); }
+  static growth_bound cospi(const growth_bound& x) { return cos(x * half_turn(x)); }
   static growth_bound expm1(const growth_bound& x) { return exp(x) - x.constant_like(rational(1)); }
   static growth_bound log1p(const growth_bound& x) { return log(x + x.constant_like(rational(1))); }
   static growth_bound sinh(const growth_bound& x) {
@@ -38,6 +38,11 @@ struct supplement<growth_bound> {
     }
     const growth_bound& any = x.front();
     return any.bounded_like(name_of_function(f), f.value(values));
+  }
+
+ private:
+  static growth_bound half_turn(const growth_bound& x) {
+    return x.constant_like(known_number(pi_combination{0, 1}));
   }
 };
 

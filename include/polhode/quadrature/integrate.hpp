@@ -165,13 +165,7 @@ struct integrand {
   /// The same of equidistant arguments. May be empty.
   std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
   std::function<end_series(const end_series& x)> near_end;
-  /// near_end with the values at a finite end that are known exactly there, though not from a
-  /// series of balls: cos(x) - cos(1) is 0 at 1. Empty for an end of which nothing of the kind is
-  /// known; may be empty itself.
-  std::function<std::function<end_series(const end_series& x)>(const end_point& end)>
-      near_known_end;
-  /// Numbers at which it may be of interest to cut a range: candidates, of which near_known_end may
-  /// know more. May be empty.
+  /// Numbers at which it may be of interest to cut a range: candidates. May be empty.
   std::function<std::vector<end_point>()> candidates;
   /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in
   /// which what is a power of the distance or of x is an exponential. Nothing where that is not

@@ -56,10 +56,12 @@ class function_structure {
 
   // As the evaluation of formulas needs them: a constant beside a value.
   [[nodiscard]] function_structure constant_like(const rational& c) const {
-    return constant_like(pi_combination{c, 0});
+    return constant_like(known_number(c, numerator_.at_point.precision()));
   }
-  [[nodiscard]] function_structure constant_like(const pi_combination& c) const;
-  [[nodiscard]] function_structure constant_like(const ball& c) const;
+  [[nodiscard]] function_structure constant_like(const known_number& c) const;
+  [[nodiscard]] function_structure constant_like(const ball& c) const {
+    return constant_like(known_number(c));
+  }
   template <exact_number N>
   [[nodiscard]] function_structure constant_like(const N& n) const {
     return constant_like(rational(n));

@@ -172,12 +172,6 @@ end_plan plan_from_series_of(const series_function& f, const end_of_range& end) 
 
 end_plan look_at_end(const integrand& f, const end_of_range& end) {
   end_plan best = plan_from_series_of(f.near_end, end);
-  if (best.how == manner::unknown && !end.infinite && f.near_known_end) {
-    if (const series_function known = f.near_known_end(end.at)) {
-      end_plan plan = plan_from_series_of(known, end);
-      if (plan.how != manner::unknown) return plan;
-    }
-  }
   if (best.how == manner::unknown) {
     // Beside another point regions of 1 - x, say, are found by halving alone, in many panels.
     const bool is_at_0 = end.at.exact() && *end.at.exact() == 0;

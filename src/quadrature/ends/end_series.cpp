@@ -4,7 +4,6 @@
 
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/expression/evaluation.hpp"
-#include "polhode/expression/symbol.hpp"
 
 namespace polhode {
 
@@ -37,18 +36,6 @@ void times_distance(Jet& g, const Scalar& x) {
 }
 
 }  // namespace
-
-/// x, exactly 0 where its enclosure holds 0 and the rules for formulas of numbers
-/// (expression::rational_value) show that it is; without its formula where they do not.
-known_number settled(const known_number& x) {
-  if (x.exact() || !x.has_formula() || !contains_zero(x.enclosure())) return x;
-  try {
-    if (expression(symbol_of(*x.formula()), {}).rational_value() == rational(0)) return x.like(0);
-  } catch (const input_error&) {
-    // An operation on exact numbers that is not defined.
-  }
-  return known_number(x.enclosure());
-}
 
 using remedy = end_series::remedy;
 
@@ -93,17 +80,18 @@ end_series end_series::argument(const known_number& a, const known_number& s, lo
   return t.constant(a, region(a.enclosure())) + moving;
 }
 
-/// Blocked where a coefficient is undefined or not analytic.
-end_series end_series::checked(std::string_view name) const {
-  if (blocked_) return *this;
-  for (const term& g : terms_) {
+/// Blocked where a coefficient is undefined or not analytic; with the G_k(0) settled.
+end_series end_series::checked(std::string_view name) && {
+  if (blocked_) return std::move(*this);
+  for (term& g : terms_) {
     for (int k = 0; k <= g.at_0.order(); ++k) {
       if (g.at_0[k].enclosure().is_undefined() || !g.over[k].is_analytic()) {
         return blocked(name, remedy::smaller_square);
       }
     }
+    g.at_0[0] = settled(g.at_0[0]);
   }
-  return *this;
+  return std::move(*this);
 }
 
 end_series end_series::with_value_at_0(const rational& q) const {
@@ -177,8 +165,6 @@ end_series operator+(const end_series& x, const end_series& y) {
       const auto a = cut(r.terms_[k]);
       const auto b = cut(other.terms_[k]);
       sum.push_back({a.at_0 + b.at_0, a.over + b.over});
-      known_number& leading = sum.back().at_0[0];
-      leading = settled(leading);
     }
   }
   r.terms_ = std::move(sum);
@@ -189,7 +175,7 @@ end_series operator+(const end_series& x, const end_series& y) {
     if (!zero) break;
     r.terms_.pop_back();
   }
-  return r.checked("+");
+  return std::move(r).checked("+");
 }
 
 end_series operator*(const end_series& x, const end_series& y) {
@@ -217,7 +203,7 @@ end_series operator*(const end_series& x, const end_series& y) {
     }
   }
   for (auto& g : product) r.terms_.push_back(std::move(*g));
-  return r.checked("*");
+  return std::move(r).checked("*");
 }
 
 end_series end_series::simplified() const {
@@ -288,7 +274,7 @@ end_series operator/(const end_series& x, const end_series& y) {
   const int n = g.at_0.order();
   g.at_0 = end_series::centre_jet::constant(known_number(rational(1)), n) / g.at_0;
   g.over = end_series::square_jet::constant(region(double_interval(1)), n) / g.over;
-  return (x * inverse.checked("/")).checked("/");
+  return (x * std::move(inverse).checked("/")).checked("/");
 }
 
 /// f applied to both jets of a series without power and logarithm.
@@ -298,7 +284,7 @@ end_series end_series::regular(const end_series& x, std::string_view name, F&& f
   if (r.blocked_) return r;
   term& g = r.terms_.front();
   g = {f(g.at_0), f(g.over)};
-  return r.checked(name);
+  return std::move(r).checked(name);
 }
 
 end_series sqrt(const end_series& x) { return pow(x, rational(1, 2)); }
@@ -334,7 +320,7 @@ end_series pow(const end_series& x, const rational& e) {
   } else {
     g = {exp(log(g.at_0) * known_number(e)), exp(log(g.over) * e)};
   }
-  return r.checked("pow");
+  return std::move(r).checked("pow");
 }
 
 end_series pow(const end_series& x, const end_series& y) { return exp(y * log(x)); }
@@ -356,7 +342,7 @@ end_series log(const end_series& x) {
     const end_series slope = r.constant_like(m);
     r.terms_.push_back(slope.terms_.front());
   }
-  return r.checked("log");
+  return std::move(r).checked("log");
 }
 
 /// exp(m L + G) = t^m exp(G), where m is a known rational number: G_1 is m at 0, and its slope is 0
@@ -372,7 +358,7 @@ end_series exp(const end_series& x) {
       r.terms_.pop_back();
       auto& g = r.terms_.front();
       g = {exp(g.at_0), exp(g.over)};
-      return r.checked("exp");
+      return std::move(r).checked("exp");
     }
   }
   return end_series::regular(x, "exp", [](const auto& g) { return exp(g); });
@@ -424,7 +410,7 @@ end_series erf(const end_series& x) {
   const known_number value = c.is_zero() ? c : known_number(erf(c.enclosure()));
   g.at_0 = erf_of(g.at_0, value, known_number(factor));
   g.over = erf_of(g.over, detail::named<detail::operation::erf>::over(g.over[0]), region(factor));
-  return r.checked("erf");
+  return std::move(r).checked("erf");
 }
 end_series erfc(const end_series& x) { return x.is_blocked() ? x : 1 - erf(x); }
 

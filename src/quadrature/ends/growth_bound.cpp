@@ -158,9 +158,9 @@ growth_bound growth_bound::constant_like(const rational& q) const {
   if (blocked_) return passed_on();
   return constant_of(ball(q, 192), one_.constant_like(q));
 }
-growth_bound growth_bound::constant_like(const ball& x) const {
+growth_bound growth_bound::constant_like(const known_number& x) const {
   if (blocked_) return passed_on();
-  return constant_of(x, one_.constant_like(x));
+  return constant_of(x.enclosure(), one_.constant_like(x));
 }
 
 growth_bound growth_bound::reciprocal_of(const growth_bound& y) {

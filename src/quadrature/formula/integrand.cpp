@@ -32,8 +32,8 @@ namespace detail {
 /// What both kinds of series make of what they have; what they have not is blocked.
 template <class Series>
 struct series_supplement {
-  static Series sinpi(const Series& x) { return sin(x * pi(128)); }
-  static Series cospi(const Series& x) { return cos(x * pi(128)); }
+  static Series sinpi(const Series& x) { return sin(x * known_number(pi_combination{0, 1})); }
+  static Series cospi(const Series& x) { return cos(x * known_number(pi_combination{0, 1})); }
   static Series hypot(const Series& x, const Series& y) { return sqrt(x * x + y * y); }
   /// Of odd n, of negative numbers too.
   static Series root(const Series& x, long n) {
@@ -304,21 +304,6 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
     return [g = f.evaluator<angle>(p)](const angle& x) { return g(x).value(); };
   };
   result.near_end = made_on_first_use<end_series>(f, series_bits);
-  result.near_known_end =
-      [f](const end_point& end) -> std::function<end_series(const end_series&)> {
-    const std::optional<expression> x = formula_of(end);
-    if (!x || f.variables().size() != 1) return nullptr;
-    std::vector<std::optional<rational>> known = f.rational_values_at(*x);
-    if (std::none_of(known.begin(), known.end(), [](const auto& q) { return q.has_value(); })) {
-      return nullptr;
-    }
-    return [series = f.evaluator<end_series>(series_bits),
-            known = std::move(known)](const end_series& at) {
-      return series.with_each(at, [&](std::size_t i, end_series& value) {
-        if (known[i]) value = value.with_value_at_0(*known[i]);
-      });
-    };
-  };
   if (changes > 0) {
     result.in_exponential = [f, changes](const end_point& end,
                                          int side) -> std::optional<detail::integrand> {

@@ -459,9 +459,9 @@ class examination {
       const auto s = structure(problem(b), function_structure::variable_at(r.at, order, b.bits));
       if (!s || !s->series()) return std::nullopt;
       const auto& t = *s->series();
-      if (!t[0].is_exactly(0)) return std::nullopt;
+      if (!settled(t[0]).is_zero()) return std::nullopt;
       int k = 1;
-      while (k <= order && t[k].is_exactly(0)) ++k;
+      while (k <= order && settled(t[k]).is_zero()) ++k;
       if (k > order) continue;
       if (is_certainly_not_zero(t[k].enclosure())) r.multiplicity = k;
       return r;

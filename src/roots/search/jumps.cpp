@@ -73,8 +73,8 @@ class examination_of_jumps {
     ++report_.evaluations;
     const auto s = real_function(f_).structure(function_structure::variable_at(at, 1, bits_));
     if (!s || !s->series()) return std::nullopt;
-    const known_number& value = (*s->series())[0];
-    const bool is_zero = value.is_exactly(0);
+    const known_number value = settled((*s->series())[0]);
+    const bool is_zero = value.is_zero();
     if (!is_zero && !is_certainly_not_zero(value.enclosure())) return std::nullopt;
     const exact_box whole = exact_ends(x_);
     for (const rational& end : {*whole.lower, *whole.upper}) {

@@ -75,7 +75,7 @@ side side_of(const root_region& given, const end_point& end, bool is_lower, cons
     const bool is_in_region = end.exact() ? contains(x, *end.exact()) : contains(x, e);
     if (end.form() && is_proved && is_in_region) {
       const auto s = f.structure(function_structure::variable_at(*end.form(), 0, p));
-      if (s && s->series() && (*s->series())[0].is_exactly(0)) {
+      if (s && s->series() && settled((*s->series())[0]).is_zero()) {
         sharper.exact = end.exact();
         return side::inside;
       }
