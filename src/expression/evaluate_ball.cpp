@@ -91,8 +91,8 @@ std::optional<pi_combination> exact_result(const instruction& i,
   }
 }
 
-/// The formula of an instruction: null where it is not of exact numbers, or of a function beyond the
-/// table.
+/// The formula of an instruction: null where it is not of exact numbers, or of a function beyond
+/// the table.
 exact_formula::pointer formula_of(const instruction& i, const exact_formula::pointer& x,
                                   const exact_formula::pointer& y) {
   const auto whole = [&] { return exact_formula::of(pi_combination{rational(i.number), 0}); };

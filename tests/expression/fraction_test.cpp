@@ -76,7 +76,8 @@ std::string any_constant(support::random_source& random, int depth) {
                             : fmt::format("({}/{})", random.between(-9, 9), random.between(1, 9));
   }
   if (random.one_in(6)) {
-    constexpr std::array functions{"sqrt", "exp", "log", "sin", "cos", "atan", "tanh", "cospi"};
+    constexpr std::array functions{"sqrt", "exp",  "log",   "sin", "cos",
+                                   "atan", "tanh", "cospi", "-"};
     const auto i = static_cast<std::size_t>(random.between(0, functions.size() - 1));
     return fmt::format("{}({})", functions.at(i), any_constant(random, depth - 1));
   }

@@ -225,6 +225,40 @@ TEST(TurningPoints, MultiplesOfPiCancel) {
 }
 
 // A step at the end: the value of floor there is not its limit, so what is made of it is not known.
+TEST(TurningPoints, ConstantsOfAnyKindCancel) {
+  const std::vector<known> all{
+      {"1/(exp(x)-2)-1/(2*(x-log(2)))", "log(2)", "1", "log((1-2/e)/(1-log(2)))/2"},
+      {"1/(exp(x)-2)-1/(2*(x-log(2)))", "0", "1", "log((1-2/e)/(1-log(2)))/2-log((2-1)/log(2))/2"},
+      {"1/(x^2-2)-1/(2*sqrt(2)*(x-sqrt(2)))", "1", "2",
+       "-log((2+sqrt(2))/(1+sqrt(2)))/(2*sqrt(2))"},
+      {"acosh(x)-log(2*x)", "1", "inf", "log(2)-1"},
+      {"asinh(x)-log(x)-log(2)", "1", "inf", "sqrt(2)-asinh(1)-1+log(2)"},
+      {"x*(sqrt(2*x^2+1)-sqrt(2)*x)-1/(2*sqrt(2))", "0", "inf", "-1/6"},
+      {"1/tan(x-sqrt(2))-1/(x-sqrt(2))", "1", "2",
+       "log(sin(2-sqrt(2))/(2-sqrt(2)))-log(sin(sqrt(2)-1)/(sqrt(2)-1))"},
+      {"(erf(1+x)-erf(1))/x*x", "0", "1",
+       "2*erf(2)-erf(1)+exp(-4)/sqrt(pi)-exp(-1)/sqrt(pi)-erf(1)"},
+      // The coefficients after the first one cancel as well.
+      {"(exp(1+x)-e-e*x-e*x^2/2)/x^(7/2)*x^(5/2)*x", "0", "1", "e^2-e-e-e/2-e/6"},
+  };
+  for (const known& k : all) {
+    const integral i = of(k.f, k.from, k.to);
+    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
+  }
+  // Constants that differ by less than what enclosures tell apart do not.
+  const std::vector<known> others{
+      {"1/(exp(x)-2)-(1+1e-60)/(2*(x-log(2)))", "log(2)", "1", ""},
+      {"1/(x^2-2)-1/(2*sqrt(2)*(x-sqrt(2)))+1e-50/(x-sqrt(2))", "sqrt(2)", "2", ""},
+      {"1/(x^2-2)-1/(2*sqrt(2+1e-70)*(x-sqrt(2)))", "1", "2", ""},
+      {"asinh(x)-log(x)-log(2)+1e-45", "1", "inf", ""},
+      {"1/tan(x-sqrt(2))-1/(x-sqrt(2)-1e-40)", "1", "2", ""},
+  };
+  for (const known& k : others) {
+    EXPECT_NE(of(k.f, k.from, k.to).verdict, status::certified) << k.f;
+  }
+}
+
 TEST(TurningPoints, StepsHaveNoKnownValuesAtAnEnd) {
   // On (0, 1) floor(x) = 0: 1/sqrt(1 - x).
   const integral i = of("1/sqrt(1-x-sin(pi*floor(x))+floor(x)*0)", "0", "1", 15);

@@ -19,8 +19,8 @@ struct exact_formula {
   static constexpr std::size_t longest = 64;  // nodes of the tree
 
   [[nodiscard]] static pointer of(const pi_combination& x);
-  /// By the name that formulas have for the function ("+", "-", "*", "/", "pow", "exp", ...), or for
-  /// a constant. Null where an operand is null, and where the formula would be too long.
+  /// By the name that formulas have for the function ("+", "-", "*", "/", "pow", "exp", ...), or
+  /// for a constant. Null where an operand is null, and where the formula would be too long.
   [[nodiscard]] static pointer of(std::string_view function, std::vector<pointer> operands = {});
 
   std::string_view function;  // empty for a number

@@ -426,8 +426,8 @@ extern template class compiled_expression<jet<ball, 2>>;
 extern template class compiled_expression<jet<ball, 3>>;
 extern template class compiled_expression<jet<ball, dynamic_order>>;
 
-/// x, exactly 0 where its enclosure holds 0 and the rules of expression::rational_value show for its
-/// formula that it is; without a formula where they do not.
+/// x, exactly 0 where its enclosure holds 0 and the rules of expression::rational_value show for
+/// its formula that it is; without a formula where they do not.
 [[nodiscard]] known_number settled(const known_number& x);
 
 }  // namespace polhode

@@ -175,8 +175,7 @@ class end_series {
 
 namespace detail {
 template <class N>
-concept series_constant =
-    exact_number<N> || std::same_as<N, ball> || std::same_as<N, known_number>;
+concept series_constant = exact_number<N> || std::same_as<N, ball> || std::same_as<N, known_number>;
 }  // namespace detail
 
 template <detail::series_constant N>

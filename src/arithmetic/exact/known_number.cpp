@@ -56,10 +56,10 @@ known_number sqrt(const known_number& x) {
 }
 
 // f(at) = value.
-#define POLHODE_KNOWN_AT(f, at, value)                   \
-  known_number f(const known_number& x) {                \
-    if (x.is_exactly(at)) return x.like(value);          \
-    return known_number::made(#f, f(x.enclosure()), x);  \
+#define POLHODE_KNOWN_AT(f, at, value)                  \
+  known_number f(const known_number& x) {               \
+    if (x.is_exactly(at)) return x.like(value);         \
+    return known_number::made(#f, f(x.enclosure()), x); \
   }
 POLHODE_KNOWN_AT(exp, 0, 1)
 POLHODE_KNOWN_AT(log, 1, 0)

@@ -402,14 +402,16 @@ jet<T, dynamic_order> erf_of(const jet<T, dynamic_order>& x, const T& value, con
 }  // namespace
 
 end_series erf(const end_series& x) {
-  const ball factor = 2 / sqrt(pi(end_series::bits));
+  const known_number factor =
+      known_number(rational(2)) / sqrt(known_number(pi_combination{0, 1}, end_series::bits));
   end_series r = x.plain("erf");
   if (r.blocked_) return r;
   auto& g = r.terms_.front();
   const known_number& c = g.at_0[0];
-  const known_number value = c.is_zero() ? c : known_number(erf(c.enclosure()));
-  g.at_0 = erf_of(g.at_0, value, known_number(factor));
-  g.over = erf_of(g.over, detail::named<detail::operation::erf>::over(g.over[0]), region(factor));
+  const known_number value = c.is_zero() ? c : known_number::made("erf", erf(c.enclosure()), c);
+  g.at_0 = erf_of(g.at_0, value, factor);
+  g.over = erf_of(g.over, detail::named<detail::operation::erf>::over(g.over[0]),
+                  region(factor.enclosure()));
   return std::move(r).checked("erf");
 }
 end_series erfc(const end_series& x) { return x.is_blocked() ? x : 1 - erf(x); }
