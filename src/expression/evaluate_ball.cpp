@@ -156,17 +156,19 @@ std::vector<possibly_exact_constant> possibly_exact_constants_of(const program& 
   }
   std::vector<possibly_exact_constant> result;
   result.reserve(t.outputs.size());
-  std::size_t k = 0;
-  for (ball& x : constants_of(f, p)) {
-    const std::uint32_t i = t.outputs[k++];
-    const auto exact = exactly(i);
-    if (exact && exact->is_rational()) {
-      result.emplace_back(exact->q);
-    } else if (exact) {
-      result.emplace_back(known_number(*exact, p));
-    } else {
-      result.emplace_back(known_number(std::move(x), slots[i - t.inputs].formula));
+  std::vector<ball> values;  // of the outputs, where one of them is not exact
+  for (std::size_t k = 0; k < t.outputs.size(); ++k) {
+    const std::uint32_t i = t.outputs[k];
+    if (auto exact = exactly(i)) {
+      if (exact->is_rational()) {
+        result.emplace_back(std::move(exact->q));
+      } else {
+        result.emplace_back(known_number(*exact, p));
+      }
+      continue;
     }
+    if (values.empty()) values = constants_of(f, p);
+    result.emplace_back(known_number(std::move(values[k]), slots[i - t.inputs].formula));
   }
   return result;
 }

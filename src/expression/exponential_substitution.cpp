@@ -401,7 +401,7 @@ class substitution {
     if (number.further() != nullptr && number.further() != g_.further()) {
       throw detail::undefined_operation("functions of another list");  // which g_ would not keep
     }
-    return detail::copied_into(g_, number, std::nullopt)[number.root];
+    return detail::copied_into(g_, number)[number.root];
   }
 
   const detail::graph& f_;

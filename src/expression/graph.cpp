@@ -498,7 +498,7 @@ node_id with_operands(graph& to, const graph& from, node_id i,
   return to.make(n.what, left, right, n.number);
 }
 
-std::vector<node_id> copied_into(graph& to, const graph& from, std::optional<node_id> variable) {
+std::vector<node_id> copied_into(graph& to, const graph& from) {
   const std::vector<char> used = reachable(from);
   std::vector<node_id> places(from.size(), 0);
   for (node_id i = 0; i <= from.root; ++i) {
@@ -507,8 +507,7 @@ std::vector<node_id> copied_into(graph& to, const graph& from, std::optional<nod
     if (n.what == operation::number) {
       places[i] = to.number(from.number_at(n.number));
     } else if (n.what == operation::variable) {
-      if (!variable) throw std::invalid_argument("a number with a variable in it");
-      places[i] = *variable;
+      throw std::invalid_argument("a number with a variable in it");
     } else {
       places[i] = with_operands(to, from, i, [&](node_id k) { return places[k]; });
     }

@@ -132,11 +132,9 @@ node_id double_factorial(graph& g, node_id x);
 [[nodiscard]] node_id with_operands(graph& to, const graph& from, node_id i,
                                     const std::function<node_id(node_id)>& operand);
 
-/// Copies what the root of `from` is made of into `to`, as it stands, with a node of `to` in the
-/// place of its variable. Returns where each node of `from` is in `to`. Throws
-/// std::invalid_argument where there is a variable, and nothing in its place.
-[[nodiscard]] std::vector<node_id> copied_into(graph& to, const graph& from,
-                                               std::optional<node_id> variable);
+/// Copies what the root of `from` is made of into `to`, as it stands. Returns where each node of
+/// `from` is in `to`. Throws std::invalid_argument where there is a variable.
+[[nodiscard]] std::vector<node_id> copied_into(graph& to, const graph& from);
 
 /// The graph's root in instructions.
 [[nodiscard]] program compile(const graph& g, std::size_t variables);

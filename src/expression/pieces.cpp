@@ -60,6 +60,27 @@ class rational_roots {
   integer leading_;
 };
 
+/// An end of a range; none where the range is unbounded there.
+using bound = std::optional<rational>;
+
+/// The range, where it is bounded, and else a bounded one that has the same roots of p in it: they
+/// lie within 1 + max |c_i/c_n| of 0 (A.-L. Cauchy, 1829).
+std::pair<rational, rational> with_all_roots(const rational_polynomial& p, const bound& lower,
+                                             const bound& upper) {
+  rational greatest = 0;
+  if (!lower || !upper) {
+    for (const rational& c : p.coefficients()) greatest = std::max(greatest, rational(abs(c)));
+    greatest = 1 + greatest / abs(p.leading());
+  }
+  return {lower ? *lower : rational(-greatest), upper ? *upper : greatest};
+}
+
+/// A number inside the range.
+rational inside(const bound& lower, const bound& upper) {
+  if (lower && upper) return (*lower + *upper) / 2;
+  return lower ? rational(*lower + 1) : upper ? rational(*upper - 1) : rational(0);
+}
+
 /// alpha x + beta.
 struct linear_form {
   rational alpha;
@@ -137,7 +158,7 @@ class separation : rewriting {
  public:
   using rewriting::rewriting;
 
-  std::optional<std::vector<expression::piece>> between(const rational& a, const rational& b,
+  std::optional<std::vector<expression::piece>> between(const bound& a, const bound& b,
                                                         std::size_t most) {
     bool any = false;
     for (node_id i = 0; i < end_; ++i) {
@@ -145,16 +166,16 @@ class separation : rewriting {
     }
     if (!any) return std::nullopt;
     std::vector<expression::piece> result;
-    std::vector<std::pair<rational, rational>> open{{a, b}};  // the leftmost is the last
+    std::vector<std::pair<bound, bound>> open{{a, b}};  // the leftmost is the last
     while (!open.empty()) {
-      const rational lower = open.back().first;
-      const rational upper = open.back().second;
+      const bound lower = open.back().first;
+      const bound upper = open.back().second;
       open.pop_back();
       points_.clear();
       const auto root = root_by([&](node_id i) { return made(i, lower, upper, most); });
       if (!points_.empty()) {
         if (open.size() + points_.size() + result.size() >= most) return std::nullopt;
-        rational end = upper;
+        bound end = upper;
         for (std::size_t k = points_.size(); k-- > 0;) {
           open.emplace_back(points_[k], end);
           end = points_[k];
@@ -170,8 +191,7 @@ class separation : rewriting {
 
  private:
   /// Nothing where it is not known, or the range has to be cut at points_.
-  std::optional<node_id> made(node_id i, const rational& lower, const rational& upper,
-                              std::size_t most) {
+  std::optional<node_id> made(node_id i, const bound& lower, const bound& upper, std::size_t most) {
     const node n = g_[i];
     if (!has_breaks(n.what)) return with_places(i);
     const node_id x = place_[n.left];
@@ -185,20 +205,24 @@ class separation : rewriting {
     return *positive == (n.what == operation::max) ? x : y;
   }
   /// Whether the rational function is >= 0 inside the range, or <= 0.
-  std::optional<bool> sign(node_id of, const rational& lower, const rational& upper) {
+  std::optional<bool> sign(node_id of, const bound& lower, const bound& upper) {
     const auto w = formula_at_(g_, of).quotient();
     if (!w) return std::nullopt;
     if (w->numerator.is_zero()) return true;
     std::vector<rational> roots;
-    if (!rational_roots(w->numerator).add_inside(lower, upper, roots)) return std::nullopt;
+    const auto add_roots_of = [&](const rational_polynomial& p) {
+      const auto [from, to] = with_all_roots(p, lower, upper);
+      return !(from < to) || rational_roots(p).add_inside(from, to, roots);
+    };
+    if (!add_roots_of(w->numerator)) return std::nullopt;
     for (const repeated_factor& d : w->divisors) {
-      if (!rational_roots(d.factor).add_inside(lower, upper, roots)) return std::nullopt;
+      if (!add_roots_of(d.factor)) return std::nullopt;
     }
     std::sort(roots.begin(), roots.end());
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
     points_ = std::move(roots);
     if (!points_.empty()) return std::nullopt;
-    const rational middle = (lower + upper) / 2;
+    const rational middle = inside(lower, upper);
     bool positive = w->numerator(middle) > 0;
     for (const repeated_factor& d : w->divisors) {
       if (d.multiplicity % 2 != 0 && d.factor(middle) < 0) positive = !positive;
@@ -206,13 +230,15 @@ class separation : rewriting {
     return positive;
   }
   /// The whole number that floor or ceil of a linear form is inside the range.
-  std::optional<node_id> step(node_id of, bool up, const rational& lower, const rational& upper,
+  std::optional<node_id> step(node_id of, bool up, const bound& lower, const bound& upper,
                               std::size_t most) {
     const auto p = formula_at_(g_, of).polynomial();
     const auto form = p ? linear_form_of(*p) : std::nullopt;
-    if (!form) return std::nullopt;
-    const rational first = std::min((*p)(lower), (*p)(upper));
-    const rational last = std::max((*p)(lower), (*p)(upper));
+    if (!form || ((!lower || !upper) && form->alpha != 0)) return std::nullopt;
+    const rational at_lower = (*p)(lower ? *lower : rational(0));
+    const rational at_upper = (*p)(upper ? *upper : rational(0));
+    const rational first = std::min(at_lower, at_upper);
+    const rational last = std::max(at_lower, at_upper);
     const integer from = floor_of(first) + 1;
     const integer to = ceil_of(last) - 1;  // whole numbers strictly between
     if (form->alpha != 0 && from <= to) {
@@ -222,7 +248,7 @@ class separation : rewriting {
       std::sort(points_.begin(), points_.end());
       return std::nullopt;
     }
-    const rational middle = (*p)((lower + upper) / 2);
+    const rational middle = (*p)(inside(lower, upper));
     return g_.number(rational(up ? ceil_of(middle) : floor_of(middle)));
   }
 
@@ -364,10 +390,15 @@ class rooted : rewriting {
 }  // namespace
 }  // namespace pieces_impl
 
-std::optional<std::vector<expression::piece>> expression::pieces(const rational& a,
-                                                                 const rational& b,
+std::optional<std::vector<expression::piece>> expression::pieces(const std::optional<rational>& a,
+                                                                 const std::optional<rational>& b,
                                                                  std::size_t most) const {
   if (variables_.size() != 1 || graph_->size() > pieces_impl::most_nodes) return std::nullopt;
+  bool any = false;
+  for (detail::node_id i = 0; i <= graph_->root; ++i) {
+    any = any || pieces_impl::has_breaks((*graph_)[i].what);
+  }
+  if (!any) return std::nullopt;
   try {
     return pieces_impl::separation(
                *graph_,

@@ -8,6 +8,7 @@
 
 #include "polhode/quadrature/rule.hpp"
 #include "quadrature/folded.hpp"
+#include "quadrature/sum_of_parts.hpp"
 #include "quadrature/turned.hpp"
 
 namespace polhode {
@@ -80,6 +81,12 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
     result.why = reason::not_applicable;
     result.obstacle = insisted->need();
     return result;
+  }
+  if (f.pieces) {
+    const std::vector<part> parts = f.pieces(a, b);
+    if (!parts.empty()) {
+      if (auto sum = sum_to_goal(parts, options)) return *std::move(sum);
+    }
   }
   for (const quadrature_rule& rule : quadrature_rule::all()) {
     if (!rule.strategy()->is_automatic()) continue;

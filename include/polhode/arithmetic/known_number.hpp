@@ -4,6 +4,7 @@
 // where there is one, a formula: the scalar of jets and series in which "is this coefficient 0" can
 // be decided.
 
+#include <concepts>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -28,7 +29,10 @@ class known_number {
   static constexpr precision usual_precision = 128;
 
   known_number() : exact_(0), enclosure_(0, usual_precision) {}
-  explicit known_number(const rational& q, precision p = usual_precision);
+  /// Of a rational alone: whether a ball converts to one is not asked then.
+  template <std::same_as<rational> Q>
+  explicit known_number(const Q& q, precision p = usual_precision)
+      : known_number(pi_combination{q, 0}, p) {}
   explicit known_number(const pi_combination& x, precision p = usual_precision);
   /// A ball without width is the exact number that it is.
   explicit known_number(ball x);
@@ -63,35 +67,13 @@ class known_number {
   }
   [[nodiscard]] known_number like(long n) const { return like(rational(n)); }
 
-  friend known_number operator-(const known_number& x) {
-    if (const auto s = x.form()) return x.like(-*s);
-    return made("-", -x.enclosure_, x);
-  }
-  friend known_number operator+(const known_number& x, const known_number& y) {
-    if (y.is_zero()) return x;
-    if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ + *y.exact_));
-    if (const auto s = x.form(), t = y.form(); s && t) return x.like(*s + *t);
-    return made("+", x.enclosure_ + y.enclosure_, x, y);
-  }
+  friend known_number operator-(const known_number& x);
+  friend known_number operator+(const known_number& x, const known_number& y);
   friend known_number operator-(const known_number& x, const known_number& y) { return x + (-y); }
   /// 0 times a number is 0, however little is known of the number if it is defined.
-  friend known_number operator*(const known_number& x, const known_number& y) {
-    if (x.is_zero() && !y.enclosure_.is_undefined()) return x;
-    if (y.is_zero() && !x.enclosure_.is_undefined()) return x.like(0);
-    if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ * *y.exact_));
-    if (x.with_pi_ && y.exact_) return x.like(*x.with_pi_ * *y.exact_);
-    if (x.exact_ && y.with_pi_) return x.like(*y.with_pi_ * *x.exact_);
-    return made("*", x.enclosure_ * y.enclosure_, x, y);
-  }
+  friend known_number operator*(const known_number& x, const known_number& y);
   /// Undefined where y may be 0.
-  friend known_number operator/(const known_number& x, const known_number& y) {
-    if (x.exact_ && y.exact_ && *y.exact_ != 0) return x.like(rational(*x.exact_ / *y.exact_));
-    if (x.with_pi_ && y.exact_ && *y.exact_ != 0) {
-      return x.like(*x.with_pi_ * rational(1 / *y.exact_));
-    }
-    if (x.is_zero() && !y.enclosure_.is_undefined() && !contains_zero(y.enclosure_)) return x;
-    return made("/", x.enclosure_ / y.enclosure_, x, y);
-  }
+  friend known_number operator/(const known_number& x, const known_number& y);
   known_number& operator+=(const known_number& y) { return *this = *this + y; }
   friend known_number operator+(const known_number& x, long n) { return x + x.like(n); }
   friend known_number operator-(const known_number& x, long n) { return x - x.like(n); }

@@ -18,11 +18,7 @@ struct pi_combination {
   [[nodiscard]] bool is_zero() const { return q == 0 && r == 0; }
   [[nodiscard]] bool is_rational() const { return r == 0; }
   /// An enclosure with p bits.
-  [[nodiscard]] ball at(precision p) const {
-    if (is_rational()) return {q, p};
-    const ball multiple = pi(p) * r;
-    return q == 0 ? multiple : multiple + q;
-  }
+  [[nodiscard]] ball at(precision p) const;
 
   friend pi_combination operator-(const pi_combination& x) { return {-x.q, -x.r}; }
   friend pi_combination operator+(const pi_combination& x, const pi_combination& y) {

@@ -269,11 +269,12 @@ class expression {
   [[nodiscard]] std::optional<fraction> as_fraction() const;
   /// A part of a range, and what f is inside it.
   struct piece;
-  /// f between a and b, a formula of one variable in which abs, min, max, floor and ceil are of
-  /// rational functions of x and of each other, in pieces: each with a formula that has none of
-  /// these and the same values. None where they meet at an irrational point, where there are none
-  /// of them, or more than `most` pieces.
-  [[nodiscard]] std::optional<std::vector<piece>> pieces(const rational& a, const rational& b,
+  /// f between a and b (none stands for an infinity), a formula of one variable in which abs, min,
+  /// max, floor and ceil are of rational functions of x and of each other, in pieces: each with a
+  /// formula that has none of these and the same values. None where they meet at an irrational
+  /// point, where there are none of them, or more than `most` pieces.
+  [[nodiscard]] std::optional<std::vector<piece>> pieces(const std::optional<rational>& a,
+                                                         const std::optional<rational>& b,
                                                          std::size_t most) const;
   /// A formula of one variable with whole numbers in place of its steps, the floors and ceilings of
   /// what varies: of the first ones, in their order. None where it then has no value anywhere.
@@ -375,8 +376,8 @@ struct expression::periodic_sum {
   std::vector<term> terms;
 };
 struct expression::piece {
-  rational lower;
-  rational upper;
+  std::optional<rational> lower;  // none for -infinity
+  std::optional<rational> upper;  // none for infinity
   expression formula;
 };
 struct expression::stepped {

@@ -153,6 +153,7 @@ struct segment {
   bool continued = false;
 };
 
+struct part;
 struct turned_rays;
 struct rays_of_range;
 struct folded_tail;
@@ -165,6 +166,10 @@ struct integrand {
   /// The same of equidistant arguments. May be empty.
   std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
   std::function<end_series(const end_series& x)> near_end;
+  /// Integrals over parts of the range from a to b, whose sum is that over the range, of functions
+  /// without the abs, min, max, floor and ceil of this one. None where it has none of them or the
+  /// parts are not known; may be empty.
+  std::function<std::vector<part>(const end_point& a, const end_point& b)> pieces;
   /// Numbers at which it may be of interest to cut a range: candidates. May be empty.
   std::function<std::vector<end_point>()> candidates;
   /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in

@@ -110,6 +110,12 @@ ball parse_ball(std::string_view text, precision p) { return {parse_rational(tex
 
 std::string to_text(const rational& q) { return q.str(); }
 
+ball pi_combination::at(precision p) const {
+  if (is_rational()) return {q, p};
+  const ball multiple = pi(p) * r;
+  return q == 0 ? multiple : multiple + q;
+}
+
 std::optional<pi_combination> common_period(const pi_combination& x, const pi_combination& y) {
   if ((x.q != 0 && x.r != 0) || (y.q != 0 && y.r != 0) || x.is_rational() != y.is_rational()) {
     return std::nullopt;

@@ -6,8 +6,7 @@ exact_formula::pointer exact_formula::of(const pi_combination& x) {
   return std::make_shared<const exact_formula>(exact_formula{{}, {}, x, 1});
 }
 
-exact_formula::pointer exact_formula::of(std::string_view function,
-                                         std::vector<pointer> operands) {
+exact_formula::pointer exact_formula::of(std::string_view function, std::vector<pointer> operands) {
   std::size_t size = 1;
   for (const pointer& x : operands) {
     if (x == nullptr) return nullptr;

@@ -23,10 +23,6 @@ bool is_short(const ball& x) {
 
 }  // namespace
 
-known_number::known_number(const rational& q, precision p) : enclosure_(q, p) {
-  if (is_short(q)) exact_ = q;
-}
-
 known_number::known_number(const pi_combination& x, precision p) : enclosure_(x.at(p)) {
   if (!is_short(x.q) || !is_short(x.r)) return;
   if (x.is_rational()) {
@@ -40,6 +36,36 @@ known_number::known_number(ball x) : enclosure_(std::move(x)) {
   if (enclosure_.is_bounded() && enclosure_.is_exact() && is_short(enclosure_)) {
     exact_ = lower_rational(enclosure_);
   }
+}
+
+known_number operator-(const known_number& x) {
+  if (const auto s = x.form()) return x.like(-*s);
+  return known_number::made("-", -x.enclosure_, x);
+}
+
+known_number operator+(const known_number& x, const known_number& y) {
+  if (y.is_zero()) return x;
+  if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ + *y.exact_));
+  if (const auto s = x.form(), t = y.form(); s && t) return x.like(*s + *t);
+  return known_number::made("+", x.enclosure_ + y.enclosure_, x, y);
+}
+
+known_number operator*(const known_number& x, const known_number& y) {
+  if (x.is_zero() && !y.enclosure_.is_undefined()) return x;
+  if (y.is_zero() && !x.enclosure_.is_undefined()) return x.like(0);
+  if (x.exact_ && y.exact_) return x.like(rational(*x.exact_ * *y.exact_));
+  if (x.with_pi_ && y.exact_) return x.like(*x.with_pi_ * *y.exact_);
+  if (x.exact_ && y.with_pi_) return x.like(*y.with_pi_ * *x.exact_);
+  return known_number::made("*", x.enclosure_ * y.enclosure_, x, y);
+}
+
+known_number operator/(const known_number& x, const known_number& y) {
+  if (x.exact_ && y.exact_ && *y.exact_ != 0) return x.like(rational(*x.exact_ / *y.exact_));
+  if (x.with_pi_ && y.exact_ && *y.exact_ != 0) {
+    return x.like(*x.with_pi_ * rational(1 / *y.exact_));
+  }
+  if (x.is_zero() && !y.enclosure_.is_undefined() && !contains_zero(y.enclosure_)) return x;
+  return known_number::made("/", x.enclosure_ / y.enclosure_, x, y);
 }
 
 known_number sqrt(const known_number& x) {

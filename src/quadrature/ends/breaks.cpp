@@ -47,6 +47,7 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   if (chosen->empty()) return result;
   // f's symmetries are not those of one of its pieces, continued: |sin| is even about 0.
   result.under = nullptr;
+  result.pieces = nullptr;
   result.in_exponential = nullptr;
   result.antiderivative = nullptr;
   result.on_turned_rays = nullptr;

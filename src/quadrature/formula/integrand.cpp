@@ -24,6 +24,7 @@
 #include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
+#include "quadrature/sum_of_parts.hpp"
 
 namespace polhode {
 
@@ -290,6 +291,37 @@ std::function<ball(precision)> difference_at_ends(const expression& f, const end
   };
 }
 
+/// detail::integrand::pieces of a formula, for a < b.
+std::vector<detail::part> pieces_between(const expression& f, const end_point& a,
+                                         const end_point& b) {
+  constexpr std::size_t most_pieces = 8;
+  constexpr precision p = 64;
+  if (f.variables().size() != 1) return {};
+  // For an end that is not rational a number beyond it, if no piece ends between them.
+  const auto beyond = [](const end_point& x, bool is_lower) -> std::optional<rational> {
+    if (x.is_infinite()) return std::nullopt;
+    if (x.exact()) return x.exact();
+    return is_lower ? lower_rational(x.at(p)) : upper_rational(x.at(p));
+  };
+  const auto found = f.pieces(beyond(a, true), beyond(b, false), most_pieces);
+  if (!found) return {};
+  const auto& first_end = found->front().upper;
+  const auto& last_start = found->back().lower;
+  const bool begins =
+      a.is_infinite() || a.exact() || !first_end || upper_rational(a.at(p)) < *first_end;
+  const bool ends =
+      b.is_infinite() || b.exact() || !last_start || *last_start < lower_rational(b.at(p));
+  if (!begins || !ends) return {};
+  std::vector<detail::part> parts;
+  for (const expression::piece& piece : *found) {
+    parts.push_back({integrand_of(piece.formula), piece.lower ? end_point(*piece.lower) : a,
+                     piece.upper ? end_point(*piece.upper) : b});
+  }
+  parts.front().lower = a;
+  parts.back().upper = b;
+  return parts;
+}
+
 /// With so many changes of the variable to an exponential, one after the other, at most.
 detail::integrand integrand_with_changes(const expression& f, int changes) {
   constexpr precision series_bits = 192;
@@ -314,6 +346,7 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
       return integrand_with_changes(*g, changes - 1);
     };
   }
+  result.pieces = [f](const end_point& a, const end_point& b) { return pieces_between(f, a, b); };
   result.candidates = [f] {
     std::vector<end_point> points;
     if (f.variables().size() != 1) return points;

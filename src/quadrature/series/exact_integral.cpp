@@ -187,8 +187,8 @@ std::optional<rational> smooth_integral(const expression& f, const maybe_end& a,
 }
 
 /// From a to b, a < b, by pieces where there are breaks.
-std::optional<rational> integral_by_pieces(const expression& f, const rational& a,
-                                           const rational& b) {
+std::optional<rational> integral_by_pieces(const expression& f, const maybe_end& a,
+                                           const maybe_end& b) {
   constexpr std::size_t most_pieces = 1000;
   const auto pieces = f.pieces(a, b, most_pieces);
   if (!pieces) return smooth_integral(f, a, b);
@@ -284,7 +284,7 @@ std::optional<rational> exact_integral(const expression& f, const end_point& a,
   const maybe_end& lower = a.exact();
   const maybe_end& upper = b.exact();
   if (!lower || !upper) {
-    if (auto value = smooth_integral(f, lower, upper)) return value;
+    if (auto value = integral_by_pieces(f, lower, upper)) return value;
     return difference_at_ends(f, a, b);
   }
   if (auto sum = integral_of_stairs(f, *lower, *upper)) return sum;
