@@ -36,6 +36,66 @@ integral_case oscillating_tail(maker& m) {
   return {f, m.near(m.within(0.5, 4)), "inf", m.between(5, 16)};
 }
 
+/// abs, min and max of rational functions over infinite ranges, which are cut at rational points. A
+/// divergent twin in one case of five.
+integral_case pieces_to_infinity(maker& m) {
+  const bool diverges = m.one_in(5);
+  const term c = m.coefficient();
+  const term k = m.positive_rational();
+  const term middle = m.one_in(3) ? term(0) : m.rational_near(m.within(-3, 3));
+  const term distance = call("abs", x - middle);
+  integral_case r{0, "-inf", "inf", few_digits(m)};
+  r.diverges = diverges;
+  if (diverges) {
+    r.integrand = m.any_of({c / (1 + k * distance), c * call("min", 1, 1 / distance),
+                            c * call("max", 1 / power(x, 2), k),
+                            c * call("abs", 1 - call("max", distance, k) / k),
+                            c * call("exp", -k * call("min", distance, 2))});
+    return r;
+  }
+  switch (m.between(0, 5)) {
+    case 0: {
+      const term w = m.any_of({term(1), term(7), term(100), term(3000)});
+      r.integrand = c * call("exp", -k * distance) * call("cos", w * x);
+      r.value = c * 2 * k * call("cos", w * middle) / (power(k, 2) + power(w, 2));
+      break;
+    }
+    case 1: {
+      const term n = m.between(2, 6);
+      r.integrand = c / power(1 + k * distance, n);
+      r.value = 2 * c / (k * (n - 1));
+      break;
+    }
+    case 2:
+      r.integrand = c * call("max", 0, 1 - k * distance) * call("exp", x);
+      r.value = c * call("exp", middle) * k * power(call("sinh", 1 / (2 * k)) * 2, 2);
+      break;
+    case 3: {
+      const term n = m.between(2, 5);
+      r.integrand = c * call("min", power(k, n), 1 / power(distance, n));
+      r.value = 2 * c * n / (n - 1) * power(k, n - 1);
+      break;
+    }
+    case 4: {
+      const term q = m.positive_rational();
+      const term at_q = power(q, 2) / k + 2 * q / power(k, 2) + 2 / power(k, 3);
+      r.integrand = c * call("abs", power(x, 2) - power(q, 2)) * call("exp", -k * x);
+      r.from = 0;
+      r.value = c * (2 * call("exp", -k * q) * (at_q - power(q, 2) / k) + power(q, 2) / k -
+                     2 / power(k, 3));
+      break;
+    }
+    default: {
+      const term a = m.positive_rational();
+      r.integrand = c / power(call("max", x, a), 3);
+      r.from = 0;
+      r.value = 3 * c / (2 * power(a, 2));
+      break;
+    }
+  }
+  return r;
+}
+
 /// 0/0 at an end or between the limits.
 integral_case removable(maker& m) {
   const term c = m.one_in(2) ? term(0) : m.near(m.within(-1, 1));
@@ -342,6 +402,7 @@ std::vector<integral_family> shape_families() {
           {"oscillating tail", 5, mostly_cheap(oscillating_tail)},
           {"removable singularity", 10, mostly_cheap(removable)},
           {"kinks and steps", 7, mostly_cheap(kinks)},
+          {"pieces to infinity", 10, mostly_cheap(pieces_to_infinity)},
           {"kinks of a high order", 10, mostly_cheap(high_kink)},
           {"touching 0 at multiples of pi", 6, mostly_cheap(touching)},
           {"divergent at a kink of a high order", 5, mostly_cheap(high_kink_that_diverges)},
