@@ -14,6 +14,10 @@
 //     divided out of its polynomials in that,
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos,
 //   tan(k pi + w) = tan w,  tan(k pi + pi/2 + w) = -1/tan w.
+// What decays with s and is a difference of two numbers near 1 is written without that difference,
+// so that regions of it keep its relative size:
+//   cos w - 1 = -2 sin(w/2)^2,  cosh w - 1 = 2 sinh(w/2)^2,  exp w - 1 = 2 exp(w/2) sinh(w/2),
+//   sqrt(1 + w) - 1 = w/(sqrt(1 + w) + 1),  log(1 + w) = 2 atanh(w/(2 + w)).
 
 #include <algorithm>
 #include <functional>
@@ -47,6 +51,13 @@ struct value {
     node_id beta;
   };
   std::optional<linear> in_x;
+  /// sign F(w), where F is cos, cosh, exp, 1 + w (add) or sqrt(1 + w) of a w that decays with s.
+  struct near_one {
+    operation function;
+    node_id w;
+    int sign = 1;
+  };
+  std::optional<near_one> beside_one = std::nullopt;
 };
 
 /// p(a + b x).
@@ -219,7 +230,11 @@ class substitution {
       case operation::sqrt: {
         const value& x = *values_[n.left];
         const node_id half = g_.number(rational(1, 2));
-        return scaled(x, half, call("sqrt", {x.rest}));
+        value result = scaled(x, half, call("sqrt", {x.rest}));
+        if (x.beside_one && x.beside_one->function == operation::add) {
+          result.beside_one = value::near_one{operation::sqrt, x.beside_one->w};
+        }
+        return result;
       }
       case operation::root: {
         const value& x = *values_[n.left];
@@ -228,10 +243,25 @@ class substitution {
       }
       case operation::exp: {
         const auto [kappa, v] = split(plain(*values_[n.left]));
-        return {kappa, v, one_, std::nullopt};
+        return beside_one({kappa, v, one_, std::nullopt}, n);
+      }
+      case operation::cosh:
+        return beside_one(as_it_is(call("cosh", {plain(*values_[n.left])})), n);
+      case operation::expm1: {
+        const value& x = *values_[n.left];
+        if (!decays(x)) break;
+        return less_one({operation::exp, plain(x)});
+      }
+      case operation::log1p: {
+        const value& x = *values_[n.left];
+        if (!decays(x)) break;
+        return logarithm_beside_one(plain(x));
       }
       case operation::log: {
         const value& x = *values_[n.left];
+        if (x.beside_one && x.beside_one->function == operation::add) {
+          return logarithm_beside_one(x.beside_one->w);
+        }
         return as_it_is(add(g_, exponent(x), x.rest == one_ ? zero_ : call("log", {x.rest})));
       }
       case operation::abs: {
@@ -258,14 +288,76 @@ class substitution {
       case operation::cos:
       case operation::tan:
         if (auto moved = by_quarter_turns(n)) return *moved;
-        break;
+        if (n.what != operation::cos) break;
+        return beside_one(as_it_is(call("cos", {plain(*values_[n.left])})), n);
       default:
         break;
     }
     return as_it_is(
         detail::with_operands(g_, f_, i, [&](node_id k) { return plain(*values_[k]); }));
   }
+  /// It tends to 0 for s -> infinity, if its last factor is bounded.
+  [[nodiscard]] bool decays(const value& x) {
+    return x.v == zero_ && x.kappa != zero_ && is_constant(x.kappa) &&
+           certainly_negative(detail::value_at(g_, x.kappa, 64));
+  }
+  /// The function of node n, which is 1 at 0.
+  value beside_one(value result, const node& n) {
+    const value& x = *values_[n.left];
+    if (decays(x)) result.beside_one = value::near_one{n.what, plain(x)};
+    return result;
+  }
+  /// F(w) - 1.
+  value less_one(const value::near_one& f) {
+    const node_id two = g_.number(2);
+    const node_id half = divide(g_, f.w, two);
+    const auto twice_squared = [&](const char* function) {
+      return multiply(g_, two, power(g_, call(function, {half}), two));
+    };
+    switch (f.function) {
+      case operation::cos:
+        return as_it_is(negate(g_, twice_squared("sin")));
+      case operation::cosh:
+        return as_it_is(twice_squared("sinh"));
+      case operation::exp:
+        return as_it_is(multiply(g_, multiply(g_, two, call("exp", {half})), call("sinh", {half})));
+      default: {  // sqrt(1 + w)
+        const node_id root = call("sqrt", {add(g_, one_, f.w)});
+        return as_it_is(divide(g_, f.w, add(g_, root, one_)));
+      }
+    }
+  }
+  value logarithm_beside_one(node_id w) {
+    const node_id two = g_.number(2);
+    return as_it_is(multiply(g_, two, call("atanh", {divide(g_, w, add(g_, two, w))})));
+  }
+  /// x + sign y without a difference of numbers near 1, where y is 1 or -1.
+  std::optional<value> without_one(const value& x, const value& y, int sign) {
+    if (!x.beside_one || x.beside_one->function == operation::add) return std::nullopt;
+    const rational* const c = g_.value(y.rest);
+    if (c == nullptr || !y.in_x || y.in_x->beta != zero_) return std::nullopt;
+    if (*c * sign + x.beside_one->sign != 0) return std::nullopt;
+    value result = less_one(*x.beside_one);
+    if (x.beside_one->sign < 0) result.rest = negate(g_, result.rest);
+    return result;
+  }
   value sum(const value& x, const value& y, bool minus) {
+    const int sign = minus ? -1 : 1;
+    if (auto difference = without_one(x, y, sign)) return *difference;
+    if (auto difference = without_one(y, x, sign)) {
+      if (minus) difference->rest = negate(g_, difference->rest);
+      return *difference;
+    }
+    value result = sum_as_it_is(x, y, minus);
+    if (x.rest == one_ && x.in_x && x.in_x->beta == zero_ && decays(y)) {
+      const node_id w = plain(y);
+      result.beside_one = value::near_one{operation::add, minus ? negate(g_, w) : w};
+    } else if (!minus && y.rest == one_ && y.in_x && y.in_x->beta == zero_ && decays(x)) {
+      result.beside_one = value::near_one{operation::add, plain(x)};
+    }
+    return result;
+  }
+  value sum_as_it_is(const value& x, const value& y, bool minus) {
     const auto of = [&](node_id p, node_id q) {
       return minus ? subtract(g_, p, q) : add(g_, p, q);
     };
@@ -392,9 +484,12 @@ class substitution {
     }
     // The quarter turns that take sin w there: cos w = sin(w + pi/2).
     const long quarter = (turns + (n.what == operation::cos ? 1 : 0)) % 4;
-    node_id result = call(quarter % 2 == 0 ? "sin" : "cos", {w});
-    if (quarter >= 2) result = negate(g_, result);
-    return as_it_is(result);
+    const node_id function = call(quarter % 2 == 0 ? "sin" : "cos", {w});
+    value result = as_it_is(quarter >= 2 ? negate(g_, function) : function);
+    if (quarter % 2 != 0 && decays(linear(zero_, x.in_x->beta))) {
+      result.beside_one = value::near_one{operation::cos, w, quarter >= 2 ? -1 : 1};
+    }
+    return result;
   }
 
   node_id copied(const detail::graph& number) {

@@ -498,6 +498,58 @@ integral_case constants_cancel(maker& m) {
   return r;
 }
 
+/// Irrational powers of differences of 1 and what is 1 at the end, times the slope of the
+/// difference. A divergent twin in one case of five.
+integral_case powers_of_differences(maker& m) {
+  const bool diverges = m.one_in(5);
+  const term c = m.coefficient();
+  const term k = m.rational_near(m.within(0.3, 2));
+  const term a = m.rational_near(m.within(0.2, 1.2));
+  const term e = diverges ? m.any_of({term("-sqrt(2)"), term("-pi/3"), term("-1-1e-9")})
+                          : m.any_of({term("-1/sqrt(2)"), term("-1/pi"), term("sqrt(2)"),
+                                      term("log(2)"), term("-e/3"), term("-sqrt(3)/2")});
+  const term y = k * x;
+  integral_case r{0, 0, a, few_digits(m)};
+  r.diverges = diverges;
+  term base = 0;
+  term factor = 1 / k;
+  term slope = 0;
+  switch (m.between(0, 5)) {
+    case 0:
+      base = 1 - call("cos", y);
+      slope = call("sin", y);
+      break;
+    case 1:
+      base = m.one_in(2) ? call("expm1", y) : call("exp", y) - 1;
+      slope = call("exp", y);
+      break;
+    case 2:
+      base = m.one_in(2) ? call("log1p", y) : call("log", 1 + y);
+      slope = 1 / (1 + y);
+      break;
+    case 3:
+      base = call("sqrt", 1 + y) - 1;
+      slope = 1 / call("sqrt", 1 + y);
+      factor = 2 / k;
+      break;
+    case 4:
+      base = call("cosh", y) - 1;
+      slope = call("sinh", y);
+      break;
+    default:
+      base = 1 + call("cos", x);
+      slope = call("sin", x);
+      r.from = term("pi") - a;
+      r.to = term("pi");
+      r.integrand = c * power(base, e) * slope;
+      if (!diverges) r.value = c * power(1 - call("cos", a), e + 1) / (e + 1);
+      return r;
+  }
+  r.integrand = c * power(base, e) * slope;
+  if (!diverges) r.value = c * factor * power(substituted(base, "x", a), e + 1) / (e + 1);
+  return r;
+}
+
 /// Powers of logarithms, powers of the distance from any end with any exponent, exponentials of
 /// powers and of powers of logarithms: what is known by a change of the variable to an exponential.
 /// A divergent twin in one case of four.
@@ -760,6 +812,7 @@ std::vector<integral_family> end_families() {
           {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},
           {"constants cancel", 10, mostly_cheap(constants_cancel)},
           {"by an exponential", 14, mostly_cheap(by_exponential)},
+          {"powers of differences", 10, mostly_cheap(powers_of_differences)},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"special functions at ends", 8, mostly_cheap(special_end)},

@@ -118,6 +118,31 @@ TEST(ByAnExponential, HaveTheKnownValues) {
 }
 
 // Of functions of which no arithmetic of ends knows anything: refused, or certified, and no crash.
+// Irrational powers of 1 - cos(x) and its like: without a difference of numbers near 1.
+TEST(ByAnExponential, DifferencesFromOneKeepTheirSize) {
+  const std::vector<known> all{
+      {"(1-cos(x))^(-1/sqrt(7))*sin(x)", "0", "1", "(1-cos(1))^(1-1/sqrt(7))/(1-1/sqrt(7))"},
+      {"-(cos(x^2)-1)^1*(1-cos(x^2))^(-1/pi)*x*sin(x^2)", "0", "1",
+       "(1-cos(1))^(3-1/pi-1)/(2*(2-1/pi))"},
+      {"(1+cos(x))^(-1/pi)*sin(x)", "2", "pi", "(1+cos(2))^(1-1/pi)/(1-1/pi)"},
+      {"(cosh(x)-1)^(-1/pi)*sinh(x)", "0", "1", "(cosh(1)-1)^(1-1/pi)/(1-1/pi)"},
+      {"(exp(x)-1)^(-1/sqrt(2))*exp(x)", "0", "1", "(e-1)^(1-1/sqrt(2))/(1-1/sqrt(2))"},
+      {"(1-exp(-x))^(-1/sqrt(2))*exp(-x)", "0", "1", "(1-1/e)^(1-1/sqrt(2))/(1-1/sqrt(2))"},
+      {"expm1(x)^(-1/sqrt(2))*exp(x)", "0", "1", "(e-1)^(1-1/sqrt(2))/(1-1/sqrt(2))"},
+      {"log1p(x)^(sqrt(2)-2)/(1+x)", "0", "1", "log(2)^(sqrt(2)-1)/(sqrt(2)-1)"},
+      {"log(1+x^2)^(sqrt(2)-2)*2*x/(1+x^2)", "0", "1", "log(2)^(sqrt(2)-1)/(sqrt(2)-1)"},
+      {"(-log(1-x))^(sqrt(2)-2)/(1-x)", "0", "1/2", "log(2)^(sqrt(2)-1)/(sqrt(2)-1)"},
+      {"(sqrt(1+x)-1)^(sqrt(2)-2)/sqrt(1+x)", "0", "1", "2*(sqrt(2)-1)^(sqrt(2)-1)/(sqrt(2)-1)"},
+      {"(1-sqrt(1-x))^(sqrt(2)-2)/sqrt(1-x)", "0", "1/2",
+       "2*(1-sqrt(1/2))^(sqrt(2)-1)/(sqrt(2)-1)"},
+  };
+  for (const known& k : all) {
+    const integral i = of(k.f, k.from, k.to);
+    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
+    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
+  }
+}
+
 TEST(ByAnExponential, UnknownFunctionsAreRefused) {
   for (const char* f : {"log1p(gamma(x))*exp(-x)", "expm1(-gamma(x))", "sinpi(log_gamma(x))/x^2",
                         "cospi(agm(x,2))/x^pi"}) {
