@@ -812,7 +812,7 @@ std::vector<integral_family> end_families() {
           {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},
           {"constants cancel", 10, mostly_cheap(constants_cancel)},
           {"by an exponential", 14, mostly_cheap(by_exponential)},
-          {"powers of differences", 10, mostly_cheap(powers_of_differences)},
+          {"powers of differences", 3, powers_of_differences},
           {"end without a series", 8, mostly_cheap(growing_end)},
           {"divergent without a series", 5, mostly_cheap(divergent_growth)},
           {"special functions at ends", 8, mostly_cheap(special_end)},

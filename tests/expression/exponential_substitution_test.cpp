@@ -34,6 +34,30 @@ TEST(ExponentialSubstitution, TakesExponentsOut) {
   EXPECT_EQ(in_s("log(-x)", "inf", 1), "none");
 }
 
+// Differences from 1, and what only looks like one: the same values, and to few bits less.
+TEST(ExponentialSubstitution, WritesDifferencesFromOneWithoutThem) {
+  constexpr precision bits = 200;
+  const expression e("0");
+  for (const char* const text :
+       {"1-cos(x)",    "cos(x)-1",    "2-cos(x)",    "cos(x)+1",    "cos(x)-2",
+        "1-cosh(x)",   "cosh(x^2)-1", "exp(x)-1",    "1-exp(-x)",   "1+exp(x)",
+        "exp(x)-2",    "expm1(x)",    "log(1+x)",    "log(1-x)",    "log(1-x^2)",
+        "log1p(-x)",   "log(2+x)",    "sqrt(1+x)-1", "1-sqrt(1-x)", "1-sqrt(1-x^2)",
+        "sqrt(1-x)+1", "1-cos(pi+x)", "1+cos(pi-x)", "1+cos(pi+x)", "-1-cos(pi+x)"}) {
+    const auto g = of_x(text).in_exponential(&e, 1);
+    ASSERT_TRUE(g) << text;
+    for (const long n : {1L, 5L, 40L}) {
+      const ball s(n, bits);
+      const ball t = exp(-ball(n, 4 * bits));
+      const ball expected = of_x(text)(t) * t;
+      const ball found = (*g)(s);
+      EXPECT_TRUE(overlaps(found, expected)) << text << " at " << n << ": " << g->to_text();
+      EXPECT_LE(found.radius(), scale(expected.magnitude_upper(), 16 - bits))
+          << text << " at " << n;
+    }
+  }
+}
+
 /// A value over the middle of which is known by few operations: of x alone, with numbers.
 std::string random_formula(support::random_source& random, int depth, const std::string& end) {
   static constexpr std::array functions{"sqrt", "cbrt",  "exp",  "log",   "log1p", "sin", "cos",
