@@ -51,13 +51,18 @@ struct value {
     node_id beta;
   };
   std::optional<linear> in_x;
-  /// sign F(w), where F is cos, cosh, exp, 1 + w (add) or sqrt(1 + w) of a w that decays with s.
+  /// It is sign F(w), where F is cos, cosh, exp, 1 + w (add) or sqrt(1 + w) of a w that decays with
+  /// s.
   struct near_one {
     operation function;
     node_id w;
     int sign = 1;
   };
   std::optional<near_one> beside_one = std::nullopt;
+  /// 1 + w.
+  [[nodiscard]] bool is_one_and_more() const {
+    return beside_one && beside_one->function == operation::add && beside_one->sign > 0;
+  }
 };
 
 /// p(a + b x).
@@ -214,6 +219,7 @@ class substitution {
         value x = *values_[n.left];
         if (x.in_x) return linear(negate(g_, x.in_x->alpha), negate(g_, x.in_x->beta));
         x.rest = negate(g_, x.rest);
+        if (x.beside_one) x.beside_one->sign = -x.beside_one->sign;
         return x;
       }
       case operation::add:
@@ -231,7 +237,7 @@ class substitution {
         const value& x = *values_[n.left];
         const node_id half = g_.number(rational(1, 2));
         value result = scaled(x, half, call("sqrt", {x.rest}));
-        if (x.beside_one && x.beside_one->function == operation::add) {
+        if (x.is_one_and_more()) {
           result.beside_one = value::near_one{operation::sqrt, x.beside_one->w};
         }
         return result;
@@ -259,9 +265,7 @@ class substitution {
       }
       case operation::log: {
         const value& x = *values_[n.left];
-        if (x.beside_one && x.beside_one->function == operation::add) {
-          return logarithm_beside_one(x.beside_one->w);
-        }
+        if (x.is_one_and_more()) return logarithm_beside_one(x.beside_one->w);
         return as_it_is(add(g_, exponent(x), x.rest == one_ ? zero_ : call("log", {x.rest})));
       }
       case operation::abs: {

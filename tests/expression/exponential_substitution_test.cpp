@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,12 +39,27 @@ TEST(ExponentialSubstitution, TakesExponentsOut) {
 TEST(ExponentialSubstitution, WritesDifferencesFromOneWithoutThem) {
   constexpr precision bits = 200;
   const expression e("0");
-  for (const char* const text :
-       {"1-cos(x)",    "cos(x)-1",    "2-cos(x)",    "cos(x)+1",    "cos(x)-2",
-        "1-cosh(x)",   "cosh(x^2)-1", "exp(x)-1",    "1-exp(-x)",   "1+exp(x)",
-        "exp(x)-2",    "expm1(x)",    "log(1+x)",    "log(1-x)",    "log(1-x^2)",
-        "log1p(-x)",   "log(2+x)",    "sqrt(1+x)-1", "1-sqrt(1-x)", "1-sqrt(1-x^2)",
-        "sqrt(1-x)+1", "1-cos(pi+x)", "1+cos(pi-x)", "1+cos(pi+x)", "-1-cos(pi+x)"}) {
+  for (const char* const text : {"1-cos(x)",         "cos(x)-1",
+                                 "2-cos(x)",         "cos(x)+1",
+                                 "cos(x)-2",         "1-cosh(x)",
+                                 "cosh(x^2)-1",      "exp(x)-1",
+                                 "1-exp(-x)",        "1+exp(x)",
+                                 "exp(x)-2",         "expm1(x)",
+                                 "log(1+x)",         "log(1-x)",
+                                 "log(1-x^2)",       "log1p(-x)",
+                                 "log(2+x)",         "sqrt(1+x)-1",
+                                 "1-sqrt(1-x)",      "1-sqrt(1-x^2)",
+                                 "sqrt(1-x)+1",      "1-cos(pi+x)",
+                                 "1+cos(pi-x)",      "1+cos(pi+x)",
+                                 "-1-cos(pi+x)",     "-cos(x)-1",
+                                 "1+(-cos(x))",      "-exp(x)-1",
+                                 "1-(-exp(x))",      "-cosh(x)+1",
+                                 "-sqrt(1+x)-1",     "-sqrt(1+x)+1",
+
+                                 "log(-(-(1+x^2)))", "sqrt(-(-(1+x^2)))-1",
+
+                                 "2+(-(1+x^2))",     "log(abs(-(1+x^2)))",
+                                 "abs(-(1+x^2))-1"}) {
     const auto g = of_x(text).in_exponential(&e, 1);
     ASSERT_TRUE(g) << text;
     for (const long n : {1L, 5L, 40L}) {
@@ -52,6 +68,8 @@ TEST(ExponentialSubstitution, WritesDifferencesFromOneWithoutThem) {
       const ball expected = of_x(text)(t) * t;
       const ball found = (*g)(s);
       EXPECT_TRUE(overlaps(found, expected)) << text << " at " << n << ": " << g->to_text();
+      // Where nothing is rewritten the difference remains.
+      if (std::string_view(text).find("abs") != std::string_view::npos) continue;
       EXPECT_LE(found.radius(), scale(expected.magnitude_upper(), 16 - bits))
           << text << " at " << n;
     }

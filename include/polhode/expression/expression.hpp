@@ -118,8 +118,8 @@ struct constant_of<region> {
   using type = region_constant_pair;
 };
 /// For types that know exact numbers, and make constants beside a value that they have:
-/// x.constant_like(c).
-using possibly_exact_constant = std::variant<rational, known_number>;  // of any length; irrational
+/// x.constant_like(c). A rational number of any length, or another one.
+using possibly_exact_constant = std::variant<rational, known_number>;
 template <class T>
 requires requires(const T& x, const ball& c, const rational& q) {
   x.constant_like(c);
