@@ -43,7 +43,7 @@ exact_interval range_around(const end_point& lower, const end_point& upper) {
         "the interval is the wrong way round: an infinite lower end must be -inf, an infinite "
         "upper end inf");
   }
-  const exact_interval range{outer_end(lower, true), outer_end(upper, false)};
+  exact_interval range{outer_end(lower, true), outer_end(upper, false)};
   if (range.is_bounded() && *range.lower > *range.upper) {
     throw input_error(
         "the interval is the wrong way round: its lower end is greater than its upper end");
