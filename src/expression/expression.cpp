@@ -240,7 +240,9 @@ expression_cost expression::cost() const {
 std::string expression::to_text() const { return detail::to_text(*graph_, variables_); }
 
 known_number settled(const known_number& x) {
-  if (x.exact() || !x.has_formula() || !contains_zero(x.enclosure())) return x;
+  if (x.exact() || !x.has_formula()) return x;
+  // Where it may be undefined, a difference of the same number is no 0.
+  if (!x.enclosure().is_bounded() || !contains_zero(x.enclosure())) return x;
   try {
     if (expression(symbol_of(*x.formula()), {}).rational_value() == rational(0)) return x.like(0);
   } catch (const input_error&) {

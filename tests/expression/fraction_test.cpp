@@ -129,5 +129,17 @@ TEST(ExactConstants, LieInTheirEnclosures) {
   EXPECT_FALSE(is_known("sqrt(2)"));
 }
 
+// Only what has a value can be 0.
+TEST(ExactConstants, AreSettledByRulesWhereTheyAreDefined) {
+  const auto zero = exact_formula::of("-", {exact_formula::of("pi"), exact_formula::of("pi")});
+  const ball near = ball(0, 64).enlarged(magnitude::power_of_two(-50));
+  EXPECT_TRUE(settled(known_number(near, zero)).is_zero());
+  EXPECT_FALSE(settled(known_number(ball::undefined(64), zero)).is_zero());
+  EXPECT_FALSE(settled(known_number(ball::entire(64), zero)).is_zero());
+  const auto other = exact_formula::of("-", {exact_formula::of("pi"), exact_formula::of("e")});
+  EXPECT_FALSE(settled(known_number(near, other)).is_zero());
+  EXPECT_FALSE(settled(known_number(near, nullptr)).is_zero());
+}
+
 }  // namespace fraction_test
 }  // namespace polhode

@@ -9,25 +9,14 @@
 #include "polhode/quadrature/exact_integral.hpp"
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "support/integrals_as_text.hpp"
 
 namespace polhode {
 namespace pieces_of_ranges_test {
 
-end_point number(const std::string& text) {
-  if (text == "inf") return end_point::infinity();
-  if (text == "-inf") return -end_point::infinity();
-  return end_point_of(parse(text, {}));
-}
-integral of(const std::string& f, const std::string& a, const std::string& b, long digits = 30) {
-  return integrate(parse(f), number(a), number(b), {.digits = digits});
-}
-
-struct known {
-  std::string f;
-  std::string from;
-  std::string to;
-  std::string value;
-};
+using support::expect_values;
+using support::number;
+using known = support::integral_as_text;
 
 TEST(PiecesOfRanges, HaveTheKnownValues) {
   const std::vector<known> all{
@@ -49,11 +38,7 @@ TEST(PiecesOfRanges, HaveTheKnownValues) {
       {"abs(x-1)*cos(x)", "0", "sqrt(5)",
        "-cos(1)+1-2*sin(1)+sin(1)+(sqrt(5)-1)*sin(sqrt(5))+cos(sqrt(5))-cos(1)+sin(1)"},
   };
-  for (const known& k : all) {
-    const integral i = of(k.f, k.from, k.to);
-    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
-    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
-  }
+  expect_values(all);
 }
 
 TEST(PiecesOfRanges, AreExactWhereTheirSumIsRational) {
@@ -71,7 +56,7 @@ TEST(PiecesOfRanges, AreExactWhereTheirSumIsRational) {
 TEST(PiecesOfRanges, DivergentTwinsAreNotCertified) {
   for (const char* const f : {"1/(1+abs(x))", "abs(x)", "min(1,1/abs(x))", "max(1/x^2,1/(1+x^2))",
                               "exp(-min(abs(x),3))", "floor(x)*exp(-min(x^2,1))"}) {
-    EXPECT_NE(of(f, "-inf", "inf", 10).verdict, status::certified) << f;
+    EXPECT_NE(support::integral_of(f, "-inf", "inf", 10).verdict, status::certified) << f;
   }
 }
 
@@ -87,7 +72,7 @@ TEST(PiecesOfRanges, AKinkBesideAnIrrationalEndIsOnItsSide) {
         parse(before + "+(2-" + q + ")^2/2-(" + from + "-" + q + ")^2/2", {}).value(800);
     for (const std::string& f :
          std::vector<std::string>{"abs(x-" + q + ")", "exp(0*x)*abs(x-" + q + ")+0*sin(x)"}) {
-      const integral i = of(f, "sqrt(2)", "2", 150);
+      const integral i = support::integral_of(f, "sqrt(2)", "2", 150);
       if (i.enclosure.is_bounded()) {
         EXPECT_TRUE(overlaps(i.enclosure, expected)) << f;
       }

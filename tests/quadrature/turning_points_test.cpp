@@ -11,26 +11,14 @@
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/end_plan.hpp"
+#include "support/integrals_as_text.hpp"
 
 namespace polhode {
 namespace turning_points_test {
 
-end_point number(const std::string& text) {
-  if (text == "inf") return end_point::infinity();
-  if (text == "-inf") return -end_point::infinity();
-  return end_point_of(parse(text, {}));
-}
-
-integral of(const std::string& f, const std::string& a, const std::string& b, long digits = 30) {
-  return integrate(parse(f), number(a), number(b), {.digits = digits});
-}
-
-struct known {
-  std::string f;
-  std::string from;
-  std::string to;
-  std::string value;
-};
+using support::expect_values;
+using support::number;
+using known = support::integral_as_text;
 
 TEST(TurningPoints, HaveTheKnownValues) {
   const std::vector<known> all{
@@ -54,11 +42,7 @@ TEST(TurningPoints, HaveTheKnownValues) {
       {"(x-log(3))/(exp(x)-3)*exp(x)*(exp(x)-3)/(x-log(3))", "0", "2", "exp(2)-1"},
       {"sin(x-pi/3)/(x-pi/3)*(x-pi/3)", "0", "pi", "cos(pi/3)-cos(2*pi/3)"},
   };
-  for (const known& k : all) {
-    const integral i = of(k.f, k.from, k.to);
-    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
-    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
-  }
+  expect_values(all);
 }
 
 // sqrt(x) c is c t^(1/2): with x = tau^2 the integrand is 2 c tau^2, and with a cube root 3 c
@@ -136,11 +120,7 @@ TEST(ByAnExponential, DifferencesFromOneKeepTheirSize) {
       {"(1-sqrt(1-x))^(sqrt(2)-2)/sqrt(1-x)", "0", "1/2",
        "2*(1-sqrt(1/2))^(sqrt(2)-1)/(sqrt(2)-1)"},
   };
-  for (const known& k : all) {
-    const integral i = of(k.f, k.from, k.to);
-    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
-    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
-  }
+  expect_values(all);
 }
 
 TEST(ByAnExponential, UnknownFunctionsAreRefused) {
@@ -180,8 +160,8 @@ TEST(TurningPoints, AgreeWithTheSameWithoutCancellation) {
                          {"(exp(x)-exp(1))/(x-1)", "exp(1)*expm1(x-1)/(x-1)", "0", "2"},
                          {"sin(pi*x)/(x-1)", "-sin(pi*(x-1))/(x-1)", "0", "2"},
                          {"(1-erfc(x))/x", "erf(x)/x", "0", "1"}}) {
-    const integral i = of(p.f, p.from, p.to);
-    const integral j = of(p.same, p.from, p.to);
+    const integral i = support::integral_of(p.f, p.from, p.to);
+    const integral j = support::integral_of(p.same, p.from, p.to);
     EXPECT_EQ(i.verdict, status::certified) << p.f << ": " << i.obstacle;
     EXPECT_EQ(j.verdict, status::certified) << p.same << ": " << j.obstacle;
     EXPECT_TRUE(overlaps(i.enclosure, j.enclosure)) << p.f;
@@ -195,7 +175,8 @@ TEST(TurningPoints, AgreeWithTheSameWithoutCancellation) {
   }
   // The rest of an alternating series is less than its first term.
   sum = sum.enlarged(magnitude::power_of_two(-140));
-  EXPECT_TRUE(overlaps(of("erf(x)/x", "0", "1").enclosure, 2 / sqrt(pi(200)) * sum));
+  EXPECT_TRUE(
+      overlaps(support::integral_of("erf(x)/x", "0", "1").enclosure, 2 / sqrt(pi(200)) * sum));
 }
 
 TEST(TurningPoints, DivergentTwinsAreNotCertified) {
@@ -208,7 +189,7 @@ TEST(TurningPoints, DivergentTwinsAreNotCertified) {
                                            {"1/((pi-x)*sqrt(pi-x))", "0", "pi", ""},
                                            {"sin(x)/(x-pi)^2", "0", "pi", ""},
                                            {"(exp(1-x)-exp(1))/x^2", "0", "1", ""}}) {
-    const integral i = of(k.f, k.from, k.to, 10);
+    const integral i = support::integral_of(k.f, k.from, k.to, 10);
     EXPECT_EQ(i.verdict, status::not_certified) << k.f;
     EXPECT_EQ(i.why, reason::not_integrable) << k.f << ": " << i.obstacle;
   }
@@ -231,11 +212,7 @@ TEST(TurningPoints, MultiplesOfPiCancel) {
       {"1/sin(x)^2-1/(pi-x)^2", "1", "pi", "cot(1)+1/(pi-1)"},
       {"1/tan(x-1)+1/(1+pi-x)", "3", "1+pi", "-log(sin(2)/(pi-2))"},
   };
-  for (const known& k : all) {
-    const integral i = of(k.f, k.from, k.to);
-    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
-    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(200))) << k.f;
-  }
+  expect_values(all);
   for (const auto& [f, from, to] :
        std::vector<std::array<const char*, 3>>{{"atan(2*x)-atan(3*x)", "0", "inf"},
                                                {"(atan(2*x)-2*atan(x))/x", "1", "inf"},
@@ -244,7 +221,7 @@ TEST(TurningPoints, MultiplesOfPiCancel) {
                                                {"(asin(x)+pi/2)/(x-1)", "0", "1"},
                                                {"tan(x)-2/(pi/2-x)", "0", "pi/2"},
                                                {"1/sin(x)^2-1/(pi-x)^2-1/(pi-x)", "1", "pi"}}) {
-    const integral i = of(f, from, to);
+    const integral i = support::integral_of(f, from, to);
     EXPECT_EQ(i.why, reason::not_integrable) << f;
   }
 }
@@ -266,11 +243,7 @@ TEST(TurningPoints, ConstantsOfAnyKindCancel) {
       // The coefficients after the first one cancel as well.
       {"(exp(1+x)-e-e*x-e*x^2/2)/x^(7/2)*x^(5/2)*x", "0", "1", "e^2-e-e-e/2-e/6"},
   };
-  for (const known& k : all) {
-    const integral i = of(k.f, k.from, k.to);
-    EXPECT_EQ(i.verdict, status::certified) << k.f << ": " << i.obstacle;
-    EXPECT_TRUE(overlaps(i.enclosure, parse(k.value, {}).value(300))) << k.f;
-  }
+  expect_values(all);
   // Constants that differ by less than what enclosures tell apart do not.
   const std::vector<known> others{
       {"1/(exp(x)-2)-(1+1e-60)/(2*(x-log(2)))", "log(2)", "1", ""},
@@ -280,18 +253,18 @@ TEST(TurningPoints, ConstantsOfAnyKindCancel) {
       {"1/tan(x-sqrt(2))-1/(x-sqrt(2)-1e-40)", "1", "2", ""},
   };
   for (const known& k : others) {
-    EXPECT_NE(of(k.f, k.from, k.to).verdict, status::certified) << k.f;
+    EXPECT_NE(support::integral_of(k.f, k.from, k.to).verdict, status::certified) << k.f;
   }
 }
 
 TEST(TurningPoints, StepsHaveNoKnownValuesAtAnEnd) {
   // On (0, 1) floor(x) = 0: 1/sqrt(1 - x).
-  const integral i = of("1/sqrt(1-x-sin(pi*floor(x))+floor(x)*0)", "0", "1", 15);
+  const integral i = support::integral_of("1/sqrt(1-x-sin(pi*floor(x))+floor(x)*0)", "0", "1", 15);
   if (i.verdict == status::certified) {
     EXPECT_TRUE(contains(i.enclosure, rational(2)));
   }
   // (1 - floor(x)) x is x there, not 0: 1/x from 1/2 to 1 has no singularity at 1.
-  const integral j = of("1/((1-floor(x))*x)", "1/2", "1", 15);
+  const integral j = support::integral_of("1/((1-floor(x))*x)", "1/2", "1", 15);
   if (j.enclosure.is_bounded()) {
     EXPECT_TRUE(overlaps(j.enclosure, log(ball(2, 128))));
   }
