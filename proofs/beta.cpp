@@ -123,13 +123,9 @@ void add_quadrature_route(certificate& c, const ball& root, long digits) {
   const long bits = bits_for_digits(digits) + 16;
   const sign_by_quadrature below = sign_at(bracket.below, bits);
   const sign_by_quadrature above = sign_at(bracket.above, bits);
-  c.facts.push_back(
-      {"by certified quadrature, which uses no AGM: the integral over (0, pi/2) of "
-       "(x + cos^2 t)^(-1/2) exceeds pi at the first " +
-           std::to_string(digits) +
-           " digits of beta and is below pi one unit of the last place higher",
-       below.value == certain_sign::positive && above.value == certain_sign::negative,
-       step_kind::enclosed});
+  c.facts.push_back({statements::fill(statements::signs_by_quadrature, {std::to_string(digits)}),
+                     below.value == certain_sign::positive && above.value == certain_sign::negative,
+                     step_kind::enclosed});
   const auto side = [](const rational& x, const sign_by_quadrature& s) {
     json one{{"x", to_text(x)}};
     add_periodic_plan(one, s.integral.plan);
@@ -145,11 +141,9 @@ certificate prove_beta(const request& wanted) {
   certificate c;
   const root_enclosure root = enclose_beta(bits_for_digits(wanted.digits) + 32);
   c.numbers.push_back({"beta", root.root, wanted.digits});
-  c.facts.push_back(
-      {"interval Newton maps its box into itself with a derivative that is not 0: "
-       "exactly one root in the box",
-       root.verdict == root_verdict::unique && !contains_zero(root.derivative),
-       step_kind::enclosed});
+  c.facts.push_back({statements::one_root_in_box,
+                     root.verdict == root_verdict::unique && !contains_zero(root.derivative),
+                     step_kind::enclosed});
   if (root.verdict == root_verdict::unique) {
     if (auto steps = agm_bracket_witness(lower_rational(root.root), upper_rational(root.root))) {
       c.witness = *std::move(steps);

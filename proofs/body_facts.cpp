@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -44,7 +45,7 @@ ball enclosed(const enclosing_function& f, long digits, const body& rigid) {
 void add_constant(certificate& c, const std::string& name, const std::optional<rational>& exact,
                   bool exact_holds, const enclosing_function& f, long digits, const body& rigid) {
   if (exact) {
-    c.facts.push_back({"at the given a, b: " + name + " = " + to_text(*exact) + " exactly",
+    c.facts.push_back({statements::fill(statements::exact_constant, {name, to_text(*exact)}),
                        exact_holds, step_kind::exact});
   } else {
     add_number(c, name, f, digits, rigid);
@@ -71,7 +72,7 @@ void add_number_or_note(certificate& c, const std::string& name, const enclosing
   if (value.is_bounded()) {
     c.numbers.push_back({name, value, digits});
   } else {
-    note_missing_witness(c, "an enclosure of " + name);
+    note_missing_witness(c, statements::fill(statements::enclosure_of, {name}));
   }
 }
 
@@ -162,8 +163,7 @@ std::optional<root_bracket> bracket_root(
 }
 
 void note_missing_witness(certificate& c, const std::string& what) {
-  c.method += " (For the given body " + what +
-              " was not found at the precisions tried. The proof does not need it.)";
+  c.method += statements::fill(statements::missing_witness, {what});
 }
 
 void add_comparisons(certificate& c, const std::string& statement, const std::string& what,

@@ -17,19 +17,17 @@ certificate prove_c0(const request& wanted) {
   const auto first = bracket_rotating_phase_root(rigid, 2);
   const auto second = bracket_rotating_phase_root(other, 2);
   if (first && second) {
-    c.facts.push_back(
-        {"at the given b, by the AGM: c0 for 2a is below c0 for the given a, c0/a lying "
-         "between " +
-             in_decimals(*first),
-         passes_rotating_phase(rigid, 2, *first) && passes_rotating_phase(other, 2, *second) &&
-             other.a().exact() * second->upper < rigid.a().exact() * first->lower,
-         step_kind::enclosed});
+    c.facts.push_back({statements::fill(statements::smaller_c0_for_double_a, {in_decimals(*first)}),
+                       passes_rotating_phase(rigid, 2, *first) &&
+                           passes_rotating_phase(other, 2, *second) &&
+                           other.a().exact() * second->upper < rigid.a().exact() * first->lower,
+                       step_kind::enclosed});
     c.witness["c0_over_a"] = as_json(*first);
     c.witness["c0_over_a_for_2a"] = as_json(*second);
   } else if (exceeds_second_geometric_constant(2, rigid)) {
-    note_missing_witness(c, "a bracket of c0");
+    note_missing_witness(c, statements::bracket_of_c0);
   } else {
-    c.method += " (At the given a, b J >= 2: there is no c0.)";
+    c.method += statements::there_is_no_c0;
   }
   c.conclude();
   return c;

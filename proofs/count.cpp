@@ -15,7 +15,7 @@ certificate prove_count(const request& wanted) {
   const integer count = count_intersections(rigid);
   c.witness["N"] = count.str();
   const auto q = [](const integer& k) { return rational(integer(2), integer(2 * k - 1)); };
-  c.facts.push_back({"at the given a, b, in rationals: I < 2/(2k-1) for " + counted(count),
+  c.facts.push_back({statements::fill(statements::number_of_meetings, {counted(count)}),
                      (count == 0 || exceeds_geometric_constant(q(count), rigid)) &&
                          !exceeds_geometric_constant(q(count + 1), rigid),
                      step_kind::exact});

@@ -15,8 +15,7 @@ certificate prove_crossing(const request& wanted) {
   const integer count = count_crossings(rigid);
   c.witness["crossings_count"] = count.str();
   c.facts.push_back(
-      {"at the given a, b, in rationals: k < 1/I for " + counted(count) + ", and the body is " +
-           to_text(rigid.kind()),
+      {statements::fill(statements::number_of_crossings, {counted(count), to_text(rigid.kind())}),
        (count == 0 || exceeds_geometric_constant(rational(integer(1), count), rigid)) &&
            !exceeds_geometric_constant(rational(integer(1), integer(count + 1)), rigid) &&
            (count > 0) == (rigid.kind() == body_kind::non_physical),

@@ -15,10 +15,9 @@ certificate prove_delta_psi_max(const request& wanted) {
   const root_enclosure epsilon = epsilon0_min_by_logarithm(x.precision());
   const ball second = pi(x.precision()) - 2 * epsilon.root;
   c.numbers.push_back({"delta_psi_max", x, wanted.digits});
-  c.facts.push_back(
-      {"pi - 2 epsilon0_min with epsilon0_min from log and tan overlaps the formula in "
-       "exp and arctan",
-       epsilon.verdict == root_verdict::unique && overlaps(second, x), step_kind::enclosed});
+  c.facts.push_back({statements::second_route_overlaps,
+                     epsilon.verdict == root_verdict::unique && overlaps(second, x),
+                     step_kind::enclosed});
   c.witness["second_route"] = to_json(second, wanted.digits);
   c.conclude();
   return c;

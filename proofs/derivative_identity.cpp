@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "polhode/arithmetic/exact.hpp"
+#include "statements/sign_dF_du.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -60,13 +61,9 @@ identity_check check_derivative_identity(const numerator_polynomial& numerator) 
   constexpr long u_points = 4;
   constexpr long y_points = 11;
   identity_check result;
-  result.statement =
-      "the u-derivative of the integrand of eq. (43) is the integrand of eq. (44): "
-      "d(h^2)/du = -a (1 - bX)(a + (a+2) b X)/(X (a + bX))^2, equal in exact rationals at " +
-      std::to_string(a_points * b_points * u_points * y_points) + " points";
-  result.degrees =
-      "cleared of denominators both sides are polynomials of degree at most 2 in a, 3 in b, 3 in u "
-      "and 10 in y; they agree on a grid of 3 x 4 x 4 x 11 points, hence everywhere";
+  result.statement = statements::fill(statements::derivative_identity,
+                                      {std::to_string(a_points * b_points * u_points * y_points)});
+  result.degrees = statements::degrees_of_identity;
   result.holds = true;
   for (long i = 1; i <= a_points; ++i) {
     for (long j = 1; j <= b_points; ++j) {

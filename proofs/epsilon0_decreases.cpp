@@ -24,10 +24,7 @@ certificate prove_epsilon0(const request& wanted) {
       c, "epsilon0", [&](precision p) { return separatrix_defect(rigid, p); }, "epsilon0 for 2a",
       [&](precision p) { return separatrix_defect(other, p); });
   add_comparisons(
-      c,
-      "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the "
-      "given a",
-      "the order of epsilon0 for a and 2a", [&](precision p) {
+      c, statements::smaller_for_double_a, statements::order_for_double_a, [&](precision p) {
         return std::vector<comparison>{{separatrix_defect(other, p), separatrix_defect(rigid, p)}};
       });
   c.conclude();

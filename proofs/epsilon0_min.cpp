@@ -15,10 +15,9 @@ certificate prove_epsilon0_min(const request& wanted) {
   const ball x = enclose_to_digits(*find_constant("epsilon0_min"), wanted.digits);
   const root_enclosure other = epsilon0_min_by_logarithm(x.precision());
   c.numbers.push_back({"epsilon0_min", x, wanted.digits});
-  c.facts.push_back(
-      {"log(tan(x/2)) + pi has exactly one root in [0.086, 0.087] (interval Newton), and its "
-       "enclosure overlaps the one by the formula",
-       other.verdict == root_verdict::unique && overlaps(other.root, x), step_kind::enclosed});
+  c.facts.push_back({statements::root_of_log_tan,
+                     other.verdict == root_verdict::unique && overlaps(other.root, x),
+                     step_kind::enclosed});
   c.witness["second_route"] = to_json(other.root, wanted.digits);
   c.conclude();
   return c;

@@ -184,37 +184,6 @@ bool sign_is_seen(const exact_polynomial& p, const std::vector<letter_range>& ra
   return some_positive || !strict;
 }
 
-bool is_sign(const polynomial_step& step) {
-  return step.form == step_form::positive || step.form == step_form::not_negative;
-}
-
-std::string form_in_words(const polynomial_step& step) {
-  if (is_sign(step)) return "sign by coefficients";
-  return step.form == step_form::identity ? "identity" : "derivative of a quotient";
-}
-
-std::string conclusion_of(const polynomial_step& step) {
-  return step.form == step_form::positive ? "> 0" : ">= 0";
-}
-
-/// "(1-b)^2 - b*(a+b) = 1 - 2*b - a*b, expanded over Q: what it says in the proof"
-std::string statement_of(const polynomial_step& step) {
-  const std::string left(step.left);
-  const std::string right(step.right);
-  const std::string over(step.over);
-  std::string result;
-  if (step.form == step_form::slope) {
-    result = "d/d" + std::string(step.variable) + " of (" + left + ")/(" + over + ") = (" + right +
-             ")/(" + over + ")^2";
-  } else {
-    result = left + " = " + right;
-  }
-  if (is_sign(step)) result += ' ' + conclusion_of(step) + " for " + std::string(step.letters);
-  result += ", expanded over Q";
-  if (is_sign(step)) result += ", no coefficient of the right side being negative";
-  return result + ": " + std::string(step.meaning);
-}
-
 }  // namespace
 
 // ---------------------------------------------------------------------------------------------
@@ -335,7 +304,7 @@ bool add_steps(certificate& c, const std::vector<polynomial_step>& steps) {
   for (const polynomial_step& step : steps) {
     const bool it_holds = holds(step);
     all_hold = all_hold && it_holds;
-    c.facts.push_back({statement_of(step), it_holds, step_kind::exact});
+    c.facts.push_back({sentence_of(step), it_holds, step_kind::exact});
     json one{{"kind", form_in_words(step)}, {"left", step.left}};
     if (step.form == step_form::slope) {
       one["over"] = step.over;

@@ -49,7 +49,11 @@ class exact_polynomial {
   std::map<exponents, rational> terms_;  // without zeros
 };
 
+using statements::conclusion_of;
+using statements::form_in_words;
+using statements::is_sign;
 using statements::polynomial_step;
+using statements::sentence_of;
 using statements::step_form;
 
 /// Whether the step holds, decided by expansion. A sign holds where

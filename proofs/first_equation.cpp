@@ -22,10 +22,8 @@ void add_decrease_in_both(certificate& c, const body& rigid) {
   const rational least(-rigid.b().exact() / 8);
   const rational half(1, 2);
   const rational half_a(a / 2);
-  add_comparisons(c,
-                  "at the given a, b, by Carlson's integrals: F(c,u) decreases from c = -b/8 to 0 "
-                  "to a/2 to a at u = 1/2, and from u = 1/4 to 1/2 to 3/4 at c = a/2",
-                  "the order of some values of F(c,u)", [&](precision p) {
+  add_comparisons(c, statements::decrease_at_given_body, statements::order_of_values,
+                  [&](precision p) {
                     const auto f = [&](const rational& at, const rational& u) {
                       return phase_integral(rigid, at, u, p);
                     };

@@ -16,9 +16,7 @@ certificate prove_limits(const request& wanted) {
       c, "limit", [&](precision p) { return pi(p) * rigid.geometric_constant(p); }, wanted.digits,
       rigid);
   c.facts.push_back(
-      {"at the given a, b both bounds hold at u = 1/4, 1/2, 3/4 for the value by the "
-       "AGM",
-       half_phase_obeys_its_bounds(rigid), step_kind::enclosed});
+      {statements::both_bounds_hold, half_phase_obeys_its_bounds(rigid), step_kind::enclosed});
   c.conclude();
   return c;
 }

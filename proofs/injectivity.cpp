@@ -134,15 +134,11 @@ void add_chain(certificate& c, const body& rigid) {
   }
   if (chain.size() < 3) {
     c.witness["chain"] = nullptr;
-    note_missing_witness(c, "a chain of points with certainly different epsilon");
+    note_missing_witness(c, statements::chain_of_points);
     return;
   }
-  c.facts.push_back(
-      {"at the given a, b: epsilon(c) increases as c goes down a chain of " +
-           std::to_string(chain.size()) +
-           " points towards -b, and is below pi/2, its limit there; as it is monotone by the "
-           "proof, the boxes between neighbouring points cover the curve between them",
-       true, step_kind::enclosed});
+  c.facts.push_back({statements::fill(statements::increasing_chain, {std::to_string(chain.size())}),
+                     true, step_kind::enclosed});
   c.witness["chain"] = std::move(chain);
 }
 
@@ -211,7 +207,7 @@ void add_witnesses(certificate& c, const body& rigid) {
   const auto found = find_witnesses(rigid);
   if (!found) {
     c.witness["two_c"] = nullptr;
-    note_missing_witness(c, "a pair of c with one epsilon");
+    note_missing_witness(c, statements::pair_of_c);
     return;
   }
   const auto place = [&](const rational& u) { return decimals(rational(-rigid.b().exact() * u)); };
@@ -220,10 +216,10 @@ void add_witnesses(certificate& c, const body& rigid) {
   const precision p = found->level.precision();
   const ball most_at_end = scale(pi(p), -1) + asin(sqrt(ball(rational(1 - end), p)));
   c.facts.push_back(
-      {"at the given a, b: epsilon = " + to_decimal(found->level, 8) +
-           " (one exact number) is passed between c = " + place(found->first.lower) + " and " +
-           place(found->first.upper) + ", and again between " + place(found->second.lower) +
-           " and " + place(found->second.upper) + ": two c with the same epsilon",
+      {statements::fill(
+           statements::two_c_with_one_epsilon,
+           {to_decimal(found->level, 8), place(found->first.lower), place(found->first.upper),
+            place(found->second.lower), place(found->second.upper)}),
        found->first.upper <= found->second.lower &&
            side_of(rigid, c_of(found->first.lower), found->level) == certain_sign::negative &&
            side_of(rigid, c_of(found->first.upper), found->level) == certain_sign::positive &&
@@ -242,9 +238,9 @@ certificate prove_injectivity(const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
   const bool physical = !exceeds_geometric_constant(1, rigid);
-  c.facts.push_back({"at the given a, b, in rationals: I " + std::string(physical ? ">=" : "<") +
-                         " 1, " + to_text(rigid.kind()) + ": epsilon(c) is " +
-                         (physical ? "injective" : "not injective"),
+  c.facts.push_back({statements::fill(statements::injective_or_not,
+                                      {std::string(physical ? ">=" : "<"), to_text(rigid.kind()),
+                                       (physical ? "injective" : "not injective")}),
                      physical == (rigid.kind() != body_kind::non_physical), step_kind::exact});
   if (physical) {
     add_chain(c, rigid);

@@ -14,8 +14,8 @@ certificate prove_intersection(const request& wanted) {
   add_geometric_constant(c, rigid, wanted.digits);
   const bool meets = exceeds_geometric_constant(2, rigid);
   c.facts.push_back(
-      {std::string("at the given a, b, in rationals: I ") + (meets ? "<" : ">=") +
-           " 2, and 4ab + 3b^2 + 2b - 1 is " + (meets ? "positive" : "not positive"),
+      {statements::fill(statements::meets_or_not,
+                        {(meets ? "<" : ">="), (meets ? "positive" : "not positive")}),
        meets == (4 * rigid.a().exact() * rigid.b().exact() +
                      3 * rigid.b().exact() * rigid.b().exact() + 2 * rigid.b().exact() >
                  1),

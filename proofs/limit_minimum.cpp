@@ -31,24 +31,22 @@ namespace {
 
 void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
   if (rigid.kind() == body_kind::non_physical) {
-    c.method += " (The given body is not physical: the bounds are not for it.)";
+    c.method += statements::bounds_are_for_physical_bodies;
     return;
   }
   const precision p = beta.precision();
   add_comparisons(
-      c,
-      "at the given a, b, " + to_text(rigid.kind()) +
-          ": epsilon0, by interval Newton, is above epsilon0_min",
-      "the order of epsilon0 and epsilon0_min", [&](precision q) {
+      c, statements::fill(statements::epsilon0_is_above, {to_text(rigid.kind())}),
+      statements::order_of_epsilon0_and_least, [&](precision q) {
         return std::vector<comparison>{{2 * atan(exp(-pi(q))), separatrix_defect(rigid, q)}};
       });
   if (!exceeds_second_geometric_constant(2, rigid)) {
-    c.method += " (At the given a, b J >= 2: there is no c0.)";
+    c.method += statements::there_is_no_c0;
     return;
   }
   const auto bracket = bracket_rotating_phase_root(rigid, 2);
   if (!bracket) {
-    note_missing_witness(c, "a bracket of c0");
+    note_missing_witness(c, statements::bracket_of_c0);
     return;
   }
   const auto over_b = [&](const rational& s) {
@@ -56,13 +54,12 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
   };
   const bool above = certainly_less(beta, over_b(bracket->lower));
   if (!above && !certainly_less(over_b(bracket->upper), beta)) {
-    note_missing_witness(c, "a bracket of c0 that lies on one side of b beta");
+    note_missing_witness(c, statements::bracket_of_c0_on_one_side);
     return;
   }
   c.witness["c0_over_a"] = as_json(*bracket);
-  c.facts.push_back(
-      {"at the given a, b: c0/b is above beta (c0/a between " + in_decimals(*bracket) + ")",
-       above && passes_rotating_phase(rigid, 2, *bracket), step_kind::enclosed});
+  c.facts.push_back({statements::fill(statements::c0_is_above, {in_decimals(*bracket)}),
+                     above && passes_rotating_phase(rigid, 2, *bracket), step_kind::enclosed});
 }
 
 certificate prove_minimum(const request& wanted) {
@@ -75,15 +72,11 @@ certificate prove_minimum(const request& wanted) {
   c.numbers.push_back({"beta", beta, wanted.digits});
   // For beta < 0 the turning point is epsilon*, sin^2 epsilon* = -beta, at xi = K(1+beta) = K(cos^2
   // epsilon*).
-  c.facts.push_back(
-      {"agm(1, sin epsilon0_min) < 1/2 with sin epsilon0_min = 1/cosh(pi), so that K(cos^2 "
-       "epsilon0_min) > pi: for beta < 0, chi <= 1 the limit's motion has either -beta > sin^2 "
-       "epsilon0_min, and epsilon >= epsilon* > epsilon0_min, or is still before its first turning "
-       "point",
-       is_decided([](precision p) {
-         return certainly_less(agm(ball(1, p), 1 / cosh(pi(p))), ball(rational(1, 2), p));
-       }),
-       step_kind::enclosed});
+  c.facts.push_back({statements::mean_at_epsilon0_min, is_decided([](precision p) {
+                       return certainly_less(agm(ball(1, p), 1 / cosh(pi(p))),
+                                             ball(rational(1, 2), p));
+                     }),
+                     step_kind::enclosed});
   add_physical_body(c, requested_body(c, wanted), enclose_beta(256).root);
   c.conclude();
   return c;

@@ -14,15 +14,13 @@ void add_oscillating_body(certificate& c, const request& wanted) {
   add_number(
       c, "greatest_lower_bound",
       [&](precision p) { return 2 * pi(p) * rigid.geometric_constant(p); }, wanted.digits, rigid);
-  c.facts.push_back(
-      {"at the given a, b the phase by the AGM at u = 1/4, 1/2, 3/4 decreases, is above "
-       "2 pi I and 4 I arsinh(pi/(2 sqrt(u))), and below 2 pi I g(u)/g(1)",
-       half_phase_obeys_its_bounds(rigid), step_kind::enclosed});
+  c.facts.push_back({statements::phase_keeps_its_bounds, half_phase_obeys_its_bounds(rigid),
+                     step_kind::enclosed});
   const bool below_one = exceeds_geometric_constant(1, rigid);
-  c.facts.push_back({std::string("at the given a, b, in rationals: the body is ") +
-                         to_text(rigid.kind()) + ", and the greatest lower bound is " +
-                         (below_one ? "below 2 pi" : "2 pi or more"),
-                     below_one == (rigid.kind() == body_kind::non_physical), step_kind::exact});
+  c.facts.push_back(
+      {statements::fill(statements::bound_of_body,
+                        {to_text(rigid.kind()), (below_one ? "below 2 pi" : "2 pi or more")}),
+       below_one == (rigid.kind() == body_kind::non_physical), step_kind::exact});
 }
 
 certificate prove_oscillating(const request& wanted) {

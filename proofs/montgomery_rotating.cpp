@@ -17,10 +17,8 @@ certificate prove_rotating(const request& wanted) {
       c, "greatest_lower_bound",
       [&](precision p) { return 2 * pi(p) * rigid.second_geometric_constant(p); }, wanted.digits,
       rigid);
-  c.facts.push_back(
-      {"at the given a, b the phase by the AGM at c = a/4, a/2, 3a/4 decreases, is "
-       "above 2 pi J and 4 I arsinh((pi/2) sqrt(b/c)), and below 2 pi J sqrt(a/c)",
-       rotating_phase_obeys_its_bounds(rigid), step_kind::enclosed});
+  c.facts.push_back({statements::rotating_phase_keeps_its_bounds,
+                     rotating_phase_obeys_its_bounds(rigid), step_kind::enclosed});
   c.conclude();
   return c;
 }

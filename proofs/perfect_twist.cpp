@@ -22,12 +22,13 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
               const std::string& what, const std::string& key) {
   const rational& a = rigid.a().exact();
   const bool exists = exceeds_second_geometric_constant(q, rigid);
-  c.facts.push_back({"at the given a, b, in rationals: J " + std::string(exists ? "< " : ">= ") +
-                         to_text(q) + ", so there is " + (exists ? "a " : "no ") + what,
+  c.facts.push_back({statements::fill(statements::root_exists_or_not,
+                                      {std::string(exists ? "< " : ">= "), to_text(q),
+                                       (exists ? "a " : "no "), what}),
                      exists == (polynomial > 0), step_kind::exact});
   if (!exists) {
     c.facts.push_back(
-        {"at the given a, b, by the AGM: F(c,0) > " + to_text(q) + " pi at c = a/2 and 3a/4",
+        {statements::fill(statements::rotating_phase_stays_above, {to_text(q)}),
          is_decided([&](precision p) {
            const ball value = 2 * q * pi(p);
            return certainly_less(value, montgomery_phase(rigid, rational(a / 2), p)) &&
@@ -39,12 +40,12 @@ void add_root(certificate& c, const body& rigid, const rational& q, const ration
   const auto bracket = bracket_rotating_phase_root(rigid, q);
   if (!bracket) {
     c.witness[key] = nullptr;
-    note_missing_witness(c, "a bracket of the " + what);
+    note_missing_witness(c, statements::fill(statements::bracket_of_root, {what}));
     return;
   }
-  c.facts.push_back({"at the given a, b, by the AGM: F(c,0) passes " + in_pi(q) +
-                         " between c/a = " + in_decimals(*bracket),
-                     passes_rotating_phase(rigid, q, *bracket), step_kind::enclosed});
+  c.facts.push_back(
+      {statements::fill(statements::rotating_phase_passes, {in_pi(q), in_decimals(*bracket)}),
+       passes_rotating_phase(rigid, q, *bracket), step_kind::enclosed});
   c.witness[key] = as_json(*bracket);
 }
 

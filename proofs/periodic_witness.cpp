@@ -1,13 +1,14 @@
 #include "proofs/periodic_witness.hpp"
 
 #include "polhode/arithmetic/text.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::proofs {
 
 void add_periodic_plan(json& witness, const periodic_plan& plan) {
   constexpr long supremum_digits = 10;
   constexpr long error_digits = 5;
-  witness["rule"] = "periodic trapezoid, 2n nodes (2k+1) pi/(2n)";
+  witness["rule"] = statements::periodic_rule;
   if (plan.nodes == 0) return;
   witness["nodes"] = plan.nodes;
   // The bounds hold for every half-width in the ball, so for its least.

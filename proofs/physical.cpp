@@ -27,13 +27,13 @@ void add_physical_body(certificate& c, const request& wanted) {
   const rational z(1 / (1 + a));
   const rational excess(1 + z - x);
   const rational square((1 - b) * (1 - b) / (b * (a + b)));
-  c.facts.push_back({"at the given a, b, in rationals: I_y + I_z - I_x = " + to_text(excess) +
-                         " for I_y = 1, and I^2 - 1 = " + to_text(rational(square - 1)) +
-                         ", of the same sign: " + to_text(rigid.kind()),
-                     sign_of_rational(excess) == sign_of_rational(square - 1) &&
-                         (rigid.kind() == body_kind::planar) == (excess == 0) &&
-                         (rigid.kind() == body_kind::physical) == (excess > 0),
-                     step_kind::exact});
+  c.facts.push_back(
+      {statements::fill(statements::kind_of_body,
+                        {to_text(excess), to_text(rational(square - 1)), to_text(rigid.kind())}),
+       sign_of_rational(excess) == sign_of_rational(square - 1) &&
+           (rigid.kind() == body_kind::planar) == (excess == 0) &&
+           (rigid.kind() == body_kind::physical) == (excess > 0),
+       step_kind::exact});
 }
 
 certificate prove_physical(const request& wanted) {

@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "proofs/claim.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::proofs {
 namespace {
@@ -107,9 +108,10 @@ void add_printed_numbers(certificate& c, const std::vector<printed_number>& numb
     c.numbers.push_back({n.where + ": " + n.what, enclosed(n, digits), digits});
     const ball value = enclosed(n, shown_digits);
     c.facts.push_back(
-        {n.where + " prints " + as_read(n.printed, n.places) + " for " + n.what + ", which is " +
-             to_decimal(value, shown_digits) +
-             (expected == rounding::right ? ": right to the last digit printed" : ": wrong"),
+        {statements::fill(
+             expected == rounding::right ? statements::printed_and_right
+                                         : statements::printed_and_wrong,
+             {n.where, as_read(n.printed, n.places), n.what, to_decimal(value, shown_digits)}),
          check_rounding(n.printed, n.places, value) == expected, step_kind::enclosed});
   }
 }

@@ -30,8 +30,8 @@ void add_value(certificate& c, const request& wanted) {
   c.inputs = {{"a", motion.a}, {"b", motion.b}, {"u", motion.u}};
   const ball value = slope_to_digits(motion, wanted.digits);
   c.numbers.push_back({"dF_du", value, wanted.digits});
-  c.facts.push_back({"at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)",
-                     certainly_negative(value), step_kind::enclosed});
+  c.facts.push_back(
+      {statements::slope_is_negative, certainly_negative(value), step_kind::enclosed});
 
   // The quadrature's goal is absolute; the size of the value turns it into digits.
   const long digits = std::min(wanted.digits, most_quadrature_digits);
@@ -53,14 +53,11 @@ void add_value(certificate& c, const request& wanted) {
   add_periodic_plan(witness, q.plan);
   // (A strip exists for every u > 0; one narrower than the search goes is of no use either.)
   if (q.why == reason::evaluation_limit || q.why == reason::not_analytic) {
-    witness["note"] = "u is so near 0 that the rule would need more than " +
-                      std::to_string(most_nodes) +
-                      " nodes: this route is left out, and the AGM stands alone";
+    witness["note"] = statements::fill(statements::too_near_0, {std::to_string(most_nodes)});
     return;
   }
   witness["value"] = to_json(q.enclosure, digits);
-  c.facts.push_back({"the paper's eq. (44) by certified quadrature, to " + std::to_string(digits) +
-                         " digits, overlaps the value by AGM and is negative",
+  c.facts.push_back({statements::fill(statements::slope_by_quadrature, {std::to_string(digits)}),
                      q.verdict == status::certified && overlaps(q.enclosure, value) &&
                          certainly_negative(q.enclosure),
                      step_kind::enclosed});
@@ -70,23 +67,18 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
   const identity_check identity = check_derivative_identity();
   c.facts.push_back({identity.statement, identity.holds, step_kind::exact});
   c.witness["identity"] = json{{"points", identity.points}, {"degrees", identity.degrees}};
-  c.facts.push_back(
-      {"for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
-       "(44) is "
-       "positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
-       identity.holds && numerator_is_positive(), step_kind::exact});
+  c.facts.push_back({statements::factors_are_positive, identity.holds && numerator_is_positive(),
+                     step_kind::exact});
 
   const sweep_result sweep = sweep_slope();
   c.facts.push_back(
-      {"interval sweep: -u sqrt(b(a+b)) dF/du > 3/4 on all of [0,1]^3 in the variables a/(a+b), "
-       "b(1+a)/(a+b), u (" +
-           std::to_string(sweep.boxes) + " boxes)",
+      {statements::fill(statements::sweep_of_all_parameters, {std::to_string(sweep.boxes)}),
        sweep.holds, step_kind::enclosed});
   const precision p = 64;
   const ball integral = slope_enclosure(point_of(motion, p));
   const ball factor =
       -ball(motion.u, p) * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p));
-  c.facts.push_back({"the sweep's integral at the given a, b, u holds the value above",
+  c.facts.push_back({statements::sweep_holds_value,
                      integral.is_bounded() && overlaps(integral, factor * c.numbers[0].enclosure),
                      step_kind::enclosed});
   json boxes = json::array();

@@ -1,6 +1,7 @@
 #include "proofs/turning_points.hpp"
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::proofs {
 
@@ -24,23 +25,24 @@ void add_brackets(certificate& c, const body& rigid, const integer& count,
     json& witness = c.witness[key];
     if (!bracket) {
       witness.push_back(nullptr);
-      note_missing_witness(c, "a bracket of G(u) = " + multiple_of_pi(q(k)));
+      note_missing_witness(
+          c, statements::fill(statements::bracket_of_half_phase, {multiple_of_pi(q(k))}));
       continue;
     }
-    c.facts.push_back({"at the given a, b, by the AGM: G(u) passes " + multiple_of_pi(q(k)) +
-                           " between u = " + in_decimals(*bracket),
+    c.facts.push_back({statements::fill(statements::half_phase_passes,
+                                        {multiple_of_pi(q(k)), in_decimals(*bracket)}),
                        passes_half_phase(rigid, q(k), *bracket), step_kind::enclosed});
     witness.push_back(as_json(*bracket));
   }
 }
 
 void add_absence(certificate& c, const body& rigid, const rational& q) {
-  c.facts.push_back({"at the given a, b, in rationals: I >= " + to_text(q) +
-                         "; by the AGM G(1/2) > " + multiple_of_pi(q),
-                     !exceeds_geometric_constant(q, rigid) && is_decided([&](precision p) {
-                       return certainly_less(pi(p) * q, half_phase(rigid, rational(1, 2), p));
-                     }),
-                     step_kind::enclosed});
+  c.facts.push_back(
+      {statements::fill(statements::half_phase_stays_above, {to_text(q), multiple_of_pi(q)}),
+       !exceeds_geometric_constant(q, rigid) && is_decided([&](precision p) {
+         return certainly_less(pi(p) * q, half_phase(rigid, rational(1, 2), p));
+       }),
+       step_kind::enclosed});
 }
 
 }  // namespace polhode::proofs

@@ -7,6 +7,7 @@
 #include "body.hpp"
 #include "digest.hpp"
 #include "polynomial.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -285,8 +286,7 @@ void examination::fact(const std::string& statement,
 }
 
 bool examination::is_missing(const std::string& what) {
-  const std::string note = " (For the given body " + what +
-                           " was not found at the precisions tried. The proof does not need it.)";
+  const std::string note = statements::fill(statements::missing_witness, {what});
   if (root_["method"].text().find(note) == std::string::npos) return false;
   notes_ += note;
   report_.left_out.push_back(what);
@@ -304,44 +304,29 @@ void examination::steps() {
     work().spend(units_of_a_step);
     const polynomial left = polynomial::read(step.left);
     const polynomial right = polynomial::read(step.right);
-    std::string statement;
     bool holds = false;
+    one["kind"].expect_text(statements::form_in_words(step));
     one["left"].expect_text(step.left);
     one["right"].expect_text(step.right);
     if (step.form == statements::step_form::slope) {
       one.expect_keys({"kind", "left", "over", "variable", "right"});
-      one["kind"].expect_text("derivative of a quotient");
       one["over"].expect_text(step.over);
       one["variable"].expect_text(step.variable);
       const polynomial over = polynomial::read(step.over);
       const char x = step.variable.front();
       holds = left.derivative(x) * over - left * over.derivative(x) == right;
-      statement = "d/d" + std::string(step.variable) + " of (" + std::string(step.left) + ")/(" +
-                  std::string(step.over) + ") = (" + std::string(step.right) + ")/(" +
-                  std::string(step.over) + ")^2";
+    } else if (step.form == statements::step_form::identity) {
+      one.expect_keys({"kind", "left", "right"});
+      holds = right == left;
     } else {
-      const bool is_identity = step.form == statements::step_form::identity;
-      one["kind"].expect_text(is_identity ? "identity" : "sign by coefficients");
-      statement = std::string(step.left) + " = " + std::string(step.right);
-      if (is_identity) {
-        one.expect_keys({"kind", "left", "right"});
-        holds = right == left;
-      } else {
-        const bool strict = step.form == statements::step_form::positive;
-        one.expect_keys({"kind", "left", "right", "letters", "conclusion"});
-        one["letters"].expect_text(step.letters);
-        one["conclusion"].expect_text(strict ? "> 0" : ">= 0");
-        statement += (strict ? " > 0 for " : " >= 0 for ") + std::string(step.letters);
-        const letter_ranges letters(step.letters);
-        holds = letters.put_into(right) == left && letters.show_sign(right, strict);
-      }
+      const bool strict = step.form == statements::step_form::positive;
+      one.expect_keys({"kind", "left", "right", "letters", "conclusion"});
+      one["letters"].expect_text(step.letters);
+      one["conclusion"].expect_text(statements::conclusion_of(step));
+      const letter_ranges letters(step.letters);
+      holds = letters.put_into(right) == left && letters.show_sign(right, strict);
     }
-    statement += ", expanded over Q";
-    if (step.form == statements::step_form::positive ||
-        step.form == statements::step_form::not_negative) {
-      statement += ", no coefficient of the right side being negative";
-    }
-    fact(statement + ": " + std::string(step.meaning), holds);
+    fact(statements::sentence_of(step), holds);
   }
   if (all.size() > text_.steps.size()) {
     all.at(text_.steps.size()).malformed("this claim has no such step");

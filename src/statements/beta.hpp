@@ -4,6 +4,15 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* one_root_in_box =
+    "interval Newton maps its box into itself with a derivative that is not 0: exactly one root in "
+    "the box";
+inline constexpr const char* signs_by_quadrature =
+    "by certified quadrature, which uses no AGM: the integral over (0, pi/2) of (x + cos^2 "
+    "t)^(-1/2) exceeds pi at the first {} digits of beta and is below pi one unit of the last "
+    "place higher";
+
 [[nodiscard]] inline claim_text beta() {
   return {
       .name = "beta",

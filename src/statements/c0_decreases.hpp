@@ -4,6 +4,10 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* smaller_c0_for_double_a =
+    "at the given b, by the AGM: c0 for 2a is below c0 for the given a, c0/a lying between {}";
+
 [[nodiscard]] inline claim_text c0_decreases() {
   return {
       .name = "c0_decreases",

@@ -5,6 +5,8 @@
 // it, and each decides the steps by itself. A certificate whose words are others proves something
 // else. Each claim is a header here, and a row of list.hpp.
 
+#include <initializer_list>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,6 +47,21 @@ struct polynomial_step {
   return {step_form::slope, left, over, variable, right, "", meaning};
 }
 
+/// Whether the step is about a sign.
+[[nodiscard]] constexpr bool is_sign(const polynomial_step& step) {
+  return step.form == step_form::positive || step.form == step_form::not_negative;
+}
+/// The form as a certificate names it.
+[[nodiscard]] constexpr std::string_view form_in_words(const polynomial_step& step) {
+  if (is_sign(step)) return "sign by coefficients";
+  return step.form == step_form::identity ? "identity" : "derivative of a quotient";
+}
+[[nodiscard]] constexpr std::string_view conclusion_of(const polynomial_step& step) {
+  return step.form == step_form::positive ? "> 0" : ">= 0";
+}
+/// "(1-b)^2 - b*(a+b) = 1 - 2*b - a*b, expanded over Q: what it says in the proof"
+[[nodiscard]] inline std::string sentence_of(const polynomial_step& step);
+
 /// The kinds of steps that no program here decides, as a certificate shows them.
 inline constexpr std::string_view proved_in_coq = "proved in Coq";
 inline constexpr std::string_view argued_in_words = "argued in words";
@@ -74,6 +91,19 @@ inline constexpr std::string_view by_machine = "by machine";
 inline constexpr std::string_view with_words = "by machine, joined in words";
 inline constexpr std::string_view by_argument = "by argument";
 
+/// The sentence with these texts in place of its {}, one after the other.
+[[nodiscard]] inline std::string fill(std::string_view sentence,
+                                      std::initializer_list<std::string> texts) {
+  std::string result;
+  for (const std::string& text : texts) {
+    const auto gap = sentence.find("{}");
+    result += sentence.substr(0, gap);
+    result += text;
+    sentence.remove_prefix(gap + 2);
+  }
+  return result.append(sentence);
+}
+
 struct claim_text {
   std::string_view name;
   std::string_view reference;  // where the paper says it
@@ -85,5 +115,17 @@ struct claim_text {
   std::string_view tier;  // how much of the proof a machine decides
   std::vector<stated_text> argument;
 };
+
+inline std::string sentence_of(const polynomial_step& step) {
+  const auto text = [](std::string_view part) { return std::string(part); };
+  const std::string equation = step.form == step_form::slope
+                                   ? fill("d/d{} of ({})/({}) = ({})/({})^2",
+                                          {text(step.variable), text(step.left), text(step.over),
+                                           text(step.right), text(step.over)})
+                                   : fill("{} = {}", {text(step.left), text(step.right)});
+  if (!is_sign(step)) return fill("{}, expanded over Q: {}", {equation, text(step.meaning)});
+  return fill("{} {} for {}, expanded over Q, no coefficient of the right side being negative: {}",
+              {equation, text(conclusion_of(step)), text(step.letters), text(step.meaning)});
+}
 
 }  // namespace polhode::statements

@@ -4,6 +4,10 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* number_of_meetings =
+    "at the given a, b, in rationals: I < 2/(2k-1) for {}";
+
 [[nodiscard]] inline claim_text count() {
   return {
       .name = "count",

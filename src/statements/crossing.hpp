@@ -4,6 +4,10 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* number_of_crossings =
+    "at the given a, b, in rationals: k < 1/I for {}, and the body is {}";
+
 [[nodiscard]] inline claim_text crossing() {
   return {.name = "crossing",
           .reference = "lemma 3",

@@ -4,6 +4,10 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* second_route_overlaps =
+    "pi - 2 epsilon0_min with epsilon0_min from log and tan overlaps the formula in exp and arctan";
+
 [[nodiscard]] inline claim_text delta_psi_max() {
   return {.name = "delta_psi_max",
           .reference = "section 7, after eq. (40)",

@@ -4,6 +4,11 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* smaller_for_double_a =
+    "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the given a";
+inline constexpr const char* order_for_double_a = "the order of epsilon0 for a and 2a";
+
 [[nodiscard]] inline claim_text epsilon0_decreases() {
   return {
       .name = "epsilon0_decreases",

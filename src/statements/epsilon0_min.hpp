@@ -4,6 +4,11 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* root_of_log_tan =
+    "log(tan(x/2)) + pi has exactly one root in [0.086, 0.087] (interval Newton), and its "
+    "enclosure overlaps the one by the formula";
+
 [[nodiscard]] inline claim_text epsilon0_min() {
   return {.name = "epsilon0_min",
           .reference = "eq. (39)",

@@ -4,6 +4,46 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* meant_by_figure_7 =
+    "figure 7 with b = 0.0629 in place of 0.06: {} for a = {} would be {}, I = {}";
+inline constexpr const char* a_above_1 =
+    "section 2 says \"by definition, a > 1\": a > 0 is right; the water molecule of section 8 has "
+    "a = {} and I > 1";
+inline constexpr const char* phase_is_said_to_decrease =
+    "section 1 says that the phase of oscillating motion is a decreasing function of c: it "
+    "increases, for a = 12.65, b = 0.0629 from c = -3b/4 to -b/4 (for all bodies: the claim "
+    "montgomery_oscillating)";
+inline constexpr const char* range_of_c0 =
+    "proposition 3 seeks c0 in (-b, a): it lies in (0, a), for a = 12.65, b = 0.0629 at c0/a "
+    "between {}";
+inline constexpr const char* planar_body =
+    "section 8 says \"if and only if I > 1\": theorem 3 has I >= 1; the planar body a = 1, b = 1/3 "
+    "has I = 1, is physical, and epsilon(c) never crosses pi/2";
+inline constexpr const char* one_meeting =
+    "section 6.2 says that for non-physical bodies C and S intersect several times: for 2/3 <= I < "
+    "1 exactly once, as for a = 18.27, b = 0.0629";
+inline constexpr const char* exactly_n_plus_1 =
+    "theorem 4 says at least n, and one more beyond the n-th, for I < 2/(2n+1): there are exactly "
+    "n + 1 for 2/(2n+3) <= I < 2/(2n+1); for a = 39.95, b = 0.0629, where n = 1, there are 2";
+inline constexpr const char* no_meeting_at_2 =
+    "lemma 2 says that C and S intersect if and only if I <= 2: at I = 2 the point u = 1 is only a "
+    "limit, as for a = 77/40, b = 1/10, where there is no intersection";
+inline constexpr const char* many_epsilon_for_one_c =
+    "lemma 1 says that there is one epsilon for each c: at a = 12.65, b = 0.0629 G(u) passes 2 pi "
+    "between u = 0.053943792 and 0.053943793, at c between -0.0033930646 and -0.0033930645, where "
+    "C meets S; there psi(phi + 2 pi) = -psi(phi) on the whole orbit, so that each epsilon from "
+    "epsilon* to pi - epsilon* belongs to this one c, such as 0.4, 0.9 and 1.4, as sin^2 0.4 > u";
+inline constexpr const char* period_is_said_to_decrease =
+    "appendix B says that the period T_phi(c) is a decreasing function: by lemma 6 T_phi = 2 "
+    "F(-bu,u) decreases in u = -c/b and so increases in c, for a = 12.65, b = 0.0629 from c = -b/2 "
+    "to -b/8";
+inline constexpr const char* epsilon0_across_b =
+    "section 7 says that by lemma 5, which is for one b, epsilon0 is smallest as a -> infinity: "
+    "for one b bodies are physical up to a = 1/b - 2 only, and between physical bodies of "
+    "different b a greater a may have a greater epsilon0: for a = 2, b = 1/4 it is below 1/2, for "
+    "a = 4, b = 1/100 above (what follows is so: the claim limit_minimum)";
+
 [[nodiscard]] inline claim_text errata() {
   return {
       .name = "errata",

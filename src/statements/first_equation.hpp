@@ -4,6 +4,12 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* decrease_at_given_body =
+    "at the given a, b, by Carlson's integrals: F(c,u) decreases from c = -b/8 to 0 to a/2 to a at "
+    "u = 1/2, and from u = 1/4 to 1/2 to 3/4 at c = a/2";
+inline constexpr const char* order_of_values = "the order of some values of F(c,u)";
+
 [[nodiscard]] inline claim_text first_equation() {
   return {
       .name = "first_equation",

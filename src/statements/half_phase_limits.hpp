@@ -4,6 +4,10 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* both_bounds_hold =
+    "at the given a, b both bounds hold at u = 1/4, 1/2, 3/4 for the value by the AGM";
+
 [[nodiscard]] inline claim_text half_phase_limits() {
   return {.name = "half_phase_limits",
           .reference = "appendix A, lemma 7, eqs. (45)-(46)",

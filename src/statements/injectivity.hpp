@@ -4,6 +4,19 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* increasing_chain =
+    "at the given a, b: epsilon(c) increases as c goes down a chain of {} points towards -b, and "
+    "is below pi/2, its limit there; as it is monotone by the proof, the boxes between "
+    "neighbouring points cover the curve between them";
+inline constexpr const char* two_c_with_one_epsilon =
+    "at the given a, b: epsilon = {} (one exact number) is passed between c = {} and {}, and again "
+    "between {} and {}: two c with the same epsilon";
+inline constexpr const char* injective_or_not =
+    "at the given a, b, in rationals: I {} 1, {}: epsilon(c) is {}";
+inline constexpr const char* chain_of_points = "a chain of points with certainly different epsilon";
+inline constexpr const char* pair_of_c = "a pair of c with one epsilon";
+
 [[nodiscard]] inline claim_text injectivity() {
   return {
       .name = "injectivity",

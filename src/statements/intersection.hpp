@@ -4,6 +4,10 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* meets_or_not =
+    "at the given a, b, in rationals: I {} 2, and 4ab + 3b^2 + 2b - 1 is {}";
+
 [[nodiscard]] inline claim_text intersection() {
   return {
       .name = "intersection",

@@ -4,6 +4,22 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* bounds_are_for_physical_bodies =
+    " (The given body is not physical: the bounds are not for it.)";
+inline constexpr const char* mean_at_epsilon0_min =
+    "agm(1, sin epsilon0_min) < 1/2 with sin epsilon0_min = 1/cosh(pi), so that K(cos^2 "
+    "epsilon0_min) > pi: for beta < 0, chi <= 1 the limit's motion has either -beta > sin^2 "
+    "epsilon0_min, and epsilon >= epsilon* > epsilon0_min, or is still before its first turning "
+    "point";
+inline constexpr const char* epsilon0_is_above =
+    "at the given a, b, {}: epsilon0, by interval Newton, is above epsilon0_min";
+inline constexpr const char* order_of_epsilon0_and_least = "the order of epsilon0 and epsilon0_min";
+inline constexpr const char* bracket_of_c0_on_one_side =
+    "a bracket of c0 that lies on one side of b beta";
+inline constexpr const char* c0_is_above =
+    "at the given a, b: c0/b is above beta (c0/a between {})";
+
 [[nodiscard]] inline claim_text limit_minimum() {
   return {
       .name = "limit_minimum",

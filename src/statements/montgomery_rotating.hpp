@@ -4,6 +4,11 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* rotating_phase_keeps_its_bounds =
+    "at the given a, b the phase by the AGM at c = a/4, a/2, 3a/4 decreases, is above 2 pi J and 4 "
+    "I arsinh((pi/2) sqrt(b/c)), and below 2 pi J sqrt(a/c)";
+
 [[nodiscard]] inline claim_text montgomery_rotating() {
   return {.name = "montgomery_rotating",
           .reference = "theorem 2, eq. (17)",

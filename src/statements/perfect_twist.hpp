@@ -4,6 +4,15 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* root_exists_or_not =
+    "at the given a, b, in rationals: J {}{}, so there is {}{}";
+inline constexpr const char* rotating_phase_stays_above =
+    "at the given a, b, by the AGM: F(c,0) > {} pi at c = a/2 and 3a/4";
+inline constexpr const char* rotating_phase_passes =
+    "at the given a, b, by the AGM: F(c,0) passes {} between c/a = {}";
+inline constexpr const char* bracket_of_root = "a bracket of the {}";
+
 [[nodiscard]] inline claim_text perfect_twist() {
   return {
       .name = "perfect_twist",

@@ -4,6 +4,11 @@
 
 namespace polhode::statements {
 
+// Its facts.
+inline constexpr const char* kind_of_body =
+    "at the given a, b, in rationals: I_y + I_z - I_x = {} for I_y = 1, and I^2 - 1 = {}, of the "
+    "same sign: {}";
+
 [[nodiscard]] inline claim_text physical() {
   return {
       .name = "physical",

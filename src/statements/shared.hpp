@@ -77,10 +77,24 @@ inline constexpr stated_text gudermannian =
     cited("am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i)).");
 
 // Of the given body ---------------------------------------------------------------------------
+// Sentences of facts, with {} for what is computed: `fill`. Those of one claim are in its header.
 
-/// What a prover may not find: `examination::is_missing`.
+inline constexpr const char* exact_constant = "at the given a, b: {} = {} exactly";
+inline constexpr const char* half_phase_passes =
+    "at the given a, b, by the AGM: G(u) passes {} between u = {}";
+inline constexpr const char* half_phase_stays_above =
+    "at the given a, b, in rationals: I >= {}; by the AGM G(1/2) > {}";
+inline constexpr const char* printed_and_right =
+    "{} prints {} for {}, which is {}: right to the last digit printed";
+inline constexpr const char* printed_and_wrong = "{} prints {} for {}, which is {}: wrong";
+inline constexpr const char* periodic_rule = "periodic trapezoid, 2n nodes (2k+1) pi/(2n)";
+
+/// What the method adds where a prover did not find a witness, and the witnesses.
+inline constexpr const char* missing_witness =
+    " (For the given body {} was not found at the precisions tried. The proof does not need it.)";
 inline constexpr const char* bracket_of_c0 = "a bracket of c0";
-inline constexpr const char* enclosure_of_epsilon0 = "an enclosure of epsilon0";
+inline constexpr const char* bracket_of_half_phase = "a bracket of G(u) = {}";
+inline constexpr const char* enclosure_of = "an enclosure of {}";
 /// What the method adds where J >= 2.
 inline constexpr const char* there_is_no_c0 = " (At the given a, b J >= 2: there is no c0.)";
 

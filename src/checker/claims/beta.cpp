@@ -125,25 +125,21 @@ void check_newton(examination& e) {
   if (image.upper > box.upper) newton["image"]["upper"].refute("the image leaves the box");
   const range slope = examination::decimals(
       newton["derivative"], [&](precision bits) { return derivative_over(box, bits); });
-  e.fact(
-      "interval Newton maps its box into itself with a derivative that is not 0: exactly one root "
-      "in the box",
-      [&](precision bits) -> tri {
-        const precision more = bits + bit_length(image.lower) + bit_length(image.upper);
-        const interval at_lower = mean_equation(image.lower, more);
-        const interval at_upper = mean_equation(image.upper, more);
-        if (slope.lower <= 0 || at_lower.is_positive() || at_upper.is_negative()) return false;
-        if (!at_lower.is_negative() || !at_upper.is_positive()) return std::nullopt;
-        // The step from the box's middle, for f = agm - 1/2, which is half of the equation's
-        // function.
-        const precision w = more + bit_length(box.lower) + bit_length(box.upper);
-        const rational middle((box.lower + box.upper) / 2);
-        const interval step =
-            exactly(middle, w) -
-            mean_equation(middle, w) / 2 / interval::between(slope.lower, slope.upper, w);
-        if (!overlaps(step, box.lower, box.upper)) return false;
-        return is_inside(step, box.lower, box.upper) ? tri(true) : std::nullopt;
-      });
+  e.fact(statements::one_root_in_box, [&](precision bits) -> tri {
+    const precision more = bits + bit_length(image.lower) + bit_length(image.upper);
+    const interval at_lower = mean_equation(image.lower, more);
+    const interval at_upper = mean_equation(image.upper, more);
+    if (slope.lower <= 0 || at_lower.is_positive() || at_upper.is_negative()) return false;
+    if (!at_lower.is_negative() || !at_upper.is_positive()) return std::nullopt;
+    // The step from the box's middle, for f = agm - 1/2, which is half of the equation's
+    // function.
+    const precision w = more + bit_length(box.lower) + bit_length(box.upper);
+    const rational middle((box.lower + box.upper) / 2);
+    const interval step = exactly(middle, w) - mean_equation(middle, w) / 2 /
+                                                   interval::between(slope.lower, slope.upper, w);
+    if (!overlaps(step, box.lower, box.upper)) return false;
+    return is_inside(step, box.lower, box.upper) ? tri(true) : std::nullopt;
+  });
 }
 
 /// 1/sqrt(x + cos^2(t/2)); on the strip Re(x + (1 + cos t)/2) >= x + (1 - cosh H)/2.
@@ -166,12 +162,8 @@ void check_integrals(examination& e, const range& beta) {
   constexpr long most_quadrature_digits = 100;
   const long digits = std::min(e.digits(), most_quadrature_digits);
   quadrature.expect_keys({"below", "above"});
-  const place statement = e.fact(
-      "by certified quadrature, which uses no AGM: the integral over (0, pi/2) of (x + cos^2 "
-      "t)^(-1/2) exceeds pi at the first " +
-          std::to_string(digits) +
-          " digits of beta and is below pi one unit of the last place higher",
-      enclosed);
+  const place statement =
+      e.fact(statements::fill(statements::signs_by_quadrature, {std::to_string(digits)}), enclosed);
   const std::string first = decimal(beta.lower, digits, rounding::to_zero, e.work());
   rational below;
   static_cast<void>(read_decimal(first, below));

@@ -2,6 +2,7 @@
 
 #include "checker/elliptic.hpp"
 #include "shapes.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::checker {
 
@@ -39,12 +40,12 @@ void check_brackets(examination& e, const integer& count, const std::function<ra
     const place one = all.at(static_cast<std::size_t>(k - 1));
     const std::string target = multiple_of_pi(q(k));
     if (one.value().is_null()) {
-      if (!e.is_missing("a bracket of G(u) = " + target)) one.malformed("it must be a bracket");
+      if (!e.is_missing(statements::fill(statements::bracket_of_half_phase, {target})))
+        one.malformed("it must be a bracket");
       continue;
     }
     const range u = examination::bracket(one);
-    e.fact("at the given a, b, by the AGM: G(u) passes " + target +
-               " between u = " + in_decimals(u, e.work()),
+    e.fact(statements::fill(statements::half_phase_passes, {target, in_decimals(u, e.work())}),
            [&](precision bits) { return passes_half_phase(rigid, q(k), u, bits + size_of(u)); });
   }
   if (all.size() > static_cast<std::size_t>(shown)) {
@@ -54,8 +55,7 @@ void check_brackets(examination& e, const integer& count, const std::function<ra
 
 void check_absence(examination& e, const rational& q) {
   const body rigid = body_of(e);
-  e.fact("at the given a, b, in rationals: I >= " + q.str() + "; by the AGM G(1/2) > " +
-             multiple_of_pi(q),
+  e.fact(statements::fill(statements::half_phase_stays_above, {q.str(), multiple_of_pi(q)}),
          [&](precision bits) -> tri {
            if (rigid.is_above_I(q)) return false;
            return below(pi(bits) * exactly(q, bits),

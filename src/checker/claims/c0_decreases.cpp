@@ -18,8 +18,7 @@ void check_c0_decreases(examination& e) {
   if (e.is_missing(statements::bracket_of_c0)) return;
   const range first = examination::bracket(e.witness("c0_over_a"));
   const range second = examination::bracket(e.witness("c0_over_a_for_2a"));
-  e.fact("at the given b, by the AGM: c0 for 2a is below c0 for the given a, c0/a lying between " +
-             in_decimals(first, e.work()),
+  e.fact(statements::fill(statements::smaller_c0_for_double_a, {in_decimals(first, e.work())}),
          [&](precision bits) {
            return all_of({passes_rotating_phase(rigid, 2, first, bits + size_of(first)),
                           passes_rotating_phase(other, 2, second, bits + size_of(second)),

@@ -14,7 +14,7 @@ void check_count(examination& e) {
   const integer count = rigid.intersections();
   e.witness("N").expect_text(count.str());
   const auto q = [](const integer& k) { return rational(integer(2), 2 * k - 1); };
-  e.fact("at the given a, b, in rationals: I < 2/(2k-1) for " + counted(count),
+  e.fact(statements::fill(statements::number_of_meetings, {counted(count)}),
          (count == 0 || rigid.is_above_I(q(count))) && !rigid.is_above_I(q(count + 1)));
   check_values_of_half_phase(
       e, count, [&](int k) { return q(integer(k)); }, "intersections");

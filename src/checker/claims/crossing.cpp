@@ -13,8 +13,7 @@ void check_crossing(examination& e) {
   check_I(e);
   const integer count = rigid.crossings();
   e.witness("crossings_count").expect_text(count.str());
-  e.fact("at the given a, b, in rationals: k < 1/I for " + counted(count) + ", and the body is " +
-             rigid.kind_in_words(),
+  e.fact(statements::fill(statements::number_of_crossings, {counted(count), rigid.kind_in_words()}),
          (count == 0 || rigid.is_above_I(rational(integer(1), count))) &&
              !rigid.is_above_I(rational(integer(1), count + 1)) &&
              (count > 0) == (rigid.kind() < 0));

@@ -12,10 +12,7 @@ void check_delta_psi_max(examination& e) {
   e.read_no_inputs();
   e.number("delta_psi_max", delta_psi_max);
   // The second route's enclosure holds the same number, so that the two overlap.
-  e.fact(
-      "pi - 2 epsilon0_min with epsilon0_min from log and tan overlaps the formula in exp and "
-      "arctan",
-      true, enclosed);
+  e.fact(statements::second_route_overlaps, true, enclosed);
   examination::decimals(e.witness("second_route"), delta_psi_max);
 }
 

@@ -15,16 +15,14 @@ void check_epsilon0_decreases(examination& e) {
   const body other{2 * e.a(), e.b()};
   std::optional<range> first;
   std::optional<range> second;
-  if (!e.is_missing(statements::enclosure_of_epsilon0)) {
+  if (!e.is_missing(statements::fill(statements::enclosure_of, {"epsilon0"}))) {
     first = e.root_number("epsilon0", true, separatrix_equation(rigid));
   }
-  if (!e.is_missing("an enclosure of epsilon0 for 2a")) {
+  if (!e.is_missing(statements::fill(statements::enclosure_of, {"epsilon0 for 2a"}))) {
     second = e.root_number("epsilon0 for 2a", true, separatrix_equation(other));
   }
-  if (e.is_missing("the order of epsilon0 for a and 2a")) return;
-  const place where = e.fact(
-      "at the given b, by interval Newton: epsilon0 for 2a is below epsilon0 for the given a",
-      enclosed);
+  if (e.is_missing(statements::order_for_double_a)) return;
+  const place where = e.fact(statements::smaller_for_double_a, enclosed);
   if (!first || !second) where.not_checkable("the certificate has no enclosures of both");
   if (second->lower >= first->upper) where.refute("it is not so of the two enclosures");
   if (second->upper >= first->lower) where.not_checkable("the two enclosures overlap");

@@ -11,7 +11,7 @@ namespace {
 void check_half_phase_limits(examination& e) {
   const body rigid = check_body_and_steps(e);
   e.number("limit", [&](precision bits) { return pi(bits) * rigid.I(bits); });
-  e.fact("at the given a, b both bounds hold at u = 1/4, 1/2, 3/4 for the value by the AGM",
+  e.fact(statements::both_bounds_hold,
          [&](precision bits) { return half_phase_obeys_its_bounds(rigid, bits); });
 }
 

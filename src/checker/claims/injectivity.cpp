@@ -46,7 +46,7 @@ void check_chain(examination& e) {
   const body rigid = body_of(e);
   const place chain = e.witness("chain");
   if (chain.value().is_null()) {
-    if (!e.is_missing("a chain of points with certainly different epsilon")) {
+    if (!e.is_missing(statements::chain_of_points)) {
       chain.malformed("it must be a chain of points");
     }
     return;
@@ -73,10 +73,7 @@ void check_chain(examination& e) {
     c_before = c;
     epsilon_before = upper;
   }
-  e.fact("at the given a, b: epsilon(c) increases as c goes down a chain of " +
-             std::to_string(chain.size()) +
-             " points towards -b, and is below pi/2, its limit there; as it is monotone by the "
-             "proof, the boxes between neighbouring points cover the curve between them",
+  e.fact(statements::fill(statements::increasing_chain, {std::to_string(chain.size())}),
          [&](precision bits) { return below(exactly(*epsilon_before, bits), pi(bits) / 2); });
 }
 
@@ -84,7 +81,7 @@ void check_two_c(examination& e) {
   const body rigid = body_of(e);
   const place two = e.witness("two_c");
   if (two.value().is_null()) {
-    if (!e.is_missing("a pair of c with one epsilon")) two.malformed("it must be a pair");
+    if (!e.is_missing(statements::pair_of_c)) two.malformed("it must be a pair");
     return;
   }
   two.expect_keys({"epsilon", "u_first", "u_second"});
@@ -110,10 +107,9 @@ void check_two_c(examination& e) {
   if (most_is_below(precision(256 + size_of(second), e.work())) != tri(true)) {
     expect_side(two["u_second"]["upper"], rigid, c_of(second.upper), level, -1, above);
   }
-  e.fact("at the given a, b: epsilon = " + decimal_for_reading(level, 8, e.work()) +
-             " (one exact number) is passed between c = " + text(first.lower) + " and " +
-             text(first.upper) + ", and again between " + text(second.lower) + " and " +
-             text(second.upper) + ": two c with the same epsilon",
+  e.fact(statements::fill(statements::two_c_with_one_epsilon,
+                          {decimal_for_reading(level, 8, e.work()), text(first.lower),
+                           text(first.upper), text(second.lower), text(second.upper)}),
          true, enclosed);
 }
 
@@ -121,9 +117,9 @@ void check_injectivity(examination& e) {
   const body rigid = check_body_and_steps(e);
   check_I(e);
   const bool physical = !rigid.is_above_I(1);
-  e.fact("at the given a, b, in rationals: I " + std::string(physical ? ">=" : "<") + " 1, " +
-             rigid.kind_in_words() + ": epsilon(c) is " +
-             (physical ? "injective" : "not injective"),
+  e.fact(statements::fill(statements::injective_or_not,
+                          {std::string(physical ? ">=" : "<"), rigid.kind_in_words(),
+                           (physical ? "injective" : "not injective")}),
          physical == (rigid.kind() >= 0));
   if (physical) {
     check_chain(e);

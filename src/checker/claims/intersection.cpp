@@ -12,8 +12,8 @@ void check_intersection(examination& e) {
   const body rigid = check_body_and_steps(e);
   check_I(e);
   const bool meets = rigid.is_above_I(2);
-  e.fact(std::string("at the given a, b, in rationals: I ") + (meets ? "<" : ">=") +
-             " 2, and 4ab + 3b^2 + 2b - 1 is " + (meets ? "positive" : "not positive"),
+  e.fact(statements::fill(statements::meets_or_not,
+                          {(meets ? "<" : ">="), (meets ? "positive" : "not positive")}),
          meets == (4 * e.a() * e.b() + 3 * e.b() * e.b() + 2 * e.b() > 1));
   check_values_of_half_phase(
       e, meets ? 1 : 0, [](int) { return rational(2); }, "intersection");

@@ -15,24 +15,18 @@ void check_limit_minimum(examination& e) {
   const body rigid = check_body_and_steps(e);
   e.number("epsilon0_min", epsilon0_min);
   const range beta = e.root_number("beta", false, mean_equation);
-  e.fact(
-      "agm(1, sin epsilon0_min) < 1/2 with sin epsilon0_min = 1/cosh(pi), so that K(cos^2 "
-      "epsilon0_min) > pi: for beta < 0, chi <= 1 the limit's motion has either -beta > sin^2 "
-      "epsilon0_min, and epsilon >= epsilon* > epsilon0_min, or is still before its first turning "
-      "point",
-      [&](precision bits) {
-        const interval one = exactly(1, bits);
-        const interval cosine = (exp(pi(bits)) + exp(-pi(bits))) / 2;
-        return below(agm_with_sum(one, one / cosine).mean, exactly(rational(1, 2), bits));
-      });
+  e.fact(statements::mean_at_epsilon0_min, [&](precision bits) {
+    const interval one = exactly(1, bits);
+    const interval cosine = (exp(pi(bits)) + exp(-pi(bits))) / 2;
+    return below(agm_with_sum(one, one / cosine).mean, exactly(rational(1, 2), bits));
+  });
   if (rigid.kind() < 0) {
-    e.add_to_method(" (The given body is not physical: the bounds are not for it.)");
+    e.add_to_method(statements::bounds_are_for_physical_bodies);
     return;
   }
-  if (!e.is_missing("the order of epsilon0 and epsilon0_min")) {
+  if (!e.is_missing(statements::order_of_epsilon0_and_least)) {
     // epsilon0 is above epsilon0_min where F(0, sin^2) - 2 pi is still positive.
-    e.fact("at the given a, b, " + rigid.kind_in_words() +
-               ": epsilon0, by interval Newton, is above epsilon0_min",
+    e.fact(statements::fill(statements::epsilon0_is_above, {rigid.kind_in_words()}),
            [&](precision bits) {
              const sine_and_cosine at = sin_cos(epsilon0_min(bits));
              return below(pi(bits).scaled(1),
@@ -44,11 +38,11 @@ void check_limit_minimum(examination& e) {
     return;
   }
   if (e.is_missing(statements::bracket_of_c0) ||
-      e.is_missing("a bracket of c0 that lies on one side of b beta")) {
+      e.is_missing(statements::bracket_of_c0_on_one_side)) {
     return;
   }
   const range c0 = examination::bracket(e.witness("c0_over_a"));
-  e.fact("at the given a, b: c0/b is above beta (c0/a between " + in_decimals(c0, e.work()) + ")",
+  e.fact(statements::fill(statements::c0_is_above, {in_decimals(c0, e.work())}),
          [&](precision bits) {
            return all_of({tri(beta.upper < rigid.a * c0.lower / rigid.b),
                           passes_rotating_phase(rigid, 2, c0, bits + size_of(c0))});

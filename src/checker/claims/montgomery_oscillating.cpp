@@ -12,13 +12,11 @@ void check_montgomery_oscillating(examination& e) {
   const body rigid = check_body_and_steps(e);
   e.number("greatest_lower_bound",
            [&](precision bits) { return (pi(bits) * rigid.I(bits)).scaled(1); });
-  e.fact(
-      "at the given a, b the phase by the AGM at u = 1/4, 1/2, 3/4 decreases, is above 2 pi I and "
-      "4 I arsinh(pi/(2 sqrt(u))), and below 2 pi I g(u)/g(1)",
-      [&](precision bits) { return half_phase_obeys_its_bounds(rigid, bits); });
+  e.fact(statements::phase_keeps_its_bounds,
+         [&](precision bits) { return half_phase_obeys_its_bounds(rigid, bits); });
   const bool below_one = rigid.is_above_I(1);
-  e.fact("at the given a, b, in rationals: the body is " + rigid.kind_in_words() +
-             ", and the greatest lower bound is " + (below_one ? "below 2 pi" : "2 pi or more"),
+  e.fact(statements::fill(statements::bound_of_body,
+                          {rigid.kind_in_words(), (below_one ? "below 2 pi" : "2 pi or more")}),
          below_one == (rigid.kind() < 0));
 }
 

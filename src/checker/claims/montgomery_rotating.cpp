@@ -26,10 +26,8 @@ void check_montgomery_rotating(examination& e) {
   const body rigid = check_body_and_steps(e);
   e.number("greatest_lower_bound",
            [&](precision bits) { return (pi(bits) * rigid.J(bits)).scaled(1); });
-  e.fact(
-      "at the given a, b the phase by the AGM at c = a/4, a/2, 3a/4 decreases, is above 2 pi J and "
-      "4 I arsinh((pi/2) sqrt(b/c)), and below 2 pi J sqrt(a/c)",
-      [&](precision bits) { return rotating_phase_obeys_its_bounds(rigid, bits); });
+  e.fact(statements::rotating_phase_keeps_its_bounds,
+         [&](precision bits) { return rotating_phase_obeys_its_bounds(rigid, bits); });
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ void check_rotating_root(examination& e, const rational& q, const rational& poly
   const rational& a = e.a();
   const bool exists = rigid.is_above_J(q);
   const std::string target = q == 1 ? "pi" : q.str() + " pi";
-  e.fact("at the given a, b, in rationals: J " + std::string(exists ? "< " : ">= ") + q.str() +
-             ", so there is " + (exists ? "a " : "no ") + what,
+  e.fact(statements::fill(statements::root_exists_or_not, {std::string(exists ? "< " : ">= "),
+                                                           q.str(), (exists ? "a " : "no "), what}),
          exists == (polynomial > 0));
   if (!exists) {
-    e.fact("at the given a, b, by the AGM: F(c,0) > " + q.str() + " pi at c = a/2 and 3a/4",
+    e.fact(statements::fill(statements::rotating_phase_stays_above, {q.str()}),
            [&](precision bits) {
              const interval value = pi(bits) * exactly(q, bits);
              return all_of({below(value, rotating_phase(a, e.b(), rational(a / 2), bits)),
@@ -30,12 +30,12 @@ void check_rotating_root(examination& e, const rational& q, const rational& poly
   }
   const place where = e.witness(key);
   if (where.value().is_null()) {
-    if (!e.is_missing("a bracket of the " + what)) where.malformed("it must be a bracket");
+    if (!e.is_missing(statements::fill(statements::bracket_of_root, {what})))
+      where.malformed("it must be a bracket");
     return;
   }
   const range s = examination::bracket(where);
-  e.fact("at the given a, b, by the AGM: F(c,0) passes " + target +
-             " between c/a = " + in_decimals(s, e.work()),
+  e.fact(statements::fill(statements::rotating_phase_passes, {target, in_decimals(s, e.work())}),
          [&](precision bits) { return passes_rotating_phase(rigid, q, s, bits + size_of(s)); });
 }
 

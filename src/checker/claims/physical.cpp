@@ -13,9 +13,8 @@ void check_physical(examination& e) {
   const rational excess(1 + 1 / (1 + e.a()) - 1 / (1 - e.b()));
   const rational above(rigid.squared_I() - 1);
   const auto sign = [](const rational& q) { return q > 0 ? 1 : q < 0 ? -1 : 0; };
-  e.fact("at the given a, b, in rationals: I_y + I_z - I_x = " + excess.str() +
-             " for I_y = 1, and I^2 - 1 = " + above.str() +
-             ", of the same sign: " + rigid.kind_in_words(),
+  e.fact(statements::fill(statements::kind_of_body,
+                          {excess.str(), above.str(), rigid.kind_in_words()}),
          sign(excess) == sign(above) && sign(excess) == rigid.kind());
 }
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "constants.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::checker {
 
@@ -46,8 +47,8 @@ void check_printed(examination& e, const std::vector<printed_number>& numbers, b
     }
   }
   for (const printed_number& n : numbers) {
-    e.fact(std::string(n.where) + " prints " + n.as_read + " for " + n.what + ", which is " +
-               n.in_short + (right ? "...: right to the last digit printed" : "...: wrong"),
+    e.fact(statements::fill(right ? statements::printed_and_right : statements::printed_and_wrong,
+                            {n.where, n.as_read, n.what, std::string(n.in_short) + "..."}),
            [&](precision bits) -> tri {
              const rational cut = number_in(n.in_short);
              const auto decimals = static_cast<long>(std::string(n.in_short).find('.'));

@@ -10,7 +10,7 @@ namespace {
 
 void check_separatrix_twist(examination& e) {
   const body rigid = check_body_and_steps(e);
-  if (!e.is_missing(statements::enclosure_of_epsilon0)) {
+  if (!e.is_missing(statements::fill(statements::enclosure_of, {"epsilon0"}))) {
     e.root_number("epsilon0", true, separatrix_equation(rigid));
   }
 }

@@ -3,6 +3,7 @@
 #include "answers.hpp"
 #include "checker/elliptic.hpp"
 #include "checker/functions.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 void check_constant(examination& e, const std::string& name, bool exists, const rational& exact,
                     const std::function<interval(precision bits)>& f) {
   if (exists) {
-    e.fact("at the given a, b: " + name + " = " + exact.str() + " exactly", true);
+    e.fact(statements::fill(statements::exact_constant, {name, exact.str()}), true);
   } else {
     e.number(name, f);
   }

@@ -60,10 +60,8 @@ void check_integral_route(examination& e, const range& value) {
   if (quadrature.has("note")) {
     quadrature.expect_keys({"verdict", "rule", "note"});
     quadrature["verdict"].expect_text("not certified");
-    quadrature["rule"].expect_text("periodic trapezoid, 2n nodes (2k+1) pi/(2n)");
-    quadrature["note"].expect_text(
-        "u is so near 0 that the rule would need more than 200000 nodes: this route is left out, "
-        "and the AGM stands alone");
+    quadrature["rule"].expect_text(statements::periodic_rule);
+    quadrature["note"].expect_text(statements::fill(statements::too_near_0, {"200000"}));
     // The strip's half-width is below artanh sqrt u < 2 sqrt u: for u above q^2 the rule has the
     // digits with fewer nodes.
     const rational q(4 * std::min(e.digits(), 1000L) + 200 + e.input_bits(), 250'000);
@@ -76,9 +74,8 @@ void check_integral_route(examination& e, const range& value) {
     const range given = examination::decimals(quadrature["value"], [&](long) { return integral; });
     constexpr long most_quadrature_digits = 1000;
     quadrature["value"]["digits"].expect_whole(std::min(e.digits(), most_quadrature_digits));
-    e.fact("the paper's eq. (44) by certified quadrature, to " +
-               std::to_string(std::min(e.digits(), most_quadrature_digits)) +
-               " digits, overlaps the value by AGM and is negative",
+    e.fact(statements::fill(statements::slope_by_quadrature,
+                            {std::to_string(std::min(e.digits(), most_quadrature_digits))}),
            overlaps(integral, value.lower, value.upper) && given.upper < 0, enclosed);
   }
 }
@@ -88,19 +85,12 @@ void check_identity(examination& e) {
   const place identity = e.witness("identity");
   identity.expect_keys({"points", "degrees"});
   identity["points"].expect_whole(528);
-  identity["degrees"].expect_text(
-      "cleared of denominators both sides are polynomials of degree at most 2 in a, 3 in b, 3 in u "
-      "and 10 in y; they agree on a grid of 3 x 4 x 4 x 11 points, hence everywhere");
+  identity["degrees"].expect_text(statements::degrees_of_identity);
   const bool holds = identity_holds();
-  e.fact(
-      "the u-derivative of the integrand of eq. (43) is the integrand of eq. (44): d(h^2)/du = -a "
-      "(1 - bX)(a + (a+2) b X)/(X (a + bX))^2, equal in exact rationals at 528 points",
-      holds);
-  e.fact(
-      "for all a > 0, 0 < b < 1, 0 < u <= 1: on 0 < y < 1 every factor of the integrand of eq. "
-      "(44) is positive (X = u + (1-u) y^2 lies in (0, 1], 1 - y^2 > 0), and its sign is minus",
-      holds &&
-          letter_ranges("a > 0, b > 0, x > 0").show_sign(polynomial::read("a+(a+2)*b*x"), true));
+  e.fact(statements::fill(statements::derivative_identity, {"528"}), holds);
+  e.fact(statements::factors_are_positive,
+         holds &&
+             letter_ranges("a > 0, b > 0, x > 0").show_sign(polynomial::read("a+(a+2)*b*x"), true));
 }
 
 void check_boxes(examination& e, const range& value) {
@@ -108,21 +98,17 @@ void check_boxes(examination& e, const range& value) {
   const rational& b = e.b();
   const rational& u = e.u();
   const std::size_t boxes = check_sweep(e.witness("sweep"));
-  e.fact(
-      "interval sweep: -u sqrt(b(a+b)) dF/du > 3/4 on all of [0,1]^3 in the variables a/(a+b), "
-      "b(1+a)/(a+b), u (" +
-          std::to_string(boxes) + " boxes)",
-      true, enclosed);
+  e.fact(statements::fill(statements::sweep_of_all_parameters, {std::to_string(boxes)}), true,
+         enclosed);
   const interval integral = enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u,
                                          precision(sweep_bits + e.input_bits(), e.work()));
-  e.fact("the sweep's integral at the given a, b, u holds the value above",
-         [&](precision bits) -> tri {
-           const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
-           const interval W = factor * interval::between(value.lower, value.upper, bits);
-           if (is_inside(W, integral.lower(), integral.upper())) return true;
-           if (!overlaps(W, integral.lower(), integral.upper())) return false;
-           return std::nullopt;
-         });
+  e.fact(statements::sweep_holds_value, [&](precision bits) -> tri {
+    const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
+    const interval W = factor * interval::between(value.lower, value.upper, bits);
+    if (is_inside(W, integral.lower(), integral.upper())) return true;
+    if (!overlaps(W, integral.lower(), integral.upper())) return false;
+    return std::nullopt;
+  });
 }
 
 void check_sign_dF_du(examination& e) {
@@ -132,8 +118,7 @@ void check_sign_dF_du(examination& e) {
   const rational& u = e.u();
   const range value =
       e.number("dF_du", [&](precision bits) { return half_phase_slope(a, b, u, bits); });
-  e.fact("at the given a, b, u: dF(-bu,u)/du < 0 (elliptic integrals by AGM)", value.upper < 0,
-         enclosed);
+  e.fact(statements::slope_is_negative, value.upper < 0, enclosed);
   check_integral_route(e, value);
   check_identity(e);
   check_boxes(e, value);

@@ -5,6 +5,7 @@
 #include "answers.hpp"
 #include "checker/elliptic.hpp"
 #include "checker/functions.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode::checker {
 
@@ -13,7 +14,7 @@ interval check_quadrature(const place& where, const periodic_integrand& f, long 
   const budget::at here = where.working();
   constexpr long most_work =
       30'000'000;  // nodes times bits: what is far beyond a proof's need is refused at once
-  where["rule"].expect_text("periodic trapezoid, 2n nodes (2k+1) pi/(2n)");
+  where["rule"].expect_text(statements::periodic_rule);
   const long n = where["nodes"].whole(1, most_nodes);
   const rational half_width = where["half_width"].fraction();
   if (half_width <= 0 || half_width > 100 || bit_length(half_width) > 4096) {
