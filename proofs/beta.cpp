@@ -17,13 +17,8 @@ namespace {
 /// f(x) = M(sqrt(1+x), sqrt(x)) - 1/2.
 ball mean_equation(const ball& x) { return (2 * agm(sqrt(1 + x), sqrt(x)) - 1) / 2; }
 
-/// f'(x) = M (x + 1/2 - S) / (2 x (1 + x)), S the sum of 2^(n-1) c_n^2 over n >= 1.
-///
-/// Proof. With I = integral over (0, pi/2) of (x + cos^2 t)^(-1/2) dt = pi / (2 M) (Gauss) and J =
-/// integral of (x + cos^2 t)^(-3/2) dt, I' = -J/2 and M' = (M^2 / pi) J. With m = 1/(1+x): I =
-/// K(m)/sqrt(1+x) and J = (1+x)^(-3/2) E(m)/(1-m) (DLMF 19.2(ii), integral of Delta^-3), so J = I
-/// (E/K)/x and M' = (M/(2x)) E/K. Last, E/K = 1 - sum over n >= 0 of 2^(n-1) c_n^2/a_0^2, with
-/// a_0^2 = 1 + x and c_0^2 = a_0^2 - b_0^2 = 1.
+/// f'(x) = M (x + 1/2 - S) / (2 x (1 + x)), S the sum of 2^(n-1) c_n^2 over n >= 1: the proof is in
+/// proofs/arguments/beta.md.
 ball mean_equation_slope(const ball& x) {
   const agm_sums m = agm_with_sum(sqrt(1 + x), sqrt(x));
   return m.mean * (x + rational(1, 2) - m.sum) / (2 * x * (1 + x));

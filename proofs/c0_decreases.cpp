@@ -1,4 +1,5 @@
-// c0 decreases as a increases: the paper's lemma 4. The proof is in parameter_a.hpp.
+// c0 decreases as a increases: the paper's lemma 4. The argument: proofs/arguments/
+// c0_decreases.md.
 
 #include "statements/c0_decreases.hpp"
 #include "proofs/body_facts.hpp"

@@ -1,4 +1,5 @@
-// How often C and S meet: the paper's theorem 4, sharpened. The proof is in turning_points.hpp.
+// How often C and S meet: the paper's theorem 4, sharpened. The argument:
+// proofs/arguments/count.md.
 
 #include "statements/count.hpp"
 #include "proofs/claims.hpp"

@@ -1,4 +1,4 @@
-// Where epsilon(c) = pi/2: the paper's lemma 3. The proof is in turning_points.hpp.
+// Where epsilon(c) = pi/2: the paper's lemma 3. The argument: proofs/arguments/crossing.md.
 
 #include "statements/crossing.hpp"
 #include "proofs/claims.hpp"

@@ -17,22 +17,9 @@ struct identity_check {
   std::string degrees;    // why the grid suffices
 };
 
-/// With X = u + (1-u) y^2, the integrand of eq. (43) is (2/sqrt(ab)) h with
-///   h^2 = a (1 - bX)^2 / ((1 - y^2) X (a + bX)),
-/// and eq. (44) says that its derivative in u is (2/sqrt(ab)) g with
-///   g = -(1/2) (1 - y^2) a^(1/2) (a + (a+2) b X) / ((1 - y^2)^(1/2) (X (a + bX))^(3/2)).
-/// Since h > 0 where 1 - bX > 0, g = dh/du exactly when d(h^2)/du = 2 h g, that is, when
+/// The derivative of the integrand of eq. (43) is that of eq. (44), with X = u + (1-u) y^2:
 ///   d(h^2)/du = -a (1 - bX) (a + (a+2) b X) / (X (a + bX))^2,
-/// an identity of rational functions: no root is left in it.
-///
-/// With n = a (1 - bX)^2 and d = (1 - y^2) X (a + bX), multiplying by d^2 gives the identity of
-/// polynomials
-///   n_u d - n d_u = -a (1 - bX) (a + (a+2) b X) (1 - y^2)^2.
-/// Degrees of the two sides: X has degree 1 in u, 2 in y. n: 1 in a, 2 in b, 2 in u, 4 in y; n_u: 1
-/// in u. d: 1 in a, 1 in b, 2 in u, 6 in y; d_u: 1 in u. So the left side has at most degree 2 in
-/// a, 3 in b, 3 in u, 10 in y, and the right side 2, 2, 2, 8. A polynomial of degree at most D_i in
-/// the i-th variable that vanishes on a product grid of D_i + 1 points in each is zero (induction
-/// on the variables): equality on a grid of 3 x 4 x 4 x 11 points proves the identity. The left
+/// on a grid that proves it everywhere: proofs/arguments/sign_dF_du.md has the argument. The left
 /// side is not taken from its expansion: d(h^2)/du is computed from the definition of h^2 by exact
 /// differentiation (numbers p + q e with e^2 = 0) at grid points where the denominators are not 0.
 ///

@@ -1,4 +1,5 @@
-// epsilon0 decreases as a increases: the paper's lemma 5. The proof is in parameter_a.hpp.
+// epsilon0 decreases as a increases: the paper's lemma 5. The argument:
+// proofs/arguments/epsilon0_decreases.md.
 
 #include "statements/epsilon0_decreases.hpp"
 #include "proofs/body_facts.hpp"

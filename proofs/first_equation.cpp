@@ -1,12 +1,5 @@
-// The first implicit equation: the paper's proposition 2, eqs. (21) to (24).
-//
-// T(c, psi) = integral from 0 to psi of h, h = (1 - b X)/sqrt((a + b X)(c + b X)), X = cos^2, is
-// the angle phi in which the solution with psi = 0 at phi = 0 reaches psi; the first equation is
-// T(c, pi/2 - epsilon) = pi. h > 0, so T increases strictly in psi; h decreases strictly in c, so T
-// does (for psi > 0). Let c < c' both have solutions psi, psi' > 0: T(c', psi) < T(c, psi) = pi =
-// T(c', psi'), so psi < psi', and epsilon > epsilon': it decreases strictly. (The paper's "<= 0
-// with a discrete set of zeros" is < 0 throughout, but where the integral is empty, at epsilon =
-// pi/2. With x = cos^2, T(c, psi) = F(c, u)/2, u = cos^2 psi.)
+// The first implicit equation: the paper's proposition 2. The argument: proofs/arguments/
+// first_equation.md.
 
 #include "statements/first_equation.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"

@@ -1,27 +1,7 @@
 #pragma once
 
-// G(u) = F(-b u, u), half the Montgomery phase of oscillating motion, as a function of u: what the
-// theorem on the phase, the intersections with the curve S and the count theorem rest on.
-//
-// For a > 0, 0 < b < 1 let g(x) = (1 - b x)/sqrt(x (a + b x)) on (0, 1]. Then
-//
-//   (1) G(u) = b^(-1/2) integral from 0 to pi of g(x) dt,  x = u + (1 - u) k,  k = cos^2(t/2).
-//   (2) g decreases strictly, so G does: for every t in (0, pi), x increases strictly in u.
-//   (3) pi I <= G(u) <= pi I g(u)/g(1), with I = g(1)/sqrt(b), since u <= x <= 1. So G(u) -> pi I
-//       as u -> 1, G is continuous there when it is given this value, and G(u) > pi I for u < 1.
-//   (4) G(u) >= 2 I arsinh(pi/(2 sqrt(u))), which has no bound as u -> 0.
-//
-// So G maps (0, 1) one to one onto (pi I, infinity), decreasing (it is continuous: the integrand is
-// continuous in (t, u) on [0, pi] x [u_0, 1] for every u_0 > 0). Hence G(u) = v has exactly one
-// solution in (0, 1) where v > pi I, and none where v <= pi I.
-//
-// Proof of (1). F(c,u) = integral from u to 1 of (1 - b x)/sqrt(x (1-x) (a + b x)(c + b x)) dx with
-// c = -b u, where c + b x = b (x - u). With x = u + (1-u) k, dx = (1-u) dk and (1-x)(x-u) = (1-u)^2
-// k (1-k), so that dx/sqrt((1-x)(x-u)) = dk/sqrt(k (1-k)), and this is -dt for k = cos^2(t/2).
-// Proof of (2). The derivative of g^2 is -(1 - b x)(a + (a+2) b x)/(x (a + b x))^2, and 1 - b x >
-// 0. Proof of (4). 1 - b x >= 1 - b, a + b x <= a + b and x <= u + k give g(x)/sqrt(b) >= I/sqrt(u
-// + k). With t = pi - 2 s, k = sin^2 s <= s^2, and 2 integral from 0 to pi/2 of ds/sqrt(u + s^2) =
-// 2 arsinh(pi/(2 sqrt(u))).
+// G(u) = F(-b u, u), half the Montgomery phase of oscillating motion, as a function of u. It maps
+// (0, 1) one to one onto (pi I, infinity), decreasing: proofs/arguments/half_phase_limits.md.
 
 #include <vector>
 

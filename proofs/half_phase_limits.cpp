@@ -1,4 +1,5 @@
-// The limits of F(-bu,u): the paper's lemma 7. The proof is in half_phase.hpp.
+// The limits of F(-bu,u): the paper's lemma 7. The argument: proofs/arguments/
+// half_phase_limits.md.
 
 #include "statements/half_phase_limits.hpp"
 #include "polhode/arithmetic/elementary.hpp"

@@ -1,28 +1,5 @@
-// epsilon(c) is injective exactly for physical bodies: the paper's theorem 3 and proposition 4.
-//
-// psi_c, G and epsilon(c) = pi/2 - psi_c(pi) as in turning_points.hpp; T(c, psi) = integral from 0
-// to psi of h as in first_equation.cpp. epsilon is continuous on (-b, a): theta at psi = 0 is
-// continuous in c, and solutions depend continuously on their initial values.
-//
-// (1) I >= 1: epsilon decreases strictly on (-b, a). Then G(u) > pi I >= pi for all u in (0, 1).
-//   (a) Where pi has come before the first turning point (c >= 0, or G >= 2 pi): T(c, psi_c(pi)) =
-//       pi, and epsilon decreases strictly in c by first_equation. (For c > 0 psi_c passes pi/2 as
-//       well; T increases in psi and decreases in c all the same.) These are c >= c_1, with c_1 =
-//       -b u_1, G(u_1) = 2 pi, or all c where I >= 2, as G decreases in u.
-//   (b) Else pi < G < 2 pi, so pi lies between the first turning point and the next return to psi =
-//       0: psi = psi_c(pi) > 0 and T(c, psi) = G - pi. Let c decrease: G decreases, and T(c, psi)
-//       increases for every psi > 0. So psi decreases strictly: for c' < c in this part, T(c',
-//       psi_c(pi)) > T(c, psi_c(pi)) = G - pi > G' - pi = T(c', psi_c'(pi)), where psi_c(pi) is
-//       beyond the turning point of c' the conclusion psi_c'(pi) < psi_c(pi) is immediate.
-//   Both parts are closed at c_1 by continuity, so epsilon decreases strictly throughout.
-// (2) I < 1: epsilon is not injective. By crossing there is a greatest c* in (-b, 0) with
-//     epsilon(c*) = pi/2. And epsilon(c) -> pi/2 as c -> -b, because
-//   |psi_c| <= arcsin sqrt(1 - u). So epsilon has the same limits at both ends of (-b, c*). A
-//   continuous injective function on an interval is strictly monotone and has different limits.
-//
-// Of these steps the polynomial ones are computed. Cited: existence, uniqueness and continuous
-// dependence of solutions of ordinary differential equations on their initial values (Picard and
-// Lindeloef), and the intermediate value theorem.
+// epsilon(c) is injective exactly for physical bodies: the paper's theorem 3 and proposition 4. The
+// argument: proofs/arguments/injectivity.md.
 
 #include <algorithm>
 #include <optional>

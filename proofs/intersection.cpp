@@ -1,4 +1,4 @@
-// Where C first meets S: the paper's lemma 2. The proof is in turning_points.hpp.
+// Where C first meets S: the paper's lemma 2. The argument: proofs/arguments/intersection.md.
 
 #include "statements/intersection.hpp"
 #include "proofs/claims.hpp"

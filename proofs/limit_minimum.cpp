@@ -1,21 +1,5 @@
 // What the limit a -> infinity, b -> 0 says of physical bodies: the paper's section 7, eqs. (39)
-// and (40). T and t are those of limit_formula.cpp.
-//
-// Physical bodies: (1 - b X)^2 - b (a + b X) = (1 - ab - 2b) + b (1 - X)(2 - b X). For ab + 2b <= 1
-// and X < 1 it is positive, that is,
-//   h > (beta + X)^(-1/2):  T(c, psi) > t(beta, psi),
-// the limit's integral for chi = 1. So at every c = b beta the twist falls short of the limit's,
-// and
-//   - epsilon0 > epsilon0_min, the limit's defect at beta = 0, chi = 1: t(0, psi) is the inverse
-//     Gudermannian function;
-//   - c0/b > beta_min, the paper's beta, where 2 t(beta, pi/2) = 2 pi: F(b beta_min, 0) > 2 pi, and
-//     F(c,0) decreases in c (for bodies with a c0: J < 2).
-// beta < 0, chi <= 1, in the limit: sin^2 epsilon* = -beta at the turning points, |psi| <= pi/2 -
-// epsilon*. By the fact below K(1 - s) > pi for s = sin^2 epsilon0_min = 1/cosh(pi)^2. If -beta >
-// s: epsilon >= epsilon* > epsilon0_min. Else K(1+beta) >= K(1-s) > pi >= pi sqrt(chi): the turning
-// point is not reached, and t(beta, psi) > t(0, psi), t = pi sqrt(chi) <= pi: epsilon >
-// epsilon0_min. Both bounds are approached, by planar bodies a = 1/b - 2 with b -> 0, and not
-// attained: they are the greatest lower bounds. The paper argues by the decrease in a only.
+// and (40). The argument: proofs/arguments/limit_minimum.md.
 
 #include "statements/limit_minimum.hpp"
 #include "polhode/arithmetic/elementary.hpp"

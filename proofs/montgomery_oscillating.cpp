@@ -1,5 +1,5 @@
-// The Montgomery phase of oscillating motion: the paper's theorem 1. The proof is in
-// half_phase.hpp.
+// The Montgomery phase of oscillating motion: the paper's theorem 1. The argument:
+// proofs/arguments/montgomery_oscillating.md.
 
 #include "statements/montgomery_oscillating.hpp"
 #include "polhode/arithmetic/elementary.hpp"

@@ -1,5 +1,5 @@
-// The Montgomery phase of rotating motion: the paper's theorem 2. The proof is in
-// rotating_phase.hpp.
+// The Montgomery phase of rotating motion: the paper's theorem 2. The argument:
+// proofs/arguments/montgomery_rotating.md.
 
 #include "statements/montgomery_rotating.hpp"
 #include "polhode/arithmetic/elementary.hpp"

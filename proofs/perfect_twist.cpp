@@ -1,11 +1,5 @@
-// The perfect twist: the paper's proposition 3, part 2; and the full turn.
-//
-// epsilon = 0 is u = 0, where F(c,u) = 2 pi needs b u + c >= 0: c >= 0, and c > 0 since F(0,0) is
-// infinite. F(c,0) maps (0, a) one to one onto (pi J, infinity) (rotating_phase.hpp). So c0 with
-// F(c0,0) = 2 pi exists in (0, a) exactly where J < 2, and is the only one; at J = 2 the value 2 pi
-// is the limit at c = a, an equilibrium. (The paper says "in (-b, a)": it is in (0, a).) In the
-// same way the phase 2 F(c,0) of rotating motion takes the value 2 pi, a full turn, exactly where J
-// < 1.
+// The perfect twist: the paper's proposition 3, part 2; and the full turn. The argument:
+// proofs/arguments/perfect_twist.md.
 
 #include "statements/perfect_twist.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"

@@ -1,12 +1,5 @@
-// A body is physical exactly where I >= 1: the paper's proposition 1.
-//
-// With x = I_x > y = I_y > z = I_z > 0, a = (y - z)/z and b = (x - y)/x:
-//   1 - b = y/x, and a + b = y (x - z)/(x z) by the first identity below, so that
-//   I^2 = (1-b)^2/(b (a+b)) = y z/((x - y)(x - z)).
-// Both sides of y z - (x - y)(x - z) = x (y + z - x) have one sign, and I > 0: I >= 1 exactly where
-// y + z >= x, I = 1 exactly where y + z = x. The other two triangle inequalities hold by the order
-// of the moments. Every a > 0, 0 < b < 1 comes from moments (y = 1, z = 1/(1+a), x = 1/(1-b)), so
-// that this settles all bodies.
+// A body is physical exactly where I >= 1: the paper's proposition 1. The argument:
+// proofs/arguments/physical.md.
 
 #include "statements/physical.hpp"
 #include "proofs/body_facts.hpp"

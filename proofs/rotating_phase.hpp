@@ -1,22 +1,7 @@
 #pragma once
 
-// F(c,0), half the Montgomery phase of rotating motion, as a function of c: what theorem 2 and the
-// perfect twist rest on.
-//
-// For 0 < c <= a, with X = cos^2 psi,
-//   F(c,0) = 2 integral from 0 to pi/2 of (1 - b X)/sqrt((a + b X)(c + b X)) dpsi.
-//   (1) The integrand is positive and decreases strictly in c, so F(c,0) does; it is continuous in
-//       (psi, c) for c > 0, so F(c,0) is.
-//   (2) 1 <= (a + b X)/(c + b X) <= a/c. So, with P = 2 integral of (1 - b X)/(a + b X),  P <
-//       F(c,0) <= P sqrt(a/c) for c < a, and P is the limit for c -> a and the greatest lower
-//       bound.
-//   (3) P = pi J: (1 - b X)/(a + b X) = (1 + a)/(a + b X) - 1, and with T = tan psi and k^2 = a/(a
-//       + b) the derivative of arctan(k T)/sqrt(a (a+b)) is 1/(a + b X), so that the integral of
-//       the latter is pi/(2 sqrt(a (a+b))).
-//   (4) F(c,0) >= 2 I arsinh((pi/2) sqrt(b/c)), which has no bound as c -> 0: 1 - b X >= 1 - b, a +
-//       b X <= a + b, and cos psi <= pi/2 - psi = s, where the integral of ds/sqrt(c + b s^2) is
-//       arsinh(s sqrt(b/c))/sqrt(b).
-// So F(c,0) maps (0, a) one to one onto (pi J, infinity), decreasing.
+// F(c,0), half the Montgomery phase of rotating motion, as a function of c. It maps (0, a) one to
+// one onto (pi J, infinity), decreasing: proofs/arguments/montgomery_rotating.md.
 
 #include <vector>
 

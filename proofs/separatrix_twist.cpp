@@ -1,20 +1,5 @@
-// The tennis racket effect on the separatrix: the paper's proposition 3, part 1.
-//
-// F(0,u) = integral from u to 1 of f(x) dx, f(x) = (1 - b x)/(sqrt(b) x sqrt((1-x)(a + b x))), 0 <
-// u < 1.
-//   (1) f > 0: F(0,u) decreases strictly, and it is continuous.
-//   (2) f(x) >= I/x, since 1 - b x >= 1 - b, a + b x <= a + b, 1 - x <= 1: F(0,u) >= I log(1/u),
-//       without bound as u -> 0.
-//   (3) F(0,u) = 2 artanh(sqrt(a) w)/sqrt(ab) - 2 arctan(sqrt(b) w) with w^2 = (1-u)/(a + b u),
-//       which tends to 0 as u -> 1: w' = -(a+b)/(2 w (a + b x)^2), 1 - a w^2 = (a+b) x/(a + b x), 1
-//       + b w^2 = (a+b)/(a + b x), so that 2 (1/(sqrt(b)(1 - a w^2)) - sqrt(b)/(1 + b w^2)) w' =
-//       -(1 - b x)/(sqrt(b) x w (a + b x)) = -f(x).
-// So F(0,u) = 2 pi has exactly one root u in (0, 1), for every body.
-//
-// The number: with tanh y = sqrt(a) w the equation is y/sqrt(ab) - arctan(sqrt(b/a) tanh y) = pi,
-// whose left side has the derivative (1 - b s/(1 + (b/a) tanh^2 y))/sqrt(ab) >= (1 - b)/sqrt(ab) >
-// 0, s = 1/cosh^2 y, and whose arctan lies in (0, arctan sqrt(b/a)). u/(1-u) = s/((1 + b/a) tanh^2
-// y), and so tan epsilon0 = sqrt(a/(a+b))/sinh y: nothing cancels.
+// The tennis racket effect on the separatrix: the paper's proposition 3, part 1. The argument:
+// proofs/arguments/separatrix_twist.md.
 
 #include "statements/separatrix_twist.hpp"
 #include "polhode/arithmetic/elementary.hpp"

@@ -13,12 +13,9 @@ namespace polhode::proofs {
 
 /// W = -u sqrt(b (a + b)) dF(-bu,u)/du as an integral without singularities, over a compact box.
 ///
-/// In eq. (44) put y = sin s and tan s = sqrt(u) tan t. With q = cos^2 t + u sin^2 t:
-/// cos^2 s = cos^2 t / q, X = u + (1-u) sin^2 s = u / q, ds = sqrt(u) / q dt, and so
-///   W = sqrt(a + b) integral over (0, pi/2) of cos^2 t (a q + (a + 2) b u) / (a q + b u)^(3/2) dt.
-/// Divide by the scale: sigma = (a q + b u)/(a + b) = u + p (1 - u) cos^2 t with p = a/(a + b), and
-/// a q + (a+2) b u = (a q + b u) + (a + 1) b u, so with r = b (1 + a)/(a + b)
-///   W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt.
+///   W = integral over (0, pi/2) of cos^2 t (sigma^(-1/2) + r u sigma^(-3/2)) dt,
+///   sigma = u + p (1 - u) cos^2 t, p = a/(a + b), r = b (1 + a)/(a + b);
+/// the change of variables is in proofs/arguments/sign_dF_du.md.
 /// For a > 0, 0 < b < 1 both p and r lie in (0, 1) (r < 1 since b + ab < a + b). So every body and
 /// motion is a point (p, r, u) of the box [0,1]^3, and W > 0 there shows dF/du < 0.
 struct sweep_point {

@@ -11,8 +11,8 @@ namespace polhode::proofs {
 /// Let H be the angle phi of a half turn, F(c,-c/b) where the motion oscillates and F(c,0) where it
 /// rotates, n the whole number with pi = n H + r and -H/2 <= r < H/2 (n = 0 and r = pi on the
 /// separatrix, where H is infinite), and s in [0, pi/2] with F(c, cos^2 s) = 2 |r|. By the
-/// symmetries of the motion (turning_points.hpp; for rotating motion psi_c(phi + H) = psi_c(phi) +
-/// pi),
+/// symmetries of the motion (proofs/arguments/count.md; for rotating motion psi_c(phi + H) =
+/// psi_c(phi) + pi),
 ///   psi_c(pi) = (-1)^n sign(r) s (oscillating),  n pi + sign(r) s (rotating, separatrix).
 /// This is the paper's set of implicit equations, 2 n H +- F(c,u) = 2 pi.
 /// Undefined where p bits don't decide n (near a point where C meets S).

@@ -169,6 +169,26 @@ TEST(Claims, AreTheTableOfTheReadme) {
   }
 }
 
+/// The text of a page with spaces in place of its line breaks and of the marks of quotations.
+std::string text_of_page(const std::string& path) {
+  std::ifstream file(path);
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    text += line.rfind("> ", 0) == 0 ? line.substr(2) : line;
+    text += ' ';
+  }
+  return text;
+}
+
+TEST(Claims, HaveAPageEachThatStatesThem) {
+  for (const claim& c : all_claims()) {
+    const std::string name(c.name);
+    const std::string page = text_of_page(POLHODE_PROOFS_DIR "/arguments/" + name + ".md");
+    EXPECT_NE(page.find(c.statement), std::string::npos) << name;
+    EXPECT_NE(page.find("`polhode certify " + name + '`'), std::string::npos) << name;
+  }
+}
+
 TEST(Claims, GiveTheNumbersOfMpmath) {
   for (const long digits : {10L, 1000L}) {
     EXPECT_TRUE(support::agrees(prove("beta", digits).numbers[0].enclosure, support::beta_1000,

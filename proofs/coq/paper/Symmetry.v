@@ -1,6 +1,6 @@
 (** The symmetries of the reduced system (18), (19), and what uniqueness makes of them: the motion through psi = 0 is odd, every motion is
     mirrored at its turning points, and an oscillating motion satisfies psi (phi + G) = - psi phi, G the half phase. The curve C of the
-    tennis racket effect rests on these (proofs/turning_points.hpp). *)
+    tennis racket effect rests on these (proofs/arguments/count.md). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Polhode Require Import HalfPhase Uniqueness Oscillation.
