@@ -216,6 +216,15 @@ json to_json(const certificate& c) {
   return result;
 }
 
+json to_json(const certificate& c, const std::vector<std::pair<std::string, std::string>>& inputs) {
+  json result = to_json(c);
+  result["inputs"] = json::object();
+  for (const auto& [name, text] : inputs) result["inputs"][name] = text;
+  result.erase("digest");
+  result["digest"] = digest_of(result.dump());
+  return result;
+}
+
 std::string to_text(const certificate& c) {
   std::string result = c.claim + ": " + c.verdict_text();
   if (c.verdict != status::certified) {

@@ -9,7 +9,8 @@
 #include <fmt/format.h>
 
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/certificate/digest.hpp"
+#include "statements/formulas.hpp"
+#include "statements/shared.hpp"
 
 namespace polhode {
 namespace {
@@ -112,7 +113,7 @@ void expect_at_most(long most, long digits, const char* what) {
   }
 }
 
-using inputs = std::vector<std::pair<const char*, std::string>>;
+using inputs = std::vector<std::pair<std::string, std::string>>;
 
 /// The checker refuses a variable that a reader takes for a constant, a function or a number: "Pi",
 /// "e", "l".
@@ -134,16 +135,6 @@ inputs inputs_of(const formula_over_range& what, const char* name_of_formula) {
           {"variable", what.f.variables().front()},
           {"from", what.from.to_text()},
           {"to", what.to.to_text()}};
-}
-
-/// The certificate, whose inputs are texts.
-json with_inputs(certificate c, const inputs& given) {
-  c.verdict = status::certified;
-  json result = to_json(c);
-  for (const auto& [name, text] : given) result["inputs"][name] = text;
-  result.erase("digest");
-  result["digest"] = digest_of(result.dump());
-  return result;
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -328,16 +319,12 @@ json integral_certificate(const formula_over_range& what, const ball& enclosure,
   const long k = widening(enclosure, log2_of(length).value_or(0), digits);
   const inputs given = inputs_of(what, "integrand");
   certificate c;
-  c.claim = "integral";
-  c.statement = "The integral of the integrand over the range is between the ends of the number.";
-  c.formula = fmt::format("integral from {} to {} of ({}) d{}", given[2].second, given[3].second,
-                          given[0].second, given[1].second);
-  c.method =
-      "Fejer's first rule on pieces of the range, its error bounded by the integrand's supremum on "
-      "an ellipse around each piece; computed in ball arithmetic.";
-  c.argument.push_back({step_kind::cited,
-                        "The error of Fejer's rule for a function that is analytic and bounded on "
-                        "an ellipse (Trefethen)."});
+  c.claim = statements::integral_claim;
+  c.statement = statements::integral_statement;
+  c.formula = statements::fill(statements::integral_formula, {given[2].second, given[3].second,
+                                                              given[0].second, given[1].second});
+  c.method = statements::integral_method;
+  c.argument.push_back({step_kind::cited, std::string(statements::error_of_fejers_rule.statement)});
   c.numbers.push_back({"integral", widened(enclosure, k, digits), digits});
   json pieces = json::array();
   for (const piece& p : piece_search(what, static_cast<double>(k), digits).run()) {
@@ -347,7 +334,8 @@ json integral_certificate(const formula_over_range& what, const ball& enclosure,
                           {"nodes", p.nodes}});
   }
   c.witness["pieces"] = std::move(pieces);
-  return with_inputs(std::move(c), given);
+  c.verdict = status::certified;
+  return to_json(c, given);
 }
 
 json roots_certificate(const formula_over_range& what, std::span<const ball> enclosures,
@@ -361,17 +349,12 @@ json roots_certificate(const formula_over_range& what, std::span<const ball> enc
   }
   const inputs given = inputs_of(what, "formula");
   certificate c;
-  c.claim = "roots";
-  c.statement = fmt::format(
-      "The formula is 0 at exactly {} points of the range, ends included: at one between the ends "
-      "of each number, where its derivative is not 0.",
-      count);
-  c.formula = fmt::format("{} = 0 for {} <= {} <= {}", given[0].second, given[2].second,
-                          given[1].second, given[3].second);
-  c.method =
-      "On each box the derivative is nowhere 0, and the formula changes its sign between the ends "
-      "of the number in it; it is not 0 outside the boxes. Computed in ball arithmetic.";
-  c.argument.push_back({step_kind::cited, "The intermediate value theorem."});
+  c.claim = statements::roots_claim;
+  c.statement = statements::fill(statements::roots_statement, {std::to_string(count)});
+  c.formula = statements::fill(statements::roots_formula, {given[0].second, given[2].second,
+                                                           given[1].second, given[3].second});
+  c.method = statements::roots_method;
+  c.argument.push_back({step_kind::cited, std::string(statements::intermediate_values.statement)});
   const precision p = bits_for_digits(digits) + 64;
   const ball from = what.from.value(p);
   const ball to = what.to.value(p);
@@ -410,7 +393,8 @@ json roots_certificate(const formula_over_range& what, std::span<const ball> enc
     c.numbers.push_back({fmt::format("root_{}", i + 1), numbers[i], digits});
   }
   c.witness["boxes"] = std::move(boxes);
-  return with_inputs(std::move(c), given);
+  c.verdict = status::certified;
+  return to_json(c, given);
 }
 
 }  // namespace polhode

@@ -5,6 +5,8 @@
 
 #include "examination.hpp"
 #include "formula_claims.hpp"
+#include "statements/formulas.hpp"
+#include "statements/map.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -22,9 +24,14 @@ void check_document(const json& certificate, report& result, budget& work) {
                               std::to_string(version));
   }
   const std::string& name = root["claim"].text();
-  const bool of_formula = name == "integral" || name == "roots";
+  // What follows from the inputs, and is no claim of the paper.
+  void (*const check_inputs)(const place&, report&) = name == statements::roots_claim ? check_roots
+                                                      : name == statements::integral_claim
+                                                          ? check_integral
+                                                      : name == statements::map_claim ? check_map
+                                                                                      : nullptr;
   const claim* text = find_claim(name);
-  if (text == nullptr && !of_formula) {
+  if (text == nullptr && check_inputs == nullptr) {
     root["claim"].malformed("this version knows no claim " + in_quotes(name) +
                             "; `polhode certify --list` shows those that it knows");
   }
@@ -33,18 +40,18 @@ void check_document(const json& certificate, report& result, budget& work) {
   if (verdict == "not certified") {
     root["verdict"].not_checkable("it is a certificate of a claim that was not certified");
   }
-  root["verdict"].expect_text(!of_formula && text->tier == statements::by_argument ? "argued"
-                                                                                   : "certified");
+  root["verdict"].expect_text(
+      check_inputs == nullptr && text->tier == statements::by_argument ? "argued" : "certified");
   root.expect_keys({"format", "version", "claim", "statement", "formula", "reference", "verdict",
                     "tier", "rests_on", "inputs", "numbers", "facts", "argument", "method",
                     "witness", "software", "digest"});
   for (const char* key : {"inputs", "numbers", "witness", "software"}) {
     if (!root[key].value().is_object()) root[key].malformed("it must be an object");
   }
-  if (of_formula) {
+  if (check_inputs != nullptr) {
     root["reference"].expect_text("");
     expect_software(root["software"]);
-    return name == "roots" ? check_roots(root, result) : check_integral(root, result);
+    return check_inputs(root, result);
   }
   examination e(root, *text, result);
   e.expect_words();

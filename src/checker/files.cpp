@@ -154,8 +154,10 @@ std::string text_of(const report& r, bool verbose) {
                  ? "verified, for all bodies by Coq's kernel (not run here)"
                  : "verified";
     if (!r.left_out.empty()) result += ", without " + joined(r.left_out);
-    result += ": " + r.subject + ", " + std::to_string(r.checks.size()) +
-              " facts and numbers shown again; it rests on: " + joined(r.grounds) + '\n';
+    result += ": " + r.subject + ", " +
+              (r.checks.size() == 1 ? "1 fact or number"
+                                    : std::to_string(r.checks.size()) + " facts and numbers") +
+              " shown again; it rests on: " + joined(r.grounds) + '\n';
     for (const std::string& sentence : r.statement) result += "  " + sentence + '\n';
   } else {
     result = to_text(r.result) + ": " + problem_of(r) + '\n';

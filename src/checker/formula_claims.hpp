@@ -1,7 +1,7 @@
 #pragma once
 
-// Certificates about formulas that someone gave: an integral, and all roots in a range. What they
-// say follows from their inputs.
+// Certificates of what someone asked for: an integral, all roots of a formula in a range, and a map
+// of bodies. What they say follows from their inputs.
 
 #include <array>
 #include <string>
@@ -36,9 +36,10 @@ struct number_ends {
 };
 [[nodiscard]] number_ends read_number(const place& number);
 
-/// The integral and the roots, as /claim names them: throws refusal, or adds what was shown to the
-/// report.
+/// The integral, the roots and the map, as /claim names them: throws refusal, or adds what was shown
+/// to the report.
 void check_integral(const place& certificate, report& result);
 void check_roots(const place& certificate, report& result);
+void check_map(const place& certificate, report& result);
 
 }  // namespace polhode::checker

@@ -29,6 +29,7 @@
 
 #include "digest.hpp"
 #include "formula_claims.hpp"
+#include "statements/formulas.hpp"
 
 namespace polhode::checker {
 namespace {
@@ -274,21 +275,15 @@ class integral_check {
 }  // namespace
 
 void check_integral(const place& certificate, report& result) {
-  certificate["statement"].expect_text(
-      "The integral of the integrand over the range is between the ends of the number.");
-  certificate["method"].expect_text(
-      "Fejer's first rule on pieces of the range, its error bounded by the integrand's supremum on "
-      "an ellipse around each piece; computed in ball arithmetic.");
+  certificate["statement"].expect_text(statements::integral_statement);
+  certificate["method"].expect_text(statements::integral_method);
   const place inputs = certificate["inputs"];
   formula_inputs given = formula_inputs::read(inputs, "integrand");
-  certificate["formula"].expect_text("integral from " + inputs["from"].text() + " to " +
-                                     inputs["to"].text() + " of (" + inputs["integrand"].text() +
-                                     ") d" + given.variable);
+  certificate["formula"].expect_text(statements::fill(
+      statements::integral_formula,
+      {inputs["from"].text(), inputs["to"].text(), inputs["integrand"].text(), given.variable}));
   if (certificate["facts"].size() != 0) certificate["facts"].at(0).malformed("there must be none");
-  expect_grounds(certificate, statements::by_machine,
-                 {statements::cited(
-                     "The error of Fejer's rule for a function that is analytic and bounded on an "
-                     "ellipse (Trefethen).")});
+  expect_grounds(certificate, statements::by_machine, {statements::error_of_fejers_rule});
   result.grounds = grounds_of(certificate);
   const place numbers = certificate["numbers"];
   numbers.expect_keys({"integral"});

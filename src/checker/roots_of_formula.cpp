@@ -11,6 +11,7 @@
 
 #include "digest.hpp"
 #include "formula_claims.hpp"
+#include "statements/formulas.hpp"
 #include "statements/shared.hpp"
 
 namespace polhode::checker {
@@ -135,17 +136,13 @@ void check_roots(const place& certificate, report& result) {
   const place numbers = certificate["numbers"];
   const std::size_t count = numbers.value().size();
   certificate["statement"].expect_text(
-      "The formula is 0 at exactly " + std::to_string(count) +
-      " points of the range, ends included: at one between the ends of each number, where its "
-      "derivative is not 0.");
-  certificate["method"].expect_text(
-      "On each box the derivative is nowhere 0, and the formula changes its sign between the ends "
-      "of the number in it; it is not 0 outside the boxes. Computed in ball arithmetic.");
+      statements::fill(statements::roots_statement, {std::to_string(count)}));
+  certificate["method"].expect_text(statements::roots_method);
   const place inputs = certificate["inputs"];
   const formula_inputs given = formula_inputs::read(inputs, "formula");
-  certificate["formula"].expect_text(inputs["formula"].text() + " = 0 for " +
-                                     inputs["from"].text() + " <= " + given.variable +
-                                     " <= " + inputs["to"].text());
+  certificate["formula"].expect_text(statements::fill(
+      statements::roots_formula,
+      {inputs["formula"].text(), inputs["from"].text(), given.variable, inputs["to"].text()}));
   if (certificate["facts"].size() != 0) certificate["facts"].at(0).malformed("there must be none");
   expect_grounds(certificate, statements::by_machine, {statements::intermediate_values});
   result.grounds = grounds_of(certificate);

@@ -13,6 +13,7 @@
 #include <boost/regex.hpp>  // std::regex draws warnings under the sanitizers
 
 #include "formulas.hpp"
+#include "maps.hpp"
 #include "polhode/checker/check.hpp"
 #include "proofs/claim.hpp"
 #include "support/random.hpp"
@@ -68,6 +69,11 @@ constexpr std::array harmless_changes{
              "other pieces of the same range, with which it is shown as well"},
     harmless{"roots", "/witness/boxes/[0-9]+/(lower|upper)",
              "another box around the same root, on which the derivative is not 0 either"},
+    harmless{
+        "map", "/witness/cells/[0-9]+/[0-9]+",
+        "another cut, by which as many cells are decided, on about the same share of the area"},
+    harmless{"map", "/facts/[0-9]+/statement",
+             "a share of the area that is greater than it must be, by less than 0.02"},
 };
 
 std::string reason_for(const std::string& claim, const std::string& place) {
@@ -236,6 +242,13 @@ TEST(Mutation, NoChangeOfAFormulasCertificateIsAccepted) {
       EXPECT_GT(c.refused, 100);
       EXPECT_GT(c.harmless, 0);
     }
+  }
+}
+
+TEST(Mutation, NoChangeOfAMapIsAccepted) {
+  const count c = mutate(test::map_json(), std::min(1.0, support::effort()));
+  if (support::effort() >= 1) {
+    EXPECT_GT(c.refused, 100);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "program.hpp"
 #include "refusal.hpp"
@@ -145,6 +146,18 @@ std::vector<std::string> subcommands() {
     if (line.find("ubcommands") != std::string::npos) are_listed = true;
   }
   return result;
+}
+
+TEST(Manual, SchemaIsThatOfTheCertificates) {
+  std::ifstream file(root_of_tree / "docs" / "certificate.schema.json");
+  const nlohmann::json schema = nlohmann::json::parse(file);
+  const outcome o = run({"certify", "physical", "--format", "json"});
+  const nlohmann::json certificate = nlohmann::json::parse(o.out).at(0);
+  EXPECT_EQ(schema.at("properties").at("version").at("const"), certificate.at("version"));
+  for (const auto& key : schema.at("required")) EXPECT_TRUE(certificate.contains(key)) << key;
+  for (const auto& [key, value] : certificate.items()) {
+    EXPECT_TRUE(schema.at("properties").contains(key)) << key;
+  }
 }
 
 TEST(Help, HasExamplesThatRun) {

@@ -464,5 +464,44 @@ TEST(MapOfCells, RefusesWhatItDoesNotHave) {
   EXPECT_EQ(run(map_of({"--cells", "--refine", "21"})).status, 2);
 }
 
+TEST(Map, HasACertificateOfItsCells) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path() + "/map.json";
+  for (const words& more :
+       {words{"--a", "1..9/4", "--b", "0.1..0.9/4", "--refine", "5"},
+        words{"--a", "1e-6..1e6/6", "--b", "1e-6..0.999999/6", "--log", "--refine", "3"},
+        words{"--a", "1..2/1", "--b", "0.1..0.2/1"}}) {
+    words command{"map", "intersections", "meetings", "physical", "--cells", "--certificate", file};
+    command.insert(command.end(), more.begin(), more.end());
+    const outcome map = run(command);
+    EXPECT_EQ(map.status, 0) << map.err;
+    EXPECT_NE(map.out.find("intersections_lower"), std::string::npos);
+    const outcome check = run({"check", file});
+    EXPECT_EQ(check.status, 0) << check.out << check.err;
+    EXPECT_NE(check.out.find("map of intersections meetings physical"), std::string::npos);
+  }
+}
+
+TEST(Map, RefusesACertificateOfWhatRationalsDoNotDecide) {
+  const scratch_directory scratch;
+  const std::string file = scratch.path() + "/map.json";
+  const words plane{"--a", "1..2/2", "--b", "0.1..0.2/2", "--certificate", file};
+  const auto refused = [&](words command, const words& more, const char* message) {
+    command.insert(command.end(), more.begin(), more.end());
+    const outcome o = run(command);
+    EXPECT_EQ(o.status, 2);
+    EXPECT_NE(o.err.find(message), std::string::npos) << o.err;
+    EXPECT_FALSE(std::filesystem::exists(file));
+  };
+  refused({"map", "epsilon0", "--cells"}, plane, "epsilon0 is not among intersections, meetings");
+  refused({"map", "physical"}, plane, "--cells is missing");
+  refused({"map", "physical", "--cells", "--moments", "3,1..2/2,0.5..0.9/2", "--certificate", file},
+          {}, "the axes are others");
+  refused({"map", "physical", "--cells", "--a", "1", "--b", "0.1..0.2/2", "--certificate", file},
+          {}, "a single number");
+  refused({"map", "physical", "--cells", "--blocks", scratch.path() + "/blocks", "--shard", "1/2"},
+          plane, "not of a shard");
+}
+
 }  // namespace map_test
 }  // namespace polhode::test

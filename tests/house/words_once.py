@@ -58,6 +58,7 @@ def main():
     if sys.argv[1] == "--self-test":
         return self_test()
     provers = sentences_below(os.path.join(sys.argv[1], "proofs"))
+    provers.update(sentences_below(os.path.join(sys.argv[1], "src", "certificate")))
     checkers = sentences_below(os.path.join(sys.argv[1], "src", "checker"))
     if not provers or not checkers:
         sys.exit(f"words_once.py: no sentences below {sys.argv[1]}")

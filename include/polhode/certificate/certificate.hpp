@@ -94,6 +94,9 @@ struct certificate {
 /// The certificate's JSON form, versions included, and the digest of all the rest
 /// (docs/certificates.md).
 [[nodiscard]] json to_json(const certificate& c);
+/// The same of a certificate whose inputs are texts: a formula, or the plane of a map.
+[[nodiscard]] json to_json(const certificate& c,
+                           const std::vector<std::pair<std::string, std::string>>& inputs);
 
 /// The certificate as text for a terminal of 100 columns.
 [[nodiscard]] std::string to_text(const certificate& c);

@@ -17,6 +17,7 @@
 #include "base/sha256.hpp"
 #include "base/worker_threads.hpp"
 #include "cli/commands.hpp"
+#include "cli/options/certificate_option.hpp"
 #include "cli/options/count_option.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
@@ -26,6 +27,7 @@
 #include "cli/output/streams.hpp"
 #include "cli/ranks/ranks.hpp"
 #include "map_arrays.hpp"
+#include "map_certificate.hpp"
 #include "map_grid.hpp"
 #include "map_picture.hpp"
 #include "map_rows.hpp"
@@ -220,6 +222,7 @@ struct map_options {
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
   format_option format{{"csv", "npy", "hdf5", "svg", "png", "areas"}};
+  certificate_option certificate;
   time_limit_option time_limit;
 };
 
@@ -294,11 +297,16 @@ std::optional<double> checked_time(const map_grid& g, const map_options& options
       static_cast<double>(g.points()) / threads / ranks::count());
 }
 
-exit_status run(const map_options& options) {
+exit_status run(map_options& options) {
   const map_grid g = grid_of(options);
   const std::string& format = options.format.value();
   check_format(g, format);
   const shard own = read_shard(options);
+  if (options.certificate.is_given()) {
+    expect_certifiable(g);
+    if (own.count > 1) throw usage_error("--certificate: it is of the whole map, not of a shard");
+    if (!ranks::is_worker()) options.certificate.prepare();
+  }
   const progress line;
   detail::worker_threads threads(ranks::threads(options.threads.value()));
   if (!ranks::is_worker()) line.expect(checked_time(g, options, threads.count()));
@@ -332,6 +340,9 @@ exit_status run(const map_options& options) {
         }
         line.show_part(what, ++done, open.size());
       });
+  if (options.certificate.is_given() && !ranks::is_worker()) {
+    options.certificate.write(map_certificate(g));
+  }
   if (!directory) {
     std::string rows;
     for (std::string& block : in_memory) rows += std::exchange(block, {});
@@ -387,6 +398,7 @@ std::function<exit_status()> declare(CLI::App& app) {
       app, "Compute on so many threads; 0 for all processors. The digits are\nthe same");
   options->digits.declare(app);
   options->format.declare(app);
+  options->certificate.declare(app);
   options->time_limit.declare(app, "point");
   return [options] { return run(*options); };
 }
@@ -429,6 +441,7 @@ command map_command() {
       "  polhode map epsilon0 --a 0.1..10/40 --b 0.1..0.9/40 --log --format png > map.png\n"
       "  polhode map intersections physical --a 1e-6..1e6/48 --b 1e-6..0.999999/48 --log --cells "
       "--refine 4 --format areas\n"
+      "  polhode map physical --a 1..9/8 --b 0.1..0.9/8 --cells --certificate map.json > map.csv\n"
       "  polhode map epsilon --chi 0.1..2/20 --beta -0.5..0.5/20 --format svg > limit.svg\n"
       "  polhode map epsilon0 --a 1..9/99 --b 0.1..0.9/99 --blocks map --shard 2/4\n"
       "  mpirun -n 64 polhode map epsilon0 --a 1..9/999 --b 0.1..0.9/999 --blocks map\n\n"
@@ -447,7 +460,9 @@ command map_command() {
       "value\n"
       "that it can have for any body of the cell: all of the map is covered. areas is the share "
       "of the\n"
-      "area on which an integer has which value; pictures show undecided cells in grey.\n"
+      "area on which an integer has which value; pictures show undecided cells in grey. "
+      "--certificate is\n"
+      "for the cells of intersections, meetings and physical.\n"
       "With --blocks a run that was killed goes on where it was, and shards that ran on any "
       "machines\n"
       "with that directory make one map, the same to the last byte. Under mpirun all ranks work on "

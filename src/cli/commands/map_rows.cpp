@@ -1,10 +1,12 @@
 #include "map_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/output/errors.hpp"
 #include "cli/output/exact_decimals.hpp"
@@ -41,10 +43,6 @@ std::string cells_of(const quantity& q, const body& rigid, const std::optional<r
 // ---------------------------------------------------------------------------------------------
 // Cells
 
-rational_range cell_along(const std::vector<rational>& values, std::size_t k) {
-  return {values[k], values[std::min(k + 1, values.size() - 1)]};
-}
-
 /// Between the ends; of a logarithmic axis near the geometric mean.
 rational middle_of(const rational_range& range, bool log) {
   if (log) {
@@ -55,10 +53,6 @@ rational middle_of(const rational_range& range, bool log) {
   }
   return (range.low + range.high) / 2;
 }
-
-struct map_cell {
-  rational_range x, y, c;  // along the axes
-};
 
 /// The two columns of a quantity over a cell, and whether they are what was asked for.
 struct range_cells {
@@ -83,33 +77,15 @@ range_cells range_of(const map_grid& g, const quantity& q, const map_cell& cell)
           !g.width || parse_rational(d.upper) - parse_rational(d.lower) <= *g.width};
 }
 
-/// The rows of a cell, or of its halves where that is not decided, or a range too wide: halved
-/// along the axes by turns.
-std::string rows_of_cell(const map_grid& g, const map_cell& cell, long halvings) {
-  std::string columns;
-  bool is_done = true;
-  for (const quantity* q : g.chosen) {
-    const range_cells one = range_of(g, *q, cell);
-    columns += ',' + one.text;
-    is_done = is_done && one.is_done;
-  }
-  const bool x_is_thin = cell.x.low == cell.x.high;
-  const bool y_is_thin = cell.y.low == cell.y.high;
-  if (!is_done && halvings < g.refine && !(x_is_thin && y_is_thin)) {
-    const bool in_x = y_is_thin || (!x_is_thin && halvings % 2 == 0);
-    map_cell low = cell;
-    map_cell high = cell;
-    rational_range map_cell::*const halved = in_x ? &map_cell::x : &map_cell::y;
-    (low.*halved).high = (high.*halved).low = middle_of(cell.*halved, g.log);
-    return rows_of_cell(g, low, halvings + 1) + rows_of_cell(g, high, halvings + 1);
-  }
+/// The row of a cell with the columns of its quantities.
+std::string row_of_cell(const map_grid& g, const map_cell& cell,
+                        const std::vector<std::string>& columns) {
   std::string result;
   for (const rational_range* range : {&cell.x, &cell.y, &cell.c}) {
     if (range == &cell.c && !g.c) continue;
     result += csv_cells(range->low) + ',' + csv_cells(range->high) + ',';
   }
-  result.pop_back();
-  return result + columns + '\n';
+  return result + fmt::format("{}\n", fmt::join(columns, ","));
 }
 
 /// The columns of each row.
@@ -146,16 +122,53 @@ std::string header_of(const map_grid& g) {
   return result + '\n';
 }
 
+map_cell cell_of(const map_grid& g, std::size_t index) {
+  const auto along = [](const std::vector<rational>& values, std::size_t k) {
+    return rational_range{values[k], values[std::min(k + 1, values.size() - 1)]};
+  };
+  const std::size_t place = index / g.motions();
+  const std::size_t columns = g.count_along(g.second.values);
+  map_cell cell{
+      along(g.first.values, place / columns), along(g.second.values, place % columns), {}};
+  if (g.c) cell.c = along(g.c_values, index % g.motions());
+  return cell;
+}
+
+void walk_cell(const map_grid& g, const map_cell& cell, const leaf_visitor& leaf,
+               const cut_visitor& cut, long halvings) {
+  std::vector<std::string> columns;
+  columns.reserve(g.chosen.size());
+  bool is_done = true;
+  for (const quantity* q : g.chosen) {
+    const map_rows_impl::range_cells one = map_rows_impl::range_of(g, *q, cell);
+    columns.push_back(one.text);
+    is_done = is_done && one.is_done;
+  }
+  const bool x_is_thin = cell.x.low == cell.x.high;
+  const bool y_is_thin = cell.y.low == cell.y.high;
+  if (is_done || halvings == g.refine || (x_is_thin && y_is_thin)) return leaf(cell, columns);
+  const bool in_x = y_is_thin || (!x_is_thin && halvings % 2 == 0);
+  map_cell low = cell;
+  map_cell high = cell;
+  rational_range map_cell::*const halved = in_x ? &map_cell::x : &map_cell::y;
+  const rational middle = map_rows_impl::middle_of(cell.*halved, g.log);
+  cut(in_x, middle);
+  (low.*halved).high = (high.*halved).low = middle;
+  walk_cell(g, low, leaf, cut, halvings + 1);
+  walk_cell(g, high, leaf, cut, halvings + 1);
+}
+
 std::string row_of(const map_grid& g, std::size_t index) {
   const std::size_t motions = g.motions();
   if (g.cells) {
-    const std::size_t along = g.count_along(g.second.values);
-    map_rows_impl::map_cell cell{
-        map_rows_impl::cell_along(g.first.values, index / motions / along),
-        map_rows_impl::cell_along(g.second.values, index / motions % along),
-        {}};
-    if (g.c) cell.c = map_rows_impl::cell_along(g.c_values, index % motions);
-    return map_rows_impl::rows_of_cell(g, cell, 0);
+    std::string rows;
+    walk_cell(
+        g, cell_of(g, index),
+        [&](const map_cell& cell, const std::vector<std::string>& columns) {
+          rows += map_rows_impl::row_of_cell(g, cell, columns);
+        },
+        [](bool, const rational&) {});
+    return rows;
   }
   const rational& x = g.first.values[index / motions / g.second.values.size()];
   const rational& y = g.second.values[index / motions % g.second.values.size()];
