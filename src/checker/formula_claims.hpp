@@ -36,8 +36,8 @@ struct number_ends {
 };
 [[nodiscard]] number_ends read_number(const place& number);
 
-/// The integral, the roots and the map, as /claim names them: throws refusal, or adds what was shown
-/// to the report.
+/// The integral, the roots and the map, as /claim names them: throws refusal, or adds what was
+/// shown to the report.
 void check_integral(const place& certificate, report& result);
 void check_roots(const place& certificate, report& result);
 void check_map(const place& certificate, report& result);
