@@ -49,7 +49,7 @@ integer value_at(std::string_view name, const body& rigid) {
 /// Lengths along an axis: differences, or those of the logarithms.
 class axis_length {
  public:
-  axis_length(bool log, precision bits) : log_(log), bits_(std::move(bits)) {}
+  axis_length(bool log, const precision& bits) : log_(log), bits_(bits) {}
   [[nodiscard]] interval operator()(const range& r) { return at(r.upper) - at(r.lower); }
 
  private:
@@ -181,7 +181,7 @@ std::string expect_percent(const place& fact, const interval& part, const interv
   const auto start = text.find(before);
   const auto end = start == std::string::npos ? start : text.find(" %", start);
   if (end == std::string::npos) fact["statement"].malformed("it has no share of the area");
-  const std::string share = text.substr(start + before.size(), end - start - before.size());
+  std::string share = text.substr(start + before.size(), end - start - before.size());
   rational percent;
   const auto point = share.find('.');
   if (point == std::string::npos || share.size() - point != 3 || share.size() > 6 ||

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "enclosure.hpp"
@@ -194,6 +195,60 @@ TEST(Version, NamesTheLibraries) {
   EXPECT_EQ(lines[1].rfind("MPFR ", 0), 0U);
   EXPECT_EQ(lines[2].rfind("GMP ", 0), 0U);
   EXPECT_EQ(lines[3].rfind("Boost ", 0), 0U);
+}
+
+TEST(Certify, ProvesTheClaimsOfManyBodies) {
+  const std::vector<std::string> bodies{"certify", "--ab", "1..9/2,0.1..0.5/1", "--digits", "5"};
+  const outcome all = run(bodies);
+  EXPECT_EQ(all.status, 0) << all.err;
+  EXPECT_NE(all.out.find("a = 5, b = 1/10\n"), std::string::npos);
+  EXPECT_NE(all.out.find("at the given a, b, in rationals: I < 2/(2k-1) for k = 1 ... 2"),
+            std::string::npos);
+  EXPECT_EQ(all.out.find("epsilon0_min: "), std::string::npos);  // is of no body
+  std::size_t dependent = 0;
+  for (const proofs::claim& c : proofs::all_claims()) {
+    if (c.subject >= proofs::claim_subject::body) ++dependent;
+  }
+  EXPECT_NE(all.out.find(fmt::format("6 bodies, {} claims: ", 6 * dependent)), std::string::npos);
+  std::vector<std::string> as_json = bodies;
+  as_json.insert(as_json.end(), {"count", "injectivity", "--format", "json"});
+  const json certificates = json::parse(run(as_json).out);
+  ASSERT_EQ(certificates.size(), 12U);
+  // Each is that of the body alone.
+  EXPECT_EQ(
+      certificates.at(7),
+      json::parse(
+          run({"certify", "injectivity", "--ab", "5,1/2", "--digits", "5", "--format", "json"}).out)
+          .at(0));
+}
+
+TEST(Certify, WritesTheCertificatesOfManyBodies) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("bodies");
+  const outcome o =
+      run({"certify", "count", "physical", "--ab", "1..10/9,0.3", "--out", directory});
+  EXPECT_EQ(o.status, 0) << o.err;
+  const std::vector<std::string> names = names_in(directory);
+  EXPECT_EQ(names.size(), 20U);
+  EXPECT_TRUE(std::ranges::count(names, "count_01.json") == 1 &&
+              std::ranges::count(names, "physical_10.json") == 1);
+  EXPECT_EQ(run({"check", directory}).status, 0);
+}
+
+TEST(Certify, RefusesWhatIsNotOfManyBodies) {
+  const auto refused = [](const std::vector<std::string>& command, const char* message) {
+    const outcome o = run(command);
+    EXPECT_EQ(o.status, 2) << o.out;
+    EXPECT_NE(o.err.find(message), std::string::npos) << o.err;
+  };
+  refused({"certify", "beta", "--ab", "1..2/1,0.1"}, "beta does not depend on a body");
+  refused({"certify", "--ab", "1..2,0.1"}, "the number of steps is missing");
+  refused({"certify", "--ab", "2..1/3,0.1"}, "--ab");
+  refused({"certify", "--ab", "0..1/3,0.1"}, "--ab: a = 0");
+  refused({"certify", "--ab", "1..2/3,0.5..1/2"}, "--ab");
+  refused({"certify", "--ab", "1..2/1000,0.1..0.5/1000"}, "at most 100000");
+  refused({"certify", "count", "--ab", "1..2/1,0.1", "--format", "markdown"}, "text and json");
+  refused({"certify", "--ab", "1..2/1,0.1", "--coq", "x.v"}, "of one body");
 }
 
 }  // namespace certify_test

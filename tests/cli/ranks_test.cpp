@@ -55,6 +55,26 @@ TEST(Ranks, PrintTheSameBytes) {
             printed("polhode map physical --a 1 --b 0.5"));  // fewer blocks than ranks
 }
 
+TEST(Ranks, ProveTheSameClaims) {
+  const std::string certify = " polhode certify count injectivity --ab 1..9/9,0.1..0.5/1 ";
+  const scratch_directory scratch;
+  const std::string whole = printed(certify + "--out '" + scratch.path("alone") + "'");
+  for (const char* ranks : {"2", "5"}) {
+    const std::string own = scratch.path(std::string("ranks_") + ranks);
+    EXPECT_EQ(printed(mpirun + "-n " + ranks + certify + "--out '" + own + "'"), whole) << ranks;
+    const std::vector<std::string> names = names_in(own);
+    EXPECT_EQ(names.size(), 40U);
+    for (const std::string& name : names) {
+      EXPECT_EQ(contents(own + '/' + name), contents(scratch.path("alone/" + name))) << name;
+    }
+  }
+  // Claims of one body, or of none, are rank 0's alone.
+  for (const std::string one : {" polhode certify beta ", " polhode certify count --ab 1,1/3 "}) {
+    EXPECT_EQ(printed(mpirun + "-n 3" + one), printed(one));
+  }
+  EXPECT_NE(run_script(mpirun + "-n 2 polhode certify count --ab 0..1/9,0.1").status, 0);
+}
+
 TEST(Ranks, PrintTheSameTable) {
   for (const std::string format : {"csv", "json", "cpp"}) {
     const std::string table =

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,9 +13,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/worker_threads.hpp"
 #include "cli/commands.hpp"
 #include "cli/options/file_option.hpp"
 #include "cli/options/memory_limit.hpp"
+#include "cli/options/motion_option.hpp"
 #include "cli/options/options.hpp"
 #include "cli/options/time_limit.hpp"
 #include "cli/output/coq_theory.hpp"
@@ -21,6 +25,7 @@
 #include "cli/output/output_directory.hpp"
 #include "cli/output/progress.hpp"
 #include "cli/output/streams.hpp"
+#include "cli/ranks/ranks.hpp"
 #include "polhode/checker/check.hpp"
 #include "proofs/claim.hpp"
 
@@ -58,6 +63,20 @@ std::vector<const claim*> selected_claims(const certify_options& options) {
   return claims;
 }
 
+/// Of several bodies: the claims that depend on a body, where none is named; throws usage_error for
+/// one that is named and does not.
+std::vector<const claim*> claims_about_bodies(const certify_options& options,
+                                              std::vector<const claim*> claims) {
+  const bool is_named = !options.names.empty() && !options.all;
+  std::erase_if(claims, [&](const claim* c) {
+    if (c->subject >= proofs::claim_subject::body) return false;
+    if (!is_named) return true;
+    throw usage_error(fmt::format(
+        "--ab: {} does not depend on a body; certify it without several of them", c->name));
+  });
+  return claims;
+}
+
 // ---------------------------------------------------------------------------------------------
 // The body and the motion
 
@@ -71,28 +90,54 @@ void for_option(std::string_view option, const F& read) {
   }
 }
 
-oscillating_motion selected_motion(const certify_options& options) {
-  oscillating_motion motion = request{}.motion;
+constexpr std::size_t most_bodies = 100'000;
+
+/// All bodies of --ab A,B, where A and B are numbers or LO..HI/N, and the motion u of each.
+std::vector<oscillating_motion> selected_motions(const certify_options& options) {
+  const oscillating_motion usual = request{}.motion;
+  std::vector<rational> all_a{usual.a};
+  std::vector<rational> all_b{usual.b};
   if (options.ab) {
     const std::string& text = *options.ab;
     const auto comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
       throw usage_error(
-          fmt::format("--ab {}: it must be two numbers A,B such as 12.65,0.0629", in_quotes(text)));
+          fmt::format("--ab {}: it must be two numbers A,B such as 12.65,0.0629, or ranges "
+                      "LO..HI/N of them",
+                      in_quotes(text)));
     }
+    const auto values = [&](const std::string& part) {
+      const motion_range range = read_motions(part, "--ab");
+      if (range.steps || range.low == range.high) return range.values();
+      throw usage_error(fmt::format("--ab {}: the number of steps is missing; give {}/10",
+                                    in_quotes(part), part));
+    };
     for_option("--ab", [&] {
-      motion.a = parse_rational(text.substr(0, comma));
-      motion.b = parse_rational(text.substr(comma + 1));
-      check(motion);
+      all_a = values(text.substr(0, comma));
+      all_b = values(text.substr(comma + 1));
     });
   }
+  if (all_a.size() * all_b.size() > most_bodies) {
+    throw usage_error(fmt::format("--ab {}: {} bodies; at most {} are possible",
+                                  in_quotes(*options.ab), all_a.size() * all_b.size(),
+                                  most_bodies));
+  }
+  std::vector<oscillating_motion> motions;
+  motions.reserve(all_a.size() * all_b.size());
+  for (const rational& a : all_a) {
+    for (const rational& b : all_b) motions.push_back({a, b, usual.u});
+  }
+  for_option("--ab", [&] { std::ranges::for_each(motions, check); });
   if (options.u) {
     for_option("--u", [&] {
-      motion.u = parse_rational(*options.u);
-      check(motion);
+      const rational u = parse_rational(*options.u);
+      for (oscillating_motion& motion : motions) {
+        motion.u = u;
+        check(motion);
+      }
     });
   }
-  return motion;
+  return motions;
 }
 
 /// Throws usage_error where a body or a motion is given and no chosen claim depends on it.
@@ -129,16 +174,22 @@ double memory_of_proof(const claim& c, long digits) {
   return most;
 }
 
-/// Claims are proved one after another; their certificates are kept.
-memory_estimate estimate(const std::vector<const claim*>& claims, long digits) {
-  // Measured: its decimals and its exact ends, as data and as text.
+/// The claims about so many bodies. Claims are proved one after another; their certificates are
+/// kept.
+memory_estimate estimate(const std::vector<const claim*>& claims, std::size_t bodies, long digits) {
+  // Measured: its decimals and its exact ends, as data and as text; and all else of one.
   constexpr double bytes_kept_per_digit = 12;
+  constexpr double bytes_kept = 20'000;
   double most = 0;
   for (const claim* c : claims) most = std::max(most, memory_of_proof(*c, digits));
-  const std::size_t count = claims.size();
-  return {count == 1 ? fmt::format("{} digits of {}", digits, claims.front()->name)
-                     : fmt::format("{} digits of {} claims", digits, count),
-          most + bytes_kept_per_digit * static_cast<double>(digits) * static_cast<double>(count)};
+  std::string what = fmt::format("{} digits of ", digits);
+  what += claims.size() == 1 ? std::string(claims.front()->name)
+                             : fmt::format("{} claims", claims.size());
+  if (bodies > 1) what += fmt::format(" about {} bodies", bodies);
+  const auto certificates = static_cast<double>(claims.size() * bodies);
+  return {what, most + (bytes_kept_per_digit * static_cast<double>(digits) +
+                        (bodies > 1 ? bytes_kept : 0)) *
+                           certificates};
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -206,31 +257,44 @@ void write_files(output_directory& directory, const std::vector<timed_certificat
 // ---------------------------------------------------------------------------------------------
 // What is printed
 
-/// "4 claims: 2 certified, 1 argued, 1 refuted"
-std::string summary(const std::vector<timed_certificate>& certificates) {
-  std::size_t certified = 0;
-  std::size_t refuted = 0;
-  std::size_t argued = 0;
-  for (const auto& [c, seconds] : certificates) {
-    if (c.verdict == status::certified) {
-      ++(c.tier == proof_tier::by_argument ? argued : certified);
-    } else if (c.why == reason::refuted) {
-      ++refuted;
-    }
+/// How many certificates have which verdict.
+class tally {
+ public:
+  void add(std::string_view verdict, std::string_view why) {
+    ++all_;
+    if (verdict == "certified") ++certified_;
+    if (verdict == "argued") ++argued_;
+    if (verdict == "not certified") ++(why == to_text(reason::refuted) ? refuted_ : rest_);
   }
-  const std::size_t rest = certificates.size() - certified - argued - refuted;
-  std::string result = fmt::format("{} claim{}: {} certified", certificates.size(),
-                                   certificates.size() == 1 ? "" : "s", certified);
-  if (argued > 0) result += fmt::format(", {} argued", argued);
-  if (rest > 0) result += fmt::format(", {} not certified", rest);
-  if (refuted > 0) result += fmt::format(", {} refuted", refuted);
-  return result + '\n';
+  [[nodiscard]] bool all_certified() const { return rest_ + refuted_ == 0; }
+  /// "4 claims: 2 certified, 1 argued, 1 refuted"
+  [[nodiscard]] std::string summary() const {
+    std::string result =
+        fmt::format("{} claim{}: {} certified", all_, all_ == 1 ? "" : "s", certified_);
+    if (argued_ > 0) result += fmt::format(", {} argued", argued_);
+    if (rest_ > 0) result += fmt::format(", {} not certified", rest_);
+    if (refuted_ > 0) result += fmt::format(", {} refuted", refuted_);
+    return result + '\n';
+  }
+
+ private:
+  std::size_t all_ = 0;
+  std::size_t certified_ = 0;
+  std::size_t argued_ = 0;
+  std::size_t refuted_ = 0;
+  std::size_t rest_ = 0;
+};
+
+tally tally_of(const std::vector<timed_certificate>& certificates) {
+  tally result;
+  for (const auto& [c, seconds] : certificates) result.add(c.verdict_text(), to_text(c.why));
+  return result;
 }
 
 std::string certificates_as_text(const std::vector<timed_certificate>& certificates) {
   std::string result;
   for (const auto& [c, seconds] : certificates) result += to_text(c) + '\n';
-  return result + summary(certificates);
+  return result + tally_of(certificates).summary();
 }
 
 std::string certificates_as_json(const std::vector<timed_certificate>& certificates) {
@@ -298,9 +362,11 @@ exit_status write_theory(certify_options& options) {
         "--coq: it goes with --ab and --digits alone; claims have certificates (--out)");
   }
   options.memory_limit.check(
-      estimate({proofs::find_claim("separatrix_twist")}, options.digits.value()));
+      estimate({proofs::find_claim("separatrix_twist")}, 1, options.digits.value()));
   options.coq.prepare();
-  const oscillating_motion motion = selected_motion(options);
+  const std::vector<oscillating_motion> motions = selected_motions(options);
+  if (motions.size() > 1) throw usage_error("--coq: a theory is of one body");
+  const oscillating_motion& motion = motions.front();
   const time_watch watch(options.time_limit.limit());
   const coq_theory theory = coq_theory_of(motion.a, motion.b, options.digits.value());
   options.coq.write(theory.text);
@@ -314,20 +380,137 @@ exit_status write_theory(certify_options& options) {
   return exit_status::all_certified;
 }
 
+// ---------------------------------------------------------------------------------------------
+// Several bodies
+
+/// A file of the k-th of so many bodies: injectivity_07.json.
+std::string file_name(const std::string& claim_name, std::size_t k, std::size_t bodies) {
+  return file_name(fmt::format("{}_{:0{}}", claim_name, k + 1, std::to_string(bodies).size()));
+}
+
+/// What is decided of the given body.
+std::string as_lines(const json& c) {
+  std::string verdict = c.at("verdict").get<std::string>();
+  const auto tier = c.at("tier").get<std::string>();
+  if (verdict == to_text(status::certified)) verdict += ' ' + tier;
+  if (tier == to_text(proof_tier::by_kernel)) verdict += " (not run here)";
+  std::string result = fmt::format("  {}: {}\n", c.at("claim").get<std::string>(), verdict);
+  for (const json& fact : c.at("facts")) {
+    const auto statement = fact.at("statement").get<std::string>();
+    if (!statement.starts_with("at the given ")) continue;
+    for (const std::string& line : wrapped(statement, terminal_columns - 4)) {
+      result += "    " + line + '\n';
+    }
+  }
+  return result;
+}
+
+/// Every body's claims, a part of the work each.
+exit_status run_over_bodies(const certify_options& options,
+                            const std::vector<oscillating_motion>& motions,
+                            const std::vector<const claim*>& claims, const std::string& what) {
+  if (options.format.value() == "markdown") {
+    throw usage_error("--format markdown: of several bodies there are text and json");
+  }
+  const long digits = options.digits.value();
+  std::optional<output_directory> directory;
+  if (options.directory && !ranks::is_worker()) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      for (const claim* c : claims) {
+        names.push_back(file_name(std::string(c->name), k, motions.size()));
+      }
+    }
+    directory.emplace(*options.directory, names);
+  }
+  const progress line;
+  detail::worker_threads threads(ranks::threads(0));
+  if (!ranks::is_worker()) {
+    line.show("estimating");
+    std::vector<time_limit_option::work> works;
+    works.reserve(claims.size());
+    for (const claim* c : claims) {
+      works.emplace_back([&, c](long fewer) { (void)prove(*c, {fewer, motions.front()}); });
+    }
+    line.expect(options.time_limit.check(
+        what, digits, works,
+        static_cast<double>(motions.size()) / threads.count() / ranks::count()));
+  }
+  const time_watch watch(
+      options.time_limit.limit(static_cast<double>(claims.size() * motions.size())));
+  // A block of bodies is a part: on one rank they are shared out to the threads.
+  constexpr std::size_t bodies_of_block = 16;
+  const auto certificates_of = [&](const oscillating_motion& motion) {
+    json result = json::array();
+    for (const claim* c : claims) {
+      const certificate proved = prove(*c, {digits, motion});
+      result.push_back(to_json(proved));
+      if (options.directory) expect_checkable(proved, as_json_text(result.back()));
+    }
+    return result;
+  };
+  const auto part = [&](std::size_t block) {
+    const auto from = std::span(motions).subspan(block * bodies_of_block);
+    const auto own = from.first(std::min(bodies_of_block, from.size()));
+    std::vector<json> results(own.size());
+    threads.for_each(static_cast<long>(own.size()), [&](long i) {
+      const auto k = static_cast<std::size_t>(i);
+      results[k] = certificates_of(own[k]);
+    });
+    return json(results).dump();
+  };
+  std::vector<std::size_t> blocks((motions.size() + bodies_of_block - 1) / bodies_of_block);
+  std::iota(blocks.begin(), blocks.end(), std::size_t{0});
+  std::vector<json> found(blocks.size());
+  std::size_t done = 0;
+  line.show_part("certifying bodies", done, blocks.size());
+  ranks::distribute(blocks, part, [&](std::size_t block, const std::string& text) {
+    found[block] = json::parse(text);
+    line.show_part("certifying bodies", ++done, blocks.size());
+  });
+  tally verdicts;
+  json all = json::array();
+  std::string text;
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    json& of_body = found[k / bodies_of_block][k % bodies_of_block];
+    text += fmt::format("a = {}, b = {}\n", to_text(motions[k].a), to_text(motions[k].b));
+    for (json& c : of_body) {
+      const auto verdict = c.at("verdict").get<std::string>();
+      verdicts.add(verdict, c.value("reason", ""));
+      text += as_lines(c);
+      if (directory) {
+        directory->write(file_name(c.at("claim").get<std::string>(), k, motions.size()),
+                         as_json_text(c));
+      }
+      if (options.format.value() == "json") all.push_back(std::move(c));
+    }
+  }
+  if (directory) directory->publish();
+  print(options.format.value() == "json"
+            ? as_json_text(all)
+            : text + fmt::format("\n{} bodies, {}", motions.size(), verdicts.summary()));
+  return verdicts.all_certified() ? exit_status::all_certified : exit_status::not_certified;
+}
+
 exit_status run(certify_options& options) {
   if (options.coq.is_given()) return write_theory(options);
-  const std::vector<const claim*> claims = selected_claims(options);
-  const request wanted{options.digits.value(), selected_motion(options)};
+  const std::vector<oscillating_motion> motions = selected_motions(options);
+  const std::vector<const claim*> claims =
+      motions.size() == 1 ? selected_claims(options)
+                          : claims_about_bodies(options, selected_claims(options));
+  const request wanted{options.digits.value(), motions.front()};
   const bool as_json = options.format.value() == "json";
   const bool as_table = options.format.value() == "markdown";
   refuse_idle_motion(options, claims);
-  const memory_estimate memory = estimate(claims, wanted.digits);
+  const memory_estimate memory = estimate(claims, motions.size(), wanted.digits);
   options.memory_limit.check(memory);
   if (options.list) {
     if (as_table) throw usage_error("--format markdown: a list is text or json");
     print(as_json ? list_as_json(claims) : list_as_text(claims));
     return exit_status::all_certified;
   }
+  if (motions.size() > 1) return run_over_bodies(options, motions, claims, memory.what);
+  ranks::distribute({}, {}, {});  // one body is rank 0's alone
 
   std::optional<output_directory> directory;
   if (options.directory) {
@@ -352,10 +535,8 @@ exit_status run(certify_options& options) {
   print(as_table  ? certificates_as_table(claims, certificates)
         : as_json ? certificates_as_json(certificates)
                   : certificates_as_text(certificates));
-  const bool certified = std::all_of(certificates.begin(), certificates.end(), [](const auto& c) {
-    return c.result.verdict == status::certified;
-  });
-  return certified ? exit_status::all_certified : exit_status::not_certified;
+  return tally_of(certificates).all_certified() ? exit_status::all_certified
+                                                : exit_status::not_certified;
 }
 
 std::function<exit_status()> declare(CLI::App& app) {
@@ -372,7 +553,8 @@ std::function<exit_status()> declare(CLI::App& app) {
       .type_name("DIR");
   options->format.declare(app);
   add_option(app, "--ab", options->ab,
-             fmt::format("The body's parameters a > 0 and 0 < b < 1, read exactly\n[{},{}]",
+             fmt::format("The body's parameters a > 0 and 0 < b < 1, read exactly, or\n"
+                         "ranges LO..HI/N of them [{},{}]",
                          to_text(usual.a), to_text(usual.b)))
       .type_name("A,B");
   add_option(app, "--u", options->u,
@@ -395,12 +577,18 @@ command certify_command() {
       "  polhode certify beta --digits 1000 --out certificates\n"
       "  polhode certify injectivity --ab 18.27,0.0629\n"
       "  polhode certify errata\n"
+      "  polhode certify injectivity count --ab 1..9/2,0.1..0.5/1\n"
+      "  mpirun -n 4 polhode certify count --ab 1..9/9,0.1..0.9/9 --out counts\n"
       "  polhode certify --coq body.v --ab 12.65,0.0629 --digits 50\n"
       "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
       "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
       "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
-      "statement without an argument of its own is argued, not certified (exit status 0).\n",
-      certify_impl::declare};
+      "statement without an argument of its own is argued, not certified (exit status 0).\n"
+      "Of several bodies all claims that depend on a body are proved, with what is decided of "
+      "each\n"
+      "body; files are DIR/<claim>_<number>.json. They are shared out to threads, or to the ranks\n"
+      "of mpirun.\n",
+      certify_impl::declare, true};
 }
 
 }  // namespace polhode::cli

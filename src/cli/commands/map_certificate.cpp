@@ -66,6 +66,7 @@ std::string value_of(const std::string& columns) {
 
 void expect_certifiable(const map_grid& g) {
   std::vector<std::string_view> known;
+  known.reserve(statements::mapped_quantities.size());
   for (const statements::mapped_quantity& q : statements::mapped_quantities)
     known.push_back(q.name);
   const auto refuse = [](const std::string& why) {
