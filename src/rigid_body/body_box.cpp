@@ -4,8 +4,10 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/legendre.hpp"
 #include "polhode/rigid_body/half_phase.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
+#include "polhode/rigid_body/twist_curve.hpp"
 
 namespace polhode {
 namespace {
@@ -152,6 +154,29 @@ ball body_box::twist(const rational_range& c, long digits) const {
     return certain_number{t.verdict, t.why, t.epsilon, t.work};
   };
   return between(value(least_, c.low), value(greatest_, c.high));
+}
+
+ball limit_defect_range(const rational_range& chi, const rational_range& beta, long digits) {
+  constexpr precision p = 128;
+  const auto xi = [](const rational& at) { return pi(p) * sqrt(ball(at, p)); };
+  const auto turning_point = [](const rational& at) {
+    return elliptic_k(elliptic_parameter<ball>::with_complement(ball(rational(-at), p)));
+  };
+  const auto defect = [digits](const rational& at_chi, const rational& at_beta) {
+    return limit_defect_to_digits(at_chi, at_beta, digits);
+  };
+  const ball least_psi = between(defect(chi.low, beta.low), defect(chi.high, beta.low));
+  if (beta.low < 0 && !certainly_less(xi(chi.high), 2 * turning_point(beta.low))) {
+    return ball::undefined(64);
+  }
+  if (beta.high >= 0 || certainly_less(xi(chi.high), turning_point(beta.high))) {
+    return hull(least_psi, between(defect(chi.high, beta.high), defect(chi.high, beta.high)));
+  }
+  if (certainly_less(turning_point(beta.high), xi(chi.low))) {
+    return hull(least_psi, between(defect(chi.low, beta.high), defect(chi.low, beta.high)));
+  }
+  // cos psi = sqrt(-beta) at the turning point.
+  return hull(least_psi, asin(sqrt(ball(rational(-beta.high), bits_for_digits(digits) + 64))));
 }
 
 }  // namespace polhode

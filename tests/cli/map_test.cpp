@@ -164,8 +164,6 @@ TEST(Map, RefusesWhatItCannotDo) {
   refused({"map", "c0", "--chi", "1", "--beta", "1"}, "there is epsilon alone");
   refused({"map", "epsilon", "--chi", "0..1/2", "--beta", "1"}, "chi must be above 0");
   refused({"map", "epsilon", "--chi", "1", "--beta", "-1..1/2"}, "beta must be above -1");
-  refused({"map", "epsilon", "--chi", "1..2/2", "--beta", "1", "--cells"},
-          "without --c and --cells");
   const scratch_directory scratch;
   const std::string blocks = scratch.path("blocks");
   refused({"merge", blocks}, "has no map.json");

@@ -55,6 +55,21 @@ TEST(Ranks, PrintTheSameBytes) {
             printed("polhode map physical --a 1 --b 0.5"));  // fewer blocks than ranks
 }
 
+TEST(Ranks, GoOnWhenTheDiskHasRoomAgain) {
+  const scratch_directory scratch;
+  const std::string blocks = " --blocks '" + scratch.path("blocks") + "'";
+  // Files may not grow beyond 50 KB here, as a block does; without the files in which ranks of one
+  // machine share their memory.
+  const outcome full = run_script(mpirun + "--mca btl self,tcp -n 3 sh -c \"ulimit -f 100; exec" +
+                                  map + blocks + "\"");
+  EXPECT_EQ(full.status, 2) << full.err;
+  EXPECT_EQ(full.out, "");
+  EXPECT_NE(full.err.find("cannot be written"), std::string::npos) << full.err;
+  EXPECT_EQ(names_in(scratch.path("blocks")), std::vector<std::string>{"map.json"});
+  EXPECT_EQ(printed(mpirun + "-n 3" + map + blocks), printed(map));
+  EXPECT_NE(run_script(mpirun + "-n 2 sh -c \"exec" + map + " > /dev/full\"").status, 0);
+}
+
 TEST(Ranks, ProveTheSameClaims) {
   const std::string certify = " polhode certify count injectivity --ab 1..9/9,0.1..0.5/1 ";
   const scratch_directory scratch;

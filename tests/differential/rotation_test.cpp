@@ -2,6 +2,7 @@
 // functions, what is conserved.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -156,6 +157,52 @@ TEST(rotation, ranges_over_boxes) {
     if (most.is_bounded() && least.is_bounded()) {
       compare(hull(least, most), 2 * pi(p), command, "2 pi, as F at the range of c0", c);
     }
+  });
+}
+
+/// The ranges over cells of the limit a -> infinity, b -> 0 hold a member whose defect is pi/2 - psi
+/// for a psi that was drawn: chi is the square of xi/pi, with xi by quadrature from 0 to psi, or to
+/// the turning point, where sin^2 = 1 + beta, and back.
+TEST(rotation, ranges_over_limits) {
+  run_cases("rotation", "cells of the limit", 120, [](std::uint64_t seed, counts& c) {
+    maker m(seed);
+    const term beta = m.one_in(2) ? m.decimal(m.within(-0.98, -0.01)) : m.decimal(m.within(0, 2));
+    const bool turns = exact(beta) < 0;
+    const double most = turns ? std::asin(std::sqrt(1 + static_cast<double>(exact(beta)))) : 1.7;
+    const term psi = m.decimal(m.within(0.02, 0.98) * most);
+    // A decimal near the turning point may be beyond it.
+    const rational beta_here = exact(beta);
+    if (turns &&
+        !certainly_less(sin(ball(exact(psi), 64)), sqrt(ball(rational(1 + beta_here), 64)))) {
+      return;
+    }
+    const bool beyond = turns && m.one_in(2);
+    const piece before{1 / call("sqrt", beta + power(call("cos", x), 2)), 0, psi, 20};
+    ball xi = computed(before).enclosure;
+    ++c.computed;
+    if (beyond) {
+      const piece quarter{1 / call("sqrt", 1 - (1 + beta) * power(call("sin", x), 2)), 0,
+                          term("pi") / 2, 20};
+      xi = 2 * computed(quarter).enclosure - xi;
+      ++c.computed;
+    }
+    if (!xi.is_bounded()) return;
+    const ball chi = square(xi / pi(128));
+    const auto beside = [&] {
+      return m.one_in(3) ? rational(0) : rational(m.between(1, 300), m.one_in(2) ? 1000 : 1000000);
+    };
+    const rational_range in_chi{lower_rational(chi) * (1 - beside()),
+                                upper_rational(chi) * (1 + beside())};
+    const rational_range in_beta{std::max(rational(beta_here - beside()), rational(-999, 1000)),
+                                 beta_here + beside()};
+    const std::string command =
+        fmt::format("the limit over chi = {}..{}, beta = {}..{}", to_decimal(chi, 10),
+                    to_text(rational(in_chi.high)), to_text(in_beta.low), to_text(in_beta.high));
+    under_way(command);
+    ++c.cases;
+    const ball range = limit_defect_range(in_chi, in_beta, 20);
+    ++(range.is_bounded() ? c.certified : c.refused);
+    compare(range, scale(pi(128), -1) - exact(psi), command, command_of(before), c);
   });
 }
 

@@ -8,6 +8,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/rigid_body/body_box.hpp"
 #include "polhode/rigid_body/tennis_racket.hpp"
+#include "polhode/rigid_body/twist_curve.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -223,6 +224,77 @@ TEST(BodyBox, OfMomentsHoldsEveryBody) {
     EXPECT_TRUE(box.a().low <= rigid.a().exact() && rigid.a().exact() <= box.a().high);
     EXPECT_TRUE(box.b().low <= rigid.b().exact() && rigid.b().exact() <= box.b().high);
   }
+}
+
+/// A cell of the limit, often across beta = 0 or a turning point.
+struct limit_cell {
+  rational_range chi, beta;
+};
+limit_cell any_limit(random_source& random) {
+  const auto side = [&](const rational& low, const rational& high) {
+    const rational from = low + (high - low) * rational(random.between(1, 999), 1000);
+    const rational part(random.between(0, 400), random.one_in(2) ? 1000 : 1000000);
+    return rational_range{from, std::min(rational(from + part), high)};
+  };
+  limit_cell cell{side(rational(1, 100), 2), side(rational(-999, 1000), rational(3, 2))};
+  if (random.one_in(4)) cell.beta.high = std::max(cell.beta.low, rational(0));
+  if (random.one_in(8)) cell.beta.low = std::min(cell.beta.high, rational(0));
+  return cell;
+}
+
+TEST(LimitBox, RangesHoldTheDefectOfEveryMember) {
+  random_source random(417);
+  int bounded = 0;
+  for (repeat trial(300); trial.again();) {
+    const limit_cell cell = any_limit(random);
+    const ball range = limit_defect_range(cell.chi, cell.beta, 20);
+    if (!range.is_bounded()) {
+      EXPECT_TRUE(cell.chi.high > 1 && cell.beta.low < 0);
+      continue;
+    }
+    ++bounded;
+    for (int k = 0; k < 6; ++k) {
+      const rational chi = number_between(random, cell.chi.low, cell.chi.high);
+      const rational beta = number_between(random, cell.beta.low, cell.beta.high);
+      EXPECT_TRUE(overlaps(range, limit_defect_to_digits(chi, beta, 30).enclosure))
+          << to_text(chi) << ' ' << to_text(beta);
+    }
+  }
+  EXPECT_GT(bounded, 0);
+}
+
+TEST(LimitBox, EndsAreAttained) {
+  const auto expect_ends = [](const limit_cell& cell, const ball& lower, const ball& upper) {
+    const ball range = limit_defect_range(cell.chi, cell.beta, 30);
+    const rational tiny = rational(1) / pow(integer(10), 25);
+    EXPECT_LE(abs(rational(lower_rational(range) - lower_rational(lower))), tiny);
+    EXPECT_LE(abs(rational(upper_rational(range) - upper_rational(upper))), tiny);
+  };
+  const auto at = [](const rational& chi, const rational& beta) {
+    return limit_defect_to_digits(chi, beta, 40).enclosure;
+  };
+  const rational low(1, 10);
+  // Before the turning point: xi = pi sqrt(chi) < K.
+  expect_ends({{low, 1}, {0, 1}}, at(1, 1), at(low, 0));
+  expect_ends({{low, rational(1, 5)}, {-low, low}}, at(rational(1, 5), low), at(low, -low));
+  // Beyond it: at beta = -1/2 K = 1.854, so that xi > K from chi = 0.349 on.
+  const rational half(-1, 2);
+  expect_ends({{rational(1, 2), 1}, {rational(-3, 5), half}}, at(rational(1, 2), half),
+              at(1, rational(-3, 5)));
+  // Across it: the least defect is that of the turning point, arcsin sqrt(1/2).
+  expect_ends({{rational(3, 10), rational(2, 5)}, {half, half}}, scale(pi(200), -2),
+              at(rational(3, 10), half));
+}
+
+TEST(LimitBox, IsUndefinedWhereAMotionHasComeBack) {
+  // 2 K(1/2) = 3.708: xi is that at chi = 1.393.
+  const rational half(-1, 2);
+  EXPECT_TRUE(limit_defect_range({1, rational(139, 100)}, {half, half}, 10).is_bounded());
+  EXPECT_FALSE(limit_defect_range({1, rational(140, 100)}, {half, half}, 10).is_bounded());
+  EXPECT_FALSE(
+      limit_defect_range({1, rational(139, 100)}, {rational(-51, 100), 1}, 10).is_bounded());
+  EXPECT_THROW((void)limit_defect_range({0, 1}, {0, 1}, 10), input_error);
+  EXPECT_THROW((void)limit_defect_range({1, 2}, {-1, 1}, 10), input_error);
 }
 
 }  // namespace body_box_test

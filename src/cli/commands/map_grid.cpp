@@ -105,9 +105,8 @@ void set_limit(map_grid& g) {
   if (!(g.second.values.front() > -1)) {
     throw usage_error(fmt::format("--beta {}: beta must be above -1", in_quotes(*g.beta)));
   }
-  if (g.quantities != std::vector<std::string>{"epsilon"} || g.c || g.cells) {
-    throw usage_error(
-        "--chi, --beta: of the limit there is epsilon alone, without --c and --cells");
+  if (g.quantities != std::vector<std::string>{"epsilon"} || g.c) {
+    throw usage_error("--chi, --beta: of the limit there is epsilon alone, without --c");
   }
 }
 

@@ -60,11 +60,15 @@ struct range_cells {
   bool is_done = true;
 };
 range_cells range_of(const map_grid& g, const quantity& q, const map_cell& cell) {
-  const std::optional<body_box> bodies = bodies_of_cell(g, cell.x, cell.y);
-  if (!bodies) return {"undecided,", false};
-  const bool has_motions = cell.c.high > -bodies->b().high && cell.c.low < bodies->a().high;
-  if (q.of_motion && !has_motions) return {"none,"};
-  const std::optional<ball> range = q.range(*bodies, cell.c, g.digits);
+  std::optional<ball> range;
+  if (g.chi) {
+    range = limit_defect_range(cell.x, cell.y, g.digits);
+  } else {
+    const std::optional<body_box> bodies = bodies_of_cell(g, cell.x, cell.y);
+    if (!bodies) return {"undecided,", false};
+    const bool has_motions = cell.c.high > -bodies->b().high && cell.c.low < bodies->a().high;
+    if (!q.of_motion || has_motions) range = q.range(*bodies, cell.c, g.digits);
+  }
   if (!range) return {"none,"};
   if (!range->is_bounded()) return {"undecided,", false};
   if (q.is_whole) {
