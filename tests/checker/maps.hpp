@@ -11,8 +11,8 @@
 
 namespace polhode::test {
 
-/// Of `intersections` and `physical` over 1 <= a <= 4, 1/10 <= b <= 1/2 in six cells. The first is 0
-/// for q <= 1/4, 1 up to 9/4 and 2 up to 25/4, with q = 1/I^2 = b (a+b)/(1-b)^2.
+/// Of `intersections` and `physical` over 1 <= a <= 4, 1/10 <= b <= 1/2 in six cells. The first is
+/// 0 for q <= 1/4, 1 up to 9/4 and 2 up to 25/4, with q = 1/I^2 = b (a+b)/(1-b)^2.
 inline json map_json() {
   const std::vector<const statements::mapped_quantity*> chosen{
       statements::find_mapped("intersections"), statements::find_mapped("physical")};

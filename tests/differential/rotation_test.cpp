@@ -160,9 +160,9 @@ TEST(rotation, ranges_over_boxes) {
   });
 }
 
-/// The ranges over cells of the limit a -> infinity, b -> 0 hold a member whose defect is pi/2 - psi
-/// for a psi that was drawn: chi is the square of xi/pi, with xi by quadrature from 0 to psi, or to
-/// the turning point, where sin^2 = 1 + beta, and back.
+/// The ranges over cells of the limit a -> infinity, b -> 0 hold a member whose defect is pi/2 -
+/// psi for a psi that was drawn: chi is the square of xi/pi, with xi by quadrature from 0 to psi,
+/// or to the turning point, where sin^2 = 1 + beta, and back.
 TEST(rotation, ranges_over_limits) {
   run_cases("rotation", "cells of the limit", 120, [](std::uint64_t seed, counts& c) {
     maker m(seed);

@@ -105,17 +105,17 @@ class body_box {
 };
 
 /// The defect in the limit (`limit_defect`, twist_curve.hpp) for all chi and all beta in these
-/// ranges, to `digits` digits. Undefined where some member has xi = pi sqrt(chi) that is not shown to
-/// be below 2 K(1 + beta), that is, where its motion has come back to psi = 0; that never happens
-/// for chi <= 1, as 2 K > pi. Throws input_error for chi <= 0 or beta <= -1.
+/// ranges, to `digits` digits. Undefined where some member has xi = pi sqrt(chi) that is not shown
+/// to be below 2 K(1 + beta), that is, where its motion has come back to psi = 0; that never
+/// happens for chi <= 1, as 2 K > pi. Throws input_error for chi <= 0 or beta <= -1.
 ///
-/// epsilon = pi/2 - psi, where psi(xi; beta) grows by dpsi/dxi = sqrt(beta + cos^2 psi) from 0 up to
-/// the turning point xi = K(1 + beta), sin^2 psi = 1 + beta, where there is one (beta < 0), and
+/// epsilon = pi/2 - psi, where psi(xi; beta) grows by dpsi/dxi = sqrt(beta + cos^2 psi) from 0 up
+/// to the turning point xi = K(1 + beta), sin^2 psi = 1 + beta, where there is one (beta < 0), and
 /// returns as it came: xi = T before it and 2 K - T beyond, T(beta, psi) the integral of (beta +
 /// cos^2)^(-1/2). T decreases in beta, and K increases: at one xi < 2 K psi increases in beta on
-/// both branches, and on the whole by continuity. So over a cell psi is least for the least beta, at
-/// an end of the range of xi, as it rises and then falls; and greatest for the greatest beta, at the
-/// turning point where that is in the range of xi, and else at the end next to it.
+/// both branches, and on the whole by continuity. So over a cell psi is least for the least beta,
+/// at an end of the range of xi, as it rises and then falls; and greatest for the greatest beta, at
+/// the turning point where that is in the range of xi, and else at the end next to it.
 [[nodiscard]] ball limit_defect_range(const rational_range& chi, const rational_range& beta,
                                       long digits);
 
