@@ -71,7 +71,7 @@ TEST(Map, IsTheSameWhateverTheShardsAndThreads) {
 TEST(Map, ComputesADamagedBlockAgain) {
   const scratch_directory scratch;
   const std::string blocks = scratch.path("blocks");
-  const std::string whole = printed(map_of({"--blocks", blocks}));
+  const std::string whole = printed(map_of({"--blocks", blocks, "--block-size", "1000"}));
   const std::filesystem::path block = std::filesystem::path(blocks) / "block-000001.csv";
   ASSERT_TRUE(std::filesystem::exists(block));
   for (const bool cut : {true, false}) {
@@ -86,7 +86,7 @@ TEST(Map, ComputesADamagedBlockAgain) {
     EXPECT_NE(merged.err.find("1 of 4 blocks are missing or not whole, the first is block 1"),
               std::string::npos)
         << merged.err;
-    EXPECT_EQ(printed(map_of({"--blocks", blocks})), whole);
+    EXPECT_EQ(printed(map_of({"--blocks", blocks, "--block-size", "1000"})), whole);
   }
 }
 
@@ -114,7 +114,8 @@ TEST(Map, GoesOnWhenTheDiskHasRoomAgain) {
   const scratch_directory scratch;
   const std::string blocks = scratch.path("blocks");
   std::string script = "polhode";
-  for (const std::string& word : map_of({"--blocks", blocks})) script += " '" + word + "'";
+  for (const std::string& word : map_of({"--blocks", blocks, "--block-size", "1000"}))
+    script += " '" + word + "'";
   // Files may not grow beyond 50 KB here: no block of this map has so little.
   const outcome full = run_script("ulimit -f 100; " + script);
   EXPECT_EQ(full.status, 2);
@@ -122,7 +123,7 @@ TEST(Map, GoesOnWhenTheDiskHasRoomAgain) {
   EXPECT_EQ(lines_of(full.err).size(), 1U) << full.err;
   EXPECT_NE(full.err.find("cannot be written"), std::string::npos) << full.err;
   EXPECT_EQ(names_in(blocks), std::vector<std::string>{"map.json"});
-  EXPECT_EQ(printed(map_of({"--blocks", blocks})), printed(map_of({})));
+  EXPECT_EQ(printed(map_of({"--blocks", blocks, "--block-size", "1000"})), printed(map_of({})));
 }
 
 TEST(Map, SharesADirectoryWithAnotherRun) {

@@ -57,7 +57,7 @@ TEST(Ranks, PrintTheSameBytes) {
 
 TEST(Ranks, GoOnWhenTheDiskHasRoomAgain) {
   const scratch_directory scratch;
-  const std::string blocks = " --blocks '" + scratch.path("blocks") + "'";
+  const std::string blocks = " --block-size 1000 --blocks '" + scratch.path("blocks") + "'";
   // Files may not grow beyond 50 KB here, as a block does; without the files in which ranks of one
   // machine share their memory.
   const outcome full = run_script(mpirun + "--mca btl self,tcp -n 3 sh -c \"ulimit -f 100; exec" +

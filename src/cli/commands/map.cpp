@@ -218,7 +218,7 @@ struct map_options {
   std::optional<std::string> width;
   std::optional<std::string> blocks;
   std::optional<std::string> shard;
-  count_option block_size{"--block-size", 1000, 1, map_grid::most_points_of_block};
+  count_option block_size{"--block-size", 0, 0, map_grid::most_points_of_block};
   digits_option digits{"15"};
   count_option threads{"--threads", 0, 0, most_threads};
   format_option format{{"csv", "npy", "hdf5", "svg", "png", "areas"}};
@@ -390,7 +390,10 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--blocks", options->blocks,
              "Keep the blocks that are done in this directory, and go on from\nthose that it has")
       .type_name("DIR");
-  options->block_size.declare(app, "Points, or cells, of a block");
+  options->block_size.declare(
+      app,
+      "Points, or cells, of a block; 0 for a number that follows from\n"
+      "what they cost");
   add_option(app, "--shard", options->shard,
              "Compute the I-th of N parts of the blocks alone, for merge")
       .type_name("I/N");

@@ -159,6 +159,23 @@ json as_json(const map_grid& g) {
   return result;
 }
 
+/// With n ranks rank 0 needs m seconds for a block and keeps up with them while a block takes n m or
+/// more; and the last blocks leave ranks idle for less than a quarter of the time while there are 4 n
+/// blocks or more. For P points of t seconds both hold up to the same n where a block takes
+/// sqrt(P t m)/2. That follows from the map alone: shards and ranks have the same blocks.
+std::size_t chosen_block(const map_grid& g) {
+  constexpr double m = 1200;  // microseconds: a file is on the disk before the next block
+  double t = 0;
+  for (const quantity* q : g.chosen) t += q->microseconds;
+  t *= 1 + static_cast<double>(g.digits) / 100;
+  // Of a cell two corners are computed, and of its halves again; most cells are not halved as often
+  // as they may be.
+  if (g.cells) t *= 2 * std::exp2(static_cast<double>(g.refine) / 2);
+  const auto points = std::sqrt(static_cast<double>(g.points()) * m / (4 * t));
+  return static_cast<std::size_t>(
+      std::clamp(points, 1.0, static_cast<double>(map_grid::most_points_of_block)));
+}
+
 }  // namespace
 }  // namespace map_grid_impl
 
@@ -188,6 +205,7 @@ map_grid completed(map_grid g) {
     throw usage_error(fmt::format("a map of {} points: at most {} are possible", g.points(),
                                   map_grid_impl::most_points));
   }
+  if (g.points_of_block == 0) g.points_of_block = map_grid_impl::chosen_block(g);
   return g;
 }
 

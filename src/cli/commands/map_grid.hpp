@@ -35,7 +35,7 @@ struct map_grid {
   long refine = 0;                // how often a cell is halved at most
   std::optional<rational> width;  // of a range that is narrow enough
   static constexpr long most_points_of_block = 1'000'000;
-  std::size_t points_of_block = 1000;
+  std::size_t points_of_block = 0;  // 0: by what they cost
   // Made of these:
   map_axis first, second;
   std::vector<rational> c_values;

@@ -47,7 +47,8 @@ const std::vector<quantity>& all_quantities() {
            [](const body_box& box, const rational_range& c, long digits) {
              return std::optional(box.montgomery_phase(c, bits_for_digits(digits) + 32));
            },
-       .infinite_at_0 = true},
+       .infinite_at_0 = true,
+       .microseconds = 25},
       {.name = "epsilon",
        .description = "defect epsilon(c) of the tennis racket effect",
        .unit = "rad",
@@ -60,7 +61,8 @@ const std::vector<quantity>& all_quantities() {
        .check = [](const body& rigid,
                    const rational& c) { refuse_equilibrium(rigid, c, "epsilon(c)"); },
        .range = [](const body_box& box, const rational_range& c,
-                   long digits) { return std::optional(box.twist(c, digits)); }},
+                   long digits) { return std::optional(box.twist(c, digits)); },
+       .microseconds = 180},
       {.name = "epsilon0",
        .description = "defect on the separatrix",
        .unit = "rad",
@@ -69,7 +71,8 @@ const std::vector<quantity>& all_quantities() {
                      long digits) { return separatrix_defect_to_digits(rigid, digits); },
        .check = check_nothing,
        .range = [](const body_box& box, const rational_range&,
-                   long digits) { return std::optional(box.separatrix_defect(digits)); }},
+                   long digits) { return std::optional(box.separatrix_defect(digits)); },
+       .microseconds = 30},
       {.name = "c0",
        .description = "motion of the perfect twist",
        .unit = "1",
@@ -86,7 +89,8 @@ const std::vector<quantity>& all_quantities() {
        .range = [](const body_box& box, const rational_range&, long digits) -> std::optional<ball> {
          if (box.has_perfect_twist() == false) return std::nullopt;
          return box.perfect_twist(digits);
-       }},
+       },
+       .microseconds = 200},
       {.name = "intersections",
        .description = "how often the curves C and S meet",
        .unit = "1",
@@ -94,7 +98,8 @@ const std::vector<quantity>& all_quantities() {
        .compute = integer_of<intersection_count>,
        .check = check_nothing,
        .range = range_of_integer<intersection_count>,
-       .is_whole = true},
+       .is_whole = true,
+       .microseconds = 5},
       {.name = "meetings",
        .description = "how often the curve C meets S or crosses pi/2",
        .unit = "1",
@@ -102,7 +107,8 @@ const std::vector<quantity>& all_quantities() {
        .compute = integer_of<meeting_count>,
        .check = check_nothing,
        .range = range_of_integer<meeting_count>,
-       .is_whole = true},
+       .is_whole = true,
+       .microseconds = 5},
       {.name = "physical",
        .description = "1 for a body that masses can have, else 0",
        .unit = "1",
@@ -114,7 +120,8 @@ const std::vector<quantity>& all_quantities() {
          return hull(exactly(1 - is_non_physical(box.least())).enclosure,
                      exactly(1 - is_non_physical(box.greatest())).enclosure);
        },
-       .is_whole = true}};
+       .is_whole = true,
+       .microseconds = 4}};
   return quantities;
 }
 
