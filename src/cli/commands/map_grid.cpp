@@ -159,9 +159,9 @@ json as_json(const map_grid& g) {
   return result;
 }
 
-/// With n ranks rank 0 needs m seconds for a block and keeps up with them while a block takes n m or
-/// more; and the last blocks leave ranks idle for less than a quarter of the time while there are 4 n
-/// blocks or more. For P points of t seconds both hold up to the same n where a block takes
+/// With n ranks rank 0 needs m seconds for a block and keeps up with them while a block takes n m
+/// or more; and the last blocks leave ranks idle for less than a quarter of the time while there
+/// are 4 n blocks or more. For P points of t seconds both hold up to the same n where a block takes
 /// sqrt(P t m)/2. That follows from the map alone: shards and ranks have the same blocks.
 std::size_t chosen_block(const map_grid& g) {
   constexpr double m = 1200;  // microseconds: a file is on the disk before the next block
