@@ -68,6 +68,7 @@ TEST(MapArrays, OfPointsHoldTheNumbers) {
       const std::string& text = rows[i].at(4 + 2 * q);
       if (!is_number(text)) {
         EXPECT_TRUE(std::isnan(value));
+        EXPECT_TRUE(text == "none" ? std::isnan(radius) : radius == INFINITY);
         ++none;
         continue;
       }
@@ -98,8 +99,12 @@ TEST(MapArrays, OfCellsStayTrue) {
       EXPECT_TRUE(near(low, row[k]) && near(high, row[k + 1]));
     }
     for (std::size_t k = 6; k < 10; k += 2) {
-      if (!is_number(rows[i].at(6 + k))) {
+      if (rows[i].at(6 + k) == "none") {
         EXPECT_TRUE(std::isnan(row[k]) && std::isnan(row[k + 1]));
+        continue;
+      }
+      if (rows[i].at(6 + k) == "undecided") {  // it is somewhere
+        EXPECT_TRUE(row[k] == -INFINITY && row[k + 1] == INFINITY);
         ++undecided;
         continue;
       }

@@ -37,11 +37,22 @@ double rounded_down(const rational& x) {
 }
 double rounded_up(const rational& x) { return -rounded_down(-x); }
 
+/// An end of a cell or of a range, rounded outwards: of "undecided" and the empty column behind it
+/// -infinity and infinity, of "none" NaN. `before` is the number of the column before.
+double end_as_double(const std::string& text, double before, bool up) {
+  if (text == "none") return nan;
+  if (text == "undecided") return -infinity;
+  if (text.empty()) return before == -infinity ? infinity : nan;
+  const rational exact = parse_rational(text);
+  return up ? rounded_up(exact) : rounded_down(exact);
+}
+
 /// The middle of value ± radius as a double, and a double that is at least the distance of every
-/// number in it from that.
+/// number in it from that: infinity where the number is undecided, NaN where there is none.
 std::pair<double, double> as_doubles(std::string_view value, std::string_view radius) {
   if (value == "inf") return {infinity, 0};
-  if (value == "none" || value == "undecided") return {nan, nan};
+  if (value == "none") return {nan, nan};
+  if (value == "undecided") return {nan, infinity};
   const rational exact = parse_rational(std::string(value));
   const auto middle = static_cast<double>(exact);
   if (!std::isfinite(middle)) return {middle, infinity};
@@ -97,13 +108,9 @@ std::vector<map_column> columns_of_cells(const map_grid& g, const std::string& r
   }
   for_each_row(rows, [&](const std::vector<std::string_view>& texts) {
     for (std::size_t k = 0; k < result.size(); ++k) {
-      // The columns behind "none" and "undecided" are empty.
       const std::string text(texts.at(places[k]));
-      const bool is_number = !text.empty() && text != "none" && text != "undecided";
-      const rational exact = is_number ? parse_rational(text) : rational(0);
-      result[k].numbers.push_back(!is_number ? nan
-                                  : up[k]    ? rounded_up(exact)
-                                             : rounded_down(exact));
+      result[k].numbers.push_back(
+          end_as_double(text, k > 0 ? result[k - 1].numbers.back() : nan, up[k]));
     }
   });
   return result;
