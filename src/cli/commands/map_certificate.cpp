@@ -15,7 +15,7 @@ namespace polhode::cli {
 namespace map_certificate_impl {
 namespace {
 
-constexpr std::size_t most_cells = 100'000;
+constexpr std::size_t most_cells = 250'000;
 
 /// The length of ranges of an axis: the difference, or that of the logarithms.
 class axis_length {
@@ -54,6 +54,14 @@ std::string percent(const undecided_cells& part, const ball& all) {
                      static_cast<int>(integer(hundredths % 100)));
 }
 
+void expect_cells(std::size_t count) {
+  if (count <= most_cells) return;
+  throw usage_error(
+      fmt::format("--certificate: the map has more than {} cells; give fewer steps, or a smaller "
+                  "--refine",
+                  most_cells));
+}
+
 /// Of the two columns of an integer its value, where they are equal.
 std::string value_of(const std::string& columns) {
   const std::size_t comma = columns.find(',');
@@ -83,6 +91,7 @@ void expect_certifiable(const map_grid& g) {
   if (g.first.values.size() < 2 || g.second.values.size() < 2) {
     throw refuse("one of them is a single number");
   }
+  map_certificate_impl::expect_cells(g.points());
 }
 
 json map_certificate(const map_grid& g) {
@@ -99,12 +108,7 @@ json map_certificate(const map_grid& g) {
     walk_cell(
         g, cell_of(g, index),
         [&](const map_cell& cell, const std::vector<std::string>& columns) {
-          if (++count > most_cells) {
-            throw usage_error(fmt::format(
-                "--certificate: the map has more than {} cells; give fewer steps, or a smaller "
-                "--refine",
-                most_cells));
-          }
+          expect_cells(++count);
           std::vector<std::string> values;
           for (std::size_t k = 0; k < columns.size(); ++k) {
             values.push_back(value_of(columns[k]));
