@@ -3,7 +3,6 @@
 
 #include "statements/limit_minimum.hpp"
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/elliptic/complete.hpp"
 #include "proofs/beta.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/half_phase.hpp"
@@ -54,13 +53,6 @@ certificate prove_minimum(const request& wanted) {
                        wanted.digits});
   const ball beta = enclose_to_digits(*find_constant("beta"), wanted.digits);
   c.numbers.push_back({"beta", beta, wanted.digits});
-  // For beta < 0 the turning point is epsilon*, sin^2 epsilon* = -beta, at xi = K(1+beta) = K(cos^2
-  // epsilon*).
-  c.facts.push_back({statements::mean_at_epsilon0_min, is_decided([](precision p) {
-                       return certainly_less(agm(ball(1, p), 1 / cosh(pi(p))),
-                                             ball(rational(1, 2), p));
-                     }),
-                     step_kind::enclosed});
   add_physical_body(c, requested_body(c, wanted), enclose_beta(256).root);
   c.conclude();
   return c;

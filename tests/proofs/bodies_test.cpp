@@ -9,9 +9,11 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/elliptic/complete.hpp"
 #include "polhode/elliptic/jacobi.hpp"
 #include "polhode/elliptic/parameter.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
+#include "polhode/rigid_body/tennis_racket.hpp"
 #include "polhode/rigid_body/twist_curve.hpp"
 #include "proofs/body_facts.hpp"
 #include "proofs/claim.hpp"
@@ -395,6 +397,70 @@ TEST(LimitFormula, EnclosesTheTwistOfEveryBody) {
     // It is the sign and the size of this sn, and no other.
     EXPECT_TRUE(certainly_less(abs(sine - enclosed), ball(rational(1, 100), p)));
     EXPECT_FALSE(overlaps(-sine, enclosed));
+  }
+}
+
+/// The greatest difference from the limit that the claim limit_formula allows.
+ball rate_of(const rational& a, const rational& b, const rational& beta, const rational& chi) {
+  constexpr precision p = 200;
+  const ball root = sqrt(ball(chi, p));
+  const ball least = sqrt(ball(rational(a * b), p));
+  const ball most = least * sqrt(ball(rational((a + b) / a), p)) / ball(rational(1 - b), p);
+  return pi(p) * sqrt(ball(rational(1 + beta), p)) * max(abs(least - root), abs(most - root));
+}
+
+TEST(LimitFormula, HasTheRateOfTheClaim) {
+  support::random_source random(35);
+  for (support::repeat trial(60); trial.again();) {
+    const rational b(random.between(1, 900), random.one_in(2) ? 1000 : 1000000);
+    const rational a(random.between(1, 900), random.one_in(3) ? 1000 : 10);
+    const rational beta(random.between(-990, 1500), 1000);
+    const rational chi = a * b * rational(random.between(500, 1500), 1000);
+    const rational c = b * beta;
+    if (c >= a) continue;
+    const twist at = twist_to_digits(body(a, b), c, 30, with_slope::no);
+    if (at.verdict != status::certified) continue;
+    const ball limit = limit_defect_to_digits(chi, beta, 30).enclosure;
+    EXPECT_FALSE(certainly_less(rate_of(a, b, beta, chi), abs(at.epsilon - limit)))
+        << to_text(a) << ' ' << to_text(b) << ' ' << to_text(beta) << ' ' << to_text(chi);
+  }
+}
+
+TEST(LimitFormula, AttainsTheRateNearly) {
+  // While psi is near 0, where cos^2 = 1, the motion has the greatest xi, and psi the greatest
+  // slope.
+  for (const char* beta : {"-0.5", "0", "0.5"}) {
+    const rational a = parse_rational("1e-6");
+    const rational b = parse_rational("1e-6");
+    const rational ratio = parse_rational(beta);
+    const rational chi = a * b;
+    const ball difference =
+        abs(twist_to_digits(body(a, b), rational(b * ratio), 30, with_slope::no).epsilon -
+            limit_defect_to_digits(chi, ratio, 30).enclosure);
+    const ball bound = rate_of(a, b, ratio, chi);
+    EXPECT_TRUE(certainly_less(difference, bound)) << beta;
+    EXPECT_TRUE(certainly_less(bound * rational(999, 1000), difference)) << beta;
+  }
+}
+
+/// Planar bodies lie between the bounds of limit_minimum, which meet as b -> 0.
+TEST(LimitMinimum, PlanarBodiesAreBelowTheUpperBound) {
+  constexpr precision p = 200;
+  const ball least = 2 * atan(exp(-pi(p)));
+  for (const char* text : {"0.3", "0.1", "0.01", "1e-4", "1e-8"}) {
+    const rational b = parse_rational(text);
+    const rational a = 1 / b - 2;
+    const body planar(a, b);
+    ASSERT_EQ(planar.kind(), body_kind::planar);
+    const ball root = sqrt(ball(rational(1 - 2 * b), p));
+    const ball most = 2 * atan(exp(-pi(p) * root));
+    const ball epsilon0 = separatrix_defect_to_digits(planar, 30).enclosure;
+    EXPECT_TRUE(certainly_less(least, epsilon0) && certainly_less(epsilon0, most)) << text;
+    EXPECT_TRUE(certainly_less(most - least, ball(b, p))) << text;  // they meet
+    if (!has_perfect_twist(planar)) continue;
+    const ball t = perfect_twist_to_digits(planar, 30).enclosure / b;
+    EXPECT_TRUE(certainly_less(agm(sqrt(1 + t), sqrt(t)) * 2 * root, ball(1, p))) << text;
+    EXPECT_TRUE(certainly_less(ball(1, p), agm(sqrt(1 + t), sqrt(t)) * 2)) << text;
   }
 }
 

@@ -15,11 +15,6 @@ void check_limit_minimum(examination& e) {
   const body rigid = check_body_and_steps(e);
   e.number("epsilon0_min", epsilon0_min);
   const range beta = e.root_number("beta", false, mean_equation);
-  e.fact(statements::mean_at_epsilon0_min, [&](precision bits) {
-    const interval one = exactly(1, bits);
-    const interval cosine = (exp(pi(bits)) + exp(-pi(bits))) / 2;
-    return below(agm_with_sum(one, one / cosine).mean, exactly(rational(1, 2), bits));
-  });
   if (rigid.kind() < 0) {
     e.add_to_method(statements::bounds_are_for_physical_bodies);
     return;
