@@ -106,6 +106,17 @@ expression expression::with_root(detail::graph g, node_id root) const {
   return result;
 }
 
+std::vector<expression> expression::constants(std::size_t most) const {
+  const std::vector<char> used = detail::reachable(*graph_);
+  const std::vector<char> varies = detail::varying(*graph_);
+  std::vector<expression> result;
+  for (node_id i = 0; i < graph_->size() && result.size() < most; ++i) {
+    if (used[i] == 0 || varies[i] != 0 || graph_->value(i) != nullptr) continue;
+    result.push_back(with_root(*graph_, i));
+  }
+  return result;
+}
+
 expression_names expression::names() const { return {variables_, {}, graph_->further()}; }
 
 ball expression::value(precision p) const {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
+#include "polhode/expression/expression.hpp"
 
 namespace polhode {
 
@@ -77,11 +78,9 @@ function_structure function_structure::variable(const ball& box, const ball& poi
   return x;
 }
 
-function_structure function_structure::variable_at(const pi_combination& c, int order,
-                                                   precision p) {
-  const ball point = c.at(p);
-  function_structure x = variable(point, point);
-  x.series_ = exact_series::variable(known_number(c, p), order);
+function_structure function_structure::variable_at(const known_number& c, int order) {
+  function_structure x = variable(c.enclosure(), c.enclosure());
+  x.series_ = exact_series::variable(c, order);
   return x;
 }
 
@@ -168,6 +167,21 @@ function_structure operator-(const function_structure& x, const function_structu
   return x + (-y);
 }
 
+namespace {
+
+/// The series with 0 for its first coefficients where they are exactly that: before they are
+/// multiplied by others, as the formula of a product is longer.
+function_structure::exact_series with_zeros(function_structure::exact_series s) {
+  for (int k = 0; k <= s.order(); ++k) {
+    known_number exactly = settled(s[k]);
+    if (!exactly.is_zero()) break;
+    s[k] = std::move(exactly);
+  }
+  return s;
+}
+
+}  // namespace
+
 function_structure operator*(const function_structure& x, const function_structure& y) {
   function_structure r;
   r.ids_ = x.ids_;
@@ -183,7 +197,7 @@ function_structure operator*(const function_structure& x, const function_structu
                       (!x.denominator_ || x.denominator_->id == y.denominator_->id);
     r.natural_ = same ? square(*x.natural_) : *x.natural_ * *y.natural_;
   }
-  if (x.series_ && y.series_) r.series_ = *x.series_ * *y.series_;
+  if (x.series_ && y.series_) r.series_ = with_zeros(*x.series_) * with_zeros(*y.series_);
   return r;
 }
 
@@ -200,7 +214,7 @@ function_structure operator/(const function_structure& x, const function_structu
     r.denominator_ = divisor;
   }
   if (x.natural_ && y.natural_) r.natural_ = natural_domain::divide(*x.natural_, *y.natural_);
-  if (x.series_ && y.series_) r.series_ = *x.series_ / *y.series_;
+  if (x.series_ && y.series_) r.series_ = with_zeros(*x.series_) / *y.series_;
   return r;
 }
 

@@ -531,6 +531,48 @@ known_case touching_at_multiples_of_pi(maker& m) {
   return k;
 }
 
+/// A convex function less its tangent at an irrational number, which is no root of a derivative
+/// that is a polynomial: a double root there, or none where a little is added.
+known_case touching_at_irrational_numbers(maker& m) {
+  known_case k;
+  const long n = m.between(2, 9);
+  const term number = n;
+  term at = call("log", number);
+  term f = 0;
+  switch (m.between(0, 4)) {
+    case 0:
+      at = m.any_of<term>({call("sqrt", number), call("exp", 1 / number), call("log", number),
+                           call("sqrt", 2) * (number / 7), call("sqrt", number) + 1});
+      f = m.one_in(2) ? power(x, 2) - 2 * at * x + power(at, 2)
+                      : power(x, 2) / 2 - at * x + power(at, 2) / 2;
+      break;
+    case 1:
+      f = call("exp", x) - number - number * (x - at);
+      break;
+    case 2: {
+      const term q = m.quotient(m.within(-2, 2));
+      at = call("exp", q);
+      f = x * call("exp", -q) - 1 + q - call("log", x);
+      break;
+    }
+    case 3:
+      at = call("exp", -1);
+      f = x * call("log", x) + at;
+      break;
+    default:
+      f = call("cosh", x) - (number * number + 1) / (2 * number) -
+          (number * number - 1) / (2 * number) * (x - at);
+  }
+  if (m.one_in(4)) {
+    f = f + power(10, -m.between(10, 60));
+  } else {
+    k.roots = {{at, 2}};
+  }
+  f = f * positive_factor(m);
+  k.c = {f, m.decimal(m.within(0.02, 0.1)), m.decimal(m.within(8, 12))};
+  return k;
+}
+
 struct known_family {
   std::string name;
   long at_effort_one;
@@ -594,17 +636,18 @@ TEST_P(known_roots, are_all_found_and_no_others) {
 
 INSTANTIATE_TEST_SUITE_P(
     family, known_roots,
-    ::testing::Values(known_family{"products of known factors", 250, product_of_factors},
-                      known_family{"polynomials multiplied out", 250, expanded_polynomial},
-                      known_family{"polynomials in a function multiplied out", 60,
-                                   expanded_in_a_function},
-                      known_family{"quotients of polynomials", 150, quotient_of_polynomials},
-                      known_family{"roots at equal distances", 150, many_roots},
-                      known_family{"kinks at all scales", 150, kinks_at_all_scales},
-                      known_family{"jumps", 150, beside_jumps},
-                      known_family{"sums of exponentials", 60, sums_of_exponentials},
-                      known_family{"removable points", 50, removable_points},
-                      known_family{"touching at multiples of pi", 50, touching_at_multiples_of_pi}),
+    ::testing::Values(
+        known_family{"products of known factors", 250, product_of_factors},
+        known_family{"polynomials multiplied out", 250, expanded_polynomial},
+        known_family{"polynomials in a function multiplied out", 60, expanded_in_a_function},
+        known_family{"quotients of polynomials", 150, quotient_of_polynomials},
+        known_family{"roots at equal distances", 150, many_roots},
+        known_family{"kinks at all scales", 150, kinks_at_all_scales},
+        known_family{"jumps", 150, beside_jumps},
+        known_family{"sums of exponentials", 60, sums_of_exponentials},
+        known_family{"removable points", 50, removable_points},
+        known_family{"touching at multiples of pi", 50, touching_at_multiples_of_pi},
+        known_family{"touching at irrational numbers", 50, touching_at_irrational_numbers}),
     [](const auto& drawn) {
       std::string name = drawn.param.name;
       std::replace(name.begin(), name.end(), ' ', '_');

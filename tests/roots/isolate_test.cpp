@@ -143,8 +143,7 @@ TEST(IsolateRoots, UnprovableMultipleRootsAreLeftOpenAndCounted) {
 /// Not to be taken for polynomials in one part: (sin(x) - 2 cos(x))^2, and (u - 2)^2 (1 + 8/u) with
 /// u = e^x, which would be (u + 2)^2 with 1 for 1/u.
 TEST(IsolateRoots, MultipleRootsOfOtherFormulasAreLeftOpen) {
-  for (const char* formula :
-       {"sin(x)^2-4*sin(x)*cos(x)+4*cos(x)^2", "exp(2*x)+4*exp(x)-28+32*exp(-x)"}) {
+  for (const char* formula : {"sin(x)^2-4*sin(x)*cos(x)+4*cos(x)^2", "x^2-2*x*cos(x)+cos(x)^2"}) {
     const root_set s = isolate_roots(parse(formula), 0, 2);
     ASSERT_EQ(s.regions.size(), 1U) << formula;
     EXPECT_EQ(s.regions[0].complex_roots, 2) << formula;
@@ -159,6 +158,7 @@ TEST(IsolateRoots, MultipleRootsOfPolynomialsInAFunction) {
   };
   for (const row& r : std::vector<row>{
            {"exp(2*x)-4*exp(x)+4", {{"log(2)", 2}}},
+           {"exp(2*x)+4*exp(x)-28+32*exp(-x)", {{"log(2)", 2}}},
            {"exp(3*x)-6*exp(2*x)+12*exp(x)-8", {{"log(2)", 3}}},
            {"exp(4*x/3)-6*exp(2*x/3)+9", {{"3*log(3)/2", 2}}},
            {"2*exp(-x*3)*(9-6*exp(x)+exp(2*x))", {{"log(3)", 2}}},

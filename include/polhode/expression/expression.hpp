@@ -217,6 +217,10 @@ class expression {
   /// 2*sqrt(2)) - sqrt(2)"). The rules are identities: what they do not show is left open, never
   /// denied. The work is bounded, but for one evaluation with 512 bits.
   [[nodiscard]] std::optional<rational> rational_value() const;
+  /// The parts without a variable that are no rational numbers as they stand, each once, as
+  /// formulas without variables: "sqrt(2)" and "2*sqrt(2)" of "x^2 - 2*sqrt(2)*x + 2". At most
+  /// `most`.
+  [[nodiscard]] std::vector<expression> constants(std::size_t most) const;
   /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or
   /// what stands under a root or a logarithm, may be 0: candidates, found by inverting one
   /// operation after the other ("cos(x) - cos(1)": 1 and -1), at most 32. There may be others, and

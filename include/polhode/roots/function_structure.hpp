@@ -48,8 +48,11 @@ class function_structure {
   /// The identity over the box, at the point, which lies in it.
   [[nodiscard]] static function_structure variable(const ball& box, const ball& point);
   /// The identity with its Taylor series at the point c, to the order; p bits where not exact.
+  [[nodiscard]] static function_structure variable_at(const known_number& c, int order);
   [[nodiscard]] static function_structure variable_at(const pi_combination& c, int order,
-                                                      precision p);
+                                                      precision p) {
+    return variable_at(known_number(c, p), order);
+  }
   [[nodiscard]] static function_structure variable_at(const rational& c, int order, precision p) {
     return variable_at(pi_combination{c, 0}, order, p);
   }

@@ -440,23 +440,30 @@ class examination {
   }
 
   /// The order of the zero of f at the simplest rational number in the box, or the simplest
-  /// rational multiple of pi, where f is exactly 0 there.
+  /// rational multiple of pi, or, in a narrow box, at a guessed point, where f is exactly 0 there.
   struct exact_zero {
-    pi_combination at;
+    exact_point at;
     long multiplicity = 0;  // 0 where it was not found
   };
   std::optional<exact_zero> exact_zero_in(const work_box& b) {
-    return first_of_simple_points(b.x, b.bits,
-                                  [&](const pi_combination& at) { return exact_zero_at(at, b); });
+    const auto zero_at = [&](const exact_point& at) { return exact_zero_at(at, b); };
+    if (auto zero = first_of_simple_points(b.x, b.bits, zero_at)) return zero;
+    const expression* const f = problem(b).g->formula();
+    if (f == nullptr || b.halvings < cheap_halvings) return std::nullopt;
+    for (const exact_point& at : guessed_points(*f, b.x, b.bits)) {
+      if (auto zero = zero_at(at)) return zero;
+    }
+    return std::nullopt;
   }
-  std::optional<exact_zero> exact_zero_at(const pi_combination& at, const work_box& b) {
+  std::optional<exact_zero> exact_zero_at(const exact_point& at, const work_box& b) {
     exact_zero r{at, 0};
     // Where a value shows that there is none, at a small part of the cost.
     ++result_.evaluations;
     const ball value = evaluator(b.problem, b.bits).value(at.at(b.bits));
     if (is_certainly_not_zero(value)) return std::nullopt;
     for (const int order : {1, 8, 40}) {
-      const auto s = structure(problem(b), function_structure::variable_at(r.at, order, b.bits));
+      const auto s =
+          structure(problem(b), function_structure::variable_at(r.at.known(b.bits), order));
       if (!s || !s->series()) return std::nullopt;
       const auto& t = *s->series();
       if (!settled(t[0]).is_zero()) return std::nullopt;
@@ -499,14 +506,16 @@ class examination {
   }
 
   /// The root of the problem at the point, with which add is called.
-  void add_exact(const work_box& b, const exact_box& wide, const ball& x, const pi_combination& at,
+  void add_exact(const work_box& b, const exact_box& wide, const ball& x, const exact_point& at,
                  long multiplicity) {
-    if (at.is_rational()) {
-      return add(b, wide, x, ball(at.q, b.bits), multiplicity, at.q, problem(b).g);
+    if (const auto q = at.as_rational()) {
+      return add(b, wide, x, ball(*q, b.bits), multiplicity, *q, problem(b).g);
     }
     // The same root, simple, to refine.
-    const expression distance =
-        parse("x - (" + to_text(at.q) + ") - (" + to_text(at.r) + ")*pi", {"x"});
+    expression_names names;
+    if (const expression* const f = problem(b).g->formula()) names = f->names();
+    names.variables = {"x"};
+    const expression distance("x - (" + at.to_text() + ')', names);
     add(b, wide, x, at.at(b.bits), multiplicity, std::nullopt,
         std::make_shared<real_function>(distance));
   }
@@ -524,7 +533,7 @@ class examination {
 
   /// f is 0 at c in x, and its growth on both sides of c proves that x has no other root.
   bool by_growth(const work_box& b, const exact_box& wide, const ball& x, const exact_zero& zero) {
-    if (!grows_on_both_sides(b, x, zero.at)) return false;
+    if (!zero.at.form() || !grows_on_both_sides(b, x, *zero.at.form())) return false;
     add_exact(b, wide, x, zero.at, zero.multiplicity);
     return true;
   }
@@ -655,7 +664,7 @@ class examination {
       if (by_structure(b) || by_jumps(b, wide, wide.to_ball(b.bits))) return;
       if (const auto zero = exact_zero_in(b)) {
         r.verdict = root_verdict::at_least_one;
-        if (zero->at.is_rational()) r.exact = zero->at.q;
+        r.exact = zero->at.as_rational();
       } else if (changes_sign(b)) {
         r.verdict = root_verdict::at_least_one;
       }
