@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/arithmetic/analytic_ball.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "support/random.hpp"

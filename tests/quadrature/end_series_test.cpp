@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "quadrature/ends/tail_series.hpp"
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {

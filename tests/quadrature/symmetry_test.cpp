@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/elliptic/complete.hpp"
+#include "quadrature/formula/symmetry.hpp"
 #include "quadrature/known_integrals.hpp"
 
 namespace polhode {

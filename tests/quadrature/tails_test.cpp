@@ -6,6 +6,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "quadrature/ends/oscillation.hpp"
 #include "quadrature/ends/segments.hpp"
+#include "quadrature/ends/tail_series.hpp"
 #include "support/reference.hpp"
 
 namespace polhode {

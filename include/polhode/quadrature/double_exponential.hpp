@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/quadrature/end_series.hpp"
 #include "polhode/quadrature/trapezoid.hpp"
 

@@ -10,16 +10,16 @@
 // evaluated over a `region`, a cheap complex rectangle: nothing needs to be declared and nothing
 // can be forgotten.
 //
-// How: the formula's operations are recorded (recorded.hpp). A sum of functions whose logarithmic
-// derivative is rational, in x, e^(k x) or sin^2 (k x), is integrated by its Taylor series
-// (src/quadrature/series). For others the range is cut where abs, min, max, floor or ceil passes
-// from one analytic function to another, at points that are found to any precision. Each piece is
-// cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove that f is
-// analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by at most a
-// multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is halved. Where
-// f is found to be even about both limits, or periodic (symmetry.hpp), the trapezoidal rule may
+// How: the formula's operations are recorded (src/quadrature/formula). A sum of functions whose
+// logarithmic derivative is rational, in x, e^(k x) or sin^2 (k x), is integrated by its Taylor
+// series (src/quadrature/series). For others the range is cut where abs, min, max, floor or ceil
+// passes from one analytic function to another, at points that are found to any precision. Each
+// piece is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
+// that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by
+// at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is
+// halved. Where f is found to be even about both limits, or periodic, the trapezoidal rule may
 // serve with less work. end_series.hpp describes an end where f is singular, or a point between the
-// limits where the range is cut; tail_series.hpp an exponential decay.
+// limits where the range is cut.
 
 #include <functional>
 #include <optional>
@@ -33,16 +33,18 @@
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/formula_of.hpp"
-#include "polhode/quadrature/angle.hpp"
 #include "polhode/quadrature/end_series.hpp"
 #include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/growth_bound.hpp"
-#include "polhode/quadrature/recorded.hpp"
 #include "polhode/quadrature/rule.hpp"
-#include "polhode/quadrature/symmetry.hpp"
-#include "polhode/quadrature/tail_series.hpp"
 
 namespace polhode {
+
+// How the formula is looked at besides (src/quadrature).
+class angle;
+class recorded;
+class symmetry;
+class tail_series;
 
 /// What of a sum over panels is done; there may be several sums, one after the other.
 struct integration_progress {
@@ -264,7 +266,7 @@ class affine_map {
 /// f in the arithmetics of quadrature. Throws input_error where f has more than one variable.
 [[nodiscard]] detail::integrand integrand_of(const expression& f);
 
-/// A period of f, proved by its symmetry (symmetry.hpp); nothing where none is found. Throws
+/// A period of f, proved by its symmetry; nothing where none is found. Throws
 /// input_error where f has more than one variable.
 [[nodiscard]] std::optional<pi_combination> period_of(const expression& f);
 

@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/error_bounds.hpp"

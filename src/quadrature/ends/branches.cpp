@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "polhode/arithmetic/interval.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail::breaks {
 

@@ -6,6 +6,7 @@
 #include "break_point.hpp"
 #include "covering.hpp"
 #include "polhode/arithmetic/interval.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

@@ -1,4 +1,5 @@
 #include "decomposition.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 #include <utility>
 

@@ -10,6 +10,7 @@
 
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/waves.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail::oscillations {
 

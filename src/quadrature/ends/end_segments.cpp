@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "quadrature/formula/angle.hpp"
 #include "quadrature/rules/periodic.hpp"
 
 namespace polhode::detail::ends {

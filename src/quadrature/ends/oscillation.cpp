@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "decomposition.hpp"
+#include "quadrature/ends/tail_series.hpp"
 
 namespace polhode::detail {
 

@@ -10,6 +10,7 @@
 #include "oscillation.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/approximate.hpp"
+#include "quadrature/ends/tail_series.hpp"
 #include "quadrature/formula/periods.hpp"
 #include "quadrature/formula/recorded_formula.hpp"
 

@@ -1,4 +1,4 @@
-#include "polhode/quadrature/tail_series.hpp"
+#include "quadrature/ends/tail_series.hpp"
 
 #include <algorithm>
 #include <cmath>

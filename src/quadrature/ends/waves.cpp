@@ -1,4 +1,5 @@
 #include "waves.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 #include <algorithm>
 #include <utility>

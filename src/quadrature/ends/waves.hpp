@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "quadrature/formula/recorded.hpp"
 #include "quadrature/formula/recorded_formula.hpp"
 
 namespace polhode::detail::oscillations {

@@ -1,4 +1,4 @@
-#include "polhode/quadrature/angle.hpp"
+#include "quadrature/formula/angle.hpp"
 
 #include <cstdlib>
 

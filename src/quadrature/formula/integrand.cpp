@@ -21,9 +21,13 @@
 #include "polhode/quadrature/growth_of_formulas.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
+#include "quadrature/ends/tail_series.hpp"
+#include "quadrature/formula/angle.hpp"
 #include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
+#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/symmetry.hpp"
 #include "quadrature/sum_of_parts.hpp"
 
 namespace polhode {

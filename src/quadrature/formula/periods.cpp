@@ -3,9 +3,10 @@
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/quadrature/symmetry.hpp"
 #include "quadrature/ends/breaks.hpp"
+#include "quadrature/formula/recorded.hpp"
 #include "quadrature/formula/recorded_formula.hpp"
+#include "quadrature/formula/symmetry.hpp"
 
 namespace polhode::detail {
 

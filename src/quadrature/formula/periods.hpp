@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "polhode/quadrature/integrate.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

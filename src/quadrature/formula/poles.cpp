@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadrature/formula/recorded.hpp"
 #include "recorded_formula.hpp"
 
 namespace polhode::detail {

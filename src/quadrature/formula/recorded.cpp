@@ -1,4 +1,4 @@
-#include "polhode/quadrature/recorded.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 #include <utility>
 

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "polhode/arithmetic/analytic_ball.hpp"
+#include "polhode/arithmetic/generic_function.hpp"
 #include "polhode/quadrature/contour.hpp"
-#include "polhode/quadrature/recorded.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

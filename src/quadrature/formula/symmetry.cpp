@@ -1,4 +1,4 @@
-#include "polhode/quadrature/symmetry.hpp"
+#include "quadrature/formula/symmetry.hpp"
 
 namespace polhode {
 

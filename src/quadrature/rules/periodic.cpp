@@ -5,6 +5,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/quadrature/trapezoid.hpp"
+#include "quadrature/formula/symmetry.hpp"
 
 namespace polhode::detail {
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hyperexponential_algebra.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

@@ -2,6 +2,7 @@
 
 #include "parts_by_variable.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

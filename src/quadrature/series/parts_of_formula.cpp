@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "parts_by_variable.hpp"
+#include "quadrature/formula/recorded.hpp"
 
 namespace polhode::detail {
 

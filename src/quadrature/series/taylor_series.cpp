@@ -9,6 +9,7 @@
 #include "panel_integral.hpp"
 #include "quadrature/approximate.hpp"
 #include "quadrature/formula/periods.hpp"
+#include "quadrature/formula/recorded.hpp"
 #include "quadrature/tiling.hpp"
 #include "taylor_ranges.hpp"
 
