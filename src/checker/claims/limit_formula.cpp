@@ -1,6 +1,7 @@
 // The limit of epsilon as a grows and b tends to 0.
 
 #include "statements/limit_formula.hpp"
+#include "answers.hpp"
 #include "checker/elliptic.hpp"
 #include "checker/functions.hpp"
 #include "list.hpp"
