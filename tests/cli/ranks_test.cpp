@@ -83,7 +83,10 @@ TEST(Ranks, ProveTheSameClaims) {
       EXPECT_EQ(contents(own + '/' + name), contents(scratch.path("alone/" + name))) << name;
     }
   }
-  // Claims of one body, or of none, are rank 0's alone.
+  // Claims of one body, or of none, and theories are rank 0's alone.
+  const std::string theory = scratch.path("body.v");
+  (void)printed(mpirun + "-n 3 polhode certify --coq '" + theory + "' --digits 5");
+  EXPECT_NE(contents(theory).find("Theorem"), std::string::npos);
   for (const std::string one : {" polhode certify beta ", " polhode certify count --ab 1,1/3 "}) {
     EXPECT_EQ(printed(mpirun + "-n 3" + one), printed(one));
   }

@@ -493,7 +493,10 @@ exit_status run_over_bodies(const certify_options& options,
 }
 
 exit_status run(certify_options& options) {
-  if (options.coq.is_given()) return write_theory(options);
+  if (options.coq.is_given()) {
+    ranks::distribute({}, {}, {});  // rank 0 alone writes
+    return write_theory(options);
+  }
   const std::vector<oscillating_motion> motions = selected_motions(options);
   const std::vector<const claim*> claims =
       motions.size() == 1 ? selected_claims(options)
