@@ -390,10 +390,9 @@ std::function<exit_status()> declare(CLI::App& app) {
   add_option(app, "--blocks", options->blocks,
              "Keep the blocks that are done in this directory, and go on from\nthose that it has")
       .type_name("DIR");
-  options->block_size.declare(
-      app,
-      "Points, or cells, of a block; 0 for a number that follows from\n"
-      "what they cost");
+  options->block_size.declare(app,
+                              "Points, or cells, of a block; 0 for a number that follows from\n"
+                              "what they cost");
   add_option(app, "--shard", options->shard,
              "Compute the I-th of N parts of the blocks alone, for merge")
       .type_name("I/N");
