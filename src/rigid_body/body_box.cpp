@@ -12,13 +12,15 @@
 namespace polhode {
 namespace {
 
+void expect_not_empty(const char* name, const rational_range& range) {
+  if (range.low <= range.high) return;
+  throw input_error(std::string("the range of ") + name + " from " + to_text(range.low) + " to " +
+                    to_text(range.high) + " is empty: give the lower end first");
+}
+
 body corner(const rational_range& a, const rational_range& b, bool high) {
-  for (const auto& [name, range] : {std::pair("a", a), std::pair("b", b)}) {
-    if (range.low > range.high) {
-      throw input_error(std::string("the range of ") + name + " from " + to_text(range.low) +
-                        " to " + to_text(range.high) + " is empty: give the lower end first");
-    }
-  }
+  expect_not_empty("a", a);
+  expect_not_empty("b", b);
   return high ? body(a.high, b.high) : body(a.low, b.low);
 }
 
@@ -157,6 +159,8 @@ ball body_box::twist(const rational_range& c, long digits) const {
 }
 
 ball limit_defect_range(const rational_range& chi, const rational_range& beta, long digits) {
+  expect_not_empty("chi", chi);
+  expect_not_empty("beta", beta);
   constexpr precision p = 128;
   const auto xi = [](const rational& at) { return pi(p) * sqrt(ball(at, p)); };
   const auto turning_point = [](const rational& at) {

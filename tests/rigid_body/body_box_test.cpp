@@ -294,6 +294,8 @@ TEST(LimitBox, IsUndefinedWhereAMotionHasComeBack) {
   EXPECT_FALSE(
       limit_defect_range({1, rational(139, 100)}, {rational(-51, 100), 1}, 10).is_bounded());
   EXPECT_THROW((void)limit_defect_range({0, 1}, {0, 1}, 10), input_error);
+  EXPECT_THROW((void)limit_defect_range({2, 1}, {0, 1}, 10), input_error);
+  EXPECT_THROW((void)limit_defect_range({1, 2}, {1, 0}, 10), input_error);
   EXPECT_THROW((void)limit_defect_range({1, 2}, {-1, 1}, 10), input_error);
 }
 

@@ -107,7 +107,7 @@ class body_box {
 /// The defect in the limit (`limit_defect`, twist_curve.hpp) for all chi and all beta in these
 /// ranges, to `digits` digits. Undefined where some member has xi = pi sqrt(chi) that is not shown
 /// to be below 2 K(1 + beta), that is, where its motion has come back to psi = 0; that never
-/// happens for chi <= 1, as 2 K > pi. Throws input_error for chi <= 0 or beta <= -1.
+/// happens for chi <= 1, as 2 K > pi. Throws input_error for chi <= 0, beta <= -1, empty ranges.
 ///
 /// epsilon = pi/2 - psi, where psi(xi; beta) grows by dpsi/dxi = sqrt(beta + cos^2 psi) from 0 up
 /// to the turning point xi = K(1 + beta), sin^2 psi = 1 + beta, where there is one (beta < 0), and
