@@ -25,8 +25,8 @@ std::string command_of(const claim& c) {
 }
 
 proof_tier tier_named(std::string_view text) {
-  for (const proof_tier t : {proof_tier::by_kernel, proof_tier::by_machine, proof_tier::with_words,
-                             proof_tier::by_argument}) {
+  for (const proof_tier t :
+       {proof_tier::by_kernel, proof_tier::by_machine, proof_tier::with_words}) {
     if (to_text(t) == text) return t;
   }
   throw std::logic_error("no tier of proofs is called " + std::string(text));

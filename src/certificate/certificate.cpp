@@ -114,11 +114,6 @@ std::vector<step_kind> certificate::rests_on() const {
   return result;
 }
 
-std::string certificate::verdict_text() const {
-  const bool only_argued = verdict == status::certified && tier == proof_tier::by_argument;
-  return only_argued ? "argued" : to_text(verdict);
-}
-
 std::string to_text(step_kind k) {
   switch (k) {
     case step_kind::exact:
@@ -142,11 +137,9 @@ std::string to_text(proof_tier t) {
     case proof_tier::by_machine:
       return "by machine";
     case proof_tier::with_words:
-      return "by machine, joined in words";
-    case proof_tier::by_argument:
       break;
   }
-  return "by argument";
+  return "by machine, joined in words";
 }
 
 json to_json(const ball& x, long digits) {
@@ -181,7 +174,7 @@ json to_json(const certificate& c) {
   result["statement"] = c.statement;
   result["formula"] = c.formula;
   result["reference"] = c.reference;
-  result["verdict"] = c.verdict_text();
+  result["verdict"] = to_text(c.verdict);
   if (c.verdict != status::certified) result["reason"] = to_text(c.why);
   result["tier"] = to_text(c.tier);
   result["rests_on"] = json::array();
@@ -226,11 +219,9 @@ json to_json(const certificate& c, const std::vector<std::pair<std::string, std:
 }
 
 std::string to_text(const certificate& c) {
-  std::string result = c.claim + ": " + c.verdict_text();
+  std::string result = c.claim + ": " + to_text(c.verdict);
   if (c.verdict != status::certified) {
     result += " (" + to_text(c.why) + ")";
-  } else if (c.tier == proof_tier::by_argument) {
-    result += " (its machine steps hold; they alone do not give the statement)";
   } else {
     result += ' ' + to_text(c.tier);
     if (c.tier == proof_tier::by_kernel) result += " (not run here: scripts/check-coq runs it)";

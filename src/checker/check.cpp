@@ -40,8 +40,7 @@ void check_document(const json& certificate, report& result, budget& work) {
   if (verdict == "not certified") {
     root["verdict"].not_checkable("it is a certificate of a claim that was not certified");
   }
-  root["verdict"].expect_text(
-      check_inputs == nullptr && text->tier == statements::by_argument ? "argued" : "certified");
+  root["verdict"].expect_text("certified");
   root.expect_keys({"format", "version", "claim", "statement", "formula", "reference", "verdict",
                     "tier", "rests_on", "inputs", "numbers", "facts", "argument", "method",
                     "witness", "software", "digest"});
@@ -99,7 +98,6 @@ report check(std::string_view certificate, const limits& most) {
     result.subject.clear();
     result.statement.clear();
     result.grounds.clear();
-    result.argued = false;
     result.tier.clear();
   }
   result.work = work.spent();

@@ -470,7 +470,6 @@ void examination::finish() {
   root_["method"].expect_text(std::string(text_.method) + notes_);
   expect_grounds(root_, text_.tier, text_.argument);
   report_.grounds = grounds_of(root_);
-  report_.argued = text_.tier == statements::by_argument;
   report_.tier = text_.tier;
   const place facts = root_["facts"];
   if (facts.size() > facts_) facts.at(facts_).malformed("this claim has no such fact");

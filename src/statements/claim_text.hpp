@@ -89,7 +89,6 @@ struct stated_text {
 inline constexpr std::string_view by_kernel = "by Coq's kernel";
 inline constexpr std::string_view by_machine = "by machine";
 inline constexpr std::string_view with_words = "by machine, joined in words";
-inline constexpr std::string_view by_argument = "by argument";
 
 /// The sentence with these texts in place of its {}, one after the other.
 [[nodiscard]] inline std::string fill(std::string_view sentence,

@@ -14,7 +14,7 @@ inline constexpr const char* number_of_meetings =
       .reference = "theorem 4",
       .statement =
           "C and S meet exactly N = ceil(1/I + 1/2) - 1 times: n + 1 times for 2/(2n+3) <= I < "
-          "2/(2n+1), where the paper says at least.",
+          "2/(2n+1), where the paper says at least. At each of these points C is tangent to S.",
       .technique =
           "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
       .formula =
@@ -25,7 +25,9 @@ inline constexpr const char* number_of_meetings =
           "turning point, which is where C meets S, exactly where pi = (k - 1/2) G(u) for a whole "
           "k >= 1; G maps (0, 1) one to one onto the values above pi I, so that there is one for "
           "every k < 1/I + 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's "
-          "theorem. Computed: the polynomial steps for G, and the count in rationals.",
+          "theorem. By eq. (20) c + b sin^2 epsilon = (a+bX) cos^2 theta at phi = pi, which is of "
+          "the order of (c - c_k)^2 near a turning point. Computed: the polynomial steps for G, "
+          "and the count in rationals.",
       .steps = with_more(
           half_phase_steps,
           {identity(
@@ -33,7 +35,8 @@ inline constexpr const char* number_of_meetings =
                "2 pi/(2k-1) > pi/k: the k-th crossing of pi/2 comes after the k-th intersection"),
            identity("(2*k+1) - 2*k", "1", "pi/k > 2 pi/(2k+1): and before the next")}),
       .tier = by_kernel,
-      .argument = {in_coq("Curve.theorem_4_sharp"), bartky_transformation}};
+      .argument = {in_coq("Curve.theorem_4_sharp"),
+                   in_coq("Tangency.tangent_at_every_meeting_point"), bartky_transformation}};
 }
 
 }  // namespace polhode::statements

@@ -19,9 +19,8 @@ inline constexpr const char* both_bounds_hold =
               "F(-bu,u) >= 2 I arsinh(pi/(2 sqrt(u))), g(x) = (1-bx)/sqrt(x(a+bx)): their steps "
               "are questions about polynomials, decided by expansion.",
           .steps = with_more(half_phase_steps),
-          .tier = with_words,
-          .argument = {argued("As u tends to 1 both bounds tend to pi I; as u tends to 0 the lower "
-                              "one grows without bound."),
+          .tier = by_kernel,
+          .argument = {in_coq("Values.lemma_7_at_1"), in_coq("Values.lemma_7_at_0"),
                        bartky_transformation}};
 }
 

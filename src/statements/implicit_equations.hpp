@@ -32,11 +32,9 @@ namespace polhode::statements {
                 identity("2*(2*1-1)*g + 2*(g-f)", "2*(2*g - f)",
                          "n = 1: the second equation, eq. (28)"),
                 identity("2*(2*1-1)*g + 2*(g+f)", "2*(2*g + f)", "n = 1: eq. (29)")},
-      .tier = by_argument,
-      .argument = {psi_is_odd, half_phase_symmetry,
-                   argued("With pi = nG + r, |r| <= G/2: psi_c(pi) = (-1)^n psi_c(r), |r| = "
-                          "F(c,u')/2, and the four cases are those of the signs of (-1)^n and r."),
-                   in_coq("Uniqueness.motion_unique")}};
+      .tier = by_kernel,
+      .argument = {in_coq("Branches.equation_50"), in_coq("Branches.equation_51"),
+                   in_coq("Branches.equation_52"), in_coq("Branches.equation_53")}};
 }
 
 }  // namespace polhode::statements

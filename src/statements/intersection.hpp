@@ -28,11 +28,9 @@ inline constexpr const char* meets_or_not =
       .steps =
           with_more(half_phase_steps, {identity("4*b*(a+b) - (1-b)^2", "4*a*b + 3*b^2 + 2*b - 1",
                                                 "I < 2 exactly where this is positive")}),
-      .tier = with_words,
-      .argument = {in_coq("MeetingPoint.lemma_2"), in_coq("Values.takes_each_value_once"),
-                   argued("On the part of C of the first implicit equation C meets S where pi is "
-                          "the time from psi = 0 to the turning point, G = 2 pi."),
-                   bartky_transformation}};
+      .tier = by_kernel,
+      .argument = {in_coq("MeetingPoint.lemma_2"), in_coq("Curve.first_meeting_iff"),
+                   in_coq("Values.lemma_7_at_1"), bartky_transformation}};
 }
 
 }  // namespace polhode::statements

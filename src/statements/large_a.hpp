@@ -26,16 +26,9 @@ namespace polhode::statements {
                 positive("(c+b*x) - c", "b*x", "b > 0, x > 0", "c + bX > c, for c > 0"),
                 not_negative("(u+(1-u)*k) - u", "k*v", "k >= 0, v = 1-u >= 0",
                              "x = u + (1-u) k >= u in the integral G(u): g(x) < 1/sqrt(a u)")},
-      .tier = with_words,
-      .argument = {
-          in_coq("LargeA.perfect_twist_vanishes"), in_coq("LargeA.defect_vanishes"),
-          argued("An integral is below that of a greater integrand: that of 1/(sqrt(ab) x "
-                 "sqrt(1-x)) from u to 1 is 2 artanh(sqrt(1-u))/sqrt(ab), and artanh(cos epsilon) "
-                 "= log cot(epsilon/2)."),
-          argued("F(c,0) is twice the integral over 0 < psi < pi/2, and G is b^(-1/2) times that "
-                 "of g over 0 < t < pi: bounds of their integrands give those of the integrals."),
-          argued("F(0,u) is 2 pi at one u in (0, 1), never at u = 0 (claim separatrix_twist): "
-                 "epsilon0 > 0.")}};
+      .tier = by_kernel,
+      .argument = {in_coq("LargeA.perfect_twist_vanishes"), in_coq("LargeA.defect_vanishes"),
+                   in_coq("LargeA.first_meeting_vanishes"), in_coq("Separatrix.proposition_3_1")}};
 }
 
 }  // namespace polhode::statements

@@ -36,10 +36,8 @@ inline constexpr const char* kind_of_body =
                     "u^2 + w^2, u^2 + v^2 over its masses: I_y + I_z - I_x is twice that of u^2, "
                     "which is not negative, and 0 exactly where all masses are in the plane u = "
                     "0")},
-      .tier = with_words,
-      .argument = {in_coq("Prop1.proposition_1"),
-                   argued("With I_z < I_y < I_x all denominators are positive, and I > 0: I >= 1 "
-                          "exactly where I^2 - 1 >= 0, where I_y + I_z - I_x >= 0.")}};
+      .tier = by_kernel,
+      .argument = {in_coq("Prop1.proposition_1"), in_coq("Prop1.planar")}};
 }
 
 }  // namespace polhode::statements

@@ -229,16 +229,16 @@ TEST(CertificateJson, SaysHowMuchAMachineDecides) {
   EXPECT_EQ(to_json(c).at("verdict"), "certified");
   c.numbers.push_back({"x", sqrt(ball(2, 200)), 10});
   c.argument = {{step_kind::cited, "a theorem"}, {step_kind::argued, "a thought"}};
-  c.tier = proof_tier::by_argument;
+  c.tier = proof_tier::with_words;
   const json written = to_json(c);
   EXPECT_EQ(written.at("rests_on").get<kinds>(),
             (kinds{"decided exactly", "enclosed", "argued in words", "cited"}));
-  EXPECT_EQ(written.at("tier"), "by argument");
-  EXPECT_EQ(written.at("verdict"), "argued");
+  EXPECT_EQ(written.at("tier"), "by machine, joined in words");
+  EXPECT_EQ(written.at("verdict"), "certified");
   EXPECT_EQ(written.at("facts").at(0).at("kind"), "decided exactly");
   EXPECT_EQ(written.at("argument").at(1).at("kind"), "argued in words");
   EXPECT_EQ(written.at("argument").at(1).at("statement"), "a thought");
-  EXPECT_EQ(to_text(c).find("certified"), std::string::npos) << to_text(c);
+  EXPECT_NE(to_text(c).find("certified by machine, joined in words"), std::string::npos);
   EXPECT_NE(to_text(c).find("[in words] a thought"), std::string::npos) << to_text(c);
   EXPECT_NE(to_text(c).find("[cited]    a theorem"), std::string::npos) << to_text(c);
   c.tier = proof_tier::by_kernel;
@@ -248,11 +248,7 @@ TEST(CertificateJson, SaysHowMuchAMachineDecides) {
   EXPECT_EQ(to_json(c).at("tier"), "by Coq's kernel");
   EXPECT_NE(to_text(c).find("certified by Coq's kernel (not run here"), std::string::npos);
   EXPECT_NE(to_text(c).find("[Coq]      Prop1.proposition_1"), std::string::npos) << to_text(c);
-  c.tier = proof_tier::with_words;
-  EXPECT_EQ(to_json(c).at("verdict"), "certified");
-  EXPECT_NE(to_text(c).find("certified by machine, joined in words"), std::string::npos);
   c.facts[0].holds = false;
-  c.tier = proof_tier::by_argument;
   c.conclude();
   EXPECT_EQ(to_json(c).at("verdict"), "not certified");
 }

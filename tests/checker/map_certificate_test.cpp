@@ -35,7 +35,6 @@ TEST(MapCertificate, IsShownAgain) {
   EXPECT_EQ(r.result, outcome::verified) << r.place << ": " << r.message;
   EXPECT_EQ(r.subject, "map of intersections physical");
   EXPECT_EQ(r.checks.size(), 2U);
-  EXPECT_FALSE(r.argued);
 }
 
 TEST(MapCertificate, AValueMustBeThatOfBothCorners) {

@@ -116,11 +116,10 @@ TEST(Grounds, AreSaidAndCannotBeChanged) {
   const report beta = checked(certificate_of("beta"));
   EXPECT_EQ(beta.grounds, (std::vector<std::string>{"enclosed", "proved in Coq", "cited"}));
   EXPECT_EQ(beta.tier, "by Coq's kernel");
-  EXPECT_FALSE(beta.argued);
-  const report limit = checked(certificate_of("limit_formula"));
-  EXPECT_EQ(limit.result, outcome::verified) << limit.place << limit.message;
-  EXPECT_TRUE(limit.argued);
-  EXPECT_NE(std::ranges::find(limit.grounds, "argued in words"), limit.grounds.end());
+  const report limits = checked(certificate_of("errata"));
+  EXPECT_EQ(limits.result, outcome::verified) << limits.place << limits.message;
+  EXPECT_EQ(limits.tier, "by machine, joined in words");
+  EXPECT_NE(std::ranges::find(limits.grounds, "argued in words"), limits.grounds.end());
   const auto refused_at = [](const char* claim, const char* pointer, const json& value) {
     json c = certificate_of(claim);
     c[json::json_pointer(pointer)] = value;
@@ -130,15 +129,13 @@ TEST(Grounds, AreSaidAndCannotBeChanged) {
     return r.place;
   };
   // What is argued cannot pass for what is decided.
-  EXPECT_EQ(refused_at("limit_formula", "/verdict", "certified"), "/verdict");
-  EXPECT_EQ(refused_at("limit_formula", "/tier", "by machine"), "/tier");
-  EXPECT_EQ(refused_at("limit_formula", "/argument", json::array()), "/argument/0");
-  EXPECT_EQ(refused_at("limit_formula", "/tier", "by Coq's kernel"), "/tier");
+  EXPECT_EQ(refused_at("errata", "/tier", "by machine"), "/tier");
+  EXPECT_EQ(refused_at("errata", "/argument", json::array()), "/argument/0");
+  EXPECT_EQ(refused_at("errata", "/tier", "by Coq's kernel"), "/tier");
   EXPECT_EQ(refused_at("count", "/argument/0/statement", "Curve.theorem_4"),
             "/argument/0/statement");
   EXPECT_EQ(refused_at("count", "/argument/0/kind", "cited"), "/argument/0/kind");
-  EXPECT_EQ(refused_at("limit_formula", "/rests_on", json::array({"decided exactly"})),
-            "/rests_on/1");
+  EXPECT_EQ(refused_at("errata", "/rests_on", json::array({"decided exactly"})), "/rests_on/1");
   EXPECT_EQ(refused_at("beta", "/verdict", "argued"), "/verdict");
   EXPECT_EQ(refused_at("beta", "/rests_on", json::array({"decided exactly", "enclosed", "cited"})),
             "/rests_on/0");

@@ -42,12 +42,11 @@ TEST(Check, VerifiesWhatCertifyWrote) {
                 0),
             0U)
       << out;
-  EXPECT_EQ(
-      lines[1].rfind(
-          directory + "/physical.json: steps verified, joined in words: claim \"physical\" for the "
-                      "physical body a = 253/20, b = 629/10000, ",
-          0),
-      0U)
+  EXPECT_EQ(lines[1].rfind(directory + "/physical.json: verified, for all bodies by Coq's kernel "
+                                       "(not run here): claim \"physical\" for the "
+                                       "physical body a = 253/20, b = 629/10000, ",
+                           0),
+            0U)
       << out;
   EXPECT_EQ(lines[2], "2 certificates: 2 verified");
   EXPECT_NE(out.find("\n  beta is between 0.0289732280"), std::string::npos) << out;
@@ -91,7 +90,7 @@ TEST(Check, WhatCannotBeReadCostsOnlyItsOwnLine) {
     EXPECT_EQ(result.status, 2) << path;
     const auto lines = unindented(result.out);
     ASSERT_EQ(lines.size(), 2U) << result.out;
-    EXPECT_NE(lines[0].find("physical.json: steps verified"), std::string::npos);
+    EXPECT_NE(lines[0].find("physical.json: verified, for all bodies"), std::string::npos);
     EXPECT_EQ(lines[1], "2 certificates: 1 verified");
     EXPECT_EQ(result.err, "polhode: " + path + ": not read: " + why + "\n");
   };
@@ -128,9 +127,9 @@ TEST(Check, NamesWhatIsNoFileInADirectory) {
   EXPECT_EQ(result.status, 2);
   const auto lines = unindented(result.out);
   ASSERT_EQ(lines.size(), 2U) << result.out;
-  EXPECT_NE(
-      lines[0].find("/physical.json: steps verified, joined in words: claim \"physical\" for "),
-      std::string::npos);
+  EXPECT_NE(lines[0].find("/physical.json: verified, for all bodies by Coq's kernel (not run "
+                          "here): claim \"physical\" for "),
+            std::string::npos);
   EXPECT_EQ(lines[1], "4 certificates: 1 verified");
   const auto faults = lines_of(result.err);
   ASSERT_EQ(faults.size(), 3U) << result.err;

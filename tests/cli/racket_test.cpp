@@ -190,8 +190,7 @@ TEST(RacketCommand, GivesTheLimitForChiAndBeta) {
   EXPECT_EQ(limit.at("chi").at("value"), "4");
   EXPECT_EQ(limit.at("epsilon").at("value"), "1.623230424");
   EXPECT_EQ(limit.at("verdict"), "certified");
-  EXPECT_EQ(limit.at("tier"), "by argument");
-  EXPECT_NE(certified({"racket", "--limit", "1,0"}).find("the formula of the limit is argued"),
+  EXPECT_NE(certified({"racket", "--limit", "1,0"}).find("polhode certify limit_formula"),
             std::string::npos);
   expect_refused({"racket", "--limit", "1"}, {"--limit \"1\"", "CHI,BETA"});
   expect_refused({"racket", "--limit", "1,2,3"}, {"two numbers"});

@@ -443,6 +443,22 @@ TEST(LimitFormula, AttainsTheRateNearly) {
   }
 }
 
+TEST(LimitFormula, ExceedsTheMinimumByAtMostTheBoundOfTheClaim) {
+  constexpr precision p = 200;
+  const ball least = 2 * atan(exp(-pi(p)));
+  support::random_source random(36);
+  for (support::repeat trial(60); trial.again();) {
+    const long scale = random.one_in(2) ? 1000 : 1000000;
+    const rational beta(random.between(-999, -1), scale);
+    const rational chi(random.between(1, 1000), 1000);
+    const ball above = limit_defect_to_digits(chi, beta, 30).enclosure - least;
+    const ball bound = pi(p) * (1 - sqrt(ball(chi, p))) +
+                       pi(p) * cosh(pi(p)) * sqrt(ball(rational(-beta * chi), p));
+    EXPECT_TRUE(certainly_less(ball(0, p), above)) << to_text(beta) << ' ' << to_text(chi);
+    EXPECT_TRUE(certainly_less(above, bound)) << to_text(beta) << ' ' << to_text(chi);
+  }
+}
+
 /// Planar bodies lie between the bounds of limit_minimum, which meet as b -> 0.
 TEST(LimitMinimum, PlanarBodiesAreBelowTheUpperBound) {
   constexpr precision p = 200;

@@ -60,15 +60,12 @@ TEST(Claims, AreCertifiedAtEveryLength) {
         EXPECT_EQ(n.digits, digits);
         EXPECT_GE(to_decimal_enclosure(n.enclosure, digits).digits, digits) << c.name << n.name;
       }
-      EXPECT_EQ(json::parse(to_json(result).dump()).at("verdict"),
-                result.tier == proof_tier::by_argument ? "argued" : "certified");
+      EXPECT_EQ(json::parse(to_json(result).dump()).at("verdict"), "certified");
     }
   }
 }
 
-/// A claim is decided by machine exactly where nothing in it is argued in words; and those that are
-/// argued are known. The second column of statements.tsv, of which scripts/check-coq asks Coq for
-/// each theorem.
+/// The second column of statements.tsv, of which scripts/check-coq asks Coq for each theorem.
 std::set<std::string> theorems_in_coq() {
   std::ifstream file(POLHODE_PROOFS_DIR "/coq/paper/statements.tsv");
   std::set<std::string> result;
@@ -79,19 +76,17 @@ std::set<std::string> theorems_in_coq() {
   return result;
 }
 
+/// A claim is joined in words exactly where something in it is argued in words.
 TEST(Claims, SayWhatTheyRestOn) {
   const std::set<std::string> theorems = theorems_in_coq();
   ASSERT_GT(theorems.size(), 60U);
   std::vector<std::string> by_kernel;
   std::vector<std::string> by_machine;
-  std::vector<std::string> by_argument;
   for (const claim& c : all_claims()) {
     const certificate result = prove(c.name, 10);
     const std::vector<step_kind> kinds = result.rests_on();
     const bool is_argued = std::count(kinds.begin(), kinds.end(), step_kind::argued) > 0;
-    EXPECT_EQ(is_argued,
-              result.tier == proof_tier::with_words || result.tier == proof_tier::by_argument)
-        << c.name;
+    EXPECT_EQ(is_argued, result.tier == proof_tier::with_words) << c.name;
     bool is_in_coq = false;
     for (const stated_step& s : result.argument) {
       EXPECT_FALSE(s.statement.empty());
@@ -110,16 +105,29 @@ TEST(Claims, SayWhatTheyRestOn) {
       EXPECT_TRUE(f.kind == step_kind::exact || f.kind == step_kind::enclosed) << f.statement;
     }
     if (result.tier == proof_tier::by_machine) by_machine.emplace_back(c.name);
-    if (result.tier == proof_tier::by_argument) by_argument.emplace_back(c.name);
   }
-  EXPECT_EQ(by_kernel,
-            (std::vector<std::string>{
-                "reduced_system", "montgomery_oscillating", "montgomery_rotating", "first_equation",
-                "separatrix_twist", "perfect_twist", "crossing", "injectivity", "count",
-                "c0_decreases", "epsilon0_decreases", "limit_minimum", "beta", "sign_dF_du"}));
+  EXPECT_EQ(by_kernel, (std::vector<std::string>{"physical",
+                                                 "reduced_system",
+                                                 "montgomery_oscillating",
+                                                 "montgomery_rotating",
+                                                 "first_equation",
+                                                 "separatrix_twist",
+                                                 "perfect_twist",
+                                                 "intersection",
+                                                 "crossing",
+                                                 "injectivity",
+                                                 "count",
+                                                 "c0_decreases",
+                                                 "epsilon0_decreases",
+                                                 "large_a",
+                                                 "limit_formula",
+                                                 "limit_minimum",
+                                                 "beta",
+                                                 "sign_dF_du",
+                                                 "half_phase_limits",
+                                                 "implicit_equations"}));
   EXPECT_EQ(by_machine,
             (std::vector<std::string>{"epsilon0_min", "delta_psi_max", "printed_numbers"}));
-  EXPECT_EQ(by_argument, (std::vector<std::string>{"limit_formula", "implicit_equations"}));
 }
 
 TEST(Claims, AreNotCertifiedWithoutAnyOneOfTheirParts) {
@@ -163,8 +171,7 @@ TEST(Claims, AreTheTableOfTheReadme) {
     ASSERT_NE(after_time, std::string::npos) << rest;
     EXPECT_GT(after_time, 3U) << rest;
     const std::string tier(all_claims()[i].tier);
-    EXPECT_EQ(rest.substr(after_time),
-              tier == statements::by_argument ? "ms | argued |" : "ms | certified " + tier + " |");
+    EXPECT_EQ(rest.substr(after_time), "ms | certified " + tier + " |");
   }
 }
 

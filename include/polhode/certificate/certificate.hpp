@@ -35,12 +35,11 @@ enum class step_kind { exact, enclosed, kernel, argued, cited };
 
 /// How much of a proof a machine decides.
 enum class proof_tier {
-  by_kernel,    // theorems of proofs/coq say it of all bodies; its steps decide the given one again
-  by_machine,   // its steps, with what is cited, give the statement
-  with_words,   // it decides every sign, bound and count; words lead from them to the statement
-  by_argument,  // words lead to the statement; a machine decides some of their steps
+  by_kernel,   // theorems of proofs/coq say it of all bodies; its steps decide the given one again
+  by_machine,  // its steps, with what is cited, give the statement
+  with_words,  // it decides every sign, bound and count; words lead from them to the statement
 };
-/// "by Coq's kernel", "by machine", "by machine, joined in words", "by argument".
+/// "by Coq's kernel", "by machine", "by machine, joined in words".
 [[nodiscard]] std::string to_text(proof_tier t);
 
 /// One condition that the proof rests on and that was decided, in words.
@@ -78,8 +77,6 @@ struct certificate {
 
   /// The kinds of its steps, each once, in the order of step_kind. Numbers are enclosed.
   [[nodiscard]] std::vector<step_kind> rests_on() const;
-  /// "certified", "argued" where the tier is by_argument, or "not certified".
-  [[nodiscard]] std::string verdict_text() const;
 };
 
 /// {"value", "radius", "lower", "upper", "digits"} as decimal_enclosure has them, "rounded": true

@@ -46,11 +46,8 @@ struct report {
   /// words" and "cited" that occurs, in this order.
   std::vector<std::string> grounds;
   /// Of a verified claim: how much of its proof a machine decides, "by machine", "by machine,
-  /// joined in words", "by argument".
+  /// joined in words", "by Coq's kernel".
   std::string tier;
-  /// Of a verified one: its statement follows from an argument in words, of which a program decides
-  /// some steps only.
-  bool argued = false;
   std::vector<std::string> checks;  // what was shown again on the way, in words
   /// What the certificate leaves out of the claim's numbers and facts, as not found by the prover.
   std::vector<std::string> left_out;

@@ -1,11 +1,11 @@
-(** The definition of the curve C as the paper prints it, against the convention of Curve.v, for the oscillating motions -b < c < 0.
+(** The definition of the curve C as the paper prints it, against the convention of Curve.v.
 
-    The paper: (c, eps) is in C if on a trajectory with this c the way from psi = -pi/2 + eps to psi = pi/2 - eps takes 2 pi in phi. The theorem
-    says which pairs these are, 0 <= eps <= pi: the graph of epsilon (c), its mirror image eps -> pi - eps, and, where C meets S, the whole vertical segment between
-    the two branches of S (so lemma 1 is false as printed). *)
+    The paper: (c, eps) is in C if on a trajectory with this c the way from psi = -pi/2 + eps to psi = pi/2 - eps takes 2 pi in phi. The theorems
+    say which pairs these are. For c >= 0: the graph of epsilon (c) and its mirror image eps -> pi - eps. For -b < c < 0 and 0 <= eps <= pi: these,
+    and, where C meets S, the whole vertical segment between the two branches of S (so lemma 1 is false as printed). *)
 Require Import Reals Lra Lia Psatz Ratan.
 From Coquelicot Require Import Coquelicot.
-From Polhode Require Import HalfPhase Uniqueness Oscillation Symmetry Curve.
+From Polhode Require Import HalfPhase Uniqueness Oscillation Symmetry Curve FirstBranch.
 From Polhode Require Phase.
 Open Scope R_scope.
 Local Notation P := Phase.P.
@@ -192,5 +192,97 @@ assert (BU : c = - b * u) by (symmetry; exact W).
 split; apply printed_C_at_meeting; try exact M; try lra.
 - rewrite Se, BU. replace (sqrt u ^2) with u by (simpl; lra). lra.
 - rewrite BU. assert (u <= sin e' ^2) by (rewrite <- U2, <- Se; simpl; nra). nra.
+Qed.
+
+(** * c >= 0 *)
+(** theta stays between 0 and pi, *)
+Lemma theta_stays psi theta phi0 : reduced_motion a b psi theta -> 0 < theta phi0 < PI -> forall phi, 0 < theta phi < PI.
+Proof.
+intros M T phi. assert (S0 : 0 < sin (theta phi0)) by (apply sin_gt_0; lra).
+assert (A : forall p, 0 < a + b * cos p ^2). { intros p. assert (0 <= b * cos p ^2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]). lra. }
+assert (N : forall z, sin (theta z) <> 0).
+{ intros z Z. assert (E := first_integral_constant a b Hb psi theta M z phi0). unfold first_integral in E. rewrite Z in E.
+  assert (0 < sin (theta phi0) ^2 * (a + b * cos (psi phi0) ^2)) by (apply Rmult_lt_0_compat; [now apply pow_lt|apply A]).
+  replace (0 ^2) with 0 in E by ring. lra. }
+assert (C : forall z, continuity_pt theta z) by (intros z; apply continuity_pt_filterlim, (ex_derive_continuous theta); exact (ex_intro _ _ (proj2 (M z)))).
+split; apply Rnot_le_lt; intros L.
+- destruct (IVT_gen theta phi0 phi 0 C) as [z [_ E]].
+  + split; [apply Rle_trans with (1 := Rmin_r _ _); lra|apply Rle_trans with (2 := Rmax_l _ _); lra].
+  + apply (N z). rewrite E. apply sin_0.
+- destruct (IVT_gen theta phi0 phi PI C) as [z [_ E]].
+  + split; [apply Rle_trans with (1 := Rmin_l _ _); lra|apply Rle_trans with (2 := Rmax_r _ _); lra].
+  + apply (N z). rewrite E. apply sin_PI.
+Qed.
+(** the definition has a mirror, *)
+Lemma printed_mirror c eps : printed_C c eps -> printed_C c (PI - eps).
+Proof.
+intros [psi [theta [phi0 [M [T [E [A B]]]]]]]. set (d := 2 * phi0 + 2*PI).
+assert (E0 : d - phi0 = phi0 + 2*PI) by (unfold d; ring). assert (E1 : d - (phi0 + 2*PI) = phi0) by (unfold d; ring).
+assert (T1 := theta_stays psi theta phi0 M T (phi0 + 2*PI)).
+exists (fun phi => psi (d - phi)), (fun phi => PI - theta (d - phi)), phi0. split; [now apply theta_symmetry|]. rewrite E0, E1. split; [lra|].
+split; [|split; lra]. rewrite <- E, (first_integral_constant a b Hb psi theta M phi0 (phi0 + 2*PI)). unfold first_integral. now rewrite sin_PI_x.
+Qed.
+(** and a rising motion of it is a shift of psi_c. *)
+Lemma printed_rising c eps psi theta phi0 : 0 <= c -> reduced_motion a b psi theta -> 0 < theta phi0 < PI -> first_integral a b (psi phi0) (theta phi0) = c ->
+  psi phi0 = - PI/2 + eps -> psi (phi0 + 2*PI) = PI/2 - eps -> (forall phi, 0 < cos (theta phi)) -> curve_C a b c eps.
+Proof.
+intros Hc M T E A B C. assert (P := PI_RGT_0).
+assert (Cp : forall z, continuity_pt psi z) by (intros z; apply continuity_pt_filterlim, (ex_derive_continuous psi); exact (ex_intro _ _ (proj1 (M z)))).
+assert (Rate : forall z, 0 < psi_rate a b (psi z) (theta z)).
+{ intros z. assert (Bx := cos2_bound (psi z)). assert (D := denominator b Hb (psi z)). unfold psi_rate. apply Rdiv_lt_0_compat; [|lra].
+  apply Rmult_lt_0_compat; [|apply C]. assert (0 <= b * cos (psi z) ^2) by (apply Rmult_le_pos; lra). lra. }
+assert (Up : forall s t, s < t -> psi s < psi t).
+{ intros s t L. destruct (MVT_gen psi s t (fun phi => psi_rate a b (psi phi) (theta phi))) as [z [_ Ez]]; [intros z _; apply (M z)|intros z _; apply Cp|].
+  assert (Q := Rate z). nra. }
+assert (U := Up phi0 (phi0 + 2*PI) ltac:(lra)).
+destruct (IVT_gen psi phi0 (phi0 + 2*PI) 0 Cp) as [m [_ Em]].
+{ rewrite A, B. split; [apply Rle_trans with (1 := Rmin_l _ _); lra|apply Rle_trans with (2 := Rmax_r _ _); lra]. }
+assert (Tm := theta_stays psi theta phi0 M T m).
+assert (Cm : 0 < theta m < PI/2).
+{ split; [lra|]. apply Rnot_le_lt. intros L. assert (Q := C m). assert (W := cos_le_0 (theta m) L ltac:(lra)). lra. }
+set (f := fun phi => psi (phi + m)). set (h := fun phi => theta (phi + m)).
+assert (Mc : centred_motion a b c f h).
+{ split; [now apply shift_symmetry|]. unfold f, h. rewrite Rplus_0_l. split; [exact Em|]. split; [exact Cm|].
+  rewrite <- E. now apply first_integral_constant. }
+assert (O := odd_motion a b Ha Hb f h (proj1 Mc) (proj1 (proj2 Mc))).
+exists f, h. split; [exact Mc|].
+assert (S : f (m - phi0) = f (phi0 + 2*PI - m)).
+{ replace (m - phi0) with (- (phi0 - m)) by ring. rewrite (proj1 (O _)). unfold f. replace (phi0 - m + m) with phi0 by ring.
+  replace (phi0 + 2*PI - m + m) with (phi0 + 2*PI) by ring. lra. }
+assert (D : m - phi0 = phi0 + 2*PI - m).
+{ unfold f in S. destruct (Rtotal_order (m - phi0) (phi0 + 2*PI - m)) as [L|[L|L]]; trivial.
+  - assert (W := Up (m - phi0 + m) (phi0 + 2*PI - m + m) ltac:(lra)). lra.
+  - assert (W := Up (phi0 + 2*PI - m + m) (m - phi0 + m) ltac:(lra)). lra. }
+unfold f. replace (PI + m) with (phi0 + 2*PI) by lra. lra.
+Qed.
+(** The pairs of the paper's definition, for c >= 0. *)
+Theorem printed_C_non_negative c eps : 0 <= c -> (printed_C c eps <-> curve_C a b c eps \/ curve_C a b c (PI - eps)).
+Proof.
+intros Hc. assert (P := PI_RGT_0). assert (W : forall e, curve_C a b c e -> printed_C c e).
+{ intros e [psi [theta [M ->]]]. assert (O := odd_motion a b Ha Hb psi theta (proj1 M) (proj1 (proj2 M)) PI).
+  exists psi, theta, (- PI). split; [apply M|]. split.
+  - apply (theta_stays psi theta 0); [apply M|]. destruct M as [_ [_ [T _]]]. lra.
+  - split; [now apply first_integral_at|]. replace (- PI + 2*PI) with PI by ring. lra. }
+split.
+- intros [psi [theta [phi0 [M [T [E [A B]]]]]]].
+  assert (N : forall phi, cos (theta phi) <> 0).
+  { intros z Z. assert (Ez : first_integral a b (psi z) (theta z) = c) by (rewrite <- E; now apply first_integral_constant).
+    destruct (turning_is_rest a b Ha Hb c psi theta z M Hc Ez Z) as [Z3 R].
+    assert (R0 := proj1 (R phi0)). assert (R1 := proj1 (R (phi0 + 2*PI))). assert (psi z = 0) by lra. rewrite H, cos_0 in Z3. lra. }
+  assert (Sign : forall s t, 0 < cos (theta s) -> 0 < cos (theta t)).
+  { intros s t L. apply Rnot_le_lt. intros K. destruct (IVT_gen (fun phi => cos (theta phi)) s t 0) as [z [_ Ez]].
+    - intros x. apply (continuity_pt_comp theta cos); [|apply continuity_cos]. apply continuity_pt_filterlim, (ex_derive_continuous theta). exact (ex_intro _ _ (proj2 (M x))).
+    - split; [apply Rle_trans with (1 := Rmin_r _ _); lra|apply Rle_trans with (2 := Rmax_l _ _); lra].
+    - now apply (N z). }
+  destruct (Rtotal_order (cos (theta phi0)) 0) as [L|[L|L]]; [|now apply N in L|].
+  + right. set (d := 2 * phi0 + 2*PI). assert (E0 : d - phi0 = phi0 + 2*PI) by (unfold d; ring). assert (E1 : d - (phi0 + 2*PI) = phi0) by (unfold d; ring).
+    assert (T1 := theta_stays psi theta phi0 M T (phi0 + 2*PI)).
+    apply (printed_rising c (PI - eps) (fun phi => psi (d - phi)) (fun phi => PI - theta (d - phi)) phi0 Hc); rewrite ?E0, ?E1; try lra.
+    * now apply theta_symmetry.
+    * rewrite <- E, (first_integral_constant a b Hb psi theta M phi0 (phi0 + 2*PI)). unfold first_integral. now rewrite sin_PI_x.
+    * intros phi. rewrite cos_supplement. assert (Q : ~ 0 < cos (theta (d - phi))). { intros Q. assert (Q' := Sign _ phi0 Q). lra. }
+      assert (Q' := N (d - phi)). lra.
+  + left. apply (printed_rising c eps psi theta phi0); trivial. intros phi. now apply (Sign phi0).
+- intros [C|C]; [now apply W|]. apply W, printed_mirror in C. replace (PI - (PI - eps)) with eps in C by ring. exact C.
 Qed.
 End Convention.

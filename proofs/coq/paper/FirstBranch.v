@@ -15,6 +15,20 @@ Variables a b : R.
 Hypothesis Ha : 0 < a.
 Hypothesis Hb : 0 < b < 1.
 
+(** For c >= 0 a motion with cos theta = 0 somewhere is at rest there, at cos psi = 0. *)
+Lemma turning_is_rest c psi theta z : reduced_motion a b psi theta -> 0 <= c -> first_integral a b (psi z) (theta z) = c -> cos (theta z) = 0 ->
+  cos (psi z) = 0 /\ forall phi, psi phi = psi z /\ theta phi = theta z.
+Proof.
+intros M Hc E Z. assert (Q := equation_20 a b (psi z) (theta z)). rewrite E, Z in Q.
+assert (C2 : 0 <= b * cos (psi z) ^2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
+assert (Z2 : b * cos (psi z) ^2 = 0) by (replace (0 ^2) with 0 in Q by ring; lra).
+assert (Z3 : cos (psi z) = 0). { apply Rsqr_0_uniq. unfold Rsqr. apply Rmult_integral in Z2. destruct Z2 as [Z2|Z2]; simpl in Z2; lra. }
+split; [exact Z3|]. apply (motion_unique a b Ha Hb psi theta (fun _ => psi z) (fun _ => theta z) z); trivial.
+intros x. unfold psi_rate, theta_rate. rewrite Z, Z3. split.
+- replace ((a + b * 0 ^2) * 0 / (1 - b * 0 ^2)) with 0 by (field; lra). apply (is_derive_const (K:=R_AbsRing) (V:=R_NormedModule)).
+- replace (b * sin (theta z) * sin (psi z) * 0 / (1 - b * 0 ^2)) with 0 by (field; lra). apply (is_derive_const (K:=R_AbsRing) (V:=R_NormedModule)).
+Qed.
+
 Section Rising.
 Variable c : R.
 Variables psi theta : R -> R.
@@ -53,48 +67,45 @@ apply (continuity_pt_div (fun phi => (a + b * cos (psi phi) ^2) * cos (theta phi
 - apply Rgt_not_eq, one_bcos2_pos.
 Qed.
 
-(** The first implicit equation. *)
-Theorem first_implicit_equation : (forall phi, 0 <= phi <= PI -> 0 < cos (theta phi)) ->
-  regular b c (PI/2 - psi PI) /\ F a b c (PI/2 - psi PI) = 2*PI.
+(** The first implicit equation, up to any phi = T > 0 before the first turning point: F (c, pi/2 - psi_c (T)) = 2 T. *)
+Theorem rising_sweep T : 0 < T -> (forall phi, 0 <= phi <= T -> 0 < cos (theta phi)) ->
+  regular b c (PI/2 - psi T) /\ F a b c (PI/2 - psi T) = 2*T.
 Proof.
-intros H. assert (PP := PI_RGT_0). assert (P0 : psi 0 = 0) by apply M.
-assert (Q : forall phi, 0 <= phi <= PI -> 0 < c + b * cos (psi phi) ^2).
+intros PT H. assert (P0 : psi 0 = 0) by apply M.
+assert (Q : forall phi, 0 <= phi <= T -> 0 < c + b * cos (psi phi) ^2).
 { intros phi Hp. rewrite motion_eq_20. apply Rmult_lt_0_compat; [apply pow_lt; now apply H|apply a_bcos2_pos]. }
-assert (U : 0 < psi PI).
-{ destruct (MVT_gen psi 0 PI (fun phi => psi_rate a b (psi phi) (theta phi))) as [z [Hz E]].
+assert (U : 0 < psi T).
+{ destruct (MVT_gen psi 0 T (fun phi => psi_rate a b (psi phi) (theta phi))) as [z [Hz E]].
   - intros z _. apply (proj1 M z).
   - intros z _. apply psi_continuous.
   - rewrite Rmin_left, Rmax_right in Hz by lra. rewrite P0 in E.
     assert (0 < psi_rate a b (psi z) (theta z)).
     { unfold psi_rate. apply Rdiv_lt_0_compat; [|apply one_bcos2_pos]. apply Rmult_lt_0_compat; [apply a_bcos2_pos|now apply H]. } nra. }
-assert (E0 : PI/2 - (PI/2 - psi PI) = psi PI) by ring. split.
-- split; [lra|]. intros t Ht. rewrite E0 in Ht. destruct (IVT_gen psi 0 PI t) as [phi [Hp E]].
+assert (E0 : PI/2 - (PI/2 - psi T) = psi T) by ring. split.
+- split; [lra|]. intros t Ht. rewrite E0 in Ht. destruct (IVT_gen psi 0 T t) as [phi [Hp E]].
   + intros phi. apply psi_continuous.
   + rewrite P0, Rmin_left, Rmax_right by lra. exact Ht.
   + rewrite Rmin_left, Rmax_right in Hp by lra. rewrite <- E. now apply Q.
 - unfold F. rewrite E0.
-  assert (S : is_RInt (fun y => psi_rate a b (psi y) (theta y) * k a b c (psi y)) 0 PI (RInt (k a b c) (psi 0) (psi PI))).
+  assert (S : is_RInt (fun y => psi_rate a b (psi y) (theta y) * k a b c (psi y)) 0 T (RInt (k a b c) (psi 0) (psi T))).
   { apply (is_RInt_comp (V:=R_CompleteNormedModule) (k a b c) psi (fun y => psi_rate a b (psi y) (theta y))); intros x Hx; rewrite Rmin_left, Rmax_right in Hx by lra.
     - apply FirstEquation.k_continuous; trivial. now apply Q.
     - split; [apply (proj1 M x)|apply psi_rate_continuous]. }
   rewrite P0 in S.
-  assert (T : is_RInt (fun y => psi_rate a b (psi y) (theta y) * k a b c (psi y)) 0 PI ((PI - 0) * 1)).
-  { apply (is_RInt_ext (fun _ => 1)); [|exact (is_RInt_const (V:=R_NormedModule) 0 PI 1)]. intros y Hy. rewrite Rmin_left, Rmax_right in Hy by lra. symmetry. apply rate_times_k. apply H. lra. }
-  assert (E := is_RInt_unique _ _ _ _ S). assert (E' := is_RInt_unique _ _ _ _ T). rewrite E in E'. rewrite E'. ring.
+  assert (W : is_RInt (fun y => psi_rate a b (psi y) (theta y) * k a b c (psi y)) 0 T ((T - 0) * 1)).
+  { apply (is_RInt_ext (fun _ => 1)); [|exact (is_RInt_const (V:=R_NormedModule) 0 T 1)]. intros y Hy. rewrite Rmin_left, Rmax_right in Hy by lra. symmetry. apply rate_times_k. apply H. lra. }
+  assert (E := is_RInt_unique _ _ _ _ S). assert (E' := is_RInt_unique _ _ _ _ W). rewrite E in E'. rewrite E'. ring.
 Qed.
+(** At T = pi it is equation (21). *)
+Corollary first_implicit_equation : (forall phi, 0 <= phi <= PI -> 0 < cos (theta phi)) ->
+  regular b c (PI/2 - psi PI) /\ F a b c (PI/2 - psi PI) = 2*PI.
+Proof. exact (rising_sweep PI PI_RGT_0). Qed.
 
-(** For c >= 0, cos theta never vanishes: for c > 0 by equation (20), for c = 0 because the motion would be at rest. *)
+(** For c >= 0, cos theta never vanishes: the motion would be at rest at cos psi = 0. *)
 Lemma cos_theta_not_0 phi : 0 <= c -> cos (theta phi) <> 0.
 Proof.
-intros Hc Z. assert (E := motion_eq_20 phi). rewrite Z in E. assert (C2 : 0 <= b * cos (psi phi) ^2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]).
-assert (Z2 : b * cos (psi phi) ^2 = 0) by (replace (0 ^2) with 0 in E by ring; lra).
-assert (Z3 : cos (psi phi) = 0). { apply Rsqr_0_uniq. unfold Rsqr. apply Rmult_integral in Z2. destruct Z2 as [Z2|Z2]; simpl in Z2; lra. }
-assert (R : reduced_motion a b (fun _ => psi phi) (fun _ => theta phi)).
-{ intros x. unfold psi_rate, theta_rate. rewrite Z, Z3. split.
-  - replace ((a + b * 0 ^2) * 0 / (1 - b * 0 ^2)) with 0 by (field; lra). apply (is_derive_const (K:=R_AbsRing) (V:=R_NormedModule)).
-  - replace (b * sin (theta phi) * sin (psi phi) * 0 / (1 - b * 0 ^2)) with 0 by (field; lra). apply (is_derive_const (K:=R_AbsRing) (V:=R_NormedModule)). }
-destruct (motion_unique a b Ha Hb psi theta _ _ phi (proj1 M) R eq_refl eq_refl 0) as [E0 _].
-rewrite <- E0 in Z3. destruct M as [_ [P0 _]]. rewrite P0, cos_0 in Z3. lra.
+intros Hc Z. destruct (turning_is_rest c psi theta phi (proj1 M) Hc (first_integral_at a b Hb c psi theta phi M) Z) as [Z3 R].
+destruct (R 0) as [E0 _]. rewrite <- E0 in Z3. destruct M as [_ [P0 _]]. rewrite P0, cos_0 in Z3. lra.
 Qed.
 Theorem cos_theta_positive phi : 0 <= c -> 0 < cos (theta phi).
 Proof.

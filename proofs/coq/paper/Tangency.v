@@ -1,81 +1,87 @@
-(** C is tangent to S where they meet: at the first meeting point (c1,e1) of any body with I < 2 the curve C stays above S by no more than
-    a multiple of (c - c1)^2. (The paper says so of the limit a -> infinity, where the point is c = e = 0.) *)
-Require Import Reals Lra Psatz.
-From Coquelicot Require Import Coquelicot.
-From Polhode Require HalfPhase Values.
-From Polhode Require Import Theorem1 FirstEquation Separatrix FirstEquationEnds DefectFunction MeetingPoint.
-Open Scope R_scope.
+(** C is tangent to S at every point in which they meet: where C meets S at c_k, the point of C at a c nearby has a distance from S, in c, of at
+    most a multiple of (c - c_k)^2, on either side of c_k. (The paper says so of the limit a -> infinity, where the point is c = eps = 0.)
 
-Theorem tangent_at_meeting_point a b e1 : 0 < a -> 0 < b < 1 -> meeting_point a b e1 ->
-  exists M m, 0 < M /\ 0 < m /\ forall e x, 0 < e < e1 ->
-    let c := - b * sin e ^2 in let c1 := - b * sin e1 ^2 in
-    c < c1 + m -> solution a b c x -> e < x < e + M * (c - c1)^2.
+    By equation (20) the distance c + b sin^2 eps of a point of C from S is (a + b cos^2 psi) cos^2 theta at phi = pi. At c_k this is a turning
+    point; near c_k the turning point is at phi = (k - 1/2) G(-c/b), theta is a Lipschitz function of phi, and G has a derivative. *)
+Require Import Reals Lra Lia Psatz.
+From Coquelicot Require Import Coquelicot.
+From Polhode Require HalfPhase.
+From Polhode Require Import Uniqueness Oscillation Symmetry Curve.
+Open Scope R_scope.
+Local Notation G := HalfPhase.G.
+
+Section Tangency.
+Variables a b : R.
+Hypothesis Ha : 0 < a.
+Hypothesis Hb : 0 < b < 1.
+
+Lemma theta_rate_bound p q : Rabs (theta_rate a b p q) <= b / (1 - b).
 Proof.
-intros Ha Hb [H1 E1]. assert (P := PI_RGT_0).
-set (u1 := sin e1 ^2) in *. set (u0 := sin (e1/2) ^2).
-assert (S := sin2_between (e1/2) e1 ltac:(lra) ltac:(lra) ltac:(lra)). fold u1 u0 in S.
-assert (DG := HalfPhase.G_derive a b Ha Hb u1 ltac:(lra) ltac:(lra)). apply is_derive_Reals in DG.
-match type of DG with derivable_pt_lim _ _ ?l => set (dG := l) in * end.
-destruct (DG 1 ltac:(lra)) as [eta N]. assert (Eta := cond_pos eta).
-assert (K := Values.m_pos a b Ha Hb). set (kappa := Values.m a b) in *.
-assert (A0 := Rabs_pos dG).
-set (L := (Rabs dG + 1) / (b * kappa)). assert (L0 : 0 < L). { unfold L. apply Rdiv_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; lra. }
-assert (SP : 0 < sin (e1/2)) by (apply sin_gt_0; lra). assert (CP : 0 < cos e1) by (apply cos_gt_0; lra).
-set (q := 2 * sin (e1/2) * cos e1). assert (Q : 0 < q) by (unfold q; repeat apply Rmult_lt_0_compat; lra).
-assert (LQ : 0 < L^2/q) by (apply Rdiv_lt_0_compat; trivial; nra).
-exists (L^2/q + 1), (b * Rmin eta (u1 - u0)). split; [lra|].
-assert (M0 : 0 < Rmin eta (u1 - u0)) by (apply Rmin_pos; lra).
-split; [apply Rmult_lt_0_compat; lra|]. intros e x He. set (u := sin e ^2). intros c c1 Hc Hx.
-assert (He2 : 0 < e < PI/2) by lra.
-assert (Se := sin2_between e e1 ltac:(lra) ltac:(lra) ltac:(lra)). fold u u1 in Se.
-assert (M1 := Rmin_l eta (u1 - u0)). assert (M2 := Rmin_r eta (u1 - u0)).
-assert (Cc : c - c1 = b * (u1 - u)) by (unfold c, c1; fold u1; ring).
-assert (Hu : u1 - u < Rmin eta (u1 - u0)) by (apply (Rmult_lt_reg_l b); lra).
-assert (Lo : e1/2 < e).
-{ apply Rnot_le_lt. intros [Z|Z]; [|unfold u, u0 in *; rewrite Z in *; lra].
-  assert (Z2 := sin2_between e (e1/2) ltac:(lra) Z ltac:(lra)). fold u u0 in Z2. lra. }
-assert (Ex := defect_above_S a b Hb e c x He2 eq_refl Hx).
-assert (Bx := defect_below_meeting_point a b Ha Hb e1 c x (conj H1 E1) ltac:(unfold c; fold u u1; assert (b*u < b*u1) by (apply Rmult_lt_compat_l; lra); lra) Hx).
-split; [lra|].
-destruct (psi_onto e He2 x Ex) as [s [Hs Es]].
-assert (FP := F_psi a b Ha Hb e He2 s Hs). fold u in FP. rewrite Es in FP. replace (PI/2 - (PI/2 - x)) with x in FP by ring.
-destruct Hx as [_ Fx]. unfold c in Fx. rewrite Fx in FP.
-destruct (MVT_cor2 (Phi a b e) (fun s => - (2 / sqrt (a*b) * h a b (X u (sin s)))) 0 s ltac:(lra)) as [z [Ez Hz]].
-{ intros z _. apply is_derive_Reals. apply (Phi_derive a b Ha Hb e He2). }
-change (Phi a b e 0) with (HalfPhase.G a b u) in Ez. rewrite <- FP, <- E1 in Ez.
-assert (X1 : 0 < X u (sin z) <= 1).
-{ split. apply (X_positive e He2). unfold HalfPhase.X. generalize (SIN_bound z). intros. assert (sin z ^2 <= 1) by nra. nra. }
-assert (KS : kappa * s <= HalfPhase.G a b u - HalfPhase.G a b u1).
-{ assert (HL := Values.h_lower a b Ha Hb _ X1). set (r := (1-b) / sqrt (1 + b/a)) in *.
-  assert (R0 : 0 < r). { unfold r. apply Rdiv_lt_0_compat; [lra|]. apply sqrt_lt_R0. assert (0 < b/a) by (apply Rdiv_lt_0_compat; lra). lra. }
-  assert (SX : 0 < sqrt (X u (sin z))) by (apply sqrt_lt_R0; lra).
-  assert (SX1 : sqrt (X u (sin z)) <= 1) by (rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
-  assert (RL : r <= h a b (X u (sin z))).
-  { apply Rle_trans with (2 := HL). unfold Rdiv. rewrite <- (Rmult_1_r r) at 1. apply Rmult_le_compat_l; [lra|]. rewrite <- Rinv_1. apply Rinv_le_contravar; lra. }
-  assert (Sab := sqrt_ab_pos a b Ha Hb). assert (T0 : 0 < 2 / sqrt (a*b)) by (apply Rdiv_lt_0_compat; lra).
-  assert (KH : kappa <= 2 / sqrt (a*b) * h a b (X u (sin z))) by (unfold kappa, Values.m; fold r; apply Rmult_le_compat_l; lra).
-  apply (Rmult_le_compat_r s) in KH; [|lra]. lra. }
-assert (GL : HalfPhase.G a b u - HalfPhase.G a b u1 <= (Rabs dG + 1) * (u1 - u)).
-{ assert (Y := N (u - u1) ltac:(lra) ltac:(rewrite Rabs_left; lra)). replace (u1 + (u - u1)) with u in Y by ring.
-  set (quot := (HalfPhase.G a b u - HalfPhase.G a b u1) / (u - u1)) in *.
-  assert (Eq : HalfPhase.G a b u - HalfPhase.G a b u1 = (- quot) * (u1 - u)) by (unfold quot; field; lra).
-  rewrite Eq. apply Rmult_le_compat_r; [lra|]. apply Rabs_def2 in Y. assert (Z := Rle_abs (- dG)). rewrite Rabs_Ropp in Z. lra. }
-assert (SL : s <= L * (c - c1)).
-{ rewrite Cc. replace (L * (b * (u1 - u))) with ((Rabs dG + 1) * (u1 - u) / kappa) by (unfold L; field; lra).
-  apply (Rmult_le_reg_l kappa); trivial. replace (kappa * ((Rabs dG + 1) * (u1 - u) / kappa)) with ((Rabs dG + 1) * (u1 - u)) by (field; lra). lra. }
-(* sin^2 x - sin^2 e = cos^2 e sin^2 s *)
-assert (D1 : sin x ^2 - u <= s^2).
-{ assert (C2 := psi_cos2 e He2 s). rewrite Es, cos_shift in C2. unfold HalfPhase.X in C2. fold u in C2. rewrite C2.
-  assert (sin s < s) by (apply sin_lt_x; lra). assert (0 < sin s) by (apply sin_gt_0; lra).
-  assert (sin s ^2 <= s^2) by nra. assert (0 <= sin s ^2) by apply pow2_ge_0. nra. }
-destruct (MVT_cor2 (fun y => sin y ^2) (fun y => 2 * sin y * cos y) e x ltac:(lra)) as [y [Ey Hy]].
-{ intros y _. apply is_derive_Reals. auto_derive; trivial. ring. }
-fold u in Ey. rewrite Ey in D1.
-assert (QY : q <= 2 * sin y * cos y).
-{ unfold q. assert (sin (e1/2) <= sin y) by (apply sin_incr_1; lra). assert (cos e1 <= cos y) by (apply cos_decr_1; lra). apply Rmult_le_compat; lra. }
-assert (XE : q * (x - e) <= s^2) by (apply Rle_trans with (2 := D1); apply Rmult_le_compat_r; lra).
-assert (S2 : s^2 <= L^2 * (c - c1)^2). { rewrite <- Rpow_mult_distr. apply pow_incr. lra. }
-assert (CC : 0 < (c - c1)^2). { assert (0 < c - c1) by (rewrite Cc; apply Rmult_lt_0_compat; lra). nra. }
-assert (x - e <= L^2/q * (c - c1)^2); [|lra].
-apply (Rmult_le_reg_l q); trivial. replace (q * (L^2/q * (c - c1)^2)) with (L^2 * (c - c1)^2) by (field; lra). lra.
+assert (D := denominator b Hb p). unfold theta_rate. rewrite Rabs_div by lra. rewrite (Rabs_pos_eq (1 - b * cos p ^2)) by lra.
+assert (A : Rabs (b * sin q * sin p * cos p) <= b).
+{ replace (b * sin q * sin p * cos p) with (b * (sin q * (sin p * cos p))) by ring. rewrite Rabs_mult, (Rabs_pos_eq b) by lra.
+  rewrite <- (Rmult_1_r b) at 2. apply Rmult_le_compat_l; [lra|]. assert (S := SIN_bound q). assert (S2 := SIN_bound p). assert (C2 := COS_bound p).
+  rewrite !Rabs_mult. assert (Rabs (sin q) <= 1) by (apply Rabs_le; lra). assert (Rabs (sin p) <= 1) by (apply Rabs_le; lra). assert (Rabs (cos p) <= 1) by (apply Rabs_le; lra).
+  assert (0 <= Rabs (sin q)) by apply Rabs_pos. assert (0 <= Rabs (sin p)) by apply Rabs_pos. assert (0 <= Rabs (cos p)) by apply Rabs_pos.
+  assert (Rabs (sin p) * Rabs (cos p) <= 1) by nra. assert (0 <= Rabs (sin p) * Rabs (cos p)) by nra. nra. }
+assert (I : / (1 - b * cos p ^2) <= / (1 - b)) by (apply Rinv_le_contravar; lra).
+assert (0 < / (1 - b * cos p ^2)) by (apply Rinv_0_lt_compat; lra). unfold Rdiv.
+apply Rmult_le_compat; trivial; try lra. apply Rabs_pos.
 Qed.
+(** How far C is from S, by how far phi = pi is from a turning point. *)
+Lemma distance_from_S c psi theta T : centred_motion a b c psi theta -> cos (theta T) = 0 ->
+  c + b * sin (PI/2 - psi PI) ^2 <= (a + b) * (b / (1 - b) * (PI - T))^2.
+Proof.
+intros M Z. rewrite sin_shift, <- (first_integral_at a b Hb c psi theta PI M), <- equation_20.
+assert (L : Rabs (cos (theta PI)) <= b / (1 - b) * Rabs (PI - T)).
+{ replace (cos (theta PI)) with (cos (theta PI) - cos (theta T)) by lra. apply Rle_trans with (1 := cos_lipschitz _ _).
+  destruct (MVT_gen theta T PI (fun phi => theta_rate a b (psi phi) (theta phi))) as [z [_ E]].
+  - intros z _. apply (proj1 M z).
+  - intros z _. apply continuity_pt_filterlim, (ex_derive_continuous theta). exact (ex_intro _ _ (proj2 (proj1 M z))).
+  - rewrite E, Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|apply theta_rate_bound]. }
+assert (S : cos (theta PI) ^2 <= (b / (1 - b) * (PI - T))^2).
+{ assert (B0 : 0 < b / (1 - b)) by (apply Rdiv_lt_0_compat; lra).
+  rewrite <- (pow2_abs (cos (theta PI))), <- (pow2_abs (b / (1 - b) * (PI - T))), Rabs_mult, (Rabs_pos_eq (b / (1 - b))) by lra.
+  apply pow_incr. split; [apply Rabs_pos|exact L]. }
+assert (C := cos2_bound (psi PI)). assert (0 <= b * cos (psi PI) ^2 <= b) by (split; nra). assert (P := pow2_ge_0 (cos (theta PI))).
+rewrite (Rmult_comm (a + b)). apply Rmult_le_compat; lra.
+Qed.
+
+(** The theorem. *)
+Theorem tangent_at_every_meeting_point ck : meeting a b ck ->
+  exists M m, 0 < M /\ 0 < m /\ forall c eps, -b < c < 0 -> Rabs (c - ck) < m -> curve_C a b c eps -> 0 <= c + b * sin eps ^2 <= M * (c - ck)^2.
+Proof.
+intros H. apply meeting_c in H; trivial. destruct H as [k [Hk [Hck Ek]]]. destruct (oscillation_of_c b Hb ck Hck) as [Huk _].
+set (uk := - ck / b) in *. assert (K : 1 <= INR k) by (apply (le_INR 1); exact Hk). set (w := INR k - 1/2). assert (W : 0 < w) by (unfold w; lra).
+assert (Tk : w * G a b uk = PI) by (rewrite Ek; unfold w; field; lra).
+assert (DG := HalfPhase.G_derive a b Ha Hb uk ltac:(lra) ltac:(lra)). apply is_derive_Reals in DG.
+match type of DG with derivable_pt_lim _ _ ?l => set (dG := l) in * end.
+destruct (DG 1 ltac:(lra)) as [eta N]. assert (Eta := cond_pos eta). assert (A0 := Rabs_pos dG).
+set (L := b / (1 - b) * (w * (Rabs dG + 1)) / b).
+assert (L0 : 0 < L). { unfold L. apply Rdiv_lt_0_compat; [|lra]. apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat; lra|apply Rmult_lt_0_compat; lra]. }
+exists ((a + b) * L^2), (b * eta). split; [apply Rmult_lt_0_compat; [lra|apply pow_lt, L0]|]. split; [apply Rmult_lt_0_compat; lra|].
+intros c eps Hc Near C. split; [now apply (C_beside_S a b Ha Hb)|].
+destruct (oscillation_of_c b Hb c Hc) as [Hu E]. set (u := - c / b) in *.
+assert (M := centred_oscillation a b Ha Hb u Hu). rewrite E in M.
+assert (Eps : eps = PI/2 - oscillation_psi a b u PI). { apply (lemma_1 a b Ha Hb c); trivial. eexists. eexists. split; [exact M|reflexivity]. }
+assert (Z : cos (oscillation_theta a b u (w * G a b u)) = 0).
+{ apply (turning_points a b u Ha Hb Hu). exists (Z.of_nat k - 1)%Z. rewrite minus_IZR, <- INR_IZR_INZ. unfold w. f_equal. lra. }
+assert (D := distance_from_S c _ _ _ M Z). rewrite <- Eps in D. apply Rle_trans with (1 := D).
+rewrite Rmult_assoc. apply Rmult_le_compat_l; [lra|]. rewrite <- Rpow_mult_distr, <- (pow2_abs (_ * (PI - _))), <- (pow2_abs (L * _)). apply pow_incr. split; [apply Rabs_pos|].
+assert (B0 : 0 < b / (1 - b)) by (apply Rdiv_lt_0_compat; lra).
+assert (Uc : u - uk = - (c - ck) / b) by (unfold u, uk; field; lra).
+assert (GL : Rabs (G a b u - G a b uk) <= (Rabs dG + 1) * Rabs (u - uk)).
+{ destruct (Req_dec u uk) as [->|D0]. { unfold Rminus. rewrite !Rplus_opp_r, Rabs_R0. lra. }
+  assert (Q : Rabs (u - uk) < eta).
+  { rewrite Uc, Rabs_div, Rabs_Ropp, (Rabs_pos_eq b) by lra. apply (Rmult_lt_reg_r b); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+  specialize (N (u - uk) ltac:(lra) Q). replace (uk + (u - uk)) with u in N by ring.
+  assert (Y := Rabs_triang ((G a b u - G a b uk) / (u - uk) - dG) dG). replace ((G a b u - G a b uk) / (u - uk) - dG + dG) with ((G a b u - G a b uk) / (u - uk)) in Y by ring.
+  rewrite Rabs_div in Y by lra. assert (U0 : 0 < Rabs (u - uk)) by (apply Rabs_pos_lt; lra).
+  apply (Rmult_le_reg_r (/ Rabs (u - uk))); [now apply Rinv_0_lt_compat|]. rewrite Rmult_assoc, Rinv_r by lra. unfold Rdiv in Y. lra. }
+replace (PI - w * G a b u) with (- (w * (G a b u - G a b uk))) by (rewrite <- Tk; ring).
+rewrite !Rabs_mult, Rabs_Ropp, Rabs_mult, (Rabs_pos_eq (b/(1-b))), (Rabs_pos_eq w), (Rabs_pos_eq L) by lra.
+replace (L * Rabs (c - ck)) with (b/(1-b) * (w * ((Rabs dG + 1) * Rabs (u - uk)))).
+2:{ rewrite Uc, Rabs_div, Rabs_Ropp, (Rabs_pos_eq b) by lra. unfold L. field. lra. }
+apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [lra|exact GL].
+Qed.
+End Tangency.

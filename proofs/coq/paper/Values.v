@@ -93,4 +93,17 @@ split.
     destruct (Rtotal_order w u) as [D|[D|D]]; trivial; [assert (N := G_decreasing a b Ha Hb w u)|assert (N := G_decreasing a b Ha Hb u w)]; lra.
 - intros [u [Hu [E _]]]. rewrite <- E, <- G_at_one by assumption. apply G_decreasing; lra.
 Qed.
+(** Lemma 7: G tends to pi I as u tends to 1, and to infinity as u tends to 0. *)
+Theorem lemma_7_at_1 : filterlim (G a b) (locally 1) (locally (PI * geometric_constant a b)).
+Proof.
+rewrite <- G_at_one by assumption. apply (ex_derive_continuous (G a b)). eexists. apply G_derive; lra.
+Qed.
+Theorem lemma_7_at_0 : filterlim (G a b) (at_right 0) (Rbar_locally p_infty).
+Proof.
+intros P [M HM]. assert (V := Rmax_l M (PI * geometric_constant a b)). assert (W := Rmax_r M (PI * geometric_constant a b)).
+destruct (proj1 (takes_each_value_once (Rmax M (PI * geometric_constant a b) + 1))) as [u0 [Hu [E _]]]; [lra|].
+exists (mkposreal u0 (proj1 Hu)). intros u B Hu0. apply HM. unfold ball in B; simpl in B; unfold AbsRing_ball, abs, minus, plus, opp in B; simpl in B.
+assert (L : u < u0). { apply Rabs_def2 in B. lra. }
+assert (D := G_decreasing a b Ha Hb u u0 ltac:(lra) L ltac:(lra)). lra.
+Qed.
 End Values.

@@ -263,15 +263,13 @@ class tally {
   void add(std::string_view verdict, std::string_view why) {
     ++all_;
     if (verdict == "certified") ++certified_;
-    if (verdict == "argued") ++argued_;
     if (verdict == "not certified") ++(why == to_text(reason::refuted) ? refuted_ : rest_);
   }
   [[nodiscard]] bool all_certified() const { return rest_ + refuted_ == 0; }
-  /// "4 claims: 2 certified, 1 argued, 1 refuted"
+  /// "4 claims: 2 certified, 1 not certified, 1 refuted"
   [[nodiscard]] std::string summary() const {
     std::string result =
         fmt::format("{} claim{}: {} certified", all_, all_ == 1 ? "" : "s", certified_);
-    if (argued_ > 0) result += fmt::format(", {} argued", argued_);
     if (rest_ > 0) result += fmt::format(", {} not certified", rest_);
     if (refuted_ > 0) result += fmt::format(", {} refuted", refuted_);
     return result + '\n';
@@ -280,14 +278,13 @@ class tally {
  private:
   std::size_t all_ = 0;
   std::size_t certified_ = 0;
-  std::size_t argued_ = 0;
   std::size_t refuted_ = 0;
   std::size_t rest_ = 0;
 };
 
 tally tally_of(const std::vector<timed_certificate>& certificates) {
   tally result;
-  for (const auto& [c, seconds] : certificates) result.add(c.verdict_text(), to_text(c.why));
+  for (const auto& [c, seconds] : certificates) result.add(to_text(c.verdict), to_text(c.why));
   return result;
 }
 
@@ -305,7 +302,7 @@ std::string certificates_as_json(const std::vector<timed_certificate>& certifica
 
 /// " by machine", of what is certified.
 std::string verdict_tail(const certificate& c) {
-  if (c.verdict_text() != to_text(status::certified)) return "";
+  if (c.verdict != status::certified) return "";
   return ' ' + to_text(c.tier);
 }
 
@@ -316,7 +313,7 @@ std::string certificates_as_table(const std::vector<const claim*>& claims,
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const auto& [c, seconds] = certificates[i];
     result += fmt::format("{} {:.1f} ms | {} |\n", proofs::table_row(*claims[i]), 1000 * seconds,
-                          c.verdict_text() + verdict_tail(c));
+                          to_text(c.verdict) + verdict_tail(c));
   }
   return result;
 }
@@ -585,8 +582,7 @@ command certify_command() {
       "  polhode certify --coq body.v --ab 12.65,0.0629 --digits 50\n"
       "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
       "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
-      "verified arithmetic, [in words], or [cited]. A claim whose machine steps do not give its\n"
-      "statement without an argument of its own is argued, not certified (exit status 0).\n"
+      "verified arithmetic, [Coq] by a theorem of proofs/coq, [in words], or [cited].\n"
       "Of several bodies all claims that depend on a body are proved, with what is decided of "
       "each\n"
       "body; files are DIR/<claim>_<number>.json. They are shared out to threads, or to the ranks\n"

@@ -261,13 +261,11 @@ exit_status run_limit(const racket_options& options) {
         "racket", {{"chi", exact_json(at.chi, digits)},
                    {"beta", exact_json(at.beta, digits)},
                    {"verdict", to_text(epsilon.verdict)},
-                   {"tier", to_text(proof_tier::by_argument)},
                    {"epsilon", certified ? to_json(epsilon.enclosure, digits) : json(nullptr)}}));
   } else if (certified) {
     print(
         fmt::format("limit a -> infinity, b -> 0 with ab -> {}, c/b = {}\nepsilon = {}\n"
-                    "(the formula of the limit is argued, polhode certify limit_formula; its value "
-                    "is\nenclosed)\n",
+                    "(the formula of the limit: polhode certify limit_formula)\n",
                     to_text(at.chi), to_text(at.beta), to_decimal(epsilon.enclosure, digits)));
   } else {
     print(fmt::format("not certified to {} digits: epsilon in the limit\n  ({})\n", digits,
