@@ -135,16 +135,25 @@ TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
   // 0.003129226665067...
   for (const char* part :
        {"Definition a : R := (253 / 20).", "Definition b : R := (629 / 10000).",
-        "Theorem body_is_physical : physical a b.", "(113594382341433383629502754355 / 10^30) <",
-        "(113594382341433383629502754356 / 10^30)", "(312922666506 / 10^14) <",
-        "(312922666507 / 10^14)"}) {
+        "Theorem body_is_physical : physical_parameters a b.",
+        "(113594382341433383629502754355 / 10^30) <", "(113594382341433383629502754356 / 10^30)",
+        "(312922666506 / 10^14) <", "(312922666507 / 10^14)",
+        "Theorem meetings_with_S : has_exactly 1 (meeting a b).",
+        "Theorem u1 : exists x, meeting_at a b 1 x /\\"}) {
     EXPECT_NE(theory.find(part), std::string::npos) << part << '\n' << theory;
   }
   ASSERT_EQ(run({"certify", "--coq", path, "--ab", "1/10,9/10", "--digits", "5"}).status, 0);
   const std::string other = contents(path);
-  EXPECT_NE(other.find("Theorem body_is_not_physical : ~ physical a b."), std::string::npos);
+  EXPECT_NE(other.find("Theorem body_is_not_physical : ~ physical_parameters a b."),
+            std::string::npos);
   EXPECT_NE(other.find("Theorem no_c0 : forall c, ~ perfect_twist a b c."), std::string::npos);
   EXPECT_EQ(other.find("Theorem c0"), std::string::npos);
+  EXPECT_NE(other.find("has_exactly 9 (meeting a b)"), std::string::npos);
+  EXPECT_NE(other.find("Theorem u3"), std::string::npos);
+  EXPECT_EQ(other.find("Theorem u4"), std::string::npos);
+  ASSERT_EQ(run({"certify", "--coq", path, "--ab", "1/10,1/100", "--digits", "5"}).status, 0);
+  const std::string none = contents(path);
+  EXPECT_NE(none.find("forall c, ~ meeting a b c"), std::string::npos);
 
   for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
            {"beta"}, {"--all"}, {"--list"}, {"--u", "1/4"}, {"--format", "json"}}) {
@@ -153,7 +162,7 @@ TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
     EXPECT_EQ(run(arguments).status, 2) << wrong.front();
   }
   EXPECT_EQ(run({"certify", "--coq", scratch.path("none/body.v")}).status, 2);
-  EXPECT_EQ(contents(path), other);
+  EXPECT_EQ(contents(path), none);
 }
 
 TEST(Certify, TheListFitsTheTerminal) {

@@ -1,10 +1,10 @@
-(** The defect on the separatrix and the perfect twist of one body, between two numbers.
+(** The defect on the separatrix, the perfect twist and the points where C meets S of one body, between two numbers.
     The hypotheses are inequalities between explicit expressions, which coq-interval decides for numbers:
     `polhode certify --coq` writes them for a body. *)
-Require Import Reals Lra.
+Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Polhode Require Physical Theorem2.
-From Polhode Require Import Theorem1 FirstEquation Separatrix SeparatrixClosedForm Infima.
+From Polhode Require Physical Theorem2 HalfPhase Values.
+From Polhode Require Import Theorem1 FirstEquation Separatrix SeparatrixClosedForm Infima Symmetry Curve.
 Open Scope R_scope.
 
 (** F(0,e) in elementary functions, as SeparatrixClosedForm.separatrix_closed_form has it. *)
@@ -71,10 +71,58 @@ assert (3 <= (a+1)/s). { apply (Rmult_le_reg_r s); trivial. unfold Rdiv. rewrite
 nra.
 Qed.
 
-(** Infima.physical from numbers. *)
-Theorem is_physical a b : 0 < a -> 0 < b < 1 -> 2*b + a*b <= 1 -> physical a b.
+(** Infima.physical_parameters from numbers. *)
+Theorem is_physical a b : 0 < a -> 0 < b < 1 -> 2*b + a*b <= 1 -> physical_parameters a b.
 Proof. intros Ha Hb H. repeat split; try lra. unfold geometric_constant. now apply Physical.physical_iff. Qed.
-Theorem is_not_physical a b : 0 < a -> 0 < b < 1 -> 1 < 2*b + a*b -> ~ physical a b.
+Theorem is_not_physical a b : 0 < a -> 0 < b < 1 -> 1 < 2*b + a*b -> ~ physical_parameters a b.
 Proof.
 intros Ha Hb H [_ [_ N]]. unfold geometric_constant in N. apply Physical.physical_iff in N; trivial. lra.
+Qed.
+
+(** C meets S for the n-th time, counted from c = 0 down, at c = -b u. *)
+Definition meeting_at (a b : R) (n : nat) (u : R) : Prop := nth_meeting a b n (- b * u).
+Lemma meeting_at_iff a b n u : 0 < a -> 0 < b < 1 -> (1 <= n)%nat -> (meeting_at a b n u <-> 0 < u < 1 /\ HalfPhase.G a b u = 2*PI/(2*INR n - 1)).
+Proof.
+intros Ha Hb Hn. unfold meeting_at. rewrite (nth_meeting_iff a b Ha Hb n _ Hn). unfold solves. replace (- (- b * u) / b) with u by (field; lra).
+split; intros [H1 H2]; (split; [|exact H2]).
+- split; apply (Rmult_lt_reg_l b); lra.
+- assert (0 < b * u) by (apply Rmult_lt_0_compat; lra). assert (0 < b * (1 - u)) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+Theorem meeting_between a b n m lo hi : 0 < a -> 0 < b < 1 -> (1 <= n)%nat -> m = 2*INR n - 1 -> 0 < lo -> lo < 1 -> 0 < hi -> hi < 1 ->
+  2*PI/m < HalfPhase.G a b lo -> HalfPhase.G a b hi < 2*PI/m ->
+  exists u, meeting_at a b n u /\ lo < u < hi /\ forall v, meeting_at a b n v -> v = u.
+Proof.
+intros Ha Hb Hn -> L0 L1 H0 H1 L U. set (v := 2*PI/(2*INR n - 1)) in *.
+assert (V : PI * geometric_constant a b < v).
+{ rewrite <- (G_at_one a b Ha Hb). apply Rlt_trans with (2 := U). apply (HalfPhase.G_decreasing a b Ha Hb); lra. }
+apply (Values.takes_each_value_once a b Ha Hb) in V. destruct V as [u [Hu [E Un]]]. exists u. split; [|split].
+- now apply meeting_at_iff.
+- assert (D := HalfPhase.G_decreasing a b Ha Hb). split; apply Rnot_le_lt; intros [N|N].
+  + assert (X := D u lo ltac:(lra) N ltac:(lra)). lra.
+  + rewrite N in E. lra.
+  + assert (X := D hi u ltac:(lra) N ltac:(lra)). lra.
+  + rewrite <- N in E. lra.
+- intros w W. apply meeting_at_iff in W; trivial. now apply Un.
+Qed.
+(** How often, by rational numbers: m^2 (1-b)^2 against 4 b (a+b), m = 2n - 1. *)
+Lemma constant_below a b m : 0 < a -> 0 < b < 1 -> 0 < m -> (geometric_constant a b < 2/m <-> m^2*(1-b)^2 < 4*b*(a+b)).
+Proof.
+intros Ha Hb Hm. unfold geometric_constant. assert (Q : 0 < b*(a+b)) by (apply Rmult_lt_0_compat; lra). assert (S := sqrt_lt_R0 _ Q). assert (S2 := sqrt_sqrt _ (Rlt_le _ _ Q)).
+set (s := sqrt (b*(a+b))) in *. assert (E : (1-b)/s < 2/m <-> m*(1-b) < 2*s).
+{ split; intros H.
+  - apply (Rmult_lt_compat_r (s*m)) in H; [|now apply Rmult_lt_0_compat]. replace ((1-b)/s*(s*m)) with (m*(1-b)) in H by (field; lra). replace (2/m*(s*m)) with (2*s) in H by (field; lra). exact H.
+  - apply (Rmult_lt_reg_r (s*m)); [now apply Rmult_lt_0_compat|]. replace ((1-b)/s*(s*m)) with (m*(1-b)) by (field; lra). replace (2/m*(s*m)) with (2*s) by (field; lra). exact H. }
+rewrite E. replace (4*b*(a+b)) with ((2*s)^2) by (simpl; lra). replace (m^2*(1-b)^2) with ((m*(1-b))^2) by ring.
+assert (P : 0 < m*(1-b)) by (apply Rmult_lt_0_compat; lra). split; intros H; simpl in *; nra.
+Qed.
+Theorem meets_exactly a b n m : 0 < a -> 0 < b < 1 -> m = 2*INR n + 1 -> m^2*(1-b)^2 < 4*b*(a+b) -> 4*b*(a+b) <= (m+2)^2*(1-b)^2 ->
+  has_exactly (S n) (meeting a b).
+Proof.
+intros Ha Hb -> L U. assert (N := pos_INR n). apply (theorem_4_ranges a b Ha Hb n). split.
+- replace (2*INR n + 3) with (2*INR n + 1 + 2) by ring. apply Rnot_lt_le. intros H. apply constant_below in H; trivial; lra.
+- apply constant_below; trivial; lra.
+Qed.
+Theorem never_meets a b : 0 < a -> 0 < b < 1 -> 4*b*(a+b) <= (1-b)^2 -> forall c, ~ meeting a b c.
+Proof.
+intros Ha Hb H. apply (no_meeting a b Ha Hb). apply Rnot_lt_le. intros L. replace 2 with (2/1) in L by field. apply constant_below in L; trivial; lra.
 Qed.

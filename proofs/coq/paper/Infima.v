@@ -5,12 +5,26 @@
     For planar bodies (ab + 2b = 1) both lie below what tends to these numbers as b tends to 0. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Polhode Require Beta Theorem2.
+From Polhode Require Beta Theorem2 FreeBody Theorems.
 From Polhode Require Import GaussIntegral Physical Theorem1 FirstEquation Separatrix.
 Open Scope R_scope.
 
-(** The bodies with a > 0, 0 < b < 1 that are physical, I >= 1 (proposition 1) *)
-Definition physical (a b : R) : Prop := 0 < a /\ 0 < b < 1 /\ 1 <= geometric_constant a b.
+(** The a and b of physical bodies: a > 0, 0 < b < 1 and I >= 1, by proposition 1. *)
+Definition physical_parameters (a b : R) : Prop := 0 < a /\ 0 < b < 1 /\ 1 <= geometric_constant a b.
+Theorem physical_parameters_iff a b : physical_parameters a b <->
+  exists moment, Theorems.body moment /\ Theorems.physical moment /\ FreeBody.par_a moment = a /\ FreeBody.par_b moment = b.
+Proof.
+split.
+- intros [Ha [Hb I]]. set (moment := fun i => match i with FreeBody.x_axis => / (1 - b) | FreeBody.y_axis => 1 | FreeBody.z_axis => / (1 + a) end).
+  assert (B : Theorems.body moment).
+  { unfold Theorems.body, moment. assert (0 < / (1 + a)) by (apply Rinv_0_lt_compat; lra).
+    assert (/ (1 + a) < 1) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra). assert (1 < / (1 - b)) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra). lra. }
+  assert (Ea : FreeBody.par_a moment = a) by (unfold FreeBody.par_a, moment; field; lra).
+  assert (Eb : FreeBody.par_b moment = b) by (unfold FreeBody.par_b, moment; field; lra).
+  exists moment. split; [exact B|]. split; [|now split]. apply Theorems.proposition_1; trivial. unfold Theorems.constant_I. rewrite Ea, Eb. exact I.
+- intros [moment [B [P [<- <-]]]]. split; [now apply Theorems.body_a_positive|]. split; [now apply Theorems.body_b_range|].
+  now apply (Theorems.proposition_1 moment B).
+Qed.
 (** e is the defect on the separatrix; c is a perfect twist. *)
 Definition defect_on_separatrix (a b e : R) : Prop := 0 < e < PI/2 /\ F a b 0 e = 2*PI.
 Definition perfect_twist (a b c : R) : Prop := 0 < c < a /\ F a b c 0 = 2*PI.
@@ -21,7 +35,7 @@ Lemma epsilon0_min_other_form : epsilon0_min = 2 * atan (exp (- PI)).
 Proof. unfold epsilon0_min. rewrite exp_Ropp, atan_inv by apply exp_pos. field. Qed.
 
 (** The planar body with ab = s^2: b = (1 - s^2)/2, a = s^2/b. *)
-Lemma planar s : 0 < s < 1 -> let b := (1 - s^2)/2 in let a := s^2/b in 0 < a /\ 0 < b < 1/2 /\ a*b = 1 - 2*b /\ sqrt (a*b) = s /\ physical a b.
+Lemma planar s : 0 < s < 1 -> let b := (1 - s^2)/2 in let a := s^2/b in 0 < a /\ 0 < b < 1/2 /\ a*b = 1 - 2*b /\ sqrt (a*b) = s /\ physical_parameters a b.
 Proof.
 intros Hs b a. assert (0 < s^2 < 1) by nra. assert (B : 0 < b < 1/2) by (unfold b; lra).
 assert (A : 0 < a) by (unfold a; apply Rdiv_lt_0_compat; lra).
@@ -33,7 +47,7 @@ split; [lra|]. split; [lra|]. split; [lra|]. split; [|split; [lra|split; [lra|]]
 Qed.
 
 (** Every physical body stays above. *)
-Theorem defect_above_minimum a b e : physical a b -> defect_on_separatrix a b e -> epsilon0_min < e.
+Theorem defect_above_minimum a b e : physical_parameters a b -> defect_on_separatrix a b e -> epsilon0_min < e.
 Proof.
 intros [Ha [Hb HI]] [He E]. assert (P := PI_RGT_0). rewrite epsilon0_min_other_form.
 destruct (defect_on_separatrix_bounds a b Ha Hb e He E) as [L _].
@@ -50,12 +64,12 @@ Theorem planar_defect_below a b e : 0 < a -> 0 < b < 1 -> a*b = 1 - 2*b -> defec
 Proof. intros Ha Hb H [He E]. rewrite <- H. now apply defect_on_separatrix_bounds. Qed.
 
 (** The infimum of the defect on the separatrix over physical bodies; by the theorem above it is not attained. *)
-Theorem epsilon0_infimum : is_glb_Rbar (fun e => exists a b, physical a b /\ defect_on_separatrix a b e) epsilon0_min.
+Theorem epsilon0_infimum : is_glb_Rbar (fun e => exists a b, physical_parameters a b /\ defect_on_separatrix a b e) epsilon0_min.
 Proof.
 assert (P := PI_RGT_0). split.
 - intros e [a [b [H1 H2]]]. simpl. left. now apply (defect_above_minimum a b).
 - intros m Hm.
-  assert (Some_body : forall s, 0 < s < 1 -> exists a b e, physical a b /\ defect_on_separatrix a b e /\ e < 2 * atan (exp (- (PI * s)))).
+  assert (Some_body : forall s, 0 < s < 1 -> exists a b e, physical_parameters a b /\ defect_on_separatrix a b e /\ e < 2 * atan (exp (- (PI * s)))).
   { intros s Hs. destruct (planar s Hs) as [A [B [E1 [E2 Ph]]]]. set (b := (1-s^2)/2) in *. set (a := s^2/b) in *.
     destruct (proposition_3_1 a b A ltac:(lra)) as [e [He [E _]]].
     exists a, b, e. split; trivial. split; [now split|]. rewrite <- E2. apply defect_on_separatrix_bounds; trivial; lra. }
@@ -166,7 +180,7 @@ destruct (Beta.beta_exists_unique (1/10000) 1) as [x [[H1 H2] H3]]; try lra.
 Qed.
 
 (** Every physical body stays above. *)
-Theorem perfect_twist_above_beta a b c beta : physical a b -> perfect_twist a b c -> is_beta beta -> beta < c/b.
+Theorem perfect_twist_above_beta a b c beta : physical_parameters a b -> perfect_twist a b c -> is_beta beta -> beta < c/b.
 Proof.
 intros [Ha [Hb HI]] Hc HB. assert (P := PI_RGT_0). destruct (is_beta_G beta HB) as [B0 B1].
 destruct (perfect_twist_bounds a b c Ha Hb Hc) as [_ U].
@@ -200,12 +214,12 @@ Qed.
 
 (** The infimum of c0/b over the physical bodies that have a perfect twist; by the theorem above it is not attained. *)
 Theorem beta_infimum beta : is_beta beta ->
-  is_glb_Rbar (fun r => exists a b c, physical a b /\ perfect_twist a b c /\ r = c/b) beta.
+  is_glb_Rbar (fun r => exists a b c, physical_parameters a b /\ perfect_twist a b c /\ r = c/b) beta.
 Proof.
 intros HB. assert (P := PI_RGT_0). destruct (is_beta_G beta HB) as [B0 B1]. split.
 - intros r [a [b [c [H1 [H2 ->]]]]]. simpl. left. now apply (perfect_twist_above_beta a b).
 - intros m Hm.
-  assert (Some_body : forall x, beta < x -> exists a b c, physical a b /\ perfect_twist a b c /\ c/b < x).
+  assert (Some_body : forall x, beta < x -> exists a b c, physical_parameters a b /\ perfect_twist a b c /\ c/b < x).
   { intros x Hx. assert (L := Beta.G_decreasing beta x B0 Hx). rewrite B1 in L. assert (GP := Beta.G_pos x ltac:(lra)).
     set (r := Beta.G x / PI). set (s := (r + 1)/2).
     assert (R1 : 0 < r < 1). { unfold r. split. apply Rdiv_lt_0_compat; lra. apply (Rmult_lt_reg_r PI); trivial. replace (Beta.G x/PI*PI) with (Beta.G x) by (field; lra). lra. }

@@ -367,13 +367,15 @@ exit_status write_theory(certify_options& options) {
   const time_watch watch(options.time_limit.limit());
   const coq_theory theory = coq_theory_of(motion.a, motion.b, options.digits.value());
   options.coq.write(theory.text);
-  print(
-      fmt::format("{}: a theory that says whether the body is physical, epsilon0 to {} digits, {}\n"
-                  "scripts/check-coq --theory {} has Coq prove it\n",
-                  in_quotes(*options.coq.path), theory.defect_digits,
-                  theory.twist_digits == 0 ? "and that there is no perfect twist"
-                                           : fmt::format("c0 to {}", theory.twist_digits),
-                  *options.coq.path));
+  print(fmt::format(
+      "{}: a theory that says whether the body is physical, epsilon0 to {} digits,\n"
+      "{}, {}\nscripts/check-coq --theory {} has Coq prove it\n",
+      in_quotes(*options.coq.path), theory.defect_digits,
+      theory.twist_digits == 0 ? "that there is no perfect twist"
+                               : fmt::format("c0 to {}", theory.twist_digits),
+      theory.meeting_digits == 0 ? "and that C does not meet S"
+                                 : fmt::format("and where C meets S to {}", theory.meeting_digits),
+      *options.coq.path));
   return exit_status::all_certified;
 }
 

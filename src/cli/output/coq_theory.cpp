@@ -15,7 +15,10 @@ namespace polhode::cli {
 namespace {
 
 constexpr double log2_of_10 = 3.3219280948873623;
-constexpr long most_twist_digits = 12;  // by coq-interval's quadrature
+constexpr long most_quadrature_digits = 12;  // by coq-interval's quadrature
+constexpr int most_meetings = 3;             // that are enclosed, each in ten seconds
+/// Coq has the number of meetings as a unary number.
+constexpr int most_counted = 100;
 
 /// An open interval with ends of so many significant digits that has the number inside.
 struct bracket {
@@ -55,11 +58,51 @@ std::string real(const integer& n, long scale) {
 std::string between(const char* name, const char* predicate, const bracket& x,
                     const std::string& proof) {
   return fmt::format(
-      "Theorem {0} : exists x, {1} a b x /\\\n"
+      "Theorem {0} : exists x, {1} x /\\\n"
       "  {2} <\n  x <\n  {3} /\\\n"
-      "  forall y, {1} a b y -> y = x.\n"
+      "  forall y, {1} y -> y = x.\n"
       "Proof.\n{4}Qed.\n\n",
       name, predicate, real(x.lower, x.scale), real(x.upper, x.scale), proof);
+}
+
+constexpr const char* by_quadrature =
+    "integral with (i_prec 90, i_degree 20, i_fuel 20000, i_width (-52))";
+
+/// How often C meets S, and where first.
+void add_meetings(coq_theory& theory, const body& rigid, long digits) {
+  const integer count = intersection_count(rigid);
+  theory.text += "(** Where C meets S, theorem 4: c = -b u. *)\n";
+  if (count == 0) {
+    theory.text +=
+        "Theorem no_meeting_with_S : forall c, ~ meeting a b c.\n"
+        "Proof. apply never_meets; unfold a, b; lra. Qed.\n";
+    return;
+  }
+  if (count <= most_counted) {
+    theory.text += fmt::format(
+        "Theorem meetings_with_S : has_exactly {0} (meeting a b).\n"
+        "Proof.\napply (meets_exactly a b {1} {2}); try (unfold a, b; lra).\n"
+        "rewrite INR_IZR_INZ; simpl; lra.\nQed.\n\n",
+        count.str(), integer(count - 1).str(), integer(2 * count - 1).str());
+  }
+  for (int k = 1; k <= most_meetings && k <= count; ++k) {
+    const meeting at = meeting_to_digits(rigid, integer(2 * k - 1), digits + 3);
+    certain_number u;
+    u.verdict = at.verdict;
+    u.enclosure = at.u;
+    const std::string name = fmt::format("u{}", k);
+    const bracket inside = bracket_of(u, digits, name.c_str());
+    theory.text += between(
+        name.c_str(), fmt::format("meeting_at a b {}", k).c_str(), inside,
+        fmt::format("apply (meeting_between a b {0} {1}); try (unfold a, b; lra).\n"
+                    "- auto with arith.\n"
+                    "- rewrite INR_IZR_INZ; simpl; lra.\n"
+                    "- unfold HalfPhase.G, HalfPhase.h, HalfPhase.X, HalfPhase.Q, a, b; {2}.\n"
+                    "- unfold HalfPhase.G, HalfPhase.h, HalfPhase.X, HalfPhase.Q, a, b; {2}.\n",
+                    k, 2 * k - 1, by_quadrature));
+  }
+  theory.meetings = count;
+  theory.meeting_digits = digits;
 }
 
 }  // namespace
@@ -74,13 +117,14 @@ coq_theory coq_theory_of(const rational& a, const rational& b, long digits) {
       "Require Import Reals Lra.\n"
       "From Coquelicot Require Import Coquelicot.\n"
       "From Interval Require Import Tactic.\n"
-      "From Polhode Require Import Infima Brackets.\n"
+      "From Polhode Require HalfPhase.\n"
+      "From Polhode Require Import Infima Curve Brackets.\n"
       "Open Scope R_scope.\n\n"
       "Definition a : R := {}.\nDefinition b : R := {}.\n\n",
       to_text(a), to_text(b), digits, real(a), real(b));
   const bool is_physical = 2 * b + a * b <= 1;
   result.text += fmt::format(
-      "Theorem body_is_{0} : {1}physical a b.\n"
+      "Theorem body_is_{0} : {1}physical_parameters a b.\n"
       "Proof. apply is_{0}; unfold a, b; lra. Qed.\n\n",
       is_physical ? "physical" : "not_physical", is_physical ? "" : "~ ");
 
@@ -94,7 +138,7 @@ coq_theory coq_theory_of(const rational& a, const rational& b, long digits) {
   result.defect_digits = digits;
   result.text += "(** The defect on the separatrix, equation (25) of the paper. *)\n";
   result.text += between(
-      "epsilon0", "defect_on_separatrix", defect,
+      "epsilon0", "defect_on_separatrix a b", defect,
       fmt::format(
           "apply defect_between; unfold separatrix_phase, a, b; cbv zeta;\n"
           "  [lra | lra | split; interval with (i_prec 90) | split; interval with (i_prec 90) |\n"
@@ -105,19 +149,18 @@ coq_theory coq_theory_of(const rational& a, const rational& b, long digits) {
     result.text +=
         "(** There is no perfect twist. *)\n"
         "Theorem no_c0 : forall c, ~ perfect_twist a b c.\n"
-        "Proof. apply no_twist; unfold a, b; lra. Qed.\n";
-    return result;
+        "Proof. apply no_twist; unfold a, b; lra. Qed.\n\n";
+  } else {
+    result.twist_digits = std::min(digits, most_quadrature_digits);
+    const bracket twist = bracket_of(perfect_twist_to_digits(rigid, result.twist_digits + 3),
+                                     result.twist_digits, "c0");
+    result.text += "(** The perfect twist, proposition 3. *)\n";
+    result.text += between("c0", "perfect_twist a b", twist,
+                           fmt::format("apply twist_between; unfold rotating_phase, a, b;\n"
+                                       "  [lra | lra | lra | lra |\n   {0} |\n   {0}].\n",
+                                       by_quadrature));
   }
-  result.twist_digits = std::min(digits, most_twist_digits);
-  const bracket twist = bracket_of(perfect_twist_to_digits(rigid, result.twist_digits + 3),
-                                   result.twist_digits, "c0");
-  const std::string by_quadrature =
-      "integral with (i_prec 90, i_degree 20, i_fuel 20000, i_width (-52))";
-  result.text += "(** The perfect twist, proposition 3. *)\n";
-  result.text += between("c0", "perfect_twist", twist,
-                         fmt::format("apply twist_between; unfold rotating_phase, a, b;\n"
-                                     "  [lra | lra | lra | lra |\n   {0} |\n   {0}].\n",
-                                     by_quadrature));
+  add_meetings(result, rigid, std::min(digits, most_quadrature_digits));
   return result;
 }
 
