@@ -432,6 +432,103 @@ integral_case multiples_of_pi_cancel(maker& m) {
   return r;
 }
 
+/// What tends to 0 at infinity faster than all powers because limits cancel: of 1 - tanh(k x), say.
+/// The same function is written without the cancellation, too. A divergent twin in one case of
+/// four, by a constant that may be tiny.
+integral_case limits_cancel(maker& m) {
+  const bool diverges = m.one_in(4);
+  const term c = m.coefficient();
+  const term k = m.rational_near(m.within(0.3, 3));
+  const term a = m.rational_near(m.within(0.2, 3));
+  const term w = m.rational_near(m.within(0.1, 1)) * call("exp", -k * x);
+  const term d = m.rational_near(m.within(0.1, 2));
+  term written = 0;
+  term same = 0;
+  switch (m.between(0, 12)) {
+    case 0:
+      written = 1 - call("tanh", k * x);
+      same = 2 / (call("exp", 2 * k * x) + 1);
+      break;
+    case 1:
+      written = 1 / call("tanh", k * x) - 1;
+      same = 2 / call("expm1", 2 * k * x);
+      break;
+    case 2: {
+      const term half = m.any_of({term(1), d});
+      written = call("log", 2 * half * call("cosh", k * x)) - k * x - call("log", half);
+      same = call("log1p", call("exp", -2 * k * x));
+      break;
+    }
+    case 3:
+      written = k * x - call("log", call("exp", k * x) - 1);
+      same = -call("log1p", -call("exp", -k * x));
+      break;
+    case 4:
+      written = call("sqrt", 1 + w) - 1;
+      same = w / (1 + call("sqrt", 1 + w));
+      break;
+    case 5:
+      written = term("pi") / 2 - call("atan", call("exp", k * x));
+      same = call("atan", call("exp", -k * x));
+      break;
+    case 6:
+      written = call("asinh", call("exp", k * x)) - k * x - call("log", 2);
+      same = call("log", (1 + call("sqrt", 1 + call("exp", -2 * k * x))) / 2);
+      break;
+    case 7:
+      written = call("tanh", k * x + d) - call("tanh", k * x);
+      same = call("sinh", d) / (call("cosh", k * x + d) * call("cosh", k * x));
+      break;
+    case 8:
+      written = call("erf", k * x + d) - call("erf", k * x);
+      same = call("erfc", k * x) - call("erfc", k * x + d);
+      break;
+    case 9:
+      written = power(1 + w, d) - 1;
+      same = call("expm1", d * call("log1p", w));
+      break;
+    case 10:
+      written = call("exp", w) - 1;
+      same = call("expm1", w);
+      break;
+    case 11:
+      written = call("sin", d + w) - call("sin", d);
+      same = 2 * call("cos", d + w / 2) * call("sin", w / 2);
+      break;
+    default:
+      written = 1 / (1 - w / 2) - 1;
+      same = w / (2 - w);
+      break;
+  }
+  const term weight = c * (m.one_in(2) ? term(1) : power(x, m.between(1, 3)));
+  integral_case r{written * weight, a, "inf", few_digits(m)};
+  if (diverges) {
+    const term more = m.any_of({term("0.001"), term("1e-15"), term("-1e-25"), term("1e-60")});
+    r.integrand = (written + more) * weight;
+    r.diverges = true;
+  } else {
+    r.parts.push_back({same * weight, a, "inf", r.digits});
+  }
+  return r;
+}
+
+/// What falls doubly exponentially, beside what grows exponentially: K_n(p) among them.
+integral_case falls_doubly(maker& m) {
+  const term p = m.rational_near(m.within(0.2, 5));
+  const long n = m.between(1, 6);
+  const char* grows = m.any_of({"cosh", "sinh"});
+  const bool is_sinh = m.one_in(2);
+  const term fall = p * call(is_sinh ? "sinh" : "cosh", x);
+  const term a = m.one_in(2) ? term(0) : m.rational_near(m.within(0.1, 1));
+  integral_case r{call("exp", -fall) * call(grows, n * x), a, "inf", few_digits(m)};
+  const term half = term(1) / 2;
+  r.parts.push_back(
+      {call("exp", n * x - fall), a, "inf", r.digits, quadrature_rule::automatic, half});
+  r.parts.push_back({call("exp", -n * x - fall), a, "inf", r.digits, quadrature_rule::automatic,
+                     std::string(grows) == "cosh" ? half : -half});
+  return r;
+}
+
 /// What grows at an end and does not, because constants that are neither rational nor multiples of
 /// pi cancel: at logarithms, roots and exponentials, and at infinity. A divergent twin in one case
 /// of four.
@@ -811,6 +908,8 @@ std::vector<integral_family> end_families() {
           {"removable", 10, mostly_cheap(removable)},
           {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},
           {"constants cancel", 10, mostly_cheap(constants_cancel)},
+          {"limits cancel", 10, mostly_cheap(limits_cancel)},
+          {"falls doubly", 5, mostly_cheap(falls_doubly)},
           {"by an exponential", 14, mostly_cheap(by_exponential)},
           {"powers of differences", 3, powers_of_differences},
           {"end without a series", 8, mostly_cheap(growing_end)},

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/oscillation.hpp"
 #include "quadrature/ends/segments.hpp"
 #include "quadrature/ends/tail_series.hpp"
@@ -241,6 +243,106 @@ TEST(Tails, OfDoubleExponentialsAreBounded) {
   // What grows has no tail.
   EXPECT_TRUE(beyond_two([&](const auto& x) { return exp(5 * x * factor(x)); }).is_infinite());
   EXPECT_TRUE(beyond_two([&](const auto& x) { return exp(exp(x) * factor(x)); }).is_infinite());
+}
+
+/// The integral of |f| beyond 2, of a formula in which nothing cancels.
+ball integral_beyond_two(const char* formula) {
+  const integral found =
+      integrate(parse(formula), end_point(2), end_point::infinity(), {.digits = 30});
+  EXPECT_EQ(found.verdict, status::certified) << formula;
+  return abs(found.enclosure);
+}
+
+/// 1 + w, w = c e^-x, and functions of it, without what does not decay.
+TEST(Tails, OfWhatIsLeftWhereConstantsCancelAreBounded) {
+  const rational c(6, 10);
+  const auto check = [](const char* formula, const rational& factor, const auto& f) {
+    expect_bound(beyond_two(f), integral_beyond_two(formula), factor, formula);
+  };
+  const auto w = [&](const auto& x) { return c * exp(-x); };
+  check("0.36*exp(-2*x)", rational(101, 100), [&](const auto& x) {
+    const auto y = 1 + w(x);
+    return y * y - 1 - 2 * w(x);
+  });
+  check("0.6*exp(-x)+0.36*exp(-2*x)", rational(21, 20),
+        [&](const auto& x) { return (1 + w(x)) + (1 + w(x) * w(x)) - 2; });
+  check("0.6*exp(-x)+0.36*exp(-2*x)", rational(21, 20),
+        [&](const auto& x) { return (1 + w(x)) - (1 - w(x) * w(x)); });
+  check("0.6*exp(-x)+0.36*exp(-2*x)", rational(21, 20),
+        [&](const auto& x) { return ((1 + w(x)) + w(x) * w(x)) - 1; });
+  // Where only a slope is known: its range is that over all w.
+  check("0.36*exp(-2*x)/(1+0.6*exp(-x))", 16,
+        [&](const auto& x) { return 1 / (1 + w(x)) - 1 + w(x); });
+  check("(sqrt(1+0.6*exp(-x))-1)^2/2", 16,
+        [&](const auto& x) { return sqrt(1 + w(x)) - 1 - w(x) / 2; });
+  check("0.6*exp(-x)-log1p(0.6*exp(-x))", 16, [&](const auto& x) { return log(1 + w(x)) - w(x); });
+  check("expm1(0.6*exp(-x))-0.6*exp(-x)", 16, [&](const auto& x) { return exp(w(x)) - 1 - w(x); });
+  check("2*cos(0.5+0.3*exp(-x))*sin(0.3*exp(-x))", rational(13, 10), [&](const auto& x) {
+    const auto half = x.constant_like(rational(1, 2));
+    return sin(half + w(x)) - sin(half);
+  });
+  check("2*sin(1.5+0.3*exp(-x))*sin(0.3*exp(-x))", rational(13, 10), [&](const auto& x) {
+    const auto more = x.constant_like(rational(3, 2));
+    return cos(more + w(x)) - cos(more);
+  });
+  const auto tenth = [](const auto& x) { return x.constant_like(rational(1, 10)); };
+  check("atan(0.6*exp(-x)/(1+(0.1+0.6*exp(-x))/10))", rational(13, 10),
+        [&](const auto& x) { return atan(tenth(x) + w(x)) - atan(tenth(x)); });
+  check("sinh(0.6*exp(-x))/(cosh(0.1)*cosh(0.1+0.6*exp(-x)))", rational(13, 10),
+        [&](const auto& x) { return tanh(tenth(x) + w(x)) - tanh(tenth(x)); });
+  check("2*asinh(0.3*exp(-x))-0.02*exp(-x)", rational(13, 10),
+        [&](const auto& x) { return asinh(tenth(x) + w(x)) - asinh(tenth(x)); });
+  check("1.1*0.6*exp(-x)", rational(13, 10),
+        [&](const auto& x) { return erf(tenth(x) + w(x)) - erf(tenth(x)); });
+}
+
+/// Functions of what grows, without their limits.
+TEST(Tails, OfDistancesFromALimitAreBounded) {
+  const auto check = [](const char* formula, const rational& factor, const auto& f) {
+    expect_bound(beyond_two(f), integral_beyond_two(formula), factor, formula);
+  };
+  check("2/(exp(2*x)+1)", rational(21, 20), [](const auto& x) { return 1 - tanh(x); });
+  check("2/(exp(2*x)+1)", rational(21, 20), [](const auto& x) { return 1 + tanh(-x); });
+  check("2/expm1(2*x)", rational(21, 20), [](const auto& x) { return 1 / tanh(x) - 1; });
+  check("erfc(x)", rational(4, 3), [](const auto& x) { return 1 - erf(x); });
+  check("erfc(x)", rational(4, 3), [](const auto& x) { return 2 - erfc(-x); });
+  check("atan(exp(-x))", rational(11, 10), [](const auto& x) {
+    return x.constant_like(known_number(pi_combination{0, rational(1, 2)})) - atan(exp(x));
+  });
+  check("log1p(exp(-2*x))", rational(21, 20), [](const auto& x) { return log(2 * cosh(x)) - x; });
+  check("log1p(exp(-2*x))", rational(21, 20), [](const auto& x) { return log(2 * cosh(-x)) - x; });
+  check("log((1+sqrt(1+exp(-2*x)))/2)", 8,
+        [](const auto& x) { return asinh(exp(x)) - x - log(x.constant_like(2)); });
+  check("-log((1+sqrt(1-exp(-2*x)))/2)", 8,
+        [](const auto& x) { return acosh(exp(x)) - x - log(x.constant_like(2)); });
+  // A constant that is left, be it small, has no tail.
+  EXPECT_TRUE(beyond_two([](const auto& x) {
+                return rational(1'000'001, 1'000'000) - tanh(x);
+              }).is_infinite());
+  EXPECT_TRUE(beyond_two([](const auto& x) {
+                return log(2 * cosh(x)) - x * rational(1'000'001, 1'000'000);
+              }).is_infinite());
+}
+
+/// Of what is bounded, and no series: erf is then between 0 and 1, or -1 and 0, and erfc below 2.
+TEST(Tails, OfBoundedErrorFunctionsAreBounded) {
+  const ball tail = exp(ball(-2, p));
+  const rational factor(101, 100);
+  expect_bound(beyond_two([](const auto& x) { return exp(-x) * erf(4 + sin(x)); }),
+               tail * rational(999, 1000), factor, "exp(-x) erf(4 + sin(x))");
+  expect_bound(beyond_two([](const auto& x) { return exp(-x) * erf(-4 - sin(x)); }),
+               tail * rational(999, 1000), factor, "exp(-x) erf(-4 - sin(x))");
+  expect_bound(beyond_two([](const auto& x) { return exp(-x) * erfc(-4 - sin(x)); }),
+               tail * rational(1999, 1000), factor, "exp(-x) erfc(-4 - sin(x))");
+}
+
+/// The bound of e^phi by phi^2 is nearly attained at phi = 2.
+TEST(Tails, OfSteeperDoubleExponentialsAreBounded) {
+  const ball z = 20 * exp(ball(2, p));
+  expect_bound(beyond_two([](const auto& x) { return exp(-20 * exp(x)); }), exp(-z) / (z + 1),
+               rational(105, 100), "exp(-20 exp(x))");
+  const tail_series far = tail_series::argument(known_number(rational(1)), 0x1p-8);
+  EXPECT_FALSE((exp(-cosh(2 * far)) * cosh(9 * far)).integral_beyond(ball(512, 64)).is_infinite());
 }
 
 TEST(Tails, OfLogarithmsAndPowersAreBounded) {

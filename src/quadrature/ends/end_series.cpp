@@ -522,10 +522,17 @@ double_interval end_series::real_range() const {
   return hull(double_interval(0), double_interval::from_ball(power)) * terms_.front().over[0].re();
 }
 
+/// Where the k-th derivative of G is 0 all over the square, G is a polynomial of degree below k: it
+/// is 0 where its coefficients at 0 are.
 bool end_series::is_zero() const {
   if (blocked_) return false;
-  return std::all_of(terms_.begin(), terms_.end(),
-                     [](const term& g) { return g.over[0].magnitude_upper().is_zero(); });
+  return std::all_of(terms_.begin(), terms_.end(), [](const term& g) {
+    for (int k = 0; k <= g.over.order(); ++k) {
+      if (g.over[k].magnitude_upper().is_zero()) return true;
+      if (k > g.at_0.order() || !settled(g.at_0[k]).is_zero()) return false;
+    }
+    return false;
+  });
 }
 
 end_series abs(const end_series& x) {

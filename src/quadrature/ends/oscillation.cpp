@@ -107,7 +107,7 @@ integrand steady_part(const shared_decomposition& f) {
     return [=, w = at(p)](const ball& y) { return value(w->amplitude(y), ball(0, p)); };
   };
   result.near_end = [=](const end_series& y) { return value(at(192)->amplitude(y), y * 0); };
-  result.near_infinity = [](const tail_series&) { return tail_series(); };
+  result.near_infinity = [=](const tail_series& y) { return value(at(192)->amplitude(y), y * 0); };
   return result;
 }
 

@@ -51,39 +51,71 @@ void tail_series::settle() {
   }
 }
 
-tail_series operator-(const tail_series& x) { return x.with(x.phi_, -x.h_, x.u_); }
+std::optional<tail_series> tail_series::excess() const {
+  if (has_no_factor()) return with(std::nullopt, one_ * 0, double_interval(1));
+  if (excess_) return *excess_;
+  return std::nullopt;
+}
 
+tail_series tail_series::with_excess(const tail_series& w) const {
+  constexpr int most_depth = 3;
+  if (is_blocked() || w.is_blocked() || has_no_factor()) return *this;
+  tail_series result = *this;
+  tail_series kept = w;
+  if (kept.depth_ + 1 >= most_depth) {
+    kept.excess_.reset();
+    kept.depth_ = 0;
+  }
+  result.depth_ = kept.depth_ + 1;
+  result.excess_ = std::make_shared<const tail_series>(std::move(kept));
+  return result;
+}
+
+tail_series operator-(const tail_series& x) {
+  tail_series result = x;
+  result.h_ = -x.h_;
+  return result;
+}
+
+/// (1 + w) (1 + v) = 1 + (w + v + w v).
 tail_series operator*(const tail_series& x, const tail_series& y) {
   if (x.is_blocked()) return x;
   if (y.is_blocked()) return y;
   std::optional<end_series> phi = x.phi_;
   if (y.phi_) phi = phi ? *phi + *y.phi_ : *y.phi_;
-  const bool both = x.has_no_factor() && y.has_no_factor();
-  return x.with(std::move(phi), x.h_ * y.h_, both ? double_interval(1) : x.u_ * y.u_);
+  if (x.has_no_factor() && y.has_no_factor()) {
+    return x.with(std::move(phi), x.h_ * y.h_, double_interval(1));
+  }
+  tail_series product = x.with(std::move(phi), x.h_ * y.h_, x.u_ * y.u_);
+  if (x.has_no_factor()) return y.excess_ ? product.with_excess(*y.excess_) : product;
+  if (y.has_no_factor()) return x.excess_ ? product.with_excess(*x.excess_) : product;
+  if (!x.excess_ || !y.excess_) return product;
+  const tail_series& w = *x.excess_;
+  const tail_series& v = *y.excess_;
+  return product.with_excess(w + v + w * v);
 }
 
+/// 1/(1 + w) = 1 - w/(1 + w).
 tail_series operator/(const tail_series& x, const tail_series& y) {
   if (y.is_blocked()) return y;
-  const bool exact = y.has_no_factor();
   std::optional<end_series> phi;
   if (y.phi_) phi = -*y.phi_;
-  return x * y.with(std::move(phi), 1 / y.h_, exact ? double_interval(1) : 1 / y.u_);
+  if (y.has_no_factor()) return x * y.with(std::move(phi), 1 / y.h_, double_interval(1));
+  const double_interval inverse = 1 / y.u_;
+  const tail_series divisor = y.with(std::move(phi), 1 / y.h_, inverse);
+  return x * (y.excess_ ? divisor.with_excess(-y.excess_->times(inverse)) : divisor);
 }
 
 /// With the greater exponential in front: e^phi h (U + (g/h) V e^delta), where delta = -c y^mu
 /// times at least 1 and |g/h| <= B y^P as for integral_beyond, and y^P e^(-c y^mu) decreases for y
 /// >= 1/r.
-tail_series operator+(const tail_series& x, const tail_series& y) {
-  tail_series sum = tail_series::sum(x, y);
-  if (sum.is_blocked()) return sum;
-  if (x.is_one() && y.phi_) sum.beyond_1_ = std::make_shared<const tail_series>(y);
-  if (y.is_one() && x.phi_) sum.beyond_1_ = std::make_shared<const tail_series>(x);
-  return sum;
-}
+tail_series operator+(const tail_series& x, const tail_series& y) { return tail_series::sum(x, y); }
 
 tail_series tail_series::sum(const tail_series& x, const tail_series& y) {
   if (x.is_blocked()) return x;
   if (y.is_blocked()) return y;
+  if (x.h_.is_zero()) return y;
+  if (y.h_.is_zero()) return x;
   std::optional<end_series> delta;
   if (x.phi_ || y.phi_) {
     delta = (y.phi_ ? *y.phi_ : y.one_ * 0) - (x.phi_ ? *x.phi_ : x.one_ * 0);
@@ -96,8 +128,18 @@ tail_series tail_series::sum(const tail_series& x, const tail_series& y) {
     const end_series h = delta ? y.h_ * exp(*delta) : y.h_;
     if (h.is_blocked()) return x.blocked("+ (of exponentials)");
     if (x.has_no_factor() && y.has_no_factor()) return x.with(x.phi_, x.h_ + h, double_interval(1));
-    if (x.h_.is_zero()) return y;
     if (h.is_zero()) return x;
+    // h_x (1 + w) + h (1 + v) = (h_x + h) + (h_x w + h v); where h_x + h is 0 it is h_x (w - v).
+    const std::optional<tail_series> w = x.excess();
+    const std::optional<tail_series> v = y.excess();
+    if (w && v) {
+      const end_series total = x.h_ + h;
+      const tail_series exponential = x.with(x.phi_, x.one_, double_interval(1));
+      if (total.is_zero()) return exponential * x.base() * (*w - *v);
+      const tail_series rest = x.base() * *w + x.with(std::nullopt, h, double_interval(1)) * *v;
+      const tail_series both = sum(x.with(std::nullopt, total, double_interval(1)), rest);
+      if (!both.is_blocked()) return exponential * both;
+    }
     const double_interval ratio = (h / x.h_).real_range();
     if (!ratio.is_undefined()) return x.with(x.phi_, x.h_, x.u_ + ratio * y.u_);
     const double_interval other = (x.h_ / h).real_range();
@@ -106,22 +148,36 @@ tail_series tail_series::sum(const tail_series& x, const tail_series& y) {
   const int sign = delta->sign();
   if (sign == 0) return x.blocked("+ (of exponentials)");
   if (sign > 0) return sum(y, x);
-  if (y.h_.is_zero()) return x;
   const end_series quotient = y.h_ / x.h_;
   if (quotient.is_blocked()) return x.blocked("+");
-  const ball mu(rational(-delta->exponent()), 64);
-  const ball start = 1 / ball::exactly(x.r_, 64);
-  const ball v = pow(start, mu);
-  const ball slope = exactly(delta->infimum()) * v;
+  tail_series smaller = y.with(std::move(delta), quotient, y.u_);
+  const double_interval error = smaller.range();
+  if (error.is_undefined()) return x.blocked("+ (of exponentials)");
+  if (y.excess_) smaller = smaller.with_excess(*y.excess_);
+  tail_series result = x.with(x.phi_, x.h_, x.u_ + error);
+  const std::optional<tail_series> w = x.excess();
+  return w ? result.with_excess(*w + smaller) : result;
+}
+
+/// Where phi < 0, |phi| >= c y^mu and |h| is at most the sum of B y^p (log y)^k, log y <= y, with
+/// y^P e^(-c y^mu), P = p + k, decreasing for y >= 1/r.
+double_interval tail_series::range() const {
+  if (h_.is_zero()) return double_interval(0);
+  if (!phi_) return h_.real_range() * u_;
+  if (phi_->sign() >= 0) return double_interval::undefined();
+  const ball mu(rational(-phi_->exponent()), 64);
+  const ball start = 1 / ball::exactly(r_, 64);
+  const ball slope = exactly(phi_->infimum()) * pow(start, mu);
   magnitude bound;
-  for (int k = 0; k <= quotient.log_degree(); ++k) {
-    const ball p(rational(k - quotient.exponent()), 64);
-    if (!certainly_less(p, mu * slope)) return x.blocked("+ (of exponentials)");
-    const ball size = exactly(quotient.supremum(k)) * pow(start, p) * exp(-slope);
+  for (int k = 0; k <= h_.log_degree(); ++k) {
+    const ball p(rational(k - h_.exponent()), 64);
+    if (!certainly_less(p, mu * slope)) return double_interval::undefined();
+    const ball size = exactly(h_.supremum(k)) * pow(start, p) * exp(-slope);
     bound = add_up(bound, size.magnitude_upper());
   }
-  const double_interval error = outward(ball(0, 64).enlarged(bound));
-  return x.with(x.phi_, x.h_, x.u_ + error * y.u_);
+  const double_interval both = outward(ball(0, 64).enlarged(bound));
+  const int sign = h_.sign();
+  return double_interval(sign > 0 ? 0.0 : both.lower(), sign < 0 ? 0.0 : both.upper()) * u_;
 }
 
 tail_series sqrt(const tail_series& x) { return pow(x, rational(1, 2)); }
@@ -135,7 +191,12 @@ tail_series pow(const tail_series& x, const rational& e) {
     const bool is_whole = denominator(e) == 1 && abs(numerator(e)) <= 1'000'000'000;
     u = is_whole ? pow(x.u_, static_cast<long>(numerator(e))) : exp(double_interval(e) * log(x.u_));
   }
-  return x.with(std::move(phi), pow(x.h_, e), u);
+  tail_series result = x.with(std::move(phi), pow(x.h_, e), u);
+  const double_interval between = hull(double_interval(1), x.u_);
+  if (!x.excess_ || !certainly_positive(between)) return result;
+  // (1 + w)^e = 1 + w e (1 + xi)^(e-1), xi between 0 and w.
+  const double_interval slope = double_interval(e) * exp(double_interval(e - 1) * log(between));
+  return result.with_excess(x.excess_->times(slope));
 }
 
 tail_series pow(const tail_series& x, long n) { return pow(x, rational(n)); }
@@ -164,12 +225,18 @@ tail_series pow(const tail_series& x, const tail_series& y) {
 tail_series exp(const tail_series& x) {
   if (x.is_blocked()) return x;
   if (!x.is_plain()) {
-    // Of a bounded argument.
-    double_interval range = x.h_.real_range() * x.u_;
-    if (x.phi_) {
-      const bool decays = x.phi_->sign() < 0;
-      range = decays ? range * double_interval(0.0, 1.0) : double_interval::undefined();
+    // e^(g + w) = e^g (1 + w e^xi), xi between 0 and w: w is what decays, g the rest.
+    const std::optional<tail_series> v = x.phi_ ? std::nullopt : x.excess();
+    const tail_series w = x.phi_ ? x : v ? x.base() * *v : x.blocked("exp");
+    const double_interval small = w.is_blocked() ? double_interval::undefined() : w.range();
+    if (!small.is_undefined()) {
+      tail_series factor = x.with(std::nullopt, x.one_, exp(small))
+                               .with_excess(w.times(exp(hull(double_interval(0), small))));
+      if (x.phi_) return factor;
+      tail_series result = exp(x.base()) * factor;
+      if (!result.is_blocked()) return result;
     }
+    const double_interval range = x.range();
     if (range.is_undefined()) return x.exp_of_growing();
     return x.with(std::nullopt, x.one_, exp(range));
   }
@@ -186,7 +253,11 @@ tail_series tail_series::exp_of_growing() const {
   if (phi_) {
     if (phi_->sign() <= 0 || greatest >= 0) return blocked("exp");
     const rational e_below(2718281828, 1000000000);
+    const ball start = 1 / ball::exactly(r_, 64);
+    const ball least = exactly(phi_->infimum()) * pow(start, ball(rational(-phi_->exponent()), 64));
+    const bool is_far = certainly_less(ball(rational(3, 2), 64), least);  // 4/e = 1.47...
     bound = bound * *phi_ * e_below;
+    if (is_far) bound = bound * *phi_ * (e_below / 4);
   }
   bound = bound.simplified();
   if (bound.is_blocked() || bound.log_degree() != 0) return blocked("exp");
@@ -195,10 +266,13 @@ tail_series tail_series::exp_of_growing() const {
 
 tail_series log(const tail_series& x) {
   if (x.is_blocked()) return x;
-  if (x.beyond_1_ && x.beyond_1_->is_small()) return log1p(*x.beyond_1_);
   const end_series sum = x.phi_ ? *x.phi_ + log(x.h_) : log(x.h_);
-  if (x.has_no_factor()) return x.with(std::nullopt, sum, double_interval(1));
-  return x.with(std::nullopt, sum, double_interval(1)) + x.with(std::nullopt, x.one_, log(x.u_));
+  tail_series plain = x.with(std::nullopt, sum, double_interval(1));
+  if (x.has_no_factor()) return plain;
+  // log(1 + w) = w/(1 + xi), xi between 0 and w.
+  const double_interval between = hull(double_interval(1), x.u_);
+  if (x.excess_ && certainly_positive(between)) return plain + x.excess_->times(1 / between);
+  return plain + x.with(std::nullopt, x.one_, log(x.u_));
 }
 
 template <class F>
@@ -222,7 +296,6 @@ tail_series tail_series::bounded(F&& f, double_interval range) const {
     return x.regular(#f, [](const auto& h) { return f(h); }); \
   }
 POLHODE_REGULAR(acos)
-POLHODE_REGULAR(acosh)
 POLHODE_REGULAR(floor)
 POLHODE_REGULAR(ceil)
 #undef POLHODE_REGULAR
@@ -244,30 +317,18 @@ tail_series min(const tail_series& x, const tail_series& y) {
 }
 tail_series max(const tail_series& x, const tail_series& y) { return -min(-x, -y); }
 
-bool tail_series::is_one() const { return !is_blocked() && is_plain() && (h_ - one_).is_zero(); }
-
 bool tail_series::is_small() const {
   if (is_blocked() || !phi_) return false;
-  if (phi_->sign() >= 0) return false;
-  // phi <= -c y^mu <= -c r^-mu.
-  const ball most =
-      exp(-exactly(phi_->infimum()) * pow(ball::exactly(r_, 64), ball(phi_->exponent(), 64)));
-  const double_interval size = h_.real_range() * u_ * outward(most);
-  return size.magnitude() <= 0.5;
+  const double_interval size = range();
+  return !size.is_undefined() && size.magnitude() <= 0.5;
 }
 
-/// The range of an odd, increasing f with |f| <= limit over this series: where it is plain and |h|
-/// >= m > 0 of one sign, f is at least f(m) in size.
 template <class F>
-double_interval tail_series::beyond(F&& f, double limit) const {
-  const int sign = is_plain() ? h_.sign() : 0;
-  const double_interval inverse =
-      sign != 0 ? (one_ / h_).real_range() : double_interval::undefined();
-  if (inverse.is_undefined()) return {-limit, limit};
-  const ball least = f(1 / abs(to_ball(double_interval(inverse.magnitude()), 64)));
-  const double_interval size(double_interval::from_ball(least).lower(), limit);
-  if (!(size.lower() > 0)) return {-limit, limit};
-  return sign > 0 ? size : -size;
+std::optional<tail_series> tail_series::shifted(F&& f, double_interval slope) const {
+  if (is_blocked() || phi_ || !excess_) return std::nullopt;
+  tail_series result = f(base()) + (base() * *excess_).times(slope);
+  if (result.is_blocked()) return std::nullopt;
+  return result;
 }
 
 /// x times something in `range`, where it is small; f(x) else.
@@ -287,22 +348,73 @@ tail_series tail_series::nearly_itself(double_interval range, F&& f) const {
   }
 POLHODE_ODD(tan, 1.0, 1.0927)
 POLHODE_ODD(asin, 1.0, 1.0472)
-POLHODE_ODD(asinh, 0.9624, 1.0)
 POLHODE_ODD(atanh, 1.0, 1.0987)
 #undef POLHODE_ODD
-// And where only their range is known, that.
-#define POLHODE_ODD_BOUNDED(f, low, high, range)                               \
-  tail_series f(const tail_series& x) {                                        \
-    return x.nearly_itself(double_interval((low), (high)), [](const auto& v) { \
-      return v.bounded([](const auto& h) { return f(h); }, range);             \
-    });                                                                        \
-  }
-POLHODE_ODD_BOUNDED(sin, 0.9588, 1.0, double_interval(-1.0, 1.0))
-POLHODE_ODD_BOUNDED(atan, 0.9272, 1.0, (v.beyond([](const ball& y) { return atan(y); }, 1.6)))
-POLHODE_ODD_BOUNDED(tanh, 0.9242, 1.0, (v.beyond([](const ball& y) { return tanh(y); }, 1.0)))
-#undef POLHODE_ODD_BOUNDED
+
+tail_series sin(const tail_series& x) {
+  const auto by_slope = x.shifted([](const auto& y) { return sin(y); }, double_interval(-1.0, 1.0));
+  if (by_slope) return *by_slope;
+  return x.nearly_itself(double_interval(0.9588, 1.0), [](const auto& v) {
+    return v.bounded([](const auto& h) { return sin(h); }, double_interval(-1.0, 1.0));
+  });
+}
 tail_series cos(const tail_series& x) {
+  const auto by_slope = x.shifted([](const auto& y) { return cos(y); }, double_interval(-1.0, 1.0));
+  if (by_slope) return *by_slope;
   return x.bounded([](const auto& h) { return cos(h); }, double_interval(-1.0, 1.0));
+}
+
+/// Of x that grows exponentially +-pi/2 - atan(1/x), with the sign of x.
+tail_series atan(const tail_series& x) {
+  if (const auto by_slope = x.shifted([](const auto& y) { return atan(y); }, {0.0, 1.0})) {
+    return *by_slope;
+  }
+  if (const int sign = x.grows_exponentially() ? x.sign() : 0; sign != 0) {
+    const known_number right_angle(pi_combination{0, rational(sign, 2)});
+    const tail_series limit =
+        x.with(std::nullopt, x.one_.constant_like(right_angle), double_interval(1));
+    tail_series result = limit - atan(x.one() / x);
+    if (!result.is_blocked()) return result;
+  }
+  return x.nearly_itself(double_interval(0.9272, 1.0), [](const auto& v) {
+    return v.bounded([](const auto& h) { return atan(h); }, double_interval(-1.6, 1.6));
+  });
+}
+
+/// Of x that grows, with the sign s: s (1 - 2 e^(-2|x|)/(1 + e^(-2|x|))).
+tail_series tanh(const tail_series& x) {
+  if (const auto by_slope = x.shifted([](const auto& y) { return tanh(y); }, {0.0, 1.0})) {
+    return *by_slope;
+  }
+  if (const int sign = x.grows() ? x.sign() : 0; sign != 0) {
+    const tail_series decay = exp(x * rational(-2 * sign));
+    if (!decay.is_blocked() && decay.phi_) {
+      tail_series result = (x.one() - (decay + decay).times({0.5, 1.0})) * rational(sign);
+      if (!result.is_blocked()) return result;
+    }
+  }
+  return x.nearly_itself(double_interval(0.9242, 1.0), [](const auto& v) {
+    return v.bounded([](const auto& h) { return tanh(h); }, double_interval(-1.0, 1.0));
+  });
+}
+
+/// Of x that grows exponentially +-log(|x| + sqrt(x^2 + 1)), with the sign of x.
+tail_series asinh(const tail_series& x) {
+  if (const auto by_slope = x.shifted([](const auto& y) { return asinh(y); }, {0.0, 1.0})) {
+    return *by_slope;
+  }
+  if (const int sign = x.grows_exponentially() ? x.sign() : 0; sign != 0) {
+    const tail_series size = x * rational(sign);
+    return log(size + sqrt(x * x + 1)) * rational(sign);
+  }
+  return x.nearly_itself(double_interval(0.9624, 1.0), [](const auto& v) {
+    return v.regular("asinh", [](const auto& h) { return asinh(h); });
+  });
+}
+/// Of x that grows exponentially log(x + sqrt(x^2 - 1)).
+tail_series acosh(const tail_series& x) {
+  if (x.grows_exponentially() && x.sign() > 0) return log(x + sqrt(x * x - 1));
+  return x.regular("acosh", [](const auto& h) { return acosh(h); });
 }
 tail_series sinh(const tail_series& x) {
   return x.nearly_itself(double_interval(1.0, 1.0422),
@@ -317,10 +429,25 @@ tail_series log1p(const tail_series& x) {
   return x.nearly_itself(double_interval(0.81, 1.39), [](const auto& v) { return log(v + 1); });
 }
 
+/// s (1 - erfc|x|) with the sign s of x.
 tail_series erf(const tail_series& x) {
   if (x.is_blocked()) return x;
+  if (const auto by_slope = x.shifted([](const auto& y) { return erf(y); }, {0.0, 1.1284})) {
+    return *by_slope;
+  }
   if (x.is_small()) return x.with(x.phi_, x.h_, x.u_ * double_interval(1.0409, 1.1284));
+  if (x.is_plain() && !x.grows()) {
+    const end_series value = erf(x.h_);
+    if (!value.is_blocked()) return x.with(std::nullopt, value, double_interval(1));
+  }
   const int sign = x.sign();
+  if (sign != 0) {
+    const tail_series decay = erfc(x * rational(sign));
+    if (decay.phi_) {
+      tail_series result = (x.one() - decay) * rational(sign);
+      if (!result.is_blocked()) return result;
+    }
+  }
   return x.with(std::nullopt, x.one_, double_interval(sign > 0 ? 0.0 : -1.0, sign < 0 ? 0.0 : 1.0));
 }
 tail_series erfc(const tail_series& x) {
@@ -330,6 +457,13 @@ tail_series erfc(const tail_series& x) {
     const tail_series bell = exp(-(x * x)) / x;
     const double_interval inverse_root_of_pi(0.0, 0.5642);  // 1/sqrt(pi) = 0.56418...
     if (!bell.is_blocked()) return bell.with(bell.phi_, bell.h_, bell.u_ * inverse_root_of_pi);
+  }
+  if (sign < 0) {
+    const tail_series decay = erfc(-x);
+    if (decay.phi_) {
+      tail_series result = 2 - decay;
+      if (!result.is_blocked()) return result;
+    }
   }
   return x.with(std::nullopt, x.one_, double_interval(sign < 0 ? 1.0 : 0.0, sign > 0 ? 1.0 : 2.0));
 }

@@ -8,6 +8,9 @@
 // an interval is known that holds its values. With x = s/t this describes exp(-x^2), sech x, x^1000
 // e^-x sin x for large x. It knows nothing of complex arguments. What does not have this form is
 // blocked.
+//
+// Where U tends to 1, w = U - 1 is a tail_series as well, and is kept: it is what is left where the
+// 1 cancels. So 1 - tanh x, log(2 cosh x) - x and erf(x + 1) - erf x decay.
 
 #include <memory>
 #include <optional>
@@ -39,7 +42,9 @@ class tail_series {
                                             int orders = end_series::most_orders);
 
   /// The sign for 0 < t <= r; 0 where it is not known to be one.
-  [[nodiscard]] int sign() const { return certainly_positive(u_) ? h_.sign() : 0; }
+  [[nodiscard]] int sign() const {
+    return certainly_positive(u_) ? h_.sign() : certainly_negative(u_) ? -h_.sign() : 0;
+  }
 
   /// An upper bound of the integral of |f(s y)| over y >= Y, for Y >= 1/r: with |phi| >= c y^mu and
   /// |h U| <= B y^p (log y)^k, k and B summed over the terms of h, log y <= y, P = p + k,
@@ -111,13 +116,36 @@ class tail_series {
   /// e^phi with phi bounded goes into h.
   void settle();
   [[nodiscard]] static tail_series sum(const tail_series& x, const tail_series& y);
+  /// w of U = 1 + w, where it is known.
+  [[nodiscard]] std::optional<tail_series> excess() const;
+  /// The same with U = 1 + w; what is known of w's own U is kept to some depth.
+  [[nodiscard]] tail_series with_excess(const tail_series& w) const;
+  /// It times a function of which only this range is known.
+  [[nodiscard]] tail_series times(double_interval range) const {
+    return with(phi_, h_, u_ * range);
+  }
+  /// Whether it grows exponentially; whether it grows.
+  [[nodiscard]] bool grows_exponentially() const {
+    return !is_blocked() && phi_ && phi_->sign() > 0;
+  }
+  [[nodiscard]] bool grows() const {
+    return grows_exponentially() || (!is_blocked() && !phi_ && h_.exponent() < 0);
+  }
+  /// The number 1.
+  [[nodiscard]] tail_series one() const { return with(std::nullopt, one_, double_interval(1)); }
+  /// h, without the exponential and U.
+  [[nodiscard]] tail_series base() const { return with(std::nullopt, h_, double_interval(1)); }
+  /// A range of all values, where it is bounded; undefined else.
+  [[nodiscard]] double_interval range() const;
+  /// f of h (1 + w), which is f(h) + h w f'(xi), where f' lies in `slope` on the whole line.
+  template <class F>
+  [[nodiscard]] std::optional<tail_series> shifted(F&& f, double_interval slope) const;
   /// e^x for x = e^phi h U of which no range is known, with |h| instead of h and U's sign turned
   /// where h < 0. Without phi, x <= |h| u for u = sup U. Where phi > 0 and u < 0: e^phi >= e phi
-  /// (the tangent at 1), so that x <= e phi |h| u. With H for that bound the value is e^H times
+  /// (the tangent at 1), and e^phi >= (e phi/2)^2 (the same of phi/2), which is more for phi >=
+  /// 4/e: x <= e phi |h| u, x <= (e phi/2)^2 |h| u. With H for that bound the value is e^H times
   /// something in (0, 1].
   [[nodiscard]] tail_series exp_of_growing() const;
-  /// The number 1.
-  [[nodiscard]] bool is_one() const;
   /// It decays exponentially, and is at most 1/2 in size.
   [[nodiscard]] bool is_small() const;
   /// U is 1, and no function of which only a range is known.
@@ -130,8 +158,6 @@ class tail_series {
   template <class F>
   [[nodiscard]] tail_series regular(std::string_view name, F&& f) const;
   template <class F>
-  [[nodiscard]] double_interval beyond(F&& f, double limit) const;
-  template <class F>
   [[nodiscard]] tail_series nearly_itself(double_interval range, F&& f) const;
   /// f of a real number, of which only |f| <= bound is known.
   template <class F>
@@ -142,8 +168,9 @@ class tail_series {
   end_series one_;
   double_interval u_;
   double r_ = 0;
-  /// Where this is 1 + v with a v that has an exponential: v.
-  std::shared_ptr<const tail_series> beyond_1_;
+  /// Where U is 1 + w with a w that is known: w.
+  std::shared_ptr<const tail_series> excess_;
+  int depth_ = 0;  // how many have an excess in turn
 };
 
 template <detail::series_constant N>

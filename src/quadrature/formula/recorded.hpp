@@ -19,6 +19,7 @@
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/quadrature/end_series.hpp"
+#include "quadrature/ends/tail_series.hpp"
 
 namespace polhode {
 
@@ -56,6 +57,7 @@ struct recorded_operation {
   slope_jet (*on_jets)(const slope_jet& x, const slope_jet& y, long n) = nullptr;
   region (*on_regions)(const region& x, const region& y, long n) = nullptr;
   end_series (*on_series)(const end_series& x, const end_series& y, long n) = nullptr;
+  tail_series (*on_tails)(const tail_series& x, const tail_series& y, long n) = nullptr;
   /// Where it is the function that on_regions is of; else null.
   analytic_ball (*on_complex)(const analytic_ball& x, const analytic_ball& y, long n) = nullptr;
   recorded_rule rule = recorded_rule::other;
@@ -66,7 +68,8 @@ struct recorded_operation {
     return {[](const ball& x, const ball& y, long n) { return F{}(x, y, n); },
             [](const slope_jet& x, const slope_jet& y, long n) { return F{}(x, y, n); },
             [](const region& x, const region& y, long n) { return F{}(x, y, n); },
-            [](const end_series& x, const end_series& y, long n) { return F{}(x, y, n); }};
+            [](const end_series& x, const end_series& y, long n) { return F{}(x, y, n); },
+            [](const tail_series& x, const tail_series& y, long n) { return F{}(x, y, n); }};
   }
   /// Of one that analytic balls have too.
   template <class F>

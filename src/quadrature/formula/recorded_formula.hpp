@@ -35,6 +35,10 @@ inline end_series operate(const recorded_operation& op, const end_series& x, con
                           long n) {
   return op.on_series(x, y, n);
 }
+inline tail_series operate(const recorded_operation& op, const tail_series& x, const tail_series& y,
+                           long n) {
+  return op.on_tails(x, y, n);
+}
 
 /// Undefined where it has none.
 inline analytic_ball operate(const recorded_operation& op, const analytic_ball& x,
@@ -63,6 +67,7 @@ inline slope_jet power_of(const slope_jet& x, const rational& e) {
 }
 inline region power_of(const region& x, const rational& e) { return pow(x, e); }
 inline end_series power_of(const end_series& x, const rational& e) { return pow(x, e); }
+inline tail_series power_of(const tail_series& x, const rational& e) { return pow(x, e); }
 inline analytic_ball power_of(const analytic_ball& x, const rational& e) { return pow(x, e); }
 template <class T>
 T power(const T& x, const rational& e) {
