@@ -95,6 +95,7 @@ function_structure function_structure::fresh(jet<ball, 1> over, ball at_point,
                                              bool never_zero) const {
   function_structure r;
   r.ids_ = ids_;
+  r.divisors_ = divisors_;
   r.numerator_.id = ++*ids_;
   if (!never_zero) r.numerator_.factors = {{r.numerator_.id, 1, over, at_point}};
   r.numerator_.over = std::move(over);
@@ -158,6 +159,7 @@ function_structure operator+(const function_structure& x, const function_structu
     }
   }
   function_structure r = x.fresh(std::move(over), std::move(at_point), false);
+  r.add_divisors(y.divisors_);
   r.denominator_ = std::move(denominator);
   if (x.natural_ && y.natural_) r.natural_ = *x.natural_ + *y.natural_;
   if (x.series_ && y.series_) r.series_ = *x.series_ + *y.series_;
@@ -185,6 +187,8 @@ function_structure::exact_series with_zeros(function_structure::exact_series s) 
 function_structure operator*(const function_structure& x, const function_structure& y) {
   function_structure r;
   r.ids_ = x.ids_;
+  r.divisors_ = x.divisors_;
+  r.add_divisors(y.divisors_);
   r.numerator_ = multiplied(x.numerator_, y.numerator_, ++*x.ids_);
   if (x.denominator_ && y.denominator_) {
     r.denominator_ = multiplied(*x.denominator_, *y.denominator_, ++*x.ids_);
@@ -204,7 +208,10 @@ function_structure operator*(const function_structure& x, const function_structu
 function_structure operator/(const function_structure& x, const function_structure& y) {
   function_structure r;
   r.ids_ = x.ids_;
+  r.divisors_ = x.divisors_;
+  r.add_divisors(y.divisors_);
   const structure_product& divisor = y.numerator_;
+  for (const structure_factor& g : divisor.factors) r.divisors_.insert(g.id);
   // (n/d) / (m/e) = (n e) / (d m). The e is one more condition: y is not defined where it vanishes.
   r.numerator_ =
       y.denominator_ ? multiplied(x.numerator_, *y.denominator_, ++*x.ids_) : x.numerator_;
@@ -215,6 +222,8 @@ function_structure operator/(const function_structure& x, const function_structu
   }
   if (x.natural_ && y.natural_) r.natural_ = natural_domain::divide(*x.natural_, *y.natural_);
   if (x.series_ && y.series_) r.series_ = with_zeros(*x.series_) / *y.series_;
+  // At the point of the series, the only one of the box that is meant.
+  if (y.series_ && settled((*y.series_)[0]).is_zero()) r.natural_.reset();
   return r;
 }
 
@@ -248,9 +257,11 @@ function_structure pow(const function_structure& x, long n) {
     r = x.fresh(pow(x.over(), n), pow(x.at_point(), n), false);
   } else {
     r.ids_ = x.ids_;
+    r.divisors_ = x.divisors_;
     r.numerator_ = raised(x.numerator_);
     if (x.denominator_) r.denominator_ = raised(*x.denominator_);
     if (n < 0) {
+      for (const structure_factor& g : x.numerator_.factors) r.divisors_.insert(g.id);
       const structure_product top =
           r.denominator_ ? *r.denominator_ : x.constant_like(rational(1)).numerator_;
       r.denominator_ = r.numerator_;

@@ -484,11 +484,13 @@ known_case sums_of_exponentials(maker& m) {
 /// Divided by what vanishes with a factor: the place is no root, the others are as before.
 known_case removable_points(maker& m) {
   known_case k = product_of_factors(m);
-  const term c = m.one_in(2) ? term(0) : m.rational_near(m.within(-3, 3));
+  const term c = m.one_in(3)   ? term(0)
+                 : m.one_in(2) ? m.rational_near(m.within(-3, 3))
+                               : m.between(-2, 2) * term("pi") / m.between(1, 3);
   const ball at = read(c).value(400);
   std::erase_if(k.roots, [&](const known_root& r) { return overlaps(read(r.at).value(400), at); });
   const term t = c.is("0") ? x : x - c;
-  switch (m.between(0, 3)) {
+  switch (m.between(0, 6)) {
     case 0:
       k.c.f = k.c.f * (call("sin", t) / t);
       for (const long n : {-3, -2, -1, 1, 2, 3}) {
@@ -501,6 +503,30 @@ known_case removable_points(maker& m) {
     case 2:
       k.c.f = k.c.f * ((call("cosh", t) - 1) / power(t, m.between(1, 3)));
       break;
+    case 3:  // t, but not at 0
+      k.c.f = k.c.f * (1 / (1 / t));
+      break;
+    case 4:  // cos(t), but not where it is 0
+      k.c.f = k.c.f * (call("sin", t) / call("tan", t));
+      for (long n = -12; n <= 12; ++n) {
+        const ball hole = read(c + (2 * n + 1) * term("pi") / 2).value(400);
+        const ball pole = read(c + n * term("pi")).value(400);
+        std::erase_if(k.roots, [&](const known_root& r) {
+          const ball root = read(r.at).value(400);
+          return overlaps(root, hole) || overlaps(root, pole);
+        });
+      }
+      break;
+    case 5: {  // t^2, but not at 0
+      const term s = call("sin", t) / t;
+      k.c.f = k.c.f * (power(t, 2) / power(s, -1) / s);
+      for (const long n : {-3, -2, -1, 1, 2, 3}) {
+        const ball hole = read(n < 0 ? c - (-n) * term("pi") : c + n * term("pi")).value(400);
+        std::erase_if(k.roots,
+                      [&](const known_root& r) { return overlaps(read(r.at).value(400), hole); });
+      }
+      break;
+    }
     default:
       k.c.f = k.c.f * (call("log", 1 + power(t, 2)) / t);
       break;

@@ -473,6 +473,49 @@ TEST(IsolateRoots, BesideASingularPoint) {
   count("sin(x)/x - 1 + 1/10^4", -1, 1, 2);
 }
 
+TEST(IsolateRoots, WhatWasDividedByVanishesNowhere) {
+  const auto count = [&](const char* text, std::size_t roots, std::size_t holes) {
+    SCOPED_TRACE(text);
+    const root_set s = isolate_roots(parse(text), rational(1, 2), 10);
+    expect_resolved(s, roots);
+    EXPECT_EQ(s.singular.size(), holes);
+    return s;
+  };
+  // 1/tan(x) is not defined where tan(x) is not, at pi/2, 3 pi/2 and 5 pi/2; it has poles at pi, 2
+  // pi and 3 pi.
+  count("1/tan(x)", 0, 6);
+  count("(x-1)/tan(x)", 1, 6);
+  count("1/(1/(x^2-2))", 0, 1);
+  count("1/(1/(x^2-2)) - 1", 1, 1);
+  count("(1/(x-1))^-3*(x-2)", 1, 1);
+  count("cos(x)*(1/(1/(x-1)))", 3, 1);
+  count("1/(1/sin(x))", 0, 3);
+  // At multiples of pi.
+  const root_set sine = count("sin(x)/(x-pi)", 2, 1);
+  EXPECT_TRUE(overlaps(sine.singular[0].place, pi(200)));
+  count("cos(x)/(2*x-pi)", 2, 1);
+  count("(1-cos(x))/(x-2*pi)^2", 0, 1);
+  count("(1-cos(x))/(x-2*pi)", 0, 1);
+  count("sin(x)/(x-2*pi) - 1/2", 2, 1);
+  // A root, and a place that is none, near each other.
+  count("(1/(1/sin(x-1)))*(x - 1 - 1/10^20)", 1, 3);
+  // A zero beside a pole that is another place.
+  count("sin(x)/(x-3)", 3, 1);
+  count("tan(x)/(x-3)", 3, 4);
+}
+
+TEST(FunctionStructure, IsDefinedNowhereAtAnExactZeroOfADivisor) {
+  const auto natural = [](const char* text) {
+    const auto s = real_function(parse(text))
+                       .structure(function_structure::variable_at(pi_combination{0, 1}, 0, 100));
+    return s->natural_range();
+  };
+  EXPECT_FALSE(natural("sin(x)/(x-pi)").has_value());
+  EXPECT_FALSE(natural("x/sin(x) + 1").has_value());
+  EXPECT_TRUE(natural("sin(x)/(x-3)").has_value());
+  EXPECT_TRUE(natural("sin(x)/(x-pi-1/10^60)").has_value());
+}
+
 TEST(IsolateRoots, PowersWhereTheyAreDefined) {
   const auto count = [&](const char* text, std::size_t roots) {
     SCOPED_TRACE(text);

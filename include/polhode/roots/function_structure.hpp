@@ -13,6 +13,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "polhode/arithmetic/inexact_operand.hpp"
@@ -75,6 +76,9 @@ class function_structure {
   [[nodiscard]] const product& numerator() const { return numerator_; }
   /// std::nullopt where there is none, that is 1.
   [[nodiscard]] const std::optional<product>& denominator() const { return denominator_; }
+  /// The function is not defined where this factor vanishes, as it was divided by: in 1/tan(x) =
+  /// cos(x)/sin(x) both.
+  [[nodiscard]] bool was_divided_by(const factor& g) const { return divisors_.contains(g.id); }
   /// Empty where it is not available.
   [[nodiscard]] const std::optional<exact_series>& series() const { return series_; }
   /// The function and its derivative over the box, undefined where the denominator may vanish.
@@ -114,6 +118,7 @@ class function_structure {
                                                          OnSeries on_series = nullptr) {
     function_structure r =
         x.fresh(on_jets(x.over(), y.over()), on_jets(x.at_point(), y.at_point()), false);
+    r.add_divisors(y.divisors_);
     if (x.natural_ && y.natural_) r.natural_ = natural(*x.natural_, *y.natural_);
     if constexpr (!std::same_as<OnSeries, std::nullptr_t>) {
       if (x.series_ && y.series_) r.series_ = on_series(*x.series_, *y.series_);
@@ -133,6 +138,7 @@ class function_structure {
       if (operand.natural_) natural.push_back(*operand.natural_);
     }
     function_structure r = x.front().fresh(on_jets(over), on_balls(at_point), false);
+    for (const function_structure& operand : x) r.add_divisors(operand.divisors_);
     if (natural.size() == x.size()) r.natural_ = on_balls(natural);
     return r;
   }
@@ -146,10 +152,12 @@ class function_structure {
   /// Without a natural range (nowhere defined) and series.
   [[nodiscard]] function_structure fresh(jet<ball, 1> over, ball at_point, bool never_zero) const;
   [[nodiscard]] function_structure constant(const ball& c) const;
+  void add_divisors(const std::set<long>& ids) { divisors_.insert(ids.begin(), ids.end()); }
   product numerator_;
   std::optional<product> denominator_;
   std::optional<ball> natural_;
   std::optional<exact_series> series_;
+  std::set<long> divisors_;    // factors that were divided by
   std::shared_ptr<long> ids_;  // the greatest id given away
 };
 

@@ -391,6 +391,20 @@ class examination {
       exclude(b.x, x);
       return true;
     }
+    // Where f was divided by all that vanishes, it is defined at none of its zeros.
+    if (poles.empty() && std::ranges::all_of(zeros, [&](const function_structure::factor* g) {
+          return s->was_divided_by(*g);
+        })) {
+      const auto place = zeros.size() == 1 ? only_root(*zeros.front()) : std::optional<ball>();
+      constexpr int few_halvings = 8;  // the places are told apart first
+      if (!place && b.halvings < few_halvings) return false;
+      result_.singular.push_back(
+          {place ? refined_place(factor_of(*problem(b).g, zeros.front()->id), *place, x)
+                 : b.x.to_ball(b.bits),
+           0});
+      exclude(b.x, x);
+      return true;
+    }
     if (zeros.size() == 1 && poles.empty() && is_defined && !over[1].is_undefined()) {
       // The quotient may be defined where f is not: 1/(1/x) is x/1.
       ++result_.evaluations;
@@ -413,18 +427,23 @@ class examination {
     return !is_defined && by_removed_point(b, x);
   }
 
-  /// f is not 0 at the simplest rational number in x, or not defined there, and its growth on both
-  /// sides proves that x has no root: sin(x)/x and x^x at 0.
+  /// f is not 0 at the simplest rational number in x, or the simplest rational multiple of pi, or
+  /// not defined there, and its growth on both sides proves that x has no root: sin(x)/x and x^x at
+  /// 0, sin(x)/(x-pi) at pi.
   bool by_removed_point(const work_box& b, const ball& x) {
-    const auto at = simple_number_in(b.x);
-    if (!at) return false;
-    const ball point(*at, b.bits);
-    const auto s = structure(problem(b), function_structure::variable(point, point));
-    if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return false;
-    if (!grows_on_both_sides(b, x, {*at, 0})) return false;
-    result_.singular.push_back({s->natural_range() ? x : point, 0});
-    result_.excluded.push_back({b.x, x});
-    return true;
+    using has_none = std::optional<bool>;
+    const auto removed_at = [&](const pi_combination& at) -> has_none {
+      const ball point = at.at(b.bits);
+      const auto s =
+          structure(problem(b), at.is_rational() ? function_structure::variable(point, point)
+                                                 : function_structure::variable_at(at, 0, b.bits));
+      if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return {};
+      if (!grows_on_both_sides(b, x, at)) return {};
+      result_.singular.push_back({s->natural_range() ? x : point, 0});
+      result_.excluded.push_back({b.x, x});
+      return true;
+    };
+    return first_of_simple_points(b.x, b.bits, removed_at).has_value();
   }
 
   /// The only root of g in the box, to the digits that a place is worth.
