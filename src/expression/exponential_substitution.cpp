@@ -11,7 +11,8 @@
 //   log_gamma(w) = log_gamma(1 + w) - log |w|, gamma(w) = gamma(1 + w)/w,
 //   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5);
 //     of a rational function 1 - m a power of the distance from a rational end, or of 1/|x|, is
-//     divided out of its polynomials in that,
+//     divided out of its polynomials in that; where m is one of the numbers near 1 below, or the
+//     square of one, 1 - m is written as there,
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos,
 //   tan(k pi + w) = tan w,  tan(k pi + pi/2 + w) = -1/tan w.
 // What decays with s and is a difference of two numbers near 1 is written without that difference,
@@ -402,13 +403,27 @@ class substitution {
   [[nodiscard]] bool tends_to_0(const value& x) const {
     return growth_ != one_ && x.kappa == growth_;
   }
-  /// 1 - m, and of a square m = k^2 as (1 - k)(1 + k).
-  value complement(node_id i) {
+  /// 1 - y without a difference of numbers near 1, where y tends to 1.
+  std::optional<value> less_than_one(const value& y) {
+    if (y.is_one_and_more()) return as_it_is(negate(g_, y.beside_one->w));
+    std::optional<value> more = without_one(y, constant(one_), -1);
+    if (more) more->rest = negate(g_, more->rest);
+    return more;
+  }
+  /// 1 - m where it tends to 0, of a square m = k^2 as (1 - k)(1 + k).
+  std::optional<value> complement(node_id i) {
     const node n = f_[i];
     const value one = constant(one_);
-    if (n.what != operation::power_integer || n.number != 2) return sum(one, *values_[i], true);
+    if (n.what != operation::power_integer || n.number != 2) {
+      if (auto less = less_than_one(*values_[i])) return less;
+      const value difference = sum(one, *values_[i], true);
+      return tends_to_0(difference) ? std::optional(difference) : std::nullopt;
+    }
     const value& k = *values_[n.left];
-    return product(sum(one, k, true), sum(one, k, false));
+    if (const auto less = less_than_one(k)) return product(*less, sum(one, k, false));
+    if (const auto more = without_one(k, one, 1)) return product(sum(one, k, true), *more);
+    const value both = product(sum(one, k, true), sum(one, k, false));
+    return tends_to_0(both) ? std::optional(both) : std::nullopt;
   }
   /// 1 - m of a rational function m, where it is t^k r(t) for a k > 0 and a rational r without zero
   /// or pole at 0: t = exp(-s) is the distance from a rational end, or 1/|x|.
@@ -458,10 +473,8 @@ class substitution {
     if (f.function->what.name != "ellipticK" || std::ranges::none_of(own, is_called))
       return std::nullopt;
     std::optional<value> found = rational_complement(f.operands.front());
-    if (!found) {
-      found = complement(f.operands.front());
-      if (!tends_to_0(*found)) return std::nullopt;
-    }
+    if (!found) found = complement(f.operands.front());
+    if (!found) return std::nullopt;
     const value& left = *found;
     const node_id half = g_.number(rational(1, 2));
     const node_id modulus = plain(scaled(left, half, call("sqrt", {left.rest})));

@@ -847,7 +847,7 @@ integral_case many_orders(maker& m) {
   return {f, low, high, few_digits(m)};
 }
 
-/// 1 - m, m rational, as a power of the distance times what has a value there.
+/// 1 - m, m rational or near 1, as a power of the distance times what has a value there.
 struct complement {
   term parameter = 0;
   term left = 0;
@@ -855,13 +855,17 @@ struct complement {
 complement any_complement(maker& m, const term& t) {
   const term c = m.positive_rational();
   const term u = c * power(t, m.between(1, 4));
-  switch (m.between(0, 3)) {
+  switch (m.between(0, 5)) {
     case 0:
       return {1 - u, u};
     case 1:
       return {1 / (1 + u), u / (1 + u)};
     case 2:
       return {(1 - u) / (1 + u), 2 * u / (1 + u)};
+    case 3:
+      return {power(call("cos", u), 2), power(call("sin", u), 2)};
+    case 4:
+      return {call("exp", -u), -call("expm1", -u)};
     default:
       return {4 * (1 + u) / power(2 + u, 2), power(u / (2 + u), 2)};
   }

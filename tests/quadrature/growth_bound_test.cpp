@@ -278,6 +278,13 @@ TEST(GrowthBound, IntegralsOfItAreKnown) {
   check("ellipticK(4*x/(1+x)^2)", 1, "1+2*catalan");
   check("x*ellipticK(1-x^2)", 1, "1");
   check("ellipticK(x^2)/(1+x)", 1, "pi^2/8");
+  // Where 1 - m is a difference of numbers near 1 that is written without it.
+  const end_point quarter_turn = end_point::pi(rational(1, 2));
+  check("ellipticK(sin(x)^2)", quarter_turn, "gamma(1/4)^4/(16*pi)");
+  check("ellipticK(cos(x)^2)", quarter_turn, "gamma(1/4)^4/(16*pi)");
+  check("ellipticK(cos(pi-x)^2)", quarter_turn, "gamma(1/4)^4/(16*pi)");
+  check("2*exp(-x)*ellipticK(exp(-x))", end_point::infinity(), "4");
+  check("exp(-x)*ellipticK(exp(-2*x))", end_point::infinity(), "2*catalan");
 }
 
 /// K towards its logarithmic singularity at both ends, inside, at infinities, and from the left.

@@ -336,6 +336,28 @@ TEST(Tails, OfBoundedErrorFunctionsAreBounded) {
                tail * rational(1999, 1000), factor, "exp(-x) erfc(-4 - sin(x))");
 }
 
+/// cos v beside 1, and means from below: 1/agm(x, y) is at most 1/sqrt(x y), which is attained for
+/// x = y.
+TEST(Tails, OfCosinesAndMeansAreBounded) {
+  const auto check = [](const char* formula, const rational& factor, const auto& f) {
+    expect_bound(beyond_two(f), integral_beyond_two(formula), factor, formula);
+  };
+  check("2*sin(exp(-x)/2)^2", rational(101, 100), [](const auto& x) { return 1 - cos(exp(-x)); });
+  check("cos(3*exp(-x))-1+4.5*exp(-2*x)", 12, [](const auto& x) {
+    const auto v = 3 * exp(-x);
+    return cos(v) - 1 + v * v / 2;
+  });
+  check("exp(-x)/sqrt(3)", rational(101, 100),
+        [](const auto& x) { return exp(-x) / agm(x * 0 + 3, x * 0 + 1); });
+  check("exp(-x)/agm(1,exp(-x/2))", rational(3, 2),
+        [](const auto& x) { return exp(-x) / agm(x * 0 + 1, exp(-x / 2)); });
+  check("exp(-x/2)", rational(101, 100),
+        [](const auto& x) { return exp(-x) / agm(exp(-x / 2), exp(-x / 2)); });
+  EXPECT_TRUE(beyond_two([](const auto& x) { return agm(exp(-x), exp(-x)); }).is_infinite());
+  EXPECT_TRUE(
+      beyond_two([](const auto& x) { return exp(-x) / agm(exp(-x), -exp(-x)); }).is_infinite());
+}
+
 /// The bound of e^phi by phi^2 is nearly attained at phi = 2.
 TEST(Tails, OfSteeperDoubleExponentialsAreBounded) {
   const ball z = 20 * exp(ball(2, p));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 
@@ -300,6 +301,17 @@ POLHODE_REGULAR(floor)
 POLHODE_REGULAR(ceil)
 #undef POLHODE_REGULAR
 
+/// sqrt(x y) <= agm(x, y) for x, y > 0: only from below is it bounded, as ellipticK needs it.
+tail_series agm(const tail_series& x, const tail_series& y) {
+  if (x.is_blocked()) return x;
+  if (y.is_blocked()) return y;
+  if (x.sign() <= 0 || y.sign() <= 0) return x.blocked("agm");
+  const tail_series mean = sqrt(x * y);
+  if (mean.is_blocked()) return mean;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return mean.with(mean.phi_, mean.h_, mean.u_ * double_interval(1.0, infinity));
+}
+
 tail_series abs(const tail_series& x) {
   if (x.is_blocked()) return x;
   const int sign = x.h_.sign();
@@ -361,6 +373,8 @@ tail_series sin(const tail_series& x) {
 tail_series cos(const tail_series& x) {
   const auto by_slope = x.shifted([](const auto& y) { return cos(y); }, double_interval(-1.0, 1.0));
   if (by_slope) return *by_slope;
+  // (1 - cos v)/v^2 falls from 1/2 to 0.4896... over 0 < |v| <= 1/2.
+  if (x.is_small()) return x.one() - (x * x).times({0.4896, 0.5});
   return x.bounded([](const auto& h) { return cos(h); }, double_interval(-1.0, 1.0));
 }
 

@@ -94,6 +94,7 @@ class tail_series {
   friend tail_series asinh(const tail_series& x);
   friend tail_series acosh(const tail_series& x);
   friend tail_series atanh(const tail_series& x);
+  friend tail_series agm(const tail_series& x, const tail_series& y);
   friend tail_series abs(const tail_series& x);
   friend tail_series min(const tail_series& x, const tail_series& y);
   friend tail_series max(const tail_series& x, const tail_series& y);
