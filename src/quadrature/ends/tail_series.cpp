@@ -306,7 +306,7 @@ tail_series agm(const tail_series& x, const tail_series& y) {
   if (x.is_blocked()) return x;
   if (y.is_blocked()) return y;
   if (x.sign() <= 0 || y.sign() <= 0) return x.blocked("agm");
-  const tail_series mean = sqrt(x * y);
+  tail_series mean = sqrt(x * y);
   if (mean.is_blocked()) return mean;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   return mean.with(mean.phi_, mean.h_, mean.u_ * double_interval(1.0, infinity));
