@@ -20,8 +20,6 @@
 
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "support/measure.hpp"
 #include "tests/support/batteries.hpp"

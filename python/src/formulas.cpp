@@ -20,7 +20,7 @@
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/formula_of.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::python {
 

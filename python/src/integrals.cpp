@@ -16,7 +16,6 @@
 #include "polhode/certificate/certificate_of.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/contour.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 

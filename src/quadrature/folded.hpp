@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

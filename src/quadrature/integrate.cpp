@@ -8,6 +8,7 @@
 
 #include "polhode/quadrature/rule.hpp"
 #include "quadrature/folded.hpp"
+#include "quadrature/integrand.hpp"
 #include "quadrature/sum_of_parts.hpp"
 #include "quadrature/turned.hpp"
 

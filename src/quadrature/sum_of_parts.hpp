@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

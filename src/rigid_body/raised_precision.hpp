@@ -9,12 +9,6 @@
 
 namespace polhode::detail {
 
-/// For formulas without cancellation: once the radius is small enough, only a run of 0s or 9s can
-/// hide a digit.
-[[nodiscard]] inline precision guard_for(long digits) {
-  return 15 * bits_for_digits(digits) + 1024;
-}
-
 [[nodiscard]] inline bool has_digits(const ball& x, long digits) {
   if (!x.is_bounded()) return false;
   return to_decimal_enclosure(x, digits).has(digits);

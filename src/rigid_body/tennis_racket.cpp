@@ -97,7 +97,7 @@ certain_number rotating_root(const body& rigid, long m, long digits) {
     work.newton_steps += found.evaluations_of_derivative;
     return found.verdict == root_verdict::unique ? found.root : ball::undefined(p);
   };
-  certain_number result = detail::number_to_digits(root, digits, detail::guard_for(digits));
+  certain_number result = detail::number_to_digits(root, digits, ample_guard(digits));
   result.work = work;
   return result;
 }
@@ -228,7 +228,7 @@ meeting meeting_to_digits(const body& rigid, const integer& m, long digits) {
   const bool intersection = m % 2 != 0;
   const bool beyond = m % 4 == 3;  // k even
   const precision needed = bits_for_digits(digits);
-  const precision most_guard = detail::guard_for(digits);
+  const precision most_guard = ample_guard(digits);
   for (precision guard = 32; guard <= most_guard; guard *= 2) {
     const ball x = oscillating_root(rigid, m, *range, needed + guard, result.work);
     if (!x.is_bounded()) continue;

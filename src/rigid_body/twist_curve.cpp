@@ -311,7 +311,7 @@ twist twist_to_digits(const body& rigid, const motion& of, long digits, with_slo
   result.motion = of.regime();
   const auto at = branch_of(of);
   if (at) {
-    const precision most = detail::guard_for(digits) + 4 * (at->lost + size_in_bits(of.c()));
+    const precision most = ample_guard(digits) + 4 * (at->lost + size_in_bits(of.c()));
     const precision needed = bits_for_digits(digits);
     quarters ways(of);
     for (precision guard = 0; guard <= most; guard = 2 * guard + 32) {
@@ -355,7 +355,7 @@ certain_number limit_defect_to_digits(const rational& chi, const rational& beta,
   const precision lost = 2 * static_cast<precision>(static_cast<long>(
                                  lower_rational(floor(min(size, ball(1L << 24, 64))))));
   return detail::number_to_digits([&](precision p) { return limit_defect(chi, beta, p); }, digits,
-                                  detail::guard_for(digits) + 2 * lost + 4 * size_in_bits(beta));
+                                  ample_guard(digits) + 2 * lost + 4 * size_in_bits(beta));
 }
 
 }  // namespace polhode

@@ -14,9 +14,8 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
-#include "polhode/quadrature/growth_bound.hpp"
-#include "polhode/quadrature/growth_of_formulas.hpp"
 #include "polhode/quadrature/integrate.hpp"
+#include "polhode/quadrature/zero_free_ends.hpp"
 #include "polhode/roots/real_function.hpp"
 
 namespace polhode {
@@ -347,50 +346,11 @@ real_function::real_function(const expression& f) {
   structure_ = [g = formula_function_impl::factored(f)](const function_structure& x) {
     return g.evaluator<function_structure>(x.numerator().at_point.precision())(x);
   };
-  // On 0 < t <= 1/4, where the argument is p + s t^q. An evaluator of its own for each call, as
-  // several threads may ask at a time.
-  const auto growth = [f](const pi_combination& p, const rational& s, long q) {
-    return f.evaluator<growth_bound>(192)(
-        growth_bound::argument(known_number(p), known_number(s), q, 0.25));
+  const zero_free_ends ends(f);
+  no_root_beside_ = [ends](const pi_combination& at, const rational& width) {
+    return ends.beside(at, width);
   };
-  // |f| >= c t^a with c > 0.
-  const auto has_no_root = [](const growth_bound& bound) {
-    return !bound.is_blocked() && !bound.least_factor().is_zero();
-  };
-  // There the series at p, in which exact rules know the values at p, has a sign.
-  struct made_once {
-    std::once_flag flag;
-    detail::integrand formula;
-  };
-  const auto has_sign = [f, made = std::make_shared<made_once>()](const pi_combination& p,
-                                                                  const rational& s) {
-    if (f.variables().size() != 1) return false;
-    std::call_once(made->flag, [&] { made->formula = integrand_of(f); });
-    const end_series at = end_series::argument(known_number(p), known_number(s), 1, 0.25);
-    return made->formula.near_end(at).sign() != 0;
-  };
-  // x = p - log(t) with p = from - 3/2, or -x for from < 0, takes all values beyond `from`: it
-  // decreases to p + log(4) < |from| at t = 1/4. There exp(x) is exp(p)/t, so that sums of
-  // exponentials are sums of powers.
-  const auto far = [](const rational& from) {
-    const growth_bound t =
-        growth_bound::argument(known_number(rational(0)), known_number(rational(1)), 1, 0.25);
-    const growth_bound x = t.constant_like(rational(abs(from) - rational(3, 2))) - log(t);
-    return from > 0 ? x : -x;
-  };
-  no_root_beside_ = [f, growth, far, has_no_root, has_sign](const pi_combination& at,
-                                                            const rational& width) {
-    const growth_bound bound = growth(at, 4 * width, 1);
-    if (bound.is_nowhere_defined() || has_no_root(bound) || has_sign(at, 4 * width)) return true;
-    // 1/x is beyond 1/width.
-    return at.is_zero() && has_no_root(f.evaluator<growth_bound>(192)(
-                               growth_bound::reciprocal_of(far(rational(1 / width)))));
-  };
-  // So does x = (from/4)/t. Where f is not defined there, that is to be said: no proof.
-  no_root_beyond_ = [f, growth, far, has_no_root](const rational& from) {
-    return has_no_root(growth({}, from / 4, -1)) ||
-           has_no_root(f.evaluator<growth_bound>(192)(far(from)));
-  };
+  no_root_beyond_ = [ends](const rational& from) { return ends.beyond(from); };
   period_ = [f]() -> std::optional<pi_combination> {
     if (f.variables().size() != 1) return period_of(f);
     const symbol rest =

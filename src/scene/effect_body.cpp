@@ -20,8 +20,7 @@ void add_constant(effect_result& to, const std::string& name, const std::optiona
   if (exact) return add_exact(to, name, *exact);
   const precision sizes = size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b());
   add(to, name,
-      enclose_to_digits(f, x.working_digits(),
-                        8 * sizes + 15 * bits_for_digits(x.working_digits()) + 1024));
+      enclose_to_digits(f, x.working_digits(), 8 * sizes + ample_guard(x.working_digits())));
 }
 
 }  // namespace

@@ -45,11 +45,6 @@ void add(effect_result& to, const std::string& name, const certain_number& value
          const std::string& unit = "");
 void not_certified(effect_result& to, const std::string& why);
 
-/// Guard bits where nothing cancels.
-[[nodiscard]] inline precision most_guard(long digits) {
-  return 15 * bits_for_digits(digits) + 1024;
-}
-
 /// No number is computed with more guard bits than this for want of a decision: a motion that is
 /// nearer than some 10^-9000 to another kind may be left not certified.
 inline constexpr precision greatest_guard = 1L << 15;

@@ -75,7 +75,7 @@ effect_result period(const effect_context& x) {
   if (!is_periodic(x.regime())) return result;
   const long digits = x.working_digits();
   const ball natural = enclose_to_digits(
-      [&](precision p) { return x.motion().period(p, &result.work); }, digits, most_guard(digits));
+      [&](precision p) { return x.motion().period(p, &result.work); }, digits, ample_guard(digits));
   if (natural.is_undefined()) {
     not_certified(result, "the period was not certified");
     return result;

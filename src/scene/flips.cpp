@@ -73,7 +73,7 @@ void separatrix_flip(const effect_context& x, effect_result& result) {
     return;
   }
   if (side == 0) return add_exact(result, "flip_1", 0);
-  add(result, "flip_1", enclose_to_digits(time, x.digits(), most_guard(x.digits())),
+  add(result, "flip_1", enclose_to_digits(time, x.digits(), ample_guard(x.digits())),
       x.what.time_unit.name);
 }
 
@@ -154,7 +154,8 @@ effect_result flips(const effect_context& x) {
     if (!exact) ++result.work.integrals;
     ball found = time(shared.precision());
     if (!to_decimal_enclosure(found, x.digits()).has(x.digits())) {  // it is near 0, and cancels
-      found = enclose_to_digits(time, x.digits(), most_guard(x.digits()) + 2 * size_in_bits(x.c()));
+      found =
+          enclose_to_digits(time, x.digits(), ample_guard(x.digits()) + 2 * size_in_bits(x.c()));
     }
     add(result, name, found, unit);
   }

@@ -120,7 +120,7 @@ by_moments by_moments_of(const effect_context& x, const derivatives& d) {
 precision most_guard_of(const effect_context& x) {
   const precision sizes =
       size_in_bits(x.rigid().a()) + size_in_bits(x.rigid().b()) + size_in_bits(x.c());
-  return most_guard(x.digits()) + std::min(8 * sizes, greatest_guard);
+  return ample_guard(x.digits()) + std::min(8 * sizes, greatest_guard);
 }
 
 }  // namespace

@@ -125,11 +125,11 @@ std::string work_text(const integral_account& a) {
 }
 
 /// One rule for all pieces between the points; integrated until one of them is not certified.
-sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<end_point>& points,
+sum_of_pieces integrate_pieces(const prepared_integrand& f, const std::vector<end_point>& points,
                                const integrate_options& how) {
   sum_of_pieces sum;
   for (std::size_t k = 1; k < points.size(); ++k) {
-    const integral part = detail::integrate_function(f, points[k - 1], points[k], how);
+    const integral part = integrate(f, points[k - 1], points[k], how);
     sum.account += part.account;
     sum.enclosure += part.enclosure;
     if (part.verdict == status::certified) continue;
@@ -145,7 +145,7 @@ sum_of_pieces integrate_pieces(const detail::integrand& f, const std::vector<end
 
 /// How the pieces are integrated to a sum of that radius, which may be 0 for any: first to so many
 /// digits each, and to more where they cancel.
-sum_of_pieces integrate_closely(const detail::integrand& f, const std::vector<end_point>& points,
+sum_of_pieces integrate_closely(const prepared_integrand& f, const std::vector<end_point>& points,
                                 integrate_options how, const magnitude& goal) {
   if (!goal.is_zero()) how.absolute_exponent = static_cast<long>(goal.log2_floor()) - 2;
   sum_of_pieces sum = integrate_pieces(f, points, how);
@@ -191,7 +191,7 @@ std::string obstacle_text(reason why, const std::string& obstacle) {
 
 }  // namespace
 
-second_opinion integral_again(const detail::integrand& f, const end_point& a, const end_point& b,
+second_opinion integral_again(const prepared_integrand& f, const end_point& a, const end_point& b,
                               const integral& first, long digits, int threads) {
   expect_certified(first.verdict, digits);
   const std::string what = "the integral";
@@ -302,7 +302,7 @@ second_opinion integral_again(const detail::complex_integrand& f, const path& al
 
 second_opinion integral_again(const expression& f, const end_point& a, const end_point& b,
                               const integral& first, long digits, int threads) {
-  return integral_again(integrand_of(f), a, b, first, digits, threads);
+  return integral_again(prepared_integrand(f), a, b, first, digits, threads);
 }
 second_opinion integral_again(const expression& f, const path& along, const contour_integral& first,
                               long digits, int threads) {

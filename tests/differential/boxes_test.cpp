@@ -10,9 +10,8 @@
 
 #include "integrals.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/quadrature/formula_end.hpp"
-#include "polhode/quadrature/integrate.hpp"
-#include "polhode/quadrature/integrate_box.hpp"
+#include "quadrature/boxes/parametric_integrand.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::differential {
 namespace boxes_test {

@@ -7,8 +7,7 @@
 
 #include "integrals.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::differential {
 namespace exact_integrals_test {

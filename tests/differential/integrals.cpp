@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/quadrature/formula_end.hpp"
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::differential {
 namespace {

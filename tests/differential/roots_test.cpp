@@ -14,7 +14,6 @@
 
 #include "maker.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/complex_roots.hpp"
 #include "polhode/roots/isolate.hpp"

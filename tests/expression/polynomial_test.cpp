@@ -6,7 +6,7 @@
 #include <string>
 
 #include "polhode/expression/expression.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "support/random.hpp"
 
 namespace polhode {

@@ -9,8 +9,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/integrals_by_digits.hpp"
 
 namespace polhode::test {

@@ -4,7 +4,6 @@
 
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "support/batteries.hpp"
 

@@ -9,7 +9,6 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/contour.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 

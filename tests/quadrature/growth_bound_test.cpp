@@ -1,12 +1,12 @@
 // What an end without a series is bounded by: c t^a <= |f(t)| <= C t^b against values of f, for t
 // down to 2^-2000 and by bounds that are attained.
 
-#include "polhode/quadrature/growth_bound.hpp"
+#include "quadrature/ends/growth_bound.hpp"
 
 #include <gtest/gtest.h>
 
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 #include "support/reference.hpp"
 
 namespace polhode {
@@ -347,6 +347,27 @@ TEST(GrowthBound, DivergentIntegralsAreRefused) {
         status::certified)
         << text;
   }
+}
+
+growth_bound growth_of(const std::string& f, const rational& at, const rational& width) {
+  return integrand_of(parse(f)).growth(
+      growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
+}
+
+/// What is defined nowhere beside a point is told from what is not known.
+TEST(GrowthBound, KnowsWhereNothingIsDefined) {
+  for (const char* f : {"sqrt(x)", "log(x)", "x^0.3", "x^pi", "root(x,4)", "1+exp(sqrt(x))",
+                        "x*sqrt(sin(x))", "gamma(sqrt(x))", "sqrt(x)/x", "2-log(sin(x))", "x^x"}) {
+    EXPECT_TRUE(growth_of(f, 0, rational(-1, 8)).is_nowhere_defined()) << f;
+    EXPECT_FALSE(growth_of(f, 0, rational(1, 8)).is_nowhere_defined()) << f;
+  }
+  for (const char* f : {"cbrt(x)", "abs(x)^0.3", "x^3", "x^(-1)", "sqrt(x^2)", "sqrt(x+1)",
+                        "log(x+1)", "x^erf(30)", "gamma(x)", "x^(8*x)"}) {
+    EXPECT_FALSE(growth_of(f, 0, rational(-1, 8)).is_nowhere_defined()) << f;
+  }
+  // sqrt(x + 1/100) is defined on a part of -1/8 <= x < 0.
+  EXPECT_FALSE(growth_of("sqrt(x+1/100)", 0, rational(-1, 8)).is_nowhere_defined());
+  EXPECT_FALSE(growth_of("log(x+1/100)", 0, rational(-1, 8)).is_nowhere_defined());
 }
 
 }  // namespace growth_bound_test

@@ -10,7 +10,6 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::test {

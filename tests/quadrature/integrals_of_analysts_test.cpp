@@ -9,7 +9,6 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/integrals_by_digits.hpp"
 

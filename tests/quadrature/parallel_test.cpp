@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 #include "quadrature/known_integrals.hpp"
 #include "support/exact_set.hpp"
 

@@ -5,9 +5,9 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/formula/periods.hpp"
 #include "quadrature/formula/recorded_formula.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode {
 namespace periods_test {

@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "support/integrals_as_text.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "polhode/expression/formula_of.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/end_plan.hpp"
 #include "quadrature/ends/segments.hpp"
+#include "quadrature/integrand.hpp"
 #include "support/random.hpp"
 
 namespace polhode {

@@ -8,9 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/end_plan.hpp"
+#include "quadrature/integrand.hpp"
 #include "support/integrals_as_text.hpp"
 
 namespace polhode {

@@ -8,8 +8,7 @@
 
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
-#include "polhode/quadrature/growth_bound.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/real/roots.hpp"
 #include "polhode/roots/isolate.hpp"
 
@@ -83,27 +82,6 @@ TEST(RootsAtKinks, InDoubles) {
       },
       0, 1);
   EXPECT_FALSE(r.lowest > r.greatest);
-}
-
-growth_bound growth_of(const std::string& f, const rational& at, const rational& width) {
-  return parse(f).evaluator<growth_bound>(192)(
-      growth_bound::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25));
-}
-
-/// What is defined nowhere beside a point is told from what is not known.
-TEST(RootsAtKinks, WhereNothingIsDefined) {
-  for (const char* f : {"sqrt(x)", "log(x)", "x^0.3", "x^pi", "root(x,4)", "1+exp(sqrt(x))",
-                        "x*sqrt(sin(x))", "gamma(sqrt(x))", "sqrt(x)/x", "2-log(sin(x))", "x^x"}) {
-    EXPECT_TRUE(growth_of(f, 0, rational(-1, 8)).is_nowhere_defined()) << f;
-    EXPECT_FALSE(growth_of(f, 0, rational(1, 8)).is_nowhere_defined()) << f;
-  }
-  for (const char* f : {"cbrt(x)", "abs(x)^0.3", "x^3", "x^(-1)", "sqrt(x^2)", "sqrt(x+1)",
-                        "log(x+1)", "x^erf(30)", "gamma(x)", "x^(8*x)"}) {
-    EXPECT_FALSE(growth_of(f, 0, rational(-1, 8)).is_nowhere_defined()) << f;
-  }
-  // sqrt(x + 1/100) is defined on a part of -1/8 <= x < 0.
-  EXPECT_FALSE(growth_of("sqrt(x+1/100)", 0, rational(-1, 8)).is_nowhere_defined());
-  EXPECT_FALSE(growth_of("log(x+1/100)", 0, rational(-1, 8)).is_nowhere_defined());
 }
 
 }  // namespace roots_at_kinks_test

@@ -7,7 +7,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "support/exact_set.hpp"
 

@@ -10,7 +10,7 @@
 #include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "roots/polynomial/rational_roots.hpp"
 #include "roots/polynomial/real_roots.hpp"

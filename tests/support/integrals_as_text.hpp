@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "polhode/expression/parse.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::support {

@@ -101,8 +101,8 @@ integral moved(integral i) {
 
 TEST(SecondOpinion, AWrongIntegralIsContradicted) {
   for (const char* text : {"exp(x)", "sin(x)/x", "sqrt(x)*exp(x)", "1/(1+x^4)"}) {
-    const detail::integrand f = integrand_of(formula(text));
-    const integral right = detail::integrate_function(f, 0, 1, {.digits = 20});
+    const prepared_integrand f(formula(text));
+    const integral right = integrate(f, 0, 1, {.digits = 20});
     ASSERT_EQ(right.verdict, status::certified) << text;
     EXPECT_TRUE(integral_again(f, 0, 1, right, 20, 1).agrees()) << text;
     EXPECT_THROW((void)integral_again(f, 0, 1, moved(right), 20, 1), contradiction_error) << text;
@@ -110,7 +110,7 @@ TEST(SecondOpinion, AWrongIntegralIsContradicted) {
 }
 
 TEST(SecondOpinion, ANumberForADivergentIntegralIsContradicted) {
-  const detail::integrand f = integrand_of(formula("exp(x)/(x-1/3)"));
+  const prepared_integrand f(formula("exp(x)/(x-1/3)"));
   integral wrong;
   wrong.enclosure = ball(1, 64);
   wrong.verdict = status::certified;
@@ -120,12 +120,12 @@ TEST(SecondOpinion, ANumberForADivergentIntegralIsContradicted) {
 }
 
 TEST(SecondOpinion, AnotherRuleIsTakenThanTheFirst) {
-  const detail::integrand f = integrand_of(formula("exp(x)"));
+  const prepared_integrand f(formula("exp(x)"));
   for (const quadrature_rule rule :
        {quadrature_rule::taylor_series, quadrature_rule::gauss_legendre}) {
     integrate_options how{.digits = 20};
     how.rule = rule;
-    const integral first = detail::integrate_function(f, 0, 1, how);
+    const integral first = integrate(f, 0, 1, how);
     ASSERT_EQ(first.account.rules, std::vector{rule});
     const second_opinion second = integral_again(f, 0, 1, first, 20, 1);
     const std::string& route = second.routes().back().route;

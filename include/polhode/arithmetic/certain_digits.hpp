@@ -16,6 +16,10 @@ using enclosing_function = std::function<ball(precision)>;
 /// digit of 30 digits more (1.999... or 2.000...), and more precision would show no other.
 [[nodiscard]] bool shows_digits(const ball& x, long digits);
 
+/// Guard bits that are enough where nothing cancels: once the radius is small enough, only a run of
+/// 0s or 9s can hide a digit.
+[[nodiscard]] precision ample_guard(long digits);
+
 /// f(p) for growing p = bits_for_digits(digits) + guard bits, guard = 32, 64, 128, ... up to
 /// most_guard: the first enclosure that shows_digits, or the undefined ball where none does.
 [[nodiscard]] ball enclose_to_digits(const enclosing_function& f, long digits,

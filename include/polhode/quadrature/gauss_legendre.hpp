@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/ball.hpp"
-#include "polhode/quadrature/symmetric_nodes.hpp"
+#include "polhode/quadrature/rule_sum.hpp"
 
 namespace polhode {
 

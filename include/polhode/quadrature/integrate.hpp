@@ -22,6 +22,7 @@
 // limits where the range is cut.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,22 +30,13 @@
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/goal.hpp"
-#include "polhode/arithmetic/region.hpp"
+#include "polhode/arithmetic/polynomial.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/formula_of.hpp"
-#include "polhode/quadrature/end_series.hpp"
-#include "polhode/quadrature/formula_end.hpp"
-#include "polhode/quadrature/growth_bound.hpp"
 #include "polhode/quadrature/rule.hpp"
 
 namespace polhode {
-
-// How the formula is looked at besides (src/quadrature).
-class angle;
-class recorded;
-class symmetry;
-class tail_series;
 
 /// What of a sum over panels is done; there may be several sums, one after the other.
 struct integration_progress {
@@ -111,169 +103,41 @@ struct certified_integral {
 struct integral : certified_integral<ball> {};
 
 namespace detail {
-
-/// A bound of |F| on the part of a rectangle that lies in the set where a series for F is known to
-/// hold.
-struct known_bound {
-  magnitude bound;
-  bool everywhere = false;  // the rectangle lies wholly in the set
-};
-
-/// What a segment has in place of `evaluator`, `scale` and `position` where F is not real for real
-/// t: that of a path's piece.
-struct complex_piece {
-  std::function<std::function<complex_ball(const ball& t)>(precision p)> evaluator;
-  std::function<complex_ball(precision)> scale;
-  std::function<complex_ball(const ball& t)> position;
-  magnitude size;  // about that of the numbers whose sums the points are
-};
-
-/// The integral of one analytic piece: scale times the integral of F(t) over 0 <= t <= 1.
-struct segment {
-  std::function<region(const region& t)> over;
-  /// F at real points, with p bits: what is costly and does not depend on t is done once.
-  std::function<std::function<ball(const ball& t)>(precision p)> evaluator;
-  std::function<ball(precision)> scale;
-  /// x as a function of t, for messages and to see how far apart doubles can keep two points.
-  std::function<ball(const ball& t)> position;
-  /// x(t), where `position` is in another variable.
-  std::function<ball(const ball& t)> place = nullptr;
-  /// Near t = 0, where F is known by a series: a bound of |F|, and so its analyticity, on the part
-  /// of a rectangle of t where the series holds; nothing where that may be empty. The series' set
-  /// is a disc around 0 or a half plane, open, whose boundary in an ellipse's upper half is
-  /// connected and ends on the real axis. May be empty.
-  std::function<std::optional<known_bound>(double_interval re, double_interval im)> known;
-  /// Not empty where F(t + 1) = F(t) near t = 0, or F is even about t = 0 and about t = 1, if it is
-  /// analytic there (see mean_trapezoid_error): given n and p, returns a factory of evaluators k ->
-  /// F((k + 1/2)/n) with p bits.
-  std::function<std::function<std::function<ball(long k)>()>(long n, precision p)> equidistant;
-  /// Where F is not real for real t. F must then be analytic for 0 < t < 1; the lower halves of
-  /// ellipses are looked at too.
-  std::optional<complex_piece> along = std::nullopt;
-  /// The values of F count only as its analytic continuation from t = 0 along 0 <= t <= 1: it must
-  /// be proved analytic everywhere there. Its points are then none of the x.
-  bool continued = false;
-};
-
-struct part;
-struct turned_rays;
-struct rays_of_range;
-struct folded_tail;
-struct substituted;
-
-/// A function in the arithmetics that the library needs.
-struct integrand {
-  std::function<region(const region& x)> over;
-  std::function<std::function<ball(const ball& x)>(precision p)> evaluator;
-  /// The same of equidistant arguments. May be empty.
-  std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
-  std::function<end_series(const end_series& x)> near_end;
-  /// Integrals over parts of the range from a to b, whose sum is that over the range, of functions
-  /// without the abs, min, max, floor and ceil of this one. None where it has none of them or the
-  /// parts are not known; may be empty.
-  std::function<std::vector<part>(const end_point& a, const end_point& b)> pieces;
-  /// Numbers at which it may be of interest to cut a range: candidates. May be empty.
-  std::function<std::vector<end_point>()> candidates;
-  /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in
-  /// which what is a power of the distance or of x is an exponential. Nothing where that is not
-  /// available; may be empty.
-  std::function<std::optional<integrand>(const end_point& end, int side)> in_exponential;
-  /// The integral from a to b by an antiderivative at the ends, by the precision. Nothing where
-  /// none is known; may be empty.
-  std::function<std::function<ball(precision p)>(const end_point& a, const end_point& b)>
-      antiderivative;
-  /// The integral from some p >= `from` to infinity (to the end of sign `side`, for |x| >= p) as a
-  /// sum of others. Nothing where that is not available; may be empty.
-  std::function<std::optional<turned_rays>(const rational& from, int side)> on_turned_rays;
-  /// The integral over a part of [a, b], 0 not inside, as a sum of others, where f turns more often
-  /// than `least_turns` in [a, b]. Nothing where that is not available; may be empty.
-  std::function<std::optional<rays_of_range>(const rational& a, const rational& b,
-                                             double least_turns)>
-      between_turned_rays;
-  /// The integral over [a, b] as that of another function, which oscillates less fast. Nothing
-  /// where none is known; may be empty.
-  std::function<std::optional<substituted>(const end_point& a, const end_point& b)> by_exponential;
-  /// The integral beyond some |x| >= `from`, to the infinity of sign `side`, as one over a period
-  /// but for a rest of about 2^-p of its size. Nothing where that is not available; may be empty.
-  std::function<std::optional<folded_tail>(const rational& from, int side, precision p)>
-      folded_at_infinity;
-  std::function<tail_series(const tail_series& x)> near_infinity;
-  /// How fast it grows at an end where it has no series. May be empty.
-  std::function<growth_bound(const growth_bound& x)> growth;
-  /// May be empty: then no symmetry is known.
-  std::function<symmetry(const symmetry& x)> under;
-  /// Its operations, with constants to p bits; may be empty: then no breaks are looked for.
-  std::function<recorded(const recorded& x, precision p)> record;
-};
-
-/// The sum of the integrals of the parts over [0, infinity) is that beyond `start`.
-struct turned_rays {
-  rational start;
-  std::vector<integrand> parts;
-};
-
-/// The sum of the integrals of `added` over [0, infinity), less those of `subtracted`, and those of
-/// `steady` over [a, b] is that over [a, b]; the rest of the range, if any, is nearer to 0.
-struct rays_of_range {
-  rational lower;
-  rational upper;
-  std::vector<integrand> added;
-  std::vector<integrand> subtracted;
-  std::vector<integrand> steady;
-};
-
-/// The integral is that of f from `lower` to `upper`.
-struct substituted {
-  integrand f;
-  end_point lower;
-  end_point upper;
-};
-
-/// The integral beyond `start` is that of `folded` over [lower, upper], but for a number of at most
-/// `rest` in size.
-struct folded_tail {
-  end_point start;
-  integrand folded;
-  end_point lower;
-  end_point upper;
-  magnitude rest;
-};
-
-[[nodiscard]] integral integrate_function(const integrand& f, const end_point& a,
-                                          const end_point& b, const integrate_options& options);
-
-/// x = a + (b - a) t, in the region's own arithmetic.
-class affine_map {
- public:
-  affine_map(const end_point& a, const end_point& b);
-  [[nodiscard]] region operator()(const region& t) const;
-  [[nodiscard]] ball operator()(const ball& t) const;
-  [[nodiscard]] ball start(precision p) const { return a_.at(p); }
-  [[nodiscard]] ball length(precision p) const {
-    if (!a_.exact() || !b_.exact()) return b_.at(p) - a_.at(p);
-    return {rational(*b_.exact() - *a_.exact()), p};
-  }
-
- private:
-  end_point a_;
-  end_point b_;
-  region a_hardware_;
-  region length_hardware_;
-};
-
+struct integrand;
 }  // namespace detail
 
-/// f in the arithmetics of quadrature. Throws input_error where f has more than one variable.
-[[nodiscard]] detail::integrand integrand_of(const expression& f);
+/// A formula with what its integrals need of it, which is made once: for several integrals.
+class prepared_integrand {
+ public:
+  /// Throws input_error where f has more than one variable.
+  explicit prepared_integrand(const expression& f);
+
+  /// The same function. Each evaluation, on whatever thread, calls one of these as well.
+  [[nodiscard]] prepared_integrand watched(std::function<void()> over_region,
+                                           std::function<void()> at_node) const;
+  /// The same function, for integrals from a to b, with other values at the nodes, which may be off
+  /// by rounding errors. The formula's own values, of balls, stay
+  ///   - for every argument that is more than a rounded number: bounds of f over a set are made of
+  ///     such, and must hold;
+  ///   - where the others are not defined;
+  ///   - beside ends of the range that are not 0: a rounded x says too little there of its distance
+  ///     from the end, where f may be singular.
+  [[nodiscard]] prepared_integrand with_values(const std::function<ball(const ball&)>& values,
+                                               const end_point& a, const end_point& b) const;
+
+  [[nodiscard]] const expression& formula() const { return formula_; }
+  [[nodiscard]] const detail::integrand& functions() const { return *functions_; }
+
+ private:
+  prepared_integrand(expression f, detail::integrand functions);
+
+  expression formula_;
+  std::shared_ptr<const detail::integrand> functions_;
+};
 
 /// A period of f, proved by its symmetry; nothing where none is found. Throws
 /// input_error where f has more than one variable.
 [[nodiscard]] std::optional<pi_combination> period_of(const expression& f);
-
-/// An integral of f that is not certified for want of digits, because it is 0: where f is 0
-/// wherever it is defined (is_formally_zero), and the enclosure, which is bounded, shows that it is
-/// defined almost everywhere, the integral is 0 exactly.
-[[nodiscard]] integral settled_zero(const expression& f, integral found);
 
 /// The integral of f from a to b; that from b to a with its sign changed where a > b, 0 where a =
 /// b. Limits may be infinite (end_point::infinity()), and f singular at them, where end_series.hpp
@@ -283,11 +147,38 @@ class affine_map {
 [[nodiscard]] integral integrate(const expression& f, const end_point& a, const end_point& b,
                                  const integrate_options& options = {});
 
+/// The same of a formula that is prepared.
+[[nodiscard]] integral integrate(const prepared_integrand& f, const end_point& a,
+                                 const end_point& b, const integrate_options& options = {});
+
 /// The same of a generic function of one argument, through its formula (formula_of).
 template <class F>
 [[nodiscard]] integral integrate(const F& f, const end_point& a, const end_point& b,
                                  const integrate_options& options = {}) {
   return integrate(formula_of(f), a, b, options);
 }
+
+/// The integral of p from a to b: F(b) - F(a) for F = the sum of p_n x^(n+1)/(n+1) (negative of
+/// that from b to a). None where the number would be too long: where the coefficients, or the
+/// powers of the ends, have more than about 2^20 bits.
+[[nodiscard]] std::optional<rational> exact_integral(const rational_polynomial& p,
+                                                     const rational& a, const rational& b);
+
+/// The integral of f from a to b where it is found to be a rational number, for f that is, between
+/// rational points (of abs, min, max, floor and ceil), a rational function whose antiderivative is
+/// one, such a function of the root of a linear form, or a sum of x^n exp(k x), x^n sin(k x) and
+/// x^n cos(k x), or one of x^k log(x)^n over x >= 0; and for f that is 0 but for isolated points.
+/// Ends may be infinite. None for other f, for integrals that diverge, where an end is not shown to
+/// be a number, and where the result would be long.
+[[nodiscard]] std::optional<rational> exact_integral(const expression& f, const end_point& a,
+                                                     const end_point& b);
+
+/// A formula without variables as an end of a range; exactly, where it is found to be q + r pi with
+/// rational q and r. Throws input_error where it has a variable.
+[[nodiscard]] end_point end_point_of(const expression& f);
+
+/// A formula without variables of the number that x is: of q + r pi, or the one that end_point_of
+/// was given. None for an infinity, and for a number of which enclosures alone are known.
+[[nodiscard]] std::optional<expression> formula_of(const end_point& x);
 
 }  // namespace polhode

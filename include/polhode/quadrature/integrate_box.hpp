@@ -31,7 +31,6 @@
 // f is a formula in x and the parameters, or a generic function of x and of a std::vector p with
 // the parameters p[0], p[1], ..., as for `integrate`.
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -95,28 +94,6 @@ struct box_integral {
   long boxes = 0;      // that make up the result
   long integrals = 0;  // that were computed for it
 };
-
-namespace detail {
-
-using parameter_box = std::vector<parameter_range>;
-
-/// A function of x and of parameters, in the arithmetics that the library needs.
-struct parametric_integrand {
-  /// With the parameters as sets: x -> f(x, P).
-  std::function<integrand(const parameter_box& box)> over_box;
-  /// x -> df/dp_i(x, P), not analytic or undefined where f is.
-  std::function<integrand(const parameter_box& box, std::size_t i)> derivative;
-};
-
-[[nodiscard]] box_integral integrate_function_over_box(const parametric_integrand& f,
-                                                       const end_point& a, const end_point& b,
-                                                       const parameter_box& box,
-                                                       const box_options& options);
-
-}  // namespace detail
-
-/// f's first variable is the argument, the others are the parameters.
-[[nodiscard]] detail::parametric_integrand parametric_integrand_of(const expression& f);
 
 /// Encloses the integral of f(x, p) dx from a to b for every p in the box, f a formula in x and the
 /// parameters. Refused, with the reason and the obstacle that `integrate` met, where f is not

@@ -21,13 +21,13 @@
 #include <string_view>
 
 #include "polhode/arithmetic/ball.hpp"
-#include "polhode/quadrature/symmetric_nodes.hpp"
 
 namespace polhode {
 
 class end_point;
 struct integral;
 struct integrate_options;
+struct symmetric_nodes;
 namespace detail {
 struct integrand;
 }  // namespace detail

@@ -1,15 +1,26 @@
 #pragma once
 
-// What the sums of the quadrature rules have in common.
+// The nodes and weights of a quadrature rule, and what the sums of the rules have in common.
 
 #include <concepts>
 #include <type_traits>
+#include <vector>
 
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/arithmetic/scalar.hpp"
-#include "polhode/quadrature/symmetric_nodes.hpp"
 
 namespace polhode {
+
+/// The n nodes and weights of a rule on [-1, 1] that is symmetric about 0: the nodes >= 0,
+/// increasing, and the weights that belong to them. The others are their negatives, with the same
+/// weights. Where n is odd, nodes[0] is 0, exactly, and counts once. Each ball holds the true node
+/// or weight and has `bits` bits.
+struct symmetric_nodes {
+  long n = 0;
+  precision bits = 0;
+  std::vector<ball> nodes;
+  std::vector<ball> weights;
+};
 
 /// A function of a scalar that answers with a scalar of the same type. (A lambda that returns what
 /// an operator of mpfr_float returns, an expression of references to its argument, is none: let it

@@ -25,7 +25,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
@@ -109,42 +108,6 @@ inline void expect_digits(long digits) {
   }
 }
 
-/// A formula's integrand with other values at the nodes. The formula's own values, of balls, stay
-///   - for every argument that is more than a rounded number: bounds of f over a set are made of
-///     such, and must hold;
-///   - where the others are not defined;
-///   - beside ends of the range that are not 0: a rounded x says too little there of its distance
-///     from the end, where f may be singular.
-[[nodiscard]] inline integrand with_values(integrand result,
-                                           const std::function<ball(const ball&)>& values,
-                                           const end_point& a, const end_point& b) {
-  constexpr precision few_bits = 64;
-  constexpr long beside = -6;  // a 64th of its size
-  std::vector<ball> ends;
-  for (const end_point* end : {&a, &b}) {
-    if (end->is_infinite() || (end->exact() && *end->exact() == 0)) continue;
-    ends.push_back(end->at(few_bits));
-  }
-  const auto is_beside = [ends](const ball& x) {
-    return std::any_of(ends.begin(), ends.end(), [&](const ball& end) {
-      const magnitude distance = (x - end).magnitude_lower();
-      return distance < scale(end.magnitude_upper(), beside);
-    });
-  };
-  result.angle_evaluator = nullptr;
-  result.evaluator = [own = result.evaluator, values, is_beside](precision p) {
-    constexpr long roundings = 24;  // bits that those of a node may take of p
-    return
-        [own = own(p), values, is_beside, least = roundings - static_cast<long>(p)](const ball& x) {
-          const bool is_node = x.radius() <= scale(x.magnitude_lower(), least);
-          if (!is_node || is_beside(x)) return own(x);
-          ball value = values(x);
-          return value.is_undefined() ? own(x) : value;
-        };
-  };
-  return result;
-}
-
 template <class Work>
 [[nodiscard]] double seconds_of(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -189,11 +152,11 @@ requires floating_real<Real>
     detail::expect_digits(digits);
     const expression formula = formula_of<detail::symbol_of_real<Real>>(f);
     const integrate_options goal = detail::options_for(options, digits);
-    const detail::integrand certified = integrand_of(formula);
-    const detail::integrand rounded = detail::with_values(
-        certified, detail::values_as_balls<Real>(f, formula, bits), a.point(), b.point());
-    const auto sum = [&](const detail::integrand& g) {
-      return detail::integrate_function(g, a.point(), b.point(), goal);
+    const prepared_integrand certified(formula);
+    const prepared_integrand rounded = certified.with_values(
+        detail::values_as_balls<Real>(f, formula, bits), a.point(), b.point());
+    const auto sum = [&](const prepared_integrand& g) {
+      return integrate(g, a.point(), b.point(), goal);
     };
     const integral found = sum(rounded);
     result.value = nearest_as<Real>(found.enclosure, bits);

@@ -7,7 +7,7 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/expression/formula_of.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/real/number.hpp"
 
 namespace polhode {

@@ -28,7 +28,7 @@ namespace polhode {
 /// them failed. Throws contradiction_error where an enclosure of the sum has no number in common
 /// with first's, or where one of the two integrals is proved to diverge; and std::invalid_argument
 /// where first is not certified, or digits < 1.
-[[nodiscard]] second_opinion integral_again(const detail::integrand& f, const end_point& a,
+[[nodiscard]] second_opinion integral_again(const prepared_integrand& f, const end_point& a,
                                             const end_point& b, const integral& first, long digits,
                                             int threads = 1);
 

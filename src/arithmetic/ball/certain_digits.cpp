@@ -4,6 +4,8 @@
 
 namespace polhode {
 
+precision ample_guard(long digits) { return 15 * bits_for_digits(digits) + 1024; }
+
 ball enclose_to_digits(const enclosing_function& f, long digits, precision most_guard) {
   const precision needed = bits_for_digits(digits);
   for (precision guard = 32; guard <= most_guard; guard *= 2) {

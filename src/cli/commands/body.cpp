@@ -72,8 +72,7 @@ json as_json(const number& n, long digits) {
 /// size_in_bits(a) + 3 size_in_bits(b) bits at most and a few, and a decimal d of k digits that
 /// such a root is not differs from it by at least some 1/(r 100^k).
 precision sufficient_guard(const body& rigid, long digits) {
-  return 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b())) + 15 * bits_for_digits(digits) +
-         1024;
+  return 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b())) + ample_guard(digits);
 }
 
 /// Either rational or enclosed to so many digits.

@@ -27,7 +27,7 @@ std::optional<ball> constant_of(const link_inertia& link, long digits,
                                 ball (body::*constant)(precision) const) {
   if (!link.rigid) return std::nullopt;
   return enclose_to_digits([&](precision p) { return ((*link.rigid).*constant)(p); }, digits,
-                           15 * bits_for_digits(digits) + 4096);
+                           ample_guard(digits));
 }
 
 struct counts {

@@ -373,8 +373,12 @@ exit_status write_theory(certify_options& options) {
       in_quotes(*options.coq.path), theory.defect_digits,
       theory.twist_digits == 0 ? "that there is no perfect twist"
                                : fmt::format("c0 to {}", theory.twist_digits),
-      theory.meeting_digits == 0 ? "and that C does not meet S"
-                                 : fmt::format("and where C meets S to {}", theory.meeting_digits),
+      theory.meeting_digits == 0
+          ? "and that C does not meet S"
+          : fmt::format("and where C meets S to {}{}", theory.meeting_digits,
+                        theory.are_meetings_counted ? ""
+                                                    : " (how often is left out: more than 100 "
+                                                      "times)"),
       *options.coq.path));
   return exit_status::all_certified;
 }

@@ -61,7 +61,7 @@ point point_at(const body& rigid, const rational& c, long digits) {
     const exact_real square = u / (1 - u);  // of the tangent
     const auto angle = [&](precision q) { return atan(sqrt(square.at(q))); };
     certain_number turning;
-    turning.enclosure = enclose_to_digits(angle, digits, 15 * bits_for_digits(digits) + 1024);
+    turning.enclosure = enclose_to_digits(angle, digits, ample_guard(digits));
     if (!turning.enclosure.is_undefined()) turning.verdict = status::certified;
     p.turning = certain(turning, "the turning point at c = " + to_text(c), digits);
   }

@@ -198,7 +198,6 @@ double numbers_of_mpfr(expression_cost cost) {
 }
 
 memory_estimate estimate(const expression& f, long digits) {
-  constexpr double bytes_per_digit = 0.4153;  // log2(10) / 8
   constexpr double kept_decimals = 6;
   const double numbers = static_cast<double>(f.live_numbers()) + numbers_of_mpfr(f.cost());
   return {fmt::format("{} digits of this formula", digits),

@@ -33,8 +33,6 @@
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/certificate/certificate_of.hpp"
 #include "polhode/quadrature/contour.hpp"
-#include "polhode/quadrature/exact_integral.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/integrate_box.hpp"
 #include "polhode/verify/second_integral.hpp"
@@ -207,9 +205,9 @@ json as_json(const expression& f, const integrate_command_options& options, cons
 }
 
 void check_memory(const integrate_command_options& options, long digits) {
-  constexpr double bytes_per_digit = 0.4153 * 64;
+  constexpr double numbers = 64;
   options.memory_limit.check({fmt::format("{} digits of the integral", digits),
-                              bytes_per_digit * static_cast<double>(digits) *
+                              numbers * bytes_per_digit * static_cast<double>(digits) *
                                   std::max(static_cast<double>(digits), 1.0) / 16});
 }
 
@@ -397,19 +395,10 @@ struct counted_calls {
   std::atomic<long> nodes = 0;
 };
 
-detail::integrand counted(detail::integrand f, const std::shared_ptr<counted_calls>& calls) {
-  f.over = [over = std::move(f.over), calls](const region& x) {
-    calls->over_regions.fetch_add(1, std::memory_order_relaxed);
-    return over(x);
-  };
-  f.evaluator = [make = std::move(f.evaluator),
-                 calls](precision p) -> std::function<ball(const ball&)> {
-    return [at = make(p), calls](const ball& x) {
-      calls->at_nodes.fetch_add(1, std::memory_order_relaxed);
-      return at(x);
-    };
-  };
-  return f;
+prepared_integrand counted(const prepared_integrand& f,
+                           const std::shared_ptr<counted_calls>& calls) {
+  return f.watched([calls] { calls->over_regions.fetch_add(1, std::memory_order_relaxed); },
+                   [calls] { calls->at_nodes.fetch_add(1, std::memory_order_relaxed); });
 }
 
 /// "1200 evaluations, 340 over regions, panel 3 of 40 with 64 nodes".
@@ -458,14 +447,14 @@ exit_status integrate_real(integrate_command_options& options) {
   const end_point b = read_limit(*options.to, options.let);
   if (const auto value = known_integral(f, a, b, options)) return report_exact(f, options, *value);
   const auto calls = std::make_shared<counted_calls>();
-  const auto integrate_to = [f, g = counted(integrand_of(f), calls), a, b,
+  const auto integrate_to = [g = counted(prepared_integrand(f), calls), a, b,
                              calls](integrate_options goal) {
     goal.progress = [calls](const integration_progress& p) {
       calls->panel = p.panels_done + 1;
       calls->panels = p.panels;
       calls->nodes = p.nodes;
     };
-    return settled_zero(f, detail::integrate_function(g, a, b, goal));
+    return integrate(g, a, b, goal);
   };
   const auto verify = [&](const integral& i) {
     const long digits = options.digits.value();

@@ -19,7 +19,7 @@
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/certificate/certificate.hpp"
 #include "polhode/certificate/certificate_of.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/roots/isolate.hpp"
 #include "polhode/verify/second_roots.hpp"
 #include "roots_options.hpp"
@@ -500,7 +500,6 @@ void refuse_options_of_interval(const roots_options& options, const std::string&
 }
 
 void check_memory(const roots_options& options, double numbers) {
-  constexpr double bytes_per_digit = 0.4153;
   const long digits = options.digits.value();
   options.memory_limit.check({fmt::format("roots to {} digits", digits),
                               bytes_per_digit * numbers * static_cast<double>(digits)});

@@ -28,7 +28,7 @@ std::string circles(const char* colour) {
 
 ball enclosed(const enclosing_function& f, const std::string& what, long digits) {
   certain_number result;
-  result.enclosure = enclose_to_digits(f, digits, 15 * bits_for_digits(digits) + 1024);
+  result.enclosure = enclose_to_digits(f, digits, ample_guard(digits));
   if (!result.enclosure.is_undefined()) result.verdict = status::certified;
   return certain(result, what, digits);
 }

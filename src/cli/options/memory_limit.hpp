@@ -7,6 +7,9 @@
 
 namespace polhode::cli {
 
+/// Of a number: log2(10)/8.
+inline constexpr double bytes_per_digit = 0.4153;
+
 /// What a request is estimated to need.
 struct memory_estimate {
   std::string what;  // "1000000000 digits of beta"

@@ -78,7 +78,8 @@ void add_meetings(coq_theory& theory, const body& rigid, long digits) {
         "Proof. apply never_meets; unfold a, b; lra. Qed.\n";
     return;
   }
-  if (count <= most_counted) {
+  theory.are_meetings_counted = count <= most_counted;
+  if (theory.are_meetings_counted) {
     theory.text += fmt::format(
         "Theorem meetings_with_S : has_exactly {0} (meeting a b).\n"
         "Proof.\napply (meets_exactly a b {1} {2}); try (unfold a, b; lra).\n"
@@ -101,7 +102,6 @@ void add_meetings(coq_theory& theory, const body& rigid, long digits) {
                     "- unfold HalfPhase.G, HalfPhase.h, HalfPhase.X, HalfPhase.Q, a, b; {2}.\n",
                     k, 2 * k - 1, by_quadrature));
   }
-  theory.meetings = count;
   theory.meeting_digits = digits;
 }
 

@@ -10,16 +10,17 @@ namespace polhode::cli {
 struct coq_theory {
   std::string text;
   long defect_digits = 0;
-  long twist_digits = 0;    // 0: there is no perfect twist, which the theory proves
-  integer meetings;         // how often C meets S
-  long meeting_digits = 0;  // 0: it does not, which the theory proves
+  long twist_digits = 0;             // 0: there is no perfect twist, which the theory proves
+  long meeting_digits = 0;           // 0: C does not meet S, which the theory proves
+  bool are_meetings_counted = true;  // how often C meets S is a theorem
 };
 
 /// The theory for rational a > 0 and 0 < b < 1: whether the body is physical, epsilon0 to so many
 /// digits, and to at most 12 the perfect twist c0 and u = -c/b at the first three points where C
-/// meets S, each between two numbers, and how often C meets S. Coq proves them by the
-/// theorems of proofs/coq/paper/Brackets.v and by coq-interval; the digits that were computed here
-/// only say what is to be proved. Throws not_certified_error where there are none.
+/// meets S, each between two numbers, and how often C meets S, where that is at most 100 times.
+/// Coq proves them by the theorems of proofs/coq/paper/Brackets.v and by coq-interval; the digits
+/// that were computed here only say what is to be proved. Throws not_certified_error where there
+/// are none.
 [[nodiscard]] coq_theory coq_theory_of(const rational& a, const rational& b, long digits);
 
 }  // namespace polhode::cli

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "polhode/quadrature/integrate_box.hpp"
+#include "quadrature/boxes/parametric_integrand.hpp"
 
 namespace polhode::detail {
 

@@ -2,7 +2,7 @@
 
 // Where a function made of analytic pieces passes from one to another.
 
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

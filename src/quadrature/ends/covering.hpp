@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/branches.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail::breaks {
 

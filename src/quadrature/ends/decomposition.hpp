@@ -8,9 +8,9 @@
 #include <mutex>
 #include <vector>
 
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/waves.hpp"
 #include "quadrature/formula/recorded.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail::oscillations {
 

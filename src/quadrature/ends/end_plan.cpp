@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "polhode/quadrature/formula_end.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail::ends {
 

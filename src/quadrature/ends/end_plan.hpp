@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/ends/segments.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail::ends {
 

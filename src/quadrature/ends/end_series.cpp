@@ -1,4 +1,4 @@
-#include "polhode/quadrature/end_series.hpp"
+#include "quadrature/ends/end_series.hpp"
 
 #include <algorithm>
 

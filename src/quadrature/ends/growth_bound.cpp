@@ -1,4 +1,4 @@
-#include "polhode/quadrature/growth_bound.hpp"
+#include "quadrature/ends/growth_bound.hpp"
 
 #include <algorithm>
 

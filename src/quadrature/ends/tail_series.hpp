@@ -16,7 +16,7 @@
 #include <optional>
 #include <string_view>
 
-#include "polhode/quadrature/end_series.hpp"
+#include "quadrature/ends/end_series.hpp"
 
 namespace polhode {
 

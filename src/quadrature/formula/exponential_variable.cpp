@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "polhode/expression/symbol.hpp"
-#include "polhode/quadrature/formula_end.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

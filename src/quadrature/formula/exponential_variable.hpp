@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "polhode/expression/expression.hpp"
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

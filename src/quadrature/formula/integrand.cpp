@@ -17,10 +17,9 @@
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/contour.hpp"
-#include "polhode/quadrature/formula_end.hpp"
-#include "polhode/quadrature/growth_of_formulas.hpp"
 #include "polhode/quadrature/integrate.hpp"
-#include "polhode/quadrature/integrate_box.hpp"
+#include "quadrature/boxes/parametric_integrand.hpp"
+#include "quadrature/ends/growth_of_formulas.hpp"
 #include "quadrature/ends/tail_series.hpp"
 #include "quadrature/formula/angle.hpp"
 #include "quadrature/formula/exponential_variable.hpp"
@@ -28,6 +27,7 @@
 #include "quadrature/formula/periodic_tail.hpp"
 #include "quadrature/formula/recorded.hpp"
 #include "quadrature/formula/symmetry.hpp"
+#include "quadrature/integrand.hpp"
 #include "quadrature/sum_of_parts.hpp"
 
 namespace polhode {
@@ -586,11 +586,11 @@ detail::parametric_integrand parametric_integrand_of(const expression& f) {
 // ---------------------------------------------------------------------------------------------
 // The integrals
 
-integral integrate(const expression& f, const end_point& a, const end_point& b,
-                   const integrate_options& options) {
-  return settled_zero(f, detail::integrate_function(integrand_of(f), a, b, options));
-}
+namespace {
 
+/// An integral of f that is not certified for want of digits, because it is 0: where f is 0
+/// wherever it is defined (is_formally_zero), and the enclosure, which is bounded, shows that it is
+/// defined almost everywhere, the integral is 0 exactly.
 integral settled_zero(const expression& f, integral found) {
   if (found.verdict == status::certified || found.why != reason::precision_limit ||
       !found.enclosure.is_bounded() || !f.is_formally_zero()) {
@@ -601,6 +601,72 @@ integral settled_zero(const expression& f, integral found) {
   found.why = reason::none;
   found.obstacle.clear();
   return found;
+}
+
+}  // namespace
+
+prepared_integrand::prepared_integrand(expression f, detail::integrand functions)
+    : formula_(std::move(f)),
+      functions_(std::make_shared<const detail::integrand>(std::move(functions))) {}
+
+prepared_integrand::prepared_integrand(const expression& f)
+    : prepared_integrand(f, integrand_of(f)) {}
+
+prepared_integrand prepared_integrand::watched(std::function<void()> over_region,
+                                               std::function<void()> at_node) const {
+  detail::integrand result = *functions_;
+  result.over = [own = result.over, call = std::move(over_region)](const region& x) {
+    call();
+    return own(x);
+  };
+  result.evaluator = [make = result.evaluator,
+                      call = std::move(at_node)](precision p) -> std::function<ball(const ball&)> {
+    return [own = make(p), call](const ball& x) {
+      call();
+      return own(x);
+    };
+  };
+  return {formula_, std::move(result)};
+}
+
+prepared_integrand prepared_integrand::with_values(const std::function<ball(const ball&)>& values,
+                                                   const end_point& a, const end_point& b) const {
+  constexpr precision few_bits = 64;
+  constexpr long beside = -6;  // a 64th of its size
+  std::vector<ball> ends;
+  for (const end_point* end : {&a, &b}) {
+    if (end->is_infinite() || (end->exact() && *end->exact() == 0)) continue;
+    ends.push_back(end->at(few_bits));
+  }
+  const auto is_beside = [ends](const ball& x) {
+    return std::any_of(ends.begin(), ends.end(), [&](const ball& end) {
+      const magnitude distance = (x - end).magnitude_lower();
+      return distance < scale(end.magnitude_upper(), beside);
+    });
+  };
+  detail::integrand result = *functions_;
+  result.angle_evaluator = nullptr;
+  result.evaluator = [make = result.evaluator, values, is_beside](precision p) {
+    constexpr long roundings = 24;  // bits that those of a node may take of p
+    return [own = make(p), values, is_beside,
+            least = roundings - static_cast<long>(p)](const ball& x) {
+      const bool is_node = x.radius() <= scale(x.magnitude_lower(), least);
+      if (!is_node || is_beside(x)) return own(x);
+      ball value = values(x);
+      return value.is_undefined() ? own(x) : value;
+    };
+  };
+  return {formula_, std::move(result)};
+}
+
+integral integrate(const expression& f, const end_point& a, const end_point& b,
+                   const integrate_options& options) {
+  return integrate(prepared_integrand(f), a, b, options);
+}
+
+integral integrate(const prepared_integrand& f, const end_point& a, const end_point& b,
+                   const integrate_options& options) {
+  return settled_zero(f.formula(), detail::integrate_function(f.functions(), a, b, options));
 }
 
 contour_integral integrate_along(const expression& f, const path& along,

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "polhode/quadrature/integrate.hpp"
 #include "quadrature/formula/recorded.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -2,7 +2,7 @@
 
 // Where an integral is proved to diverge: at a pole, also at a point that is no rational number.
 
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -18,7 +18,7 @@
 #include "polhode/arithmetic/analytic_ball.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
-#include "polhode/quadrature/end_series.hpp"
+#include "quadrature/ends/end_series.hpp"
 #include "quadrature/ends/tail_series.hpp"
 
 namespace polhode {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

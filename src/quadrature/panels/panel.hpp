@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "polhode/arithmetic/complex_ball.hpp"
-#include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/rule.hpp"
+#include "quadrature/integrand.hpp"
 #include "quadrature/rules/periodic.hpp"
 #include "quadrature/tiling.hpp"
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "polhode/arithmetic/complex_ball.hpp"
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

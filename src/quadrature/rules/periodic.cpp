@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/quadrature/trapezoid.hpp"
 #include "quadrature/formula/symmetry.hpp"
+#include "quadrature/rules/trapezoid_plan.hpp"
 
 namespace polhode::detail {
 

@@ -1,4 +1,4 @@
-#include "polhode/quadrature/exact_integral.hpp"
+#include "quadrature/integrand.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "polhode/expression/symbol.hpp"
-#include "polhode/quadrature/formula_end.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
 
 namespace polhode {

@@ -39,7 +39,7 @@
 #include <optional>
 
 #include "hyperexponential.hpp"
-#include "polhode/quadrature/integrate.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

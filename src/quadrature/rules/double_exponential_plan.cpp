@@ -1,10 +1,10 @@
-#include "polhode/quadrature/double_exponential.hpp"
+#include "quadrature/rules/double_exponential_plan.hpp"
 
 #include <cmath>
 
 #include "polhode/arithmetic/elementary.hpp"
 
-namespace polhode {
+namespace polhode::detail {
 
 std::optional<end_growth> growth_from_series(const end_series& series, double reach) {
   const end_series h = series.simplified();
@@ -21,7 +21,6 @@ std::optional<end_growth> growth_from_series(const end_series& series, double re
   return growth;
 }
 
-namespace detail {
 namespace {
 
 constexpr precision bits = 64;
@@ -151,5 +150,4 @@ double range_for(const double_exponential_problem& problem, long goal_bits) {
   return 0;
 }
 
-}  // namespace detail
-}  // namespace polhode
+}  // namespace polhode::detail

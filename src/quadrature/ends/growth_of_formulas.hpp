@@ -8,7 +8,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/expression/evaluation.hpp"
-#include "polhode/quadrature/growth_bound.hpp"
+#include "quadrature/ends/growth_bound.hpp"
 
 namespace polhode::detail {
 

@@ -21,7 +21,7 @@
 #include <string_view>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "polhode/quadrature/end_series.hpp"
+#include "quadrature/ends/end_series.hpp"
 
 namespace polhode {
 

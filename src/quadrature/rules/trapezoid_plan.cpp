@@ -1,4 +1,4 @@
-#include "polhode/quadrature/trapezoid.hpp"
+#include "quadrature/rules/trapezoid_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 
-namespace polhode {
+namespace polhode::detail {
 namespace {
 
 constexpr precision bound_precision = 64;
@@ -103,8 +103,6 @@ line_plan plan_trapezoid(const bound_on_rectangle& bound, const rational& length
   return plan;
 }
 
-namespace detail {
-
 bool is_analytic_on(const region_function& f, double left, double right, double d,
                     long& evaluations) {
   struct tile {
@@ -187,30 +185,6 @@ magnitude integral_along(const region_function& f, double left, double right, do
   return sum;
 }
 
-std::optional<rectangle_bound> bound_of_real_function(const region_function& f, const rational& a,
-                                                      const rational& b, double d,
-                                                      long& evaluations) {
-  // Tiles between doubles that hold [a, b].
-  const double_interval from(a);
-  const double_interval to(b);
-  if (!from.is_bounded() || !to.is_bounded() || !(d > 0)) return std::nullopt;
-  if (!is_analytic_on(f, from.lower(), to.upper(), d, evaluations)) return std::nullopt;
-  rectangle_bound bound;
-  bound.half_height = d;
-  bound.horizontal = scale(integral_along(f, from.lower(), to.upper(), d, evaluations), 1);
-  constexpr int pieces = 32;
-  double y = 0;
-  for (int k = 1; k <= pieces; ++k) {
-    const double next = k == pieces ? d : d * k / pieces;
-    const double_interval height(y, next);
-    evaluations += 2;
-    bound.left.push_back({y, next, f(region(from, height)).magnitude_upper()});
-    bound.right.push_back({y, next, f(region(to, height)).magnitude_upper()});
-    y = next;
-  }
-  return bound;
-}
-
 line_integral carry_out(line_plan plan, const std::function<ball(long n, precision p)>& sum,
                         long bits, const magnitude& beyond, const line_options& options) {
   line_integral result;
@@ -247,5 +221,4 @@ line_integral carry_out(line_plan plan, const std::function<ball(long n, precisi
   return result;
 }
 
-}  // namespace detail
-}  // namespace polhode
+}  // namespace polhode::detail
