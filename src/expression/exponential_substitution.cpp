@@ -11,14 +11,19 @@
 //   log_gamma(w) = log_gamma(1 + w) - log |w|, gamma(w) = gamma(1 + w)/w,
 //   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5);
 //     of a rational function 1 - m a power of the distance from a rational end, or of 1/|x|, is
-//     divided out of its polynomials in that; where m is one of the numbers near 1 below, or the
-//     square of one, 1 - m is written as there,
+//     divided out of its polynomials in that; where m is known as 1 + w
+//     (below), 1 - m is -w,
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos,
 //   tan(k pi + w) = tan w,  tan(k pi + pi/2 + w) = -1/tan w.
-// What decays with s and is a difference of two numbers near 1 is written without that difference,
-// so that regions of it keep its relative size:
-//   cos w - 1 = -2 sin(w/2)^2,  cosh w - 1 = 2 sinh(w/2)^2,  exp w - 1 = 2 exp(w/2) sinh(w/2),
-//   sqrt(1 + w) - 1 = w/(sqrt(1 + w) + 1),  log(1 + w) = 2 atanh(w/(2 + w)).
+// What decays with s and is a difference of two numbers near a constant c is written without that
+// difference, so that regions of it keep its relative size. For that an operation that tends to c
+// is known as c + w, too (the first two lines: DLMF 4.21.7 to 4.21.10, 4.35.7 to 4.35.10):
+//   cos(c + w) - cos c = -2 sin(c + w/2) sin(w/2),  sin(c + w) - sin c = 2 cos(c + w/2) sin(w/2),
+//   cosh(c + w) - cosh c = 2 sinh(c + w/2) sinh(w/2),  and so for sinh, with cosh(c + w/2),
+//   exp(c + w) - exp c = 2 exp(c + w/2) sinh(w/2),
+//   sqrt(c + w) - sqrt c = w/(sqrt(c + w) + sqrt c),  log(c + w) - log c = 2 atanh(w/(2c + w)),
+//   (c + w)^y - c^y = 2 c^y exp(h) sinh(h),  h = y atanh(w/(2c + w)),  for c > 0,
+//   (c + w)(d + v) - cd = cv + dw + wv,  (c + w)/(d + v) - c/d = (dw - cv)/(d (d + v)).
 
 #include <algorithm>
 #include <functional>
@@ -42,28 +47,26 @@ using detail::operation;
 
 constexpr node_id most_nodes = 500;
 
-/// exp(kappa s + v) rest; and where it is linear in x, alpha + beta exp(+-s).
-struct value {
+/// exp(kappa s + v) rest.
+struct part {
   node_id kappa;
   node_id v;
   node_id rest;
+};
+/// c + w with a constant c and a w that decays with s; no w where w.rest is 0.
+struct near_number {
+  node_id c;
+  part w;
+};
+/// A part; where it is linear in x, alpha + beta exp(+-s) too; and where it tends to a constant, as
+/// near_number.
+struct value : part {
   struct linear {
     node_id alpha;
     node_id beta;
   };
   std::optional<linear> in_x;
-  /// It is sign F(w), where F is cos, cosh, exp, 1 + w (add) or sqrt(1 + w) of a w that decays with
-  /// s.
-  struct near_one {
-    operation function;
-    node_id w;
-    int sign = 1;
-  };
-  std::optional<near_one> beside_one = std::nullopt;
-  /// 1 + w.
-  [[nodiscard]] bool is_one_and_more() const {
-    return beside_one && beside_one->function == operation::add && beside_one->sign > 0;
-  }
+  std::optional<near_number> beside = std::nullopt;
 };
 
 /// p(a + b x).
@@ -125,27 +128,28 @@ class substitution {
   // -------------------------------------------------------------------------------------------
   // Values
 
-  [[nodiscard]] value as_it_is(node_id rest) const { return {zero_, zero_, rest, std::nullopt}; }
-  [[nodiscard]] value constant(node_id c) const {
-    return {zero_, zero_, c, value::linear{c, zero_}};
-  }
+  [[nodiscard]] part plain_part(node_id rest) const { return {zero_, zero_, rest}; }
+  [[nodiscard]] value as_it_is(node_id rest) const { return {plain_part(rest), std::nullopt}; }
+  [[nodiscard]] value constant(node_id c) const { return {plain_part(c), value::linear{c, zero_}}; }
   /// alpha + beta exp(+-s), with the exponential taken out where alpha is shown to be 0.
   value linear(node_id alpha, node_id beta) {
     if (beta == zero_) return constant(alpha);
     if (!is_zero(alpha)) {
       const node_id moving = multiply(g_, beta, exp_of(multiply(g_, growth_, s_)));
-      return {zero_, zero_, add(g_, alpha, moving), value::linear{alpha, beta}};
+      return {plain_part(add(g_, alpha, moving)), value::linear{alpha, beta}};
     }
-    return {growth_, zero_, beta, value::linear{zero_, beta}};
+    return {{growth_, zero_, beta}, value::linear{zero_, beta}};
   }
   node_id call(const char* function, const std::vector<node_id>& x) {
     return detail::find_function(function)->build(g_, x);
   }
   node_id exp_of(node_id x) { return x == zero_ ? one_ : call("exp", {x}); }
-  node_id exponent(const value& x) {
+  node_id exponent(const part& x) {
     return x.kappa == zero_ ? x.v : add(g_, multiply(g_, x.kappa, s_), x.v);
   }
-  node_id plain(const value& x) { return multiply(g_, exp_of(exponent(x)), x.rest); }
+  node_id plain(const part& x) {
+    return x.rest == zero_ ? zero_ : multiply(g_, exp_of(exponent(x)), x.rest);
+  }
 
   /// Whether the rules show that a node without variables is 0.
   [[nodiscard]] bool is_zero(node_id c) { return is_rational(c, 0); }
@@ -192,6 +196,26 @@ class substitution {
   node_id times(node_id x, node_id y) {
     return x == zero_ || y == zero_ ? zero_ : multiply(g_, x, y);
   }
+  node_id plus(node_id x, node_id y, bool minus) {
+    if (y == zero_) return x;
+    if (x == zero_) return minus ? negate(g_, y) : y;
+    return minus ? subtract(g_, x, y) : add(g_, x, y);
+  }
+  part plus(const part& x, const part& y, bool minus) {
+    if (y.rest == zero_) return x;
+    if (x.rest == zero_) return minus ? times(g_.number(-1), y) : y;
+    if (x.kappa == y.kappa && x.v == y.v) return {x.kappa, x.v, plus(x.rest, y.rest, minus)};
+    return plain_part(plus(plain(x), plain(y), minus));
+  }
+  part times(const part& x, const part& y) {
+    if (x.rest == zero_) return x;
+    if (y.rest == zero_) return y;
+    return {add(g_, x.kappa, y.kappa), add(g_, x.v, y.v), multiply(g_, x.rest, y.rest)};
+  }
+  part times(node_id c, const part& x) { return {x.kappa, x.v, times(c, x.rest)}; }
+  part over(const part& x, node_id divisor) {
+    return {x.kappa, x.v, x.rest == zero_ ? zero_ : divide(g_, x.rest, divisor)};
+  }
   /// Of g_: it does not depend on s.
   [[nodiscard]] bool is_constant(node_id i) {
     if (i == s_) return false;
@@ -220,7 +244,10 @@ class substitution {
         value x = *values_[n.left];
         if (x.in_x) return linear(negate(g_, x.in_x->alpha), negate(g_, x.in_x->beta));
         x.rest = negate(g_, x.rest);
-        if (x.beside_one) x.beside_one->sign = -x.beside_one->sign;
+        if (x.beside) {
+          const node_id minus = g_.number(-1);
+          x.beside = near_number{times(minus, x.beside->c), times(minus, x.beside->w)};
+        }
         return x;
       }
       case operation::add:
@@ -238,40 +265,61 @@ class substitution {
         const value& x = *values_[n.left];
         const node_id half = g_.number(rational(1, 2));
         value result = scaled(x, half, call("sqrt", {x.rest}));
-        if (x.is_one_and_more()) {
-          result.beside_one = value::near_one{operation::sqrt, x.beside_one->w};
+        if (const auto b = beside_of(x); b && is_positive(b->c)) {
+          const node_id c = call("sqrt", {b->c});
+          result.beside = near_number{c, over(b->w, add(g_, plain(result), c))};
         }
         return result;
       }
       case operation::root: {
         const value& x = *values_[n.left];
-        const node_id part = g_.number(rational(1, n.number));
-        return scaled(x, part, call("root", {x.rest, g_.number(n.number)}));
+        const node_id y = g_.number(rational(1, n.number));
+        value result = scaled(x, y, call("root", {x.rest, g_.number(n.number)}));
+        result.beside = power_beside(x, y);
+        return result;
       }
       case operation::exp: {
-        const auto [kappa, v] = split(plain(*values_[n.left]));
-        return beside_one({kappa, v, one_, std::nullopt}, n);
+        const value& x = *values_[n.left];
+        const auto [kappa, v] = split(plain(x));
+        value result{{kappa, v, one_}, std::nullopt};
+        if (const auto b = beside_of(x)) {
+          const node_id half = half_of(b->w);
+          const node_id middle = call("exp", {plus(b->c, half, false)});
+          result.beside = near_number{exp_of(b->c), twice(middle, call("sinh", {half}))};
+        }
+        return result;
       }
       case operation::cosh:
-        return beside_one(as_it_is(call("cosh", {plain(*values_[n.left])})), n);
+        return by_half_angle(n, "cosh", "sinh", "sinh", 1);
+      case operation::sinh:
+        return by_half_angle(n, "sinh", "cosh", "sinh", 1);
       case operation::expm1: {
         const value& x = *values_[n.left];
-        if (!decays(x)) break;
-        return less_one({operation::exp, plain(x)});
+        const auto b = beside_of(x);
+        if (!b || b->c != zero_) break;
+        const node_id half = half_of(b->w);
+        return decaying(twice(call("exp", {half}), call("sinh", {half})));
       }
       case operation::log1p: {
         const value& x = *values_[n.left];
-        if (!decays(x)) break;
-        return logarithm_beside_one(plain(x));
+        const auto b = beside_of(x);
+        if (!b || b->c != zero_) break;
+        return decaying(logarithm_of_ratio({one_, b->w}));
       }
       case operation::log: {
         const value& x = *values_[n.left];
-        if (x.is_one_and_more()) return logarithm_beside_one(x.beside_one->w);
-        return as_it_is(add(g_, exponent(x), x.rest == one_ ? zero_ : call("log", {x.rest})));
+        const auto b = beside_of(x);
+        if (b && is_rational(b->c, 1)) return decaying(logarithm_of_ratio(*b));
+        value result =
+            as_it_is(add(g_, exponent(x), x.rest == one_ ? zero_ : call("log", {x.rest})));
+        if (b && is_positive(b->c)) {
+          result.beside = near_number{call("log", {b->c}), logarithm_of_ratio(*b)};
+        }
+        return result;
       }
       case operation::abs: {
         const value& x = *values_[n.left];
-        return {x.kappa, x.v, call("abs", {x.rest}), std::nullopt};
+        return {{x.kappa, x.v, call("abs", {x.rest})}, std::nullopt};
       }
       case operation::log_gamma: {
         const value& x = *values_[n.left];
@@ -284,7 +332,7 @@ class substitution {
         const value& x = *values_[n.left];
         if (!tends_to_0(x)) break;
         const node_id further = call("gamma", {add(g_, one_, plain(x))});
-        return {negate(g_, x.kappa), negate(g_, x.v), divide(g_, further, x.rest), std::nullopt};
+        return {{negate(g_, x.kappa), negate(g_, x.v), divide(g_, further, x.rest)}, std::nullopt};
       }
       case operation::further:
         if (auto complete = complete_integral(i)) return *complete;
@@ -293,74 +341,134 @@ class substitution {
       case operation::cos:
       case operation::tan:
         if (auto moved = by_quarter_turns(n)) return *moved;
-        if (n.what != operation::cos) break;
-        return beside_one(as_it_is(call("cos", {plain(*values_[n.left])})), n);
+        if (n.what == operation::sin) return by_half_angle(n, "sin", "cos", "sin", 1);
+        if (n.what == operation::cos) return by_half_angle(n, "cos", "sin", "sin", -1);
+        return odd(i);
+      case operation::asin:
+      case operation::atan:
+      case operation::tanh:
+      case operation::asinh:
+      case operation::atanh:
+        return odd(i);
       default:
         break;
     }
+    return of_plain_operands(i);
+  }
+  value of_plain_operands(node_id i) {
     return as_it_is(
         detail::with_operands(g_, f_, i, [&](node_id k) { return plain(*values_[k]); }));
   }
   /// It tends to 0 for s -> infinity, if its last factor is bounded.
-  [[nodiscard]] bool decays(const value& x) {
+  [[nodiscard]] bool decays(const part& x) {
     return x.v == zero_ && x.kappa != zero_ && is_constant(x.kappa) &&
            certainly_negative(detail::value_at(g_, x.kappa, 64));
   }
-  /// The function of node n, which is 1 at 0.
-  value beside_one(value result, const node& n) {
-    const value& x = *values_[n.left];
-    if (decays(x)) result.beside_one = value::near_one{n.what, plain(x)};
-    return result;
+  [[nodiscard]] bool is_positive(node_id c) {
+    return c != zero_ && certainly_positive(detail::value_at(g_, c, 64));
   }
-  /// F(w) - 1.
-  value less_one(const value::near_one& f) {
-    const node_id two = g_.number(2);
-    const node_id half = divide(g_, f.w, two);
-    const auto twice_squared = [&](const char* function) {
-      return multiply(g_, two, power(g_, call(function, {half}), two));
-    };
-    switch (f.function) {
-      case operation::cos:
-        return as_it_is(negate(g_, twice_squared("sin")));
-      case operation::cosh:
-        return as_it_is(twice_squared("sinh"));
-      case operation::exp:
-        return as_it_is(multiply(g_, multiply(g_, two, call("exp", {half})), call("sinh", {half})));
-      default: {  // sqrt(1 + w)
-        const node_id root = call("sqrt", {add(g_, one_, f.w)});
-        return as_it_is(divide(g_, f.w, add(g_, root, one_)));
-      }
+
+  // -------------------------------------------------------------------------------------------
+  // Values near a constant. None of the identities asks that w is small.
+
+  /// Where x tends to a constant.
+  std::optional<near_number> beside_of(const value& x) {
+    if (x.beside) return x.beside;
+    if (x.in_x && x.in_x->beta == zero_) return near_number{x.in_x->alpha, plain_part(zero_)};
+    if (x.in_x && !is_infinite_) {
+      return near_number{x.in_x->alpha, {growth_, zero_, x.in_x->beta}};
     }
+    if (decays(x)) return near_number{zero_, x};
+    return std::nullopt;
   }
-  value logarithm_beside_one(node_id w) {
+  /// What tends to 0.
+  value decaying(const part& w) { return {w, std::nullopt, near_number{zero_, w}}; }
+  node_id half_of(const part& w) {
+    return w.rest == zero_ ? zero_ : divide(g_, plain(w), g_.number(2));
+  }
+  part twice(node_id x, node_id y) {
+    return plain_part(multiply(g_, g_.number(2), multiply(g_, x, y)));
+  }
+  /// log(c + w) - log(c) for c > 0.
+  part logarithm_of_ratio(const near_number& x) {
     const node_id two = g_.number(2);
-    return as_it_is(multiply(g_, two, call("atanh", {divide(g_, w, add(g_, two, w))})));
+    const node_id w = plain(x.w);
+    const node_id quotient = divide(g_, w, plus(multiply(g_, two, x.c), w, false));
+    return plain_part(multiply(g_, two, call("atanh", {quotient})));
   }
-  /// x + sign y without a difference of numbers near 1, where y is 1 or -1.
-  std::optional<value> without_one(const value& x, const value& y, int sign) {
-    if (!x.beside_one || x.beside_one->function == operation::add) return std::nullopt;
-    const rational* const c = g_.value(y.rest);
-    if (c == nullptr || !y.in_x || y.in_x->beta != zero_) return std::nullopt;
-    if (*c * sign + x.beside_one->sign != 0) return std::nullopt;
-    value result = less_one(*x.beside_one);
-    if (x.beside_one->sign < 0) result.rest = negate(g_, result.rest);
+  /// f(c + w) with f(c + w) - f(c) = 2 sign g(c + w/2) h(w/2).
+  value by_half_angle(const node& n, const char* f, const char* g, const char* h, int sign) {
+    const value& x = *values_[n.left];
+    value result = as_it_is(call(f, {plain(x)}));
+    const auto b = beside_of(x);
+    if (!b) return result;
+    const node_id half = half_of(b->w);
+    const node_id rate = call(g, {plus(b->c, half, false)});
+    const node_id swing = call(h, {half});
+    const part w = rate == swing
+                       ? plain_part(multiply(g_, g_.number(2), power(g_, rate, g_.number(2))))
+                       : twice(rate, swing);
+    const node_id at = b->c == zero_ ? (f[0] == 'c' ? one_ : zero_) : call(f, {b->c});
+    result.beside = at == zero_ ? near_number{zero_, result}
+                                : near_number{at, sign < 0 ? times(g_.number(-1), w) : w};
     return result;
+  }
+  /// A function that is 0 at 0.
+  value odd(node_id i) {
+    const auto b = beside_of(*values_[f_[i].left]);
+    value result = of_plain_operands(i);
+    return b && b->c == zero_ ? decaying(result) : result;
+  }
+  [[nodiscard]] bool is_number_zero(node_id c) {
+    if (const rational* const q = g_.value(c)) return *q == 0;
+    return contains_zero(detail::value_at(g_, c, 64)) && is_zero(c);
   }
   value sum(const value& x, const value& y, bool minus) {
-    const int sign = minus ? -1 : 1;
-    if (auto difference = without_one(x, y, sign)) return *difference;
-    if (auto difference = without_one(y, x, sign)) {
-      if (minus) difference->rest = negate(g_, difference->rest);
-      return *difference;
-    }
     value result = sum_as_it_is(x, y, minus);
-    if (x.rest == one_ && x.in_x && x.in_x->beta == zero_ && decays(y)) {
-      const node_id w = plain(y);
-      result.beside_one = value::near_one{operation::add, minus ? negate(g_, w) : w};
-    } else if (!minus && y.rest == one_ && y.in_x && y.in_x->beta == zero_ && decays(x)) {
-      result.beside_one = value::near_one{operation::add, plain(x)};
-    }
+    if (result.in_x) return result;
+    const auto b = beside_of(x);
+    const auto d = beside_of(y);
+    if (!b || !d) return result;
+    const node_id c = plus(b->c, d->c, minus);
+    const part w = plus(b->w, d->w, minus);
+    if (b->c != zero_ && d->c != zero_ && is_number_zero(c)) return decaying(w);
+    result.beside = near_number{c, c == zero_ ? part(result) : w};
     return result;
+  }
+  std::optional<near_number> product_beside(const value& x, const value& y, const part& product) {
+    const auto b = beside_of(x);
+    const auto d = beside_of(y);
+    if (!b || !d) return std::nullopt;
+    if (b->c == zero_ || d->c == zero_) return near_number{zero_, product};
+    return times(*b, *d);
+  }
+  near_number times(const near_number& x, const near_number& y) {
+    const part linear = plus(times(x.c, y.w), times(y.c, x.w), false);
+    return {multiply(g_, x.c, y.c), plus(linear, times(x.w, y.w), false)};
+  }
+  std::optional<near_number> quotient_beside(const value& x, const value& y, const part& quotient) {
+    const auto b = beside_of(x);
+    const auto d = beside_of(y);
+    if (!b || !d || d->c == zero_) return std::nullopt;
+    if (b->c == zero_) return near_number{zero_, quotient};
+    const part w = plus(times(d->c, b->w), times(b->c, d->w), true);
+    return near_number{divide(g_, b->c, d->c), over(over(w, d->c), plain(y))};
+  }
+  /// x^y for a constant y.
+  std::optional<near_number> power_beside(const value& x, node_id y) {
+    constexpr long most_factors = 16;
+    const auto b = beside_of(x);
+    if (!b || b->c == zero_) return std::nullopt;
+    const rational* const q = g_.value(y);
+    if (q != nullptr && denominator(*q) == 1 && *q > 0 && *q <= most_factors) {
+      near_number result = *b;
+      for (long n = 1; n < *q; ++n) result = times(result, *b);
+      return result;
+    }
+    if (!is_positive(b->c)) return std::nullopt;
+    const node_id h = multiply(g_, y, half_of(logarithm_of_ratio(*b)));
+    const node_id c = power(g_, b->c, y);
+    return near_number{c, times(c, twice(exp_of(h), call("sinh", {h})))};
   }
   value sum_as_it_is(const value& x, const value& y, bool minus) {
     const auto of = [&](node_id p, node_id q) {
@@ -370,7 +478,7 @@ class substitution {
       return linear(of(x.in_x->alpha, y.in_x->alpha), of(x.in_x->beta, y.in_x->beta));
     }
     if (x.kappa == y.kappa && x.v == y.v) {
-      return {x.kappa, x.v, of(x.rest, y.rest), std::nullopt};
+      return {{x.kappa, x.v, of(x.rest, y.rest)}, std::nullopt};
     }
     return as_it_is(of(plain(x), plain(y)));
   }
@@ -380,50 +488,41 @@ class substitution {
       return linear(multiply(g_, x.in_x->alpha, y.rest), times(x.in_x->beta, y.rest));
     }
     if (y.in_x && is_constant_in_x(x)) return product(y, x);
-    return {add(g_, x.kappa, y.kappa), add(g_, x.v, y.v), multiply(g_, x.rest, y.rest),
-            std::nullopt};
+    const part result{add(g_, x.kappa, y.kappa), add(g_, x.v, y.v), multiply(g_, x.rest, y.rest)};
+    return {result, std::nullopt, product_beside(x, y, result)};
   }
   value quotient(const value& x, const value& y) {
     if (x.in_x && y.in_x && y.in_x->beta == zero_) {
       return linear(divide(g_, x.in_x->alpha, y.rest),
                     x.in_x->beta == zero_ ? zero_ : divide(g_, x.in_x->beta, y.rest));
     }
-    return {subtract(g_, x.kappa, y.kappa), subtract(g_, x.v, y.v), divide(g_, x.rest, y.rest),
-            std::nullopt};
+    const part result{subtract(g_, x.kappa, y.kappa), subtract(g_, x.v, y.v),
+                      divide(g_, x.rest, y.rest)};
+    return {result, std::nullopt, quotient_beside(x, y, result)};
   }
   /// (exp(kappa s + v) rest)^y.
   value to_power(const value& x, node_id y) {
-    if (x.kappa == zero_ && x.v == zero_) return as_it_is(power(g_, x.rest, y));
-    const node_id rest = x.rest == one_ ? one_ : power(g_, x.rest, y);  // y is in the exponent
-    if (is_constant(y)) return scaled(x, y, rest);
+    const bool has_no_exponential = x.kappa == zero_ && x.v == zero_;
+    // 1^y is left out where y is in the exponent.
+    const node_id rest = x.rest == one_ && !has_no_exponential ? one_ : power(g_, x.rest, y);
+    if (is_constant(y)) {
+      value result = has_no_exponential ? as_it_is(rest) : scaled(x, y, rest);
+      result.beside = power_beside(x, y);
+      return result;
+    }
+    if (has_no_exponential) return as_it_is(rest);
     const auto [kappa, v] = split(multiply(g_, exponent(x), y));
-    return {kappa, v, rest, std::nullopt};
+    return {{kappa, v, rest}, std::nullopt};
   }
   /// The exponential that is taken out of it falls with s; at an infinite end there is none.
   [[nodiscard]] bool tends_to_0(const value& x) const {
     return growth_ != one_ && x.kappa == growth_;
   }
-  /// 1 - y without a difference of numbers near 1, where y tends to 1.
-  std::optional<value> less_than_one(const value& y) {
-    if (y.is_one_and_more()) return as_it_is(negate(g_, y.beside_one->w));
-    std::optional<value> more = without_one(y, constant(one_), -1);
-    if (more) more->rest = negate(g_, more->rest);
-    return more;
-  }
-  /// 1 - m where it tends to 0, of a square m = k^2 as (1 - k)(1 + k).
+  /// 1 - m where m tends to 1.
   std::optional<value> complement(node_id i) {
-    const node n = f_[i];
-    const value one = constant(one_);
-    if (n.what != operation::power_integer || n.number != 2) {
-      if (auto less = less_than_one(*values_[i])) return less;
-      const value difference = sum(one, *values_[i], true);
-      return tends_to_0(difference) ? std::optional(difference) : std::nullopt;
-    }
-    const value& k = *values_[n.left];
-    if (const auto less = less_than_one(k)) return product(*less, sum(one, k, false));
-    if (const auto more = without_one(k, one, 1)) return product(sum(one, k, true), *more);
-    const value both = product(sum(one, k, true), sum(one, k, false));
-    return tends_to_0(both) ? std::optional(both) : std::nullopt;
+    const auto m = beside_of(*values_[i]);
+    if (!m || m->w.rest == zero_ || !is_rational(m->c, 1)) return std::nullopt;
+    return decaying(times(g_.number(-1), m->w));
   }
   /// 1 - m of a rational function m, where it is t^k r(t) for a k > 0 and a rational r without zero
   /// or pole at 0: t = exp(-s) is the distance from a rational end, or 1/|x|.
@@ -452,7 +551,7 @@ class substitution {
     power += zeros - poles;
     if (power <= 0) return std::nullopt;
     const node_id rest = divide(g_, in_distance(numerator), in_distance(denominator));
-    return value{g_.number(-power), zero_, rest, std::nullopt};
+    return value{{g_.number(-power), zero_, rest}, std::nullopt};
   }
   /// p(exp(-s)).
   node_id in_distance(const rational_polynomial& p) {
@@ -482,30 +581,31 @@ class substitution {
     return as_it_is(multiply(g_, multiply(g_, half, g_.make(operation::pi)), inverse));
   }
   value scaled(const value& x, node_id y, node_id rest) {
-    return {times(x.kappa, y), times(x.v, y), rest, std::nullopt};
+    return {{times(x.kappa, y), times(x.v, y), rest}, std::nullopt};
   }
   /// sin, cos and tan of alpha + w where alpha is shown to be a whole number of quarter turns.
   std::optional<value> by_quarter_turns(const node& n) {
-    const value& x = *values_[n.left];
-    if (!x.in_x || x.in_x->alpha == zero_) return std::nullopt;
-    const node_id quarters =
-        divide(g_, multiply(g_, g_.number(2), x.in_x->alpha), g_.make(operation::pi));
+    const auto x = beside_of(*values_[n.left]);
+    if (!x || x->c == zero_) return std::nullopt;
+    const node_id quarters = divide(g_, multiply(g_, g_.number(2), x->c), g_.make(operation::pi));
     const auto found = detail::rational_value_at(g_, quarters);
     if (!found || denominator(*found) != 1) return std::nullopt;
     const integer k = numerator(*found);
     const long turns = static_cast<long>(mpz_fdiv_ui(k.backend().data(), 4));
-    const node_id w = plain(linear(zero_, x.in_x->beta));
+    const node_id w = plain(x->w);
     if (n.what == operation::tan) {
       const node_id tangent = call("tan", {w});
-      return as_it_is(turns % 2 == 0 ? tangent : negate(g_, divide(g_, one_, tangent)));
+      if (turns % 2 == 0) return decaying(plain_part(tangent));
+      return as_it_is(negate(g_, divide(g_, one_, tangent)));
     }
     // The quarter turns that take sin w there: cos w = sin(w + pi/2).
     const long quarter = (turns + (n.what == operation::cos ? 1 : 0)) % 4;
     const node_id function = call(quarter % 2 == 0 ? "sin" : "cos", {w});
     value result = as_it_is(quarter >= 2 ? negate(g_, function) : function);
-    if (quarter % 2 != 0 && decays(linear(zero_, x.in_x->beta))) {
-      result.beside_one = value::near_one{operation::cos, w, quarter >= 2 ? -1 : 1};
-    }
+    if (quarter % 2 == 0) return decaying(result);
+    const node_id sine = power(g_, call("sin", {half_of(x->w)}), g_.number(2));
+    const int sign = quarter >= 2 ? -1 : 1;
+    result.beside = near_number{g_.number(sign), plain_part(times(g_.number(-2 * sign), sine))};
     return result;
   }
 

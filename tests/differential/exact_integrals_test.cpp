@@ -79,7 +79,26 @@ term with_root(maker& m) {
   }
 }
 
+/// Odd about the middle but for a constant, or nearly so, or not integrable there.
+exact_case about_the_middle(maker& m) {
+  const rational middle = any_rational(m, 10);
+  const rational half = abs(any_rational(m, 9)) + rational(1, 7);
+  const term u = x - term("(" + to_text(middle) + ")");
+  const term k = m.near(m.within(0.2, 3));
+  const term odd = m.any_of({u, power(u, 3), 1 / u, call("cbrt", u), call("sin", k * u),
+                             call("tanh", k * u), call("erf", u), call("atan", k * u)});
+  const term even =
+      m.any_of({term(1), call("cos", k * u), call("exp", -k * power(u, 2)), 1 / (1 + power(u, 2)),
+                power(call("abs", u), m.exponent_between(-2, 2)), call("log", call("abs", u)),
+                power(u, -2)});
+  term f = odd * even;
+  if (m.one_in(3)) f = f + m.quotient(m.within(-3, 3));
+  if (m.one_in(5)) f = f + even / 1000;
+  return {f, middle - half, middle + half};
+}
+
 exact_case drawn(maker& m) {
+  if (m.one_in(5)) return about_the_middle(m);
   const rational a = any_rational(m, 20);
   const rational length = abs(any_rational(m, 30)) + rational(1, 7);
   switch (m.between(0, 3)) {

@@ -51,7 +51,7 @@ TEST(ExactIntegral, IsNotFoundWhereThereIsNone) {
   EXPECT_EQ(exactly("abs(x^2-2)", "0", "2"), "none");
   EXPECT_EQ(exactly("sqrt(x)", "0", "2"), "none");
   EXPECT_EQ(exactly("sqrt(x)", "-1", "1"), "none");
-  EXPECT_EQ(exactly("root(x, 3)", "-1", "1"), "none");
+  EXPECT_EQ(exactly("root(x, 3)", "-1", "2"), "none");
   EXPECT_EQ(exactly("floor(x^2)", "0", "2"), "none");
   EXPECT_EQ(exactly("floor(1/x)", "1", "2"), "none");
   EXPECT_EQ(exactly("exp(-x^2)", "0", "1"), "none");
@@ -175,6 +175,34 @@ TEST(Antiderivative, OfWhatIsZeroAlmostEverywhereIsZeroBetweenLimits) {
   EXPECT_EQ(exact_integral(f, end_point::infinity(), end_point::infinity()), std::nullopt);
   for (const expression& zero : {f, parse("x-x")}) {
     EXPECT_EQ(exact_integral(zero, 0, to("1/(sqrt(2)*sqrt(3)-sqrt(6))")), std::nullopt);
+  }
+}
+
+TEST(ExactIntegral, OfWhatIsOddAboutTheMiddle) {
+  const auto between = [](const char* formula, const char* a, const char* b) {
+    return exact_integral(parse(formula), limit_of(a), limit_of(b));
+  };
+  EXPECT_EQ(between("sin(x)*abs(x)^(1/3)", "-1", "1"), rational(0));
+  EXPECT_EQ(between("sin(x)*abs(x)^(1/3)", "1", "-1"), rational(0));
+  EXPECT_EQ(between("x/agm(1,abs(x))", "-1", "1"), rational(0));
+  EXPECT_EQ(between("erfc(x)", "-1", "1"), rational(2));
+  EXPECT_EQ(between("erfc(x)", "1", "-1"), rational(-2));
+  EXPECT_EQ(between("tanh(x-1)/3+1/7", "-2", "4"), rational(6, 7));
+  EXPECT_EQ(between("sinh(x)/cosh(x^2)", "-sqrt(2)", "sqrt(2)"), rational(0));
+  EXPECT_EQ(between("cbrt(cos(x))", "0", "pi"), rational(0));
+  EXPECT_EQ(between("x*sin(x^2+x^4)", "-inf", "inf"), rational(0));
+  EXPECT_EQ(between("x*exp(-x^2)*cos(x)", "inf", "-inf"), rational(0));
+  // Not odd, about another point, with an irrational constant, and without an integral.
+  EXPECT_EQ(between("sin(x)*exp(x)", "-1", "1"), std::nullopt);
+  EXPECT_EQ(between("sin(x)/(1+x^2)", "-1", "1+1e-30"), std::nullopt);
+  EXPECT_EQ(between("sin(x)/(1+x^2)+1e-30*x^2", "-1", "1"), std::nullopt);
+  EXPECT_EQ(between("acos(x)", "-1", "1"), std::nullopt);
+  EXPECT_EQ(between("erfc(x)", "-inf", "inf"), std::nullopt);
+  for (const char* f : {"1/x", "1/sinh(x)", "x^(-3)*cos(x)", "cos(x)/x+sin(x)"}) {
+    EXPECT_EQ(between(f, "-1", "1"), std::nullopt) << f;
+  }
+  for (const char* f : {"x", "tanh(x)", "sin(x)", "x/(1+x^2)", "1/x", "x+sin(x^3)"}) {
+    EXPECT_EQ(between(f, "-inf", "inf"), std::nullopt) << f;
   }
 }
 

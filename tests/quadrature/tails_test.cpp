@@ -336,8 +336,8 @@ TEST(Tails, OfBoundedErrorFunctionsAreBounded) {
                tail * rational(1999, 1000), factor, "exp(-x) erfc(-4 - sin(x))");
 }
 
-/// cos v beside 1, and means from below: 1/agm(x, y) is at most 1/sqrt(x y), which is attained for
-/// x = y.
+/// cos v beside 1, and means: 1/agm(x, y) is at most 1/sqrt(x y), which is attained for x = y, and
+/// grows as a logarithm where x/y does.
 TEST(Tails, OfCosinesAndMeansAreBounded) {
   const auto check = [](const char* formula, const rational& factor, const auto& f) {
     expect_bound(beyond_two(f), integral_beyond_two(formula), factor, formula);
@@ -349,8 +349,16 @@ TEST(Tails, OfCosinesAndMeansAreBounded) {
   });
   check("exp(-x)/sqrt(3)", rational(101, 100),
         [](const auto& x) { return exp(-x) / agm(x * 0 + 3, x * 0 + 1); });
-  check("exp(-x)/agm(1,exp(-x/2))", rational(3, 2),
+  check("exp(-x)/agm(1,exp(-x/2))", 3,
         [](const auto& x) { return exp(-x) / agm(x * 0 + 1, exp(-x / 2)); });
+  check("exp(-x)/agm(3,2*exp(-2*x))", 3,
+        [](const auto& x) { return exp(-x) / agm(x * 0 + 3, 2 * exp(-2 * x)); });
+  check("exp(-x)/agm(exp(-9*x),1)", 3,
+        [](const auto& x) { return exp(-x) / agm(exp(-9 * x), x * 0 + 1); });
+  check("exp(-20*x)/agm(1,exp(-x))", rational(19, 10),
+        [](const auto& x) { return exp(-20 * x) / agm(x * 0 + 1, exp(-x)); });
+  check("exp(-2*x)*agm(exp(x),1)", 4,
+        [](const auto& x) { return exp(-2 * x) * agm(exp(x), x * 0 + 1); });
   check("exp(-x/2)", rational(101, 100),
         [](const auto& x) { return exp(-x) / agm(exp(-x / 2), exp(-x / 2)); });
   EXPECT_TRUE(beyond_two([](const auto& x) { return agm(exp(-x), exp(-x)); }).is_infinite());

@@ -167,7 +167,8 @@ template <class F>
 /// The integral of f from a to b where it is found to be a rational number, for f that is, between
 /// rational points (of abs, min, max, floor and ceil), a rational function whose antiderivative is
 /// one, such a function of the root of a linear form, or a sum of x^n exp(k x), x^n sin(k x) and
-/// x^n cos(k x), or one of x^k log(x)^n over x >= 0; and for f that is 0 but for isolated points.
+/// x^n cos(k x), or one of x^k log(x)^n over x >= 0; for f that is 0 but for isolated points; and
+/// for f that is integrable over a half of the range and odd about its middle, but for a constant.
 /// Ends may be infinite. None for other f, for integrals that diverge, where an end is not shown to
 /// be a number, and where the result would be long.
 [[nodiscard]] std::optional<rational> exact_integral(const expression& f, const end_point& a,

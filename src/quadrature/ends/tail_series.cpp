@@ -181,6 +181,17 @@ double_interval tail_series::range() const {
   return double_interval(sign > 0 ? 0.0 : both.lower(), sign < 0 ? 0.0 : both.upper()) * u_;
 }
 
+ball tail_series::values() const {
+  constexpr precision bits = 64;
+  if (is_blocked()) return ball::undefined(bits);
+  return to_ball(range(), bits);
+}
+
+tail_series tail_series::bounded_like(std::string_view name, const ball& value) const {
+  if (!value.is_bounded()) return blocked(name);
+  return one().times(double_interval::from_ball(value));
+}
+
 tail_series sqrt(const tail_series& x) { return pow(x, rational(1, 2)); }
 
 tail_series pow(const tail_series& x, const rational& e) {
@@ -301,11 +312,23 @@ POLHODE_REGULAR(floor)
 POLHODE_REGULAR(ceil)
 #undef POLHODE_REGULAR
 
-/// sqrt(x y) <= agm(x, y) for x, y > 0: only from below is it bounded, as ellipticK needs it.
+/// For x, y > 0. With q = y/x, or x/y, that decays: agm(1, q) log(2/q) lies between 5/6 and pi/2
+/// for 0 < q <= 1/2, for (2/pi) log(4/q) <= 1/agm(1, q) <= (6/5) log(2/q). The first is log(4/q) <=
+/// ellipticK(1 - q^2) (B. C. Carlson, J. L. Gustafson, 1985; DLMF 19.9.1), of which 1/agm(1, q) is
+/// 2/pi times; the second is proved at growth_bound's agm. Else sqrt(x y) <= agm(x, y): only from
+/// below, as ellipticK needs it.
 tail_series agm(const tail_series& x, const tail_series& y) {
   if (x.is_blocked()) return x;
   if (y.is_blocked()) return y;
   if (x.sign() <= 0 || y.sign() <= 0) return x.blocked("agm");
+  for (const auto& [greater, less] : {std::pair(&x, &y), std::pair(&y, &x)}) {
+    const tail_series q = *less / *greater;
+    if (!q.is_small()) continue;
+    const tail_series logarithm = log(q.constant_like(2) / q);
+    if (!logarithm.is_blocked() && logarithm.sign() > 0) {
+      return *greater * (x.one() / logarithm).times(double_interval(0.83, 1.58));
+    }
+  }
   tail_series mean = sqrt(x * y);
   if (mean.is_blocked()) return mean;
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -101,6 +101,11 @@ class tail_series {
   friend tail_series floor(const tail_series& x);
   friend tail_series ceil(const tail_series& x);
 
+  /// Holds all values for 0 < t <= r; undefined where they are not known to be bounded.
+  [[nodiscard]] ball values() const;
+  /// A function with these values; blocked where they are not bounded.
+  [[nodiscard]] tail_series bounded_like(std::string_view name, const ball& value) const;
+
   template <detail::series_constant N>
   [[nodiscard]] tail_series constant_like(const N& n) const {
     return {std::nullopt, one_.constant_like(n), one_, double_interval(1), r_};

@@ -25,7 +25,7 @@
 #include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/recorded_formula.hpp"
 #include "quadrature/formula/symmetry.hpp"
 #include "quadrature/integrand.hpp"
 #include "quadrature/sum_of_parts.hpp"
@@ -67,7 +67,19 @@ constexpr auto not_available = [](const auto& v, const auto&, long) {
 }  // namespace
 
 template <>
-struct supplement<tail_series> : series_supplement<tail_series> {};
+struct supplement<tail_series> : series_supplement<tail_series> {
+  template <class F, class Range>
+  static tail_series further(const F& f, const Range& x) {
+    std::vector<ball> values;
+    values.reserve(x.size());
+    for (const tail_series& v : x) {
+      if (v.is_blocked()) return v;
+      values.push_back(v.values());
+    }
+    const tail_series& any = x.front();
+    return any.bounded_like(name_of_function(f), f.value(values));
+  }
+};
 template <>
 struct supplement<end_series> : series_supplement<end_series> {
   static end_series expm1(const end_series& x) { return exp(x) - 1; }
@@ -126,9 +138,12 @@ struct supplement<recorded> {
     return in_each<what>(x.front(), x.back(), recorded_rule::other);
   }
   template <class Range>
-  static recorded further(const further_function&, const Range& x) {
+  static recorded further(const further_function& f, const Range& x) {
     const recorded& first = x.front();
-    return first.applied(recorded_operation::of(not_available), first);
+    if (f.arity > 2) return first.applied(recorded_operation::of(not_available), first);
+    recorded_operation operation;
+    operation.further = &f;
+    return first.applied(operation, x.back());
   }
 
  private:
@@ -146,6 +161,32 @@ struct supplement<recorded> {
     return x.applied(result, y);
   }
 };
+
+namespace {
+
+template <class T>
+T value_of_further(const further_function& f, const T& x, const T& y) {
+  if (f.arity == 1) return value_over<T>(f, std::array{x});
+  return value_over<T>(f, std::array{x, y});
+}
+
+}  // namespace
+
+ball of_further(const further_function& f, const ball& x, const ball& y) {
+  return value_of_further(f, x, y);
+}
+slope_jet of_further(const further_function& f, const slope_jet& x, const slope_jet& y) {
+  return value_of_further(f, x, y);
+}
+region of_further(const further_function& f, const region& x, const region& y) {
+  return value_of_further(f, x, y);
+}
+end_series of_further(const further_function& f, const end_series& x, const end_series& y) {
+  return value_of_further(f, x, y);
+}
+tail_series of_further(const further_function& f, const tail_series& x, const tail_series& y) {
+  return value_of_further(f, x, y);
+}
 
 /// What a jet of regions has beside its own functions: the value of the region's function, and its
 /// derivative. Not available are those of gamma, log_gamma and agm.

@@ -18,6 +18,7 @@
 #include "polhode/arithmetic/analytic_ball.hpp"
 #include "polhode/arithmetic/jet.hpp"
 #include "polhode/arithmetic/region.hpp"
+#include "polhode/expression/functions.hpp"
 #include "quadrature/ends/end_series.hpp"
 #include "quadrature/ends/tail_series.hpp"
 
@@ -61,6 +62,8 @@ struct recorded_operation {
   /// Where it is the function that on_regions is of; else null.
   analytic_ball (*on_complex)(const analytic_ball& x, const analytic_ball& y, long n) = nullptr;
   recorded_rule rule = recorded_rule::other;
+  /// Not null: this function of the first operands, in place of those above.
+  const further_function* further = nullptr;
 
   /// Of a generic function object without a state.
   template <class F>

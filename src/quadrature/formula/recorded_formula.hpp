@@ -21,23 +21,33 @@ namespace polhode::detail {
 /// is.
 using choices = std::vector<std::optional<long>>;
 
+/// f of x, or of x and y.
+[[nodiscard]] ball of_further(const further_function& f, const ball& x, const ball& y);
+[[nodiscard]] slope_jet of_further(const further_function& f, const slope_jet& x,
+                                   const slope_jet& y);
+[[nodiscard]] region of_further(const further_function& f, const region& x, const region& y);
+[[nodiscard]] end_series of_further(const further_function& f, const end_series& x,
+                                    const end_series& y);
+[[nodiscard]] tail_series of_further(const further_function& f, const tail_series& x,
+                                     const tail_series& y);
+
 inline ball operate(const recorded_operation& op, const ball& x, const ball& y, long n) {
-  return op.on_balls(x, y, n);
+  return op.further != nullptr ? of_further(*op.further, x, y) : op.on_balls(x, y, n);
 }
 inline slope_jet operate(const recorded_operation& op, const slope_jet& x, const slope_jet& y,
                          long n) {
-  return op.on_jets(x, y, n);
+  return op.further != nullptr ? of_further(*op.further, x, y) : op.on_jets(x, y, n);
 }
 inline region operate(const recorded_operation& op, const region& x, const region& y, long n) {
-  return op.on_regions(x, y, n);
+  return op.further != nullptr ? of_further(*op.further, x, y) : op.on_regions(x, y, n);
 }
 inline end_series operate(const recorded_operation& op, const end_series& x, const end_series& y,
                           long n) {
-  return op.on_series(x, y, n);
+  return op.further != nullptr ? of_further(*op.further, x, y) : op.on_series(x, y, n);
 }
 inline tail_series operate(const recorded_operation& op, const tail_series& x, const tail_series& y,
                            long n) {
-  return op.on_tails(x, y, n);
+  return op.further != nullptr ? of_further(*op.further, x, y) : op.on_tails(x, y, n);
 }
 
 /// Undefined where it has none.

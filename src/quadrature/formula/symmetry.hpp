@@ -51,6 +51,12 @@ class symmetry {
   [[nodiscard]] bool is_invariant() const { return sign_ == 1 && shift_.is_zero(); }
   /// v(sigma x) = -v(x).
   [[nodiscard]] bool is_odd() const { return sign_ == -1 && shift_.is_zero(); }
+  /// c where v(sigma x) = c - v(x).
+  [[nodiscard]] std::optional<pi_combination> sum_with_image() const {
+    const symmetry v = with_sign(-1);
+    if (v.sign_ != -1) return std::nullopt;
+    return v.shift_;
+  }
   [[nodiscard]] bool is_constant() const { return constant_; }
   /// The value of a constant, where it is known.
   [[nodiscard]] const std::optional<pi_combination>& value() const { return value_; }

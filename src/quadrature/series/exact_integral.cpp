@@ -8,6 +8,7 @@
 
 #include "polhode/expression/symbol.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
+#include "quadrature/formula/symmetry.hpp"
 
 namespace polhode {
 namespace {
@@ -258,9 +259,10 @@ std::optional<rational> difference_at_ends(const expression& f, const end_point&
 
 }  // namespace
 
-std::optional<rational> exact_integral(const expression& f, const end_point& a,
-                                       const end_point& b) {
-  if (f.variables().size() != 1) return std::nullopt;
+namespace {
+
+std::optional<rational> by_antiderivative(const expression& f, const end_point& a,
+                                          const end_point& b) {
   const auto is_number = [](const end_point& x) { return x.at(64).is_bounded(); };
   const bool is_range = (a.is_infinite() || is_number(a)) && (b.is_infinite() || is_number(b)) &&
                         (!a.is_infinite() || a.infinite_sign() != b.infinite_sign());
@@ -276,7 +278,7 @@ std::optional<rational> exact_integral(const expression& f, const end_point& a,
                            (a.exact() && b.exact() && *b.exact() < *a.exact());
   if (is_reversed) {
     if (a.infinite_sign() == b.infinite_sign() && a.infinite_sign() != 0) return std::nullopt;
-    const auto found = exact_integral(f, b, a);
+    const auto found = by_antiderivative(f, b, a);
     return found ? std::optional<rational>(-*found) : std::nullopt;
   }
   if (a.infinite_sign() == b.infinite_sign() && a.infinite_sign() != 0) return std::nullopt;
@@ -289,6 +291,53 @@ std::optional<rational> exact_integral(const expression& f, const end_point& a,
   if (auto sum = integral_of_stairs(f, *lower, *upper)) return sum;
   if (auto sum = integral_by_pieces(f, *lower, *upper)) return sum;
   return difference_at_ends(f, a, b);
+}
+
+/// (a + b)/2, and 0 for the whole line, where it is known to be q + r pi.
+std::optional<pi_combination> middle_of(const end_point& a, const end_point& b) {
+  if (a.is_infinite() && b.is_infinite()) return pi_combination{};
+  if (a.form() && b.form()) return (*a.form() + *b.form()) * rational(1, 2);
+  const auto lower = formula_of(a);
+  const auto upper = formula_of(b);
+  if (!lower || !upper) return std::nullopt;
+  const std::span<const symbol> none;
+  const auto sum =
+      expression(lower->evaluate(none) + upper->evaluate(none), lower->names()).rational_value();
+  if (!sum) return std::nullopt;
+  return pi_combination{*sum / 2, 0};
+}
+
+/// Where f(a + b - x) = c - f(x), or f(-x) = -f(x) on the whole line, and the integral over a half
+/// of the range is proved to be a number: then that over the other half is one, too, and their sum
+/// is c (b - a)/2.
+std::optional<rational> by_symmetry(const expression& f, const end_point& a, const end_point& b) {
+  const std::optional<pi_combination> middle = middle_of(a, b);
+  if (!middle) return std::nullopt;
+  const prepared_integrand prepared(f);
+  const auto sum = prepared.functions().under(symmetry::reflection(*middle)).sum_with_image();
+  if (!sum || !sum->is_rational()) return std::nullopt;
+  rational value = 0;
+  if (!sum->is_zero()) {
+    if (!a.form() || !b.form()) return std::nullopt;
+    const pi_combination length = *b.form() - *a.form();
+    if (!length.is_rational()) return std::nullopt;
+    value = sum->q * length.q / 2;
+  }
+  integrate_options existence;
+  existence.digits = 1;
+  existence.most_evaluations = 20'000;
+  const integral half = integrate(prepared, end_point(*middle), b, existence);
+  if (half.verdict != status::certified) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<rational> exact_integral(const expression& f, const end_point& a,
+                                       const end_point& b) {
+  if (f.variables().size() != 1) return std::nullopt;
+  if (auto value = by_antiderivative(f, a, b)) return value;
+  return by_symmetry(f, a, b);
 }
 
 }  // namespace polhode
