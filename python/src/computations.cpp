@@ -277,6 +277,17 @@ void declare_computations(py::module_& m) {
       .def_property_readonly("identically_zero",
                              [](const roots_answer& a) { return a.found.identically_zero; })
       .def_property_readonly(
+          "zero_intervals",
+          [](const roots_answer& a) {
+            constexpr precision p = 128;
+            py::list result;
+            for (const zero_interval& z : a.found.zero_intervals) {
+              result.append(py::make_tuple(z.lower.at(p), z.upper.at(p)));
+            }
+            return result;
+          },
+          "Where f is 0 on intervals: their ends, as balls.")
+      .def_property_readonly(
           "singular",
           [](const roots_answer& a) {
             py::list result;
@@ -310,6 +321,10 @@ void declare_computations(py::module_& m) {
                         one ? " in one period, " + to_text(one->period) : "",
                         a.certified ? "certified" : "not certified");
         for (const root_answer& r : a.roots) text += "\n  " + to_decimal(r.value, 20);
+        for (const zero_interval& z : a.found.zero_intervals) {
+          text += fmt::format("\n  all of {}..{}", to_decimal(z.lower.at(128), 20),
+                              to_decimal(z.upper.at(128), 20));
+        }
         return text + ">";
       });
   m.def("roots", &roots_from_python, py::arg("f"), py::arg("a"), py::arg("b"),

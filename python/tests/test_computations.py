@@ -108,6 +108,9 @@ def test_roots_are_all_there_are():
     assert "in one period, 2*pi" in repr(periodic)
     zero = polhode.roots("x - x", 0, 1)
     assert zero.identically_zero and "0 everywhere" in repr(zero)
+    flat = polhode.roots("max(x, 0)*(x - 1/2)", -1, 1)
+    assert flat.certified and flat.zero_intervals == [(-1, 0)] and flat[0].exact == F(1, 2)
+    assert "all of -1" in repr(flat)
     with pytest.raises(ValueError):
         polhode.roots("x", 1, 0)
     with pytest.raises(IndexError):

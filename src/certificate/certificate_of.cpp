@@ -15,6 +15,7 @@ json certificate_of(const formula_over_range& what, const integral& found, long 
 
 void expect_checkable(const root_set& found) {
   if (found.identically_zero) throw input_error("the formula is 0 everywhere");
+  if (!found.zero_intervals.empty()) throw input_error("the formula is 0 on an interval");
   if (found.of_period) throw input_error("the roots are those of one period, not of the range");
   if (!found.singular.empty()) {
     throw input_error(

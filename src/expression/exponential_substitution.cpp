@@ -17,7 +17,7 @@
 //   tan(k pi + w) = tan w,  tan(k pi + pi/2 + w) = -1/tan w.
 // What decays with s and is a difference of two numbers near a constant c is written without that
 // difference, so that regions of it keep its relative size. For that an operation that tends to c
-// is known as c + w, too (the first two lines: DLMF 4.21.7 to 4.21.10, 4.35.7 to 4.35.10):
+// is known as c + w, too:
 //   cos(c + w) - cos c = -2 sin(c + w/2) sin(w/2),  sin(c + w) - sin c = 2 cos(c + w/2) sin(w/2),
 //   cosh(c + w) - cosh c = 2 sinh(c + w/2) sinh(w/2),  and so for sinh, with cosh(c + w/2),
 //   exp(c + w) - exp c = 2 exp(c + w/2) sinh(w/2),

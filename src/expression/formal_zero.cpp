@@ -31,6 +31,7 @@ constexpr std::size_t most_bits = 4096;
 monomial product(const monomial& x, const monomial& y) {
   std::map<node_id, long> powers(x.begin(), x.end());
   for (const auto& [atom, exponent] : y) powers[atom] += exponent;
+  std::erase_if(powers, [](const auto& power) { return power.second == 0; });
   return {powers.begin(), powers.end()};
 }
 
@@ -91,6 +92,14 @@ class expansion {
       case operation::negate: {
         const maybe_terms x = of(n.left);
         return x ? add({}, *x, -1) : std::nullopt;
+      }
+      case operation::divide: {  // the divisor is an unknown of its own
+        const maybe_terms x = of(n.left);
+        if (!x) return std::nullopt;
+        if (const rational* q = g_.value(n.right); q != nullptr && *q != 0) {
+          return add({}, *x, 1 / *q);
+        }
+        return multiply(*x, terms{{{{n.right, -1}}, rational(1)}});
       }
       case operation::power_integer: {
         const maybe_terms x = of(n.left);

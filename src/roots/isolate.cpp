@@ -8,6 +8,7 @@
 #include "search/searcher.hpp"
 #include "search/state.hpp"
 #include "thread_count.hpp"
+#include "zero_intervals.hpp"
 
 namespace polhode {
 
@@ -147,9 +148,10 @@ searched_period period_within(const end_point& lower, const end_point& upper,
 
 root_set isolate_roots(const real_function& f, const end_point& lower, const end_point& upper,
                        const isolate_options& options) {
+  (void)detail::range_around(lower, upper);  // refuses what is no interval
+  if (auto found = detail::roots_beside_zeros(f, lower, upper, options)) return *std::move(found);
   std::optional<searched_period> one;
   if (options.by_period && (lower.infinite_sign() < 0 || upper.infinite_sign() > 0)) {
-    (void)detail::range_around(lower, upper);  // refuses what is no interval
     if (const auto period = f.period()) one = period_within(lower, upper, *period);
   }
   root_search s(f, one ? one->lower : lower, one ? one->upper : upper);

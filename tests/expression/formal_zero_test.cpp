@@ -16,7 +16,8 @@ namespace formal_zero_test {
 using support::random_source;
 using support::repeat;
 
-const std::vector<std::string> atoms{"x", "sin(x)", "exp(-x)", "sqrt(2)", "log(3+x)", "2/3"};
+const std::vector<std::string> atoms{"x",        "sin(x)", "exp(-x)", "sqrt(2)",
+                                     "log(3+x)", "2/3",    "x/(2+x)", "exp(x)/sin(x)"};
 
 /// A sum of at most three products of at most three of the atoms.
 std::string small_sum(random_source& random) {
@@ -85,8 +86,17 @@ TEST(FormalZero, IsNothingThatHasAnotherValue) {
   }
   for (const char* text : {"sin(x)-sin(2*x)", "sin(x)-x", "2*sin(x)-sin(x)", "sin(x)^2-sin(x)",
                            "sqrt(x)*sqrt(x)+x", "-x-x", "x*exp(x)-exp(x)", "x^2-x", "1-x^0-x",
-                           "(x+1)^3-x^3-3*x^2-3*x", "x^(-1)-x", "x^(-2)-x", "x-x/(1+1e-9)"}) {
+                           "(x+1)^3-x^3-3*x^2-3*x", "x^(-1)-x", "x^(-2)-x", "x-x/(1+1e-9)",
+                           "x/(1+x)-x*(1+x)", "x/sin(x)-sin(x)/x", "x/2-x/3", "1/x-1/x^2"}) {
     EXPECT_FALSE(parse(text).is_formally_zero()) << text;
+  }
+}
+
+TEST(FormalZero, HasDivisorsAsUnknowns) {
+  for (const char* text :
+       {"0/(x+1)", "(x-x)/sin(x)", "sin(x)/x*x-sin(x)", "1/sin(x)*sin(x)-1",
+        "(1+x)/exp(x)-1/exp(x)-x/exp(x)", "x/7-3*x/21", "x/(1+x)/(1+x)-x/(1+x)*1/(1+x)"}) {
+    EXPECT_TRUE(parse(text).is_formally_zero()) << text;
   }
 }
 

@@ -102,6 +102,8 @@ struct certified_roots {
   bool resolved = false;
   /// f is 0 everywhere; there are no roots in the list then.
   bool identically_zero = false;
+  /// Where f is 0 on intervals; their roots are not in the list.
+  std::vector<zero_interval> zero_intervals;
   isolation_account account;
 };
 
@@ -286,6 +288,7 @@ requires real_or_ball<Real>
   certified_roots<Real> result;
   result.resolved = found.complete && found.is_resolved();
   result.identically_zero = found.identically_zero;
+  result.zero_intervals = found.zero_intervals;
   result.account = found.account;
   for (const root_region& region : found.regions) {
     result.roots.push_back(detail::root_of<Real>(region, digits, p));
@@ -314,7 +317,9 @@ requires real_or_ball<Real>
     if (options.engine == root_engine::isolation) {
       const root_set found = isolate_roots(formula, lower.point(), upper.point(),
                                            detail::over_all_periods(options.isolation));
-      if (!found.regions.empty()) {
+      if (!found.zero_intervals.empty()) {
+        result.remark = "the function is 0 on an interval";
+      } else if (!found.regions.empty()) {
         result = detail::root_of<Real>(found.regions.front(), digits, p);
         if (found.regions.size() > 1 && result.verdict != root_verdict::unresolved) {
           result.verdict = root_verdict::at_least_one;

@@ -92,9 +92,21 @@ struct searched_period {
   end_point upper;  // lower + period
 };
 
+/// f is 0 between the ends, wherever it is defined there.
+struct zero_interval {
+  end_point lower;
+  end_point upper;
+  /// f is 0 at that end, too.
+  bool has_lower = false;
+  bool has_upper = false;
+};
+
 struct root_set {
-  /// In ascending order, with disjoint enclosures.
+  /// In ascending order, with disjoint enclosures. None is in one of the intervals.
   std::vector<root_region> regions;
+  /// In ascending order: of formulas that are 0 between points where abs, min, max, floor or ceil
+  /// pass from one function to another, as max(x, 0).
+  std::vector<zero_interval> zero_intervals;
   /// Where there is one (isolate_options::by_period), the regions and singular places are those of
   /// [lower, upper]. All others in the interval are these and a whole number of periods more: each
   /// root is one of infinitely many.
@@ -122,8 +134,8 @@ struct isolation_progress {
 struct isolate_options {
   /// Boxes that may be examined in one run.
   long most_boxes = 100'000;
-  /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval, or
-  /// the like.
+  /// Boxes that may be left unresolved: more of them are a function that is 0 on an interval that
+  /// is not recognised, or the like.
   long most_unresolved = 2'000;
   /// The time that one run may take.
   std::optional<std::chrono::milliseconds> most_time = std::nullopt;

@@ -429,7 +429,8 @@ exit_status report_exact(const expression& f, const integrate_command_options& o
   const long digits = options.digits.value();
   check_memory(options, digits);
   if (options.format.value() != "json") {
-    print(exact_answer(value, digits) + "certified: by an antiderivative or a symmetry, in rational numbers\n");
+    print(exact_answer(value, digits) +
+          "certified: by an antiderivative or a symmetry, in rational numbers\n");
     return exit_status::all_certified;
   }
   integral known;

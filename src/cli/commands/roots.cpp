@@ -237,13 +237,19 @@ std::string bound_text(const ball& x) {
              : (certainly_greater(x, 0) ? "towards infinity" : "towards -infinity");
 }
 
-/// The ends of the period, in short where they are not known exactly.
+/// In short where it is not known exactly.
+std::string end_text(const end_point& x) {
+  constexpr long few = 12;
+  if (x.is_infinite()) return x.infinite_sign() < 0 ? "-inf" : "inf";
+  return x.form() ? to_text(*x.form()) : to_decimal(x.at(64), few);
+}
 std::string range_text(const searched_period& one) {
-  const auto end_text = [](const end_point& x) {
-    constexpr long few = 12;
-    return x.form() ? to_text(*x.form()) : to_decimal(x.at(64), few);
-  };
   return end_text(one.lower) + ".." + end_text(one.upper);
+}
+/// "[-2, 0)".
+std::string interval_text(const zero_interval& z) {
+  return fmt::format("{}{}, {}{}", z.has_lower ? '[' : '(', end_text(z.lower), end_text(z.upper),
+                     z.has_upper ? ']' : ')');
 }
 
 std::string summary(const answer& a) {
@@ -251,6 +257,11 @@ std::string summary(const answer& a) {
   const std::string work =
       fmt::format("{} boxes, {} evaluations", account.boxes, account.evaluations);
   if (a.roots.identically_zero) return "certified: the formula is 0 everywhere\n";
+  if (a.is_certified() && !a.roots.zero_intervals.empty()) {
+    const std::string more = a.list.empty() ? "" : " and " + counted(a.list.size(), "root");
+    return fmt::format("certified: {} of roots{}, all there are ({})\n",
+                       counted(a.roots.zero_intervals.size(), "interval"), more, work);
+  }
   if (a.is_certified()) {
     if (a.list.empty()) return fmt::format("certified: no root ({})\n", work);
     if (const auto& one = a.roots.of_period) {
@@ -275,6 +286,9 @@ std::string summary(const answer& a) {
 
 std::string as_text(const answer& a, long digits) {
   std::string result;
+  for (const zero_interval& z : a.roots.zero_intervals) {
+    result += fmt::format("{}  the formula is 0\n", interval_text(z));
+  }
   for (const listed_root& r : a.list) {
     const std::string remark = remark_on(r);
     result += fmt::format(
@@ -302,6 +316,10 @@ std::string as_csv(const answer& a, long digits) {
   std::string result = "verdict,multiplicity,value,radius,lower,upper,digits,exact,remark\n";
   const std::string again =
       a.roots.of_period ? "again after every period, " + to_text(a.roots.of_period->period) : "";
+  for (const zero_interval& z : a.roots.zero_intervals) {
+    result += fmt::format("interval,,,,{},{},,,{}\n", csv_cell(end_text(z.lower)),
+                          csv_cell(end_text(z.upper)), csv_cell("0 in " + interval_text(z)));
+  }
   for (const listed_root& r : a.list) {
     std::string remark = remark_on(r);
     if (!again.empty()) remark += (remark.empty() ? "" : "; ") + again;
@@ -334,6 +352,14 @@ json as_json(const expression& f, const roots_options& options, const answer& a,
     list.push_back(std::move(entry));
   }
   result["roots"] = std::move(list);
+  json intervals = json::array();
+  for (const zero_interval& z : a.roots.zero_intervals) {
+    intervals.push_back({{"lower", end_text(z.lower)},
+                         {"upper", end_text(z.upper)},
+                         {"has_lower", z.has_lower},
+                         {"has_upper", z.has_upper}});
+  }
+  result["zero_intervals"] = std::move(intervals);
   if (const auto& one = a.roots.of_period) {
     result["of_period"] = {{"period", to_text(one->period)}, {"in", range_text(*one)}};
   }
@@ -440,6 +466,9 @@ exit_status run(roots_options& options) {
   options.certificate.prepare();
   const answer a = find_roots(f, range, digits, threads, options.time_limit);
   std::optional<printed_opinion> opinion;
+  if (options.verify.given && !a.roots.zero_intervals.empty()) {
+    throw usage_error("--verify: there is no second opinion yet on intervals of roots");
+  }
   if (options.verify.given && a.is_certified()) {
     opinion = verify(f, range, a, digits, threads);
   }
