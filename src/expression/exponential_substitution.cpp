@@ -9,10 +9,11 @@
 //   (exp(a) p)^(1/n) = exp(a/n) p^(1/n),  log(exp(a) p) = a + log p,  |exp(a) p| = exp(a) |p|,
 //   alpha + beta exp(w) = beta exp(w) where the exact rules show that alpha = 0,
 //   log_gamma(w) = log_gamma(1 + w) - log |w|, gamma(w) = gamma(1 + w)/w,
-//   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) where 1 - m is exp(a) p (C. F. Gauss; DLMF 19.8.5);
-//     of a rational function 1 - m a power of the distance from a rational end, or of 1/|x|, is
-//     divided out of its polynomials in that; where m is known as 1 + w
-//     (below), 1 - m is -w,
+//   ellipticK(m) = pi/(2 agm(1, sqrt(1 - m))) (C. F. Gauss; DLMF 19.8.5) and ellipticE(m) =
+//     2 carlsonRG(0, 1 - m, 1) (DLMF 19.25.1) where 1 - m is exp(a) p: of a rational function 1 - m
+//     a power of the distance from a rational end, or of 1/|x|, is divided out of its polynomials
+//     in that; where m is known as 1 + w (below), 1 - m is -w,
+//   carlsonRF(0, x, y) = pi/(2 agm(sqrt x, sqrt y)) (the same, by DLMF 19.25.1),
 //   sin(k pi + w) = (-1)^k sin w,  sin(k pi + pi/2 + w) = (-1)^k cos w, and so for cos,
 //   tan(k pi + w) = tan w,  tan(k pi + pi/2 + w) = -1/tan w.
 // What decays with s and is a difference of two numbers near a constant c is written without that
@@ -563,22 +564,48 @@ class substitution {
     }
     return result;
   }
-  /// ellipticK towards its logarithmic end.
+  /// The complete ellipticK, ellipticE and carlsonRF towards their logarithmic ends.
   std::optional<value> complete_integral(node_id i) {
     const detail::further_call& f = f_.call_at(i);
     // A function of this name in another list may be anything.
     const further_functions& own = *elliptic_functions();
     const auto is_called = [&](const further_function& one) { return &one == f.function; };
-    if (f.function->what.name != "ellipticK" || std::ranges::none_of(own, is_called))
-      return std::nullopt;
-    std::optional<value> found = rational_complement(f.operands.front());
-    if (!found) found = complement(f.operands.front());
-    if (!found) return std::nullopt;
-    const value& left = *found;
+    if (std::ranges::none_of(own, is_called)) return std::nullopt;
+    const std::string& name = f.function->what.name;
+    if (name == "carlsonRF") return symmetric_integral(f.operands);
+    if (f.operands.size() != 1 || (name != "ellipticK" && name != "ellipticE")) return std::nullopt;
+    std::optional<value> left = rational_complement(f.operands.front());
+    if (!left) left = complement(f.operands.front());
+    if (!left) return std::nullopt;
+    if (name == "ellipticK") return by_mean(constant(one_), *left);
+    const node_id half = further("carlsonRG", {zero_, plain(*left), one_});
+    return as_it_is(multiply(g_, g_.number(2), half));
+  }
+  /// carlsonRF(0, x, y), in any order.
+  std::optional<value> symmetric_integral(const std::vector<node_id>& operands) {
+    std::vector<const value*> others;
+    for (const node_id k : operands) {
+      if (values_[k]->rest != zero_) others.push_back(&*values_[k]);
+    }
+    if (others.size() != 2) return std::nullopt;
+    return by_mean(*others[0], *others[1]);
+  }
+  /// pi/(2 agm(sqrt x, sqrt y)).
+  value by_mean(const value& x, const value& y) {
+    const auto root = [&](const value& z) {
+      return plain(scaled(z, g_.number(rational(1, 2)), call("sqrt", {z.rest})));
+    };
+    // 1/agm as it stands: growth bounds know it better than agm.
+    const node_id inverse = divide(g_, one_, call("agm", {root(x), root(y)}));
     const node_id half = g_.number(rational(1, 2));
-    const node_id modulus = plain(scaled(left, half, call("sqrt", {left.rest})));
-    const node_id inverse = divide(g_, one_, call("agm", {one_, modulus}));
     return as_it_is(multiply(g_, multiply(g_, half, g_.make(operation::pi)), inverse));
+  }
+  node_id further(std::string_view name, std::vector<node_id> x) {
+    const further_functions& own = *elliptic_functions();
+    const auto f = std::ranges::find_if(own, [&](const further_function& one) {
+      return one.what.name == name && one.arity == x.size();
+    });
+    return g_.call({&*f, std::move(x)});
   }
   value scaled(const value& x, node_id y, node_id rest) {
     return {{times(x.kappa, y), times(x.v, y), rest}, std::nullopt};

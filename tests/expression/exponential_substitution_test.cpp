@@ -160,6 +160,32 @@ TEST(ExponentialSubstitution, WritesCompleteIntegralsByTheComplement) {
   }
 }
 
+TEST(ExponentialSubstitution, WritesOtherCompleteIntegrals) {
+  constexpr precision bits = 200;
+  const expression_names names{
+      .variables = {"x"}, .definitions = {}, .further = elliptic_functions()};
+  const expression e("0", {.variables = {}, .definitions = {}, .further = elliptic_functions()});
+  for (const char* text :
+       {"ellipticE(1-x)", "ellipticE(cos(x)^2)", "ellipticE(2/(3-cos(x)))", "ellipticE(1/2-x)",
+        "ellipticE(1-3*x^2)", "carlsonRF(0,x,1)", "carlsonRF(x,2,0)", "carlsonRF(x,0,x^2)",
+        "carlsonRF(3,x,0)", "carlsonRF(1,x,2)", "carlsonRF(0,x^3,x+1/2)", "carlsonRG(0,x,1)"}) {
+    const expression f(text, names);
+    const auto g = f.in_exponential(&e, 1);
+    ASSERT_TRUE(g) << text;
+    for (const long n : {2L, 5L, 40L}) {
+      const ball t = exp(-ball(n, 8 * bits));
+      const ball expected = f(t) * t;
+      const ball found = (*g)(ball(n, bits));
+      EXPECT_TRUE(overlaps(found, expected)) << text << " at " << n << ": " << g->to_text();
+      EXPECT_LE(found.radius(), scale(expected.magnitude_upper(), 24 - bits))
+          << text << " at " << n;
+    }
+  }
+  // Two limits that are 0.
+  EXPECT_FALSE(
+      (*expression("carlsonRF(0,0*x,x)", names).in_exponential(&e, 1))(ball(2, bits)).is_bounded());
+}
+
 /// A value over the middle of which is known by few operations: of x alone, with numbers.
 std::string random_formula(support::random_source& random, int depth, const std::string& end) {
   static constexpr std::array functions{"sqrt", "cbrt",  "exp",  "log",   "log1p", "sin", "cos",

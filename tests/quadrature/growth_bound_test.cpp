@@ -274,6 +274,11 @@ TEST(GrowthBound, IntegralsOfItAreKnown) {
   check("ellipticK(x)/sqrt(x)", 1, "4*catalan");
   check("ellipticK(x)/sqrt(1-x)", 1, "pi^2/2");
   check("ellipticK(x^2)", 1, "2*catalan");
+  check("ellipticK(sqrt(x))", 1, "20/9");
+  check("ellipticE(x)", 1, "4/3");
+  check("ellipticE(sqrt(x))", 1, "56/45");
+  check("carlsonRF(0,x,1)", 1, "2");
+  check("carlsonRG(0,x,1)", 1, "2/3");
   check("ellipticK(1-x^2)", 1, "pi^2/4");
   check("ellipticK(4*x/(1+x)^2)", 1, "1+2*catalan");
   check("x*ellipticK(1-x^2)", 1, "1");

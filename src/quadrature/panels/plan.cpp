@@ -127,7 +127,9 @@ double integrator::try_panel(panel& p, double log2_goal) {
   } else {
     bounds.note(over_panel);
   }
-  hopeless_ = bounds.report().why == obstacle::unknown;
+  // Where F is available on a real panel, or on smaller ones, ellipses around these may be, too.
+  const bool smaller_may_do = !s.along && over_panel.why() != obstacle::unknown;
+  hopeless_ = bounds.report().why == obstacle::unknown && !smaller_may_do;
   result_.obstacle = in_words(bounds.report());
   // So short that the range of F over it is enough. It says nothing of F being analytic, which it
   // must be along a path, but for the ends, and where it is continued.
