@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "base/quoted.hpp"
+
 // Its assertions end the program at some bad input, which it refuses without them.
 #define TOML_ASSERT(condition) static_cast<void>(0)  // NOLINT(cppcoreguidelines-macro-usage)
 #include <toml++/toml.h>
@@ -14,6 +16,7 @@ namespace polhode {
 namespace {
 
 [[noreturn]] void refuse_line(long line, const std::string& what) {
+  if (line == 0) throw input_error("--set: " + what);
   throw input_error("line " + std::to_string(line) + ": " + what);
 }
 
@@ -194,6 +197,69 @@ document_value parse_document(const std::string& text) {
             (number ? "; a long number, or one with a great exponent, may stand in quotes" : ""));
   }
   return converter(text).value_of(root);
+}
+
+namespace {
+
+void forget_lines(document_value& value) {
+  value.line = 0;
+  for (document_value& item : value.items) forget_lines(item);
+  for (document_member& member : value.members) forget_lines(member.value);
+}
+
+void join(document_value& base, document_value more) {
+  for (document_member& member : more.members) {
+    const auto found = std::ranges::find(base.members, member.key, &document_member::key);
+    if (found == base.members.end()) {
+      base.members.push_back(std::move(member));
+    } else if (found->value.type == document_value::kind::table &&
+               member.value.type == document_value::kind::table) {
+      join(found->value, std::move(member.value));
+    } else {
+      found->value = std::move(member.value);
+    }
+  }
+}
+
+/// Takes away what the only chain of tables in `key` leads to.
+void remove(document_value& base, const document_value& key) {
+  const document_member& next = key.members.front();
+  const auto found = std::ranges::find(base.members, next.key, &document_member::key);
+  if (found == base.members.end()) return;
+  if (next.value.members.empty()) {
+    base.members.erase(found);
+  } else {
+    remove(found->value, next.value);
+  }
+}
+
+}  // namespace
+
+document_value with_settings(document_value document, const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    const auto equals = setting.find('=');
+    const bool removes = equals != std::string::npos &&
+                         setting.find_first_not_of(" \t", equals + 1) == std::string::npos;
+    document_value change;
+    try {
+      change = parse_document(removes ? setting + "{}" : setting);
+    } catch (const input_error& error) {
+      throw input_error("--set " + detail::quoted(setting) +
+                        ": it must be KEY=VALUE as in a scene, such as "
+                        "\"state.omega=[0, 1, 0.1]\" (" +
+                        error.what() + ")");
+    }
+    if (change.members.empty()) {
+      throw input_error("--set " + detail::quoted(setting) + ": there is no key in it");
+    }
+    forget_lines(change);
+    if (removes) {
+      remove(document, change);
+    } else {
+      join(document, std::move(change));
+    }
+  }
+  return document;
 }
 
 void refuse_value(const document_value& at, const std::string& key, const std::string& what) {

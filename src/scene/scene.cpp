@@ -203,19 +203,33 @@ scene_time read_time(section from, scene& whole) {
   (void)from.find("to");
   (void)from.find("samples");
   (void)from.find("unit");
+  (void)from.find("epoch");
   from.finish();
   if (from_value) result.from = *from_value;
   result.to = from.number("to");
+  // Then `from` and `to` are Julian dates, too.
+  const std::optional<rational> epoch = from.optional_number("epoch");
+  if (epoch) {
+    result.from = from_value ? rational(*from_value - *epoch) : rational(0);
+    result.to -= *epoch;
+    whole.remarks.push_back("time 0 is the Julian date " + from.at("epoch").text +
+                            "; times are in days from then");
+  }
   result.samples = from.count("samples", 101, 1, most_samples);
   if (result.to < result.from)
     from.refuse("to", "the end must not be before the beginning, from = " + to_text(result.from));
   if (result.samples == 1 && result.to != result.from) {
     from.refuse("samples", "one sample is of one time; give from = to, or at least 2 samples");
   }
-  const auto size = detail::read_unit(from, "unit", time_units());
+  auto size = detail::read_unit(from, "unit", time_units());
+  if (epoch && size && size->name != "day") {
+    from.refuse("unit",
+                "with an epoch the times are Julian dates; it must be \"day\", or left out");
+  }
+  if (epoch) size = detail::unit_named(time_units(), "day");
   if (!size) return result;
   if (whole.time_kind != scene::time_scale::si) {
-    from.refuse("unit",
+    from.refuse(epoch ? "epoch" : "unit",
                 "contradictory units: the state has no unit of time (such as unit = \"rad/s\"), "
                 "and [time] has one");
   }
@@ -319,9 +333,8 @@ void read_effects(section from, scene& result) {
   }
 }
 
-scene read_sections(const std::string& text, const std::filesystem::path& directory,
+scene read_sections(const document_value& document, const std::filesystem::path& directory,
                     replacements& replaced, text_files& files) {
-  const document_value document = parse_document(text);
   section root(document, "", replaced);
   scene result;
   for (const char* key :
@@ -367,9 +380,11 @@ scene read_scene(const std::string& text, const std::filesystem::path& directory
 }
 
 scene read_scene(const std::string& text, const std::filesystem::path& directory,
-                 const std::map<std::string, rational>& replaced, text_files& files) {
+                 const std::map<std::string, rational>& replaced, text_files& files,
+                 const std::vector<std::string>& settings) {
   replacements in_place{replaced, {}};
-  return read_sections(text, directory, in_place, files);
+  const document_value document = with_settings(parse_document(text), settings);
+  return read_sections(document, directory, in_place, files);
 }
 
 }  // namespace polhode

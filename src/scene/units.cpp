@@ -36,12 +36,14 @@ const std::vector<unit>& density_units() {
 }
 
 // The pound is 0.45359237 kg, the ounce its sixteenth, the foot 0.3048 m; the slug is the mass that
-// a pound of force, 0.45359237 kg times 9.80665 m/s^2, accelerates by 1 ft/s^2.
+// a pound of force, 0.45359237 kg times 9.80665 m/s^2, accelerates by 1 ft/s^2. The unified atomic
+// mass unit has the value of CODATA 2022, whose uncertainty of 5.2e-37 kg is not counted.
 const std::vector<unit>& inertia_units() {
   static const std::vector<unit> units = [] {
     const rational pound = decimal("0.45359237");
     const rational foot = decimal("0.3048");
     const rational inch(foot / 12);
+    const rational dalton = decimal("1.66053906892e-27");
     return std::vector<unit>{{"kg m^2", {1, 0}},
                              {"kg cm^2", {decimal("1e-4"), 0}},
                              {"kg mm^2", {decimal("1e-6"), 0}},
@@ -51,7 +53,9 @@ const std::vector<unit>& inertia_units() {
                              {"lb ft^2", {pound * foot * foot, 0}},
                              {"lb in^2", {pound * inch * inch, 0}},
                              {"oz in^2", {pound / 16 * inch * inch, 0}},
-                             {"slug ft^2", {pound * decimal("9.80665") * foot, 0}}};
+                             {"slug ft^2", {pound * decimal("9.80665") * foot, 0}},
+                             {"u A^2", {dalton * decimal("1e-20"), 0}},
+                             {"u Å^2", {dalton * decimal("1e-20"), 0}}};
   }();
   return units;
 }

@@ -137,6 +137,43 @@ TEST(SceneCommand, AnInterruptedSweepGoesOn) {
   }
 }
 
+TEST(SceneCommand, TakesSettings) {
+  const scratch_directory directory;
+  write(directory.path("r.toml"), racket);
+  const auto with = [&](const std::vector<std::string>& settings, bool has_file = true) {
+    std::vector<std::string> arguments{"scene"};
+    if (has_file) arguments.push_back(directory.path("r.toml"));
+    for (const std::string& one : settings) {
+      arguments.emplace_back("--set");
+      arguments.push_back(one);
+    }
+    arguments.insert(arguments.end(), {"--format", "json"});
+    return arguments;
+  };
+  const std::vector<std::string> whole{"body.moments = [3, 2, 1]", "state.omega=[0, 1, 0.1]",
+                                       "effects.want=[\"period\"]", "digits=20"};
+  write(directory.path("same.toml"),
+        "digits = 20\n[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0, 1, 0.1]\n[effects]\nwant = "
+        "[\"period\"]\n");
+  const auto effects_of = [](const outcome& result) {
+    EXPECT_EQ(result.status, 0) << result.err;
+    return json::parse(result.out).at("effects");
+  };
+  const json expected = effects_of(run({"scene", directory.path("same.toml"), "--format", "json"}));
+  EXPECT_EQ(effects_of(run(with(whole, false))), expected);
+  // The later one counts; a key can be taken away, and another be given.
+  EXPECT_EQ(effects_of(run(with({whole[0], "state.omega=[9, 1, 3]", whole[1], whole[2], whole[3],
+                                 "time =", "state.quaternion =", "body.unit =", "state.unit ="}))),
+            expected);
+  expect_refused(with({"x"}), {"--set \"x\"", "KEY=VALUE"});
+  expect_refused(with({"body.moments=[3, 2"}), {"KEY=VALUE"});
+  expect_refused(with({"body.moments=[3, 2, -1]"}), {"--set: body.moments"});
+  expect_refused(with({"effects.want=[\"perid\"]"}), {"--set", "\"period\""});
+  expect_refused(with({"a.b.c=1"}), {"--set"});
+  expect_refused(with({"=1"}), {"KEY=VALUE"});
+  expect_refused(with({"digits=20"}, false), {"no [body]"});
+}
+
 TEST(SceneCommand, RefusesBadInputAndLeavesNothing) {
   const scratch_directory directory;
   const std::string out = directory.path("out");

@@ -321,6 +321,26 @@ TEST(SceneBody, Refusals) {
   expect_refused("[body]\nmoments=[3,2,1]\nmoments=[3,2,1]\n", {"line 3"});
 }
 
+TEST(SceneTime, CountsJulianDatesFromTheEpoch) {
+  const std::string start =
+      "[body]\nmoments = [3, 2, 1]\n[state]\nomega = [0, 1, 0.1]\nunit = \"rad/s\"\n[time]\n";
+  const scene dated =
+      read(start + "epoch = 2448965.5\nfrom = 2448965.75\nto = 2448970.5\n" + wanting);
+  EXPECT_EQ(dated.time->from, rational(1, 4));
+  EXPECT_EQ(dated.time->to, 5);
+  EXPECT_EQ(dated.time_unit.name, "day");
+  EXPECT_EQ(read(start + "epoch = 10\nto = 12\nunit = \"day\"\n" + wanting).time->from, 0);
+  expect_refused(start + "epoch = 10\nto = 12\nunit = \"s\"\n" + wanting, {"Julian", "\"day\""});
+  expect_refused(start + "epoch = 10\nto = 9\n" + wanting, {"before"});
+}
+
+TEST(SceneBody, KnowsAtomicUnits) {
+  const scene water = read(with_body("moments = [0.6, 1.15, 1.76]\nunit = \"u Å^2\""));
+  EXPECT_EQ(water.body.size.factor, parse_rational("1.66053906892e-47"));
+  EXPECT_EQ(read(with_body("moments = [3, 2, 1]\nunit = \"u A^2\"")).body.size.factor,
+            water.body.size.factor);
+}
+
 TEST(SceneState, TurnsIntoC) {
   const auto c_of = [](const std::string& state) {
     return read("[body]\nmoments = [3, 2, 1]\n[state]\n" + state + "\n" + wanting)
@@ -393,6 +413,7 @@ TEST(SceneEffects, Refusals) {
   expect_refused("digits = 0\n" + body + wanting, {"line 1", "from 1"});
   expect_refused("precision = \"double\"\ndigits = 3\n" + body + wanting, {"contradictory"});
   expect_refused(body + "[time]\nto = 1\nunit = \"s\"\n" + wanting, {"contradictory units"});
+  expect_refused(body + "[time]\nepoch = 1\nto = 2\n" + wanting, {"epoch", "contradictory units"});
   expect_refused(body + "[time]\nfrom = 2\nto = 1\n" + wanting, {"before the beginning"});
   expect_refused(body + "[time]\nto = 1\nsamples = 100000000\n" + wanting, {"samples"});
 }

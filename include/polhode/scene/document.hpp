@@ -39,6 +39,12 @@ struct document_member {
 /// parser's double.
 [[nodiscard]] document_value parse_document(const std::string& text);
 
+/// The document with other values in the place of its own, each given as "KEY = VALUE" in TOML
+/// ("state.omega = [0, 1, 0.1]"); tables are joined. "KEY =" takes the key away. Their line is 0,
+/// and messages say "--set" for it. Throws input_error for a setting that is no TOML.
+[[nodiscard]] document_value with_settings(document_value document,
+                                           const std::vector<std::string>& settings);
+
 /// Throws input_error "line N: KEY: what".
 [[noreturn]] void refuse_value(const document_value& at, const std::string& key,
                                const std::string& what);

@@ -115,8 +115,10 @@ struct scene {
 /// cannot be used.
 [[nodiscard]] scene read_scene(const std::string& text, const std::filesystem::path& directory,
                                const std::map<std::string, rational>& replaced = {});
-/// The same. A file that the scene names is taken from `files`.
+/// The same. A file that the scene names is taken from `files`, and `settings` stand in for values
+/// of the file (with_settings).
 [[nodiscard]] scene read_scene(const std::string& text, const std::filesystem::path& directory,
-                               const std::map<std::string, rational>& replaced, text_files& files);
+                               const std::map<std::string, rational>& replaced, text_files& files,
+                               const std::vector<std::string>& settings = {});
 
 }  // namespace polhode

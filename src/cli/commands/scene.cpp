@@ -36,6 +36,7 @@ namespace fs = std::filesystem;
 
 struct scene_options {
   std::vector<std::string> files;
+  std::vector<std::string> settings;
   std::optional<std::string> out;
   bool list = false;
   bool page = false;
@@ -45,10 +46,13 @@ struct scene_options {
   time_limit_option time_limit;
 };
 
+constexpr const char* no_file = "settings";  // the name of a scene without a file
+
 /// One point of one scene: all that is computed at once, and kept in one file.
 struct job {
   std::string file;
   std::shared_ptr<const std::string> text;  // of all points of a sweep
+  std::vector<std::string> settings;        // --set
   std::string stem;                         // of the names of its files
   sweep_point point;
   std::string digest;
@@ -66,6 +70,7 @@ std::string digest_of(const scene_options& options, const job& one, const scene&
   std::string all = std::string(POLHODE_VERSION) + '\n' + one.file + '\n' + *one.text + '\n' +
                     options.plot.value_or("") + (options.page ? "page" : "");
   for (const auto& [key, value] : one.point) all += '\n' + key + '=' + to_text(value);
+  for (const std::string& setting : one.settings) all += '\n' + setting;
   if (what.body.file) all += '\n' + files[*what.body.file];
   return hexadecimal(sha256(std::as_bytes(std::span(all))));
 }
@@ -83,7 +88,7 @@ auto reading(const std::string& file, const F& read) {
 scene scene_of(const job& one, text_files& files) {
   const std::map<std::string, rational> replaced(one.point.begin(), one.point.end());
   return reading(one.file, [&] {
-    return read_scene(*one.text, fs::path(one.file).parent_path(), replaced, files);
+    return read_scene(*one.text, fs::path(one.file).parent_path(), replaced, files, one.settings);
   });
 }
 
@@ -145,10 +150,12 @@ std::vector<job> jobs_of(const scene_options& options, text_files& files) {
   std::vector<job> jobs;
   std::set<std::string> stems;
   memory_of_reports memory;
-  for (const std::string& file : options.files) {
-    const auto text =
-        std::make_shared<const std::string>(reading(file, [&] { return read_text_file(file); }));
-    const job whole{file, text, fs::path(file).stem().string(), {}, ""};
+  std::vector<std::string> files_or_none = options.files;
+  if (files_or_none.empty()) files_or_none.emplace_back(no_file);
+  for (const std::string& file : files_or_none) {
+    const auto text = std::make_shared<const std::string>(
+        file == no_file ? "" : reading(file, [&] { return read_text_file(file); }));
+    const job whole{file, text, options.settings, fs::path(file).stem().string(), {}, ""};
     const auto take_name = [&](const std::string& stem) {
       if (!options.out || stems.insert(stem).second) return;
       throw usage_error(
@@ -301,7 +308,7 @@ exit_status run(const scene_options& options) {
     print(list_of_effects());
     return exit_status::all_certified;
   }
-  if (options.files.empty())
+  if (options.files.empty() && options.settings.empty())
     throw usage_error("there is no scene; give a file, such as scenes/toutatis.toml");
   if (options.plot && *options.plot != "svg" && *options.plot != "png" && *options.plot != "pdf") {
     throw usage_error(
@@ -385,6 +392,11 @@ exit_status run(const scene_options& options) {
 std::function<exit_status()> declare(CLI::App& app) {
   const auto options = std::make_shared<scene_options>();
   add_option(app, "FILE", options->files, "Scenes, in TOML").type_name("FILE");
+  add_option(app, "--set", options->settings,
+             "A value in the place of the file's, or of a scene without a file; \"KEY=\" takes the "
+             "key away")
+      .type_name("KEY=VALUE")
+      .one_value_each_time();
   add_option(app, "--out", options->out,
              "Write each scene's files there, and all results in one table, results.csv")
       .type_name("DIR");
@@ -406,6 +418,9 @@ command scene_command() {
   return {"scene", "Compute the effects that a scene file asks for, and no others",
           "  polhode scene scenes/toutatis.toml\n"
           "  polhode scene scenes/*.toml --out results --page --plot svg\n"
+          "  polhode scene scenes/toutatis.toml --set state.quaternion=[1,2,3,4] --set digits=12\n"
+          "  polhode scene --set body.moments=[3,2,1] --set state.c=0.1 --set "
+          "'effects.want=[\"period\"]'\n"
           "  polhode scene --list\n\n"
           "A scene is a body, its state, a time and the effects wanted (docs/scenes.md). Its "
           "numbers are\n"
