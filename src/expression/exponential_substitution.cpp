@@ -24,7 +24,8 @@
 //   exp(c + w) - exp c = 2 exp(c + w/2) sinh(w/2),
 //   sqrt(c + w) - sqrt c = w/(sqrt(c + w) + sqrt c),  log(c + w) - log c = 2 atanh(w/(2c + w)),
 //   (c + w)^y - c^y = 2 c^y exp(h) sinh(h),  h = y atanh(w/(2c + w)),  for c > 0,
-//   (c + w)(d + v) - cd = cv + dw + wv,  (c + w)/(d + v) - c/d = (dw - cv)/(d (d + v)).
+//   (c + w)^2 - c^2 = w (2c + w),  (c + w)(d + v) - cd = cv + dw + wv,
+//   (c + w)/(d + v) - c/d = (dw - cv)/(d (d + v)).
 
 #include <algorithm>
 #include <functional>
@@ -195,7 +196,13 @@ class substitution {
     }
   }
   node_id times(node_id x, node_id y) {
-    return x == zero_ || y == zero_ ? zero_ : multiply(g_, x, y);
+    if (x == zero_ || y == zero_) return zero_;
+    const node product = g_[y];
+    const rational* const p = g_.value(x);
+    const rational* const q =
+        product.what == operation::multiply ? g_.value(product.left) : nullptr;
+    if (p == nullptr || q == nullptr) return multiply(g_, x, y);
+    return multiply(g_, g_.number(*p * *q), product.right);
   }
   node_id plus(node_id x, node_id y, bool minus) {
     if (y == zero_) return x;
@@ -447,6 +454,14 @@ class substitution {
     const part linear = plus(times(x.c, y.w), times(y.c, x.w), false);
     return {multiply(g_, x.c, y.c), plus(linear, times(x.w, y.w), false)};
   }
+  /// The square as (c + w)^2 - c^2 = w (2 c + w).
+  near_number power_of(const near_number& x, long n) {
+    if (n == 1) return x;
+    if (n % 2 != 0) return times(power_of(x, n - 1), x);
+    const near_number root = power_of(x, n / 2);
+    const node_id sum = plus(multiply(g_, g_.number(2), root.c), plain(root.w), false);
+    return {multiply(g_, root.c, root.c), times(root.w, plain_part(sum))};
+  }
   std::optional<near_number> quotient_beside(const value& x, const value& y, const part& quotient) {
     const auto b = beside_of(x);
     const auto d = beside_of(y);
@@ -462,9 +477,7 @@ class substitution {
     if (!b || b->c == zero_) return std::nullopt;
     const rational* const q = g_.value(y);
     if (q != nullptr && denominator(*q) == 1 && *q > 0 && *q <= most_factors) {
-      near_number result = *b;
-      for (long n = 1; n < *q; ++n) result = times(result, *b);
-      return result;
+      return power_of(*b, static_cast<long>(numerator(*q)));
     }
     if (!is_positive(b->c)) return std::nullopt;
     const node_id h = multiply(g_, y, half_of(logarithm_of_ratio(*b)));
@@ -593,6 +606,10 @@ class substitution {
   /// pi/(2 agm(sqrt x, sqrt y)).
   value by_mean(const value& x, const value& y) {
     const auto root = [&](const value& z) {
+      // Of a negative number an undefined value, and not none: the formula may have others.
+      const bool is_negative =
+          is_constant(z.rest) && certainly_negative(detail::value_at(g_, z.rest, 64));
+      if (is_negative) return call("sqrt", {plain(z)});
       return plain(scaled(z, g_.number(rational(1, 2)), call("sqrt", {z.rest})));
     };
     // 1/agm as it stands: growth bounds know it better than agm.

@@ -185,7 +185,10 @@ TEST(GrowthBound, IsNearlyAttained) {
   expect_attained("gamma(x)", 0.25, nearly, rational(2, 5), few, 40);
   expect_attained("log_gamma(x)", 0.25, rational(1, 3), rational(1, 5), few, 40);
   expect_attained("agm(1,x)", 0.25, rational(4, 5), rational(4, 5), few, 40);
-  expect_attained("1/agm(2,3*exp(-1/x))", 0.25, rational(1, 4), rational(1, 2), few, 6);
+  expect_attained("1/agm(2,3*exp(-1/x))", 0.25, rational(1, 4), rational(2, 5), few, 6);
+  expect_attained("1/agm(1,exp(-1/x))", 0.25, rational(1, 2), rational(9, 10), few, 8);
+  expect_attained("log(sin(exp(-1/x)))", 0.25, nearly, nearly, few, 8);
+  expect_attained("log(-(-exp(-1/x)))", 0.25, nearly, nearly, few, 8);
   expect_attained("1/gamma(1/x)", 0.25, nearly, 0, few, 6);
   expect_attained("ellipticK(x)", 0.25, nearly, rational(9, 10), few, 40);
 }
@@ -210,12 +213,27 @@ void expect_few_bounds(const std::string& text, double r, long q = 1) {
 
 TEST(GrowthBound, HoldsSpecialFunctions) {
   for (const double r : {0.25, 0x1p-5}) {
-    for (const char* text :
-         {"gamma(x)", "log_gamma(x)", "log(gamma(x^sqrt(2)))", "x^pi*gamma(x)", "1/gamma(x)",
-          "gamma(1+x^pi)", "log_gamma(3/2+cos(log(x))/4)", "agm(1,x)", "agm(x^pi,3)/x",
-          "1/agm(1,x^sqrt(2))", "1/agm(2,3*exp(-1/x))", "1/agm(1,exp(-sqrt(x)))",
-          "x/agm(1,exp(-1/x)*(1+x))", "1/gamma(1/x)", "ellipticK(x^sqrt(2))",
-          "ellipticK(sin(log(x))/2)"}) {
+    for (const char* text : {"gamma(x)",
+                             "log_gamma(x)",
+                             "log(gamma(x^sqrt(2)))",
+                             "x^pi*gamma(x)",
+                             "1/gamma(x)",
+                             "gamma(1+x^pi)",
+                             "log_gamma(3/2+cos(log(x))/4)",
+                             "agm(1,x)",
+                             "agm(x^pi,3)/x",
+                             "1/agm(1,x^sqrt(2))",
+                             "1/agm(2,3*exp(-1/x))",
+                             "log(sqrt(2*sin(exp(-1/x)/2)^2))",
+                             "log(abs(tanh(-exp(-1/x))^3/7))",
+                             "log(exp(-1/x)/(1/1000+x^sqrt(2)))",
+                             "log(sin(exp(-1/(4*x))))",
+                             "log(-2*exp(-1/x)*sin(-exp(-1/x)))",
+                             "1/agm(1,exp(-sqrt(x)))",
+                             "x/agm(1,exp(-1/x)*(1+x))",
+                             "1/gamma(1/x)",
+                             "ellipticK(x^sqrt(2))",
+                             "ellipticK(sin(log(x))/2)"}) {
       expect_few_bounds(text, r);
     }
     for (const char* text :

@@ -155,5 +155,23 @@ TEST(FormulaRoots, OfPowersAtRationalNumbers) {
   }
 }
 
+/// Towards an end where the function grows as a logarithm, which is no root, on one side or both.
+TEST(FormulaRoots, BesideLogarithmicEndsAreFound) {
+  const auto count = [](const char* text, const end_point& lower, const end_point& upper) {
+    const root_set found = isolate_roots(parse(text), lower, upper, {.most_boxes = 3000});
+    EXPECT_TRUE(found.is_resolved()) << text;
+    return found.regions.size();
+  };
+  EXPECT_EQ(count("ellipticK(x)-2", 0, 1), 1U);
+  EXPECT_EQ(count("ellipticK(x)-20", 0, 1), 1U);
+  EXPECT_EQ(count("ellipticK(x)-1", 0, 1), 0U);
+  EXPECT_EQ(count("ellipticK(1-x)-3", 0, 1), 1U);
+  EXPECT_EQ(count("ellipticK(x^2)-3", -1, 1), 2U);
+  EXPECT_EQ(count("ellipticK(cos(x)^2)-3", -2, 2), 2U);
+  EXPECT_EQ(count("1/agm(1,x)-2", 0, 1), 1U);
+  EXPECT_EQ(count("x*ellipticK(1-x)-1/2", 0, 1), 1U);
+  EXPECT_EQ(count("ellipticK(x)-ellipticE(x)-1", 0, 1), 1U);
+}
+
 }  // namespace formula_roots_test
 }  // namespace polhode::test

@@ -26,10 +26,11 @@
 //   m times, and by
 //     Rolle's theorem no other;
 //   f exactly 0 at a rational point c, and |f(c +- t)| >= k t^a with k > 0 on either side
-//   (growth_bound.hpp), or f
-//     not defined there: c, and no other; c may be a kink or a branch point;
+//   (zero_free_ends.hpp), or f not defined there: c, and no other; c may be a kink or a branch
+//   point;
+//   f certainly not 0 at a point, or not defined, and so on either side: no root;
 //   no factor of the numerator vanishes: no root, but a pole where the denominator does;
-//   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (growth_bound.hpp): no root.
+//   towards infinity, |f(x)| >= k |x|^a with k > 0 from some x on (zero_free_ends.hpp): no root.
 // What an examination of a box has proved, it says of pieces, and the search proves in exact
 // arithmetic that the pieces make up the box; the result is made only where all pieces, settled and
 // open, are proved to make up the interval, each point once. Otherwise std::logic_error is thrown:

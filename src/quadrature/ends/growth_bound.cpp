@@ -171,7 +171,6 @@ growth_bound growth_bound::reciprocal_of(const growth_bound& y) {
 
 growth_bound operator-(const growth_bound& x) {
   growth_bound result = x.blocked_ ? x.passed_on() : x;
-  result.logarithm_ = nullptr;
   if (x.inverse_) result.inverse_ = std::make_shared<const growth_bound>(-*x.inverse_);
   if (x.blocked_) return result;
   result.sign_ = -x.sign_;
@@ -223,10 +222,8 @@ growth_bound operator*(const growth_bound& x, const growth_bound& y) {
       x.lower_exponent_ + y.lower_exponent_, x.sign_ * y.sign_, x.series_ * y.series_);
   result.oscillates_ = x.oscillates_ || y.oscillates_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ * *y.constant_;
-  if ((x.logarithm_ || y.logarithm_) && x.sign_ > 0 && y.sign_ > 0) {
-    growth_bound logarithm = log(x) + log(y);
-    if (!logarithm.blocked_)
-      result.logarithm_ = std::make_shared<const growth_bound>(std::move(logarithm));
+  if (x.logarithm_ || y.logarithm_) {
+    result.keep_logarithm(x.logarithm_of_size() + y.logarithm_of_size());
   }
   return result;
 }
@@ -239,6 +236,9 @@ growth_bound operator/(const growth_bound& x, const growth_bound& y) {
       x.lower_exponent_ - y.upper_exponent_, x.sign_ * y.sign_, x.series_ / y.series_);
   result.oscillates_ = x.oscillates_ || y.oscillates_;
   if (x.constant_ && y.constant_) result.constant_ = *x.constant_ / *y.constant_;
+  if (x.logarithm_ || y.logarithm_) {
+    result.keep_logarithm(x.logarithm_of_size() - y.logarithm_of_size());
+  }
   return result;
 }
 
@@ -274,6 +274,7 @@ growth_bound pow(const growth_bound& x, long n) {
   if (n % 2 == 0 && x.sign_ == 0 && !certainly_positive(x.least_)) result.sign_ = 0;
   if (n == 0) result.sign_ = 1;
   if (x.constant_) result.constant_ = pow(*x.constant_, n);
+  if (x.logarithm_) result.keep_logarithm(*x.logarithm_ * x.constant_like(rational(n)));
   return result;
 }
 
@@ -307,7 +308,9 @@ growth_bound sqrt(const growth_bound& x) {
     if (series.is_blocked()) return growth_bound::blocked("sqrt");
     return x.made("sqrt", ball::undefined(bits), 0, ball::undefined(bits), 0, 0, series);
   }
-  return x.to_the(ball(rational(1, 2), 64), "sqrt", series);
+  growth_bound result = x.to_the(ball(rational(1, 2), 64), "sqrt", series);
+  if (x.logarithm_) result.keep_logarithm(*x.logarithm_ * x.constant_like(rational(1, 2)));
+  return result;
 }
 
 growth_bound root(const growth_bound& x, long n) {
@@ -357,13 +360,18 @@ growth_bound growth_bound::exponential() const {
   return result;
 }
 
+growth_bound growth_bound::logarithm_of_size() const {
+  if (logarithm_) return *logarithm_;
+  return sign_ == 0 ? blocked("log") : log(sign_ < 0 ? -*this : *this);
+}
+
 /// log x lies between log c + a log t and log C + b log t. Where b > 0 and C r^b < 1 it is
 /// negative, and |log x| >= |log(C r^b)|; where a < 0 and c r^a > 1 it is positive, and log x >=
 /// log(c r^a). And |log x| <= |log c| + |a| |log t|, or the same of C and b.
 growth_bound log(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
-  if (x.logarithm_) return *x.logarithm_;
   if (x.sign_ < 0) return growth_bound::undefined("log");
+  if (x.logarithm_ && x.sign_ > 0) return *x.logarithm_;
   if (x.sign_ == 0 || !certainly_positive(x.least_)) return growth_bound::blocked("log");
   const ball log_most = log(x.most_);
   const ball log_least = log(x.least_);
@@ -409,9 +417,15 @@ growth_bound growth_bound::flattening(std::string_view name, const ball& bound, 
   const bool by_itself = upper_exponent_ > 0;
   const ball share = lower_end(value_at_m / m);
   const bool is_near_0 = certainly_positive(share);
-  return made(name, by_itself ? most_ : bound, by_itself ? upper_exponent_ : rational(0),
-              is_near_0 ? lower_end(least_) * share : ball(0, bits),
-              is_near_0 ? lower_exponent_ : rational(0), is_near_0 ? sign_ : 0, std::move(series));
+  growth_bound result =
+      made(name, by_itself ? most_ : bound, by_itself ? upper_exponent_ : rational(0),
+           is_near_0 ? lower_end(least_) * share : ball(0, bits),
+           is_near_0 ? lower_exponent_ : rational(0), is_near_0 ? sign_ : 0, std::move(series));
+  // log |f(v)| - log |v| lies between log(f(m)/m) and 0.
+  if (logarithm_ && is_near_0 && !result.blocked_) {
+    result.keep_logarithm(*logarithm_ + bounded_like("log", hull(log(share), ball(0, bits))));
+  }
+  return result;
 }
 
 /// sin' falls up to pi.
@@ -537,7 +551,9 @@ growth_bound log_gamma(const growth_bound& x) {
 }
 
 /// sqrt(x y) <= agm(x, y) <= (x + y)/2 for x, y >= 0. And for a constant x and y <= x/2, of which
-/// the logarithm is known, 1/agm(x, y) <= (6/5) log(2 x/y)/x. Proof. With q = y/x and C. F. Gauss's
+/// the logarithm is known, (2/pi) log(2 x/y)/x <= 1/agm(x, y) <= (6/5) log(2 x/y)/x: the first by
+/// log(4/q) <= ellipticK(1 - q^2) (B. C. Carlson, J. L. Gustafson, 1985; DLMF 19.9.1), of which
+/// 1/agm(1, q) is 2/pi times. Proof of the second. With q = y/x and C. F. Gauss's
 ///   1/agm(1, q) = (2/pi) the integral over (0, pi/2) of dw/sqrt(sin^2 w + q^2 cos^2 w),
 /// sin w >= 2 w/pi gives q^2 + (1 - q^2) 4 w^2/pi^2 as a lower bound of the radicand, so that it is
 /// at most arsinh(sqrt(1 - q^2)/q)/sqrt(1 - q^2) = log((1 + sqrt(1 - q^2))/q)/sqrt(1 - q^2), and
@@ -557,9 +573,11 @@ growth_bound agm(const growth_bound& x, const growth_bound& y) {
   }
   const growth_bound logarithm = y.constant_like(log(2 * *x.constant_)) - *y.logarithm_;
   if (logarithm.blocked_) return result;
+  // It is log 4 at least, and so the size of which the lower bound is.
+  const ball least = 2 * logarithm.least_ / (pi(bits) * *x.constant_);
+  const ball most = 6 * logarithm.most_ / (5 * *x.constant_);
   result.inverse_ = std::make_shared<const growth_bound>(
-      x.made("agm", 6 * logarithm.most_ / (5 * *x.constant_), logarithm.upper_exponent_,
-             2 / sum.most_, -sum.upper_exponent_, 1, none));
+      x.made("agm", most, logarithm.upper_exponent_, least, logarithm.lower_exponent_, 1, none));
   return result;
 }
 

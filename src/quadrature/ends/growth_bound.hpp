@@ -120,6 +120,14 @@ class growth_bound {
   /// An odd function of it, which is flatter the farther from 0.
   [[nodiscard]] growth_bound flattening(std::string_view name, const ball& bound, const ball& m,
                                         const ball& value_at_m, end_series series) const;
+  /// log |v|.
+  [[nodiscard]] growth_bound logarithm_of_size() const;
+  /// Where it is not blocked.
+  void keep_logarithm(const growth_bound& logarithm) {
+    if (!blocked_ && !logarithm.blocked_) {
+      logarithm_ = std::make_shared<const growth_bound>(logarithm);
+    }
+  }
   /// x^y for x > 0 and every y in the ball.
   [[nodiscard]] growth_bound to_the(const ball& y, std::string_view name, end_series series) const;
 
@@ -131,7 +139,7 @@ class growth_bound {
   int sign_ = 0;
   std::optional<ball> constant_;                   // where it is one
   std::shared_ptr<const growth_bound> inverse_;    // 1 divided by it, where that is remembered
-  std::shared_ptr<const growth_bound> logarithm_;  // of an exponential: what it is of
+  std::shared_ptr<const growth_bound> logarithm_;  // log |v|, where it is known better
   end_series series_;                              // blocked where there is none
   end_series one_;                                 // the number 1, for constants
   bool blocked_ = true;

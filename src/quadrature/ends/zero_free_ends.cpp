@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/symbol.hpp"
 #include "quadrature/ends/growth_of_formulas.hpp"
 #include "quadrature/integrand.hpp"
 
@@ -43,6 +44,19 @@ growth_bound far(const rational& from) {
   return from > 0 ? x : -x;
 }
 
+/// f(at + side exp(-s)) as a formula in s; nothing where that is not available.
+std::optional<expression> in_exponential(const expression& f, const pi_combination& at, int side) {
+  const symbol x = symbol::variable(0);
+  const expression point = *formula_of(end_point(at));
+  const symbol end = point.evaluate(std::span<const symbol>());
+  try {
+    // With the factor |dx/ds| of the substitution it is f again.
+    return expression(f(x) / (symbol(side) * (x - end)), f.names()).in_exponential(&point, side);
+  } catch (const input_error&) {
+    return std::nullopt;  // it has no value anywhere
+  }
+}
+
 }  // namespace
 }  // namespace zero_free_ends_impl
 
@@ -60,6 +74,13 @@ bool zero_free_ends::beside(const pi_combination& at, const rational& width) con
     const end_series x =
         end_series::argument(known_number(at), known_number(rational(4 * width)), 1, 0.25);
     if (formula_->prepared.near_end(x).sign() != 0) return true;
+    // |x - at| <= |width| is s >= -log |width|.
+    const rational from = lower_rational(-log(ball(rational(abs(width)), 64)));
+    const auto in_s = from > 0 ? in_exponential(f, at, width > 0 ? 1 : -1) : std::nullopt;
+    if (in_s) {
+      const growth_bound beyond = growth(*in_s, argument({}, from / 4, -1));
+      if (beyond.is_nowhere_defined() || has_no_zero(beyond)) return true;
+    }
   }
   // 1/x is beyond 1/width.
   return at.is_zero() &&

@@ -482,7 +482,9 @@ end_point end_point_of(const expression& f) {
 
 std::optional<expression> formula_of(const end_point& x) {
   if (const auto& form = x.form()) {
-    return expression(symbol(form->q) + symbol(form->r) * symbol::constant("pi"), {});
+    if (form->is_rational()) return expression(symbol(form->q), {});
+    const symbol turns = symbol(form->r) * symbol::constant("pi");
+    return expression(form->q == 0 ? turns : symbol(form->q) + turns, {});
   }
   const auto* known = dynamic_cast<const defined_by_formula*>(x.definition().get());
   if (known == nullptr) return std::nullopt;

@@ -8,6 +8,7 @@
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/expression/parse.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "roots/count_zeros.hpp"
 #include "roots/polynomial/root_bracket.hpp"
 #include "taylor_bounds.hpp"
@@ -437,13 +438,29 @@ class examination {
       const auto s =
           structure(problem(b), at.is_rational() ? function_structure::variable(point, point)
                                                  : function_structure::variable_at(at, 0, b.bits));
-      if (!s || (s->natural_range() && !is_certainly_not_zero(*s->natural_range()))) return {};
+      const bool is_known =
+          s && (!s->natural_range() || is_certainly_not_zero(*s->natural_range()));
+      if (!is_known && !is_undefined_at(b, at)) return {};
       if (!grows_on_both_sides(b, x, at)) return {};
-      result_.singular.push_back({s->natural_range() ? x : point, 0});
+      const bool is_defined_there = is_known && s->natural_range();
+      result_.singular.push_back({is_defined_there ? x : point, 0});
       result_.excluded.push_back({b.x, x});
       return true;
     };
     return first_of_simple_points(b.x, b.bits, removed_at).has_value();
+  }
+
+  /// The formula certainly has no value at the point.
+  bool is_undefined_at(const work_box& b, const pi_combination& at) {
+    const expression* const f = problem(b).g->formula();
+    if (f == nullptr) return false;
+    try {
+      const symbol point = formula_of(end_point(at))->evaluate(std::span<const symbol>());
+      (void)expression((*f)(point), f->names());
+    } catch (const input_error&) {
+      return true;
+    }
+    return false;
   }
 
   /// The only root of g in the box, to the digits that a place is worth.
