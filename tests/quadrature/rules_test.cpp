@@ -10,6 +10,7 @@
 #include "polhode/quadrature/clenshaw_curtis.hpp"
 #include "polhode/quadrature/double_exponential.hpp"
 #include "polhode/quadrature/gauss_legendre.hpp"
+#include "polhode/quadrature/integrate.hpp"
 #include "polhode/quadrature/periodic_trapezoid.hpp"
 #include "polhode/quadrature/rule_sum.hpp"
 #include "quadrature/integrands.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "polhode/quadrature/contour.hpp"
+#include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
 

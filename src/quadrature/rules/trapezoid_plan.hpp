@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/verdict.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
