@@ -379,6 +379,7 @@ class substitution {
   // -------------------------------------------------------------------------------------------
   // Values near a constant. None of the identities asks that w is small.
 
+  static const part& part_of(const value& x) { return x; }
   /// Where x tends to a constant.
   std::optional<near_number> beside_of(const value& x) {
     if (x.beside) return x.beside;
@@ -386,7 +387,7 @@ class substitution {
     if (x.in_x && !is_infinite_) {
       return near_number{x.in_x->alpha, {growth_, zero_, x.in_x->beta}};
     }
-    if (decays(x)) return near_number{zero_, x};
+    if (decays(x)) return near_number{zero_, part_of(x)};
     return std::nullopt;
   }
   /// What tends to 0.
@@ -417,7 +418,7 @@ class substitution {
                        ? plain_part(multiply(g_, g_.number(2), power(g_, rate, g_.number(2))))
                        : twice(rate, swing);
     const node_id at = b->c == zero_ ? (f[0] == 'c' ? one_ : zero_) : call(f, {b->c});
-    result.beside = at == zero_ ? near_number{zero_, result}
+    result.beside = at == zero_ ? near_number{zero_, part_of(result)}
                                 : near_number{at, sign < 0 ? times(g_.number(-1), w) : w};
     return result;
   }
@@ -440,7 +441,7 @@ class substitution {
     const node_id c = plus(b->c, d->c, minus);
     const part w = plus(b->w, d->w, minus);
     if (b->c != zero_ && d->c != zero_ && is_number_zero(c)) return decaying(w);
-    result.beside = near_number{c, c == zero_ ? part(result) : w};
+    result.beside = near_number{c, c == zero_ ? part_of(result) : w};
     return result;
   }
   std::optional<near_number> product_beside(const value& x, const value& y, const part& product) {
