@@ -93,7 +93,7 @@ void add_roots(const piece& p, const isolate_options& options, root_set& result)
     bool is_end = false;
     for (const end_point* end : {&p.lower, &p.upper}) {
       if (!end->exact()) continue;
-      is_end = is_end || r.exact == end->exact();
+      is_end = is_end || (r.exact == end->exact() && is_one_root(r.verdict));
       // A root that may be the end: what f has there is seen at the end itself.
       if (!r.exact && overlaps(r.enclosure, ball(*end->exact(), bits))) r.may_lie_outside = true;
     }

@@ -192,6 +192,7 @@ TEST(ExactIntegral, OfWhatIsOddAboutTheMiddle) {
   EXPECT_EQ(between("cbrt(cos(x))", "0", "pi"), rational(0));
   EXPECT_EQ(between("x*sin(x^2+x^4)", "-inf", "inf"), rational(0));
   EXPECT_EQ(between("x*exp(-x^2)*cos(x)", "inf", "-inf"), rational(0));
+  EXPECT_EQ(between("x*exp(-x^2)*cos(x)", "inf", "inf"), std::nullopt);
   // Not odd, about another point, with an irrational constant, and without an integral.
   EXPECT_EQ(between("sin(x)*exp(x)", "-1", "1"), std::nullopt);
   EXPECT_EQ(between("sin(x)/(1+x^2)", "-1", "1+1e-30"), std::nullopt);

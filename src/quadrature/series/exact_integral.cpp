@@ -295,7 +295,9 @@ std::optional<rational> by_antiderivative(const expression& f, const end_point& 
 
 /// (a + b)/2, and 0 for the whole line, where it is known to be q + r pi.
 std::optional<pi_combination> middle_of(const end_point& a, const end_point& b) {
-  if (a.is_infinite() && b.is_infinite()) return pi_combination{};
+  if (a.is_infinite() && b.is_infinite() && a.infinite_sign() != b.infinite_sign()) {
+    return pi_combination{};
+  }
   if (a.form() && b.form()) return (*a.form() + *b.form()) * rational(1, 2);
   const auto lower = formula_of(a);
   const auto upper = formula_of(b);
