@@ -76,34 +76,30 @@ unfold gauss_integral; split; rewrite E; apply RInt_le.
 - intros x _; apply integrand_bounds; lra.
 Qed.
 
+(** From 0 to pi, of a function that is even about pi/2 *)
+Lemma integral_to_pi (g : R -> R) : (forall t, continuous g t) -> (forall t, g (PI - t) = g t) -> RInt g 0 PI = 2 * RInt g 0 (PI/2).
+Proof.
+intros C E.
+assert (I : forall x y, ex_RInt g x y) by (intros; apply (@ex_RInt_continuous R_CompleteNormedModule); intros; apply C).
+rewrite <- (RInt_Chasles g 0 (PI/2) PI) by apply I.
+unfold plus; simpl. replace (2 * RInt g 0 (PI/2)) with (RInt g 0 (PI/2) + RInt g 0 (PI/2)) by ring.
+f_equal.
+assert (HC := RInt_comp (V:=R_CompleteNormedModule) g (fun y => PI - y) (fun _ => -1) 0 (PI/2)).
+cbv beta in HC. replace (PI - 0) with PI in HC by ring. replace (PI - PI/2) with (PI/2) in HC by field.
+rewrite <- (opp_RInt_swap g PI (PI/2)) by apply I.
+rewrite <- HC.
+- rewrite (RInt_ext _ (fun y => scal (-1) (g y))) by (intros y _; now rewrite E).
+  rewrite (RInt_scal (V:=R_CompleteNormedModule)) by apply I.
+  unfold opp, scal; simpl; unfold mult; simpl. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. ring.
+- intros; apply C.
+- intros x _. split; [auto_derive; auto; ring | apply continuous_const].
+Qed.
+
 Lemma gauss_integral_to_pi a b : 0 < a -> 0 < b -> RInt (integrand a b) 0 PI = 2 * gauss_integral a b.
 Proof.
-intros Ha Hb.
-rewrite <- (RInt_Chasles (integrand a b) 0 (PI/2) PI) by now apply integrand_integrable.
-unfold plus; simpl. replace (2 * gauss_integral a b) with (gauss_integral a b + gauss_integral a b) by ring.
-f_equal.
-(* t -> PI - t *)
-unfold gauss_integral. 
-transitivity (- RInt (integrand a b) PI (PI/2)).
-{ rewrite <- (opp_RInt_swap (integrand a b) PI (PI/2)); [reflexivity | now apply integrand_integrable]. }
-transitivity (- RInt (fun y => scal (-1) (integrand a b (PI - y))) 0 (PI/2)).
-{ f_equal.
-  assert (HC := RInt_comp (V:=R_CompleteNormedModule) (integrand a b) (fun y => PI - y) (fun _ => -1) 0 (PI/2)).
-  cbv beta in HC. replace (PI - 0) with PI in HC by ring. replace (PI - PI/2) with (PI/2) in HC by field.
-  symmetry. apply HC.
-  - intros x _; now apply integrand_continuous.
-  - intros x _; split; [auto_derive; auto; ring | apply continuous_const]. }
-change (- RInt (fun y => scal (-1) (integrand a b (PI - y))) 0 (PI/2)) with
-  (opp (RInt (V:=R_CompleteNormedModule) (fun y => scal (-1) (integrand a b (PI - y))) 0 (PI/2))).
-rewrite <- (RInt_opp (V:=R_CompleteNormedModule)).
-- apply RInt_ext. intros x _. unfold opp, scal; simpl; unfold mult; simpl.
-  unfold integrand. replace (radicand a b (PI - x)) with (radicand a b x). ring.
-  unfold radicand. rewrite cos_minus, sin_minus, cos_PI, sin_PI. ring.
-- apply (@ex_RInt_scal R_NormedModule).
-  apply (@ex_RInt_continuous R_CompleteNormedModule). intros z _.
-  apply (continuous_comp (fun y => PI - y) (integrand a b)).
-  + apply (ex_derive_continuous (fun y => PI - y)); auto_derive; auto.
-  + now apply integrand_continuous.
+intros Ha Hb. apply integral_to_pi. intros t. now apply integrand_continuous.
+intros t. unfold integrand. replace (radicand a b (PI - t)) with (radicand a b t). reflexivity.
+unfold radicand. rewrite cos_minus, sin_minus, cos_PI, sin_PI. ring.
 Qed.
 
 (** Landen's angle, phi = 2 t - atan ((a-b) sin t cos t / (a cos^2 t + b sin^2 t)): it runs from 0 to pi as t runs from 0 to
@@ -114,8 +110,10 @@ Hypothesis Ha : 0 < a.
 Hypothesis Hb : 0 < b.
 Let N t := (a-b) * sin t * cos t.
 Let D t := a * (cos t * cos t) + b * (sin t * sin t).
-Let phi t := 2*t - atan (N t / D t).
-Let dphi t := (a+b) * D t / radicand a b t.
+Definition landen_angle t := 2*t - atan (N t / D t).
+Definition landen_rate t := (a+b) * D t / radicand a b t.
+Notation phi := landen_angle.
+Notation dphi := landen_rate.
 
 Lemma landen_denominator_pos t : 0 < D t.
 Proof.
@@ -133,7 +131,7 @@ Proof. unfold N, D, radicand. assert (H := cos_sq t). ring [H]. Qed.
 
 Lemma landen_angle_derive t : is_derive phi t (dphi t).
 Proof.
-unfold phi.
+unfold landen_angle.
 assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb). assert (HND := landen_sum_of_squares t).
 assert (Hq : is_derive (fun x => N x / D x) t
    (((a-b)*(cos t * cos t - sin t * sin t) * D t - N t * (2*(b-a)*sin t * cos t))/(D t)^2)).
@@ -144,7 +142,7 @@ auto_derive; [trivial|reflexivity].
 apply (is_derive_comp atan (fun x => N x / D x)).
 apply is_derive_atan. exact Hq.
 unfold minus, plus, opp, scal; simpl; unfold mult; simpl.
-unfold dphi. rewrite <- HND.
+unfold landen_rate. rewrite <- HND.
 assert (0 < N t * N t + D t * D t) by (rewrite HND; exact HR).
 apply Rminus_diag_uniq.
 match goal with |- ?l = 0 => replace l with 
@@ -154,36 +152,29 @@ unfold Rdiv. apply Rmult_eq_0_compat_r.
 unfold N, D. assert (Hs := cos_sq t). ring [Hs].
 Qed.
 
-Lemma radicand_at_landen_angle t : radicand ((a+b)/2) (sqrt (a*b)) (phi t) = ((a+b)/2 * D t)^2 / radicand a b t.
+Lemma squares_at_landen_angle t :
+  cos (phi t)^2 = (a * cos t^2 - b * sin t^2)^2 / radicand a b t /\ sin (phi t)^2 = ((a+b) * (sin t * cos t))^2 / radicand a b t.
 Proof.
 assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb). assert (HND := landen_sum_of_squares t).
 assert (Hs := cos_sq t).
-unfold radicand at 1. rewrite !Rpow_mult_distr.
-rewrite (pow2_sqrt (a*b)) by nra.
-unfold phi. rewrite cos_minus, sin_minus, cos_atan, sin_atan.
+unfold landen_angle. rewrite cos_minus, sin_minus, cos_atan, sin_atan.
 set (q := sqrt (1 + (N t / D t)²)).
 assert (Hq2 : q*q = radicand a b t / (D t * D t)).
 { unfold q. rewrite sqrt_sqrt. rewrite <- HND. unfold Rsqr. field. lra.
   unfold Rsqr. assert (0 <= N t / D t * (N t / D t)) by nra. lra. }
 assert (Hq : 0 < q). { unfold q. apply sqrt_lt_R0. assert (0 <= (N t / D t)²) by apply Rle_0_sqr. lra. }
-assert (E1 : cos (2*t) * D t + sin (2*t) * N t = a * (cos t * cos t) - b * (sin t * sin t)).
+assert (E1 : cos (2*t) * D t + sin (2*t) * N t = a * cos t^2 - b * sin t^2).
 { rewrite sin_2a, cos_2a. unfold N, D. ring [Hs]. }
 assert (E2 : sin (2*t) * D t - cos (2*t) * N t = (a+b) * (sin t * cos t)).
 { rewrite sin_2a, cos_2a. unfold N, D. ring [Hs]. }
-replace ((cos (2 * t) * (1 / q) + sin (2 * t) * (N t / D t / q))^2) with
-  ((cos (2*t) * D t + sin (2*t) * N t)^2 / (D t * D t * (q*q))) by (field; lra).
-replace ((sin (2 * t) * (1 / q) - cos (2 * t) * (N t / D t / q))^2) with
-  ((sin (2*t) * D t - cos (2*t) * N t)^2 / (D t * D t * (q*q))) by (field; lra).
-rewrite Hq2, E1, E2.
-replace (D t * D t * (radicand a b t / (D t * D t))) with (radicand a b t) by (field; lra).
-unfold D. set (R := radicand a b t) in *. 
-apply (Rmult_eq_reg_r R); [|lra].
-field_simplify; [|lra|lra]. 
-apply Rminus_diag_uniq.
-set (s := sin t) in *. set (c := cos t) in *. 
-assert (Hc4 : c^4 = (1 - s*s)^2) by (replace (c^4) with ((c*c)^2) by ring; rewrite Hs; ring).
-assert (Hc2 : c^2 = 1 - s*s) by (rewrite <- Hs; ring).
-field_simplify. rewrite ?Hc4, ?Hc2. field.
+rewrite <- E1, <- E2. replace (radicand a b t) with (D t * D t * (q*q)) by (rewrite Hq2; field; lra). split; field; lra.
+Qed.
+
+Lemma radicand_at_landen_angle t : radicand ((a+b)/2) (sqrt (a*b)) (phi t) = ((a+b)/2 * D t)^2 / radicand a b t.
+Proof.
+assert (HR := radicand_pos a b t Ha Hb). destruct (squares_at_landen_angle t) as [C S].
+unfold radicand at 1. rewrite !Rpow_mult_distr, (pow2_sqrt (a*b)) by nra. rewrite C, S.
+unfold D. replace (cos t^2) with (cos t * cos t) by ring. field. lra.
 Qed.
 
 Lemma landen_integrand t : dphi t * integrand ((a+b)/2) (sqrt (a*b)) (phi t) = 2 * integrand a b t.
@@ -193,31 +184,34 @@ unfold integrand. rewrite radicand_at_landen_angle.
 assert (Hsq : 0 < sqrt (radicand a b t)) by now apply sqrt_lt_R0.
 assert (E : sqrt (((a+b)/2 * D t)^2 / radicand a b t) = (a+b)/2 * D t / sqrt (radicand a b t)).
 { rewrite sqrt_div_alt by lra. rewrite sqrt_pow2. reflexivity. apply Rmult_le_pos; lra. }
-rewrite E. unfold dphi. 
+rewrite E. unfold landen_rate. 
 rewrite <- (sqrt_sqrt (radicand a b t)) at 1 by lra. 
 field. repeat split; lra.
+Qed.
+
+Lemma landen_substitution (g : R -> R) : (forall t, continuous g t) -> RInt (fun t => dphi t * g (phi t)) 0 (PI/2) = RInt g 0 PI.
+Proof.
+intros C. assert (HC := RInt_comp (V:=R_CompleteNormedModule) g phi dphi 0 (PI/2)).
+assert (P0 : phi 0 = 0). { unfold landen_angle, N, D. rewrite sin_0, cos_0. 
+  replace ((a-b)*0*1/(a*(1*1)+b*(0*0))) with 0 by (field; lra). rewrite atan_0. ring. }
+assert (P1 : phi (PI/2) = PI). { unfold landen_angle, N, D. rewrite sin_PI2, cos_PI2.
+  replace ((a-b)*1*0/(a*(0*0)+b*(1*1))) with 0 by (field; lra). rewrite atan_0. field. }
+rewrite P0, P1 in HC. apply HC.
+- intros x _. apply C.
+- intros x _. split. apply landen_angle_derive.
+  apply (ex_derive_continuous dphi). unfold landen_rate, D, radicand. auto_derive.
+  assert (H := radicand_pos a b x Ha Hb). unfold radicand in H. simpl in H |- *. lra.
 Qed.
 
 Lemma gauss_invariance : gauss_integral a b = gauss_integral ((a+b)/2) (sqrt (a*b)).
 Proof.
 assert (Ha1 : 0 < (a+b)/2) by lra.
 assert (Hb1 : 0 < sqrt (a*b)) by (apply sqrt_lt_R0; nra).
-assert (HC := RInt_comp (V:=R_CompleteNormedModule) (integrand ((a+b)/2) (sqrt (a*b))) phi dphi 0 (PI/2)).
-assert (P0 : phi 0 = 0). { unfold phi, N, D. rewrite sin_0, cos_0. 
-  replace ((a-b)*0*1/(a*(1*1)+b*(0*0))) with 0 by (field; lra). rewrite atan_0. ring. }
-assert (P1 : phi (PI/2) = PI). { unfold phi, N, D. rewrite sin_PI2, cos_PI2.
-  replace ((a-b)*1*0/(a*(0*0)+b*(1*1))) with 0 by (field; lra). rewrite atan_0. field. }
-rewrite P0, P1 in HC. rewrite gauss_integral_to_pi in HC by assumption.
-assert (HL : RInt (fun y => scal (dphi y) (integrand ((a+b)/2) (sqrt (a*b)) (phi y))) 0 (PI/2) = 2 * gauss_integral a b).
-{ transitivity (RInt (fun y => scal 2 (integrand a b y)) 0 (PI/2)).
-  - apply RInt_ext. intros x _. apply landen_integrand.
-  - rewrite (RInt_scal (V:=R_CompleteNormedModule)). reflexivity. now apply integrand_integrable. }
-assert (2 * gauss_integral a b = 2 * gauss_integral ((a+b)/2) (sqrt (a*b))); [|lra].
-rewrite <- HL. apply HC.
-- intros x _. now apply integrand_continuous.
-- intros x _. split. apply landen_angle_derive.
-  apply (ex_derive_continuous dphi). unfold dphi, D, radicand. auto_derive.
-  assert (H := radicand_pos a b x Ha Hb). unfold radicand in H. simpl in H |- *. lra.
+assert (HC := landen_substitution (integrand ((a+b)/2) (sqrt (a*b))) ltac:(intros; now apply integrand_continuous)).
+rewrite gauss_integral_to_pi in HC by assumption.
+assert (HL : RInt (fun t => dphi t * integrand ((a+b)/2) (sqrt (a*b)) (phi t)) 0 (PI/2) = 2 * gauss_integral a b); [|lra].
+rewrite (RInt_ext _ (fun t => scal 2 (integrand a b t))) by (intros x _; apply landen_integrand).
+rewrite (RInt_scal (V:=R_CompleteNormedModule)) by (now apply integrand_integrable). reflexivity.
 Qed.
 End Landen.
 

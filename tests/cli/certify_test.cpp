@@ -137,7 +137,8 @@ TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
        {"Definition a : R := (253 / 20).", "Definition b : R := (629 / 10000).",
         "Theorem body_is_physical : physical_parameters a b.",
         "(113594382341433383629502754355 / 10^30) <", "(113594382341433383629502754356 / 10^30)",
-        "(312922666506 / 10^14) <", "(312922666507 / 10^14)",
+        "(312922666506775996218395280966 / 10^32) <", "(312922666506775996218395280967 / 10^32)",
+        "(twist_is_above ", "(meeting_is_below ",
         "Theorem meetings_with_S : has_exactly 1 (meeting a b).",
         "Theorem u1 : exists x, meeting_at a b 1 x /\\"}) {
     EXPECT_NE(theory.find(part), std::string::npos) << part << '\n' << theory;
@@ -151,6 +152,18 @@ TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
   EXPECT_NE(other.find("has_exactly 9 (meeting a b)"), std::string::npos);
   EXPECT_NE(other.find("Theorem u3"), std::string::npos);
   EXPECT_EQ(other.find("Theorem u4"), std::string::npos);
+  // The moments are in the theory; brackets of few digits stay within the range, c0 < a.
+  ASSERT_EQ(run({"certify", "--coq", path, "--moments", "1,2.6,2", "--digits", "1"}).status, 0);
+  const std::string by_moments = contents(path);
+  for (const char* part :
+       {"Definition Ix : R := (13 / 5).", "Definition Iz : R := (1 / 1).",
+        "Theorem parameters_of_the_moments : a = Iy / Iz - 1 /\\ b = 1 - Iy / Ix."}) {
+    EXPECT_NE(by_moments.find(part), std::string::npos) << part << '\n' << by_moments;
+  }
+  const outcome irrational =
+      run({"certify", "--coq", path, "--tensor", "2,3,4,0.1,0,-0.2", "--digits", "5"});
+  EXPECT_EQ(irrational.status, 2);
+  EXPECT_NE(irrational.err.find("a and b are irrational"), std::string::npos) << irrational.err;
   ASSERT_EQ(run({"certify", "--coq", path, "--ab", "1/10,1/100", "--digits", "5"}).status, 0);
   const std::string none = contents(path);
   EXPECT_NE(none.find("forall c, ~ meeting a b c"), std::string::npos);
@@ -253,6 +266,8 @@ TEST(Certify, RefusesWhatIsNotOfManyBodies) {
   refused({"certify", "--ab", "1..2/1000,0.1..0.5/1000"}, "at most 100000");
   refused({"certify", "count", "--ab", "1..2/1,0.1", "--format", "markdown"}, "text and json");
   refused({"certify", "--ab", "1..2/1,0.1", "--coq", "x.v"}, "of one body");
+  refused({"certify", "--ab", "1..2/1,0.1", "--moments", "3,2,1"}, "give one of them");
+  refused({"certify", "beta", "--moments", "3,2,1"}, "--moments: none of the chosen claims");
 }
 
 }  // namespace certify_test

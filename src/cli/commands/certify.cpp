@@ -15,6 +15,7 @@
 
 #include "base/worker_threads.hpp"
 #include "cli/commands.hpp"
+#include "cli/options/body_option.hpp"
 #include "cli/options/file_option.hpp"
 #include "cli/options/memory_limit.hpp"
 #include "cli/options/motion_option.hpp"
@@ -43,11 +44,11 @@ struct certify_options {
   digits_option digits;
   std::optional<std::string> directory;
   format_option format{{"text", "json", "markdown"}};
-  std::optional<std::string> ab;
+  body_option body;
   std::optional<std::string> u;
   file_option coq{"--coq",
-                  "Write a theory for Coq that proves the numbers of the body:\nepsilon0 to so "
-                  "many digits, c0 to at most 12"};
+                  "Write a theory for Coq that proves the numbers of the body to\nso many digits: "
+                  "epsilon0, c0, and where C meets S"};
   memory_limit_option memory_limit;
   time_limit_option time_limit;
 };
@@ -92,40 +93,62 @@ void for_option(std::string_view option, const F& read) {
 
 constexpr std::size_t most_bodies = 100'000;
 
-/// All bodies of --ab A,B, where A and B are numbers or LO..HI/N, and the motion u of each.
-std::vector<oscillating_motion> selected_motions(const certify_options& options) {
-  const oscillating_motion usual = request{}.motion;
-  std::vector<rational> all_a{usual.a};
-  std::vector<rational> all_b{usual.b};
-  if (options.ab) {
-    const std::string& text = *options.ab;
-    const auto comma = text.find(',');
-    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
-      throw usage_error(
-          fmt::format("--ab {}: it must be two numbers A,B such as 12.65,0.0629, or ranges "
-                      "LO..HI/N of them",
-                      in_quotes(text)));
-    }
-    const auto values = [&](const std::string& part) {
-      const motion_range range = read_motions(part, "--ab");
-      if (range.steps || range.low == range.high) return range.values();
-      throw usage_error(fmt::format("--ab {}: the number of steps is missing; give {}/10",
-                                    in_quotes(part), part));
-    };
-    for_option("--ab", [&] {
-      all_a = values(text.substr(0, comma));
-      all_b = values(text.substr(comma + 1));
-    });
+/// The one body that is given otherwise than by --ab; its a and b have to be rational.
+body selected_body(const body_option& given) {
+  body result = given.value();
+  if (result.a().as_rational() && result.b().as_rational()) return result;
+  throw usage_error(
+      fmt::format("{}: the body's a and b are irrational; certificates and theories are of "
+                  "rational ones: give numbers near them by --ab (polhode body prints them)",
+                  given.name()));
+}
+
+/// All bodies of --ab A,B, where A and B are numbers or LO..HI/N.
+std::vector<oscillating_motion> motions_of_ranges(const std::string& text, const rational& u) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
+    throw usage_error(
+        fmt::format("--ab {}: it must be two numbers A,B such as 12.65,0.0629, or ranges "
+                    "LO..HI/N of them",
+                    in_quotes(text)));
   }
+  const auto values = [&](const std::string& part) {
+    const motion_range range = read_motions(part, "--ab");
+    if (range.steps || range.low == range.high) return range.values();
+    throw usage_error(
+        fmt::format("--ab {}: the number of steps is missing; give {}/10", in_quotes(part), part));
+  };
+  std::vector<rational> all_a;
+  std::vector<rational> all_b;
+  for_option("--ab", [&] {
+    all_a = values(text.substr(0, comma));
+    all_b = values(text.substr(comma + 1));
+  });
   if (all_a.size() * all_b.size() > most_bodies) {
-    throw usage_error(fmt::format("--ab {}: {} bodies; at most {} are possible",
-                                  in_quotes(*options.ab), all_a.size() * all_b.size(),
-                                  most_bodies));
+    throw usage_error(fmt::format("--ab {}: {} bodies; at most {} are possible", in_quotes(text),
+                                  all_a.size() * all_b.size(), most_bodies));
   }
   std::vector<oscillating_motion> motions;
   motions.reserve(all_a.size() * all_b.size());
   for (const rational& a : all_a) {
-    for (const rational& b : all_b) motions.push_back({a, b, usual.u});
+    for (const rational& b : all_b) motions.push_back({a, b, u});
+  }
+  return motions;
+}
+
+/// All bodies that are given, and the motion u of each.
+std::vector<oscillating_motion> selected_motions(const certify_options& options) {
+  const oscillating_motion usual = request{}.motion;
+  std::vector<oscillating_motion> motions{usual};
+  const std::optional<std::string>& ab = options.body.ab;
+  if (ab && ab->find("..") != std::string::npos) {
+    body_option others = options.body;
+    others.ab.reset();
+    if (others.is_given()) (void)options.body.value();  // more than one: throws
+    motions = motions_of_ranges(*ab, usual.u);
+  } else if (options.body.is_given()) {
+    const body given = selected_body(options.body);
+    motions = {{*given.a().as_rational(), *given.b().as_rational(), usual.u}};
   }
   for_option("--ab", [&] { std::ranges::for_each(motions, check); });
   if (options.u) {
@@ -154,7 +177,9 @@ void refuse_idle_motion(const certify_options& options, const std::vector<const 
     throw usage_error(fmt::format("{}: none of the chosen claims depends on it; these do: {}",
                                   option, fmt::join(dependent, ", ")));
   };
-  if (options.ab) refuse_unless("--ab", proofs::claim_subject::body);
+  if (options.body.is_given()) {
+    refuse_unless(options.body.name(), proofs::claim_subject::body);
+  }
   if (options.u) refuse_unless("--u", proofs::claim_subject::motion);
 }
 
@@ -356,16 +381,17 @@ exit_status write_theory(certify_options& options) {
   if (!options.names.empty() || options.all || options.list || options.directory || options.u ||
       options.format.value() != "text") {
     throw usage_error(
-        "--coq: it goes with --ab and --digits alone; claims have certificates (--out)");
+        "--coq: it goes with a body and --digits alone; claims have certificates (--out)");
   }
   options.memory_limit.check(
       estimate({proofs::find_claim("separatrix_twist")}, 1, options.digits.value()));
   options.coq.prepare();
   const std::vector<oscillating_motion> motions = selected_motions(options);
   if (motions.size() > 1) throw usage_error("--coq: a theory is of one body");
-  const oscillating_motion& motion = motions.front();
+  const body rigid = options.body.is_given() ? selected_body(options.body)
+                                             : body(motions.front().a, motions.front().b);
   const time_watch watch(options.time_limit.limit());
-  const coq_theory theory = coq_theory_of(motion.a, motion.b, options.digits.value());
+  const coq_theory theory = coq_theory_of(rigid, options.digits.value());
   options.coq.write(theory.text);
   print(fmt::format(
       "{}: a theory that says whether the body is physical, epsilon0 to {} digits,\n"
@@ -558,11 +584,9 @@ std::function<exit_status()> declare(CLI::App& app) {
              "created where it is missing; all files appear, or none")
       .type_name("DIR");
   options->format.declare(app);
-  add_option(app, "--ab", options->ab,
-             fmt::format("The body's parameters a > 0 and 0 < b < 1, read exactly, or\n"
-                         "ranges LO..HI/N of them [{},{}]",
-                         to_text(usual.a), to_text(usual.b)))
-      .type_name("A,B");
+  options->body.declare(app, fmt::format("The body by its parameters a > 0 and 0 < b < 1, read\n"
+                                         "exactly, or ranges LO..HI/N of them [{},{}]",
+                                         to_text(usual.a), to_text(usual.b)));
   add_option(app, "--u", options->u,
              fmt::format("The motion's parameter, 0 < u <= 1, read exactly [{}]", to_text(usual.u)))
       .type_name("U");
@@ -586,6 +610,7 @@ command certify_command() {
       "  polhode certify injectivity count --ab 1..9/2,0.1..0.5/1\n"
       "  mpirun -n 4 polhode certify count --ab 1..9/9,0.1..0.9/9 --out counts\n"
       "  polhode certify --coq body.v --ab 12.65,0.0629 --digits 50\n"
+      "  polhode certify physical --moments 3,2,1\n"
       "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
       "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
       "verified arithmetic, [Coq] by a theorem of proofs/coq, [in words], or [cited].\n"

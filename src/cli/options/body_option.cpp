@@ -155,10 +155,12 @@ constexpr const char* no_body =
     "or --tensor 2,3,4,0.1,0,-0.2 or --body FILE";
 
 template <class Texts>
-void declare_all(CLI::App& app, const std::array<Texts*, 5>& texts) {
+void declare_all(CLI::App& app, const std::array<Texts*, 5>& texts,
+                 const std::optional<std::string>& ab_description = std::nullopt) {
   for (std::size_t i = 0; i < body_options.size(); ++i) {
-    declared_option option =
-        add_option(app, body_options[i].name, *texts[i], body_options[i].description);
+    declared_option option = add_option(
+        app, body_options[i].name, *texts[i],
+        i == 0 && ab_description ? *ab_description : std::string(body_options[i].description));
     option.type_name(body_options[i].type);
     if constexpr (std::is_same_v<Texts, std::vector<std::string>>) option.one_value_each_time();
   }
@@ -166,14 +168,22 @@ void declare_all(CLI::App& app, const std::array<Texts*, 5>& texts) {
 
 }  // namespace
 
-void body_option::declare(CLI::App& app) {
-  declare_all<std::optional<std::string>>(app, {&ab, &moments, &rotational, &tensor, &file});
+void body_option::declare(CLI::App& app, const std::optional<std::string>& ab_description) {
+  declare_all<std::optional<std::string>>(app, {&ab, &moments, &rotational, &tensor, &file},
+                                          ab_description);
+}
+
+const char* body_option::name() const {
+  if (ab) return "--ab";
+  if (moments) return "--moments";
+  if (rotational) return "--rotational";
+  return tensor ? "--tensor" : "--body";
 }
 
 body body_option::value() const {
   const int given = int{ab.has_value()} + int{moments.has_value()} + int{rotational.has_value()} +
                     int{tensor.has_value()} + int{file.has_value()};
-  if (given == 0) throw usage_error(no_body);
+  if (!is_given()) throw usage_error(no_body);
   if (given > 1) {
     throw usage_error("--ab, --moments, --rotational, --tensor, --body: give one of them");
   }

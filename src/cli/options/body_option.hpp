@@ -20,7 +20,11 @@ struct body_option {
   std::optional<std::string> tensor;
   std::optional<std::string> file;
 
-  void declare(CLI::App& app);
+  /// ab_description is the help of --ab where it takes more than a body here.
+  void declare(CLI::App& app, const std::optional<std::string>& ab_description = std::nullopt);
+  [[nodiscard]] bool is_given() const { return ab || moments || rotational || tensor || file; }
+  /// "--ab", or what else was given.
+  [[nodiscard]] const char* name() const;
   /// Throws usage_error where not exactly one was given, where it cannot be read or is not a body,
   /// and for a file with sigma.
   [[nodiscard]] body value() const;
