@@ -48,13 +48,11 @@ rewrite C, <- EX, <- EY. simpl.
 replace (1/Iz) with ((s*s + k*k) * (1/Iz)) by (rewrite P; ring). field. lra.
 Qed.
 
-(** c = 2 Iy H - 1 *)
-Definition a := Iy/Iz - 1.
-Definition b := 1 - Iy/Ix.
+(** c = 2 Iy H - 1; FreeBody.v names a = Iy/Iz - 1 and b = 1 - Iy/Ix. *)
 Definition c t := 2 * Iy * (Jx t^2/(2*Ix) + Jy t^2/(2*Iy) + Jz t^2/(2*Iz)) - 1.
-Theorem c_in_angles t : c t = a - sin (th t)^2 * (a + b * cos (ps t)^2).
+Theorem c_in_angles t : c t = (Iy/Iz - 1) - sin (th t)^2 * ((Iy/Iz - 1) + (1 - Iy/Ix) * cos (ps t)^2).
 Proof.
-unfold c, a, b, Jx, Jy, Jz. assert (P := sin2_cos2 (ps t)). assert (Q := sin2_cos2 (th t)). unfold Rsqr in *.
+unfold c, Jx, Jy, Jz. assert (P := sin2_cos2 (ps t)). assert (Q := sin2_cos2 (th t)). unfold Rsqr in *.
 set (s := sin (ps t)) in *. set (k := cos (ps t)) in *. set (st := sin (th t)) in *. set (ct := cos (th t)) in *.
 assert (P' : s*s = 1 - k*k) by lra. assert (Q' : ct*ct = 1 - st*st) by lra.
 field_simplify_eq; [|lra]. simpl. ring [P' Q'].
