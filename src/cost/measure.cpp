@@ -412,6 +412,23 @@ double estimate_cost(const std::string& name, long digits) {
   throw std::invalid_argument("estimate_cost: there is no quantity " + name);
 }
 
+bool is_short_work(const std::function<void(long digits)>& work, long digits, double seconds) {
+  constexpr long first_digits = 30;
+  constexpr long step = 8;
+  constexpr double little = 0.03;
+  try {
+    double taken = 0;
+    for (long n = first_digits; n < digits && taken <= little; n *= step) {
+      taken = seconds_of([&] { work(n); });
+      if (taken * std::pow(static_cast<double>(digits) / static_cast<double>(n), 3) <= seconds) {
+        return true;
+      }
+    }
+  } catch (const std::exception&) {  // said when it is done with all digits
+  }
+  return false;
+}
+
 std::optional<double> estimated_seconds_of_work(const std::function<void(long digits)>& work,
                                                 long digits) {
   constexpr double longest_call = 1;

@@ -106,6 +106,12 @@ class cost_model {
 /// name.
 [[nodiscard]] double estimate_cost(const std::string& name, long digits);
 
+/// Whether work(digits) takes at most so many seconds, if its time grows no faster than the cube of
+/// the digits: judged by one call each of work(30), work(240), work(1920), ..., as long as these
+/// take little. Much cheaper than an estimate. False where a call throws.
+[[nodiscard]] bool is_short_work(const std::function<void(long digits)>& work, long digits,
+                                 double seconds);
+
 /// Seconds that work(digits) would take: by estimated_seconds with calls of up to a second and half
 /// of the digits. Nothing where a call throws, or the digits are fewer than 60.
 [[nodiscard]] std::optional<double> estimated_seconds_of_work(

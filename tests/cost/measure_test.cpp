@@ -196,6 +196,16 @@ TEST(Cost, EstimatesWorkFromFewerDigits) {
   EXPECT_FALSE(estimated_seconds_of_work([](long) { throw std::domain_error("never"); }, 1000));
 }
 
+TEST(Cost, AFewCallsShowThatWorkIsShort) {
+  EXPECT_TRUE(is_short_work([](long) {}, 10'000'000, 1e300));
+  EXPECT_FALSE(is_short_work([](long) {}, 10'000'000, -1));
+  EXPECT_FALSE(is_short_work([](long) { throw std::domain_error("never"); }, 1000, 1e300));
+  std::set<long> digits;
+  EXPECT_FALSE(is_short_work([&](long n) { digits.insert(n); }, 2000, -1));
+  EXPECT_EQ(*digits.begin(), 30);
+  EXPECT_LT(*digits.rbegin(), 2000);
+}
+
 TEST(Cost, ModelGoesThroughTheTimesItKnows) {
   const cost_model model({{100, 1e-3}, {10'000, 1e-1}}, multiplication);
   EXPECT_DOUBLE_EQ(model.seconds(10), 1e-3);

@@ -88,6 +88,13 @@ std::optional<double> time_limit_option::check(const std::string& what, long dig
   constexpr double enough_for_an_estimate = 60;
   const time_watch watch(std::max(most, enough_for_an_estimate));
   double seconds = 0;
+  // What is soon done needs no estimate.
+  constexpr double soon = 5;
+  const double each = std::min(soon, most) / (times * static_cast<double>(works.size()));
+  if (std::ranges::all_of(
+          works, [&](const work& one) { return cost::is_short_work(one, digits, each); })) {
+    return std::nullopt;
+  }
   for (const work& one : works) {
     const auto of_one = cost::estimated_seconds_of_work(one, digits);
     if (!of_one) return std::nullopt;

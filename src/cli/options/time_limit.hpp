@@ -46,7 +46,8 @@ struct time_limit_option {
   /// Throws usage_error where the option cannot be read.
   [[nodiscard]] double limit(double numbers = 1) const;
   /// Seconds that all the works are estimated to take, `times` over; nothing where the digits are
-  /// too few to be worth an estimate, or where one of them throws for fewer. Throws usage_error as
+  /// too few to be worth an estimate, where a few calls with fewer digits show that all is done in
+  /// five seconds, or where one of them throws for fewer. Throws usage_error as
   /// limit() does, and where the estimate is above it, of `what`: "1000000 digits of the phase".
   [[nodiscard]] std::optional<double> check(const std::string& what, long digits,
                                             const std::vector<work>& works, double times = 1) const;
