@@ -23,7 +23,15 @@ struct stopped {};
 
 using stop_flag = std::shared_ptr<std::atomic<bool>>;
 
-/// The result of work(flag), on a thread of its own, while this one listens to signals. On Ctrl-C,
+/// Runs the task, which must not throw, on another thread: one that has ended its last task, with
+/// the constants that it keeps, or a new one.
+void run_aside(std::function<void()> task);
+
+/// Returns when the flag is set, or soon: most work takes less time than a thread to fall asleep and
+/// wake up.
+void watch_for_a_moment(const std::atomic<bool>& flag);
+
+/// The result of work(flag), on another thread, while this one listens to signals. On Ctrl-C,
 /// and with TimeoutError after so many seconds, the caller goes on at once; the thread ends where
 /// the work looks at the flag, and its result is dropped. `meanwhile` is called, with the lock, a
 /// few times a second; what it throws ends the work too.
@@ -36,13 +44,13 @@ auto interruptible(std::optional<double> time_limit, Work work,
   struct shared_state {
     std::mutex mutex;
     std::condition_variable is_done;
-    bool done = false;
+    std::atomic<bool> done = false;
     std::optional<result_type> result;
     std::exception_ptr error;
   };
   const auto state = std::make_shared<shared_state>();
   const auto flag = std::make_shared<std::atomic<bool>>(false);
-  std::thread([state, flag, work = std::move(work)] {
+  run_aside([state, flag, work = std::move(work)] {
     std::optional<result_type> result;
     std::exception_ptr error;
     try {
@@ -55,15 +63,18 @@ auto interruptible(std::optional<double> time_limit, Work work,
     state->error = error;
     state->done = true;
     state->is_done.notify_all();
-  }).detach();
+  });
   constexpr auto between_signals = std::chrono::milliseconds(50);
   const auto start = std::chrono::steady_clock::now();
+  bool is_first = true;
   while (true) {
     bool done = false;
     {
       const py::gil_scoped_release without_lock;
+      if (is_first) watch_for_a_moment(state->done);
+      is_first = false;
       std::unique_lock lock(state->mutex);
-      done = state->is_done.wait_for(lock, between_signals, [&] { return state->done; });
+      done = state->is_done.wait_for(lock, between_signals, [&] { return state->done.load(); });
     }
     if (done) break;
     if (meanwhile) {
