@@ -1,5 +1,8 @@
 #include "polhode/elliptic/legendre.hpp"
 
+#include <optional>
+#include <utility>
+
 #include "elliptic/enclose.hpp"
 #include "elliptic/given_modulus.hpp"
 #include "elliptic/legendre_points.hpp"
@@ -21,6 +24,42 @@ ball complete(const detail::ball_parameter& m, int in_m, const F& f) {
         return detail::to_accuracy(
             p, [&](precision q) { return f(detail::modulus_at(x[0], m, q), q); });
       });
+}
+
+/// K over a narrow ball with 0 <= m <= 63/64 by its value at the middle; std::nullopt for others.
+///
+/// With b = sqrt(1 - m), K = pi/(2 M(1, b)) for the arithmetic-geometric mean M, which is homogeneous
+/// and increases in both arguments: its elasticities d log M/d log in them are in [0, 1], and their
+/// sum is 1. M(1, b) = M((1 + b)/2, sqrt(b)) gives e(b) = (1 - e') b/(1 + b) + e'/2 for that in b,
+/// where e' is that in sqrt(b), the lesser argument again for b <= 1. As b/(1 + b) <= 1/2, e <= 1/2;
+/// so e' <= 1/2, and e <= b/(2 (1 + b)) + 1/4, which increases with b.
+///
+/// Let m change by s, |s| <= r, and k be e/2 <= 1/4 for the greatest b. K rises at most by the factor
+/// (1 + s/(1 - m - s))^k <= 1 + k s/(1 - m - s), and falls at most by (1 + s/(1 - m))^-k >= 1 -
+/// k s/(1 - m): the relative change is at most k r/(1 - m - r).
+///
+/// The bound of e is at most a tenth above e for 1 - m >= 1/64, and more beyond.
+std::optional<ball> k_over_narrow(const detail::ball_parameter& m) {
+  constexpr long narrow = 10;
+  constexpr precision few_bits = 64;
+  const ball& given = m.given();
+  if (given.is_exact() || !given.is_bounded()) return std::nullopt;
+  const magnitude r = given.radius();
+  if (r > magnitude::power_of_two(-narrow - 7)) return std::nullopt;
+  const ball few = given.with_precision(few_bits);
+  const ball m1 = m.is_complement() ? few : 1 - few;
+  if (sign_of(m1) != certain_sign::positive || m1.magnitude_lower() < magnitude::power_of_two(-6) ||
+      m1.magnitude_upper() > magnitude::power_of_two(0)) {
+    return std::nullopt;
+  }
+  const ball b = sqrt(m1);
+  const ball k = scale(b / scale(1 + b, 1) + scale(ball(1, few_bits), -2), -1);
+  const magnitude change = multiply_up(k.magnitude_upper(), divide_up(r, m1.magnitude_lower()));
+  const precision p = given.precision();
+  const ball middle = given.middle();
+  const ball value = detail::to_accuracy(
+      p, [&](precision q) { return detail::k_at(detail::modulus_at(middle, m, q), q); });
+  return value.enlarged(multiply_up(change, value.magnitude_upper()));
 }
 
 /// The range of f(phi, others..., m), increasing in phi and odd, which for phi > 0 goes with the
@@ -68,6 +107,7 @@ bool within_quarter(const ball& phi) {
 }  // namespace
 
 ball elliptic_k(const detail::ball_parameter& m) {
+  if (std::optional<ball> one = k_over_narrow(m)) return *std::move(one);
   return complete(m, 1, [](const auto& k, precision q) { return detail::k_at(k, q); });
 }
 ball elliptic_e(const detail::ball_parameter& m) {

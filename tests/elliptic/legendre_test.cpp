@@ -255,6 +255,28 @@ TEST(Legendre, HoldsEveryMemberOfABox) {
   }
 }
 
+// By one value and a bound of the slope, which is nearly attained at both ends.
+TEST(Legendre, NarrowRangesOfKHoldTheirEndsAndLittleMore) {
+  support::random_source random(27);
+  for (support::repeat trial(300); trial.again();) {
+    const rational middle(random.between(1, 983), 1000);
+    const long bits = random.between(18, 90);
+    const rational radius = power_of_two(-bits);
+    const bool by_m1 = random.one_in(2);
+    const precision p = 128;
+    const ball given = ball(by_m1 ? rational(1 - middle) : middle, 2 * p)
+                           .with_precision(p)
+                           .enlarged(magnitude::power_of_two(-bits));
+    const ball k = elliptic_k(by_m1 ? parameter::with_complement(given) : parameter(given));
+    const ball low = elliptic_k(ball(rational(middle - radius), 4 * p));
+    const ball high = elliptic_k(ball(rational(middle + radius), 4 * p));
+    EXPECT_TRUE(contains(k, low) && contains(k, high)) << middle << ' ' << bits;
+    const ball width = ball(upper(k)) - ball(lower(k));
+    EXPECT_TRUE(certainly_less(width, (high - low) * ball(rational(113, 100), p) + scale(k, 4 - p)))
+        << middle << ' ' << bits;
+  }
+}
+
 TEST(Legendre, HasItsDerivatives) {
   support::random_source random(24);
   const precision p = 300;
