@@ -27,8 +27,8 @@ using stop_flag = std::shared_ptr<std::atomic<bool>>;
 /// the constants that it keeps, or a new one.
 void run_aside(std::function<void()> task);
 
-/// Returns when the flag is set, or soon: most work takes less time than a thread to fall asleep and
-/// wake up.
+/// Returns when the flag is set, or soon: most work takes less time than a thread to fall asleep
+/// and wake up.
 void watch_for_a_moment(const std::atomic<bool>& flag);
 
 /// The result of work(flag), on another thread, while this one listens to signals. On Ctrl-C,

@@ -28,15 +28,16 @@ ball complete(const detail::ball_parameter& m, int in_m, const F& f) {
 
 /// K over a narrow ball with 0 <= m <= 63/64 by its value at the middle; std::nullopt for others.
 ///
-/// With b = sqrt(1 - m), K = pi/(2 M(1, b)) for the arithmetic-geometric mean M, which is homogeneous
-/// and increases in both arguments: its elasticities d log M/d log in them are in [0, 1], and their
-/// sum is 1. M(1, b) = M((1 + b)/2, sqrt(b)) gives e(b) = (1 - e') b/(1 + b) + e'/2 for that in b,
-/// where e' is that in sqrt(b), the lesser argument again for b <= 1. As b/(1 + b) <= 1/2, e <= 1/2;
-/// so e' <= 1/2, and e <= b/(2 (1 + b)) + 1/4, which increases with b.
+/// With b = sqrt(1 - m), K = pi/(2 M(1, b)) for the arithmetic-geometric mean M, which is
+/// homogeneous and increases in both arguments: its elasticities (derivatives of log M by the
+/// logarithms of the arguments) are in [0, 1], and their sum is 1. M(1, b) = M((1 + b)/2, sqrt(b))
+/// gives e(b) = (1 - e') b/(1 + b) + e'/2 for that in b, where e' is that in sqrt(b), the lesser
+/// argument again for b <= 1. As b/(1 + b) <= 1/2, e <= 1/2; so e' <= 1/2, and e <= b/(2 (1 + b)) +
+/// 1/4, which increases with b.
 ///
-/// Let m change by s, |s| <= r, and k be e/2 <= 1/4 for the greatest b. K rises at most by the factor
-/// (1 + s/(1 - m - s))^k <= 1 + k s/(1 - m - s), and falls at most by (1 + s/(1 - m))^-k >= 1 -
-/// k s/(1 - m): the relative change is at most k r/(1 - m - r).
+/// Let m change by s, |s| <= r, and k be e/2 <= 1/4 for the greatest b. K rises at most by the
+/// factor (1 + s/(1 - m - s))^k <= 1 + k s/(1 - m - s), and falls at most by (1 + s/(1 - m))^-k >=
+/// 1 - k s/(1 - m): the relative change is at most k r/(1 - m - r).
 ///
 /// The bound of e is at most a tenth above e for 1 - m >= 1/64, and more beyond.
 std::optional<ball> k_over_narrow(const detail::ball_parameter& m) {

@@ -8,6 +8,7 @@
 #include "arithmetic/functions/bernoulli.hpp"
 #include "arithmetic/functions/erf_series.hpp"
 #include "arithmetic/functions/gamma_series.hpp"
+#include "arithmetic/functions/reciprocal_gamma.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/mpfr_cell.hpp"
@@ -35,8 +36,7 @@ complex_ball point(const rational& re, const rational& im, precision p = bits) {
   return {ball(re, p), ball(im, p)};
 }
 /// By MPFR, which shares no formula.
-ball by_mpfr(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const rational& x) {
-  constexpr precision many = 300;
+ball by_mpfr(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const rational& x, precision many = 300) {
   detail::mpfr_cell low(many);
   detail::mpfr_cell high(many);
   detail::mpfr_cell argument(many);
@@ -160,6 +160,38 @@ TEST(GammaOfRealBalls, IsThatOfMpfr) {
   EXPECT_TRUE(gamma(ball(5, bits)).is_exact());
   EXPECT_TRUE(gamma(ball(0, bits)).is_undefined());
   EXPECT_TRUE(gamma(ball(-3, bits)).is_undefined());
+}
+
+TEST(ReciprocalGamma, HoldsItsRest) {
+  random_source random(9);
+  for (repeat trial(200); trial.again();) {
+    rational t = fraction(random, 0, 1) - rational(1, 2);
+    if (random.between(0, 9) == 0) t = random.between(0, 1) == 0 ? rational(1, 2) : rational(-1, 2);
+    const ball known = 1 / by_mpfr(mpfr_gamma, 1 + t);
+    for (std::size_t terms = 1; terms <= 30; ++terms) {
+      ASSERT_TRUE(overlaps(detail::reciprocal_gamma_by_terms(ball(t, bits), terms), known))
+          << t << ' ' << terms;
+    }
+  }
+}
+
+// With all precisions for which the series is in use, in bits that no guard hides.
+TEST(ReciprocalGamma, IsThatOfMpfrAtAnyPrecision) {
+  random_source random(10);
+  constexpr precision many = 600;
+  for (repeat trial(2000); trial.again();) {
+    rational x = fraction(random, 0, 12) + rational(random.between(1, 1000), 1024 * 1024);
+    if (random.between(0, 3) == 0) x /= integer(1) << static_cast<unsigned>(random.between(1, 60));
+    if (denominator(x) == 1) continue;
+    const precision p = random.between(53, 440);
+    const std::optional<ball> value = detail::gamma_by_taylor_series(ball(x, p), p);
+    ASSERT_TRUE(value) << x << ' ' << p;
+    const ball known = by_mpfr(mpfr_gamma, x, many);
+    ASSERT_TRUE(overlaps(*value, known)) << x << ' ' << p;
+    EXPECT_LE(multiply_up(value->radius(), magnitude::power_of_two(p + 4)),
+              value->magnitude_upper())
+        << x << ' ' << p;
+  }
 }
 
 TEST(GammaOfSets, HoldsThatOfMembers) {

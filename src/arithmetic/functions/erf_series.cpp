@@ -1,6 +1,7 @@
 #include "erf_series.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
@@ -45,13 +46,19 @@ T sum_of_terms(const T& w, precision bits, std::int64_t small) {
   }
 }
 
-/// erf at a point, with errors of about 2^-bits of it; `lost` bits cancel in the sum.
 template <class T>
-T erf_at(const T& z, precision bits, precision lost) {
+struct value_and_slope {
+  T value, slope;
+};
+/// erf and its derivative (2/sqrt(pi)) e^(-z^2) at a point, with errors of about 2^-bits of them;
+/// `lost` bits cancel in the sum.
+template <class T>
+value_and_slope<T> erf_at(const T& z, precision bits, precision lost) {
   const T own = z.with_precision(bits + lost);
   const T square_of_z = square(own);
   const T sum = sum_of_terms(T(scale(square_of_z, 1)), bits + lost, bits + lost);
-  return scale(own, 1) * exp(-square_of_z) * sum / sqrt(pi(bits + lost));
+  T slope = scale(exp(-square_of_z), 1) / sqrt(pi(bits + lost));
+  return {own * slope * sum, std::move(slope)};
 }
 
 }  // namespace
@@ -80,12 +87,14 @@ std::optional<ball> erf_by_series(const ball& x) {
   const bool is_exact = x.is_exact();
   if (!is_exact && !(x.radius().is_zero() || x.radius().log2_floor() < size.log2_floor() - narrow))
     return std::nullopt;
-  const ball value = erf_at(m, p + guard, 0);
+  const auto [value, slope] = erf_at(m, p + guard, 0);
   if (is_exact) return value.with_precision(p);
-  // The derivative is (2/sqrt(pi)) e^(-t^2), here over the set.
-  constexpr precision few = 40;
-  const ball slope = scale(exp(-square(x.with_precision(few))) / sqrt(pi(few)), 1);
-  return (value + (x - m) * slope).with_precision(p);
+  // |t - m| <= r makes e^(-t^2) at most e^(2 |m| r) e^(-m^2), and e^y <= 1 + 2 y for 0 <= y <= 1;
+  // here 2 |m| r <= 2^-19 m^2 <= 2^-19 0.7 p < 1.
+  const magnitude r = x.radius();
+  const magnitude steeper = add_up(magnitude::power_of_two(0), scale(multiply_up(size, r), 2));
+  const magnitude steepest = multiply_up(slope.magnitude_upper(), steeper);
+  return value.enlarged(multiply_up(r, steepest)).with_precision(p);
 }
 
 complex_ball erf_by_series(const complex_ball& z) {
@@ -102,7 +111,7 @@ complex_ball erf_by_series(const complex_ball& z) {
   };
   constexpr double bits_of_e = 1.4427;
   const double lost = 2 * bits_of_e * square_of_part(m.im) + 16;
-  const complex_ball value = erf_at(m, p + guard, static_cast<precision>(lost));
+  const complex_ball value = erf_at(m, p + guard, static_cast<precision>(lost)).value;
   if (z.is_exact()) return value.with_precision(p);
   // erf(Z) - erf(m) is in (Z - m) (2/sqrt(pi)) e^(-W^2), W the convex set Z.
   const complex_ball slope = scale(exp(-square(z)) / sqrt(pi(p)), 1);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <utility>
 
 #include "arithmetic/ball/ball_access.hpp"
 #include "bernoulli.hpp"
@@ -10,6 +12,8 @@
 #include "polhode/arithmetic/double_interval.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
+#include "reciprocal_gamma.hpp"
+#include "rising_product.hpp"
 
 namespace polhode::detail {
 
@@ -129,27 +133,6 @@ T log_by_terms(const T& w, std::size_t terms) {
                 *stirling_constants_for(terms, w.precision()));
 }
 
-/// z (z + 1) ... (z + n - 1), four factors by two products: with u = z (z + 3) they are u (u + 2),
-/// and (z + 4)(z + 7) = u + 8 z + 28.
-template <class T>
-T rising_product(const T& z, long n) {
-  constexpr long group = 4;
-  T product(ball(1, z.precision()));
-  long k = 0;
-  if (n >= group) {
-    const T eight = scale(z, 3);
-    T u = z * (z + 3);
-    while (true) {
-      product = product * (u * (u + 2));
-      k += group;
-      if (k + group > n) break;
-      u = u + eight + (8 * (k - group) + 28);
-    }
-  }
-  for (; k < n; ++k) product = product * (z + k);
-  return product;
-}
-
 /// What Stirling's series says at one point: log Gamma(z + n), and z (z + 1) ... (z + n - 1).
 template <class T>
 struct parts {
@@ -244,12 +227,21 @@ complex_ball times_exponential(const complex_ball& value, const complex_ball& d)
   return value * exp(d);
 }
 
+/// Gamma of an exact number with a positive real part.
+template <class T>
+T gamma_at(const T& m, precision p) {
+  if constexpr (std::is_same_v<T, ball>) {
+    if (std::optional<ball> value = gamma_by_taylor_series(m, p)) return *std::move(value);
+  }
+  const parts<T> found = parts_at(m, p);
+  return exp(found.logarithm) / found.product;
+}
+
 /// Gamma of a set with positive real parts.
 template <class T>
 T gamma_right_of_zero(const T& set, precision p) {
   const T m = set.is_exact() ? set : T(set.middle());
-  const parts<T> found = parts_at(m, p);
-  const T value = exp(found.logarithm) / found.product;
+  const T value = gamma_at(m, p);
   return set.is_exact() ? value : times_exponential(value, change_from(m, set));
 }
 
