@@ -1,11 +1,15 @@
 // exp, sinh, cosh, log, sin, cos and atan have algorithms of their own up to some thousands of
 // bits. MPFR's, at a higher precision, judge them.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "arithmetic/functions/fixed_point/circular.hpp"
+#include "arithmetic/functions/fixed_point/exponential.hpp"
 #include "arithmetic/functions/fixed_point_functions.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "support/random.hpp"
@@ -232,6 +236,75 @@ TEST(FixedPointErrors, AreCountedBesideAZeroOfTheSine) {
   if (support::effort() >= 1) {
     EXPECT_GT(found, 1000);
     EXPECT_GT(wrong, 20);
+  }
+}
+
+namespace fixed_point = detail::fixed_point;
+
+/// The fraction's number, exactly.
+real as_real(const fixed_point::limb* x, long w) {
+  real value(64 * w);
+  mpz_t whole;
+  mpz_roinit_n(whole, x, w);
+  mpfr_set_z_2exp(value, whole, -64 * w, MPFR_RNDN);
+  return value;
+}
+
+/// A fraction of w limbs: of random bits, of few, or beside a number of few.
+fixed_point::fraction any_fraction(random_source& random, long w, fixed_point::limb most_at_top) {
+  fixed_point::fraction t;
+  const long kind = random.between(0, 3);
+  const fixed_point::limb filler = kind == 0 ? 0 : ~fixed_point::limb{0};
+  for (long i = 0; i < w; ++i) t[i] = kind < 2 ? filler : random.bits();
+  t[w - 1] = random.bits() % most_at_top;
+  if (random.one_in(4)) t[w - 1] &= random.bits() >> random.between(0, 63);
+  return t;
+}
+
+/// (true value - computed)/unit, rounded to a double.
+double units_missing(real& exact, const real& computed, long w) {
+  mpfr_sub(exact, exact, computed, MPFR_RNDN);
+  mpfr_mul_2si(exact, exact, 64 * w, MPFR_RNDN);
+  return mpfr_get_d(exact, MPFR_RNDN);
+}
+
+TEST(FixedPointErrors, OfTheExponentialAreCountedInUnits) {
+  random_source random(1803);
+  double greatest = 0;
+  for (repeat trial(1500); trial.again();) {
+    const long w = random.between(detail::most_tabulated_limbs + 1, fixed_point::most_limbs);
+    // log 2 is 0.B17217F7...
+    const fixed_point::fraction t = any_fraction(random, w, 0xB17217F7D1CF79AB);
+    fixed_point::fraction m;
+    const auto units = static_cast<double>(fixed_point::expm1_of_fraction(m, t.data(), w));
+    real exact(64 * w + 128);
+    mpfr_expm1(exact, as_real(t.data(), w), MPFR_RNDN);
+    const double missing = units_missing(exact, as_real(m.data(), w), w);
+    ASSERT_GE(missing, -1e-9) << w;
+    ASSERT_LE(missing, units) << w;
+    if (w < fixed_point::most_limbs) greatest = std::max(greatest, missing);
+  }
+  if (support::effort() >= 1) {
+    EXPECT_GT(greatest, 4);
+  }
+}
+
+TEST(FixedPointErrors, OfTheVersineAreCountedInUnits) {
+  random_source random(1804);
+  for (repeat trial(1500); trial.again();) {
+    const long w = random.between(4, fixed_point::most_limbs);
+    // pi/4 is 0.C90FDAA2...
+    const fixed_point::fraction t = any_fraction(random, w, 0xC90FDAA22168C234);
+    fixed_point::fraction v;
+    const auto units = static_cast<double>(fixed_point::versine_of_fraction(v, t.data(), w));
+    // 1 - cos t = 2 sin(t/2)^2.
+    real exact(64 * w + 128);
+    real half = as_real(t.data(), w);
+    mpfr_div_2ui(half, half, 1, MPFR_RNDN);
+    mpfr_sin(exact, half, MPFR_RNDN);
+    mpfr_sqr(exact, exact, MPFR_RNDN);
+    mpfr_mul_2ui(exact, exact, 1, MPFR_RNDN);
+    ASSERT_LE(std::abs(units_missing(exact, as_real(v.data(), w), w)), units) << w;
   }
 }
 

@@ -17,7 +17,7 @@ std::uint64_t versine_of_fraction(fraction& v, const limb* t, long w) {
   square(z.data(), y.data(), w);
   number sum;
   const long small = std::min(2 * (r + zeros), 32 * w);
-  sum_series(sum, series::circular, z.data(), w, terms_needed(series::circular, small, w));
+  sum_series(sum, series::circular, z.data(), w, small);
   if (is_negative(sum, w)) mpn_zero(sum.data(), w + 1);  // nearer to v >= 0
   mpn_copyi(v.data(), sum.data(), w);
   for (long i = 0; i < r; ++i) {

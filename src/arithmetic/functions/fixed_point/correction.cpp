@@ -21,7 +21,8 @@ bool arctangent_of_quotient(number& q, const limb* num, const number& den, long 
   if (n == w && quotient[w] != 0) return false;
   if ((quotient[w - 1] >> 15) != 0) return false;
   square(z.data(), quotient.data(), w);
-  const long terms = (64 * w - 49 + 97) / 98;
+  constexpr long small = 98;
+  const long terms = (64 * w - 49 + small - 1) / small;
   const power_table powers(z.data(), w, std::max(integer_sqrt(terms), 2L));
   mpn_zero(q.data(), w + 1);
   long last = terms - 1;
@@ -32,12 +33,17 @@ bool arctangent_of_quotient(number& q, const limb* num, const number& den, long 
       --first;
       product *= static_cast<limb>(2 * first + 1);
     }
-    on_size(q, w, [&] { mpn_mul_1(q.data(), q.data(), w + 1, product); });
+    long low = powers.low_limbs(last, small);
+    on_size(q, w, [&] { mpn_mul_1(q.data() + low, q.data() + low, w + 1 - low, product); });
     for (long k = last; k >= first; --k) {
-      powers.add(q, k, product / static_cast<limb>(2 * k + 1), !hyperbolic && k % 2 != 0);
-      if (k > 0) powers.end_block(q, k);
+      powers.add(q, k, product / static_cast<limb>(2 * k + 1), !hyperbolic && k % 2 != 0, low);
+      if (k > 0) {
+        const long next_low = powers.low_limbs(k - 1, small);
+        powers.end_block(q, k, low, next_low);
+        low = next_low;
+      }
     }
-    on_size(q, w, [&] { mpn_divrem_1(q.data(), 0, q.data(), w + 1, product); });
+    on_size(q, w, [&] { mpn_divrem_1(q.data() + low, 0, q.data() + low, w + 1 - low, product); });
     last = first - 1;
   }
   multiply_number(q, quotient.data(), w);

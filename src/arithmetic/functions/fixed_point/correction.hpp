@@ -21,8 +21,8 @@ namespace polhode::detail::fixed_point {
 /// coefficients c_k = P / (2k + 1) with P < 2^60 the product of the run's 2k + 1, and it is below
 /// 1.1 P throughout a run: a multiplication by z^m, 2 units wrong, loses 2.2 P + 1 and forgets the
 /// error from before, the terms lose 2 P, the division loses 1: 6 units at most of the quotient by
-/// P, and going on with another P' multiplies both sum and error by it. The factor q < 2^-49 makes
-/// nothing of these; the product is cut off.
+/// P, and going on with another P' multiplies both sum and error by it. Limbs are left out as
+/// sum_series leaves them out. The factor q < 2^-49 makes nothing of these; the product is cut off.
 [[nodiscard]] bool arctangent_of_quotient(number& q, const limb* num, const number& den, long w,
                                           bool hyperbolic);
 

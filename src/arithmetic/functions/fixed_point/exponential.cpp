@@ -1,5 +1,6 @@
 #include "arithmetic/functions/fixed_point/exponential.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "arithmetic/functions/fixed_point/series.hpp"
@@ -7,20 +8,103 @@
 
 namespace polhode::detail::fixed_point {
 
-std::uint64_t expm1_of_fraction(fraction& m, const limb* t, long w) {
-  if (is_tabulated(w)) return tabulated_expm1(m.data(), t, w);
-  const long r = std::min(integer_sqrt(64 * w) / 2 + 2, 31L);
-  mpn_rshift(m.data(), t, w, static_cast<unsigned>(r));
-  number sum;
-  sum_series(sum, series::exponential, m.data(), w, terms_needed(series::exponential, r, w));
-  mpn_copyi(m.data(), sum.data(), w);
-  for (long i = 0; i < r; ++i) {
-    fraction m2;
-    square(m2.data(), m.data(), w);
-    mpn_lshift(m.data(), m.data(), w, 1);
-    mpn_add_n(m.data(), m.data(), m2.data(), w);
+namespace exponential_impl {
+namespace {
+
+constexpr long digit_bits = 6;
+constexpr long digits = 4;
+constexpr limb digit_mask = (limb{1} << digit_bits) - 1;
+constexpr long reduced_bits = digits * digit_bits;
+
+/// m becomes (1 + m)(1 + f) - 1, cut off.
+void join(fraction& m, const limb* f, long w) {
+  fraction product;
+  multiply(product.data(), m.data(), f, w);
+  mpn_add_n(m.data(), m.data(), f, w);
+  mpn_add_n(m.data(), m.data(), product.data(), w);
+}
+
+/// e^(i/2^6) - 1, e^(j/2^12) - 1, ... with the most limbs, and how many units they are too small at
+/// most. i <= 44, for t < log 2.
+class exponential_table {
+ public:
+  exponential_table() {
+    for (long level = 0; level < digits; ++level) {
+      const long bits = digit_bits * (level + 1);
+      fraction& first = entries_[level][1];
+      first = base(bits);
+      const limb last = level == 0 ? 44 : digit_mask;
+      // Of the first entry, by the series at y < 1/4 and halvings: 2 (34 + 2) 2^halvings and less
+      // than as many for the steps.
+      std::uint64_t units = first_units;
+      for (limb i = 2; i <= last; ++i) {
+        entries_[level][i] = entries_[level][i - 1];
+        join(entries_[level][i], first.data(), most_limbs);
+        // E (1 + f) + D (1 + m) + 1, f < 1/32, m < 1.
+        units += units / 32 + 2 * first_units + 2;
+      }
+      units_ = std::max(units_, units);
+    }
   }
-  return std::uint64_t{1} << (r + 7);
+
+  /// With w limbs.
+  [[nodiscard]] const limb* entry(long level, limb digit, long w) const {
+    return entries_[level][digit].data() + (most_limbs - w);
+  }
+  /// Those of an entry with w limbs: of fewer than the most it is cut off.
+  [[nodiscard]] std::uint64_t units(long w) const { return w == most_limbs ? units_ : 2; }
+
+ private:
+  static constexpr long halvings = 25;
+  static constexpr std::uint64_t first_units = std::uint64_t{1} << (halvings + 7);
+
+  /// e^(2^-bits) - 1, by y = 2^-(bits + halvings) and e^(2y) - 1 = 2 m + m^2: an error e of m
+  /// becomes 2 e (1 + m) and one more, and the factors 1 + m have a product below 2.
+  static fraction base(long bits) {
+    fraction y;
+    mpn_zero(y.data(), most_limbs);
+    const long place = 64 * most_limbs - bits - halvings;
+    y[place / 64] = limb{1} << (place % 64);
+    number sum;
+    sum_series(sum, series::exponential, y.data(), most_limbs, bits + halvings - 1);
+    fraction m;
+    mpn_copyi(m.data(), sum.data(), most_limbs);
+    for (long i = 0; i < halvings; ++i) {
+      fraction m2;
+      square(m2.data(), m.data(), most_limbs);
+      mpn_lshift(m.data(), m.data(), most_limbs, 1);
+      mpn_add_n(m.data(), m.data(), m2.data(), most_limbs);
+    }
+    return m;
+  }
+
+  fraction entries_[digits][digit_mask + 1];
+  std::uint64_t units_ = 0;
+};
+
+const exponential_table& the_exponential_table() {
+  static const exponential_table table;
+  return table;
+}
+
+}  // namespace
+}  // namespace exponential_impl
+
+std::uint64_t expm1_of_fraction(fraction& m, const limb* t, long w) {
+  using namespace exponential_impl;
+  if (is_tabulated(w)) return tabulated_expm1(m.data(), t, w);
+  const exponential_table& table = the_exponential_table();
+  fraction y;
+  mpn_copyi(y.data(), t, w);
+  y[w - 1] &= ~limb{0} >> reduced_bits;
+  number sum;
+  sum_series(sum, series::exponential, y.data(), w, reduced_bits);
+  mpn_copyi(m.data(), sum.data(), w);
+  for (long level = digits - 1; level >= 0; --level) {
+    const limb digit = (t[w - 1] >> (64 - digit_bits * (level + 1))) & digit_mask;
+    if (digit != 0) join(m, table.entry(level, digit, w), w);
+  }
+  return 68 + digits * 2 * (2 * table.units(w) + 1);
 }
 
 }  // namespace polhode::detail::fixed_point

@@ -11,14 +11,14 @@ namespace polhode::detail::fixed_point {
 
 /// m = e^t - 1 for a fraction t < log 2. Returns the error, in units.
 ///
-/// m is computed at y = t / 2^r, and e^(2y) - 1 = 2 m + m^2. Cutting y off changes m by less than 2
-/// units, the series by 34. If m is wrong by e then 2 m + m^2 is by 2 e (1 + m) and one more; over
-/// all steps the factors 1 + m = e^y, e^(2y), ... have a product below e^t < 2. So the error is
-/// below
-///     2 * 2^r (36 + 1/2 + 1/4 + ...) < 2^(r + 7).
-/// An error above e^t - 1 <= 1 - 2^-64 w would be one of a sum that overflows: but the steps are
-/// cut off downwards, as is the series, whose terms are positive, so that m stays below its true
-/// value.
+/// t is the sum of its first four digits of six bits, i/2^6 + j/2^12 + ..., and of a rest y <
+/// 2^-24, exactly: e^t is the product of e^y, by its series, and of numbers from a table (with few
+/// limbs, of other tables). m stays below its true value, as all products are cut off downwards and
+/// the series' terms are positive; so nothing overflows.
+///
+/// For (1 + m)(1 + f) - 1 = m + f + m f, where m is too small by E and f by D, the result is too
+/// small by E (1 + f) + D (1 + m) + 1 at most. All factors together are below e^t < 2: the series'
+/// error of 34 units becomes at most 68, and each of the four steps adds 2 (2 D + 1) at most.
 std::uint64_t expm1_of_fraction(fraction& m, const limb* t, long w);
 
 }  // namespace polhode::detail::fixed_point

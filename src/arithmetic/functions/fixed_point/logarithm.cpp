@@ -15,7 +15,7 @@ using namespace fixed_point;
 namespace {
 
 // Beyond these MPFR's logarithm, by the arithmetic-geometric mean, is the faster one.
-constexpr long most_limbs_of_logarithm = 30;
+constexpr long most_limbs_of_logarithm = 50;
 
 }  // namespace
 

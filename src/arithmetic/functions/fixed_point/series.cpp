@@ -26,22 +26,23 @@ long terms_needed(series s, long small, long w) {
   return k;
 }
 
-void sum_series(number& sum, series s, const limb* z, long w, long terms) {
-  terms = std::max(terms, 2L);
+void sum_series(number& sum, series s, const limb* z, long w, long small) {
+  const long terms = std::max(terms_needed(s, small, w), 2L);
   const power_table powers(z, w, std::clamp(integer_sqrt(terms) * 5 / 4, 2L, most_block));
   mpn_zero(sum.data(), w + 1);
   limb c = 1;
   for (long k = terms;; --k) {
-    powers.add(sum, k, c, s == series::circular && k % 2 == 0);
+    const long low = powers.low_limbs(k, small);
+    powers.add(sum, k, c, s == series::circular && k % 2 == 0, low);
     const limb d = c * factor(s, k);
     if (k > 1 && uint128{d} * factor(s, k - 1) <= limb{1} << 62) {
       c = d;
     } else {
-      on_size(sum, w, [&] { mpn_divrem_1(sum.data(), 0, sum.data(), w + 1, d); });
+      on_size(sum, w, [&] { mpn_divrem_1(sum.data() + low, 0, sum.data() + low, w + 1 - low, d); });
       c = 1;
     }
     if (k == 1) return;
-    powers.end_block(sum, k);
+    powers.end_block(sum, k, low, powers.low_limbs(k - 1, small));
   }
 }
 

@@ -32,21 +32,41 @@ class power_table {
       }
     }
   }
-  /// sum += c z^(k mod m), or less.
-  void add(number& sum, long k, limb c, bool subtracted) const {
+  /// The number of low limbs that may be left out of a sum which is still to be multiplied by z^n,
+  /// n the greatest multiple of m up to k, where z < 2^-small: a unit of the limb above them
+  /// becomes at most 2^-16 units.
+  [[nodiscard]] long low_limbs(long k, long small) const {
+    constexpr long spare = 16;
+    return std::clamp((small * (k / m_ * m_) - spare) / 64, 0L, w_ - 1);
+  }
+  /// sum += c z^(k mod m), or less, in the limbs from `low` on.
+  void add(number& sum, long k, limb c, bool subtracted, long low = 0) const {
     const long i = k % m_;
     if (i == 0) {
       sum[w_] += subtracted ? -c : c;
     } else if (subtracted) {
-      sum[w_] -= mpn_submul_1(sum.data(), powers_[i].data(), w_, c);
+      sum[w_] -= mpn_submul_1(sum.data() + low, powers_[i].data() + low, w_ - low, c);
     } else {
-      sum[w_] += mpn_addmul_1(sum.data(), powers_[i].data(), w_, c);
+      sum[w_] += mpn_addmul_1(sum.data() + low, powers_[i].data() + low, w_ - low, c);
     }
   }
-  /// sum *= z^m where k begins a block.
-  void end_block(number& sum, long k) const {
+  /// sum *= z^m where k begins a block. Of the sum the limbs from `low` on are used, of the product
+  /// those from next_low <= low on are made.
+  void end_block(number& sum, long k, long low = 0, long next_low = 0) const {
     if (k % m_ != 0) return;
-    on_size(sum, w_, [&] { multiply_number(sum, powers_[m_].data(), w_); });
+    on_size(sum, w_, [&] {
+      double_fraction product;
+      const long sum_limbs = w_ + 1 - low;
+      const long power_limbs = w_ - next_low;
+      const limb* const power = powers_[m_].data() + next_low;
+      if (sum_limbs >= power_limbs) {
+        mpn_mul(product.data(), sum.data() + low, sum_limbs, power, power_limbs);
+      } else {
+        mpn_mul(product.data(), power, power_limbs, sum.data() + low, sum_limbs);
+      }
+      // Its lowest limb is that of 2^(64 (low + next_low - w)) units.
+      mpn_copyi(sum.data() + next_low, product.data() + (w_ - low), w_ + 1 - next_low);
+    });
   }
 
  private:
@@ -55,7 +75,7 @@ class power_table {
   fraction powers_[most_block + 1];
 };
 
-/// sum = the series at z < 1/4, to `terms` terms, within 34 units.
+/// sum = the series at z < 2^-small <= 1/4, within 34 units.
 ///
 /// The coefficients are integers c over common denominators D, each the product of a run a..b of
 /// factors:
@@ -72,7 +92,12 @@ class power_table {
 /// the error e of the run above,
 ///     e' < 3.5 + 4 + 6 / D + 1 + e / D < 15 + e / 2 for D >= 2,
 /// below 30 for every run with D >= 2; a run with D = 1 would be the factor 1 alone, which never
-/// is by itself: it is joined to the run above. With the terms left out, 2 more, less than 34.
-void sum_series(number& sum, series s, const limb* z, long w, long terms);
+/// is by itself: it is joined to the run above. With the terms left out, 2 more, it is below 32.
+///
+/// Where the sum is still to be multiplied by z^n, n a multiple of m, low limbs are left out of it:
+/// a unit of the lowest limb in use becomes at most 2^-16 units of the result. There, too, terms,
+/// products and divisions lose less than 32 of these units each time. They are fewer than 2^10, so
+/// that together they lose less than 2^10 2^5 2^-16 = 1/2. In all the error is below 34.
+void sum_series(number& sum, series s, const limb* z, long w, long small);
 
 }  // namespace polhode::detail::fixed_point
