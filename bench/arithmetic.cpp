@@ -346,7 +346,7 @@ int main(int argc, char** argv) {
     t.ratios.emplace_back("MPFR/Arb");
   }
   for (const operation& op : operations) {
-    for (const precision bits : {64, 128, 333, 1024, 3333, 33333}) {
+    for (const precision bits : {64, 128, 333, 1024, 3333, 10000, 33333}) {
       benchmarks.add(t, op.name + '/' + std::to_string(bits), [&op, &in_use, bits] {
         in_use.push_back(std::make_unique<operands>(bits));
         return comparison(op, *in_use.back());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "arithmetic/functions/fixed_point/series.hpp"
 #include "arithmetic/functions/fixed_point_functions.hpp"
@@ -11,9 +12,10 @@ namespace polhode::detail::fixed_point {
 namespace exponential_impl {
 namespace {
 
-constexpr long digit_bits = 6;
-constexpr long digits = 4;
-constexpr limb digit_mask = (limb{1} << digit_bits) - 1;
+constexpr long digit_bits = 5;
+constexpr long digits = 5;
+constexpr long digit_count = 1L << digit_bits;
+constexpr limb digit_mask = limb{digit_count - 1};
 constexpr long reduced_bits = digits * digit_bits;
 
 /// m becomes (1 + m)(1 + f) - 1, cut off.
@@ -24,67 +26,75 @@ void join(fraction& m, const limb* f, long w) {
   mpn_add_n(m.data(), m.data(), product.data(), w);
 }
 
-/// e^(i/2^6) - 1, e^(j/2^12) - 1, ... with the most limbs, and how many units they are too small at
-/// most. i <= 44, for t < log 2.
+/// e^(i/2^5) - 1, e^(j/2^10) - 1, ... with so many limbs, and how many units they are too small at
+/// most. i <= 22, for t < log 2.
 class exponential_table {
  public:
-  exponential_table() {
-    for (long level = 0; level < digits; ++level) {
-      const long bits = digit_bits * (level + 1);
-      fraction& first = entries_[level][1];
-      first = base(bits);
-      const limb last = level == 0 ? 44 : digit_mask;
-      // Of the first entry, by the series at y < 1/4 and halvings: 2 (34 + 2) 2^halvings and less
-      // than as many for the steps.
+  explicit exponential_table(long w)
+      : w_(w), entries_(static_cast<std::size_t>(digits * digit_count * w)) {
+    fraction first = least_base();
+    for (long level = digits - 1; level >= 0; --level) {
+      const limb last = level == 0 ? 22 : digit_mask;
+      fraction product = first;
       std::uint64_t units = first_units;
-      for (limb i = 2; i <= last; ++i) {
-        entries_[level][i] = entries_[level][i - 1];
-        join(entries_[level][i], first.data(), most_limbs);
-        // E (1 + f) + D (1 + m) + 1, f < 1/32, m < 1.
-        units += units / 32 + 2 * first_units + 2;
+      for (limb i = 1;; ++i) {
+        mpn_copyi(place_of(level, i), product.data(), w_);
+        if (i == last) break;
+        join(product, first.data(), w_);
+        // E (1 + f) + D (1 + m) + 1, f < 1/16, m < 1.
+        units += units / 16 + 2 * first_units + 2;
       }
       units_ = std::max(units_, units);
+      for (long i = 0; level > 0 && i < digit_bits; ++i) join(first, first.data(), w_);
     }
   }
 
-  /// With w limbs.
+  /// With w limbs, at most as many as it has.
   [[nodiscard]] const limb* entry(long level, limb digit, long w) const {
-    return entries_[level][digit].data() + (most_limbs - w);
+    return entries_.data() + first_limb(level, digit) + (w_ - w);
   }
-  /// Those of an entry with w limbs: of fewer than the most it is cut off.
-  [[nodiscard]] std::uint64_t units(long w) const { return w == most_limbs ? units_ : 2; }
+  /// Those of an entry with w limbs: of fewer than it has it is cut off.
+  [[nodiscard]] std::uint64_t units(long w) const { return w == w_ ? units_ : 2; }
 
  private:
-  static constexpr long halvings = 25;
-  static constexpr std::uint64_t first_units = std::uint64_t{1} << (halvings + 7);
+  // Of the series 34, and (1 + m)^2 - 1 makes 2 E (1 + m) + 1 of an error E: over the squares from
+  // the least base to the first the factors 1 + m have a product below 2, and the error becomes
+  // less than 2 2^20 (34 + 1).
+  static constexpr std::uint64_t first_units = std::uint64_t{35} << (digit_bits * (digits - 1) + 1);
 
-  /// e^(2^-bits) - 1, by y = 2^-(bits + halvings) and e^(2y) - 1 = 2 m + m^2: an error e of m
-  /// becomes 2 e (1 + m) and one more, and the factors 1 + m have a product below 2.
-  static fraction base(long bits) {
+  [[nodiscard]] long first_limb(long level, limb digit) const {
+    return (level * digit_count + static_cast<long>(digit)) * w_;
+  }
+  limb* place_of(long level, limb digit) { return entries_.data() + first_limb(level, digit); }
+
+  /// e^y - 1 for the last digit's y = 2^-25.
+  [[nodiscard]] fraction least_base() const {
     fraction y;
-    mpn_zero(y.data(), most_limbs);
-    const long place = 64 * most_limbs - bits - halvings;
+    mpn_zero(y.data(), w_);
+    const long place = 64 * w_ - reduced_bits;
     y[place / 64] = limb{1} << (place % 64);
     number sum;
-    sum_series(sum, series::exponential, y.data(), most_limbs, bits + halvings - 1);
+    sum_series(sum, series::exponential, y.data(), w_, reduced_bits - 1);
     fraction m;
-    mpn_copyi(m.data(), sum.data(), most_limbs);
-    for (long i = 0; i < halvings; ++i) {
-      fraction m2;
-      square(m2.data(), m.data(), most_limbs);
-      mpn_lshift(m.data(), m.data(), most_limbs, 1);
-      mpn_add_n(m.data(), m.data(), m2.data(), most_limbs);
-    }
+    mpn_copyi(m.data(), sum.data(), w_);
     return m;
   }
 
-  fraction entries_[digits][digit_mask + 1];
+  long w_;
+  std::vector<limb> entries_;
   std::uint64_t units_ = 0;
 };
 
-const exponential_table& the_exponential_table() {
-  static const exponential_table table;
-  return table;
+/// A great one is made where it is needed: it takes longer than one exponential.
+const exponential_table& table_for(long w) {
+  constexpr long few_limbs = 56;
+  static_assert(few_limbs < most_limbs);
+  if (w <= few_limbs) {
+    static const exponential_table small(few_limbs);
+    return small;
+  }
+  static const exponential_table great(most_limbs);
+  return great;
 }
 
 }  // namespace
@@ -93,7 +103,7 @@ const exponential_table& the_exponential_table() {
 std::uint64_t expm1_of_fraction(fraction& m, const limb* t, long w) {
   using namespace exponential_impl;
   if (is_tabulated(w)) return tabulated_expm1(m.data(), t, w);
-  const exponential_table& table = the_exponential_table();
+  const exponential_table& table = table_for(w);
   fraction y;
   mpn_copyi(y.data(), t, w);
   y[w - 1] &= ~limb{0} >> reduced_bits;

@@ -24,7 +24,7 @@ static_assert(GMP_NUMB_BITS == 64, "polhode: limbs of 64 bits are assumed");
 __extension__ using uint128 = unsigned __int128;
 
 // Numbers of up to this many limbs are computed with.
-constexpr long most_limbs = 56;
+constexpr long most_limbs = 160;
 // Arguments of exp, sin and cos are below 2^16, those of atan between 2^-16 and 2^16.
 constexpr mpfr_exp_t range_log2 = 16;
 

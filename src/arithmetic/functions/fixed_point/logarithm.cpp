@@ -55,7 +55,8 @@ bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
     return units && finish(value, *units);
   }
   // log(1 + f) = l + 2 atanh((1 + f - e^l) / (1 + f + e^l)).
-  fraction l{};
+  fraction l;
+  mpn_zero(l.data(), w);
   l[w - 1] = first_logarithm(f[w - 1]);
   fraction m;
   const std::uint64_t units = expm1_of_fraction(m, l.data(), w);
@@ -67,8 +68,9 @@ bool near_log(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   if (!arctangent_of_quotient(correction, num.data(), den, w, true)) return false;
   // The error of m, through d/dE of (F - E) / (F + E), which is below 2 F / (F + E)^2 <= 1 for E, F
   // >= 1, twice; and that of log 2, |e| units.
-  number value{};
+  number value;
   mpn_copyi(value.data(), l.data(), w);
+  value[w] = 0;
   for (int i = 0; i < 2; ++i) {
     if (below) {
       mpn_sub_n(value.data(), value.data(), correction.data(), w + 1);

@@ -10,7 +10,7 @@
 
 namespace polhode::detail::fixed_point {
 
-constexpr long most_block = 16;
+constexpr long most_block = 24;
 
 enum class series { exponential, circular };
 
