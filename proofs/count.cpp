@@ -1,12 +1,31 @@
 // How often C and S meet: the paper's theorem 4, sharpened. The argument:
 // proofs/arguments/count.md.
 
-#include "statements/count.hpp"
+#include <algorithm>
+#include <string>
+
 #include "proofs/claims.hpp"
 #include "proofs/turning_points.hpp"
+#include "statements/count.hpp"
 
 namespace polhode::proofs {
 namespace {
+
+/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it.
+void add_slopes(certificate& c, const body& rigid, int k, const root_bracket& u) {
+  const rational b = *rigid.b().as_rational();
+  const auto square_of_slope = [&](const rational& at) {
+    return rational(4 * b * b * at * (1 - at));
+  };
+  const auto [least, greatest] = std::minmax({square_of_slope(u.lower), square_of_slope(u.upper)});
+  const rational half(1, 2);
+  const bool has_middle = u.lower < half && half < u.upper;
+  c.facts.push_back(
+      {statements::fill(statements::slopes_at_meeting,
+                        {std::to_string(k),
+                         in_decimals({least, has_middle ? square_of_slope(half) : greatest})}),
+       least > 0, step_kind::exact});
+}
 
 certificate prove_count(const request& wanted) {
   certificate c;
@@ -22,7 +41,8 @@ certificate prove_count(const request& wanted) {
                      step_kind::exact});
   if (count > 0) {
     add_brackets(
-        c, rigid, count, [&](int k) { return q(k); }, "intersections");
+        c, rigid, count, [&](int k) { return q(k); }, "intersections",
+        [&](int k, const root_bracket& u) { add_slopes(c, rigid, k, u); });
   } else {
     add_absence(c, rigid, 2);
   }

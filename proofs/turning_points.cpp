@@ -17,7 +17,8 @@ std::string multiple_of_pi(const rational& q) {
 }
 
 void add_brackets(certificate& c, const body& rigid, const integer& count,
-                  const std::function<rational(int k)>& q, const std::string& key) {
+                  const std::function<rational(int k)>& q, const std::string& key,
+                  const std::function<void(int k, const root_bracket& u)>& follow) {
   constexpr int most_brackets = 6;
   const int shown = count < most_brackets ? static_cast<int>(count) : most_brackets;
   for (int k = 1; k <= shown; ++k) {
@@ -33,6 +34,7 @@ void add_brackets(certificate& c, const body& rigid, const integer& count,
                                         {multiple_of_pi(q(k)), in_decimals(*bracket)}),
                        passes_half_phase(rigid, q(k), *bracket), step_kind::enclosed});
     witness.push_back(as_json(*bracket));
+    if (follow) follow(k, *bracket);
   }
 }
 

@@ -18,9 +18,10 @@ namespace polhode::proofs {
 [[nodiscard]] std::string counted(const integer& count);
 
 /// Adds brackets of the roots of G(u) = q(k) pi for k = 1 ... count, the first six of them, each a
-/// fact, and all to witness[key].
+/// fact, and all to witness[key]. `follow` adds what follows from one.
 void add_brackets(certificate& c, const body& rigid, const integer& count,
-                  const std::function<rational(int k)>& q, const std::string& key);
+                  const std::function<rational(int k)>& q, const std::string& key,
+                  const std::function<void(int k, const root_bracket& u)>& follow = nullptr);
 
 /// Adds the fact that I >= q, in rationals, with G(1/2) > q pi as a check by another route.
 void add_absence(certificate& c, const body& rigid, const rational& q);

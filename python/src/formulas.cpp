@@ -188,8 +188,20 @@ expression of_variables(const std::string& name, std::size_t count) {
   return formula_of(symbol::call(kept(name), variables), names);
 }
 
+/// As in a formula, these take any number of arguments from two on: f(f(x, y), z).
+bool takes_more_than_two(const std::string& name) {
+  return name == "min" || name == "max" || name == "hypot";
+}
+
 py::object call(const std::string& name, const named_function& f, const py::args& arguments) {
   const auto of_balls = f.of_arity.find(arguments.size());
+  if (of_balls == f.of_arity.end() && arguments.size() > 2 && takes_more_than_two(name)) {
+    py::object result = arguments[0];
+    for (std::size_t i = 1; i < arguments.size(); ++i) {
+      result = call(name, f, py::args(py::make_tuple(result, arguments[i])));
+    }
+    return result;
+  }
   if (of_balls == f.of_arity.end()) {
     std::string arities;
     for (const auto& [arity, value] : f.of_arity) {

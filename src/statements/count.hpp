@@ -7,6 +7,9 @@ namespace polhode::statements {
 // Its facts.
 inline constexpr const char* number_of_meetings =
     "at the given a, b, in rationals: I < 2/(2k-1) for {}";
+inline constexpr const char* slopes_at_meeting =
+    "at the given a, b, in rationals: where they meet for k = {}, C and S have one slope, "
+    "dc/d(epsilon) = -2 b sqrt(u (1-u)), of which the square is between {}";
 
 [[nodiscard]] inline claim_text count() {
   return {
@@ -27,7 +30,7 @@ inline constexpr const char* number_of_meetings =
           "every k < 1/I + 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's "
           "theorem. By eq. (20) c + b sin^2 epsilon = (a+bX) cos^2 theta at phi = pi, which is of "
           "the order of (c - c_k)^2 near a turning point. Computed: the polynomial steps for G, "
-          "and the count in rationals.",
+          "the count in rationals, brackets of the first u_k, and the slopes there.",
       .steps = with_more(
           half_phase_steps,
           {identity(

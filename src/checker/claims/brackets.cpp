@@ -31,7 +31,8 @@ std::string counted(const integer& count) {
 namespace {
 
 void check_brackets(examination& e, const integer& count, const std::function<rational(int k)>& q,
-                    const std::string& key) {
+                    const std::string& key,
+                    const std::function<void(int k, const range& u)>& follow) {
   constexpr int most = 6;
   const body rigid = body_of(e);
   const int shown = count < most ? static_cast<int>(count) : most;
@@ -47,6 +48,7 @@ void check_brackets(examination& e, const integer& count, const std::function<ra
     const range u = examination::bracket(one);
     e.fact(statements::fill(statements::half_phase_passes, {target, in_decimals(u, e.work())}),
            [&](precision bits) { return passes_half_phase(rigid, q(k), u, bits + size_of(u)); });
+    if (follow) follow(k, u);
   }
   if (all.size() > static_cast<std::size_t>(shown)) {
     all.at(static_cast<std::size_t>(shown)).malformed("there are not so many roots to bracket");
@@ -66,9 +68,10 @@ void check_absence(examination& e, const rational& q) {
 }  // namespace
 
 void check_values_of_half_phase(examination& e, const integer& count,
-                                const std::function<rational(int k)>& q, const std::string& key) {
+                                const std::function<rational(int k)>& q, const std::string& key,
+                                const std::function<void(int k, const range& u)>& follow) {
   if (count > 0) {
-    check_brackets(e, count, q, key);
+    check_brackets(e, count, q, key, follow);
   } else {
     check_absence(e, q(1));
   }

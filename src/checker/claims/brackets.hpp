@@ -25,8 +25,9 @@ namespace polhode::checker {
 [[nodiscard]] std::string counted(const integer& count);
 /// That G(u) = q(k) pi has one solution for each k = 1 ... count, q(k) falling: brackets of at most
 /// six of them, as the witness `key` gives them; or where count is 0, that G is q(1) pi nowhere: I
-/// >= q(1).
+/// >= q(1). `follow` checks what follows from a bracket.
 void check_values_of_half_phase(examination& e, const integer& count,
-                                const std::function<rational(int k)>& q, const std::string& key);
+                                const std::function<rational(int k)>& q, const std::string& key,
+                                const std::function<void(int k, const range& u)>& follow = nullptr);
 
 }  // namespace polhode::checker

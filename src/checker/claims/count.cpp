@@ -1,12 +1,26 @@
 // How often C and S intersect.
 
-#include "statements/count.hpp"
+#include <string>
+#include <utility>
+
 #include "brackets.hpp"
 #include "list.hpp"
 #include "shapes.hpp"
+#include "statements/count.hpp"
 
 namespace polhode::checker {
 namespace {
+
+/// S is c = -b u with u = sin(epsilon)^2, and C is tangent to it: the derivative is -2 b sin cos.
+void check_slopes(examination& e, const rational& b, int k, const range& u) {
+  const auto square = [&](const rational& x) { return rational(4 * b * b * x * (1 - x)); };
+  range squares{square(u.lower), square(u.upper)};
+  if (squares.upper < squares.lower) std::swap(squares.lower, squares.upper);
+  if (2 * u.lower < 1 && 2 * u.upper > 1) squares.upper = b * b;
+  e.fact(statements::fill(statements::slopes_at_meeting,
+                          {std::to_string(k), in_decimals(squares, e.work())}),
+         u.lower > 0 && u.upper < 1);
+}
 
 void check_count(examination& e) {
   const body rigid = check_body_and_steps(e);
@@ -17,7 +31,8 @@ void check_count(examination& e) {
   e.fact(statements::fill(statements::number_of_meetings, {counted(count)}),
          (count == 0 || rigid.is_above_I(q(count))) && !rigid.is_above_I(q(count + 1)));
   check_values_of_half_phase(
-      e, count, [&](int k) { return q(integer(k)); }, "intersections");
+      e, count, [&](int k) { return q(integer(k)); }, "intersections",
+      [&](int k, const range& u) { check_slopes(e, rigid.b, k, u); });
 }
 
 }  // namespace
