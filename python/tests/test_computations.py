@@ -144,7 +144,7 @@ def test_values():
 def test_greatest_and_least_of_many():
     assert polhode.max(1, 3, 2).mid == 3 and polhode.min(2, 3, 1, 4).mid == 1
     assert polhode.hypot(1, 2, 2).mid == 3
-    of_three = polhode.integrate(lambda x: polhode.max(polhode.sin(x), polhode.cos(x), 0.5), 0, 1)
+    of_three = polhode.integrate(lambda x: polhode.max(polhode.sin(x), polhode.cos(x), "1/2"), 0, 1)
     assert of_three.certified
     assert of_three.value.overlaps(polhode.integrate("max(sin(x),cos(x),1/2)", 0, 1).value)
     with pytest.raises(TypeError, match="argument"):
