@@ -1,7 +1,7 @@
 (** The complete elliptic integral in Gauss's form,
       I(a,b) = integral over 0..pi/2 of dt / sqrt ((a cos t)^2 + (b sin t)^2),
-    is left unchanged by a step of the arithmetic-geometric mean, I(a,b) = I((a+b)/2, sqrt (ab)), and lies between pi/(2a) and
-    pi/(2b); it decreases in a and in b. *)
+    is left unchanged by a step of the arithmetic-geometric mean, I(a,b) = I((a+b)/2, sqrt (ab)),
+    and lies between pi/(2a) and pi/(2b); it decreases in a and in b. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
@@ -38,13 +38,14 @@ apply Rgt_not_eq, sqrt_lt_R0. lra.
 Qed.
 
 Lemma integrand_integrable a b x y : 0 < a -> 0 < b -> ex_RInt (integrand a b) x y.
-Proof. intros Ha Hb. apply (@ex_RInt_continuous R_CompleteNormedModule). intros z _. now apply integrand_continuous. Qed.
+Proof. intros Ha Hb. apply (@ex_RInt_continuous R_CompleteNormedModule). intros z _.
+now apply integrand_continuous. Qed.
 
 Lemma radicand_bounds a b t : 0 < b -> b <= a -> b^2 <= radicand a b t <= a^2.
 Proof.
 intros Hb Hab. unfold radicand. assert (H := cos_sq t).
 replace ((a * cos t)^2 + (b * sin t)^2) with (a*a*(cos t * cos t) + b*b*(sin t*sin t)) by ring.
-assert (0 <= sin t * sin t) by nra. assert (0 <= cos t * cos t) by nra. 
+assert (0 <= sin t * sin t) by nra. assert (0 <= cos t * cos t) by nra.
 assert (b*b <= a*a) by nra.
 assert (b*b*(cos t * cos t) <= a*a*(cos t * cos t)) by (apply Rmult_le_compat_r; lra).
 assert (b*b*(sin t * sin t) <= a*a*(sin t * sin t)) by (apply Rmult_le_compat_r; lra).
@@ -54,8 +55,10 @@ Qed.
 Lemma integrand_bounds a b t : 0 < b -> b <= a -> / a <= integrand a b t <= / b.
 Proof.
 intros Hb Hab. destruct (radicand_bounds a b t Hb Hab) as [H1 H2]. unfold integrand.
-assert (Hs1 : b <= sqrt (radicand a b t)). { apply Rle_trans with (sqrt (b^2)); [rewrite sqrt_pow2; lra | now apply sqrt_le_1_alt]. }
-assert (Hs2 : sqrt (radicand a b t) <= a). { apply Rle_trans with (sqrt (a^2)); [now apply sqrt_le_1_alt | rewrite sqrt_pow2; lra]. }
+assert (Hs1 : b <= sqrt (radicand a b t)).
+{ apply Rle_trans with (sqrt (b^2)); [rewrite sqrt_pow2; lra | now apply sqrt_le_1_alt]. }
+assert (Hs2 : sqrt (radicand a b t) <= a).
+{ apply Rle_trans with (sqrt (a^2)); [now apply sqrt_le_1_alt | rewrite sqrt_pow2; lra]. }
 split; apply Rinv_le_contravar; lra.
 Qed.
 
@@ -63,7 +66,8 @@ Lemma gauss_integral_bounds a b : 0 < b -> b <= a -> PI/2 / a <= gauss_integral 
 Proof.
 intros Hb Hab. assert (HPI := PI_RGT_0).
 assert (E : forall c, PI/2/c = RInt (fun _ => / c) 0 (PI/2)).
-{ intros c. rewrite RInt_const. unfold scal; simpl; unfold mult; simpl. rewrite Rminus_0_r. reflexivity. }
+{ intros c. rewrite RInt_const. unfold scal; simpl; unfold mult; simpl. rewrite Rminus_0_r.
+reflexivity. }
 assert (Hx := integrand_integrable a b 0 (PI/2)).
 unfold gauss_integral; split; rewrite E; apply RInt_le.
 - lra.
@@ -77,32 +81,38 @@ unfold gauss_integral; split; rewrite E; apply RInt_le.
 Qed.
 
 (** From 0 to pi, of a function that is even about pi/2 *)
-Lemma integral_to_pi (g : R -> R) : (forall t, continuous g t) -> (forall t, g (PI - t) = g t) -> RInt g 0 PI = 2 * RInt g 0 (PI/2).
+Lemma integral_to_pi (g : R -> R) : (forall t, continuous g t) -> (forall t, g (PI - t) = g t) ->
+  RInt g 0 PI = 2 * RInt g 0 (PI/2).
 Proof.
 intros C E.
-assert (I : forall x y, ex_RInt g x y) by (intros; apply (@ex_RInt_continuous R_CompleteNormedModule); intros; apply C).
+assert (I : forall x y, ex_RInt g x y) by (intros; apply (@ex_RInt_continuous
+  R_CompleteNormedModule); intros; apply C).
 rewrite <- (RInt_Chasles g 0 (PI/2) PI) by apply I.
 unfold plus; simpl. replace (2 * RInt g 0 (PI/2)) with (RInt g 0 (PI/2) + RInt g 0 (PI/2)) by ring.
 f_equal.
 assert (HC := RInt_comp (V:=R_CompleteNormedModule) g (fun y => PI - y) (fun _ => -1) 0 (PI/2)).
-cbv beta in HC. replace (PI - 0) with PI in HC by ring. replace (PI - PI/2) with (PI/2) in HC by field.
+cbv beta in HC. replace (PI - 0) with PI in HC by ring.
+replace (PI - PI/2) with (PI/2) in HC by field.
 rewrite <- (opp_RInt_swap g PI (PI/2)) by apply I.
 rewrite <- HC.
 - rewrite (RInt_ext _ (fun y => scal (-1) (g y))) by (intros y _; now rewrite E).
   rewrite (RInt_scal (V:=R_CompleteNormedModule)) by apply I.
-  unfold opp, scal; simpl; unfold mult; simpl. match goal with |- @eq _ ?l ?r => change (@eq R l r) end. ring.
+  unfold opp, scal; simpl; unfold mult; simpl.
+  match goal with |- @eq _ ?l ?r => change (@eq R l r) end. ring.
 - intros; apply C.
 - intros x _. split; [auto_derive; auto; ring | apply continuous_const].
 Qed.
 
-Lemma gauss_integral_to_pi a b : 0 < a -> 0 < b -> RInt (integrand a b) 0 PI = 2 * gauss_integral a b.
+Lemma gauss_integral_to_pi a b : 0 < a -> 0 < b -> RInt (integrand a b) 0 PI = 2 * gauss_integral a
+  b.
 Proof.
 intros Ha Hb. apply integral_to_pi. intros t. now apply integrand_continuous.
 intros t. unfold integrand. replace (radicand a b (PI - t)) with (radicand a b t). reflexivity.
 unfold radicand. rewrite cos_minus, sin_minus, cos_PI, sin_PI. ring.
 Qed.
 
-(** Landen's angle, phi = 2 t - atan ((a-b) sin t cos t / (a cos^2 t + b sin^2 t)): it runs from 0 to pi as t runs from 0 to
+(** Landen's angle, phi = 2 t - atan ((a-b) sin t cos t / (a cos^2 t + b sin^2 t)): it runs from 0
+  to pi as t runs from 0 to
     pi/2, and (dphi/dt) times the integrand of the next step at phi is twice the integrand at t. *)
 Section Landen.
 Variables a b : R.
@@ -132,7 +142,8 @@ Proof. unfold N, D, radicand. assert (H := cos_sq t). ring [H]. Qed.
 Lemma landen_angle_derive t : is_derive phi t (dphi t).
 Proof.
 unfold landen_angle.
-assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb). assert (HND := landen_sum_of_squares t).
+assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb).
+assert (HND := landen_sum_of_squares t).
 assert (Hq : is_derive (fun x => N x / D x) t
    (((a-b)*(cos t * cos t - sin t * sin t) * D t - N t * (2*(b-a)*sin t * cos t))/(D t)^2)).
 { unfold N, D. auto_derive. unfold D in HD; lra. unfold N, D in *. field. lra. }
@@ -145,32 +156,38 @@ unfold minus, plus, opp, scal; simpl; unfold mult; simpl.
 unfold landen_rate. rewrite <- HND.
 assert (0 < N t * N t + D t * D t) by (rewrite HND; exact HR).
 apply Rminus_diag_uniq.
-match goal with |- ?l = 0 => replace l with 
- ((2 * (N t * N t + D t * D t) - ((a-b)*(cos t * cos t - sin t * sin t) * D t - N t * (2*(b-a)*sin t * cos t)) - (a+b)*D t) / (N t * N t + D t * D t)) end.
+match goal with |- ?l = 0 => replace l with
+ ((2 * (N t * N t + D t * D t) - ((a-b)*(cos t * cos t - sin t * sin t) * D t - N t * (2*(b-a)*sin t
+   * cos t)) - (a+b)*D t) / (N t * N t + D t * D t)) end.
 2:{ unfold Rsqr. field. split; nra. }
 unfold Rdiv. apply Rmult_eq_0_compat_r.
 unfold N, D. assert (Hs := cos_sq t). ring [Hs].
 Qed.
 
 Lemma squares_at_landen_angle t :
-  cos (phi t)^2 = (a * cos t^2 - b * sin t^2)^2 / radicand a b t /\ sin (phi t)^2 = ((a+b) * (sin t * cos t))^2 / radicand a b t.
+  cos (phi t)^2 = (a * cos t^2 - b * sin t^2)^2 / radicand a b t /\ sin (phi t)^2 = ((a+b) * (sin t
+    * cos t))^2 / radicand a b t.
 Proof.
-assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb). assert (HND := landen_sum_of_squares t).
+assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb).
+assert (HND := landen_sum_of_squares t).
 assert (Hs := cos_sq t).
 unfold landen_angle. rewrite cos_minus, sin_minus, cos_atan, sin_atan.
 set (q := sqrt (1 + (N t / D t)²)).
 assert (Hq2 : q*q = radicand a b t / (D t * D t)).
 { unfold q. rewrite sqrt_sqrt. rewrite <- HND. unfold Rsqr. field. lra.
   unfold Rsqr. assert (0 <= N t / D t * (N t / D t)) by nra. lra. }
-assert (Hq : 0 < q). { unfold q. apply sqrt_lt_R0. assert (0 <= (N t / D t)²) by apply Rle_0_sqr. lra. }
+assert (Hq : 0 < q). { unfold q. apply sqrt_lt_R0. assert (0 <= (N t / D t)²) by apply Rle_0_sqr.
+lra. }
 assert (E1 : cos (2*t) * D t + sin (2*t) * N t = a * cos t^2 - b * sin t^2).
 { rewrite sin_2a, cos_2a. unfold N, D. ring [Hs]. }
 assert (E2 : sin (2*t) * D t - cos (2*t) * N t = (a+b) * (sin t * cos t)).
 { rewrite sin_2a, cos_2a. unfold N, D. ring [Hs]. }
-rewrite <- E1, <- E2. replace (radicand a b t) with (D t * D t * (q*q)) by (rewrite Hq2; field; lra). split; field; lra.
+rewrite <- E1, <- E2. replace (radicand a b t) with (D t * D t * (q*q)) by (rewrite Hq2; field;
+  lra). split; field; lra.
 Qed.
 
-Lemma radicand_at_landen_angle t : radicand ((a+b)/2) (sqrt (a*b)) (phi t) = ((a+b)/2 * D t)^2 / radicand a b t.
+Lemma radicand_at_landen_angle t : radicand ((a+b)/2) (sqrt (a*b)) (phi t) = ((a+b)/2 * D t)^2 /
+  radicand a b t.
 Proof.
 assert (HR := radicand_pos a b t Ha Hb). destruct (squares_at_landen_angle t) as [C S].
 unfold radicand at 1. rewrite !Rpow_mult_distr, (pow2_sqrt (a*b)) by nra. rewrite C, S.
@@ -180,19 +197,20 @@ Qed.
 Lemma landen_integrand t : dphi t * integrand ((a+b)/2) (sqrt (a*b)) (phi t) = 2 * integrand a b t.
 Proof.
 assert (HD := landen_denominator_pos t). assert (HR := radicand_pos a b t Ha Hb).
-unfold integrand. rewrite radicand_at_landen_angle. 
+unfold integrand. rewrite radicand_at_landen_angle.
 assert (Hsq : 0 < sqrt (radicand a b t)) by now apply sqrt_lt_R0.
 assert (E : sqrt (((a+b)/2 * D t)^2 / radicand a b t) = (a+b)/2 * D t / sqrt (radicand a b t)).
 { rewrite sqrt_div_alt by lra. rewrite sqrt_pow2. reflexivity. apply Rmult_le_pos; lra. }
-rewrite E. unfold landen_rate. 
-rewrite <- (sqrt_sqrt (radicand a b t)) at 1 by lra. 
+rewrite E. unfold landen_rate.
+rewrite <- (sqrt_sqrt (radicand a b t)) at 1 by lra.
 field. repeat split; lra.
 Qed.
 
-Lemma landen_substitution (g : R -> R) : (forall t, continuous g t) -> RInt (fun t => dphi t * g (phi t)) 0 (PI/2) = RInt g 0 PI.
+Lemma landen_substitution (g : R -> R) : (forall t, continuous g t) -> RInt (fun t => dphi t * g
+  (phi t)) 0 (PI/2) = RInt g 0 PI.
 Proof.
 intros C. assert (HC := RInt_comp (V:=R_CompleteNormedModule) g phi dphi 0 (PI/2)).
-assert (P0 : phi 0 = 0). { unfold landen_angle, N, D. rewrite sin_0, cos_0. 
+assert (P0 : phi 0 = 0). { unfold landen_angle, N, D. rewrite sin_0, cos_0.
   replace ((a-b)*0*1/(a*(1*1)+b*(0*0))) with 0 by (field; lra). rewrite atan_0. ring. }
 assert (P1 : phi (PI/2) = PI). { unfold landen_angle, N, D. rewrite sin_PI2, cos_PI2.
   replace ((a-b)*1*0/(a*(0*0)+b*(1*1))) with 0 by (field; lra). rewrite atan_0. field. }
@@ -207,15 +225,18 @@ Lemma gauss_invariance : gauss_integral a b = gauss_integral ((a+b)/2) (sqrt (a*
 Proof.
 assert (Ha1 : 0 < (a+b)/2) by lra.
 assert (Hb1 : 0 < sqrt (a*b)) by (apply sqrt_lt_R0; nra).
-assert (HC := landen_substitution (integrand ((a+b)/2) (sqrt (a*b))) ltac:(intros; now apply integrand_continuous)).
+assert (HC := landen_substitution (integrand ((a+b)/2) (sqrt (a*b))) ltac:(intros; now apply
+  integrand_continuous)).
 rewrite gauss_integral_to_pi in HC by assumption.
-assert (HL : RInt (fun t => dphi t * integrand ((a+b)/2) (sqrt (a*b)) (phi t)) 0 (PI/2) = 2 * gauss_integral a b); [|lra].
+assert (HL : RInt (fun t => dphi t * integrand ((a+b)/2) (sqrt (a*b)) (phi t)) 0 (PI/2) = 2 *
+  gauss_integral a b); [|lra].
 rewrite (RInt_ext _ (fun t => scal 2 (integrand a b t))) by (intros x _; apply landen_integrand).
 rewrite (RInt_scal (V:=R_CompleteNormedModule)) by (now apply integrand_integrable). reflexivity.
 Qed.
 End Landen.
 
-Lemma gauss_integral_decreasing a b A B : 0 < a -> 0 < b -> a <= A -> b <= B -> gauss_integral A B <= gauss_integral a b.
+Lemma gauss_integral_decreasing a b A B : 0 < a -> 0 < b -> a <= A -> b <= B -> gauss_integral A B
+  <= gauss_integral a b.
 Proof.
 intros Ha Hb HA HB. assert (HPI := PI_RGT_0).
 unfold gauss_integral. apply RInt_le; try lra; try (apply integrand_integrable; lra).
