@@ -196,6 +196,21 @@ value_case gamma_and_erf(maker& m) {
 }
 
 /// Of exact numbers only: the value is a rational number, worked out here with GMP.
+/// The identities above with so many bits that the functions are summed in fixed point, by tables
+/// and without, and by MPFR.
+value_case with_many_bits(maker& m) {
+  constexpr precision of_elementary_functions = 11'000;
+  constexpr precision of_gamma = 1600;
+  if (m.one_in(4)) {
+    value_case c = gamma_and_erf(m);
+    c.most_bits = of_gamma;
+    return c;
+  }
+  value_case c = m.any_of({exponential, circular, hyperbolic, inverse})(m);
+  c.most_bits = of_elementary_functions;
+  return c;
+}
+
 value_case exact_arithmetic(maker& m) {
   std::function<std::pair<term, rational>(long)> made =
       [&](long depth) -> std::pair<term, rational> {
@@ -235,6 +250,7 @@ std::vector<value_family> formula_families() {
           {"hyperbolic functions", 1000, hyperbolic},
           {"inverse functions", 1000, inverse},
           {"gamma and error functions", 600, gamma_and_erf},
+          {"functions with many bits", 200, with_many_bits},
           {"exact arithmetic", 1000, exact_arithmetic}};
 }
 

@@ -95,10 +95,11 @@ void add_other_arithmetics(const term& t, precision p, std::vector<known_value>&
 }
 
 /// The value of t by several routes.
-std::vector<known_value> values_of(const term& t, std::uint64_t seed) {
+std::vector<known_value> values_of(const term& t, precision most_bits, std::uint64_t seed) {
   maker m(seed);
+  const long rare = most_bits > value_case::usual_most_bits ? 2 : 10;
   const auto some_precision = [&] {
-    return m.one_in(10) ? m.between(400, 1500) : m.between(24, 300);
+    return m.one_in(rare) ? m.between(400, most_bits) : m.between(24, 300);
   };
   std::vector<known_value> values;
   try {
@@ -141,10 +142,10 @@ struct failure {
 };
 
 std::optional<failure> failing(const value_case& c, std::uint64_t seed, counts* tally) {
-  std::vector<known_value> values = values_of(c.left, seed);
+  std::vector<known_value> values = values_of(c.left, c.most_bits, seed);
   const std::size_t of_left = values.size();
   if (c.left.text() != c.right.text()) {
-    for (known_value& v : values_of(c.right, seed + 1)) values.push_back(std::move(v));
+    for (known_value& v : values_of(c.right, c.most_bits, seed + 1)) values.push_back(std::move(v));
   }
   const auto name = [&](std::size_t i) {
     return fmt::format("{} {}: {}", i < of_left ? c.left.text() : c.right.text(), values[i].how,
@@ -178,7 +179,7 @@ failure shrunk(failure f, std::uint64_t seed) {
     for (const term& less : smaller(f.c.left)) {
       if (--tries < 0) break;
       if (less.size() >= f.c.left.size()) continue;
-      if (auto still = failing({less, less}, seed, nullptr)) {
+      if (auto still = failing({less, less, f.c.most_bits}, seed, nullptr)) {
         f = std::move(*still);
         is_smaller = true;
         break;
@@ -198,8 +199,8 @@ void examine(const value_case& given, std::uint64_t seed, counts& c) {
   if (!f) return;
   ++c.wrong;
   // Where one of the two formulas contradicts itself, that is shrunk.
-  std::optional<failure> own = failing({given.left, given.left}, seed, nullptr);
-  if (!own) own = failing({given.right, given.right}, seed + 1, nullptr);
+  std::optional<failure> own = failing({given.left, given.left, given.most_bits}, seed, nullptr);
+  if (!own) own = failing({given.right, given.right, given.most_bits}, seed + 1, nullptr);
   const failure less =
       shrunk(own ? *own : *f, own && own->c.left.text() == given.right.text() ? seed + 1 : seed);
   ADD_FAILURE() << f->what << "\nshrunk: " << less.what << "\n  polhode eval \""

@@ -19,6 +19,10 @@ namespace polhode::differential {
 struct value_case {
   term left = 0;
   term right = 0;
+  /// Half of the values have 400 bits and more where these are more than the usual.
+  precision most_bits = usual_most_bits;
+
+  static constexpr precision usual_most_bits = 1500;
 };
 
 struct value_family {

@@ -27,10 +27,10 @@ using namespace fixed_point;
 
 /// About the natural logarithm of 2 B/R^K: a choice, which decides nothing but the time.
 double log_of_bound(double radius, double terms) {
-  return std::log(2.5) + std::numbers::pi * radius / 2 + std::lgamma(2 * radius + 1) -
+  return std::log(8.0 / 3) + std::numbers::pi * radius / 2 + std::lgamma(2 * radius + 1) -
          std::lgamma(radius + 1) - terms * std::log(radius);
 }
-/// The R with about the least bound.
+/// The R with about the least bound; any R >= 1 has one.
 long radius_for(std::size_t terms) {
   const auto n = static_cast<double>(terms);
   long radius = 1;
@@ -47,7 +47,7 @@ magnitude bound_of_rest(std::size_t terms) {
   // e^(pi/2) < 4.811.
   const magnitude e_to_half_pi =
       divide_up(magnitude::from_integer_up(4811), magnitude::from_integer_up(1000));
-  magnitude bound = divide_up(magnitude::from_integer_up(5), magnitude::from_integer_up(2));
+  magnitude bound = divide_up(magnitude::from_integer_up(8), magnitude::from_integer_up(3));
   for (long i = 1; i <= radius; ++i) {
     bound = multiply_up(bound, magnitude::from_integer_up(static_cast<std::uint64_t>(radius + i)));
     bound = multiply_up(bound, e_to_half_pi);
@@ -74,7 +74,7 @@ std::vector<ball> taylor_coefficients(std::size_t terms, precision bits) {
   return d;
 }
 
-/// So many terms that the rest is below 2^-bits for |t| <= 1/2.
+/// About the number of terms for which the rest is below 2^-bits for |t| <= 1/2.
 std::size_t terms_for(precision bits) {
   const double wanted = -static_cast<double>(bits) * std::numbers::ln2;
   std::size_t terms = 8;
@@ -150,9 +150,8 @@ struct signed_number {
   }
 };
 
-/// sum *= t for a fraction t, of the limbs of the sum from `low` on; within two units of the limb
-/// `low`: the limbs of t that are left out change the product by less than one of them, and it is
-/// cut off.
+/// sum *= t for a fraction t, of the limbs of the sum from `low` on, within two units of the limb
+/// `low`: one for the limbs of t that are left out, and one for the end of the product.
 void multiply_above(number& sum, const limb* t, long low, long w) {
   long high = w + 1;
   while (high > low && sum[high - 1] == 0) --high;

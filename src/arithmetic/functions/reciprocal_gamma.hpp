@@ -7,11 +7,15 @@
 //
 //   k d_k = gamma d_(k-1) - zeta(2) d_(k-2) + zeta(3) d_(k-3) - ... + (-1)^(k+1) zeta(k) d_0.
 //
-// For |z| <= R, a whole number, f(z) = (1 + z)(2 + z)...(R + z)/Gamma(1 + R + z). There Re(1 + R +
-// z) >= 1, and |Gamma(x + iy)| >= Gamma(x) sech(pi y)^(1/2) for x >= 1/2 (DLMF 5.6.7), Gamma(x) >
-// 4/5 for x > 0 (DLMF 5.4.19), cosh(pi y) <= e^(pi |y|). So |f(z)| <= B = (5/4) e^(pi R/2) (R +
-// 1)(R + 2)...(2R), and by Cauchy's estimate |d_k| <= B/R^k. For |t| <= 1/2 and R >= 1 the terms
-// from the one with t^K on are together at most
+// For |z| <= R, a whole number, f(z) = (1 + z)(2 + z)...(R + z)/Gamma(1 + R + z), and the real part
+// of 1 + R + z is at least 1. For x >= 1 and real y:
+//   |Gamma(x + iy)| >= Gamma(x) sech(pi y)^(1/2) (DLMF 5.6.7), and cosh(pi y) <= e^(pi |y|);
+//   Gamma(x) > 3/4. As psi increases, log Gamma is convex, and it increases from 2 on, where psi is
+//   1 - gamma > 0. Between 1 and 2 it is above its tangents at both ends, where its slopes are
+//   -gamma and 1 - gamma: above -gamma (1 - gamma), where they meet, and this is at least -1/4 and
+//   log(3/4) < -1/4.
+// So |f(z)| <= B = (4/3) e^(pi R/2) (R + 1)(R + 2)...(2R), and by Cauchy's estimate |d_k| <= B/R^k.
+// For |t| <= 1/2 and R >= 1 the terms from the one with t^K on are together at most
 //
 //   B (|t|/R)^K/(1 - |t|/R) <= 2 B (|t|/R)^K.
 

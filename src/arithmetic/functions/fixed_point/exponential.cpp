@@ -26,8 +26,8 @@ void join(fraction& m, const limb* f, long w) {
   mpn_add_n(m.data(), m.data(), product.data(), w);
 }
 
-/// e^(i/2^5) - 1, e^(j/2^10) - 1, ... with so many limbs, and how many units they are too small at
-/// most. i <= 22, for t < log 2.
+/// The entries e^(i/2^5) - 1, e^(j/2^10) - 1, ... with w limbs, and a bound of their errors: they
+/// are too small. i <= 22, for t < log 2.
 class exponential_table {
  public:
   explicit exponential_table(long w)
@@ -53,7 +53,8 @@ class exponential_table {
   [[nodiscard]] const limb* entry(long level, limb digit, long w) const {
     return entries_.data() + first_limb(level, digit) + (w_ - w);
   }
-  /// Those of an entry with w limbs: of fewer than it has it is cut off.
+  /// The units by which an entry with w limbs is too small at most. With fewer limbs than the table
+  /// has it is cut off.
   [[nodiscard]] std::uint64_t units(long w) const { return w == w_ ? units_ : 2; }
 
  private:
@@ -85,7 +86,7 @@ class exponential_table {
   std::uint64_t units_ = 0;
 };
 
-/// A great one is made where it is needed: it takes longer than one exponential.
+/// The greater table is made only for numbers that need it: it takes longer than one exponential.
 const exponential_table& table_for(long w) {
   constexpr long few_limbs = 56;
   static_assert(few_limbs < most_limbs);
