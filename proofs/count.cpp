@@ -11,19 +11,17 @@
 namespace polhode::proofs {
 namespace {
 
-/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it.
-void add_slopes(certificate& c, const body& rigid, int k, const root_bracket& u) {
-  const rational b = *rigid.b().as_rational();
-  const auto square_of_slope = [&](const rational& at) {
-    return rational(4 * b * b * at * (1 - at));
-  };
-  const auto [least, greatest] = std::minmax({square_of_slope(u.lower), square_of_slope(u.upper)});
+/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it, by the range
+/// of u (1 - u), whose ends are dyadic as u's are: their decimals are rounded in one way only.
+void add_slopes(certificate& c, int k, const root_bracket& u) {
+  const auto product = [](const rational& at) { return rational(at * (1 - at)); };
+  const auto [least, greatest] = std::minmax({product(u.lower), product(u.upper)});
   const rational half(1, 2);
   const bool has_middle = u.lower < half && half < u.upper;
   c.facts.push_back(
-      {statements::fill(statements::slopes_at_meeting,
-                        {std::to_string(k),
-                         in_decimals({least, has_middle ? square_of_slope(half) : greatest})}),
+      {statements::fill(
+           statements::slopes_at_meeting,
+           {std::to_string(k), in_decimals({least, has_middle ? product(half) : greatest})}),
        least > 0, step_kind::exact});
 }
 
@@ -42,7 +40,7 @@ certificate prove_count(const request& wanted) {
   if (count > 0) {
     add_brackets(
         c, rigid, count, [&](int k) { return q(k); }, "intersections",
-        [&](int k, const root_bracket& u) { add_slopes(c, rigid, k, u); });
+        [&](int k, const root_bracket& u) { add_slopes(c, k, u); });
   } else {
     add_absence(c, rigid, 2);
   }

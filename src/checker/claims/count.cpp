@@ -12,13 +12,13 @@ namespace polhode::checker {
 namespace {
 
 /// S is c = -b u with u = sin(epsilon)^2, and C is tangent to it: the derivative is -2 b sin cos.
-void check_slopes(examination& e, const rational& b, int k, const range& u) {
-  const auto square = [&](const rational& x) { return rational(4 * b * b * x * (1 - x)); };
-  range squares{square(u.lower), square(u.upper)};
-  if (squares.upper < squares.lower) std::swap(squares.lower, squares.upper);
-  if (2 * u.lower < 1 && 2 * u.upper > 1) squares.upper = b * b;
+void check_slopes(examination& e, int k, const range& u) {
+  const auto product = [](const rational& x) { return rational(x * (1 - x)); };
+  range products{product(u.lower), product(u.upper)};
+  if (products.upper < products.lower) std::swap(products.lower, products.upper);
+  if (2 * u.lower < 1 && 2 * u.upper > 1) products.upper = rational(1, 4);
   e.fact(statements::fill(statements::slopes_at_meeting,
-                          {std::to_string(k), in_decimals(squares, e.work())}),
+                          {std::to_string(k), in_decimals(products, e.work())}),
          u.lower > 0 && u.upper < 1);
 }
 
@@ -32,7 +32,7 @@ void check_count(examination& e) {
          (count == 0 || rigid.is_above_I(q(count))) && !rigid.is_above_I(q(count + 1)));
   check_values_of_half_phase(
       e, count, [&](int k) { return q(integer(k)); }, "intersections",
-      [&](int k, const range& u) { check_slopes(e, rigid.b, k, u); });
+      [&](int k, const range& u) { check_slopes(e, k, u); });
 }
 
 }  // namespace

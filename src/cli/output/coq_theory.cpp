@@ -204,28 +204,25 @@ class common_denominator {
   integer n_, a_, b_, unit_;
 };
 
-/// Coq's proof that the phase at the lower end is above 2 pi/m, or that it is below at the upper.
-std::string by_integers(const char* theorem, const common_denominator& ab, const integer& at,
-                        const std::string& m, const test_effort& effort) {
-  return fmt::format(
-      "- apply ({} {} (2^{}) {} {} {} {}{});\n"
-      "    [unfold a; lra | unfold b; lra | lra | vm_compute; reflexivity].\n",
-      theorem, effort.steps, effort.bits, ab.n().str(), ab.a().str(), ab.b().str(), at.str(), m);
-}
-
-/// Both.
+/// Coq's proof that T is above pi/m at the lower end and below at the upper, by the theorems
+/// <kind>_is_above and <kind>_is_below of BracketTests.v. Their last argument is m, where they have
+/// it.
 template <class Start>
-std::string by_integers(const std::string& theorem, const rational& a, const rational& b,
-                        const bracket& inside, const integer& m, bool name_m, const Start& start) {
+std::string by_integers(const std::string& kind, const rational& a, const rational& b,
+                        const bracket& inside, const integer& m, const std::string& last_argument,
+                        const Start& start) {
   const common_denominator ab(a, b, inside.unit());
-  const std::string last = name_m ? ' ' + m.str() : "";
-  const auto one = [&](const integer& end, side which, const char* suffix) {
+  const long first_bits = 64 + static_cast<long>(msb(inside.unit()));
+  const auto at_end = [&](const integer& end, side which) {
     const integer at = ab.over_unit(end);
-    const test_effort effort = effort_for(start(ab.n(), ab.a(), ab.b(), at), m, which,
-                                          64 + static_cast<long>(msb(inside.unit())));
-    return by_integers((theorem + suffix).c_str(), ab, at, last, effort);
+    const test_effort effort = effort_for(start(ab.n(), ab.a(), ab.b(), at), m, which, first_bits);
+    return fmt::format(
+        "- apply ({}_is_{} {} (2^{}) {} {} {} {}{});\n"
+        "    [unfold a; lra | unfold b; lra | lra | vm_compute; reflexivity].\n",
+        kind, which == side::above ? "above" : "below", effort.steps, effort.bits, ab.n().str(),
+        ab.a().str(), ab.b().str(), at.str(), last_argument);
   };
-  return one(inside.lower, side::above, "_is_above") + one(inside.upper, side::below, "_is_below");
+  return at_end(inside.lower, side::above) + at_end(inside.upper, side::below);
 }
 
 /// How often C meets S, and where first.
@@ -254,13 +251,14 @@ void add_meetings(coq_theory& theory, const body& rigid, const rational& a, cons
     u.enclosure = at.u;
     const std::string name = fmt::format("u{}", k);
     const bracket inside = bracket_of(u, digits, 1, name.c_str());
-    theory.text += between(
-        name.c_str(), fmt::format("meeting_at a b {}", k).c_str(), inside,
-        fmt::format("apply (meeting_between a b {0} {1}); try (unfold a, b; lra).\n"
-                    "- auto with arith.\n"
-                    "- rewrite INR_IZR_INZ; simpl; lra.\n{2}",
-                    k, 2 * k - 1,
-                    by_integers("meeting", a, b, inside, 2 * k - 1, true, start_of_meeting)));
+    theory.text +=
+        between(name.c_str(), fmt::format("meeting_at a b {}", k).c_str(), inside,
+                fmt::format("apply (meeting_between a b {0} {1}); try (unfold a, b; lra).\n"
+                            "- auto with arith.\n"
+                            "- rewrite INR_IZR_INZ; simpl; lra.\n{2}",
+                            k, 2 * k - 1,
+                            by_integers("meeting", a, b, inside, 2 * k - 1,
+                                        fmt::format(" {}", 2 * k - 1), start_of_meeting)));
   }
   theory.meeting_digits = digits;
 }
@@ -326,7 +324,7 @@ coq_theory coq_theory_of(const body& rigid, long digits) {
     result.text += "(** The perfect twist, proposition 3. *)\n";
     result.text += between("c0", "perfect_twist a b", twist,
                            "apply twist_between; try (unfold a, b; lra).\n" +
-                               by_integers("twist", a, b, twist, 1, false, start_of_twist));
+                               by_integers("twist", a, b, twist, 1, "", start_of_twist));
   }
   add_meetings(result, rigid, a, b, digits);
   return result;
