@@ -2,6 +2,7 @@
 
 #include "proofs/epsilon0_min.hpp"
 #include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/mpfr_functions.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "proofs/claims.hpp"
 #include "statements/epsilon0_min.hpp"
@@ -26,6 +27,7 @@ certificate prove_epsilon0_min(const request& wanted) {
 }  // namespace
 
 root_enclosure epsilon0_min_by_logarithm(precision p) {
+  const detail::only_mpfr_functions mpfr_functions;
   const ball box = hull(ball(rational(86, 1000), 64), ball(rational(87, 1000), 64));
   const auto f = [](const ball& x) { return log(tan(x / 2)) + pi(x.precision()); };
   const auto derivative = [](const ball& x) { return 1 / sin(x); };

@@ -1,6 +1,5 @@
 #include "polhode/verify/second_value.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "base/clock.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/mpfr_functions.hpp"
 #include "polhode/arithmetic/region.hpp"
 #include "polhode/arithmetic/text.hpp"
 
@@ -18,14 +18,8 @@ namespace {
 
 constexpr const char* what = "the value";
 
-/// Half as many again, odd; and more than the arithmetic's own tables and series serve (some 3,500
-/// bits), but for functions whose cost grows with the square of the precision.
-precision other_bits(const expression& f, precision bits) {
-  constexpr precision beyond_tables = 4099;
-  const precision more = bits + bits / 2;
-  const bool is_cheap = f.cost() != expression_cost::special;
-  return (is_cheap ? std::max(more, beyond_tables) : more) | 1;
-}
+/// Half as many again, odd.
+precision other_bits(precision bits) { return (bits + bits / 2) | 1; }
 
 /// The report of a route that enclosed the value; throws where it has nothing in common with the
 /// first.
@@ -69,7 +63,8 @@ namespace {
 
 second_opinion in_other_arithmetic(const expression& f, const finding<ball>& known, precision bits,
                                    long digits) {
-  const precision more = other_bits(f, bits);
+  const detail::only_mpfr_functions mpfr_functions;
+  const precision more = other_bits(bits);
   second_opinion result;
   result.add(in_complex_arithmetic(f, known, more, digits));
   if (result.agrees()) return result;

@@ -1,6 +1,6 @@
 #pragma once
 
-// exp, sinh, cosh, log, sin, cos and atan at moderate precisions, where MPFR's functions take
+// exp, sinh, cosh, log, sin, cos and atan by algorithms of our own, where MPFR's functions take
 // several times as long as they need.
 
 #include <mpfr.h>

@@ -114,7 +114,7 @@ series_in_limbs make_series(long w) {
       throw std::logic_error("1/Gamma: a coefficient of its series is not below 1, or not known");
     }
     const mpfr_srcptr middle = ball_access::first(d[k]);
-    number x;
+    number x(w);
     load(x, middle, mpfr_get_exp(middle), w);
     std::copy_n(x.data(), w, result.sizes.begin() + static_cast<std::ptrdiff_t>(k - 1) * w);
     result.signs[k] = mpfr_sgn(middle) < 0;
@@ -158,7 +158,7 @@ void multiply_above(number& sum, const limb* t, long low, long w) {
   mpn_zero(sum.data(), low);
   const long n = high - low;
   if (n == 0) return;
-  double_fraction product;
+  double_fraction product(w);
   if (n > w) {  // only where sum >= 1 and low is 0
     mpn_mul(product.data(), sum.data(), n, t, w);
     mpn_copyi(sum.data(), product.data() + w, n);
@@ -178,10 +178,10 @@ void multiply_above(number& sum, const limb* t, long low, long w) {
 /// below 2, so that these steps add up to 14 units at most. The terms left out are below a unit.
 bool near_reciprocal_gamma(mpfr_ptr r, mpfr_srcptr t, long w, magnitude& error) {
   const series_in_limbs& series = series_for(w);
-  number size;
+  number size(w);
   load(size, t, mpfr_get_exp(t), w);
   const bool t_negative = mpfr_sgn(t) < 0;
-  signed_number sum;
+  signed_number sum{number(w)};
   mpn_zero(sum.size.data(), w + 1);
   for (long k = series.terms - 1; k >= 0; --k) {
     multiply_above(sum.size, size.data(), std::min(k / 64, w - 1), w);

@@ -10,10 +10,11 @@ namespace polhode::detail::fixed_point {
 
 bool arctangent_of_quotient(number& q, const limb* num, const number& den, long w,
                             bool hyperbolic) {
-  double_fraction dividend;
-  fraction z;
-  limbs<most_limbs + 2> quotient{};
-  number remainder;
+  double_fraction dividend(w);
+  fraction z(w);
+  double_fraction quotient(w);
+  mpn_zero(quotient.data(), w + 2);
+  number remainder(w);
   mpn_zero(dividend.data(), w);
   mpn_copyi(dividend.data() + w, num, w);
   const long n = den[w] != 0 ? w + 1 : w;
@@ -21,8 +22,9 @@ bool arctangent_of_quotient(number& q, const limb* num, const number& den, long 
   if (n == w && quotient[w] != 0) return false;
   if ((quotient[w - 1] >> 15) != 0) return false;
   square(z.data(), quotient.data(), w);
-  constexpr long small = 98;
-  const long terms = (64 * w - 49 + small - 1) / small;
+  const long zeros = std::min(leading_zeros(quotient.data(), w), 32 * w);
+  const long small = 2 * zeros;
+  const long terms = std::max((64 * w - zeros + small - 1) / small, 1L);
   const power_table powers(z.data(), w, std::max(integer_sqrt(terms), 2L));
   mpn_zero(q.data(), w + 1);
   long last = terms - 1;

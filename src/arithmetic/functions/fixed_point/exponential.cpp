@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "arithmetic/functions/fixed_point/prime_reduction.hpp"
 #include "arithmetic/functions/fixed_point/series.hpp"
 #include "arithmetic/functions/fixed_point_functions.hpp"
 
@@ -19,11 +20,11 @@ constexpr limb digit_mask = limb{digit_count - 1};
 constexpr long reduced_bits = digits * digit_bits;
 
 /// m becomes (1 + m)(1 + f) - 1, cut off.
-void join(fraction& m, const limb* f, long w) {
-  fraction product;
-  multiply(product.data(), m.data(), f, w);
-  mpn_add_n(m.data(), m.data(), f, w);
-  mpn_add_n(m.data(), m.data(), product.data(), w);
+void join(limb* m, const limb* f, long w) {
+  fraction product(w);
+  multiply(product.data(), m, f, w);
+  mpn_add_n(m, m, f, w);
+  mpn_add_n(m, m, product.data(), w);
 }
 
 /// The entries e^(i/2^5) - 1, e^(j/2^10) - 1, ... with w limbs, and a bound of their errors: they
@@ -32,20 +33,22 @@ class exponential_table {
  public:
   explicit exponential_table(long w)
       : w_(w), entries_(static_cast<std::size_t>(digits * digit_count * w)) {
-    fraction first = least_base();
+    fraction first(w);
+    set_least_base(first);
     for (long level = digits - 1; level >= 0; --level) {
       const limb last = level == 0 ? 22 : digit_mask;
-      fraction product = first;
+      fraction product(w);
+      mpn_copyi(product.data(), first.data(), w);
       std::uint64_t units = first_units;
       for (limb i = 1;; ++i) {
         mpn_copyi(place_of(level, i), product.data(), w_);
         if (i == last) break;
-        join(product, first.data(), w_);
+        join(product.data(), first.data(), w_);
         // E (1 + f) + D (1 + m) + 1, f < 1/16, m < 1.
         units += units / 16 + 2 * first_units + 2;
       }
       units_ = std::max(units_, units);
-      for (long i = 0; level > 0 && i < digit_bits; ++i) join(first, first.data(), w_);
+      for (long i = 0; level > 0 && i < digit_bits; ++i) join(first.data(), first.data(), w_);
     }
   }
 
@@ -68,17 +71,15 @@ class exponential_table {
   }
   limb* place_of(long level, limb digit) { return entries_.data() + first_limb(level, digit); }
 
-  /// e^y - 1 for the last digit's y = 2^-25.
-  [[nodiscard]] fraction least_base() const {
-    fraction y;
+  /// m becomes e^y - 1 for the last digit's y = 2^-25.
+  void set_least_base(fraction& m) const {
+    fraction y(w_);
     mpn_zero(y.data(), w_);
     const long place = 64 * w_ - reduced_bits;
     y[place / 64] = limb{1} << (place % 64);
-    number sum;
+    number sum(w_);
     sum_series(sum, series::exponential, y.data(), w_, reduced_bits - 1);
-    fraction m;
     mpn_copyi(m.data(), sum.data(), w_);
-    return m;
   }
 
   long w_;
@@ -86,31 +87,33 @@ class exponential_table {
   std::uint64_t units_ = 0;
 };
 
-/// The greater table is made only for numbers that need it: it takes longer than one exponential.
-const exponential_table& table_for(long w) {
-  constexpr long few_limbs = 56;
-  static_assert(few_limbs < most_limbs);
-  if (w <= few_limbs) {
-    static const exponential_table small(few_limbs);
-    return small;
-  }
-  static const exponential_table great(most_limbs);
-  return great;
-}
+// Beyond these the reduction by primes is faster.
+constexpr long most_limbs_by_digits = 20;
 
 }  // namespace
 }  // namespace exponential_impl
 
-std::uint64_t expm1_of_fraction(fraction& m, const limb* t, long w) {
+std::uint64_t expm1_of_fraction(limb* m, const limb* t, long w) {
   using namespace exponential_impl;
-  if (is_tabulated(w)) return tabulated_expm1(m.data(), t, w);
-  const exponential_table& table = table_for(w);
-  fraction y;
+  if (is_tabulated(w)) return tabulated_expm1(m, t, w);
+  if (w > most_limbs_by_digits) {
+    number value(w);
+    const std::uint64_t units = exponential_by_primes(value, t, w);
+    if (value[w] == 1) {
+      mpn_copyi(m, value.data(), w);
+    } else {
+      // Nearer to 1 <= e^t < 2.
+      std::fill_n(m, w, value[w] == 0 ? limb{0} : ~limb{0});
+    }
+    return units;
+  }
+  static const exponential_table table(most_limbs_by_digits);
+  fraction y(w);
   mpn_copyi(y.data(), t, w);
   y[w - 1] &= ~limb{0} >> reduced_bits;
-  number sum;
+  number sum(w);
   sum_series(sum, series::exponential, y.data(), w, reduced_bits);
-  mpn_copyi(m.data(), sum.data(), w);
+  mpn_copyi(m, sum.data(), w);
   for (long level = digits - 1; level >= 0; --level) {
     const limb digit = (t[w - 1] >> (64 - digit_bits * (level + 1))) & digit_mask;
     if (digit != 0) join(m, table.entry(level, digit, w), w);
@@ -126,13 +129,13 @@ using namespace fixed_point;
 
 bool near_exp(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
   if (mpfr_regular_p(x) == 0 || mpfr_get_exp(x) > range_log2 || mpfr_get_exp(x) < -64 ||
-      !has_wide_range()) {
+      !may_be_own()) {
     return false;
   }
   const long w = limbs_for(mpfr_get_prec(r), bits_of_turns(x));
   if (w > most_limbs) return false;
   // |x| = n log 2 + t, cut off by one unit, with an error of n units; for x < 0 the next multiple.
-  number t;
+  number t(w);
   load(t, x, mpfr_get_exp(x), w);
   const log_2 log2(w);
   const std::uint64_t n = reduce(t, log2, w);
@@ -145,9 +148,9 @@ bool near_exp(mpfr_ptr r, mpfr_srcptr x, magnitude& error) {
     }
   }
   // e^t <= 2 magnifies t's error of n + 2.
-  fraction m;
-  const std::uint64_t units = expm1_of_fraction(m, t.data(), w) + 2 * (n + 2) + 1;
-  number value;
+  fraction m(w);
+  const std::uint64_t units = expm1_of_fraction(m.data(), t.data(), w) + 2 * (n + 2) + 1;
+  number value(w);
   mpn_copyi(value.data(), m.data(), w);
   value[w] = 1;
   return store(r, value, w, 1, exponent, units, error);
@@ -167,28 +170,29 @@ bool near_hyperbolic(mpfr_ptr r, mpfr_srcptr x, magnitude& error, bool sine) {
   const mpfr_exp_t exponent = mpfr_get_exp(x);
   const long in_common = sine ? std::max<long>(0, -static_cast<long>(exponent)) : 0;
   const long w = limbs_for(mpfr_get_prec(r), in_common + bits_of_turns(x));
-  if (w > most_limbs || exponent > range_log2 || exponent < least_exponent || !has_wide_range()) {
+  if (w > most_limbs || exponent > range_log2 || exponent < least_exponent || !may_be_own()) {
     return false;
   }
-  number t;
+  number t(w);
   load(t, x, exponent, w);
   const log_2 log2(w);
   const std::uint64_t n = reduce(t, log2, w);
-  fraction m;
-  const std::uint64_t units = expm1_of_fraction(m, t.data(), w) + 2 * (n + 2) + 1;
-  number value;
+  fraction m(w);
+  const std::uint64_t units = expm1_of_fraction(m.data(), t.data(), w) + 2 * (n + 2) + 1;
+  number value(w);
   mpn_copyi(value.data(), m.data(), w);
   value[w] = 1;
   const std::uint64_t shift = 2 * n;
   std::uint64_t both = units;
   if (shift < static_cast<std::uint64_t>(64 * w)) {
     // floor((2^(128 w) - 1) / V), in units, is below 2^(64 w) unless V = 1; and then too.
-    double_fraction dividend;
+    double_fraction dividend(w);
     for (long i = 0; i < 2 * w; ++i) dividend[i] = ~limb{0};
-    double_fraction quotient;
-    number remainder;
+    double_fraction quotient(w);
+    number remainder(w);
     mpn_tdiv_qr(quotient.data(), remainder.data(), 0, dividend.data(), 2 * w, value.data(), w + 1);
-    number inverse{};
+    number inverse(w);
+    mpn_zero(inverse.data(), w + 1);
     const auto limbs_away = static_cast<long>(shift / 64);
     const auto bits_away = static_cast<unsigned>(shift % 64);
     mpn_copyi(inverse.data(), quotient.data() + limbs_away, w - limbs_away);

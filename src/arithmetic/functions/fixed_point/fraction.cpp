@@ -1,5 +1,7 @@
 #include "arithmetic/functions/fixed_point/fraction.hpp"
 
+#include "arithmetic/functions/fixed_point/prime_numbers.hpp"
+
 namespace polhode::detail::fixed_point {
 
 void load(number& x, mpfr_srcptr a, mpfr_exp_t exponent, long w) {
@@ -38,6 +40,38 @@ bool store(mpfr_ptr r, number& x, long w, int sign, mpfr_exp_t exponent, std::ui
   return true;
 }
 
+namespace {
+
+/// MPFR's constant in [1/2, 1), cut off.
+void set_by(int (*f)(mpfr_ptr, mpfr_rnd_t), limb* to, long w) {
+  mpfr_t as_mpfr;
+  mpfr_custom_init_set(as_mpfr, MPFR_ZERO_KIND, 0, 64 * w, to);
+  f(as_mpfr, MPFR_RNDD);
+}
+
+}  // namespace
+
+log_2::log_2(long w) : constant(is_tabulated(w) ? tabulated_log_2(w) : nullptr, w) {
+  if (is_tabulated(w)) return;
+  if (is_by_primes(w)) {
+    mpn_copyi(own(), logarithms_of_primes(w)->number(0, w), w);
+  } else {
+    set_by(mpfr_const_log2, own(), w);
+  }
+}
+
+quarter_pi::quarter_pi(long w) : constant(is_tabulated(w) ? tabulated_quarter_pi(w) : nullptr, w) {
+  if (is_tabulated(w)) return;
+  if (is_by_primes(w)) {
+    // 2 arg(1 + i) = pi/2, with a limb before the point.
+    number half(w);
+    mpn_rshift(half.data(), angles_of_primes(w)->number(0, w), w + 1, 1);
+    mpn_copyi(own(), half.data(), w);
+  } else {
+    set_by(mpfr_const_pi, own(), w);
+  }
+}
+
 std::uint64_t reduce(number& x, const constant& c, long w) {
   const uint128 top = (uint128{x[w]} << 64) | x[w - 1];
   auto n = static_cast<std::uint64_t>(top / c[w - 1]);  // or one more or less
@@ -54,3 +88,17 @@ std::uint64_t reduce(number& x, const constant& c, long w) {
 }
 
 }  // namespace polhode::detail::fixed_point
+
+namespace polhode::detail {
+
+namespace only_mpfr_impl {
+namespace {
+thread_local long wanted_times = 0;
+}  // namespace
+}  // namespace only_mpfr_impl
+
+only_mpfr_functions::only_mpfr_functions() noexcept { ++only_mpfr_impl::wanted_times; }
+only_mpfr_functions::~only_mpfr_functions() { --only_mpfr_impl::wanted_times; }
+bool only_mpfr_functions::are_wanted() noexcept { return only_mpfr_impl::wanted_times > 0; }
+
+}  // namespace polhode::detail

@@ -3,16 +3,26 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <stdexcept>
 
 namespace polhode::detail::fixed_point {
 namespace {
 
-/// The quotient of two coefficients: the exponential series is the sum of z^k / (1 * 2 * ... * k),
-/// the circular one, for 1 - cos(sqrt(z)), of (-1)^(k+1) z^k / ((1*2) * (3*4) * ... * ((2k-1)*2k)),
-/// k >= 1.
+/// The coefficient of z^(k-1) over that of z^k, but for its sign.
 constexpr limb factor(series s, long k) {
-  return static_cast<limb>(s == series::exponential ? k : (2 * k - 1) * 2 * k);
+  switch (s) {
+    case series::exponential:
+      return static_cast<limb>(k);
+    case series::circular:
+      return static_cast<limb>((2 * k - 1) * 2 * k);
+    case series::hyperbolic_sine:
+    case series::sine:
+      break;
+  }
+  return static_cast<limb>(2 * k * (2 * k + 1));
 }
+
+constexpr bool alternates(series s) { return s == series::circular || s == series::sine; }
 
 }  // namespace
 
@@ -27,13 +37,15 @@ long terms_needed(series s, long small, long w) {
 }
 
 void sum_series(number& sum, series s, const limb* z, long w, long small) {
+  constexpr long most_terms = 5000;
   const long terms = std::max(terms_needed(s, small, w), 2L);
-  const power_table powers(z, w, std::clamp(integer_sqrt(terms) * 5 / 4, 2L, most_block));
+  if (terms > most_terms) throw std::logic_error("a series in fixed point has too many terms");
+  const power_table powers(z, w, std::clamp(integer_sqrt(terms) * 4 / 5, 2L, most_block));
   mpn_zero(sum.data(), w + 1);
   limb c = 1;
   for (long k = terms;; --k) {
     const long low = powers.low_limbs(k, small);
-    powers.add(sum, k, c, s == series::circular && k % 2 == 0, low);
+    powers.add(sum, k, c, alternates(s) && k % 2 == 0, low);
     const limb d = c * factor(s, k);
     if (k > 1 && uint128{d} * factor(s, k - 1) <= limb{1} << 62) {
       c = d;

@@ -10,9 +10,11 @@
 
 namespace polhode::detail::fixed_point {
 
-constexpr long most_block = 24;
+constexpr long most_block = 40;
 
-enum class series { exponential, circular };
+/// The sums over k >= 1 of z^k/k! = e^z - 1, of (-1)^(k+1) z^k/(2k)! = 1 - cos(sqrt(z)), of
+/// z^k/(2k+1)! = sinh(y)/y - 1 and of (-1)^(k+1) z^k/(2k+1)! = 1 - sin(y)/y with y = sqrt(z).
+enum class series { exponential, circular, hyperbolic_sine, sine };
 
 /// Terms of a series that are needed for z < 2^-small: the first one left out is below a unit, and
 /// so is the rest. (Of positive terms each is less than half of the one before, so it is 2 units.)
@@ -22,21 +24,21 @@ enum class series { exponential, circular };
 /// than 2 units too small, as e' <= 1 + 2 (1/4)^(i/2) e for a square and 1 + e/4 for a product.
 class power_table {
  public:
-  power_table(const limb* z, long w, long m) : w_(w), m_(m) {
-    mpn_copyi(powers_[1].data(), z, w);
+  power_table(const limb* z, long w, long m) : w_(w), m_(m), powers_(m * w) {
+    mpn_copyi(power(1), z, w);
     for (long i = 2; i <= m; ++i) {
       if (i % 2 == 0) {
-        square(powers_[i].data(), powers_[i / 2].data(), w);
+        square(power(i), power(i / 2), w);
       } else {
-        multiply(powers_[i].data(), powers_[i - 1].data(), z, w);
+        multiply(power(i), power(i - 1), z, w);
       }
     }
   }
   /// The number of low limbs that may be left out of a sum which is still to be multiplied by z^n,
   /// n the greatest multiple of m up to k, where z < 2^-small: a unit of the limb above them
-  /// becomes at most 2^-16 units.
+  /// becomes at most 2^-20 units.
   [[nodiscard]] long low_limbs(long k, long small) const {
-    constexpr long spare = 16;
+    constexpr long spare = 20;
     return std::clamp((small * (k / m_ * m_) - spare) / 64, 0L, w_ - 1);
   }
   /// sum += c z^(k mod m), or less, in the limbs from `low` on.
@@ -45,9 +47,9 @@ class power_table {
     if (i == 0) {
       sum[w_] += subtracted ? -c : c;
     } else if (subtracted) {
-      sum[w_] -= mpn_submul_1(sum.data() + low, powers_[i].data() + low, w_ - low, c);
+      sum[w_] -= mpn_submul_1(sum.data() + low, power(i) + low, w_ - low, c);
     } else {
-      sum[w_] += mpn_addmul_1(sum.data() + low, powers_[i].data() + low, w_ - low, c);
+      sum[w_] += mpn_addmul_1(sum.data() + low, power(i) + low, w_ - low, c);
     }
   }
   /// sum *= z^m where k begins a block. Of the sum the limbs from `low` on are used, of the product
@@ -55,14 +57,14 @@ class power_table {
   void end_block(number& sum, long k, long low = 0, long next_low = 0) const {
     if (k % m_ != 0) return;
     on_size(sum, w_, [&] {
-      double_fraction product;
+      double_fraction product(w_);
       const long sum_limbs = w_ + 1 - low;
       const long power_limbs = w_ - next_low;
-      const limb* const power = powers_[m_].data() + next_low;
+      const limb* const factor = power(m_) + next_low;
       if (sum_limbs >= power_limbs) {
-        mpn_mul(product.data(), sum.data() + low, sum_limbs, power, power_limbs);
+        mpn_mul(product.data(), sum.data() + low, sum_limbs, factor, power_limbs);
       } else {
-        mpn_mul(product.data(), power, power_limbs, sum.data() + low, sum_limbs);
+        mpn_mul(product.data(), factor, power_limbs, sum.data() + low, sum_limbs);
       }
       // Its lowest limb is that of 2^(64 (low + next_low - w)) units.
       mpn_copyi(sum.data() + next_low, product.data() + (w_ - low), w_ + 1 - next_low);
@@ -70,9 +72,12 @@ class power_table {
   }
 
  private:
+  [[nodiscard]] limb* power(long i) { return powers_.data() + (i - 1) * w_; }
+  [[nodiscard]] const limb* power(long i) const { return powers_.data() + (i - 1) * w_; }
+
   long w_;
   long m_;
-  fraction powers_[most_block + 1];
+  limbs<24 * few_limbs> powers_;
 };
 
 /// sum = the series at z < 2^-small <= 1/4, within 34 units.
@@ -95,9 +100,10 @@ class power_table {
 /// is by itself: it is joined to the run above. With the terms left out, 2 more, it is below 32.
 ///
 /// Where the sum is still to be multiplied by z^n, n a multiple of m, low limbs are left out of it:
-/// a unit of the lowest limb in use becomes at most 2^-16 units of the result. There, too, terms,
-/// products and divisions lose less than 32 of these units each time. They are fewer than 2^10, so
-/// that together they lose less than 2^10 2^5 2^-16 = 1/2. In all the error is below 34.
+/// a unit of the lowest limb in use becomes at most 2^-20 units of the result. There, too, terms,
+/// products and divisions lose less than 32 of these units each time. They are at most three for
+/// each term, fewer than 2^14, so that together they lose less than 2^14 2^5 2^-20 = 1/2. In all
+/// the error is below 34.
 void sum_series(number& sum, series s, const limb* z, long w, long small);
 
 }  // namespace polhode::detail::fixed_point
