@@ -25,9 +25,8 @@ using namespace polhode::bench;
 
 const auto cosine_minus_x = [](const auto& x) { return cos(x) - x; };
 
-ball dottie_number(long digits) {
-  return refine(isolate_roots(cosine_minus_x, 0, 1).regions.front(), digits).enclosure;
-}
+root_region dottie_region() { return isolate_roots(cosine_minus_x, 0, 1).regions.front(); }
+ball dottie_number(long digits) { return refine(dottie_region(), digits).enclosure; }
 
 #ifdef POLHODE_HAVE_ARB
 
@@ -71,15 +70,22 @@ class dottie_with_arb {
 
 #endif
 
-row dottie(long digits) {
+/// With the search for the root, or from the box that a search found.
+row dottie(long digits, bool with_search) {
   row r;
-  r.contestants = {warm([digits] { benchmark::DoNotOptimize(dottie_number(digits)); })};
+  if (with_search) {
+    r.contestants = {warm([digits] { benchmark::DoNotOptimize(dottie_number(digits)); })};
+  } else {
+    r.contestants = {warm(
+        [digits, found = dottie_region()] { benchmark::DoNotOptimize(refine(found, digits)); })};
+  }
 #ifdef POLHODE_HAVE_ARB
   const precision bits = bits_for_digits(digits) + 8;
   dottie_with_arb newton;
   require_agreement(dottie_number(digits), newton(bits), bits_for_digits(digits));
   r.contestants.push_back(warm([newton, bits]() mutable { newton(bits); }));
-  r.ratios = {{0, 1, digits == 1000 ? std::optional(at_most(1.5)) : std::nullopt}};
+  const bool is_limited = !with_search && digits >= 1000;
+  r.ratios = {{0, 1, is_limited ? std::optional(at_most(1.3)) : std::nullopt}};
 #endif
   return r;
 }
@@ -123,6 +129,9 @@ int main(int argc, char** argv) {
   dotties.contestants.emplace_back("Arb");
   dotties.ratios.emplace_back("/Arb");
 #endif
+  table refinements = dotties;
+  refinements.name = "refinement";
+  refinements.about = "x = cos x: so many digits of the root that a search found";
   table wilkinsons{"wilkinson",
                    "all 20 roots of Wilkinson's polynomial, expanded, to so many digits",
                    {"Polhode"},
@@ -130,7 +139,10 @@ int main(int argc, char** argv) {
   table oscillations{
       "sin_square", "all 1146 roots of sin(x^2) on [0, 60] to so many digits", {"Polhode"}, {}};
   for (const long digits : {50L, 1000L, 10000L}) {
-    benchmarks.add(dotties, std::to_string(digits), [digits] { return dottie(digits); });
+    benchmarks.add(dotties, std::to_string(digits), [digits] { return dottie(digits, true); });
+  }
+  for (const long digits : {50L, 1000L, 10000L}) {
+    benchmarks.add(refinements, std::to_string(digits), [digits] { return dottie(digits, false); });
   }
   for (const long digits : {15L, 100L}) {
     benchmarks.add(wilkinsons, std::to_string(digits),

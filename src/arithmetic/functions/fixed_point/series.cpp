@@ -40,7 +40,10 @@ void sum_series(number& sum, series s, const limb* z, long w, long small) {
   constexpr long most_terms = 5000;
   const long terms = std::max(terms_needed(s, small, w), 2L);
   if (terms > most_terms) throw std::logic_error("a series in fixed point has too many terms");
-  const power_table powers(z, w, std::clamp(integer_sqrt(terms) * 4 / 5, 2L, most_block));
+  // With many limbs the products that join blocks are short ones.
+  const long root = integer_sqrt(terms);
+  const power_table powers(
+      z, w, std::clamp(is_by_primes(w) ? root * 4 / 5 : root * 5 / 4, 2L, most_block));
   mpn_zero(sum.data(), w + 1);
   limb c = 1;
   for (long k = terms;; --k) {
