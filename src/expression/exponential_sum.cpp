@@ -55,23 +55,38 @@ namespace exponential_sum_impl {
 namespace {
 
 constexpr long greatest_degree = 64;
-constexpr std::size_t most_terms = 64;
+constexpr std::size_t most_terms = 256;
 
-using coefficients = std::vector<node_id>;
-using maybe_coefficients = std::optional<coefficients>;
+/// x^lowest (c_0 + c_1 x + ...).
+struct polynomial {
+  long lowest = 0;
+  std::vector<node_id> c;
+};
+using maybe_polynomial = std::optional<polynomial>;
 
-/// Polynomials in the variable whose coefficients are nodes without it.
+/// Polynomials in the variable whose coefficients are nodes without it, in 1/x, too, if wanted.
 class polynomial_nodes {
  public:
-  explicit polynomial_nodes(graph& g) : g_(g), zero_(g.number(0)) {}
+  explicit polynomial_nodes(graph& g, bool with_inverses = false)
+      : g_(g), zero_(g.number(0)), with_inverses_(with_inverses) {}
 
-  maybe_coefficients of(node_id i) {
+  maybe_polynomial of(node_id i) {
     const auto known = known_.find(i);
     if (known != known_.end()) return known->second;
-    maybe_coefficients found = made(i);
+    maybe_polynomial found = made(i);
     known_.emplace(i, found);
     return found;
   }
+  /// The coefficients of 1, x, x^2, ... of one without 1/x.
+  std::optional<std::vector<node_id>> coefficients_of(node_id i) {
+    const maybe_polynomial found = of(i);
+    if (!found) return std::nullopt;
+    std::vector<node_id> result(static_cast<std::size_t>(found->lowest), zero_);
+    result.insert(result.end(), found->c.begin(), found->c.end());
+    return result;
+  }
+  /// What coefficients were divided by.
+  [[nodiscard]] const std::vector<node_id>& divisors() const { return divisors_; }
   [[nodiscard]] bool is_constant(node_id i) {
     while (varies_.size() < g_.size()) {
       const auto k = static_cast<node_id>(varies_.size());
@@ -83,20 +98,20 @@ class polynomial_nodes {
   }
 
  private:
-  maybe_coefficients made(node_id i) {
-    if (is_constant(i)) return trimmed({i});
+  maybe_polynomial made(node_id i) {
+    if (is_constant(i)) return trimmed(0, {i});
     const node n = g_[i];
-    const auto of_two = [&](const auto& f) -> maybe_coefficients {
-      const maybe_coefficients x = of(n.left);
-      const maybe_coefficients y = x ? of(n.right) : std::nullopt;
+    const auto of_two = [&](const auto& f) -> maybe_polynomial {
+      const maybe_polynomial x = of(n.left);
+      const maybe_polynomial y = x ? of(n.right) : std::nullopt;
       return y ? f(*x, *y) : std::nullopt;
     };
     switch (n.what) {
       case operation::variable:
-        return coefficients{zero_, g_.number(1)};
+        return polynomial{1, {g_.number(1)}};
       case operation::negate: {
-        maybe_coefficients x = of(n.left);
-        if (x) std::ranges::for_each(*x, [&](node_id& c) { c = negate(g_, c); });
+        maybe_polynomial x = of(n.left);
+        if (x) std::ranges::for_each(x->c, [&](node_id& c) { c = negate(g_, c); });
         return x;
       }
       case operation::add:
@@ -105,56 +120,88 @@ class polynomial_nodes {
         return of_two([&](const auto& x, const auto& y) { return sum(x, y, true); });
       case operation::multiply:
         return of_two([&](const auto& x, const auto& y) { return product(x, y); });
-      case operation::divide: {
-        if (!is_constant(n.right)) return std::nullopt;
-        maybe_coefficients x = of(n.left);
-        if (!x) return x;
-        for (node_id& c : *x) {
-          if (c != zero_) c = divide(g_, c, n.right);
+      case operation::divide:
+        if (is_constant(n.right)) {
+          const maybe_polynomial x = of(n.left);
+          return x ? over(*x, n.right, 0) : x;
         }
-        return x;
-      }
+        return of_two([&](const auto& x, const auto& y) { return quotient(x, y); });
       case operation::power_integer: {
-        const maybe_coefficients x = of(n.left);
-        if (!x || n.number < 1 || n.number > greatest_degree) return std::nullopt;
-        maybe_coefficients result = x;
-        for (long k = 1; k < n.number && result; ++k) result = product(*result, *x);
+        const maybe_polynomial x = of(n.left);
+        const long size = std::abs(n.number);
+        if (!x || size > greatest_degree || (n.number < 1 && !with_inverses_)) return std::nullopt;
+        maybe_polynomial result = polynomial{0, {g_.number(1)}};
+        for (long k = 0; k < size && result; ++k) {
+          result = n.number > 0 ? product(*result, *x) : quotient(*result, *x);
+        }
         return result;
       }
       default:
         return std::nullopt;
     }
   }
-  maybe_coefficients sum(const coefficients& x, const coefficients& y, bool minus) {
-    coefficients result(std::max(x.size(), y.size()), zero_);
+  maybe_polynomial sum(const polynomial& x, const polynomial& y, bool minus) {
+    if (y.c.empty()) return x;
+    const long lowest = x.c.empty() ? y.lowest : std::min(x.lowest, y.lowest);
+    const auto end_of = [](const polynomial& p) {
+      return p.lowest + static_cast<long>(p.c.size());
+    };
+    const long end = x.c.empty() ? end_of(y) : std::max(end_of(x), end_of(y));
+    if (end - lowest > 2 * greatest_degree + 1) return std::nullopt;
+    const auto at = [&](const polynomial& p, long n) {
+      return n < p.lowest || n >= end_of(p) ? zero_ : p.c[static_cast<std::size_t>(n - p.lowest)];
+    };
+    std::vector<node_id> result;
     complex_nodes reals(g_);
-    for (std::size_t k = 0; k < result.size(); ++k) {
-      const node_id p = k < x.size() ? x[k] : zero_;
-      const node_id q = k < y.size() ? y[k] : zero_;
-      result[k] = minus ? reals.difference(p, q) : reals.sum(p, q);
+    for (long n = lowest; n < end; ++n) {
+      const node_id p = at(x, n);
+      const node_id q = at(y, n);
+      result.push_back(minus ? reals.difference(p, q) : reals.sum(p, q));
     }
-    return trimmed(std::move(result));
+    return trimmed(lowest, std::move(result));
   }
-  maybe_coefficients product(const coefficients& x, const coefficients& y) {
-    if (x.empty() || y.empty()) return coefficients{};
-    if (x.size() + y.size() > static_cast<std::size_t>(greatest_degree) + 2) return std::nullopt;
-    coefficients result(x.size() + y.size() - 1, zero_);
+  maybe_polynomial product(const polynomial& x, const polynomial& y) {
+    if (x.c.empty() || y.c.empty()) return polynomial{};
+    const long lowest = x.lowest + y.lowest;
+    const auto size = static_cast<long>(x.c.size() + y.c.size() - 1);
+    if (lowest < -greatest_degree || lowest + size - 1 > greatest_degree) return std::nullopt;
+    std::vector<node_id> result(static_cast<std::size_t>(size), zero_);
     complex_nodes reals(g_);
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      for (std::size_t k = 0; k < y.size(); ++k) {
-        result[j + k] = reals.sum(result[j + k], reals.product(x[j], y[k]));
+    for (std::size_t j = 0; j < x.c.size(); ++j) {
+      for (std::size_t k = 0; k < y.c.size(); ++k) {
+        result[j + k] = reals.sum(result[j + k], reals.product(x.c[j], y.c[k]));
       }
     }
-    return trimmed(std::move(result));
+    return trimmed(lowest, std::move(result));
   }
-  coefficients trimmed(coefficients c) const {
+  /// x over c x^n.
+  maybe_polynomial over(polynomial x, node_id c, long n) {
+    divisors_.push_back(c);
+    for (node_id& above : x.c) {
+      if (above != zero_) above = divide(g_, above, c);
+    }
+    x.lowest -= n;
+    if (x.lowest < -greatest_degree) return std::nullopt;
+    return x;
+  }
+  maybe_polynomial quotient(const polynomial& x, const polynomial& y) {
+    if (!with_inverses_ || y.c.size() != 1) return std::nullopt;
+    return over(x, y.c.front(), y.lowest);
+  }
+  polynomial trimmed(long lowest, std::vector<node_id> c) const {
     while (!c.empty() && c.back() == zero_) c.pop_back();
-    return c;
+    const auto first = std::ranges::find_if(c, [&](node_id n) { return n != zero_; });
+    lowest += first - c.begin();
+    c.erase(c.begin(), first);
+    if (c.empty()) lowest = 0;
+    return {lowest, std::move(c)};
   }
 
   graph& g_;
   node_id zero_;
-  std::map<node_id, maybe_coefficients> known_;
+  bool with_inverses_;
+  std::map<node_id, maybe_polynomial> known_;
+  std::vector<node_id> divisors_;
   std::vector<char> varies_;
 };
 
@@ -330,7 +377,7 @@ class decomposition {
     std::optional<node_id> w = steady_node(of);
     if (!w) return std::nullopt;
     if (scale) w = nodes_.product(*scale, *w);
-    const auto c = polynomials_.of(*w);
+    const auto c = polynomials_.coefficients_of(*w);
     if (!c) return std::nullopt;
     const complex_node factor{g_.number(a), g_.number(b)};
     polynomial_exponent e;
@@ -357,7 +404,14 @@ class decomposition {
 }  // namespace exponential_sum_impl
 
 std::optional<std::vector<node_id>> polynomial_in_variable(graph& g, node_id of) {
-  return exponential_sum_impl::polynomial_nodes(g).of(of);
+  return exponential_sum_impl::polynomial_nodes(g).coefficients_of(of);
+}
+
+std::optional<laurent_nodes> laurent_polynomial_in_variable(graph& g, node_id of) {
+  exponential_sum_impl::polynomial_nodes nodes(g, true);
+  const auto found = nodes.of(of);
+  if (!found) return std::nullopt;
+  return laurent_nodes{found->lowest, found->c, nodes.divisors()};
 }
 
 bool has_circular_functions(const graph& g) {

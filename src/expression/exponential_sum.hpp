@@ -66,13 +66,23 @@ using exponential_terms = std::map<polynomial_exponent, complex_node>;
 /// coefficients without it, of a degree of at most 64; the last of them is not the number 0.
 [[nodiscard]] std::optional<std::vector<node_id>> polynomial_in_variable(graph& g, node_id of);
 
+/// x^lowest times the sum of the coefficients by the powers of x, wherever no divisor is 0.
+struct laurent_nodes {
+  long lowest = 0;
+  std::vector<node_id> coefficients;
+  /// Nodes without the variable.
+  std::vector<node_id> divisors;
+};
+/// The same for a polynomial in x and 1/x.
+[[nodiscard]] std::optional<laurent_nodes> laurent_polynomial_in_variable(graph& g, node_id of);
+
 /// Whether there is a sine or cosine of what varies: cheaply, before a graph is copied for more.
 [[nodiscard]] bool has_circular_functions(const graph& g);
 /// Whether there is an operation of what varies that no entire sum of exponentials is made by.
 [[nodiscard]] bool has_other_than_entire(const graph& g);
 
 /// The sum that the root of g is; what it is made of joins g. None where it is no such sum, or one
-/// of more than 64 terms.
+/// of more than 256 terms.
 [[nodiscard]] std::optional<exponential_terms> exponential_terms_of(graph& g);
 
 }  // namespace polhode::detail

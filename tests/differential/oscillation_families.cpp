@@ -277,6 +277,69 @@ integral_case exponential_polynomials(maker& m) {
   return {f, a, b, few_digits(m)};
 }
 
+/// A sum of products of exponentials, sines and cosines over a power of x that is bounded at 0; or,
+/// for the twin, not, or that does not converge at infinity.
+term over_power(maker& m, bool diverges) {
+  const auto number = [&] {
+    return m.one_in(5) ? call("sqrt", m.rational_near(m.scattered(0.3, 6)))
+                       : m.rational_near(m.scattered(0.2, 5));
+  };
+  // 1 + O(x).
+  const auto decaying_or_wave = [&](const term& at) -> term {
+    switch (m.between(0, 2)) {
+      case 0:
+        return call("exp", -(at * x));
+      case 1:
+        return call("cos", at * x);
+      default:
+        return call("exp", -(at * x)) * call("cos", number() * x);
+    }
+  };
+  const long extra = diverges ? m.between(1, 2) : 0;
+  switch (m.between(0, 4)) {
+    case 0: {  // sines over as many powers
+      const long count = m.between(1, 5);
+      term f = call("sin", number() * x);
+      for (long k = 1; k < count; ++k) f = f * call("sin", number() * x);
+      if (m.one_in(3)) f = f * decaying_or_wave(number());
+      return f / power(x, count + extra);
+    }
+    case 1:  // Frullani; the difference is x or x^2 at least, and not 0
+      return (decaying_or_wave(number()) - decaying_or_wave(number() + 6)) /
+             power(x, diverges ? 3 : 1);
+    case 2: {
+      const term a = number();
+      return (1 - call("cos", a * x)) / power(x, 2 + extra);
+    }
+    case 3: {
+      const term a = number();
+      return (call("sin", a * x) - a * x * call("cos", a * x)) / power(x, 3 + extra);
+    }
+    default: {  // no power, or 1/x beside one that is missed
+      const term decay = call("exp", -(number() * x));
+      if (diverges) return (decay + number()) / x;
+      return power(x, m.between(0, 3)) * decay * wave(m, number() * x) +
+             call("sin", number() * x) / x;
+    }
+  }
+}
+
+integral_case over_half_line(maker& m) {
+  const term f = over_power(m, false);
+  integral_case c{f, 0, "inf", few_digits(m)};
+  const term between = m.rational_near(m.scattered(0.3, 3));
+  c.parts = {{f, 0, between, c.digits}, {f, between, "inf", c.digits}};
+  c.is_cheap = true;
+  return c;
+}
+
+integral_case divergent_over_half_line(maker& m) {
+  integral_case c{over_power(m, true), 0, "inf", few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> oscillation_families() {
@@ -293,6 +356,8 @@ std::vector<integral_family> oscillation_families() {
       {"oscillations of exponentials that do not converge", 6, divergent_in_exponentials},
       {"many turns of exponentials", 5, many_turns_in_exponentials},
       {"exponential polynomials", 30, exponential_polynomials},
+      {"half-lines in closed form", 20, over_half_line},
+      {"half-lines that do not converge", 20, divergent_over_half_line},
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -205,6 +206,81 @@ TEST(ExactIntegral, OfWhatIsOddAboutTheMiddle) {
   for (const char* f : {"x", "tanh(x)", "sin(x)", "x/(1+x^2)", "1/x", "x+sin(x^3)"}) {
     EXPECT_EQ(between(f, "-inf", "inf"), std::nullopt) << f;
   }
+}
+
+/// By the closed form, or "none", to 25 digits.
+std::string over_half_line(const std::string& formula) {
+  const auto found = parse(formula).integral_over_half_line();
+  return found ? to_decimal(found->value(160), 25) : "none";
+}
+
+TEST(HalfLine, IntegralsAreThoseOfTextbooks) {
+  const auto value = [](const std::string& formula) {
+    return to_decimal(parse(formula).value(160), 25);
+  };
+  EXPECT_EQ(over_half_line("sin(x)/x"), value("pi/2"));
+  EXPECT_EQ(over_half_line("sin(-3*x)/x"), value("-pi/2"));
+  EXPECT_EQ(over_half_line("sin(x)*cos(x)/x"), value("pi/4"));
+  EXPECT_EQ(over_half_line("sin(x)^3/x^3"), value("3*pi/8"));
+  EXPECT_EQ(over_half_line("(1-cos(x))/x^2"), value("pi/2"));
+  EXPECT_EQ(over_half_line("(x-sin(x))/x^3"), value("pi/4"));
+  EXPECT_EQ(over_half_line("(exp(-2*x)-exp(-3*x))/x"), value("log(3/2)"));
+  EXPECT_EQ(over_half_line("(cos(x)-exp(-x))/x"), "0");
+  EXPECT_EQ(over_half_line("(1-exp(-x))^2/x^2"), value("2*log(2)"));
+  EXPECT_EQ(over_half_line("exp(-x)*sin(2*x)/x"), value("atan(2)"));
+  EXPECT_EQ(over_half_line("exp(-x)*(1-cos(3*x))/x"), value("log(10)/2"));
+  EXPECT_EQ(over_half_line("(exp(-x)-1+x*exp(-x))/x^2"), "-1");
+  EXPECT_EQ(over_half_line("(sin(x)-x*cos(x))/x^2"), "1");
+  EXPECT_EQ(over_half_line("x^3*exp(-2*x)"), value("3/8"));
+  EXPECT_EQ(over_half_line("x*exp(-x)*cos(x)"), "0");
+  EXPECT_EQ(over_half_line("sin(pi*x)^2/x^2"), value("pi^2/2"));
+  EXPECT_EQ(over_half_line("sinpi(x)/x"), value("pi/2"));
+  // D. Borwein and J. M. Borwein 2001: pi/2 up to sin(x/13)/(x/13), and less with one more.
+  std::string product = "sin(x)/x";
+  for (long k = 3; k <= 13; k += 2) {
+    product += "*sin(x/" + std::to_string(k) + ")/(x/" + std::to_string(k) + ")";
+    EXPECT_EQ(over_half_line(product), value("pi/2"));
+  }
+  EXPECT_EQ(over_half_line(product + "*sin(x/15)/(x/15)"),
+            value("467807924713440738696537864469*pi/935615849440640907310521750000"));
+}
+
+TEST(HalfLine, IntegralsThatDoNotConvergeHaveNoClosedForm) {
+  for (const char* const formula :
+       {"cos(x)/x", "sin(x)/x^2", "sin(x)^2/x", "(x-sin(x))/x^2", "sin(x)", "x*sin(x)/x",
+        "(exp(-x)-2*exp(-3*x))/x", "(exp(x)-exp(-x))/x", "exp(x)*sin(x)/x", "1/x^2",
+        "1/x - exp(-x)/x", "exp(-x)/x", "(1-cos(x))/x^3", "cos(x)*cos(x)/x^0", "(1-exp(-x))/x"}) {
+    EXPECT_EQ(over_half_line(formula), "none") << formula;
+  }
+  // Divided by 0, and by what may be.
+  EXPECT_EQ(over_half_line("sin(x)/(x*(sqrt(2)*sqrt(3)-sqrt(6)))"), "none");
+  EXPECT_EQ(over_half_line("sin(x)/(x*log(1))"), "none");
+  // Of another kind.
+  EXPECT_EQ(over_half_line("sin(x^2)/x"), "none");
+  EXPECT_EQ(over_half_line("sin(x)/sqrt(x)"), "none");
+  EXPECT_EQ(over_half_line("sin(x)/(x+1)"), "none");
+}
+
+TEST(HalfLine, IsChosenForRangesWithoutAnEnd) {
+  const auto rule_of = [](const std::string& formula, const std::string& lower,
+                          const std::string& upper) {
+    const integral found = integrate(parse(formula), limit_of(lower), limit_of(upper));
+    return std::pair(found.account.rules == std::vector{quadrature_rule::antiderivative},
+                     to_decimal(found.enclosure, 10));
+  };
+  EXPECT_EQ(rule_of("sin(x)/x", "0", "inf"), std::pair(true, std::string("1.570796326...")));
+  EXPECT_EQ(rule_of("sin(x)/x", "-inf", "0"), std::pair(true, std::string("1.570796326...")));
+  EXPECT_EQ(rule_of("sin(x)/x", "-inf", "inf"), std::pair(true, std::string("3.141592653...")));
+  EXPECT_EQ(rule_of("sin(x)/x", "inf", "0"), std::pair(true, std::string("-1.570796326...")));
+  EXPECT_FALSE(rule_of("sin(x)/x", "1", "inf").first);
+  EXPECT_FALSE(rule_of("(exp(-x)-exp(-2*x))/x", "-inf", "inf").first);
+}
+
+// One end had no integral; what was found at the other made that forgotten.
+TEST(HalfLine, TwoSingularEndsAreBothReported) {
+  const integral found = integrate(parse("x*(1-cos(1/x))"), limit_of("0"), limit_of("inf"));
+  EXPECT_EQ(found.verdict, status::not_certified);
+  EXPECT_EQ(found.why, reason::not_integrable);
 }
 
 TEST(Antiderivative, IsChosenAndNamed) {

@@ -237,6 +237,11 @@ class expression {
   /// of f from a to b is F(b) - F(a) wherever F has values there. None for other formulas, and long
   /// ones.
   [[nodiscard]] std::optional<expression> entire_antiderivative() const;
+  /// The integral of f from 0 to infinity, for a formula f of one variable that is a sum of
+  /// products of whole powers of x, constants, and exponentials, sines and cosines of multiples of
+  /// x, where f is bounded at 0 and its integral converges. Theorem and proof:
+  /// half_line_integral.cpp. None for other formulas, and long ones.
+  [[nodiscard]] std::optional<expression> integral_over_half_line() const;
   /// For a formula of one variable x that is made of x, constants, powers, roots and logarithms of
   /// products of powers of x and positive constants by + - * / : G, a formula in s, entire, where
   /// f(e^-s) e^-s is a sum of products s^n e^(k s), so that the integral of f from a to b is

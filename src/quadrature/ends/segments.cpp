@@ -144,11 +144,14 @@ bool add_oscillating_part(preparation& result, const integrand& f, const end_of_
     if (steady.why == reason::none) require_tiled(steady.parts, start, end_point::infinity());
     result.segments.insert(result.segments.end(), steady.segments.begin(), steady.segments.end());
     result.remainder += steady.remainder;
-    result.why = steady.why;
-    result.obstacle = steady.obstacle;
-    if (result.why == reason::not_integrable)
-      result.obstacle = "the integrand grows too fast at " + place;
-    if (result.why != reason::none) return true;
+    if (steady.why != reason::none) {
+      // The other end may have failed before; then that stays so.
+      result.why = steady.why;
+      result.obstacle = steady.why == reason::not_integrable
+                            ? "the integrand grows too fast at " + place
+                            : steady.obstacle;
+      return true;
+    }
   }
   for (const segment& line : found->segments) result.segments.push_back(line);
   result.remainder = result.remainder.enlarged(found->rest);

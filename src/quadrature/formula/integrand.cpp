@@ -310,8 +310,30 @@ std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
 /// f(-x), of one variable.
 expression reflected(const expression& f) { return expression(f(-symbol::variable(0)), f.names()); }
 
-/// F(b) - F(a) for an antiderivative F that is entire, or is so in log x, by the precision; nothing
-/// where there is none, or it does not reach up to the ends.
+/// The integral from 0 to infinity, from minus infinity to 0 or over the line in closed form, by
+/// the precision; nothing where there is none.
+std::function<ball(precision)> over_half_lines(const expression& f, const end_point& a,
+                                               const end_point& b) {
+  const auto is_zero = [](const end_point& x) { return x.exact() && *x.exact() == 0; };
+  const bool to_left = a.infinite_sign() < 0 && (is_zero(b) || b.infinite_sign() > 0);
+  const bool to_right = b.infinite_sign() > 0 && (is_zero(a) || a.infinite_sign() < 0);
+  if (!to_left && !to_right) return nullptr;
+  std::vector<expression> halves;
+  for (const bool left : {false, true}) {
+    if (!(left ? to_left : to_right)) continue;
+    const auto half = (left ? reflected(f) : f).integral_over_half_line();
+    if (!half) return nullptr;
+    halves.push_back(*half);
+  }
+  return [halves](precision p) {
+    ball sum(0, p);
+    for (const expression& half : halves) sum = sum + half.value(p);
+    return sum;
+  };
+}
+
+/// F(b) - F(a) for an antiderivative F that is entire, or is so in log x, or the integral over a
+/// half-line, by the precision; nothing where there is none, or it does not reach up to the ends.
 std::function<ball(precision)> difference_at_ends(const expression& f, const end_point& a,
                                                   const end_point& b) {
   if (a.infinite_sign() == 0 && b.infinite_sign() == 0) {
@@ -321,6 +343,9 @@ std::function<ball(precision)> difference_at_ends(const expression& f, const end
         return at(b.at(p)) - at(a.at(p));
       };
     }
+  }
+  if (f.variables().size() == 1) {
+    if (auto found = over_half_lines(f, a, b)) return found;
   }
   const auto found = f.antiderivative_in_logarithm();
   if (!found || !detail::is_right_of_zero(a) || !detail::is_right_of_zero(b) ||

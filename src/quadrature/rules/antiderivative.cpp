@@ -1,4 +1,4 @@
-// The difference of an antiderivative at the ends.
+// The difference of an antiderivative at the ends, or the closed form of one over a half-line.
 
 #include <chrono>
 
@@ -15,7 +15,8 @@ class antiderivative final : public quadrature_strategy {
  public:
   [[nodiscard]] std::string_view name() const override { return "antiderivative"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return "for sums of x^n exp(k x), x^n sin(k x), x^n cos(k x), and of x^k log(x)^n";
+    return "for sums of x^n exp(k x), x^n sin(k x), x^n cos(k x), from 0 to infinity also with "
+           "n < 0, and of x^k log(x)^n";
   }
   [[nodiscard]] bool is_automatic() const override { return true; }
   /// With so many bits that what F(b) and F(a) have in common does not matter; nothing where that
@@ -44,8 +45,8 @@ class antiderivative final : public quadrature_strategy {
     return std::nullopt;
   }
   [[nodiscard]] std::string_view need() const override {
-    return "an antiderivative needs x^n exp(k x), x^n sin(k x) or x^n cos(k x) and a finite range, "
-           "or x^k log(x)^n and x >= 0";
+    return "an antiderivative needs x^n exp(k x), x^n sin(k x) or x^n cos(k x) and a finite range "
+           "or one from 0 to infinity, or x^k log(x)^n and x >= 0";
   }
 };
 

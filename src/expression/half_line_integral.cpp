@@ -1,0 +1,192 @@
+// The integral from 0 to infinity of
+//
+//     f(x) = Re of the sum over j of c_j x^k_j exp(-s_j x),  integers k_j,
+//
+// where (1) the coefficient of x^-m in its Laurent series at 0 is 0 for each m >= 1, and (2) for
+// each j either Re s_j > 0; or Re s_j = 0, s_j != 0 and k_j < 0; or s_j = 0 and k_j < -1.
+//
+// Theorem. The integral is the real part of the sum of the c_j V(k_j, s_j) with
+//
+//     V(k, s) = k!/s^(k+1)  for k >= 0,
+//     V(-n, s) = (-s)^(n-1)/(n-1)! (1 + 1/2 + ... + 1/(n-1) - log s)  for n >= 1 and s != 0,
+//     V(-n, 0) = 0.
+//
+// Proof. Let I(z) be the integral of x^(z+k) exp(-s x) from 0 to 1, for large Re z, and J(z) that
+// from 1 to infinity, for small Re z. I is the sum over i of (-s)^i/(i! (z + k + i + 1)), so that
+// it is meromorphic; J is entire for s != 0, by integrations by parts if Re s = 0, and -1/(z+k+1)
+// for s = 0. I + J is Gamma(z+k+1) s^-(z+k+1), which it is for z where both integrals converge if
+// Re s > 0, and beyond by continuation, also in s; it is 0 for s = 0. By (2) J(0) is the integral
+// of x^k exp(-s x) from 1 to infinity. By (1) f is bounded at 0, so that the real part of the sum
+// of the c_j I_j(z), the integral of x^z f(x) from 0 to 1, tends to that of f for real z -> 0+. So
+// the integral of f is the limit of the real part of the sum of the c_j Gamma(z+k_j+1)
+// s_j^-(z+k_j+1). For k = -n and z -> 0
+//
+//     Gamma(z-n+1) = Gamma(z+1)/(z (z-1) ... (z-n+1))
+//                  = (-1)^(n-1)/(n-1)! (1/z + 1 + 1/2 + ... + 1/(n-1) - gamma + O(z)),
+//     s^(n-1-z) = s^(n-1) (1 - z log s + O(z^2)),
+//
+// and the sum of the c_j (-s_j)^(n_j-1)/(n_j-1)! has the real part 0, by (1) with m = 1: with it go
+// the poles and Euler's constant.
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact_value.hpp"
+#include "exponential_sum.hpp"
+#include "polhode/expression/expression.hpp"
+
+namespace polhode {
+namespace half_line_impl {
+namespace {
+
+using detail::complex_node;
+using detail::complex_nodes;
+using detail::node_id;
+
+constexpr std::size_t most_nodes = 300;   // of the formula
+constexpr std::size_t most_powers = 512;  // in all terms
+constexpr precision few = 64;
+
+/// c_k x^k exp(l x), l = -s.
+struct term {
+  complex_node c;
+  long k;
+  complex_node l;
+};
+
+class integral_over_half_line {
+ public:
+  explicit integral_over_half_line(detail::graph& g) : g_(g), nodes_(g), zero_(g.number(0)) {}
+
+  std::optional<node_id> root() {
+    if (!find_terms() || !is_regular_at_zero()) return std::nullopt;
+    node_id sum = zero_;
+    for (const term& t : terms_) {
+      const auto value = value_of(t);
+      if (!value) return std::nullopt;
+      sum = nodes_.sum(sum, nodes_.multiply(t.c, *value).re);
+    }
+    return sum;
+  }
+
+ private:
+  bool find_terms() {
+    const auto sum = detail::exponential_terms_of(g_);
+    if (!sum) return false;
+    for (const auto& [e, amplitude] : *sum) {
+      if (e.size() > 1) return false;
+      const complex_node l = e.empty() ? nodes_.number(0) : e.front();
+      const auto re = detail::laurent_polynomial_in_variable(g_, amplitude.re);
+      const auto im = detail::laurent_polynomial_in_variable(g_, amplitude.im);
+      if (!re || !im) return false;
+      for (const auto* part : {&*re, &*im}) {
+        for (const node_id d : part->divisors) {
+          if (!is_certainly_nonzero(d)) return false;
+        }
+        for (std::size_t i = 0; i < part->coefficients.size(); ++i) {
+          const node_id c = part->coefficients[i];
+          const bool is_real_part = part == &*re;
+          // An imaginary number times a real exponential has no real part.
+          if (c == zero_ || (!is_real_part && nodes_.is_real(l))) continue;
+          terms_.push_back({is_real_part ? nodes_.real(c) : complex_node{zero_, c},
+                            part->lowest + static_cast<long>(i), l});
+        }
+        if (terms_.size() > most_powers) return false;
+      }
+    }
+    return true;
+  }
+  bool is_certainly_nonzero(node_id i) {
+    const ball value = detail::value_at(g_, i, few);
+    return value.is_bounded() && !contains_zero(value);
+  }
+  bool is_zero(node_id i) {
+    if (i == zero_) return true;
+    const auto exact = detail::rational_value_at(g_, i);
+    return exact && *exact == 0;
+  }
+
+  /// Condition (1): the coefficient of x^-m is the real part of the sum over the terms with k <= -m
+  /// of c l^i/i!, i = -m - k.
+  bool is_regular_at_zero() {
+    long most = 0;
+    for (const term& t : terms_) most = std::max(most, -t.k);
+    for (long m = 1; m <= most; ++m) {
+      node_id sum = zero_;
+      for (const term& t : terms_) {
+        if (t.k > -m) continue;
+        sum = nodes_.sum(sum, nodes_.multiply(t.c, power_over_factorial(t.l, -m - t.k)).re);
+      }
+      if (!is_zero(sum)) return false;
+    }
+    return true;
+  }
+  /// l^n/n!.
+  complex_node power_over_factorial(const complex_node& l, long n) {
+    if (n == 0) return nodes_.number(1);
+    rational factorial = 1;
+    for (long i = 2; i <= n; ++i) factorial *= i;
+    return nodes_.multiply(nodes_.power(l, n), nodes_.number(1 / factorial));
+  }
+
+  /// V(k, -l); nothing where condition (2) is not known to hold.
+  std::optional<complex_node> value_of(const term& t) {
+    const ball a = detail::value_at(g_, t.l.re, few);
+    const bool decays = certainly_negative(a);
+    if (!decays && !is_zero(t.l.re)) return std::nullopt;
+    const complex_node s = decays ? nodes_.negate(t.l) : complex_node{zero_, nodes_.minus(t.l.im)};
+    if (t.k >= 0) {
+      if (!decays) return std::nullopt;
+      rational factorial = 1;
+      for (long i = 2; i <= t.k; ++i) factorial *= i;
+      return nodes_.divide(nodes_.number(factorial), nodes_.power(s, t.k + 1));
+    }
+    if (!decays && !is_certainly_nonzero(t.l.im)) {
+      if (t.k < -1 && is_zero(t.l.im)) return nodes_.number(0);
+      return std::nullopt;
+    }
+    rational harmonic = 0;
+    for (long i = 1; i < -t.k; ++i) harmonic += rational(1, i);
+    const complex_node rest =
+        nodes_.add(nodes_.number(harmonic), nodes_.negate(logarithm(s, decays)));
+    const complex_node minus_s = nodes_.negate(s);
+    return nodes_.multiply(power_over_factorial(minus_s, -t.k - 1), rest);
+  }
+  /// log s for Re s > 0, or for a pure imaginary s != 0.
+  complex_node logarithm(const complex_node& s, bool is_right) {
+    if (!is_right) {
+      const bool positive = certainly_positive(detail::value_at(g_, s.im, few));
+      const node_id size = positive ? s.im : nodes_.minus(s.im);
+      return {nodes_.call("log", size), nodes_.product(g_.number(rational(positive ? 1 : -1, 2)),
+                                                       g_.make(detail::operation::pi))};
+    }
+    if (nodes_.is_real(s)) return nodes_.real(nodes_.call("log", s.re));
+    const node_id norm = nodes_.sum(nodes_.product(s.re, s.re), nodes_.product(s.im, s.im));
+    return {nodes_.product(g_.number(rational(1, 2)), nodes_.call("log", norm)),
+            nodes_.call("atan", detail::divide(g_, s.im, s.re))};
+  }
+
+  detail::graph& g_;
+  complex_nodes nodes_;
+  node_id zero_;
+  std::vector<term> terms_;
+};
+
+}  // namespace
+}  // namespace half_line_impl
+
+std::optional<expression> expression::integral_over_half_line() const {
+  if (variables_.size() != 1 || graph_->size() > half_line_impl::most_nodes) return std::nullopt;
+  try {
+    detail::graph g = *graph_;
+    const auto root = half_line_impl::integral_over_half_line(g).root();
+    if (!root) return std::nullopt;
+    return with_root(std::move(g), *root);
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;  // an operation has no value anywhere
+  }
+}
+
+}  // namespace polhode
