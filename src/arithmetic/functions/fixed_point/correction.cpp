@@ -25,6 +25,7 @@ bool arctangent_of_quotient(number& q, const limb* num, const number& den, long 
   const long zeros = std::min(leading_zeros(quotient.data(), w), 32 * w);
   const long small = 2 * zeros;
   const long terms = std::max((64 * w - zeros + small - 1) / small, 1L);
+  if (terms > most_terms) return false;  // a bad first value
   const power_table powers(z.data(), w, std::max(integer_sqrt(terms), 2L));
   mpn_zero(q.data(), w + 1);
   long last = terms - 1;

@@ -15,7 +15,7 @@ namespace polhode::detail::fixed_point {
 
 /// num / den for |num| < 2^-50 and 1/4 < den < 4, then atan (or atanh) of it: q becomes a number
 /// within 3 units of that of the quotient of these numbers as they are. False where the quotient is
-/// not below 2^-49.
+/// not below 2^-49, or so great that the sum would have too many terms.
 ///
 /// atan q = q (1 - q^2/3 + q^4/5 - ...): if q < 2^-n, n >= 49, and 2 n K + n >= 64 w then the first
 /// term left out is below a third of a unit, and so is the rest. The quotient is cut off, 1 unit,

@@ -62,11 +62,13 @@ int128 sum_of(const relation& r, const prime_numbers& numbers, long w) {
   return static_cast<int128>(sum);
 }
 
-/// t becomes |rest|.
-reduction reduce_by(number& t, const prime_numbers& numbers, std::span<const relation> relations,
-                    std::size_t used, long w) {
+/// t, a fraction, is reduced to |rest|.
+reduction reduce_by(number& rest, const limb* t, const prime_numbers& numbers,
+                    std::span<const relation> relations, std::size_t used, long w) {
+  mpn_copyi(rest.data(), t, w);
+  rest[w] = 0;
   reduction result;
-  auto about = static_cast<int128>(upper_bits(t.data(), w));
+  auto about = static_cast<int128>(upper_bits(rest.data(), w));
   for (const relation& r : relations.first(std::min(used, relations.size()))) {
     const int128 step = sum_of(r, numbers, w);
     const int128 doubled = 2 * about + (about < 0 ? -step : step);
@@ -78,13 +80,13 @@ reduction reduce_by(number& t, const prime_numbers& numbers, std::span<const rel
     const long e = result.exponents[j];
     const limb* n = numbers.number(j, w);
     const auto size = static_cast<limb>(std::abs(e));
-    if (e > 0) mpn_submul_1(t.data(), n, w + 1, size);
-    if (e < 0) mpn_addmul_1(t.data(), n, w + 1, size);
+    if (e > 0) mpn_submul_1(rest.data(), n, w + 1, size);
+    if (e < 0) mpn_addmul_1(rest.data(), n, w + 1, size);
     result.units += size;
   }
-  result.negative = is_negative(t, w);
-  if (result.negative) mpn_neg(t.data(), t.data(), w + 1);
-  if (t[w] != 0 || t[w - 1] >> 63 != 0) {
+  result.negative = is_negative(rest, w);
+  if (result.negative) mpn_neg(rest.data(), rest.data(), w + 1);
+  if (rest[w] != 0 || rest[w - 1] >> 63 != 0) {
     throw std::logic_error("an argument was not reduced by primes");
   }
   return result;
@@ -206,25 +208,25 @@ std::optional<short_part> take_upper_bits(number& t, long w, parts_from from) {
   return short_part{std::move(a), scale, zeros};
 }
 
-/// 2^(64 w) e^t, or e^-t, for the parts that are taken from t < 1/2, e^t < 1.65. Adds to the error.
+/// 2^(64 w) e^t, or e^-t, for the parts that are taken from t < 1/2, e^t < 1.65, if there are any.
+/// Adds to the error.
 ///
 /// A factor is within 2 units. So the product's error becomes f e + 2 p + 1 for a factor f and a
 /// product p before it: all factors together, and so all products, are below 1.65 and a part adds
 /// less than 1.65 (2 1.65 + 1) < 8.
-integer exponential_of_parts(number& t, bool negative, long w, std::uint64_t& units) {
-  const integer unit = integer(1) << static_cast<unsigned long>(64 * w);
-  integer product = unit;
-  bool first = true;
+std::optional<integer> exponential_of_parts(number& t, bool negative, long w,
+                                            std::uint64_t& units) {
+  std::optional<integer> product;
   while (const auto part = take_upper_bits(t, w, parts_of_exponential)) {
     const integer a = negative ? integer(-part->a) : part->a;
-    const integer factor = unit + expm1_of_short(a, part->scale, part->small, 64 * w);
-    if (first) {
-      product = factor;
+    integer factor = integer(1) << static_cast<unsigned long>(64 * w);
+    factor += expm1_of_short(a, part->scale, part->small, 64 * w);
+    if (product) {
+      *product *= factor;
+      *product >>= static_cast<unsigned long>(64 * w);
     } else {
-      product *= factor;
-      product >>= static_cast<unsigned long>(64 * w);
+      product = std::move(factor);
     }
-    first = false;
     units += 8;
   }
   return product;
@@ -284,11 +286,9 @@ std::uint64_t exponential_by_primes(number& value, const limb* t, long w) {
   using namespace prime_reduction_impl;
   const auto logarithms = logarithms_of_primes(w);
   number rest(w);
-  mpn_copyi(rest.data(), t, w);
-  rest[w] = 0;
-  const reduction r = reduce_by(rest, *logarithms, logarithm_relations, logarithms_used(w), w);
+  const reduction r = reduce_by(rest, t, *logarithms, logarithm_relations, logarithms_used(w), w);
   std::uint64_t units = r.units + 29;
-  const integer parts = exponential_of_parts(rest, r.negative, w, units);
+  const std::optional<integer> parts = exponential_of_parts(rest, r.negative, w, units);
   fraction s(w);
   sum_odd_series(s, rest.data(), series::hyperbolic_sine, w);
   double_fraction square_of_root(w);
@@ -306,8 +306,8 @@ std::uint64_t exponential_by_primes(number& value, const limb* t, long w) {
   (r.exponents[0] > 0 ? numerator : denominator) <<=
       static_cast<unsigned long>(std::abs(r.exponents[0]));
   integer product = whole(root.data(), w + 1);
-  if (!(parts == integer(1) << static_cast<unsigned long>(64 * w))) {
-    product *= parts;
+  if (parts) {
+    product *= *parts;
     product >>= static_cast<unsigned long>(64 * w);
   }
   product *= numerator;
@@ -323,9 +323,7 @@ std::uint64_t sine_and_cosine_by_primes(limb* sine, limb* cosine, const limb* t,
   using namespace prime_reduction_impl;
   const auto angles = angles_of_primes(w);
   number rest(w);
-  mpn_copyi(rest.data(), t, w);
-  rest[w] = 0;
-  const reduction r = reduce_by(rest, *angles, angle_relations, angles_used(w), w);
+  const reduction r = reduce_by(rest, t, *angles, angle_relations, angles_used(w), w);
   std::uint64_t units = r.units;
   gaussian_number circle = circle_of(rest, w, units);
   if (r.negative) circle.im = -circle.im;

@@ -37,7 +37,6 @@ long terms_needed(series s, long small, long w) {
 }
 
 void sum_series(number& sum, series s, const limb* z, long w, long small) {
-  constexpr long most_terms = 5000;
   const long terms = std::max(terms_needed(s, small, w), 2L);
   if (terms > most_terms) throw std::logic_error("a series in fixed point has too many terms");
   // With many limbs the products that join blocks are short ones.

@@ -11,6 +11,8 @@
 namespace polhode::detail::fixed_point {
 
 constexpr long most_block = 40;
+// More terms would lose more in the limbs that are left out than the errors below count.
+constexpr long most_terms = 5000;
 
 /// The sums over k >= 1 of z^k/k! = e^z - 1, of (-1)^(k+1) z^k/(2k)! = 1 - cos(sqrt(z)), of
 /// z^k/(2k+1)! = sinh(y)/y - 1 and of (-1)^(k+1) z^k/(2k+1)! = 1 - sin(y)/y with y = sqrt(z).
