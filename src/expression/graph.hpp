@@ -112,9 +112,6 @@ class graph {
 /// x!! = x (x-2) (x-4) ..., the product down to 1 or 2.
 node_id double_factorial(graph& g, node_id x);
 
-/// The name of a constant or function in a text; empty for an operator.
-[[nodiscard]] const char* name_of(operation what);
-[[nodiscard]] int operands_of(operation what);
 /// Of a ring of functions: the variable, its negatives, sums, differences and products.
 [[nodiscard]] bool is_of_ring(operation what);
 /// The operands of a node, each once.

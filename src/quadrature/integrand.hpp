@@ -3,6 +3,7 @@
 // A function in the arithmetics of quadrature, and the pieces that its integrals are made of.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,11 +18,12 @@ namespace polhode {
 
 // How the formula is looked at besides (src/quadrature).
 class angle;
-class recorded;
 class symmetry;
 class tail_series;
 
 namespace detail {
+
+class formula_graph;
 
 /// A bound of |F| on the part of a rectangle that lies in the set where a series for F is known to
 /// hold.
@@ -113,8 +115,9 @@ struct integrand {
   std::function<growth_bound(const growth_bound& x)> growth;
   /// May be empty: then no symmetry is known.
   std::function<symmetry(const symmetry& x)> under;
-  /// Its operations, with constants to p bits; may be empty: then no breaks are looked for.
-  std::function<recorded(const recorded& x, precision p)> record;
+  /// Its operations, which are looked at on the first call; may be empty: then no breaks are looked
+  /// for.
+  std::function<std::shared_ptr<const formula_graph>()> graph;
 };
 
 /// The sum of the integrals of the parts over [0, infinity) is that beyond `start`.

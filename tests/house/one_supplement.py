@@ -3,7 +3,8 @@
 
 evaluation.hpp looks for the functions of a type T in supplement<T>. Where its specialization stands
 in one source, and another evaluates formulas over T without it, one template has two definitions,
-and the linker takes either of them.
+and the linker takes either of them. A source is safe where it sees that the template is compiled
+elsewhere: "extern template class compiled_expression<T>".
 
     one_supplement.py ROOT       checks the tree at ROOT; exit status 1 and a line for each case
     one_supplement.py --self-test   checks that it finds one
@@ -17,6 +18,7 @@ FOLDERS = ("include", "src")
 EVALUATION_HEADER = "include/polhode/expression/evaluation.hpp"
 SPECIALIZATION = re.compile(r"struct supplement<(.+?)>\s*(?:final\s*)?(?::[^{]*)?\{")
 EVALUATION = re.compile(r"\b(?:evaluator|execute|evaluate_over)<\s*([\w:]+(?:<[\w:, ]+>)?)\s*>")
+COMPILED_ELSEWHERE = re.compile(r"extern template class compiled_expression<(.+?)>;")
 INCLUDED = re.compile(r'#include "([^"]+)"')
 
 
@@ -62,9 +64,10 @@ def cases(texts):
         if not path.endswith(".cpp"):
             continue
         seen = seen_from(path, texts)
+        elsewhere = {name for part in seen for name in COMPILED_ELSEWHERE.findall(texts[part])}
         for name in sorted(set(EVALUATION.findall(texts[path]))):
             where = home.get(name.removeprefix("detail::"))
-            if where is not None and where not in seen:
+            if where is not None and where not in seen and name not in elsewhere:
                 found.append(f"{path}: formulas over {name}, whose functions are in {where}")
     return found
 
@@ -73,7 +76,10 @@ def self_test():
     texts = {
         "src/a.hpp": "template <>\nstruct supplement<seen> {\n",
         "src/b.cpp": "template <>\nstruct supplement<unseen> : base<unseen> {};\n",
-        "src/c.cpp": '#include "a.hpp"\nf.evaluator<seen>(64); f.evaluator<unseen>(64);\n',
+        "src/b.hpp": "extern template class compiled_expression<compiled>;\n",
+        "src/d.cpp": "template <>\nstruct supplement<compiled> {\n",
+        "src/c.cpp": '#include "a.hpp"\n#include "b.hpp"\n'
+                     "f.evaluator<seen>(64); f.evaluator<unseen>(64); f.evaluator<compiled>(64);\n",
     }
     found = cases(texts)
     expected = ["src/c.cpp: formulas over unseen, whose functions are in src/b.cpp"]

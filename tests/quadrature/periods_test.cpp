@@ -6,7 +6,6 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/formula/periods.hpp"
-#include "quadrature/formula/recorded_formula.hpp"
 #include "quadrature/integrand.hpp"
 
 namespace polhode {
@@ -15,8 +14,7 @@ namespace periods_test {
 template <class F>
 std::optional<detail::whole_periods> periods_of(const F& f, const end_point& a,
                                                 const end_point& b) {
-  const detail::integrand g = integrand_of(formula_of(f));
-  return detail::whole_periods_of(g, detail::formula(g.record), a, b);
+  return detail::whole_periods_of(integrand_of(formula_of(f)), a, b);
 }
 
 constexpr auto sine = [](const auto& x) { return sin(x); };

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/complex_ball.hpp"
+#include "polhode/arithmetic/exact.hpp"
 
 namespace polhode {
 
@@ -27,6 +28,13 @@ class analytic_ball {
   [[nodiscard]] const complex_ball& value() const& { return z_; }
   [[nodiscard]] complex_ball&& value() && { return std::move(z_); }
   [[nodiscard]] polhode::precision precision() const { return z_.precision(); }
+  /// A real number, as precise as this one.
+  [[nodiscard]] analytic_ball constant_like(const rational& q) const {
+    return analytic_ball(complex_ball(ball(q, precision())));
+  }
+  [[nodiscard]] analytic_ball constant_like(const ball& x) const {
+    return analytic_ball(complex_ball(x));
+  }
 
   friend analytic_ball operator+(const analytic_ball& z) { return z; }
   friend analytic_ball operator-(const analytic_ball& z) { return analytic_ball(-z.z_); }

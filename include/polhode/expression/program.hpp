@@ -42,6 +42,10 @@ enum class operation : std::uint8_t {
   further,
 };
 
+/// The name of a constant or function in a text; empty for an operator.
+[[nodiscard]] const char* name_of(operation what);
+/// How many there are of it, 0 for a call.
+[[nodiscard]] int operands_of(operation what);
 /// Operands of a tape are numbered: first its inputs, then its slots, which are used again.
 struct instruction {
   operation what;

@@ -10,16 +10,15 @@
 // evaluated over a `region`, a cheap complex rectangle: nothing needs to be declared and nothing
 // can be forgotten.
 //
-// How: the formula's operations are recorded (src/quadrature/formula). A sum of functions whose
-// logarithmic derivative is rational, in x, e^(k x) or sin^2 (k x), is integrated by its Taylor
-// series (src/quadrature/series). For others the range is cut where abs, min, max, floor or ceil
-// passes from one analytic function to another, at points that are found to any precision. Each
-// piece is cut into panels. Around each, a Bernstein ellipse is covered by regions, which prove
-// that f is analytic inside and give M >= |f|; the Gauss-Legendre rule with n nodes is then off by
-// at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no ellipse is proved the panel is
-// halved. Where f is found to be even about both limits, or periodic, the trapezoidal rule may
-// serve with less work. end_series.hpp describes an end where f is singular, or a point between the
-// limits where the range is cut.
+// How: a sum of functions whose logarithmic derivative is rational, in x, e^(k x) or sin^2 (k x),
+// is integrated by its Taylor series (src/quadrature/series). For others the range is cut where
+// abs, min, max, floor or ceil passes from one analytic function to another, at points that are
+// found to any precision. Each piece is cut into panels. Around each, a Bernstein ellipse is
+// covered by regions, which prove that f is analytic inside and give M >= |f|; the Gauss-Legendre
+// rule with n nodes is then off by at most a multiple of M rho^(-2n) (error_bounds.hpp). Where no
+// ellipse is proved the panel is halved. Where f is found to be even about both limits, or
+// periodic, the trapezoidal rule may serve with less work. end_series.hpp describes an end where f
+// is singular, or a point between the limits where the range is cut.
 
 #include <functional>
 #include <memory>

@@ -3,13 +3,11 @@
 #include <cmath>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail::breaks {
 
 namespace {
-
-using kind = recorded_node::kind;
 
 bool not_negative(const ball& x) { return certainly_less_equal(ball(0, 64), x); }
 bool not_positive(const ball& x) { return certainly_less_equal(x, ball(0, 64)); }
@@ -25,13 +23,13 @@ std::optional<long> integer_below(const ball& x) {
 
 /// The branch for the whole range of the decider; `strictly`: it is strictly monotone, so that of
 /// the range's ends each is reached at one point at most, which does not matter to an integral.
-std::optional<long> branch_over(kind what, const ball& range, bool strictly) {
+std::optional<long> branch_over(operation what, const ball& range, bool strictly) {
   if (range.is_undefined()) return std::nullopt;
-  if (what == kind::ceil) {
-    const std::optional<long> below = branch_over(kind::floor, -range, strictly);
+  if (what == operation::ceil) {
+    const std::optional<long> below = branch_over(operation::floor, -range, strictly);
     return below ? std::optional(-*below) : std::nullopt;
   }
-  if (what == kind::floor) {
+  if (what == operation::floor) {
     const std::optional<long> n = integer_below(range);
     if (!n) return std::nullopt;
     const ball next(*n + 1, 64);
@@ -44,16 +42,16 @@ std::optional<long> branch_over(kind what, const ball& range, bool strictly) {
 
 /// The branch for a decider between n and the next integer in the direction of the sign; for other
 /// kinds than floor and ceil n is 0.
-long branch_beside(kind what, long n, int side) {
-  if (what == kind::floor) return side > 0 ? n : n - 1;
-  if (what == kind::ceil) return side > 0 ? n + 1 : n;
+long branch_beside(operation what, long n, int side) {
+  if (what == operation::floor) return side > 0 ? n : n - 1;
+  if (what == operation::ceil) return side > 0 ? n + 1 : n;
   return side;
 }
 
 /// The integer at which alone the branch may change where the decider has values in this range;
 /// nothing where there may be more.
-std::optional<long> only_change(kind what, const ball& range) {
-  if (what != kind::floor && what != kind::ceil) return 0;
+std::optional<long> only_change(operation what, const ball& range) {
+  if (what != operation::floor && what != operation::ceil) return 0;
   const std::optional<long> below = integer_below(range);
   if (!below) return std::nullopt;
   // Or *below itself, where the range starts at it.
@@ -65,19 +63,19 @@ std::optional<long> only_change(kind what, const ball& range) {
 
 }  // namespace
 
-traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
+traced trace(const formula_graph& f, const ball& x, const ball& low, const ball& high,
              const crossing* given, int side) {
-  const recorded_nodes& nodes = f.at(x.precision());
-  evaluation<slope_jet> over(nodes, slope_jet::variable(x));
-  evaluation<slope_jet> at_low(nodes, slope_jet::variable(low));
-  evaluation<slope_jet> at_high(nodes, slope_jet::variable(high));
+  const precision p = x.precision();
+  evaluation<slope_jet> over(f, p, slope_jet::variable(x));
+  evaluation<slope_jet> at_low(f, p, slope_jet::variable(low));
+  evaluation<slope_jet> at_high(f, p, slope_jet::variable(high));
   traced result;
-  result.chosen.resize(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!f.needs(i)) continue;
+  result.chosen.resize(f.size());
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const formula_node& node = f.node(i);
     std::optional<long>& branch = result.chosen[i];
-    if (nodes[i].is_piecewise()) {
-      const std::size_t d = nodes[i].decider;
+    if (node.is_piecewise()) {
+      const std::size_t d = node.decider;
       const auto& [range, slope] = std::pair(over[d][0], over[d][1]);
       const bool ascending = certainly_positive(slope);
       const bool monotone = !range.is_undefined() && (ascending || certainly_negative(slope));
@@ -85,15 +83,15 @@ traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
       const ball& end = (ascending ? at_high : at_low)[d][0];
       const ball between = monotone ? intersection(range, hull(start, end)) : range;
       const ball& values = between.is_undefined() ? range : between;
-      branch = branch_over(nodes[i].what, values, monotone);
+      branch = branch_over(node.what, values, monotone);
       std::optional<crossing> suspect;
       if (monotone && !branch) {
-        if (const auto n = only_change(nodes[i].what, values)) suspect = crossing{d, *n, ascending};
+        if (const auto n = only_change(node.what, values)) suspect = crossing{d, *n, ascending};
       }
       const bool crosses =
           suspect && certainly_less(start, suspect->n) && certainly_greater(end, suspect->n);
       if (crosses && given != nullptr && given->decider == d && given->n == suspect->n) {
-        branch = branch_beside(nodes[i].what, given->n, ascending ? side : -side);
+        branch = branch_beside(node.what, given->n, ascending ? side : -side);
       }
       if (!branch && result.decided) {
         result.decided = false;
@@ -109,16 +107,15 @@ traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
   return result;
 }
 
-bool is_away_from_changes(const formula& f, const ball& m) {
-  const recorded_nodes& nodes = f.at(m.precision());
-  evaluation<slope_jet> at(nodes, slope_jet::variable(m));
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (!f.needs(i)) continue;
+bool is_away_from_changes(const formula_graph& f, const ball& m) {
+  evaluation<slope_jet> at(f, m.precision(), slope_jet::variable(m));
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const formula_node& node = f.node(i);
     std::optional<long> branch;
-    if (nodes[i].is_piecewise()) {
-      const ball& value = at[nodes[i].decider][0];
-      branch = branch_over(nodes[i].what, value, false);
-      const std::optional<long> n = only_change(nodes[i].what, value);
+    if (node.is_piecewise()) {
+      const ball& value = at[node.decider][0];
+      branch = branch_over(node.what, value, false);
+      const std::optional<long> n = only_change(node.what, value);
       if (!branch || !n || contains_zero(value - *n)) return false;
     }
     at.step(i, branch);
@@ -126,7 +123,7 @@ bool is_away_from_changes(const formula& f, const ball& m) {
   return true;
 }
 
-std::optional<choices> branches_beside(const formula& f, const pi_combination& m, int side,
+std::optional<choices> branches_beside(const formula_graph& f, const pi_combination& m, int side,
                                        const rational& reach) {
   constexpr double most = 1e6;
   auto r = static_cast<double>(reach);
@@ -134,14 +131,13 @@ std::optional<choices> branches_beside(const formula& f, const pi_combination& m
   if (!(r > 0 && r < most)) return std::nullopt;
   constexpr precision series_bits = 192;
   evaluation<end_series> values(
-      f.at(series_bits), end_series::argument(known_number(m), known_number(rational(side)), 1, r));
+      f, series_bits, end_series::argument(known_number(m), known_number(rational(side)), 1, r));
   choices chosen(f.size());
   for (std::size_t i = 0; i <= f.result(); ++i) {
-    if (!f.needs(i)) continue;
-    const recorded_node& node = f.node(i);
+    const formula_node& node = f.node(i);
     if (node.is_piecewise()) {
       const end_series& decider = values[node.decider];
-      if (node.what == kind::floor || node.what == kind::ceil) {
+      if (node.what == operation::floor || node.what == operation::ceil) {
         const ball range = to_ball(decider.real_range(), series_bits);
         if (!range.is_bounded()) return std::nullopt;
         chosen[i] = branch_over(node.what, range, false);

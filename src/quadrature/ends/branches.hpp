@@ -1,11 +1,11 @@
 #pragma once
 
-// Which branch of each abs, min, max, floor and ceil of a recorded function holds over an interval
+// Which branch of each abs, min, max, floor and ceil of a formula holds over an interval
 // of x.
 
 #include <optional>
 
-#include "quadrature/formula/recorded_formula.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail::breaks {
 
@@ -44,16 +44,17 @@ struct traced {
 };
 
 /// The branches over a set with these ends; `side` of a given crossing (-1: before it), or 0.
-[[nodiscard]] traced trace(const formula& f, const ball& x, const ball& low, const ball& high,
+[[nodiscard]] traced trace(const formula_graph& f, const ball& x, const ball& low, const ball& high,
                            const crossing* given, int side);
 
 /// Proved: at m no decider is where its branch changes.
-[[nodiscard]] bool is_away_from_changes(const formula& f, const ball& m);
+[[nodiscard]] bool is_away_from_changes(const formula_graph& f, const ball& m);
 
 /// The branches on (m, m + reach], or for side = -1 on [m - reach, m), each by the sign of its
 /// decider's series at m over all of it, or by its range: so also where a decider is 0 at m, of
 /// whatever order. None where one is not known.
-[[nodiscard]] std::optional<choices> branches_beside(const formula& f, const pi_combination& m,
-                                                     int side, const rational& reach);
+[[nodiscard]] std::optional<choices> branches_beside(const formula_graph& f,
+                                                     const pi_combination& m, int side,
+                                                     const rational& reach);
 
 }  // namespace polhode::detail::breaks

@@ -13,7 +13,7 @@ ball lower_end(const ball& x) { return {lower_rational(x), x.precision()}; }
 ball upper_end(const ball& x) { return {upper_rational(x), x.precision()}; }
 }  // namespace
 
-break_point::break_point(std::shared_ptr<const formula> f, crossing c, choices chosen,
+break_point::break_point(std::shared_ptr<const formula_graph> f, crossing c, choices chosen,
                          const interval& x)
     : f_(std::move(f)),
       crossing_(c),

@@ -13,7 +13,8 @@ namespace polhode::detail::breaks {
 /// The zero of decider - n in an interval in which there is exactly one, a simple one.
 class break_point {
  public:
-  break_point(std::shared_ptr<const formula> f, crossing c, choices chosen, const interval& x);
+  break_point(std::shared_ptr<const formula_graph> f, crossing c, choices chosen,
+              const interval& x);
 
   /// An enclosure to about p bits of its size; where the formula's constants do not allow that, a
   /// wider one.
@@ -25,7 +26,7 @@ class break_point {
   void refine(precision p);
   [[nodiscard]] slope_jet decider_at(const ball& x) const;
 
-  std::shared_ptr<const formula> f_;
+  std::shared_ptr<const formula_graph> f_;
   crossing crossing_;
   choices chosen_;
   interval x_;

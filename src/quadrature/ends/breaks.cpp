@@ -6,7 +6,7 @@
 #include "break_point.hpp"
 #include "covering.hpp"
 #include "polhode/arithmetic/interval.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
@@ -18,10 +18,8 @@ using breaks::stretch;
 
 namespace {
 
-using kind = recorded_node::kind;
-
 /// A bound of |g| and of f with these branches over x; infinite where one is not bounded.
-magnitude bound_over(const formula& f, const integrand& g, const ball& x,
+magnitude bound_over(const formula_graph& f, const integrand& g, const ball& x,
                      std::initializer_list<const choices*> branches) {
   const precision p = x.precision();
   magnitude bound = g.evaluator(p)(x).magnitude_upper();
@@ -40,11 +38,11 @@ struct cut {
 };
 
 /// g, with f's branches in place of what it is made of; and what is known at an end of the piece.
-integrand with_branches(const std::shared_ptr<const formula>& f, const integrand& g,
+integrand with_branches(const std::shared_ptr<const formula_graph>& f, const integrand& g,
                         const std::shared_ptr<const choices>& chosen,
                         const std::optional<crossing>& at_end) {
   integrand result = g;
-  result.record = nullptr;
+  result.graph = nullptr;
   if (chosen->empty()) return result;
   // f's symmetries are not those of one of its pieces, continued: |sin| is even about 0.
   result.under = nullptr;
@@ -62,29 +60,28 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
   // A step function may have another value at points where its operand touches an integer.
   bool steps = false;
   for (std::size_t i = 0; i < f->size(); ++i) {
-    const kind what = f->node(i).what;
-    steps = steps || (f->needs(i) && (what == kind::floor || what == kind::ceil));
+    const operation what = f->node(i).what;
+    steps = steps || what == operation::floor || what == operation::ceil;
   }
   if (steps) {
     result.evaluator = [f, chosen](precision p) -> std::function<ball(const ball&)> {
-      evaluation<ball> constants(f->at(p), ball(0, p));
+      evaluation<ball> constants(*f, p, ball(0, p));
       for (std::size_t i = 0; i < f->size(); ++i) {
-        if (f->node(i).what == kind::constant) constants.step(i, std::nullopt);
+        if (f->node(i).is_constant()) constants.step(i, std::nullopt);
       }
       return [f, chosen, constants](const ball& x) {
         evaluation<ball> values = constants;
         values.set_argument(x);
         for (std::size_t i = 0; i <= f->result(); ++i) {
-          if (f->needs(i) && f->node(i).what != kind::constant) values.step(i, (*chosen)[i]);
+          if (!f->node(i).is_constant()) values.step(i, (*chosen)[i]);
         }
         return values[f->result()];
       };
     };
   }
   result.near_end = [f, chosen, at_end](const end_series& x) {
-    evaluation<end_series> values(f->at(192), x);
+    evaluation<end_series> values(*f, 192, x);
     for (std::size_t i = 0; i <= f->result(); ++i) {
-      if (!f->needs(i)) continue;
       values.step(i, (*chosen)[i]);
       if (at_end && at_end->decider == i) values[i] = values[i].with_value_at_0(at_end->n);
     }
@@ -97,8 +94,8 @@ integrand with_branches(const std::shared_ptr<const formula>& f, const integrand
 /// set of branches.
 class assembly {
  public:
-  /// f is g's recording; the range from a to b, with `fine` bits.
-  assembly(std::shared_ptr<const formula> f, const integrand& g, const end_point& a,
+  /// f is g's graph; the range from a to b, with `fine` bits.
+  assembly(std::shared_ptr<const formula_graph> f, const integrand& g, const end_point& a,
            const end_point& b, precision fine)
       : f_(std::move(f)), g_(g), a_(a), b_(b), fine_(fine), start_(a.at(fine)), end_(b.at(fine)) {}
 
@@ -192,7 +189,7 @@ class assembly {
     return true;
   }
 
-  std::shared_ptr<const formula> f_;
+  std::shared_ptr<const formula_graph> f_;
   const integrand& g_;
   const end_point& a_;
   const end_point& b_;
@@ -207,9 +204,9 @@ class assembly {
 }  // namespace
 
 unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int sign) {
-  if (!g.record) return e;
-  const formula f(g.record);
-  if (!f.has_breaks()) return e;
+  if (!g.graph) return e;
+  const std::shared_ptr<const formula_graph> f = g.graph();
+  if (!f->has_breaks()) return e;
   constexpr unsigned long most = 16;
   constexpr precision p = 96;
   mpfr_float unbounded = zero_of_precision(p);
@@ -218,8 +215,8 @@ unsigned long exponent_beyond_breaks(const integrand& g, unsigned long e, int si
     const ball start = scale(ball(1, p), static_cast<long>(n));
     const ball x = from_end_points(midpoint(start), unbounded, p);
     const ball undefined = ball::undefined(p);
-    const bool decided = (sign > 0 ? breaks::trace(f, x, start, undefined, nullptr, 0)
-                                   : breaks::trace(f, -x, undefined, -start, nullptr, 0))
+    const bool decided = (sign > 0 ? breaks::trace(*f, x, start, undefined, nullptr, 0)
+                                   : breaks::trace(*f, -x, undefined, -start, nullptr, 0))
                              .decided;
     if (decided) return n;
   }
@@ -233,8 +230,8 @@ pieces_of_range analytic_pieces(const integrand& g, const end_point& a, const en
     result.pieces.push_back({a, b, g, g, g});
     return result;
   };
-  if (!g.record) return as_it_is();
-  const auto f = std::make_shared<const formula>(g.record);
+  if (!g.graph) return as_it_is();
+  const std::shared_ptr<const formula_graph> f = g.graph();
   if (!f->has_breaks()) return as_it_is();
   const precision fine = bits + bits / 16 + 64;
   const ball start = a.at(fine);

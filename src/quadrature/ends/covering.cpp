@@ -9,7 +9,7 @@
 
 namespace polhode::detail::breaks {
 
-covering::covering(const formula& f, const integrand& g, const interval& whole, long bits)
+covering::covering(const formula_graph& f, const integrand& g, const interval& whole, long bits)
     : f_(f),
       g_(g),
       least_log2_width_(whole.log2_width() - bits),

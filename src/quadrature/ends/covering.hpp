@@ -22,10 +22,10 @@ struct stretch {
   std::optional<crossing> crosses;
 };
 
-/// f is g's recording.
+/// f is g's graph.
 class covering {
  public:
-  covering(const formula& f, const integrand& g, const interval& whole, long bits);
+  covering(const formula_graph& f, const integrand& g, const interval& whole, long bits);
 
   /// In order; none where that took too much effort.
   [[nodiscard]] const std::vector<stretch>& stretches() const { return stretches_; }
@@ -46,7 +46,7 @@ class covering {
   void split(const interval& x, const traced& t, std::vector<interval>& open) const;
   traced traced_over(const interval& x, const crossing* given, int side);
 
-  const formula& f_;
+  const formula_graph& f_;
   const integrand& g_;
   std::int64_t least_log2_width_;
   double effort_ = 0;  // in evaluations of a node with few bits

@@ -41,18 +41,9 @@ magnitude bound_of(const oscillation& w, double r) {
   const end_series y =
       end_series::argument(known_number(rational(0)), known_number(rational(1)), -1, r);
   magnitude sum;
-  for (const std::optional<end_series>& part : w.amplitude(y)) {
+  for (const std::optional<end_series>& part : w.parts(y)) {
     if (part) sum = add_up(sum, bound_of(*part));
   }
-  return sum;
-}
-
-/// W(z), or with -1 what has conjugate values at conjugate points.
-template <class T>
-T amplitude_at(const oscillation& w, const T& z, int sign, const T& zero) {
-  const std::vector<std::optional<T>> parts = w.amplitude(z);
-  T sum = parts[0] ? *parts[0] : zero;
-  if (parts[1]) sum = sign > 0 ? sum + times_i(*parts[1]) : sum - times_i(*parts[1]);
   return sum;
 }
 
@@ -61,15 +52,14 @@ segment line_up(const shared_decomposition& f, std::size_t k, long start, long l
   segment result;
   const auto over_with = [=](precision p) {
     const std::shared_ptr<const oscillation> w = f->at(k, p);
-    const ball angle = w->frequency * start;
+    const ball angle = w->frequency() * start;
     const region phase(complex_ball(cos(angle), sin(angle)));
     const region conjugate(complex_ball(cos(angle), -sin(angle)));
     return [=](const region& t) {
-      const region zero = t * 0;
       const region tau = t * length;
-      const region above = amplitude_at(*w, start + times_i(tau), 1, zero) * phase;
-      const region below = amplitude_at(*w, start - times_i(tau), -1, zero) * conjugate;
-      return times_i(above - below) * exp(-(tau * w->frequency));
+      const region above = (*w)(start + times_i(tau), 1) * phase;
+      const region below = (*w)(start - times_i(tau), -1) * conjugate;
+      return times_i(above - below) * exp(-(tau * w->frequency()));
     };
   };
   result.over = [=, in_hardware = over_with(64)](const region& t) {
@@ -77,13 +67,12 @@ segment line_up(const shared_decomposition& f, std::size_t k, long start, long l
   };
   result.evaluator = [=](precision p) -> std::function<ball(const ball&)> {
     const std::shared_ptr<const oscillation> w = f->at(k, p);
-    const complex_ball phase(cos(w->frequency * start), sin(w->frequency * start));
+    const complex_ball phase(cos(w->frequency() * start), sin(w->frequency() * start));
     return [=](const ball& t) {
       const ball tau = t * length;
       const analytic_ball z(complex_ball(ball(start, t.precision()), tau));
-      const analytic_ball zero(complex_ball(ball(0, t.precision())));
-      const complex_ball above = amplitude_at(*w, z, 1, zero).value() * phase;
-      return -2 * above.im * exp(-(tau * w->frequency));
+      const complex_ball above = (*w)(z, 1).value() * phase;
+      return -2 * above.im * exp(-(tau * w->frequency()));
     };
   };
   result.scale = [=](precision p) { return ball(length, p); };
@@ -95,19 +84,19 @@ segment line_up(const shared_decomposition& f, std::size_t k, long start, long l
 /// The steady part as a function of y.
 integrand steady_part(const shared_decomposition& f) {
   const auto at = [f](precision p) { return f->at(f->count(), p); };
-  const auto value = [](const auto& parts, const auto& zero) {
-    return parts[0] ? *parts[0] : zero;
+  const auto over_series = [at](const auto& y) {
+    const auto value = at(192)->parts(y).front();
+    return value ? *value : y * 0;
   };
   integrand result;
-  result.over = [=](const region& y) {
-    const auto w = at(y.is_in_hardware() ? precision{64} : y.precision() + 64);
-    return value(w->amplitude(y), y * 0);
+  result.over = [at](const region& y) {
+    return (*at(y.is_in_hardware() ? precision{64} : y.precision() + 64))(y, 1);
   };
-  result.evaluator = [=](precision p) -> std::function<ball(const ball&)> {
-    return [=, w = at(p)](const ball& y) { return value(w->amplitude(y), ball(0, p)); };
+  result.evaluator = [at](precision p) -> std::function<ball(const ball&)> {
+    return [w = at(p)](const ball& y) { return w->real_part(y); };
   };
-  result.near_end = [=](const end_series& y) { return value(at(192)->amplitude(y), y * 0); };
-  result.near_infinity = [=](const tail_series& y) { return value(at(192)->amplitude(y), y * 0); };
+  result.near_end = [=](const end_series& y) { return over_series(y); };
+  result.near_infinity = [=](const tail_series& y) { return over_series(y); };
   return result;
 }
 
@@ -171,7 +160,7 @@ magnitude rest_beyond(const ball& frequency, const magnitude& bound, long length
 std::optional<oscillating_end> oscillations_at(const integrand& f, const end_point& p,
                                                const end_point& s, bool infinite, int sign,
                                                double log2_goal) {
-  if (!f.record) return std::nullopt;
+  if (!f.graph) return std::nullopt;
   const auto parts = std::make_shared<const decomposition>(f, p, s, infinite, sign);
   if (!parts->is_found() || parts->count() == 0) return std::nullopt;
   for (const start_of_lines& at : possible_starts(parts->theta())) {
@@ -183,7 +172,7 @@ std::optional<oscillating_end> oscillations_at(const integrand& f, const end_poi
     result.far = at.far;
     if (parts->has_steady_part()) result.steady = steady_part(parts);
     for (std::size_t k = 0; k < parts->count(); ++k) {
-      const ball frequency = parts->at(k, 192)->frequency;
+      const ball frequency = parts->at(k, 192)->frequency();
       const std::optional<long> length = length_of_line(frequency, bounds[k], log2_goal);
       if (!length) return std::nullopt;
       result.rest = add_up(result.rest, rest_beyond(frequency, bounds[k], *length));

@@ -7,7 +7,7 @@
 //   f(x) |dx/dy| = u_0(y) + sum over j of 2 Re[ (u_j + i v_j)(y) e^(i w_j y) ],
 //     w_j > 0 constants,
 //
-// with functions u_0, u_j, v_j that are real for real y. They are found from f's recording: the
+// with functions u_0, u_j, v_j that are real for real y. They are found in f's formula: the
 // sine or cosine of P = w y + R, R a sum of powers y^e with e <= 0, is of this form, and so are the
 // sums, products and whole powers of what is.
 //

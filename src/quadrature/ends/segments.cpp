@@ -11,8 +11,8 @@
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/approximate.hpp"
 #include "quadrature/ends/tail_series.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/periods.hpp"
-#include "quadrature/formula/recorded_formula.hpp"
 
 namespace polhode::detail {
 
@@ -473,8 +473,8 @@ preparation prepare_periods(const integrand& f, const end_point& a, const whole_
 
 preparation prepare(const integrand& f, const end_point& a, const end_point& b,
                     const std::vector<end_point>& cuts, long bits) {
-  if (f.record && !a.is_infinite() && !b.is_infinite()) {
-    if (const auto periods = whole_periods_of(f, formula(f.record), a, b)) {
+  if (!a.is_infinite() && !b.is_infinite()) {
+    if (const auto periods = whole_periods_of(f, a, b)) {
       preparation result = prepare_periods(f, a, *periods, cuts, bits);
       result.parts = {{a, b}};
       return result;

@@ -1,26 +1,41 @@
 #include "waves.hpp"
-#include "quadrature/formula/recorded.hpp"
 
 #include <algorithm>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "quadrature/formula/arithmetics.hpp"
 
 namespace polhode::detail::oscillations {
 
 namespace {
 
-/// q times a constant of the recording; q alone where there is none.
+/// A number by its name: the same name stands for the same number.
+struct constant {
+  symbol value;
+  std::string name;
+};
+
+/// q times a constant; q alone where there is none.
 struct coefficient {
   rational q = 1;
-  std::optional<recorded> node;
+  std::optional<constant> factor = std::nullopt;
 };
+
+constant operator*(const constant& x, const constant& y) {
+  const auto& [first, second] = std::minmax(x.name, y.name);
+  return {x.value * y.value, fmt::format("({} * {})", first, second)};
+}
 
 /// About how long the numerator and the denominator are.
 std::size_t bits_of(const rational& q) {
   return mpz_sizeinbase(numerator(q).backend().data(), 2) +
          mpz_sizeinbase(denominator(q).backend().data(), 2);
 }
-/// Longer numbers are not followed: nested powers would make them as long as they like.
+/// Longer numbers and names are not followed: nested powers would make them as long as they like.
 constexpr std::size_t most_exact_bits = 4096;
+constexpr std::size_t longest_name = 1024;
 
 /// The sum of c_e y^e, without zeros.
 using power_sum = std::map<rational, coefficient>;
@@ -38,15 +53,14 @@ struct wave {
   }
 };
 
-std::optional<recorded> sum_of(const std::optional<recorded>& x, const std::optional<recorded>& y) {
+std::optional<symbol> sum_of(const std::optional<symbol>& x, const std::optional<symbol>& y) {
   if (!x || !y) return x ? x : y;
   return *x + *y;
 }
-std::optional<recorded> negative(const std::optional<recorded>& x) {
+std::optional<symbol> negative(const std::optional<symbol>& x) {
   return x ? std::optional(-*x) : std::nullopt;
 }
-std::optional<recorded> product(const std::optional<recorded>& x,
-                                const std::optional<recorded>& y) {
+std::optional<symbol> product(const std::optional<symbol>& x, const std::optional<symbol>& y) {
   return x && y ? std::optional(*x * *y) : std::nullopt;
 }
 amplitude operator+(const amplitude& x, const amplitude& y) {
@@ -58,83 +72,97 @@ amplitude operator*(const amplitude& x, const amplitude& y) {
 }
 amplitude conjugate(const amplitude& x) { return {x.re, negative(x.im)}; }
 
+/// A function of the table, or a power.
+symbol applied(const formula_node& node, const symbol& x, const symbol& y) {
+  const char* name = node.what == operation::power ? "pow" : name_of(node.what);
+  return operands_of(node.what) == 2 ? symbol::call(name, {x, y}) : symbol::call(name, {x});
+}
+
 frequency sum_of(frequency x, const frequency& y) {
-  for (const auto& [node, q] : y) {
-    rational& sum = x[node];
+  for (const auto& [name, q] : y) {
+    rational& sum = x[name];
     sum += q;
-    if (sum == 0) x.erase(node);
+    if (sum == 0) x.erase(name);
   }
   return x;
 }
 frequency negative(frequency x) {
-  for (auto& [node, q] : x) q = -q;
+  for (auto& [name, q] : x) q = -q;
   return x;
 }
 
 /// The waves of f's nodes, one after the other.
 class separation {
  public:
-  separation(const formula& f, precision p, const end_point& at, const end_point& s,
+  separation(std::shared_ptr<const formula_graph> f, const end_point& at, const end_point& s,
              const rational& theta, int sign)
-      : nodes_(f.at(p)), f_(f), bits_(p), y_(recorded::argument()) {
-    const coefficient start = constant(at, p);
-    const coefficient distance = constant(s, p);
+      : f_(std::move(f)) {
+    const coefficient start = number(at, "p");
+    const coefficient distance = number(s, "s");
     x_.powers = power_sum{{theta, distance}};
     if (start.q != 0) x_.powers->emplace(rational(0), start);
     x_.terms[{}].re = value(*x_.powers);
     const rational size = sign * abs(theta);
-    const coefficient scale{distance.q * size, distance.node};
+    const coefficient scale{distance.q * size, distance.factor};
     factor_ = value({{rational(theta - 1), scale}});
   }
 
   [[nodiscard]] separated result() {
-    separated result{y_, terms(), std::nullopt};
+    separated result;
+    result.terms = terms();
     result.growth = growth_;
+    result.constants = std::move(constants_);
+    result.numbers = std::move(numbers_);
     return result;
   }
 
  private:
   /// Nothing where f is not a sum of oscillations.
   [[nodiscard]] std::optional<std::map<frequency, amplitude>> terms() {
-    std::vector<std::optional<wave>> waves(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (!f_.needs(i)) continue;
-      waves[i] = of_node(nodes_[i], waves);
+    std::vector<std::optional<wave>> waves(f_->size());
+    for (std::size_t i = 0; i < f_->size(); ++i) {
+      waves[i] = of_node(f_->node(i), waves);
       if (!waves[i]) return std::nullopt;
     }
     std::map<frequency, amplitude> result;
-    for (const auto& [w, a] : waves[f_.result()]->terms) {
+    for (const auto& [w, a] : waves[f_->result()]->terms) {
       result[w] = amplitude{factor_, std::nullopt} * a;
     }
     return result;
   }
-  [[nodiscard]] coefficient constant(const end_point& x, precision p) const {
-    if (x.exact()) return {*x.exact(), std::nullopt};
-    return {1, y_.constant_like(x.at(p))};
+  /// A new variable for a number.
+  [[nodiscard]] constant numbered(std::string name,
+                                  std::function<possibly_exact_constant(precision)> at) {
+    numbers_.push_back(std::move(at));
+    return {symbol::variable(first_number + numbers_.size() - 1), std::move(name)};
   }
-  [[nodiscard]] recorded value(const coefficient& c) const {
-    if (!c.node) return y_.constant_like(c.q);
-    return c.q == 1 ? *c.node : *c.node * c.q;
+  [[nodiscard]] coefficient number(const end_point& x, const char* name) {
+    if (x.exact()) return {*x.exact()};
+    return {1, numbered(name, [x](precision p) { return known_number(x.at(p)); })};
   }
-  [[nodiscard]] recorded value(const power_sum& x) const {
-    std::optional<recorded> sum;
+  [[nodiscard]] static symbol value(const coefficient& c) {
+    if (!c.factor) return c.q;
+    return c.q == 1 ? c.factor->value : c.factor->value * c.q;
+  }
+  [[nodiscard]] symbol value(const power_sum& x) const {
+    std::optional<symbol> sum;
     for (const auto& [e, c] : x) {
       if (e == 0) {
         sum = sum_of(sum, value(c));
         continue;
       }
-      const recorded power = e == 1 ? y_ : pow(y_, e);
-      sum = sum_of(sum, !c.node && c.q == 1 ? power : power * value(c));
+      const symbol power = e == 1 ? y_ : pow(y_, symbol(e));
+      sum = sum_of(sum, !c.factor && c.q == 1 ? power : power * value(c));
     }
-    return sum ? *sum : y_.constant_like(0);
+    return sum ? *sum : symbol(0);
   }
   /// Of a steady one.
-  [[nodiscard]] recorded value(const wave& x) const {
-    if (x.terms.empty() || !x.terms.begin()->second.re) return y_.constant_like(0);
+  [[nodiscard]] static symbol value(const wave& x) {
+    if (x.terms.empty() || !x.terms.begin()->second.re) return 0;
     return *x.terms.begin()->second.re;
   }
 
-  [[nodiscard]] wave steady(recorded value, std::optional<power_sum> powers = {}) const {
+  [[nodiscard]] static wave steady(symbol value, std::optional<power_sum> powers = {}) {
     wave result;
     if (!powers || !powers->empty()) result.terms[{}].re = std::move(value);
     result.powers = std::move(powers);
@@ -146,21 +174,25 @@ class separation {
   }
 
   static coefficient times(const coefficient& x, const coefficient& y) {
-    coefficient result{x.q * y.q, x.node};
-    if (y.node) result.node = x.node ? *x.node * *y.node : *y.node;
+    coefficient result{x.q * y.q, x.factor};
+    if (y.factor) result.factor = x.factor ? *x.factor * *y.factor : *y.factor;
     return result;
   }
-  void add(power_sum& sum, const rational& e, const coefficient& c) const {
+  static std::string name_of(const coefficient& c) {
+    return c.factor ? fmt::format("{} {}", c.q.str(), c.factor->name) : c.q.str();
+  }
+  static void add(power_sum& sum, const rational& e, const coefficient& c) {
     const auto [place, is_new] = sum.emplace(e, c);
     if (is_new) return;
     coefficient& known = place->second;
-    const bool same = known.node.has_value() == c.node.has_value() &&
-                      (!c.node || known.node->node() == c.node->node());
+    const bool same = known.factor.has_value() == c.factor.has_value() &&
+                      (!c.factor || known.factor->name == c.factor->name);
     if (same) {
       known.q += c.q;
       if (known.q == 0) sum.erase(place);
     } else {
-      known = {1, value(known) + value(c)};
+      known = {1, constant{value(known) + value(c),
+                           fmt::format("({} + {})", name_of(known), name_of(c))}};
     }
   }
   [[nodiscard]] std::optional<power_sum> sum_of_powers(const wave& x, const wave& y) const {
@@ -182,7 +214,9 @@ class separation {
   }
   [[nodiscard]] static std::optional<power_sum> unless_long(power_sum x) {
     const bool is_long = std::any_of(x.begin(), x.end(), [](const auto& term) {
-      return bits_of(term.first) + bits_of(term.second.q) > most_exact_bits;
+      const auto& [e, c] = term;
+      return bits_of(e) + bits_of(c.q) > most_exact_bits ||
+             (c.factor && c.factor->name.size() > longest_name);
     });
     return is_long ? std::nullopt : std::optional(std::move(x));
   }
@@ -193,16 +227,17 @@ class separation {
     const auto& [g, c] = *x.powers->begin();
     if (16 * (bits_of(c.q) + bits_of(e) + bits_of(g)) > most_exact_bits) return std::nullopt;
     coefficient result = c;
-    if (c.node) {
+    if (c.factor) {
       if (e == -1) {
-        result = {1 / c.q, 1 / *c.node};
+        result = {1 / c.q, constant{1 / c.factor->value, fmt::format("1/{}", c.factor->name)}};
       } else if (e != 1) {
         return std::nullopt;
       }
     } else if (c.q != 1) {
       if (denominator(e) != 1 || abs(numerator(e)) > 16) {
         if (c.q <= 0) return std::nullopt;
-        result = {1, pow(y_.constant_like(c.q), e)};
+        result = {
+            1, constant{pow(symbol(c.q), symbol(e)), fmt::format("({} ^ {})", c.q.str(), e.str())}};
       } else {
         const auto n = static_cast<long>(numerator(e));
         result.q = 1;
@@ -259,7 +294,7 @@ class separation {
     return times(x, steady(1 / value(y)));
   }
   [[nodiscard]] std::optional<wave> power(const wave& x, const rational& e) const {
-    if (x.is_steady()) return steady(pow(value(x), e), power_of_powers(x, e));
+    if (x.is_steady()) return steady(pow(value(x), symbol(e)), power_of_powers(x, e));
     constexpr long most = 16;
     if (denominator(e) != 1 || e < 1 || e > most) return std::nullopt;
     wave result = x;
@@ -276,7 +311,7 @@ class separation {
     if (!x.is_steady()) return std::nullopt;
     const auto grows = [](const auto& term) { return term.first > 0; };
     if (!x.powers || std::none_of(x.powers->begin(), x.powers->end(), grows)) {
-      const recorded v = value(x);
+      const symbol v = value(x);
       return steady(sine ? sin(v) : cos(v));
     }
     if (x.powers->rbegin()->first != 1) {
@@ -289,81 +324,83 @@ class separation {
     if (std::any_of(rest.begin(), rest.end(), grows)) return std::nullopt;
     amplitude a;
     const rational half(1, 2);
-    const recorded r = value(rest);
-    const recorded cosine = rest.empty() ? y_.constant_like(half) : cos(r) * half;
-    const std::optional<recorded> sine_of_rest =
+    const symbol r = value(rest);
+    const symbol cosine = rest.empty() ? symbol(half) : cos(r) * half;
+    const std::optional<symbol> sine_of_rest =
         rest.empty() ? std::nullopt : std::optional(sin(r) * half);
     a.re = sine ? sine_of_rest : cosine;
     a.im = sine ? -cosine : sine_of_rest;
     wave result;
-    const frequency key{{w.node ? w.node->node() : 0, w.q}};
+    const frequency key{{w.factor ? w.factor->name : "", w.q}};
+    if (w.factor) constants_.emplace(w.factor->name, w.factor->value);
     result.terms[key] = a;
     result.terms[negative(key)] = conjugate(a);
     return result;
   }
-  /// Of pi x. Its node is made once, so that frequencies are known to be the same.
+  /// Of pi x.
   [[nodiscard]] std::optional<wave> circular_of_pi(const wave& x, bool sine) {
-    if (!pi_) pi_ = y_.constant_like(pi(bits_));
-    wave factor;
-    factor.terms[{}].re = pi_;
-    factor.powers = power_sum{{rational(0), coefficient{1, pi_}}};
-    const std::optional<wave> product = times(x, factor);
+    const std::optional<wave> product =
+        times(x, steady(pi().value, power_sum{{rational(0), coefficient{1, pi()}}}));
     return product ? circular(*product, sine) : product;
   }
 
-  std::optional<wave> of_node(const recorded_node& node,
+  std::optional<wave> of_node(const formula_node& node,
                               const std::vector<std::optional<wave>>& waves) {
-    using kind = recorded_node::kind;
-    if (node.what == kind::argument) return x_;
-    if (node.what == kind::constant) return of_constant(node);
-    if (node.is_piecewise()) return std::nullopt;
-    const wave& x = *waves[node.left];
-    if (node.what == kind::power) return power(x, *node.exact);
-    return of_function(node, x, *waves[node.right]);
+    if (node.is_argument()) return x_;
+    if (node.is_constant()) return of_constant(node);
+    if (node.is_piecewise() || node.is_call()) return std::nullopt;
+    return of_function(node, *waves[node.left], *waves[node.right]);
   }
-  [[nodiscard]] wave of_constant(const recorded_node& node) const {
-    const coefficient c = node.exact ? coefficient{*node.exact, std::nullopt}
-                                     : coefficient{1, y_.constant_like(node.enclosure)};
+  [[nodiscard]] wave of_constant(const formula_node& node) {
+    const coefficient c = node.exact ? coefficient{*node.exact} : number(node);
     power_sum powers;
     if (c.q != 0) powers.emplace(rational(0), c);
     return steady(value(c), powers);
   }
-  [[nodiscard]] std::optional<wave> of_function(const recorded_node& node, const wave& x,
+  /// A constant of f that is not known to be rational.
+  [[nodiscard]] coefficient number(const formula_node& node) {
+    const auto k = static_cast<std::size_t>(node.number);
+    const auto at = [f = f_, k](precision p) { return (*f->constants_at(p))[k]; };
+    const auto form = std::get<known_number>(at(64)).form();
+    if (form && form->q == 0) return {form->r, pi()};
+    return {1, numbered(fmt::format("c{}", k), at)};
+  }
+  static constant pi() { return {symbol::constant("pi"), "pi"}; }
+  [[nodiscard]] std::optional<wave> of_function(const formula_node& node, const wave& x,
                                                 const wave& y) {
-    switch (node.operation.rule) {
-      case recorded_rule::negative:
+    switch (node.what) {
+      case operation::negate:
         return negated(x);
-      case recorded_rule::sum:
+      case operation::add:
         return sum(x, y);
-      case recorded_rule::difference:
+      case operation::subtract:
         return sum(x, negated(y));
-      case recorded_rule::product:
+      case operation::multiply:
         return times(x, y);
-      case recorded_rule::quotient:
+      case operation::divide:
         return quotient(x, y);
-      case recorded_rule::square:
-        return power(x, 2);
-      case recorded_rule::sqrt:
+      case operation::power_integer:
+        return power(x, node.number);
+      case operation::sqrt:
         if (!x.is_steady()) return std::nullopt;
         return steady(sqrt(value(x)), power_of_powers(x, rational(1, 2)));
-      case recorded_rule::root:
+      case operation::root:
         // Of a positive number the power. That it is positive from Y0 on is proved where the power
         // is bounded: powers of negative numbers have no series, and lie on a cut.
         if (!is_constant(x)) return power(x, rational(1, node.number));
         break;
-      case recorded_rule::power: {
-        const recorded_node& exponent = nodes_[node.right];
-        const bool is_exact = exponent.what == recorded_node::kind::constant && exponent.exact;
-        if (!is_constant(x) && is_exact) return power(x, *exponent.exact);
+      case operation::power: {
+        const std::optional<rational>& exponent = f_->node(node.right).exact;
+        if (!is_constant(x) && exponent) return power(x, *exponent);
         break;
       }
-      case recorded_rule::sin:
-      case recorded_rule::cos:
-        if (!is_constant(x)) return circular(x, node.operation.rule == recorded_rule::sin);
+      case operation::sin:
+      case operation::cos:
+        if (!is_constant(x)) return circular(x, node.what == operation::sin);
         break;
-      case recorded_rule::sinpi:
-      case recorded_rule::cospi:
-        if (!is_constant(x)) return circular_of_pi(x, node.operation.rule == recorded_rule::sinpi);
+      case operation::sinpi:
+      case operation::cospi:
+        if (!is_constant(x)) return circular_of_pi(x, node.what == operation::sinpi);
         break;
       default:
         break;
@@ -371,38 +408,36 @@ class separation {
     return of_steady_function(node, x, y);
   }
   /// Of a function that leaves no oscillation as one.
-  [[nodiscard]] std::optional<wave> of_steady_function(const recorded_node& node, const wave& x,
-                                                       const wave& y) const {
-    if (!x.is_steady() || !y.is_steady()) return std::nullopt;
-    const bool is_known = is_constant(x) && is_constant(y);
-    if (node.operation.on_complex == nullptr && !is_known) return std::nullopt;
-    recorded v = value(x).applied(node.operation, value(y), node.number);
-    if (!is_known) return steady(v);
-    // A number, also where the function is one of real numbers only.
-    if (node.operation.on_complex == nullptr) v = y_.constant_like(constant_value(v));
-    return steady(v, power_sum{{rational(0), coefficient{1, v}}});
+  [[nodiscard]] static std::optional<wave> of_steady_function(const formula_node& node,
+                                                              const wave& x, const wave& y) {
+    if (!x.is_steady() || !y.is_steady() || !is_known_over_analytic_balls(node.what)) {
+      return std::nullopt;
+    }
+    const symbol v = applied(node, value(x), value(y));
+    if (!is_constant(x) || !is_constant(y)) return steady(v);
+    const constant c{
+        v, fmt::format("{}({}, {})", static_cast<int>(node.what), name_of(x), name_of(y))};
+    return steady(v, power_sum{{rational(0), coefficient{1, c}}});
+  }
+  static std::string name_of(const wave& constant) {
+    const power_sum& powers = *constant.powers;
+    return powers.empty() ? "0" : name_of(powers.begin()->second);
   }
 
-  /// Of a node that does not depend on y.
-  [[nodiscard]] ball constant_value(const recorded& x) const {
-    return *program_of_parts(y_, x.node())(ball(1, bits_)).front();
-  }
-
-  const recorded_nodes& nodes_;
-  const formula& f_;
-  precision bits_;
-  recorded y_;
+  std::shared_ptr<const formula_graph> f_;
+  symbol y_ = symbol::variable(variable_y);
   wave x_;
-  std::optional<recorded> factor_;
-  std::optional<recorded> pi_;
+  std::optional<symbol> factor_;
   std::optional<rational> growth_;
+  std::map<std::string, symbol> constants_;
+  std::vector<std::function<possibly_exact_constant(precision)>> numbers_;
 };
 
 }  // namespace
 
-separated separate(const formula& f, precision p, const end_point& at, const end_point& s,
-                   const rational& theta, int sign) {
-  return separation(f, p, at, s, theta, sign).result();
+separated separate(const std::shared_ptr<const formula_graph>& f, const end_point& at,
+                   const end_point& s, const rational& theta, int sign) {
+  return separation(f, at, s, theta, sign).result();
 }
 
 }  // namespace polhode::detail::oscillations

@@ -5,7 +5,7 @@
 
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
-#include "quadrature/ends/growth_of_formulas.hpp"
+#include "quadrature/formula/arithmetics.hpp"
 #include "quadrature/integrand.hpp"
 
 namespace polhode {

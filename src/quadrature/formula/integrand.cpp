@@ -14,271 +14,18 @@
 #include <fmt/ranges.h>
 
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/boxes/parametric_integrand.hpp"
-#include "quadrature/ends/growth_of_formulas.hpp"
-#include "quadrature/ends/tail_series.hpp"
-#include "quadrature/formula/angle.hpp"
+#include "quadrature/formula/arithmetics.hpp"
 #include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
-#include "quadrature/formula/recorded_formula.hpp"
-#include "quadrature/formula/symmetry.hpp"
 #include "quadrature/integrand.hpp"
 #include "quadrature/sum_of_parts.hpp"
 
 namespace polhode {
-
-namespace detail {
-
-/// What both kinds of series make of what they have; what they have not is blocked.
-template <class Series>
-struct series_supplement {
-  static Series sinpi(const Series& x) { return sin(x * known_number(pi_combination{0, 1})); }
-  static Series cospi(const Series& x) { return cos(x * known_number(pi_combination{0, 1})); }
-  static Series hypot(const Series& x, const Series& y) { return sqrt(x * x + y * y); }
-  /// Of odd n, of negative numbers too.
-  static Series root(const Series& x, long n) {
-    if (n % 2 != 0 && x.sign() < 0) return -pow(-x, rational(1, n));
-    return pow(x, rational(1, n));
-  }
-};
-
-namespace {
-
-/// What every arithmetic answers of a function that it has not.
-constexpr auto not_available = [](const auto& v, const auto&, long) {
-  using T = std::remove_cvref_t<decltype(v)>;
-  constexpr const char* name = "a function of a formula";
-  if constexpr (std::same_as<T, ball>) {
-    return ball::undefined(v.precision());
-  } else if constexpr (std::same_as<T, region>) {
-    return region::blocked(obstacle::unknown, name);
-  } else if constexpr (is_jet<T>::value) {
-    return T::constant(ball::undefined(v[0].precision()), v.order());
-  } else {
-    return v.blocked(name);
-  }
-};
-
-}  // namespace
-
-template <>
-struct supplement<tail_series> : series_supplement<tail_series> {
-  template <class F, class Range>
-  static tail_series further(const F& f, const Range& x) {
-    std::vector<ball> values;
-    values.reserve(x.size());
-    for (const tail_series& v : x) {
-      if (v.is_blocked()) return v;
-      values.push_back(v.values());
-    }
-    const tail_series& any = x.front();
-    return any.bounded_like(name_of_function(f), f.value(values));
-  }
-};
-template <>
-struct supplement<end_series> : series_supplement<end_series> {
-  static end_series expm1(const end_series& x) { return exp(x) - 1; }
-  static end_series log1p(const end_series& x) { return log(x + 1); }
-};
-
-template <>
-struct supplement<symmetry> {
-  static symmetry number(const rational& q) { return symmetry(q); }
-  static symmetry constant(const instruction& i) {
-    return i.what == operation::pi ? symmetry(pi_combination{0, 1}) : symmetry::some_constant();
-  }
-  /// Under what leaves all arguments as they are, so is the value: as any function of them.
-  template <class F, class Range>
-  static symmetry further(const F&, const Range& x) {
-    symmetry all = x.front();
-    for (const symmetry& v : x) all = agm(all, v);
-    return gamma(all);
-  }
-};
-
-/// As for balls.
-template <>
-struct supplement<angle> {
-  template <class F, class Range>
-  static angle further(const F& f, const Range& x) {
-    std::vector<ball> values;
-    values.reserve(x.size());
-    for (const angle& a : x) values.push_back(a.value());
-    return angle(f.value(values));
-  }
-};
-
-/// Each function that recorded.hpp does not name is done as each arithmetic has it.
-template <>
-struct supplement<recorded> {
-  static recorded sinpi(const recorded& x) {
-    return in_each<operation::sinpi>(x, x, recorded_rule::sinpi);
-  }
-  static recorded cospi(const recorded& x) {
-    return in_each<operation::cospi>(x, x, recorded_rule::cospi);
-  }
-  static recorded power(const recorded& x, const recorded& y) {
-    return in_each<operation::power>(x, y, recorded_rule::power);
-  }
-  static recorded root(const recorded& x, long n) {
-    recorded_operation operation =
-        recorded_operation::of([](const auto& v, const auto&, long order) {
-          return named<operation::root>::over(v, order);
-        });
-    operation.rule = recorded_rule::root;
-    return x.applied(operation, x, n);
-  }
-  template <operation what, class Range>
-  static recorded further(const named<what>&, const Range& x) {
-    return in_each<what>(x.front(), x.back(), recorded_rule::other);
-  }
-  template <class Range>
-  static recorded further(const further_function& f, const Range& x) {
-    const recorded& first = x.front();
-    if (f.arity > 2) return first.applied(recorded_operation::of(not_available), first);
-    recorded_operation operation;
-    operation.further = &f;
-    return first.applied(operation, x.back());
-  }
-
- private:
-  /// x and y are the same for a function of one.
-  template <operation what>
-  static recorded in_each(const recorded& x, const recorded& y, recorded_rule rule) {
-    recorded_operation result = recorded_operation::of([](const auto& v, const auto& w, long) {
-      if constexpr (requires { named<what>::over(v, w); }) {
-        return named<what>::over(v, w);
-      } else {
-        return named<what>::over(v);
-      }
-    });
-    result.rule = rule;
-    return x.applied(result, y);
-  }
-};
-
-namespace {
-
-template <class T>
-T value_of_further(const further_function& f, const T& x, const T& y) {
-  if (f.arity == 1) return value_over<T>(f, std::array{x});
-  return value_over<T>(f, std::array{x, y});
-}
-
-}  // namespace
-
-ball of_further(const further_function& f, const ball& x, const ball& y) {
-  return value_of_further(f, x, y);
-}
-slope_jet of_further(const further_function& f, const slope_jet& x, const slope_jet& y) {
-  return value_of_further(f, x, y);
-}
-region of_further(const further_function& f, const region& x, const region& y) {
-  return value_of_further(f, x, y);
-}
-end_series of_further(const further_function& f, const end_series& x, const end_series& y) {
-  return value_of_further(f, x, y);
-}
-tail_series of_further(const further_function& f, const tail_series& x, const tail_series& y) {
-  return value_of_further(f, x, y);
-}
-
-/// What a jet of regions has beside its own functions: the value of the region's function, and its
-/// derivative. Not available are those of gamma, log_gamma and agm.
-template <>
-struct supplement<jet<region, 1>> {
-  using series = jet<region, 1>;
-
-  static series expm1(const series& x) {
-    return with_value(exp(x), named<operation::expm1>::over(x[0]));
-  }
-  static series log1p(const series& x) {
-    return with_value(log(x + 1), named<operation::log1p>::over(x[0]));
-  }
-  static series sinpi(const series& x) {
-    return with_value(sin(x * pi(x[0].precision() + 64)), named<operation::sinpi>::over(x[0]));
-  }
-  static series cospi(const series& x) {
-    return with_value(cos(x * pi(x[0].precision() + 64)), named<operation::cospi>::over(x[0]));
-  }
-  static series abs(const series& x) {
-    const region value = named<operation::abs>::over(x[0]);
-    if (!value.is_analytic()) return constant(value);
-    if (x[0].re().lower() > 0) return x;
-    return x[0].re().upper() < 0 ? -x : not_available("abs");
-  }
-  static series floor(const series& x) { return constant(named<operation::floor>::over(x[0])); }
-  static series ceil(const series& x) { return constant(named<operation::ceil>::over(x[0])); }
-  static series min(const series& x, const series& y) {
-    return chosen(x, y, named<operation::min>::over(x[0], y[0]), y[0] - x[0]);
-  }
-  static series max(const series& x, const series& y) {
-    return chosen(x, y, named<operation::max>::over(x[0], y[0]), x[0] - y[0]);
-  }
-  static series hypot(const series& x, const series& y) { return sqrt(x * x + y * y); }
-  static series atan2(const series& y, const series& x) {
-    const series slope = (x * y[1] - y * x[1]) / (x * x + y * y);
-    return from(named<operation::atan2>::over(y[0], x[0]), slope[0]);
-  }
-  static series power(const series& x, const series& y) {
-    return with_value(exp(y * log(x)), named<operation::power>::over(x[0], y[0]));
-  }
-  /// (z^(1/n))' = z^(1/n)/(n z) for every branch.
-  static series root(const series& x, long n) {
-    const region value = named<operation::root>::over(x[0], n);
-    return from(value, value * x[1] / (x[0] * n));
-  }
-  /// (2/sqrt(pi)) e^(-x^2) x'.
-  static series erf(const series& x) { return from(named<operation::erf>::over(x[0]), bell(x)); }
-  static series erfc(const series& x) { return from(named<operation::erfc>::over(x[0]), -bell(x)); }
-  template <class F, class Range>
-  static series further(const F& f, const Range&) {
-    return not_available(name_of_function(f));
-  }
-
- private:
-  static series from(const region& value, const region& slope) {
-    series result;
-    result[0] = value;
-    result[1] = slope;
-    return result;
-  }
-  static series with_value(series x, const region& value) {
-    x[0] = value;
-    return x;
-  }
-  static series constant(const region& value) { return from(value, value * 0); }
-  static series not_available(std::string_view name) {
-    return constant(region::blocked(obstacle::unknown, name));
-  }
-  /// x where Re distance > 0 on the whole region, y where it is < 0; the value says whether either
-  /// is so.
-  static series chosen(const series& x, const series& y, const region& value,
-                       const region& distance) {
-    if (!value.is_analytic()) return constant(value);
-    if (distance.re().lower() > 0) return x;
-    return distance.re().upper() < 0 ? y : not_available("min or max");
-  }
-  static region bell(const series& x) {
-    const precision p = x[0].precision() + 64;
-    return exp(-square(x[0])) * x[1] * (2 / sqrt(pi(p)));
-  }
-};
-
-}  // namespace detail
-
-template class compiled_expression<jet<region, 1>>;
-template class compiled_expression<angle>;
-template class compiled_expression<symmetry>;
-template class compiled_expression<end_series>;
-template class compiled_expression<growth_bound>;
-template class compiled_expression<tail_series>;
-template class compiled_expression<recorded>;
 
 namespace {
 
@@ -304,6 +51,18 @@ std::function<T(const T&)> made_on_first_use(const expression& f, precision p) {
   return [f, p, g = std::make_shared<evaluator>()](const T& x) {
     std::call_once(g->once, [&] { g->made.emplace(f.evaluator<T>(p)); });
     return (*g->made)(x);
+  };
+}
+
+std::function<std::shared_ptr<const detail::formula_graph>()> graph_on_first_use(
+    const expression& f) {
+  struct graph {
+    std::once_flag once;
+    std::shared_ptr<const detail::formula_graph> made;
+  };
+  return [f, g = std::make_shared<graph>()] {
+    std::call_once(g->once, [&] { g->made = std::make_shared<const detail::formula_graph>(f); });
+    return g->made;
   };
 }
 
@@ -475,7 +234,7 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
   result.near_infinity = made_on_first_use<tail_series>(f, series_bits);
   result.growth = made_on_first_use<growth_bound>(f, series_bits);
   result.under = made_on_first_use<symmetry>(f, series_bits);
-  result.record = [f](const recorded& x, precision p) { return f.evaluator<recorded>(p)(x); };
+  result.graph = graph_on_first_use(f);
   return result;
 }
 

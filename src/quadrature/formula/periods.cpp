@@ -4,8 +4,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "quadrature/ends/breaks.hpp"
-#include "quadrature/formula/recorded.hpp"
-#include "quadrature/formula/recorded_formula.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/symmetry.hpp"
 
 namespace polhode::detail {
@@ -28,8 +27,8 @@ std::optional<rational> short_rational(const ball& x) {
 }
 
 /// Of sin, cos or tan of an argument with this slope.
-std::optional<pi_combination> period_of_slope(recorded_rule rule, const ball& slope) {
-  if (rule == recorded_rule::sinpi || rule == recorded_rule::cospi) {
+std::optional<pi_combination> period_of_slope(operation rule, const ball& slope) {
+  if (rule == operation::sinpi || rule == operation::cospi) {
     const auto q = short_rational(slope);
     return q ? std::optional(pi_combination{abs(2 / *q), 0}) : std::nullopt;
   }
@@ -38,36 +37,22 @@ std::optional<pi_combination> period_of_slope(recorded_rule rule, const ball& sl
   return std::nullopt;
 }
 
-bool is_circular(const recorded_node& node) {
-  if (node.what != recorded_node::kind::function) return false;
-  switch (node.operation.rule) {
-    case recorded_rule::sin:
-    case recorded_rule::cos:
-    case recorded_rule::tan:
-    case recorded_rule::sinpi:
-    case recorded_rule::cospi:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// The period that all circular functions in it would have if their arguments were affine. To
 /// search with.
-std::optional<pi_combination> period_to_try(const formula& f) {
+std::optional<pi_combination> period_to_try(const formula_graph& f) {
   std::size_t last = 0;
   for (std::size_t i = 0; i < f.size(); ++i) {
-    if (f.needs(i) && is_circular(f.node(i))) last = i + 1;
+    if (f.node(i).is_circular()) last = i + 1;
   }
   if (last == 0) return std::nullopt;
   const slope_jet x = slope_jet::variable(ball(0, search_bits));
   const auto values = evaluate(f, search_bits, x, choices(f.size()), last - 1);
   std::optional<pi_combination> common;
   for (std::size_t i = 0; i < last; ++i) {
-    if (!f.needs(i) || !is_circular(f.node(i))) continue;
+    if (!f.node(i).is_circular()) continue;
     const ball& slope = values[f.node(i).left][1];
     if (slope.is_bounded() && sign_of(slope) == certain_sign::zero) continue;  // of a constant
-    const auto own = period_of_slope(f.node(i).operation.rule, slope);
+    const auto own = period_of_slope(f.node(i).what, slope);
     if (!own) return std::nullopt;
     common = common ? common_period(*common, *own) : own;
     if (!common) return std::nullopt;
@@ -100,19 +85,20 @@ end_point moved(const end_point& x, const pi_combination& period, const integer&
 
 namespace {
 
-std::optional<pi_combination> proved_period(const integrand& f, const formula& recorded) {
-  std::optional<pi_combination> period = period_to_try(recorded);
+std::optional<pi_combination> proved_period(const integrand& f) {
+  if (!f.graph || !f.under) return std::nullopt;
+  std::optional<pi_combination> period = period_to_try(*f.graph());
   if (!period || !f.under(symmetry::translation(*period)).is_invariant()) return std::nullopt;
   return period;
 }
 
 }  // namespace
 
-std::optional<whole_periods> whole_periods_of(const integrand& f, const formula& recorded,
-                                              const end_point& a, const end_point& b) {
+std::optional<whole_periods> whole_periods_of(const integrand& f, const end_point& a,
+                                              const end_point& b) {
   constexpr long least = 64;
-  if (!f.under || a.is_infinite() || b.is_infinite()) return std::nullopt;
-  const std::optional<pi_combination> period = proved_period(f, recorded);
+  if (a.is_infinite() || b.is_infinite()) return std::nullopt;
+  const std::optional<pi_combination> period = proved_period(f);
   if (!period) return std::nullopt;
   std::optional<integer> count = whole_count(a, b, *period);
   if (!count || *count < least) return std::nullopt;
@@ -132,8 +118,7 @@ std::optional<whole_periods> whole_periods_of(const integrand& f, const formula&
 namespace polhode {
 
 std::optional<pi_combination> period_of(const expression& f) {
-  const detail::integrand g = integrand_of(f);
-  return detail::proved_period(g, detail::formula(g.record));
+  return detail::proved_period(integrand_of(f));
 }
 
 }  // namespace polhode

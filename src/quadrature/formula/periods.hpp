@@ -4,12 +4,9 @@
 
 #include <optional>
 
-#include "quadrature/formula/recorded.hpp"
 #include "quadrature/integrand.hpp"
 
 namespace polhode::detail {
-
-class formula;
 
 /// The integral of f over the range is `count` times that from its lower end to first_end, plus
 /// that from the lower end to rest_end: f has the period first_end - (lower end) > 0 (proved by f's
@@ -21,10 +18,8 @@ struct whole_periods {
   std::optional<end_point> rest_end;
 };
 
-/// Nothing where the range from a to b holds fewer than 64 periods, or none was found. The formula
-/// is f's.
-[[nodiscard]] std::optional<whole_periods> whole_periods_of(const integrand& f,
-                                                            const formula& recorded,
-                                                            const end_point& a, const end_point& b);
+/// Nothing where the range from a to b holds fewer than 64 periods, or none was found.
+[[nodiscard]] std::optional<whole_periods> whole_periods_of(const integrand& f, const end_point& a,
+                                                            const end_point& b);
 
 }  // namespace polhode::detail

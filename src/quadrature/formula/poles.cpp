@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "quadrature/formula/recorded.hpp"
-#include "recorded_formula.hpp"
+#include "formula_graph.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
@@ -44,7 +44,8 @@ struct quotient {
 
 class pole_search {
  public:
-  pole_search(const formula& f, const ball& x) : f_(f), nodes_(f.at(x.precision())) {
+  pole_search(const formula_graph& f, const ball& x)
+      : f_(f), constants_(f.constants_at(x.precision())) {
     const ball low(lower_rational(x), x.precision());
     const ball high(upper_rational(x), x.precision());
     x_ = {slope_jet::variable(x), low, high};
@@ -52,9 +53,8 @@ class pole_search {
 
   /// Newton's step from x's lower end l, l - D(l)/D'(x), which holds the pole that is proved.
   [[nodiscard]] std::optional<ball> found() {
-    values_.resize(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (!f_.needs(i)) continue;
+    values_.resize(f_.size());
+    for (std::size_t i = 0; i < f_.size(); ++i) {
       values_[i] = value_of(i);
       if (!values_[i]) return std::nullopt;
     }
@@ -72,7 +72,6 @@ class pole_search {
 
  private:
   using maybe = std::optional<quotient>;
-  using kind = recorded_node::kind;
 
   [[nodiscard]] function_over constant(const ball& c) const {
     return {slope_jet::constant(c), c, c};
@@ -131,30 +130,29 @@ class pole_search {
   }
 
   maybe value_of(std::size_t i) {
-    const recorded_node& node = nodes_[i];
-    if (node.what == kind::argument) return quotient{x_, {}};
-    if (node.what == kind::constant) {
-      const precision p = x_.at_low.precision();
-      return quotient{constant(node.exact ? ball(*node.exact, p) : node.enclosure), {}};
+    const formula_node& node = f_.node(i);
+    if (node.is_argument()) return quotient{x_, {}};
+    if (node.is_constant()) {
+      const auto& c = (*constants_)[static_cast<std::size_t>(node.number)];
+      return quotient{constant(constant_beside(x_.at_low, c)), {}};
     }
     if (node.is_piecewise()) return std::nullopt;
     const quotient& x = *values_[node.left];
-    if (node.what == kind::power) return power(i, x, *node.exact);
     const quotient& y = *values_[node.right];
-    switch (node.operation.rule) {
-      case recorded_rule::sum:
+    switch (node.what) {
+      case operation::add:
         return sum(x, y, [](const auto& u, const auto& v) { return u + v; });
-      case recorded_rule::difference:
+      case operation::subtract:
         return sum(x, y, [](const auto& u, const auto& v) { return u - v; });
-      case recorded_rule::negative:
+      case operation::negate:
         return quotient{
             each(x.numerator, x.numerator, [](const auto& u, const auto&) { return -u; }),
             x.divisors};
-      case recorded_rule::product:
+      case operation::multiply:
         return product(x, y);
-      case recorded_rule::square:
-        return power(i, x, 2);
-      case recorded_rule::quotient: {
+      case operation::power_integer:
+        return power(i, x, node.number);
+      case operation::divide: {
         // x times y's divisors, over y's numerator.
         quotient u = x;
         for (const auto& [j, k] : y.divisors) {
@@ -167,7 +165,7 @@ class pole_search {
         }
         return over(i, u, y.numerator_as_power());
       }
-      case recorded_rule::tan: {
+      case operation::tan: {
         if (!x.divisors.empty()) return std::nullopt;
         const quotient sine{
             each(x.numerator, x.numerator, [](const auto& u, const auto&) { return sin(u); }), {}};
@@ -178,21 +176,26 @@ class pole_search {
       default:
         break;
     }
-    // Any other function, of what has no pole.
-    if (!x.divisors.empty() || !y.divisors.empty()) return std::nullopt;
-    const auto f = [&](const auto& u, const auto& v) {
-      return operate(node.operation, u, v, node.number);
-    };
-    return quotient{each(x.numerator, y.numerator, f), {}};
+    return function_without_poles(node);
   }
-  maybe power(std::size_t i, const quotient& x, const rational& e) {
+  /// Of any function of what has no pole.
+  [[nodiscard]] maybe function_without_poles(const formula_node& node) const {
+    bool has_poles = false;
+    f_.for_each_operand(
+        node, [&](std::size_t k) { has_poles = has_poles || !values_[k]->divisors.empty(); });
+    if (has_poles) return std::nullopt;
+    const auto with = [&](auto part) {
+      using T = std::remove_cvref_t<decltype(std::declval<function_over>().*part)>;
+      return value_of_node<T>(
+          f_, node, [&](std::size_t k) -> const T& { return values_[k]->numerator.*part; });
+    };
+    return quotient{
+        {with(&function_over::over), with(&function_over::at_low), with(&function_over::at_high)},
+        {}};
+  }
+  maybe power(std::size_t i, const quotient& x, long n) {
     constexpr long most = 16;
-    if (denominator(e) != 1 || abs(numerator(e)) > most || e == 0) {
-      if (!x.divisors.empty()) return std::nullopt;
-      const auto f = [&](const auto& u, const auto&) { return polhode::detail::power(u, e); };
-      return quotient{each(x.numerator, x.numerator, f), {}};
-    }
-    const auto n = static_cast<long>(numerator(e));
+    if (std::abs(n) > most || n == 0) return function_without_poles(f_.node(i));
     power_over base = x.numerator_as_power();
     base.exponent *= std::abs(n);
     if (n > 0) {
@@ -204,8 +207,8 @@ class pole_search {
     return over(i, {constant(ball(1, x_.at_low.precision())), {}}, base);
   }
 
-  const formula& f_;
-  const recorded_nodes& nodes_;
+  const formula_graph& f_;
+  std::shared_ptr<const formula_graph::constants> constants_;
   function_over x_;
   std::vector<maybe> values_;
   std::map<std::size_t, function_over> divisors_;
@@ -214,13 +217,13 @@ class pole_search {
 }  // namespace
 
 std::optional<ball> pole_in(const integrand& f, const ball& x) {
-  if (!f.record || !x.is_bounded()) return std::nullopt;
-  const formula recorded_f(f.record);
+  if (!f.graph || !x.is_bounded()) return std::nullopt;
+  const std::shared_ptr<const formula_graph> graph = f.graph();
   std::optional<ball> pole;
   ball set = x;
   constexpr int most_steps = 8;
   for (int k = 0; k < most_steps; ++k) {
-    const std::optional<ball> step = pole_search(recorded_f, set).found();
+    const std::optional<ball> step = pole_search(*graph, set).found();
     if (!step) break;
     pole = intersection(*step, set);
     if (pole->is_undefined() || pole->radius() > scale(set.radius(), -1)) break;

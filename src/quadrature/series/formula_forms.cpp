@@ -4,18 +4,15 @@
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
-std::vector<bool> parts_of_node(const formula& f, std::size_t node) {
+std::vector<bool> parts_of_node(const formula_graph& f, std::size_t node) {
   std::vector<bool> is_part(node + 1);
   is_part[node] = true;
   for (std::size_t k = node + 1; k-- > 0;) {
-    const recorded_node& n = f.node(k);
-    const bool is_leaf =
-        n.what == recorded_node::kind::constant || n.what == recorded_node::kind::argument;
-    if (is_part[k] && !is_leaf) is_part[n.left] = is_part[n.right] = true;
+    if (is_part[k]) f.for_each_operand(f.node(k), [&](std::size_t x) { is_part[x] = true; });
   }
   return is_part;
 }
@@ -53,36 +50,34 @@ rational_polynomial reflected(const rational_polynomial& p) {
 
 }  // namespace
 
-substitution argument_itself(const formula& f, int sign, const rational& inside,
+substitution argument_itself(const formula_graph& f, int sign, const rational& inside,
                              const forms* plain) {
   const taking_apart apart(inside);
   const auto leaf = [&f, sign, apart, plain](std::size_t i) -> maybe_sum {
-    const recorded_node& node = f.node(i);
-    if (node.what == recorded_node::kind::argument) {
+    const formula_node& node = f.node(i);
+    if (node.is_argument()) {
       return hyperexponential_sum{
           apart.of_polynomial(rational_polynomial({rational(0), rational(sign)}))};
     }
-    if (plain == nullptr || node.what != recorded_node::kind::function) return std::nullopt;
-    const auto rule = node.operation.rule;
-    const bool is_exponential = rule == recorded_rule::exp;
-    const bool is_circular = rule == recorded_rule::sin || rule == recorded_rule::cos;
-    if (!is_exponential && !is_circular && rule != recorded_rule::sinh &&
-        rule != recorded_rule::cosh) {
+    if (plain == nullptr) return std::nullopt;
+    const auto rule = node.what;
+    const bool is_exponential = rule == operation::exp;
+    const bool is_circular = rule == operation::sin || rule == operation::cos;
+    if (!is_exponential && !is_circular && rule != operation::sinh && rule != operation::cosh) {
       return std::nullopt;
     }
     const maybe_sum& form = (*plain)[node.left];
     auto p = form ? taking_apart::as_polynomial(*form) : std::nullopt;
     if (!p) return std::nullopt;
     if (sign < 0) p = reflected(*p);
-    if (is_circular)
-      return hyperexponential_sum{with_phase(number(1), *p, rule == recorded_rule::sin)};
+    if (is_circular) return hyperexponential_sum{with_phase(number(1), *p, rule == operation::sin)};
     hyperexponential up;
     up.exponent = *p;
     if (is_exponential) return hyperexponential_sum{up};
     hyperexponential down;
     down.exponent = *p * rational_polynomial({rational(-1)});
     up.coefficient = rational(1, 2);
-    down.coefficient = rational(rule == recorded_rule::cosh ? 1 : -1, 2);
+    down.coefficient = rational(rule == operation::cosh ? 1 : -1, 2);
     return hyperexponential_sum{up, down};
   };
   return {inside, leaf};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hyperexponential_algebra.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
@@ -19,23 +19,24 @@ struct substitution {
 };
 
 /// Which nodes a node is made of, itself among them.
-[[nodiscard]] std::vector<bool> parts_of_node(const formula& f, std::size_t node);
+[[nodiscard]] std::vector<bool> parts_of_node(const formula_graph& f, std::size_t node);
 
 /// The forms of nodes, each where it has one.
 class forms {
  public:
   /// Of what the node `last` is made of.
-  forms(const formula& f, std::size_t last, const substitution& by) : f_(f), apart_(by.inside) {
+  forms(const formula_graph& f, std::size_t last, const substitution& by)
+      : f_(f), apart_(by.inside) {
     found_.resize(f.size());
     is_constant_.resize(f.size());
     const std::vector<bool> is_part = parts_of_node(f, last);
     for (std::size_t i = 0; i <= last; ++i) {
       if (!is_part[i]) continue;
-      const recorded_node& node = f.node(i);
-      const bool is_argument = node.what == recorded_node::kind::argument;
-      const bool is_leaf = is_argument || node.what == recorded_node::kind::constant;
-      is_constant_[i] =
-          !is_argument && (is_leaf || (is_constant_[node.left] && is_constant_[node.right]));
+      const formula_node& node = f.node(i);
+      bool is_constant = !node.is_argument();
+      f.for_each_operand(node,
+                         [&](std::size_t k) { is_constant = is_constant && is_constant_[k]; });
+      is_constant_[i] = is_constant;
       found_[i] = form_of(i, by);
       if (!found_[i] && is_constant_[i]) found_[i] = constant(i);
     }
@@ -58,8 +59,8 @@ class forms {
   }
 
   [[nodiscard]] maybe_sum form_of(std::size_t i, const substitution& by) const {
-    const recorded_node& node = f_.node(i);
-    if (node.what == recorded_node::kind::constant) {
+    const formula_node& node = f_.node(i);
+    if (node.is_constant()) {
       if (!node.exact) return std::nullopt;
       return hyperexponential_sum{number(*node.exact)};
     }
@@ -67,35 +68,34 @@ class forms {
     if (!is_constant_[i]) {
       if (maybe_sum found = by.leaf(i)) return found;
     }
-    if (node.what == recorded_node::kind::argument) return std::nullopt;
+    if (node.is_argument()) return std::nullopt;
     const maybe_sum& x = found_[node.left];
     if (!x) return std::nullopt;
-    if (node.what == recorded_node::kind::power) return raised(i, *x, *node.exact);
     const maybe_sum& y = found_[node.right];
-    switch (node.operation.rule) {
-      case recorded_rule::negative:
+    switch (node.what) {
+      case operation::negate:
         return apart_.multiplied(*x, {number(-1)});
-      case recorded_rule::sum:
+      case operation::add:
         return y ? apart_.added(*x, *y) : std::nullopt;
-      case recorded_rule::difference: {
+      case operation::subtract: {
         if (!y) return std::nullopt;
         const maybe_sum negative = apart_.multiplied(*y, {number(-1)});
         return negative ? apart_.added(*x, *negative) : std::nullopt;
       }
-      case recorded_rule::product:
+      case operation::multiply:
         return y ? apart_.multiplied(*x, *y) : std::nullopt;
-      case recorded_rule::quotient: {
+      case operation::divide: {
         if (!y) return std::nullopt;
         const maybe_sum inverse = apart_.raised(*y, -1);
         return inverse ? apart_.multiplied(*x, *inverse) : std::nullopt;
       }
-      case recorded_rule::square:
-        return raised(i, *x, 2);
-      case recorded_rule::sqrt:
+      case operation::power_integer:
+        return raised(i, *x, node.number);
+      case operation::sqrt:
         return raised(i, *x, rational(1, 2));
-      case recorded_rule::root:
+      case operation::root:
         return raised(i, *x, rational(1, node.number));
-      case recorded_rule::power: {
+      case operation::power: {
         if (!y || !is_constant_[node.right]) return std::nullopt;
         const auto e = taking_apart::as_polynomial(*y);
         return e ? raised(i, *x, e->is_zero() ? rational(0) : e->leading()) : std::nullopt;
@@ -111,7 +111,7 @@ class forms {
     return apart_.raised(x, e);
   }
 
-  const formula& f_;
+  const formula_graph& f_;
   taking_apart apart_;
   std::vector<maybe_sum> found_;
   std::vector<bool> is_constant_;
@@ -133,7 +133,7 @@ struct affine {
 
 /// x = sign y, sign = 1 or -1. `plain` are the forms in x of what exponential and circular
 /// functions are taken of.
-[[nodiscard]] substitution argument_itself(const formula& f, int sign, const rational& inside,
+[[nodiscard]] substitution argument_itself(const formula_graph& f, int sign, const rational& inside,
                                            const forms* plain);
 
 }  // namespace polhode::detail

@@ -4,7 +4,7 @@
 
 namespace polhode::detail {
 
-ball hyperexponential::constant(const formula& f, precision p) const {
+ball hyperexponential::constant(const formula_graph& f, precision p) const {
   ball result(coefficient, p);
   for (const constant_power& c : constants) {
     ball base;

@@ -18,7 +18,7 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "quadrature/formula/recorded_formula.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/tiling.hpp"
 
 namespace polhode::detail {
@@ -59,7 +59,7 @@ struct hyperexponential {
   bool is_sine = false;          // sin t instead of cos t
 
   /// c with p bits; undefined where it has no value.
-  [[nodiscard]] ball constant(const formula& f, precision p) const;
+  [[nodiscard]] ball constant(const formula_graph& f, precision p) const;
 
   bool operator==(const hyperexponential&) const = default;
 };
@@ -81,6 +81,6 @@ struct hyperexponential_integral {
 /// Integrals whose sum is that of f from a to b, where f is found to be such a sum; a < b as far as
 /// is known. The equality holds if each `must_be_positive` does between the ends of its range.
 [[nodiscard]] std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(
-    const formula& f, const end_point& a, const end_point& b);
+    const formula_graph& f, const end_point& a, const end_point& b);
 
 }  // namespace polhode::detail

@@ -10,7 +10,7 @@
 namespace polhode::detail {
 
 struct formula_range {
-  const formula& f;
+  const formula_graph& f;
   const end_point& a;  // less than b, as far as is known
   const end_point& b;
   /// What nodes are in x, where the formula has exponential or circular functions of them; else

@@ -2,7 +2,7 @@
 
 #include "parts_by_variable.hpp"
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
@@ -81,7 +81,7 @@ class in_circle {
                               if (!mine) return std::nullopt;
                               const rational n = abs(mine->of_x) / own->of_x;
                               const bool odd = mine->of_x < 0;
-                              return circular(f_.node(i).operation.rule, n, odd, both, inside);
+                              return circular(f_.node(i).what, n, odd, both, inside);
                             }};
       const forms found(f_, node, by);
       if (!found[node]) return false;
@@ -124,15 +124,11 @@ class in_circle {
   }
   /// With its sign, where node i is a circular function of a multiple of x.
   [[nodiscard]] std::optional<frequency> frequency_of(std::size_t i) const {
-    if (!f_.needs(i) || f_.node(i).what != recorded_node::kind::function) return std::nullopt;
-    const auto rule = f_.node(i).operation.rule;
-    const bool of_pi = rule == recorded_rule::sinpi || rule == recorded_rule::cospi;
-    if (!of_pi && rule != recorded_rule::sin && rule != recorded_rule::cos &&
-        rule != recorded_rule::tan) {
-      return std::nullopt;
-    }
-    const auto w = affine_of((*plain_)[f_.node(i).left]);
+    const formula_node& node = f_.node(i);
+    if (!node.is_circular()) return std::nullopt;
+    const auto w = affine_of((*plain_)[node.left]);
     if (!w || w->offset != 0) return std::nullopt;
+    const bool of_pi = node.what == operation::sinpi || node.what == operation::cospi;
     return frequency{w->slope, of_pi};
   }
 
@@ -173,7 +169,7 @@ class in_circle {
     return {scaled(inner_cosine, -sign), scaled(inner_sine, sign)};
   }
   /// The function of n w, with its sign changed where it is odd and that is asked for.
-  static maybe_sum circular(recorded_rule rule, const rational& n, bool negative,
+  static maybe_sum circular(operation rule, const rational& n, bool negative,
                             const sine_and_cosine& of_w, const rational& inside) {
     if (!is_integer(n) || n > greatest_multiple) return std::nullopt;
     const taking_apart apart(inside);
@@ -195,13 +191,13 @@ class in_circle {
     }
     if (!sine || !cosine) return std::nullopt;
     const long sign = negative ? -1 : 1;
-    if (rule == recorded_rule::cos || rule == recorded_rule::cospi) return cosine;
-    if (rule == recorded_rule::sin || rule == recorded_rule::sinpi) return scaled(*sine, sign);
+    if (rule == operation::cos || rule == operation::cospi) return cosine;
+    if (rule == operation::sin || rule == operation::sinpi) return scaled(*sine, sign);
     const maybe_sum inverse = apart.raised(*cosine, -1);
     return inverse ? apart.multiplied(scaled(*sine, sign), *inverse) : std::nullopt;
   }
 
-  const formula& f_;
+  const formula_graph& f_;
   const end_point& a_;
   const end_point& b_;
   const forms* plain_;

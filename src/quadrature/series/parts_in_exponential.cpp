@@ -2,7 +2,7 @@
 
 #include "parts_by_variable.hpp"
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
@@ -18,7 +18,7 @@ class in_exponential {
     std::optional<affine> base;
     const std::vector<bool> is_part = parts_of_node(f_, node);
     for (std::size_t i = 0; i <= node; ++i) {
-      if (!is_part[i] || !is_exponential(i)) continue;
+      if (!is_part[i] || !f_.node(i).is_exponential()) continue;
       const auto w = affine_of((*plain_)[f_.node(i).left]);
       if (!w) continue;
       if (!base) {
@@ -48,11 +48,10 @@ class in_exponential {
     if (!found_inside) return false;
     const rational& inside = *found_inside;
     const substitution by{inside, [&](std::size_t i) -> maybe_sum {
-                            if (!is_exponential(i)) return std::nullopt;
+                            if (!f_.node(i).is_exponential()) return std::nullopt;
                             const auto w = affine_of((*plain_)[f_.node(i).left]);
                             if (!w) return std::nullopt;
-                            return exponential(f_.node(i).operation.rule, w->slope / base->slope,
-                                               inside);
+                            return exponential(f_.node(i).what, w->slope / base->slope, inside);
                           }};
     const forms found(f_, node, by);
     if (!found[node]) return false;
@@ -63,19 +62,13 @@ class in_exponential {
   }
 
  private:
-  [[nodiscard]] bool is_exponential(std::size_t i) const {
-    if (!f_.needs(i) || f_.node(i).what != recorded_node::kind::function) return false;
-    const auto rule = f_.node(i).operation.rule;
-    return rule == recorded_rule::exp || rule == recorded_rule::sinh ||
-           rule == recorded_rule::cosh || rule == recorded_rule::tanh;
-  }
   /// exp, sinh, cosh or tanh of n times log y.
-  [[nodiscard]] static maybe_sum exponential(recorded_rule rule, const rational& n,
+  [[nodiscard]] static maybe_sum exponential(operation rule, const rational& n,
                                              const rational& inside) {
     constexpr long greatest = 1000;
     if (!is_integer(n) || abs(n) > greatest) return std::nullopt;
     const hyperexponential up = power_of_variable(n);
-    if (rule == recorded_rule::exp) return hyperexponential_sum{up};
+    if (rule == operation::exp) return hyperexponential_sum{up};
     // (y^|n| +- y^-|n|)/2 = (y^(2 |n|) +- 1)/2 * y^-|n|
     const auto size = static_cast<std::size_t>(abs(numerator(n)));
     if (2 * size > static_cast<std::size_t>(greatest_degree)) return std::nullopt;
@@ -91,13 +84,13 @@ class in_exponential {
     };
     maybe_sum cosine = hyperexponential_sum{half_of(1)};
     maybe_sum sine = hyperexponential_sum{half_of(-1)};
-    if (rule == recorded_rule::cosh) return cosine;
-    if (rule == recorded_rule::sinh) return sine;
+    if (rule == operation::cosh) return cosine;
+    if (rule == operation::sinh) return sine;
     const maybe_sum inverse = apart.raised(*cosine, -1);
     return inverse ? apart.multiplied(*sine, *inverse) : std::nullopt;
   }
 
-  const formula& f_;
+  const formula_graph& f_;
   const end_point& a_;
   const end_point& b_;
   const forms* plain_;

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "parts_by_variable.hpp"
-#include "quadrature/formula/recorded.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {
 
@@ -11,12 +11,9 @@ namespace {
 
 class parts_of {
  public:
-  parts_of(const formula& f, const end_point& a, const end_point& b) : f_(f), a_(a), b_(b) {
+  parts_of(const formula_graph& f, const end_point& a, const end_point& b) : f_(f), a_(a), b_(b) {
     for (std::size_t i = 0; i < f.size() && !plain_; ++i) {
-      const recorded_node& node = f.node(i);
-      const bool is_transcendental = f.needs(i) && node.what == recorded_node::kind::function &&
-                                     node.operation.rule >= recorded_rule::exp;
-      if (is_transcendental) {
+      if (f.node(i).is_exponential() || f.node(i).is_circular()) {
         plain_ = std::make_unique<forms>(f, f.result(), argument_itself(f, 1, 0, nullptr));
       }
     }
@@ -38,10 +35,8 @@ class parts_of {
 
  private:
   [[nodiscard]] bool is_sum(std::size_t node) const {
-    const recorded_node& n = f_.node(node);
-    return n.what == recorded_node::kind::function &&
-           (n.operation.rule == recorded_rule::sum ||
-            n.operation.rule == recorded_rule::difference);
+    const operation what = f_.node(node).what;
+    return what == operation::add || what == operation::subtract;
   }
   /// Of the sum that a node is; no more than a few over the most.
   [[nodiscard]] std::size_t terms_of(std::size_t node) const {
@@ -61,15 +56,15 @@ class parts_of {
   }
   /// A sum term by term.
   [[nodiscard]] std::optional<hyperexponential_integrals> in_sum(std::size_t node) {
-    const recorded_node& sum_node = f_.node(node);
-    const auto rule = sum_node.operation.rule;
+    const formula_node& sum_node = f_.node(node);
+    const auto rule = sum_node.what;
     if (!is_sum(node) || terms_of(node) > most_terms) return std::nullopt;
     auto left = of(sum_node.left);
     if (!left) return std::nullopt;
     auto right = of(sum_node.right);
     if (!right || left->size() + right->size() > most_terms) return std::nullopt;
     for (hyperexponential_integral& part : *right) {
-      if (rule == recorded_rule::difference) {
+      if (rule == operation::subtract) {
         part.function.coefficient = -part.function.coefficient;
       }
       left->push_back(std::move(part));
@@ -77,7 +72,7 @@ class parts_of {
     return left;
   }
 
-  const formula& f_;
+  const formula_graph& f_;
   const end_point& a_;
   const end_point& b_;
   /// What nodes are in x, where the formula has exponential or circular functions of them.
@@ -86,7 +81,7 @@ class parts_of {
 
 }  // namespace
 
-std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(const formula& f,
+std::optional<std::vector<hyperexponential_integral>> hyperexponential_parts(const formula_graph& f,
                                                                              const end_point& a,
                                                                              const end_point& b) {
   if (f.has_breaks()) return std::nullopt;

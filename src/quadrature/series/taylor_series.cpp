@@ -8,8 +8,8 @@
 #include "panel_choice.hpp"
 #include "panel_integral.hpp"
 #include "quadrature/approximate.hpp"
+#include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/periods.hpp"
-#include "quadrature/formula/recorded.hpp"
 #include "quadrature/tiling.hpp"
 #include "taylor_ranges.hpp"
 
@@ -22,7 +22,7 @@ using clock = std::chrono::steady_clock;
 /// One attempt at the sum of all parts.
 class taylor_sum {
  public:
-  taylor_sum(const formula& f, const std::vector<hyperexponential_integral>& parts,
+  taylor_sum(const formula_graph& f, const std::vector<hyperexponential_integral>& parts,
              const integrate_options& options)
       : f_(f), parts_(parts), options_(options) {}
 
@@ -117,7 +117,7 @@ class taylor_sum {
            });
   }
 
-  const formula& f_;
+  const formula_graph& f_;
   const std::vector<hyperexponential_integral>& parts_;
   const integrate_options& options_;
   integral_account account_;
@@ -128,17 +128,17 @@ class taylor_sum {
 std::optional<integral> integrate_by_taylor_series(const integrand& f, const end_point& a,
                                                    const end_point& b,
                                                    const integrate_options& options) {
-  if (!f.record) return std::nullopt;
+  if (!f.graph) return std::nullopt;
   const auto start = clock::now();
-  const formula recorded(f.record);
+  const std::shared_ptr<const formula_graph> graph = f.graph();
   // Of many periods one is enough, and panels know that.
-  if (options.rule.is_automatic() && whole_periods_of(f, recorded, a, b)) return std::nullopt;
-  const auto parts = hyperexponential_parts(recorded, a, b);
+  if (options.rule.is_automatic() && whole_periods_of(f, a, b)) return std::nullopt;
+  const auto parts = hyperexponential_parts(*graph, a, b);
   if (!parts || parts->empty()) return std::nullopt;
   const double digits = static_cast<double>(options.digits) * std::log2(10.0);
   double bits = digits + 6;
   for (int attempts = 0; attempts < 4; ++attempts) {
-    taylor_sum sum(recorded, *parts, options);
+    taylor_sum sum(*graph, *parts, options);
     const std::optional<ball> value = sum.to(bits);
     if (!value) return std::nullopt;
     const magnitude radius = value->radius();

@@ -1,0 +1,244 @@
+// Formulas in the arithmetics of quadrature: what these have under other names than those of a
+// formula's functions, or by way of other functions.
+
+#include "quadrature/formula/arithmetics.hpp"
+
+#include <array>
+#include <vector>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/expression/evaluation.hpp"
+
+namespace polhode {
+
+namespace detail {
+
+/// What both kinds of series make of what they have; what they have not is blocked.
+template <class Series>
+struct series_supplement {
+  static Series sinpi(const Series& x) { return sin(x * known_number(pi_combination{0, 1})); }
+  static Series cospi(const Series& x) { return cos(x * known_number(pi_combination{0, 1})); }
+  static Series hypot(const Series& x, const Series& y) { return sqrt(x * x + y * y); }
+  /// Of odd n, of negative numbers too.
+  static Series root(const Series& x, long n) {
+    if (n % 2 != 0 && x.sign() < 0) return -pow(-x, rational(1, n));
+    return pow(x, rational(1, n));
+  }
+};
+
+template <>
+struct supplement<tail_series> : series_supplement<tail_series> {
+  template <class F, class Range>
+  static tail_series further(const F& f, const Range& x) {
+    std::vector<ball> values;
+    values.reserve(x.size());
+    for (const tail_series& v : x) {
+      if (v.is_blocked()) return v;
+      values.push_back(v.values());
+    }
+    const tail_series& any = x.front();
+    return any.bounded_like(name_of_function(f), f.value(values));
+  }
+};
+template <>
+struct supplement<end_series> : series_supplement<end_series> {
+  static end_series expm1(const end_series& x) { return exp(x) - 1; }
+  static end_series log1p(const end_series& x) { return log(x + 1); }
+};
+
+template <>
+struct supplement<symmetry> {
+  static symmetry number(const rational& q) { return symmetry(q); }
+  static symmetry constant(const instruction& i) {
+    return i.what == operation::pi ? symmetry(pi_combination{0, 1}) : symmetry::some_constant();
+  }
+  /// Under what leaves all arguments as they are, so is the value: as any function of them.
+  template <class F, class Range>
+  static symmetry further(const F&, const Range& x) {
+    symmetry all = x.front();
+    for (const symmetry& v : x) all = agm(all, v);
+    return gamma(all);
+  }
+};
+
+/// As for balls.
+template <>
+struct supplement<angle> {
+  template <class F, class Range>
+  static angle further(const F& f, const Range& x) {
+    std::vector<ball> values;
+    values.reserve(x.size());
+    for (const angle& a : x) values.push_back(a.value());
+    return angle(f.value(values));
+  }
+};
+
+/// What a jet of regions has beside its own functions: the value of the region's function, and its
+/// derivative. Not available are those of gamma, log_gamma and agm.
+template <>
+struct supplement<jet<region, 1>> {
+  using series = jet<region, 1>;
+
+  static series expm1(const series& x) {
+    return with_value(exp(x), named<operation::expm1>::over(x[0]));
+  }
+  static series log1p(const series& x) {
+    return with_value(log(x + 1), named<operation::log1p>::over(x[0]));
+  }
+  static series sinpi(const series& x) {
+    return with_value(sin(x * pi(x[0].precision() + 64)), named<operation::sinpi>::over(x[0]));
+  }
+  static series cospi(const series& x) {
+    return with_value(cos(x * pi(x[0].precision() + 64)), named<operation::cospi>::over(x[0]));
+  }
+  static series abs(const series& x) {
+    const region value = named<operation::abs>::over(x[0]);
+    if (!value.is_analytic()) return constant(value);
+    if (x[0].re().lower() > 0) return x;
+    return x[0].re().upper() < 0 ? -x : not_available("abs");
+  }
+  static series floor(const series& x) { return constant(named<operation::floor>::over(x[0])); }
+  static series ceil(const series& x) { return constant(named<operation::ceil>::over(x[0])); }
+  static series min(const series& x, const series& y) {
+    return chosen(x, y, named<operation::min>::over(x[0], y[0]), y[0] - x[0]);
+  }
+  static series max(const series& x, const series& y) {
+    return chosen(x, y, named<operation::max>::over(x[0], y[0]), x[0] - y[0]);
+  }
+  static series hypot(const series& x, const series& y) { return sqrt(x * x + y * y); }
+  static series atan2(const series& y, const series& x) {
+    const series slope = (x * y[1] - y * x[1]) / (x * x + y * y);
+    return from(named<operation::atan2>::over(y[0], x[0]), slope[0]);
+  }
+  static series power(const series& x, const series& y) {
+    return with_value(exp(y * log(x)), named<operation::power>::over(x[0], y[0]));
+  }
+  /// (z^(1/n))' = z^(1/n)/(n z) for every branch.
+  static series root(const series& x, long n) {
+    const region value = named<operation::root>::over(x[0], n);
+    return from(value, value * x[1] / (x[0] * n));
+  }
+  /// (2/sqrt(pi)) e^(-x^2) x'.
+  static series erf(const series& x) { return from(named<operation::erf>::over(x[0]), bell(x)); }
+  static series erfc(const series& x) { return from(named<operation::erfc>::over(x[0]), -bell(x)); }
+  template <class F, class Range>
+  static series further(const F& f, const Range&) {
+    return not_available(name_of_function(f));
+  }
+
+ private:
+  static series from(const region& value, const region& slope) {
+    series result;
+    result[0] = value;
+    result[1] = slope;
+    return result;
+  }
+  static series with_value(series x, const region& value) {
+    x[0] = value;
+    return x;
+  }
+  static series constant(const region& value) { return from(value, value * 0); }
+  static series not_available(std::string_view name) {
+    return constant(region::blocked(obstacle::unknown, name));
+  }
+  /// x where Re distance > 0 on the whole region, y where it is < 0; the value says whether either
+  /// is so.
+  static series chosen(const series& x, const series& y, const region& value,
+                       const region& distance) {
+    if (!value.is_analytic()) return constant(value);
+    if (distance.re().lower() > 0) return x;
+    return distance.re().upper() < 0 ? y : not_available("min or max");
+  }
+  static region bell(const series& x) {
+    const precision p = x[0].precision() + 64;
+    return exp(-square(x[0])) * x[1] * (2 / sqrt(pi(p)));
+  }
+};
+
+template <>
+struct supplement<growth_bound> {
+  static growth_bound sinpi(const growth_bound& x) { return sin(x * half_turn(x)); }
+  static growth_bound cospi(const growth_bound& x) { return cos(x * half_turn(x)); }
+  static growth_bound expm1(const growth_bound& x) { return exp(x) - x.constant_like(rational(1)); }
+  static growth_bound log1p(const growth_bound& x) { return log(x + x.constant_like(rational(1))); }
+  static growth_bound sinh(const growth_bound& x) {
+    return (exp(x) - exp(-x)) * x.constant_like(rational(1, 2));
+  }
+  static growth_bound cosh(const growth_bound& x) {
+    return (exp(x) + exp(-x)) * x.constant_like(rational(1, 2));
+  }
+  static growth_bound hypot(const growth_bound& x, const growth_bound& y) {
+    return sqrt(x * x + y * y);
+  }
+  template <class F, class Range>
+  static growth_bound further(const F& f, const Range& x) {
+    std::vector<ball> values;
+    values.reserve(x.size());
+    for (const growth_bound& v : x) {
+      if (v.is_blocked())
+        return v.is_nowhere_defined() ? v : growth_bound::blocked(name_of_function(f));
+      values.push_back(v.values());
+    }
+    const growth_bound& any = x.front();
+    return any.bounded_like(name_of_function(f), f.value(values));
+  }
+
+ private:
+  static growth_bound half_turn(const growth_bound& x) {
+    return x.constant_like(known_number(pi_combination{0, 1}));
+  }
+};
+
+/// Not known are the functions that complex_ball.hpp has not.
+template <>
+struct supplement<analytic_ball> {
+  template <class F, class Range>
+  static analytic_ball further(const F&, const Range& x) {
+    const analytic_ball& any = x.front();
+    return analytic_ball(complex_ball::undefined(any.precision()));
+  }
+};
+
+template <class T>
+T value_of_operation(const formula_node& node, const T& x, const T& y) {
+  T result;
+  execute<T>(instruction{node.what, 0, 0, 0, node.number}, result, x, y);
+  return result;
+}
+template <class T>
+T value_of_call(const further_function& f, const std::vector<T>& operands) {
+  return value_over<T>(f, operands);
+}
+#define POLHODE_NODES_OVER(T)                                                         \
+  template T value_of_operation<T>(const formula_node& node, const T& x, const T& y); \
+  template T value_of_call<T>(const further_function& f, const std::vector<T>& operands);
+POLHODE_NODES_OVER(ball)
+POLHODE_NODES_OVER(slope_jet)
+POLHODE_NODES_OVER(region)
+POLHODE_NODES_OVER(end_series)
+#undef POLHODE_NODES_OVER
+
+bool is_known_over_analytic_balls(operation what) {
+  switch (what) {
+#define POLHODE_KNOWN(f, ...) \
+  case operation::f:          \
+    return named<operation::f>::is_own<analytic_ball>;
+    POLHODE_FUNCTION_TABLE(POLHODE_KNOWN, POLHODE_KNOWN, POLHODE_KNOWN, POLHODE_NO_ROW)
+    POLHODE_KNOWN(power)
+#undef POLHODE_KNOWN
+    default:
+      return false;
+  }
+}
+
+}  // namespace detail
+
+template class compiled_expression<jet<region, 1>>;
+template class compiled_expression<angle>;
+template class compiled_expression<symmetry>;
+template class compiled_expression<end_series>;
+template class compiled_expression<growth_bound>;
+template class compiled_expression<tail_series>;
+template class compiled_expression<analytic_ball>;
+
+}  // namespace polhode
