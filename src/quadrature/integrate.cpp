@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/folded.hpp"
-#include "quadrature/integrand.hpp"
-#include "quadrature/sum_of_parts.hpp"
-#include "quadrature/turned.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/parts/folded.hpp"
+#include "quadrature/parts/sum_of_parts.hpp"
+#include "quadrature/parts/turned.hpp"
 
 namespace polhode {
 

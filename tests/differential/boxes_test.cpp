@@ -11,7 +11,7 @@
 #include "integrals.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/boxes/parametric_integrand.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::differential {
 namespace boxes_test {

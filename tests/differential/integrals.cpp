@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::differential {
 namespace {

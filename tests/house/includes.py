@@ -11,6 +11,7 @@ Rooms stand on floors. The rules:
   3. A public header includes public headers only: private ones are not installed.
   4. The checker includes its own headers, the digest's and the texts of the claims, nothing else.
   5. Each folder is a room of the plan, and each include leads to a file.
+  6. The folders inside a room include each other in one direction: there is no circle of them.
 An exception is a debt: it has a reason, and it is refused once nothing needs it.
 """
 
@@ -101,9 +102,44 @@ def problem_of(source, target):
     return None
 
 
+def folder_in_room(path):
+    """The folder of a private source inside its room, as (room, folder); None for a room's own files."""
+    parts = path.split("/")
+    return (parts[1], parts[2]) if parts[0] == "src" and len(parts) > 3 else None
+
+
+def circles(arrows):
+    """What is wrong with arrows (source, target) -> a line that makes it, as a line for each circle."""
+    ahead = {}
+    for start, end in arrows:
+        ahead.setdefault(start, set()).add(end)
+
+    def way(start, end):
+        ways, seen = [[start]], set()
+        while ways:
+            at = ways.pop(0)
+            for following in sorted(ahead.get(at[-1], ())):
+                if following == end:
+                    return [*at, end]
+                if following not in seen:
+                    seen.add(following)
+                    ways.append([*at, following])
+        return None
+
+    said = set()
+    for start, end in sorted(arrows):
+        back = way(end, start)
+        if back is None or frozenset(back) in said:
+            continue
+        said.add(frozenset(back))
+        names = " -> ".join("/".join(folder) for folder in [start, *back])
+        yield f"{arrows[start, end]}: a circle of folders: {names}"
+
+
 def problems(root, exceptions):
     known = {name for names in FLOORS for name in names} | set(APART)
     unused = dict(exceptions)
+    arrows = {}
     count = 0
     for source in sources(root):
         if room_of(source) not in known:
@@ -124,6 +160,9 @@ def problems(root, exceptions):
                 continue
             if room_of(target) not in known:
                 continue  # said at the file itself
+            start, end = folder_in_room(source), folder_in_room(target)
+            if start and end and start[0] == end[0] and start != end:
+                arrows.setdefault((start, end), f"{source}:{number}")
             problem = problem_of(source, target)
             if problem is None:
                 continue
@@ -131,6 +170,7 @@ def problems(root, exceptions):
                 unused.pop((source, target), None)
             else:
                 yield f'{source}:{number}: "{include}": {problem}'
+    yield from circles(arrows)
     for source, target in unused:
         yield f"{source} needs no exception for {target} any more; delete it in tests/house/includes.py"
     if count == 0:
@@ -154,6 +194,11 @@ def self_test():
         "src/arithmetic/own.hpp": '#include "base/quoted.hpp"\n',
         "src/arithmetic/ball/deep.cpp": '#include "arithmetic/own.hpp"\n#include "../own.hpp"\n',
         "src/arithmetic/functions/tables.cpp": '#include "function_tables.hpp"\n',
+        "src/scene/low/own.hpp": "",
+        "src/scene/middle/own.hpp": '#include "scene/low/own.hpp"\n',
+        "src/scene/high/own.cpp": '#include "scene/middle/own.hpp"\n#include "scene/low/own.hpp"\n',
+        "src/scene/own.hpp": '#include "scene/middle/own.hpp"\n',
+        "src/scene/low/uses.cpp": '#include "scene/own.hpp"\n',
         "src/roots/own.cpp": '#include "polhode/roots/public.hpp"\n',
         "src/cost/own.hpp": '#include "proofs/own.hpp"\n',
         "src/cli/own.cpp": '#include "cost/own.hpp"\n#include "polhode/checker/public.hpp"\n',
@@ -174,6 +219,7 @@ def self_test():
         ("src/statements/leans.hpp", '#include "base/quoted.hpp"\n', "one floor"),
         ("src/scene/checks.cpp", '#include "polhode/checker/public.hpp"\n', "may not include"),
         ("src/attic/new.cpp", "", "no room of the plan"),
+        ("src/scene/low/back.cpp", '#include "../middle/own.hpp"\n', "a circle of folders"),
         ("src/roots/typing.cpp", '#include "polhode/roots/pubic.hpp"\n', "there is no"),
     ]
 

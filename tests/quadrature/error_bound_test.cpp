@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/quadrature/error_bounds.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "quadrature/integrands.hpp"
 #include "quadrature/rules/periodic.hpp"
 #include "quadrature/rules/rules.hpp"

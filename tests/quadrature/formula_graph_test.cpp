@@ -8,7 +8,7 @@
 #include "polhode/expression/expression.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/formula/formula_graph.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode {
 namespace formula_graph_test {

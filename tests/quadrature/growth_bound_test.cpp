@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "polhode/expression/parse.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "support/reference.hpp"
 
 namespace polhode {

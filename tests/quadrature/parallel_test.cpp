@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "quadrature/known_integrals.hpp"
 #include "support/exact_set.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "polhode/quadrature/contour.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "support/random.hpp"
 #include "support/reference.hpp"
 

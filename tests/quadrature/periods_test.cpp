@@ -5,8 +5,8 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "quadrature/formula/periods.hpp"
-#include "quadrature/integrand.hpp"
 
 namespace polhode {
 namespace periods_test {

@@ -5,9 +5,9 @@
 
 #include "polhode/expression/formula_of.hpp"
 #include "polhode/expression/parse.hpp"
-#include "quadrature/ends/end_plan.hpp"
-#include "quadrature/ends/segments.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/pieces/end_plan.hpp"
+#include "quadrature/pieces/segments.hpp"
 #include "support/random.hpp"
 
 namespace polhode {

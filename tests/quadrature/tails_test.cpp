@@ -5,10 +5,10 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/expression/parse.hpp"
-#include "quadrature/ends/oscillation.hpp"
-#include "quadrature/ends/segments.hpp"
 #include "quadrature/ends/tail_series.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/pieces/oscillation.hpp"
+#include "quadrature/pieces/segments.hpp"
 #include "support/reference.hpp"
 
 namespace polhode {

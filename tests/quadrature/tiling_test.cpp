@@ -1,12 +1,12 @@
 // That what was integrated makes up the range, each part of it once: rules that lie about their
 // pieces are refused.
 
-#include "quadrature/tiling.hpp"
+#include "quadrature/base/tiling.hpp"
 
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/ends/segments.hpp"
+#include "quadrature/pieces/segments.hpp"
 
 namespace polhode::detail {
 namespace tiling_test {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "polhode/expression/parse.hpp"
-#include "quadrature/ends/end_plan.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/pieces/end_plan.hpp"
 #include "support/integrals_as_text.hpp"
 
 namespace polhode {

@@ -10,7 +10,7 @@
 #define MPICH_SKIP_MPICXX
 #include <mpi.h>
 
-#include "cli/ranks/message_passing.hpp"
+#include "cli/modules/message_passing.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -19,9 +19,9 @@
 
 #include "base/worker_threads.hpp"
 #include "cli/interruption.hpp"
+#include "cli/modules/message_passing.hpp"
 #include "cli/modules/module.hpp"
 #include "cli/output/streams.hpp"
-#include "message_passing.hpp"
 #include "polhode/version.hpp"
 
 namespace polhode::cli::ranks {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "polhode/quadrature/integrate_box.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode {
 

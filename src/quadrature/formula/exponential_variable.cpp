@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "polhode/expression/symbol.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

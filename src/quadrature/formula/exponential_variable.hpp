@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "polhode/expression/expression.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

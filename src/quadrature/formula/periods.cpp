@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/ends/breaks.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/symmetry.hpp"
 

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "formula_graph.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 
 namespace polhode::detail {

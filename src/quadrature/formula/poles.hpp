@@ -2,7 +2,7 @@
 
 // Where an integral is proved to diverge: at a pole, also at a point that is no rational number.
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -5,8 +5,8 @@
 
 #include "integrator.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/ends/end_plan.hpp"
 #include "quadrature/formula/poles.hpp"
+#include "quadrature/pieces/end_plan.hpp"
 
 namespace polhode::detail {
 

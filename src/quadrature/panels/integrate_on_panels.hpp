@@ -1,6 +1,6 @@
 #pragma once
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

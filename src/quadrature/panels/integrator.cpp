@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/clock.hpp"
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
 
 namespace polhode::detail {
 

@@ -13,7 +13,7 @@
 #include "panel.hpp"
 #include "polhode/quadrature/contour.hpp"
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/ends/segments.hpp"
+#include "quadrature/pieces/segments.hpp"
 #include "segment_values.hpp"
 
 namespace polhode::detail {

@@ -6,9 +6,9 @@
 
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/base/tiling.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "quadrature/rules/periodic.hpp"
-#include "quadrature/tiling.hpp"
 
 namespace polhode::detail {
 

@@ -8,8 +8,8 @@
 #include "integrator.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/approximate.hpp"
-#include "quadrature/ends/breaks.hpp"
+#include "quadrature/base/approximate.hpp"
+#include "quadrature/pieces/breaks.hpp"
 #include "quadrature/rules/rule_estimates.hpp"
 #include "quadrature/rules/rules.hpp"
 

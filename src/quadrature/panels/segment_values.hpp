@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "polhode/arithmetic/complex_ball.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -7,7 +7,7 @@
 
 #include "integrator.hpp"
 #include "panel_regions.hpp"
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
 
 namespace polhode::detail {
 

@@ -7,8 +7,8 @@
 #include "integrator.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/rule_sum.hpp"
-#include "quadrature/approximate.hpp"
-#include "quadrature/parallel.hpp"
+#include "quadrature/base/approximate.hpp"
+#include "quadrature/base/parallel.hpp"
 
 namespace polhode::detail {
 

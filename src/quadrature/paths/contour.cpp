@@ -7,7 +7,7 @@
 
 #include "path_pieces.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/ends/segments.hpp"
+#include "quadrature/pieces/segments.hpp"
 
 namespace polhode {
 

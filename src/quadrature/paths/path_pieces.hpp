@@ -7,7 +7,7 @@
 #include <string>
 
 #include "polhode/quadrature/contour.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -4,7 +4,7 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "rules.hpp"
 
 namespace polhode::detail {

@@ -3,7 +3,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "quadrature/rules/double_exponential_plan.hpp"
 #include "quadrature/rules/rules.hpp"
 

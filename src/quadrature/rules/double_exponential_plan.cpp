@@ -41,7 +41,7 @@ ball upper_ball(const magnitude& m) { return ball(0, bits).enlarged(m); }
 /// |dx/dt| <= pi cosh(to) |s|/(1 - W). Continued from real t, log s = log L -+ pi sinh t - log(1 +
 /// v), |sinh t| <= cosh(Re t): |log s| <= |log L| + pi cosh(to)
 /// - log(1 - W). f and the factor |s| make |s|^(exponent + 1), which grows with |s|.
-magnitude bound_near_end(const end_growth& growth, const ball& length, double from, double to,
+magnitude bound_towards_end(const end_growth& growth, const ball& length, double from, double to,
                          double height) {
   const ball angle = ball::exactly(height, bits);
   const ball decay = pi(bits) * sinh(ball::exactly(from, bits)) * cos(angle);
@@ -61,7 +61,7 @@ magnitude bound_near_end(const end_growth& growth, const ball& length, double fr
 }
 
 /// The least |Re t|, about, beyond which the distances are within reach for |Im t| <= d. A search:
-/// whether it is so bound_near_end finds out.
+/// whether it is so bound_towards_end finds out.
 double start_of_ends(const double_exponential_problem& problem, double d) {
   const double length = double_interval(rational(problem.b - problem.a)).midpoint();
   const double reach = std::min(problem.left.reach, problem.right.reach);
@@ -124,14 +124,14 @@ std::optional<rectangle_bound> double_exponential_problem::rectangle(double rang
       const ball width = ball::exactly(to, bits) - ball::exactly(from, bits);
       bound.horizontal = add_up(
           bound.horizontal,
-          multiply_up(bound_near_end(*growth, length, from, to, d), width.magnitude_upper()));
+          multiply_up(bound_towards_end(*growth, length, from, to, d), width.magnitude_upper()));
       from = to;
     }
     std::vector<side_piece>& side = growth == &left ? bound.left : bound.right;
     double y = 0;
     for (int k = 1; k <= pieces; ++k) {
       const double next = k == pieces ? d : d * k / pieces;
-      side.push_back({y, next, bound_near_end(*growth, length, range, range, next)});
+      side.push_back({y, next, bound_towards_end(*growth, length, range, range, next)});
       y = next;
     }
   }

@@ -1,26 +1,14 @@
 #pragma once
 
-// Periodic functions, and functions that are even about both ends of a range, which are so: their
-// symmetry, and the trapezoidal rule that it makes fast (mean_trapezoid_error in error_bounds.hpp).
+// Functions that are periodic, or even about both ends of a range: the strip in which they are
+// analytic, and the nodes that the trapezoidal rule takes then (mean_trapezoid_error in
+// error_bounds.hpp).
 
 #include <optional>
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
-
-/// A part [a, b] of a range whose 2^log2_copies copies have the integral over the whole range, and
-/// of which f has the symmetry that the rule needs: even about a and about b, or of period b - a.
-struct fundamental_range {
-  pi_combination a;
-  pi_combination b;
-  long log2_copies = 0;
-};
-
-/// Nothing where no symmetry was found. The limits must be known as q + r pi.
-[[nodiscard]] std::optional<fundamental_range> fundamental_range_of(const integrand& f,
-                                                                    const end_point& a,
-                                                                    const end_point& b);
 
 /// F is analytic where mean_trapezoid_error asks for it with H = half_width, and bounded there by
 /// the supremum.

@@ -1,4 +1,4 @@
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -18,8 +18,8 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
+#include "quadrature/base/tiling.hpp"
 #include "quadrature/formula/formula_graph.hpp"
-#include "quadrature/tiling.hpp"
 
 namespace polhode::detail {
 

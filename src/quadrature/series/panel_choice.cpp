@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
 
 namespace polhode::detail {
 

@@ -7,7 +7,7 @@
 
 #include "hyperexponential.hpp"
 #include "polhode/arithmetic/elementary.hpp"
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
 
 namespace polhode::detail {
 

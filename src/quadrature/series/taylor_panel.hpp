@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "polhode/arithmetic/polynomial.hpp"
-#include "quadrature/tiling.hpp"
+#include "quadrature/base/tiling.hpp"
 
 namespace polhode::detail {
 

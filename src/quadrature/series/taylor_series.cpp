@@ -7,10 +7,10 @@
 
 #include "panel_choice.hpp"
 #include "panel_integral.hpp"
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
+#include "quadrature/base/tiling.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/periods.hpp"
-#include "quadrature/tiling.hpp"
 #include "taylor_ranges.hpp"
 
 namespace polhode::detail {

@@ -39,7 +39,7 @@
 #include <optional>
 
 #include "hyperexponential.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -1,5 +1,5 @@
 #include "polhode/quadrature/rule.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 #include "quadrature/panels/integrate_on_panels.hpp"
 
 namespace polhode {

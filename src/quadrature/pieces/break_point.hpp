@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "quadrature/ends/branches.hpp"
+#include "quadrature/pieces/branches.hpp"
 
 namespace polhode::detail::breaks {
 

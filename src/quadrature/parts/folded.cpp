@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/sum_of_parts.hpp"
+#include "quadrature/parts/sum_of_parts.hpp"
 
 namespace polhode::detail {
 

@@ -120,6 +120,14 @@ struct integrand {
   std::function<std::shared_ptr<const formula_graph>()> graph;
 };
 
+/// sign times the integral of f over [lower, upper].
+struct part {
+  integrand f;
+  end_point lower;
+  end_point upper;
+  int sign = 1;
+};
+
 /// The sum of the integrals of the parts over [0, infinity) is that beyond `start`.
 struct turned_rays {
   rational start;

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "quadrature/ends/branches.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/pieces/branches.hpp"
 
 namespace polhode::detail::breaks {
 

@@ -2,7 +2,7 @@
 
 // Where a function made of analytic pieces passes from one to another.
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
 
 namespace polhode::detail {
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "quadrature/sum_of_parts.hpp"
+#include "quadrature/parts/sum_of_parts.hpp"
 
 namespace polhode::detail {
 

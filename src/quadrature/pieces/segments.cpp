@@ -9,7 +9,7 @@
 #include "end_segments.hpp"
 #include "oscillation.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "quadrature/approximate.hpp"
+#include "quadrature/base/approximate.hpp"
 #include "quadrature/ends/tail_series.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/periods.hpp"

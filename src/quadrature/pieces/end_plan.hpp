@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "quadrature/ends/segments.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/pieces/segments.hpp"
 
 namespace polhode::detail::ends {
 

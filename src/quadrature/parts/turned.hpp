@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

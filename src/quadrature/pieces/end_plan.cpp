@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail::ends {
 

@@ -3,7 +3,7 @@
 // The segments of a range near its ends: x as a function of t or w, and the bounds that are known
 // from the series there.
 
-#include "quadrature/ends/end_plan.hpp"
+#include "quadrature/pieces/end_plan.hpp"
 
 namespace polhode::detail::ends {
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
-#include "quadrature/ends/waves.hpp"
 #include "quadrature/formula/arithmetics.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
+#include "quadrature/pieces/waves.hpp"
 
 namespace polhode::detail::oscillations {
 

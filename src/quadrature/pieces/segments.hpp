@@ -3,7 +3,7 @@
 // From a function and its limits to analytic pieces: what happens at the ends.
 
 #include "polhode/quadrature/contour.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

@@ -1,5 +1,5 @@
 #include "quadrature/panels/integrate_on_panels.hpp"
-#include "rules.hpp"
+#include "quadrature/rules/rules.hpp"
 
 namespace polhode::detail {
 

@@ -4,8 +4,8 @@
 
 #include "polhode/arithmetic/end_point.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "quadrature/turned.hpp"
-#include "rules.hpp"
+#include "quadrature/parts/turned.hpp"
+#include "quadrature/rules/rules.hpp"
 
 namespace polhode::detail {
 

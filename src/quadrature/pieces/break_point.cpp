@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "polhode/arithmetic/interval.hpp"
-#include "quadrature/ends/breaks.hpp"
+#include "quadrature/pieces/breaks.hpp"
 
 namespace polhode::detail::breaks {
 

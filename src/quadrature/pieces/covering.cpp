@@ -5,7 +5,7 @@
 
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/multiple_of_pi.hpp"
-#include "quadrature/ends/breaks.hpp"
+#include "quadrature/pieces/breaks.hpp"
 
 namespace polhode::detail::breaks {
 

@@ -6,7 +6,7 @@
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/symbol.hpp"
 #include "quadrature/formula/arithmetics.hpp"
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode {
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "quadrature/formula/angle.hpp"
-#include "quadrature/rules/periodic.hpp"
+#include "quadrature/formula/fundamental_range.hpp"
 
 namespace polhode::detail::ends {
 

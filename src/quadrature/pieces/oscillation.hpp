@@ -29,7 +29,7 @@
 #include <optional>
 #include <vector>
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
 

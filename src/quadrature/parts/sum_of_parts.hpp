@@ -6,17 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "quadrature/integrand.hpp"
+#include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
-
-/// sign times the integral of f over [lower, upper].
-struct part {
-  integrand f;
-  end_point lower;
-  end_point upper;
-  int sign = 1;
-};
 
 /// The sum of the parts and of a number of at most `rest` in size, first to few digits for its
 /// size, then to what it needs. Returns nullopt where a part has no enclosure, or the goal is not
