@@ -43,15 +43,15 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
   integral result;
   long bits = bits_for_digits(options.digits);
   std::vector<end_point> cuts;  // where the range is cut, in order
-  std::vector<rational> known;  // these, the limits, and points where cutting does not help
+  range_knowledge known;        // as points: these, the limits, and where cutting does not help
   for (const end_point& end : {a, b}) {
-    if (end.exact()) known.push_back(*end.exact());
+    if (end.exact()) known.points.push_back(*end.exact());
   }
   // In the set, or, for a pole at the set's end, in a larger one; but in the range.
   const auto is_in_range = [&](const ball& x) {
     return is_inside(lower_rational(x), a, b) && is_inside(upper_rational(x), a, b);
   };
-  const auto pole_in_range = [&](const ball& x) -> std::optional<ball> {
+  known.pole_in = [&](const ball& x) -> std::optional<ball> {
     if (!x.is_bounded()) return std::nullopt;
     const ball more = x.enlarged(scale(x.radius(), 3));
     if (is_in_range(more)) return pole_in(f, more);
@@ -65,7 +65,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
   if (f.candidates) {
     for (const end_point& x : f.candidates()) {
       if (!is_inside(x, a, b)) continue;
-      if (x.exact()) known.push_back(*x.exact());
+      if (x.exact()) known.points.push_back(*x.exact());
       add_cut(cuts, f, x, a, b);
     }
   }
@@ -76,22 +76,23 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
       result.obstacle = prepared.obstacle;
       return result;
     }
-    integrator work(prepared, options, known, pole_in_range);
-    if (points_without_cut >= most_points_without_cut) work.take_short_panels();
+    known.is_long = points_without_cut >= most_points_without_cut;
+    integrator work(prepared, options, known);
     const contour_integral found = work.run();
     result = real_part(found);
     counts_as_zero = work.counts_as_zero();
     spent += result.account.evaluations + result.account.region_evaluations;
-    if (known.size() < most_points && spent < options.most_evaluations) {
-      const std::size_t before = known.size();
+    std::vector<rational>& points = known.points;
+    if (points.size() < most_points && spent < options.most_evaluations) {
+      const std::size_t before = points.size();
       for (const rational& q : work.points_of_interest()) {
-        if (std::find(known.begin(), known.end(), q) != known.end()) continue;
-        known.push_back(q);
+        if (std::find(points.begin(), points.end(), q) != points.end()) continue;
+        points.push_back(q);
         const std::size_t cuts_before = cuts.size();
         add_cut(cuts, f, end_point(q), a, b);
         if (cuts.size() == cuts_before) ++points_without_cut;
       }
-      if (known.size() > before) continue;
+      if (points.size() > before) continue;
     }
     const bool tail_too_large = prepared.has_tail && result.why == reason::precision_limit;
     if (result.verdict == status::certified || !tail_too_large) break;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ellipse_bounds.hpp"
-#include "integrator.hpp"
+#include "plan.hpp"
 #include "polhode/arithmetic/exact.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "quadrature/base/approximate.hpp"
@@ -20,7 +20,39 @@ const panel_rule& panel_rule_of(const quadrature_rule& chosen) {
   return rule != nullptr ? *rule : gauss_legendre_panels();
 }
 
-double integrator::log2_of_typical(const panel& p, double log2_goal) const {
+namespace {
+
+/// How often a segment may be halved.
+long deepest_level(const std::vector<segment>& segments, const integrate_options& options) {
+  if (options.most_depth) return *options.most_depth;
+  // Along a path nothing is gained by coming nearer to a cut or a pole that is met.
+  const double least = !segments.empty() && segments.front().along ? 160 : 420;
+  return static_cast<long>(least + 1.1 * options.goal().log2_relative());
+}
+
+}  // namespace
+
+scaled_segments::scaled_segments(const std::vector<segment>& all) : segments(all) {
+  for (const segment& s : segments) {
+    // With as many bits as tell a short range's ends apart.
+    precision p = 64;
+    while (p < 40'000 && scale_of(s, p).magnitude_lower().is_zero()) p *= 2;
+    log2_scales.push_back(estimated_log2(scale_of(s, p).magnitude_upper()));
+  }
+}
+
+planner::planner(const scaled_segments& of, const integrate_options& options,
+                 const range_knowledge& known, double log2_size, long& region_evaluations)
+    : segments_(of.segments),
+      log2_scales_(of.log2_scales),
+      options_(options),
+      known_(known),
+      rule_(panel_rule_of(options.rule)),
+      log2_size_(log2_size),
+      region_evaluations_(region_evaluations),
+      deepest_(deepest_level(of.segments, options)) {}
+
+double planner::log2_of_typical(const panel& p, double log2_goal) const {
   // The middle and two points beside it, so that a zero of F does not mislead; with more bits where
   // F cannot tell them from a singularity nearby.
   double largest = -infinite;
@@ -41,18 +73,18 @@ double integrator::log2_of_typical(const panel& p, double log2_goal) const {
 }
 
 /// log2 of the goal for the mean of F over the panel.
-double integrator::mean_goal(const panel& p, double log2_goal) const {
+double planner::mean_goal(const panel& p, double log2_goal) const {
   return log2_goal - log2_scales_[p.segment] + static_cast<double>(p.level);
 }
 
 /// A panel that needs no more nodes is not worth halving.
-double integrator::nodes_accepted(const panel& p, double log2_goal) const {
+double planner::nodes_accepted(const panel& p, double log2_goal) const {
   return 0.42 * std::max(p.log2_typical - mean_goal(p, log2_goal), 8.0) + 10;
 }
 
 /// The best ellipse found around the panel, in p. The number of nodes it needs for a mean of F to
 /// 2^goal; infinite where none was found.
-double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const {
+double planner::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) const {
   // The price of a region's evaluation in those of f at a node.
   const double bits = std::max(p.log2_typical - goal, 8.0);
   const int halves = segments_[p.segment].along ? 2 : 1;
@@ -103,10 +135,10 @@ double integrator::find_ellipse(panel& p, double goal, ellipse_bounds& bounds) c
 
 /// How the panel's integral is to be had, in p. The number of nodes that takes; infinite where no
 /// way was found.
-double integrator::try_panel(panel& p, double log2_goal) {
+double planner::try_panel(panel& p, double log2_goal) {
   const segment& s = segments_[p.segment];
   p.log2_typical = log2_of_typical(p, log2_goal);
-  const panel_regions f(s, p, result_.account.region_evaluations);
+  const panel_regions f(s, p, region_evaluations_);
   const double goal = mean_goal(p, log2_goal);
   // So small that the bound is enough.
   const region over_panel = f(double_interval(-1.0, 1.0), double_interval(0));
@@ -130,7 +162,7 @@ double integrator::try_panel(panel& p, double log2_goal) {
   // Where F is available on a real panel, or on smaller ones, ellipses around these may be, too.
   const bool smaller_may_do = !s.along && over_panel.why() != obstacle::unknown;
   hopeless_ = bounds.report().why == obstacle::unknown && !smaller_may_do;
-  result_.obstacle = in_words(bounds.report());
+  plan_.obstacle = in_words(bounds.report());
   // So short that the range of F over it is enough. It says nothing of F being analytic, which it
   // must be along a path, but for the ends, and where it is continued.
   const bool need_not_be_analytic = !s.continued && (!s.along || p.is_at_end());
@@ -150,20 +182,21 @@ double integrator::try_panel(panel& p, double log2_goal) {
   return infinite;
 }
 
-integrator::outcome integrator::plan(double log2_goal) {
-  panels_.clear();
+panel_plan planner::plan(double log2_goal) {
+  plan_ = {};
   planned_nodes_ = 0;
   ranges_in_a_row_ = 0;
   short_panels_ = 0;
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    const outcome o = plan_segment(i, log2_goal - 6);
-    if (o != outcome::done) return o;
+    plan_.what = plan_segment(i, log2_goal - 6);
+    if (plan_.what != outcome::done) return std::move(plan_);
   }
-  return points_.empty() ? outcome::done : outcome::cut_needed;
+  if (!points_.empty()) plan_.what = outcome::cut_needed;
+  return std::move(plan_);
 }
 
 /// By the trapezoidal rule where that applies and does not need more nodes.
-integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal) {
+panel_plan::outcome planner::plan_segment(std::size_t index, double log2_goal) {
   panel whole;
   whole.segment = index;
   whole.centre = rational(1, 2);
@@ -173,14 +206,14 @@ integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal
   if (rule_.has_ends_as_nodes()) {
     const auto f = segments_[index].evaluator(64);
     if (!f(ball(0, 64)).is_bounded() || !f(ball(1, 64)).is_bounded()) {
-      result_.obstacle = "the rule " + std::string(rule_.name()) +
-                         " needs values at the ends of the range, where the integrand has none";
+      plan_.obstacle = "the rule " + std::string(rule_.name()) +
+                       " needs values at the ends of the range, where the integrand has none";
       return outcome::not_applicable;
     }
   }
   if (!segments_[index].equidistant || !is_possible) {
     if (!insisted) return plan_panel(std::move(whole), log2_goal);
-    result_.obstacle =
+    plan_.obstacle =
         "the trapezoidal rule needs an integrand that is proved periodic over the range, "
         "or even about both limits";
     return outcome::not_applicable;
@@ -191,17 +224,16 @@ integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal
   const auto most_evaluations = static_cast<double>(options_.most_evaluations);
   const double most_nodes = insisted ? most_evaluations : std::min(20 * accepted, most_evaluations);
   const std::optional<periodic_strip> found =
-      find_strip(segments_[index], mean_goal(whole, log2_goal), most_nodes,
-                 result_.account.region_evaluations);
+      find_strip(segments_[index], mean_goal(whole, log2_goal), most_nodes, region_evaluations_);
   const double nodes = found ? found->nodes : 0;
   if (found) {
     on_circle.strip = found;
     on_circle.supremum = found->supremum;
   }
-  const std::size_t panels_before = panels_.size();
+  const std::size_t panels_before = plan_.panels.size();
   const double nodes_before = planned_nodes_;
   if (insisted && !found) {
-    result_.obstacle =
+    plan_.obstacle =
         "no strip was found in which the integrand is proved analytic, so wide that the "
         "trapezoidal rule takes few enough nodes";
     return outcome::not_applicable;
@@ -211,17 +243,17 @@ integrator::outcome integrator::plan_segment(std::size_t index, double log2_goal
     const bool fewer = o == outcome::done && planned_nodes_ - nodes_before < nodes;
     if (!found || fewer || !points_.empty()) return o;
   }
-  panels_.resize(panels_before);
+  plan_.panels.resize(panels_before);
   planned_nodes_ = nodes_before + nodes;
-  panels_.push_back(std::move(on_circle));
-  const auto regions = static_cast<double>(result_.account.region_evaluations);
+  plan_.panels.push_back(std::move(on_circle));
+  const auto regions = static_cast<double>(region_evaluations_);
   return planned_nodes_ + regions > most_evaluations ? outcome::too_many_evaluations
                                                      : outcome::done;
 }
 
 /// From one end to the other; with what is beside it, as far as the segment reaches, where `around`
 /// is above 1.
-ball integrator::range_of(const panel& p, long around) const {
+ball planner::range_of(const panel& p, long around) const {
   const segment& s = segments_[p.segment];
   const rational half = p.half_length() * around;
   const rational low = std::max(rational(p.centre - half), rational(0));
@@ -232,18 +264,18 @@ ball integrator::range_of(const panel& p, long around) const {
 
 /// A rational number of small denominator in a range of x that is not known yet; at most one of a
 /// few neighbouring panels has the same.
-std::optional<rational> integrator::point_in(const ball& both, long greatest_denominator) const {
+std::optional<rational> planner::point_in(const ball& both, long greatest_denominator) const {
   if (!both.is_bounded()) return std::nullopt;
   const rational q = simplest_between(lower_rational(both), upper_rational(both));
   if (denominator(q) > greatest_denominator) return std::nullopt;
   const bool known =
-      std::find(known_points_.begin(), known_points_.end(), q) != known_points_.end();
+      std::find(known_.points.begin(), known_.points.end(), q) != known_.points.end();
   return known ? std::nullopt : std::optional(q);
 }
 
 /// Ranges over panels as short as p would take too many of them up to the segment's end: each costs
 /// hundreds of evaluations, with what is tried before.
-bool integrator::is_hopeless_beyond(const panel& p) const {
+bool planner::is_hopeless_beyond(const panel& p) const {
   constexpr double evaluations_of_panel = 200;
   const auto left = static_cast<double>(1 - p.centre);
   return std::ldexp(left, static_cast<int>(std::min(p.level, 1000L))) * evaluations_of_panel >
@@ -251,7 +283,7 @@ bool integrator::is_hopeless_beyond(const panel& p) const {
 }
 
 /// Says in the result where no way on was found.
-integrator::outcome integrator::obstructed_at(const panel& p) {
+panel_plan::outcome planner::obstructed_at(const panel& p) {
   const segment& own = segments_[p.segment];
   // So near to the start that no other point is meant.
   constexpr long deep = 100;
@@ -260,36 +292,36 @@ integrator::outcome integrator::obstructed_at(const panel& p) {
   const ball t = is_start ? ball(0, 128) : ball(p.centre, 64 + p.level);
   const complex_ball x = own.place ? complex_ball(own.place(t)) : position_of(own, t);
   if (own.continued) {
-    result_.obstacle += " on the line that the path is turned to";
+    plan_.obstacle += " on the line that the path is turned to";
   } else {
     const bool is_real = !own.along;
-    result_.obstacle +=
+    plan_.obstacle +=
         is_real ? " near x = " + to_decimal(x.re, 20) : " near z = " + to_decimal(x, 20);
   }
   return outcome::obstructed;
 }
 
-/// Appends to panels_ what covers p: itself, or what covers its halves.
-integrator::outcome integrator::plan_panel(panel p, double log2_goal) {
+/// Appends to plan_.panels what covers p: itself, or what covers its halves.
+panel_plan::outcome planner::plan_panel(panel p, double log2_goal) {
   const double own_nodes = try_panel(p, log2_goal);
   return plan_tried_panel(std::move(p), own_nodes, log2_goal);
 }
 
 /// The same of a panel that takes so many nodes, of which `try_panel` has told.
-integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, double log2_goal) {
+panel_plan::outcome planner::plan_tried_panel(panel p, double own_nodes, double log2_goal) {
   constexpr double most_nodes_of_a_rule = 28'000;  // of greatest_gauss_legendre_degree
   const bool accepted = own_nodes <= std::min(nodes_accepted(p, log2_goal), most_nodes_of_a_rule);
-  const double evaluations = planned_nodes_ + (accepted ? own_nodes : 0) +
-                             static_cast<double>(result_.account.region_evaluations);
+  const double evaluations =
+      planned_nodes_ + (accepted ? own_nodes : 0) + static_cast<double>(region_evaluations_);
   if (evaluations > static_cast<double>(options_.most_evaluations)) {
     return outcome::too_many_evaluations;
   }
   if (accepted) {
-    const bool as_short = !panels_.empty() && panels_.back().level == p.level;
+    const bool as_short = !plan_.panels.empty() && plan_.panels.back().level == p.level;
     ranges_in_a_row_ = p.by_range_only ? (as_short ? ranges_in_a_row_ + 1 : 1) : 0;
     if (ranges_in_a_row_ > most_ranges_in_a_row && is_hopeless_beyond(p)) return obstructed_at(p);
     planned_nodes_ += own_nodes;
-    panels_.push_back(std::move(p));
+    plan_.panels.push_back(std::move(p));
     return outcome::done;
   }
   const double bits = std::max(log2_size_ - log2_goal, 16.0);
@@ -300,7 +332,7 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   // - sin x, whose sets are wider than the values by then.
   constexpr long short_level = 10;
   constexpr long most_short_panels = 48;
-  if (is_real && !takes_short_panels_ && p.level >= short_level && !std::isfinite(own_nodes) &&
+  if (is_real && !known_.is_long && p.level >= short_level && !std::isfinite(own_nodes) &&
       ++short_panels_ > most_short_panels) {
     constexpr long panels_around = 256;
     short_panels_ = 0;
@@ -315,8 +347,8 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
       points_.push_back(*point);
       return points_.size() < most_points ? outcome::done : outcome::cut_needed;  // for now
     }
-    if (const auto pole = pole_in_ ? pole_in_(range_of(p)) : std::nullopt) {
-      result_.obstacle = "the integrand has a pole near x = " + to_decimal(pole->middle(), 20);
+    if (const auto pole = known_.pole_in ? known_.pole_in(range_of(p)) : std::nullopt) {
+      plan_.obstacle = "the integrand has a pole near x = " + to_decimal(pole->middle(), 20);
       return outcome::divergent;
     }
   }
@@ -328,13 +360,13 @@ integrator::outcome integrator::plan_tried_panel(panel p, double own_nodes, doub
   const bool is_endless =
       is_real && !options_.most_depth && has_failed && ++failures_ > most_failures;
   if (p.level >= deepest_ || hopeless_ || is_endless) return obstructed_at(p);
-  const std::size_t before = panels_.size();
+  const std::size_t before = plan_.panels.size();
   const double nodes_before = planned_nodes_;
   const double most_own_nodes = std::min(bits + 32, most_nodes_of_a_rule);
   const auto keep_whole = [&] {
-    panels_.resize(before);
+    plan_.panels.resize(before);
     planned_nodes_ = nodes_before + own_nodes;
-    panels_.push_back(std::move(p));
+    plan_.panels.push_back(std::move(p));
     return outcome::done;
   };
   std::array<panel, 2> halves{p.half(-1), p.half(1)};

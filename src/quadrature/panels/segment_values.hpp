@@ -3,11 +3,20 @@
 // A segment's functions in complex numbers, whether F is real for real t or not.
 
 #include <functional>
+#include <vector>
 
 #include "polhode/arithmetic/complex_ball.hpp"
 #include "quadrature/formula/integrand.hpp"
 
 namespace polhode::detail {
+
+/// The segments of an integral, and about log2 of each one's scale, to search with.
+struct scaled_segments {
+  explicit scaled_segments(const std::vector<segment>& all);
+
+  const std::vector<segment>& segments;
+  std::vector<double> log2_scales;
+};
 
 /// The greater of the radii of both parts.
 [[nodiscard]] inline magnitude radius_of(const complex_ball& z) {

@@ -1,10 +1,9 @@
-// The sums of a plan's rules over their panels, and what they leave out.
+#include "sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "integrator.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 #include "polhode/quadrature/rule_sum.hpp"
 #include "quadrature/base/approximate.hpp"
@@ -32,10 +31,8 @@ struct dyadic_panel {
   void offset(ball& result, const ball& node) const { scale(result, node, -level - 1); }
 };
 
-}  // namespace
-
 /// What the rule leaves out of the panel's integral of F.
-magnitude integrator::truncation_error(const panel& p) const {
+magnitude truncation_error(const panel& p) {
   if (p.strip) {
     const ball supremum = ball(0, 64).enlarged(p.supremum);
     return mean_trapezoid_error({ball::exactly(p.strip->half_width, 64), supremum}, p.nodes);
@@ -44,14 +41,16 @@ magnitude integrator::truncation_error(const panel& p) const {
   return scale(error, -p.level - 1);
 }
 
-std::shared_ptr<const symmetric_nodes> integrator::nodes_of(const panel& p, precision working) {
+}  // namespace
+
+std::shared_ptr<const symmetric_nodes> summer::nodes_of(const panel& p, precision working) {
   std::shared_ptr<const symmetric_nodes>& kept = nodes_[{p.nodes, working}];
   if (!kept) kept = p.rule->nodes(p.nodes, working);
   return kept;
 }
 
 /// The rule on one panel, with at least `working` bits, which become those that were used.
-panel_sum integrator::sum_of_panel(const panel& p, precision& working) {
+panel_sum summer::sum_of_panel(const panel& p, precision& working) {
   if (p.strip) {  // which is for a whole segment
     return {complex_ball(trapezoid_part(p, working)), {place(0), place(1)}};
   }
@@ -61,7 +60,7 @@ panel_sum integrator::sum_of_panel(const panel& p, precision& working) {
 }
 
 /// Half-length times the sum of w_k F(centre + half-length x_k).
-complex_ball integrator::sum_over_nodes(const panel& p, const symmetric_nodes& rule) const {
+complex_ball summer::sum_over_nodes(const panel& p, const symmetric_nodes& rule) const {
   const dyadic_panel at{ball(p.centre, rule.bits), p.level};
   const auto count = static_cast<long>(rule.nodes.size());
   const segment& s = segments_[p.segment];
@@ -81,7 +80,7 @@ complex_ball integrator::sum_over_nodes(const panel& p, const symmetric_nodes& r
 }
 
 /// The mean of F((k + 1/2)/n).
-ball integrator::trapezoid_part(const panel& p, precision working) const {
+ball summer::trapezoid_part(const panel& p, precision working) const {
   const auto functions = segments_[p.segment].equidistant(p.nodes, working);
   const auto adder = [&]() -> add_terms {
     return [f = functions()](long first, long last, ball& sum) {
@@ -92,9 +91,10 @@ ball integrator::trapezoid_part(const panel& p, precision working) const {
 }
 
 /// Its part of the integral, to a radius of about 2^share; whatever it is, the enclosure holds.
-/// `exhausted` where the precision that this would take is not allowed, or does not help.
-panel_sum integrator::part_of_panel(panel& p, double share, precision most_precision,
-                                    bool& exhausted) {
+/// The result is told where the precision or the memory that this would take is not allowed, or
+/// does not help.
+panel_sum summer::part_of_panel(panel& p, const place_in_plan& at, double share,
+                                precision most_precision, sum_of_plan& result) {
   const segment& s = segments_[p.segment];
   if (p.closed_by) {
     return {scale(*p.closed_by, -p.level) * scale_of(s, result_bits_), p.piece()};
@@ -106,29 +106,28 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
   const double goal = share - log2_scales_[p.segment] + static_cast<double>(p.level);
   p.nodes = nodes_of_panel(p, goal);
   if (options_.progress) {
-    options_.progress(
-        {static_cast<long>(&p - panels_.data()), static_cast<long>(panels_.size()), p.nodes});
+    options_.progress({static_cast<long>(at.panel), static_cast<long>(at.panels), p.nodes});
   }
-  result_.account.most_nodes = std::max(result_.account.most_nodes, p.nodes);
-  note(p.strip ? quadrature_rule::trapezoid : quadrature_rule(*p.rule), result_.account.rules);
+  account_.most_nodes = std::max(account_.most_nodes, p.nodes);
+  note(p.strip ? quadrature_rule::trapezoid : quadrature_rule(*p.rule), account_.rules);
   const magnitude truncation = truncation_error(p);
   double needed =
       std::max(p.log2_typical - goal, 16.0) + 12 + std::log2(static_cast<double>(p.nodes));
   if (needed > allowed) {
-    exhausted = true;
+    result.precision_exhausted = true;
     return bound_alone();
   }
   std::optional<double> last_radius;  // log2, where it is finite
   while (true) {
     auto working = static_cast<precision>(std::max(needed, 53.0));
     if (!has_room_for(p, working)) {
-      memory_exhausted_ = true;
-      exhausted = true;
+      result.memory_exhausted = true;
+      result.precision_exhausted = true;
       return bound_alone();
     }
     const panel_sum sum = sum_of_panel(p, working);
-    result_.account.evaluations += p.nodes;
-    result_.account.precision = std::max(result_.account.precision, working);
+    account_.evaluations += p.nodes;
+    account_.precision = std::max(account_.precision, working);
     const panel_sum part{enlarged(s, sum.value, truncation) * scale_of(s, working), sum.done};
     const double radius = estimated_log2(radius_of(part.value));
     if (radius <= share + 1) return part;
@@ -137,7 +136,7 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
     const bool helps = !last_radius || radius <= *last_radius - 4;
     const bool stuck = !helps && working >= 128 + 2 * p.level;
     if (stuck || working >= most_precision) {
-      exhausted = true;
+      result.precision_exhausted = true;
       return part;
     }
     last_radius = std::isfinite(radius) ? std::optional(radius) : std::nullopt;
@@ -147,7 +146,7 @@ panel_sum integrator::part_of_panel(panel& p, double share, precision most_preci
 }
 
 /// The nodes and weights of the panel's rule, beside those of the others, keep to the limit.
-bool integrator::has_room_for(const panel& p, precision working) {
+bool summer::has_room_for(const panel& p, precision working) {
   if (!options_.most_memory || p.strip) return true;
   // A number takes its bits, and some more for its place on the heap and its radius; of nodes that
   // lie symmetrically one half is kept.
@@ -159,20 +158,22 @@ bool integrator::has_room_for(const panel& p, precision working) {
   return sum <= *options_.most_memory;
 }
 
-integrator::outcome integrator::sum(double log2_goal) {
+sum_of_plan summer::sum(panel_plan& plan, double log2_goal) {
   // Half of the goal for truncation and half for rounding, in equal shares.
-  const double share = log2_goal - std::log2(static_cast<double>(panels_.size())) - 1.5;
+  const double share = log2_goal - std::log2(static_cast<double>(plan.panels.size())) - 1.5;
   const double bits = std::max(log2_size_ - log2_goal, 16.0);
   result_bits_ = static_cast<precision>(bits) + 64;
   const auto most_precision =
       options_.most_precision.value_or(static_cast<precision>(64 * (bits + 64)));
-  bool exhausted = false;
+  sum_of_plan result;
   // Of each segment, 0 <= t <= 1.
   const complex_ball zero(0, result_bits_);
   std::vector<tiled_sum<complex_ball>> of_segments(segments_.size(),
                                                    tiled_sum<complex_ball>(0, 1, zero));
-  for (panel& p : panels_) {
-    const panel_sum part = part_of_panel(p, share, most_precision, exhausted);
+  for (std::size_t k = 0; k < plan.panels.size(); ++k) {
+    panel& p = plan.panels[k];
+    const place_in_plan at{k, plan.panels.size()};
+    const panel_sum part = part_of_panel(p, at, share, most_precision, result);
     of_segments[p.segment].add(part.done, p.interval(), part.value);
   }
   complex_ball total(remainder_.with_precision(result_bits_));
@@ -183,11 +184,9 @@ integrator::outcome integrator::sum(double log2_goal) {
     }
     total += *value;
   }
-  result_.account.panels = static_cast<long>(panels_.size());
-  const bool better =
-      result_.enclosure.is_undefined() || radius_of(total) < radius_of(result_.enclosure);
-  if (better) result_.enclosure = total;
-  return exhausted ? outcome::precision_exhausted : outcome::done;
+  account_.panels = static_cast<long>(plan.panels.size());
+  result.value = total;
+  return result;
 }
 
 }  // namespace polhode::detail
