@@ -208,6 +208,8 @@ class powers {
   power_of_x of(node_id i) {
     const node n = g_[i];
     switch (n.what) {
+      case operation::variable:
+        return {1, one_};
       case operation::multiply: {
         const power_of_x x = of(n.left);
         const power_of_x y = of(n.right);
@@ -232,7 +234,11 @@ class powers {
         break;
     }
     const std::optional<rational> e = detail::fractional_exponent_at(g_, i);
-    if (e && g_[n.left].what == operation::variable) return {*e, one_};
+    // (c x^k)^e = c^e x^(k e) for c, x > 0.
+    if (e && is_monomial(n.left)) {
+      const power_of_x x = of(n.left);
+      return {x.exponent * *e, detail::power(g_, x.rest, g_.number(*e))};
+    }
     // |x| = x for x > 0; others are left to quotient(), which refuses them.
     if (n.what == operation::abs && is_monomial(n.left)) return of(n.left);
     return {0, i};
@@ -272,19 +278,26 @@ std::optional<expression::periodic_sum> expression::as_periodic_sum() const {
     const auto terms = splitting.terms();
     if (!terms) return std::nullopt;
     detail::graph& g = splitting.graph();
-    // Of one periodic function, the steady parts together: they may cancel.
-    std::map<detail::node_id, detail::node_id> steady;
+    // Of one periodic function, the steady parts whose powers of x differ by whole ones together:
+    // they may cancel.
+    std::map<std::pair<detail::node_id, rational>, std::vector<impl::power_of_x>> steady;
     for (const impl::product& p : *terms) {
-      const auto [at, is_new] = steady.try_emplace(p.periodic, p.steady);
-      if (!is_new) at->second = detail::add(g, at->second, p.steady);
+      const impl::power_of_x split = impl::powers(g).of(p.steady);
+      steady[{p.periodic, split.exponent - floor_of(split.exponent)}].push_back(split);
     }
     periodic_sum result{splitting.period(), {}};
-    for (const auto& [periodic, factor] : steady) {
-      const impl::power_of_x split = impl::powers(g).of(factor);
-      const auto quotient = with_root(g, split.rest).quotient();
+    for (const auto& [key, parts] : steady) {
+      const rational e = std::ranges::min(parts, {}, &impl::power_of_x::exponent).exponent;
+      detail::node_id sum = g.number(0);
+      for (const impl::power_of_x& part : parts) {
+        const auto more = g.number(part.exponent - e);
+        sum = detail::add(g, sum,
+                          detail::multiply(g, detail::power(g, g.variable(0), more), part.rest));
+      }
+      const auto quotient = with_root(g, sum).quotient();
       if (!quotient) return std::nullopt;
       result.terms.push_back(
-          {with_root(g, periodic), split.exponent, quotient->numerator, denominator_of(*quotient)});
+          {with_root(g, key.first), e, quotient->numerator, denominator_of(*quotient)});
     }
     return result;
   } catch (const detail::undefined_operation&) {

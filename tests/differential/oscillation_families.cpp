@@ -174,6 +174,76 @@ integral_case divergent_periodic_tails(maker& m) {
   return c;
 }
 
+/// A polynomial in the fractional part of k x, with the mean 0 or another one, times what decays.
+integral_case sawtooths(maker& m, bool converges) {
+  const term k = m.one_in(2) ? term(m.between(1, 3)) : m.quotient(m.within(0.2, 3));
+  const term part = k * x - call("floor", k * x);
+  const long n = m.between(1, 3);
+  const term mean = term(1) / term(n + 1);
+  const term off = converges ? term(0) : m.rational_near(m.scattered(1e-6, 1));
+  const auto positive = [&] { return m.rational_near(m.scattered(0.05, 5)); };
+  term slow = 1 / (x + positive());
+  if (m.one_in(3)) slow = power(x, -m.quotient(m.within(0.2, 1)));
+  if (m.one_in(3)) slow = (x + positive()) / (power(x, 2) + positive());
+  const term f = (power(part, n) - mean + off) * slow;
+  const term from = m.near(m.scattered(0.3, 10));
+  integral_case c{f, from, "inf", few_digits(m)};
+  if (!converges) {
+    c.diverges = true;
+    c.is_cheap = true;
+    return c;
+  }
+  const term cut = from + m.rational_near(m.scattered(0.5, 30));
+  c.parts = {{f, from, cut, c.digits}, {f, cut, "inf", c.digits}};
+  return c;
+}
+integral_case sawtooths_of_mean_zero(maker& m) { return sawtooths(m, true); }
+integral_case sawtooths_of_another_mean(maker& m) { return sawtooths(m, false); }
+
+/// x^n floor(q/x) from 0 to q, which is q^(n+1) zeta(n+1)/(n+1), and the like; or |wave(q/x)| times
+/// x^n from 0 on, or up to 0.
+integral_case steps_of_reciprocals(maker& m) {
+  const long n = m.between(1, 4);
+  const term q = m.rational_near(m.scattered(0.1, 10));
+  if (m.one_in(2)) {
+    const term unit = power(q, n + 1) / (n + 1);
+    const term all = q * power(q, n) / n;  // the integral of x^n q/x
+    const term zeta_part = unit * call("zeta", n + 1);
+    const auto of = [&](const term& step) { return power(x, n) * step; };
+    integral_case c{of(call("floor", q / x)), 0, q, few_digits(m)};
+    c.value = zeta_part;
+    if (m.one_in(3)) {
+      c.integrand = of(call("ceil", q / x));
+      c.value = zeta_part + unit;
+    } else if (m.one_in(2)) {
+      c.integrand = of(q / x - call("floor", q / x));
+      c.value = all - zeta_part;
+    }
+    return c;
+  }
+  const term turn = wave(m, (m.one_in(3) ? term("pi") * q : q) / x);
+  const term f =
+      power(x, n - 1) *
+      (m.one_in(3) ? call("max", turn, m.rational_near(m.within(-1, 1))) : call("abs", turn));
+  const term to = m.near(m.scattered(0.1, 5));
+  const bool left = m.one_in(3);
+  integral_case c{f, left ? -to : term(0), left ? term(0) : to, few_digits(m)};
+  const term cut = left ? -to / m.between(2, 5) : to / m.between(2, 5);
+  c.parts = {{f, c.from, cut, c.digits}, {f, cut, c.to, c.digits}};
+  return c;
+}
+
+/// The same with too few powers of x.
+integral_case divergent_steps_of_reciprocals(maker& m) {
+  const term q = m.rational_near(m.scattered(0.1, 10));
+  const term step = m.one_in(2) ? call("floor", q / x) : call("abs", wave(m, q / x)) / x;
+  const term f = m.one_in(2) ? step : step * power(x, -m.quotient(m.within(0.1, 1)));
+  integral_case c{f, 0, m.rational_near(m.scattered(0.5, 3)), few_digits(m)};
+  c.diverges = true;
+  c.is_cheap = true;
+  return c;
+}
+
 /// x^m cos(phi) with m >= n - 1: the integral over each half turn does not tend to 0.
 integral_case divergent(maker& m) {
   const long n = m.between(1, 4);
@@ -350,6 +420,10 @@ std::vector<integral_family> oscillation_families() {
       {"products of oscillations", 6, products},
       {"periodic functions times what decays", 6, periodic_tails},
       {"periodic functions times what decays too slowly", 6, divergent_periodic_tails},
+      {"sawtooths of mean 0", 6, sawtooths_of_mean_zero},
+      {"sawtooths of another mean", 6, sawtooths_of_another_mean},
+      {"steps of reciprocals", 6, steps_of_reciprocals},
+      {"steps of reciprocals that do not converge", 6, divergent_steps_of_reciprocals},
       {"oscillations that do not converge", 10, divergent},
       {"many turns", 8, many_turns},
       {"oscillations of exponentials", 6, in_exponentials},

@@ -36,6 +36,9 @@ TEST(PeriodicSum, HasTheValueAndThePeriod) {
       {"(3 + sin(x))^(1/3)/(2*x - 5)", {0, 2}},
       {"-exp(sin(x))/x + exp(sin(x))/(x + 1)", {0, 2}},
       {"1/(x*(2 + cos(x)))", {0, 2}},
+      {"sin(x)*(4*x^2)^(1/2)", {0, 2}},
+      {"(x - floor(x))/root(8*x^4, 3)", {1, 0}},
+      {"(floor(3*x) - 3*x + 1/2)*x^(-1/2)/(x + 1)", {rational(1, 3), 0}},
       {"max(sin(x), 1/2)*x", {0, 2}}};
   for (const auto& [text, period] : samples) {
     const expression f = parse(text);
@@ -61,8 +64,8 @@ TEST(PeriodicSum, IsNoneOfOthers) {
   for (const char* text :
        {"1/x^2", "exp(-x)", "sin(x^2)/x", "sin(x)*cos(pi*x)", "floor(x)*sin(x)", "1/floor(x)",
         "1/(2 + sin(x) + 1/x)", "sin(x + sin(x))", "exp(x*sin(x))", "log(x)*sin(x)",
-        "sqrt(x*sin(x))", "sin(x)^x", "sin(exp(1)*x)", "floor(x^2)", "sin(x)*(x^2)^(1/2)",
-        "abs(x - 1)*sin(x)", "sin(x)*abs(-2*x)"}) {
+        "sqrt(x*sin(x))", "sin(x)^x", "sin(exp(1)*x)", "floor(x^2)", "sin(x)*sqrt(-2*x)",
+        "sin(x)*sqrt(2*x)", "abs(x - 1)*sin(x)", "sin(x)*abs(-2*x)"}) {
     EXPECT_FALSE(parse(text).as_periodic_sum()) << text;
   }
   EXPECT_FALSE(parse("sin(x)*y", {"x", "y"}).as_periodic_sum());

@@ -62,7 +62,9 @@ TEST(PeriodicTail, HoldsItsValueAtEveryPrecision) {
   for (const char* text :
        {"abs(sin(x))/x^2", "1/(2 + sin(x))/x^2", "log(2 + cos(x))/(1 + x^2)", "floor(x)/x^3",
         "exp(3*sin(x))/x^(3/2)", "cos(2*pi*x)^2/(x^2 - x - 3)", "(x - floor(x))/(x^2 + 3*x)",
-        "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)", "1/(3 + sin(x))/x^40", "exp(14 + sin(x))/x^2"}) {
+        "exp(cos(5*x))*(x + 1)/(2*x^3 + 7)", "1/(3 + sin(x))/x^40", "exp(14 + sin(x))/x^2",
+        "(x - floor(x) - 1/2)/x", "(floor(3*x) - 3*x + 1/2)*x^(1/3)/(x + 2)",
+        "(2*(x/2 - floor(x/2))^3 - 1/2)/sqrt(x)", "cos(x)/(5 + 4*sin(x))*(x - 1)/(x^2 + 1)"}) {
     const expression f = parse(text);
     for (const rational& from : {rational(1), rational(100000)}) {
       const ball exact = tail_of(f, from, 200);
@@ -117,6 +119,40 @@ TEST(PeriodicTail, GivesKnownIntegrals) {
   }
 }
 
+TEST(PeriodicTail, OfMeanZeroMayDecaySlowly) {
+  constexpr precision p = 200;
+  const end_point inf = end_point::infinity();
+  // Stirling's formula; and that of Euler and Maclaurin for x^(1/2), with zeta(-1/2) =
+  // -zeta(3/2)/(4 pi), where zeta(3/2) is 2.612375348685488343348567567924...
+  EXPECT_TRUE(overlaps(of("(x - floor(x) - 1/2)/x", 1, inf), log(2 * pi(p)) / 2 - 1));
+  const ball zeta_3_2 = ball(parse_rational("2.6123753486854883433485675679"), p)
+                            .enlarged(magnitude::power_of_two(-90));
+  EXPECT_TRUE(overlaps(of("(x - floor(x) - 1/2)/sqrt(x)", 1, inf),
+                       rational(1, 3) - zeta_3_2 / (2 * pi(p))));
+  // Of several terms whose means cancel.
+  EXPECT_TRUE(overlaps(of("(floor(2*x) - 2*floor(x) - 1/2)/x", 1, inf),
+                       (log(2 * pi(p)) - 3 * log(ball(2, p))) / 2));
+  EXPECT_TRUE(overlaps(of("floor(2/x) - 2*floor(1/x)", 0, 1), 2 * log(ball(2, p)) - 1));
+  EXPECT_TRUE(overlaps(of("floor(1/x) - 1/x + 1/2", 0, 1), -digamma(ball(1, p)) - rational(1, 2)));
+  // Odd about a quarter of a period.
+  EXPECT_TRUE(overlaps(
+      of("cos(x)/(5 + 4*sin(x))/sqrt(x)", 1, inf),
+      of("cos(x)/(5 + 4*sin(x))/sqrt(x)", 1, 20) + of("cos(x)/(5 + 4*sin(x))/sqrt(x)", 20, inf)));
+}
+
+TEST(PeriodicTail, OfAnotherMeanIsRefused) {
+  for (const char* f :
+       {"(x - floor(x) - 1/3)/x", "(x - floor(x) - 1/2 - 1/10^30)/x", "x - floor(x) - 1/2",
+        "x*(x - floor(x) - 1/2)", "(floor(2*x) - 2*floor(x) + 1/2)/x", "exp(sin(x))/x",
+        "(x - floor(x) - 1/2)/x + (x - floor(x) - 1/3)/sqrt(x)", "(x - floor(x))/sqrt(x) - 1/2/x",
+        "abs(sin(x))/x", "(abs(cos(x)) - 2/3)/x", "cos(x)/(1 + sin(x))/sqrt(x)"}) {
+    EXPECT_FALSE(detail::periodic_tail_of(parse(f), 1, 64)) << f;
+    EXPECT_NE(integrate(parse(f), 1, end_point::infinity(), {.digits = 10}).verdict,
+              status::certified)
+        << f;
+  }
+}
+
 TEST(PeriodicTail, IsRefusedWhereItMayNotConverge) {
   for (const char* f :
        {"abs(sin(x))/x", "floor(x)/x^2", "abs(sin(x))/sqrt(x)", "tan(x)^2/x^2", "1/sin(x)^2/x^2",
@@ -128,6 +164,29 @@ TEST(PeriodicTail, IsRefusedWhereItMayNotConverge) {
     EXPECT_NE(integrate(parse(f), 1, end_point::infinity(), {.digits = 10}).verdict,
               status::certified)
         << f;
+  }
+}
+
+TEST(Reciprocals, OfStepsAndKinksHaveIntegralsUpToZero) {
+  constexpr precision p = 200;
+  const ball euler = -digamma(ball(1, p));
+  EXPECT_TRUE(overlaps(of("1/x - floor(1/x)", 0, 1), 1 - euler));
+  EXPECT_TRUE(overlaps(of("x*floor(1/x)", 0, 1), square(pi(p)) / 12));
+  EXPECT_TRUE(overlaps(of("x*floor(1/x)", 1, 0), -square(pi(p)) / 12));
+  EXPECT_TRUE(overlaps(of("x*floor(1/x)", -1, 0), square(pi(p)) / 12 + rational(1, 2)));
+  EXPECT_TRUE(overlaps(of("x*floor(1/x)", -1, 1), square(pi(p)) / 6 + rational(1, 2)));
+  // To an end that is no rational number, and to infinity.
+  const end_point root([](precision q) { return sqrt(ball(2, q)); });
+  EXPECT_TRUE(
+      overlaps(of("x^2*floor(3/x)", 0, root) + of("x^2*floor(3/x)", root, 3), 9 * zeta(3, p)));
+  EXPECT_TRUE(overlaps(of("x*abs(sin(1/x))/(1 + x)^3", 0, end_point::infinity()),
+                       of("x*abs(sin(1/x))/(1 + x)^3", 0, rational(1, 4)) +
+                           of("x*abs(sin(1/x))/(1 + x)^3", rational(1, 4), end_point::infinity())));
+}
+
+TEST(Reciprocals, ThatMayNotConvergeAreRefused) {
+  for (const char* f : {"floor(1/x)", "abs(sin(1/x))/x", "x^2*floor(1/x^3)", "1/floor(1/x^2)^-1"}) {
+    EXPECT_NE(integrate(parse(f), 0, 1, {.digits = 10}).verdict, status::certified) << f;
   }
 }
 

@@ -303,6 +303,9 @@ class expression {
   /// number c ("sin(exp(x))" is "sin(u)/u").
   struct of_exponential;
   [[nodiscard]] std::optional<of_exponential> by_exponential() const;
+  /// f(1/u)/u^2 as a formula in u > 0, for a formula f of one variable with powers of 1/x under
+  /// abs, min, max, floor or ceil: "floor(1/x)" is "floor(u)/u^2". None for others, and long ones.
+  [[nodiscard]] std::optional<expression> by_reciprocal() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
   /// products, whole powers and quotients by numbers. None where it is not, or its expansion is
   /// long: a degree above 10,000, a million products of coefficients.

@@ -222,6 +222,11 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
   result.by_exponential = [f](const end_point& a, const end_point& b) {
     return detail::in_exponential_variable(f, a, b);
   };
+  result.in_reciprocal = [f](int side) -> std::optional<detail::integrand> {
+    if (f.variables().size() != 1) return std::nullopt;
+    const auto in_u = (side > 0 ? f : reflected(f)).by_reciprocal();
+    return in_u ? std::optional(integrand_of(*in_u)) : std::nullopt;
+  };
   result.folded_at_infinity = [f](const rational& from, int side,
                                   precision p) -> std::optional<detail::folded_tail> {
     auto tail = detail::periodic_tail_of(side > 0 ? f : reflected(f), from, p);

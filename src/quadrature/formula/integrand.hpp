@@ -106,6 +106,9 @@ struct integrand {
   /// The integral over [a, b] as that of another function, which oscillates less fast. Nothing
   /// where none is known; may be empty.
   std::function<std::optional<substituted>(const end_point& a, const end_point& b)> by_exponential;
+  /// f(side/u)/u^2 as a function of u > 0, where f has steps or kinks at ever smaller distances of
+  /// 0, which are at one distance in u. Nothing where f is not known to; may be empty.
+  std::function<std::optional<integrand>(int side)> in_reciprocal;
   /// The integral beyond some |x| >= `from`, to the infinity of sign `side`, as one over a period
   /// but for a rest of about 2^-p of its size. Nothing where that is not available; may be empty.
   std::function<std::optional<folded_tail>(const rational& from, int side, precision p)>

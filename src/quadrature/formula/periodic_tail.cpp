@@ -2,6 +2,8 @@
 //
 //   g(x) = x^-s (a_0 + a_1/x + a_2/x^2 + ...),  |a_k| <= M rho^k,  s > 1,  rho > 0.
 //
+// (For 0 < s <= 1 see the end.)
+//
 // With Y_n = X + n T, u in [-v, v] and theta = (rho + v)/X < 1,
 //
 //   the integral of f from X - v to infinity = that of P(X + u) S(u) from -v to v,
@@ -34,17 +36,27 @@
 // the a_k are the Taylor coefficients of (z^n N(1/z))/(z^d D(1/z)) at 0, and where
 // the sum of |d_i| rho^(i-d) over i < d is at most |d_d|/2, the divisor is at least |d_d|/2 for
 // |z| <= 1/rho, so that |a_k| <= M rho^k with M = 2 (the sum of |n_i| rho^(i-n))/|d_d| (Cauchy).
+//
+// For 0 < s <= 1 let a_0 P have the integral 0 over a period, and P be bounded. Over N periods the
+// integral of P g is then that of P(X + u) times the sum over n < N of g(Y_n + u) - a_0 Y_n^-s,
+// whose terms are O(Y_n^(-s-1)) for |u| <= v, and over a part of a period it tends to 0 as g does.
+// So the integral converges, and all of the above holds with S less its term with k = i = 0: of the
+// others s + k + i >= s + 1 > 1. For the bound, e = 0, and binomial(s+j-1, j), the product of
+// (s+m-1)/m over 1 <= m <= j, is at most 1 = binomial(j, j). Of a sum of such P g it is enough that
+// for each s the sum of its a_0 P has the integral 0, as all that is left out is a multiple of it.
 
 #include "periodic_tail.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/special_functions.hpp"
 #include "polhode/expression/symbol.hpp"
+#include "polhode/quadrature/integrate.hpp"
 
 namespace polhode::detail {
 
@@ -163,6 +175,33 @@ struct setting {
   precision bits;
 };
 
+/// Whether the sum of a_0 P over the terms of each s <= 1 is shown to have the integral 0 over a
+/// period; false where an s is not positive.
+bool slow_terms_have_mean_zero(const expression::periodic_sum& sum,
+                               const std::vector<decay>& decays) {
+  const symbol x = symbol::variable(0);
+  std::map<rational, symbol> sums;
+  auto g = decays.begin();
+  for (const auto& term : sum.terms) {
+    if (term.numerator.is_zero()) continue;
+    if (g->s <= 1) {
+      const rational first = g->numerator.front() / g->denominator.front();
+      sums[g->s] += term.factor(x) * first;
+    }
+    ++g;
+  }
+  return std::ranges::all_of(sums, [&](const auto& slow) {
+    const expression of_period(slow.second, sum.terms.front().factor.names());
+    // Odd functions are known to be so about the middle of a range.
+    const pi_combination quarter = sum.period * rational(1, 4);
+    const auto has_mean_zero_from = [&](const pi_combination& start) {
+      const auto found = exact_integral(of_period, end_point(start), end_point(start + sum.period));
+      return found && *found == 0;
+    };
+    return slow.first > 0 && (has_mean_zero_from({}) || has_mean_zero_from(quarter));
+  });
+}
+
 /// The x^-s (a_0 + ...) of the terms that are not 0. None where one is not for this rule.
 std::optional<std::vector<decay>> decays_of(const expression::periodic_sum& sum) {
   constexpr long greatest_exponent = 200;
@@ -170,9 +209,10 @@ std::optional<std::vector<decay>> decays_of(const expression::periodic_sum& sum)
   for (const auto& term : sum.terms) {
     if (term.numerator.is_zero()) continue;
     decays.push_back(decay_of(term));
-    if (!(decays.back().s > 1) || decays.back().s > greatest_exponent) return std::nullopt;
+    if (decays.back().s > greatest_exponent) return std::nullopt;
   }
-  return decays.empty() ? std::nullopt : std::optional(std::move(decays));
+  if (decays.empty() || !slow_terms_have_mean_zero(sum, decays)) return std::nullopt;
+  return decays;
 }
 
 std::optional<setting> setting_for(const std::vector<decay>& decays, const pi_combination& period,
@@ -213,8 +253,12 @@ folded_factor fold(const decay& g, const setting& at) {
   const long order = static_cast<long>(at.goal) / 7 + 3;
   const long shifts =
       2 * (static_cast<long>(at.count) + static_cast<long>(floor_of(g.s)) + 2 * order);
-  const std::vector<ball> z =
-      sums_of_powers(g.s, at.x, at.period, at.count, shifts, order, at.bits);
+  // Z(s) is left out where s <= 1.
+  const bool is_slow = g.s <= 1;
+  std::vector<ball> z =
+      is_slow ? sums_of_powers(g.s + 1, at.x, at.period, at.count - 1, shifts, order, at.bits)
+              : sums_of_powers(g.s, at.x, at.period, at.count, shifts, order, at.bits);
+  if (is_slow) z.insert(z.begin(), ball(0, at.bits));
   std::vector<ball> c(at.count, ball(0, at.bits));
   for (std::size_t k = 0; k < at.count; ++k) {
     ball term = a[k];

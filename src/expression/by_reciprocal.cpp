@@ -1,0 +1,121 @@
+// A formula in u = 1/x in place of x, where abs, min, max, floor or ceil stand over powers of 1/x:
+// what these do ever faster towards x = 0, as in floor(1/x) and |sin(1/x)|, they do at one pace in
+// u.
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "graph.hpp"
+#include "polhode/expression/expression.hpp"
+
+namespace polhode {
+namespace by_reciprocal_impl {
+namespace {
+
+using detail::node;
+using detail::node_id;
+using detail::operation;
+
+constexpr node_id most_nodes = 500;
+constexpr long greatest_exponent = 64;
+
+/// c x^exponent, c without x.
+struct monomial {
+  node_id c;
+  long exponent;
+};
+
+class substitution {
+ public:
+  explicit substitution(detail::graph f)
+      : g_(std::move(f)), size_(g_.root + 1), varies_(detail::varying(g_)) {}
+
+  /// f(1/u)/u^2. Throws detail::undefined_operation where an operation has no value anywhere.
+  std::optional<node_id> result() {
+    std::vector<std::optional<monomial>> monomials(size_);
+    std::vector<char> has_reciprocal(size_, 0);
+    bool has_steps_of_reciprocal = false;
+    for (node_id i = 0; i < size_; ++i) {
+      monomials[i] = monomial_at(i, monomials);
+      has_reciprocal[i] = monomials[i] && monomials[i]->exponent < 0 ? 1 : 0;
+      for (const node_id k : detail::operands_at(g_, i)) has_reciprocal[i] |= has_reciprocal[k];
+      has_steps_of_reciprocal |= is_piecewise(g_[i].what) && has_reciprocal[i] != 0;
+    }
+    if (!has_steps_of_reciprocal) return std::nullopt;
+    const node_id u = g_.variable(0);
+    std::vector<node_id> places(size_);
+    for (node_id i = 0; i < size_; ++i) {
+      if (varies_[i] == 0) {
+        places[i] = i;
+      } else if (monomials[i]) {
+        places[i] =
+            multiply(g_, monomials[i]->c, detail::power(g_, u, g_.number(-monomials[i]->exponent)));
+      } else {
+        places[i] = detail::with_operands(g_, g_, i, [&](node_id k) { return places[k]; });
+      }
+    }
+    return divide(g_, places[g_.root], detail::power(g_, u, g_.number(2)));
+  }
+  [[nodiscard]] const detail::graph& graph() const { return g_; }
+
+ private:
+  static bool is_piecewise(operation what) {
+    return what == operation::abs || what == operation::min || what == operation::max ||
+           what == operation::floor || what == operation::ceil;
+  }
+  std::optional<monomial> monomial_at(node_id i,
+                                      const std::vector<std::optional<monomial>>& known) {
+    const node n = g_[i];
+    if (varies_[i] == 0) return monomial{i, 0};
+    if (n.what == operation::variable) return monomial{g_.number(1), 1};
+    const auto of = [&](node_id k) { return k < size_ ? known[k] : std::nullopt; };
+    std::optional<monomial> result;
+    switch (n.what) {
+      case operation::negate:
+        if (const auto x = of(n.left)) result = {negate(g_, x->c), x->exponent};
+        break;
+      case operation::multiply: {
+        const auto x = of(n.left);
+        const auto y = of(n.right);
+        if (x && y) result = {multiply(g_, x->c, y->c), x->exponent + y->exponent};
+        break;
+      }
+      case operation::divide: {
+        const auto x = of(n.left);
+        const auto y = of(n.right);
+        if (x && y) result = {divide(g_, x->c, y->c), x->exponent - y->exponent};
+        break;
+      }
+      case operation::power_integer:
+        if (const auto x = of(n.left); x && std::abs(n.number) <= greatest_exponent) {
+          result = {detail::power(g_, x->c, g_.number(n.number)), x->exponent * n.number};
+        }
+        break;
+      default:
+        break;
+    }
+    return result && std::abs(result->exponent) <= greatest_exponent ? result : std::nullopt;
+  }
+
+  detail::graph g_;
+  node_id size_;
+  std::vector<char> varies_;
+};
+
+}  // namespace
+}  // namespace by_reciprocal_impl
+
+std::optional<expression> expression::by_reciprocal() const {
+  if (variables_.size() != 1 || graph_->root >= by_reciprocal_impl::most_nodes) return std::nullopt;
+  try {
+    by_reciprocal_impl::substitution s(*graph_);
+    const auto found = s.result();
+    return found ? std::optional(with_root(s.graph(), *found)) : std::nullopt;
+  } catch (const detail::undefined_operation&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace polhode
