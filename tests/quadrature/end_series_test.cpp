@@ -198,6 +198,24 @@ TEST(EndSeries, OfTanhOfALogarithmIsARationalFunction) {
   }
 }
 
+TEST(EndSeries, KnowsWhichAreRationalNumbers) {
+  const end_series t =
+      end_series::argument(known_number(rational(0)), known_number(rational(1)), 1, 0.25);
+  const rational third(1, 3);
+  const end_series constant = t.constant_like(third);
+  EXPECT_EQ(constant.rational_constant(), third);
+  EXPECT_EQ((constant * constant + 2).rational_constant(), rational(19, 9));
+  for (const end_series& other :
+       {constant + t, constant + square(t), t, 1 / t, log(t), exp(t), constant + t * log(t),
+        t.constant_like(sqrt(ball(2, 64))), end_series::blocked("this")}) {
+    EXPECT_FALSE(other.rational_constant());
+  }
+  // 0 is added to what has other roots of t, and nothing else is.
+  EXPECT_FALSE((sqrt(t) + t * 0).is_blocked());
+  EXPECT_EQ((t * 0 + sqrt(t)).simplified().exponent(), rational(1, 2));
+  EXPECT_TRUE((sqrt(t) + square(t)).is_blocked());
+}
+
 TEST(EndSeries, IsBlockedWhereTheFormIsAnother) {
   const end_series x = end_series::argument(known_number(), known_number(rational(1)), 1, 0.25);
   for (const end_series& h :

@@ -66,6 +66,41 @@ TEST(Tails, OfExponentialDecayAreBounded) {
       [](const ball& x) { return x * x * exp(-1 / x) * (1 - 2 * x); }, rational(6, 5));
 }
 
+TEST(Tails, OfExponentialsOfRootsAreBounded) {
+  const end_point infinity = end_point::infinity();
+  const rational little(11, 10);
+  const auto u_of = [](const ball& x, long n) { return pow(x, ball(rational(1, n), p)); };
+  check_tail(
+      "exp(-x^(1/3))", [](const auto& x) { return exp(-pow(x, rational(1, 3))); }, end_point(1),
+      infinity, true,
+      [&](const ball& x) {
+        const ball u = u_of(x, 3);
+        return 3 * (u * u + 2 * u + 2) * exp(-u);
+      },
+      little);
+  // 1/(e^u + 1) = e^-u - e^-2u/(1 + e^-u).
+  check_tail(
+      "1/(exp(sqrt(x)) + 1)", [](const auto& x) { return 1 / (exp(sqrt(x)) + 1); }, end_point(1),
+      infinity, true,
+      [&](const ball& x) {
+        const ball u = u_of(x, 2);
+        return 2 * (u + 1) * exp(-u) -
+               (u + rational(1, 2)) * exp(-2 * u) * hull(ball(0, p), ball(1, p));
+      },
+      little);
+  check_tail(
+      "1/(exp(x^(4/3)) + x)", [](const auto& x) { return 1 / (exp(pow(x, rational(4, 3))) + x); },
+      end_point(2), infinity, true,
+      [&](const ball& x) {
+        // The integral of e^-v dx with x = v^(3/4), dx = (3/4) v^(-1/4) dv, falls from 1 to
+        // 1 - 1/(4 v) times its first term.
+        const ball v = pow(x, ball(rational(4, 3), p));
+        const ball leading = rational(3, 4) * pow(v, ball(rational(-1, 4), p)) * exp(-v);
+        return leading * hull(ball(rational(1, 1), p), 1 - 1 / (4 * v) - x * exp(-v));
+      },
+      rational(3, 2));
+}
+
 /// The bound of the integral of |f| beyond 2, from f's series for x >= 2.
 template <class F>
 magnitude beyond_two(const F& f) {

@@ -280,6 +280,28 @@ TEST(IsolateRoots, UpToInfinityByGrowth) {
   }
 }
 
+TEST(IsolateRoots, UpToInfinityByLogarithms) {
+  const end_point infinity = end_point::infinity();
+  struct expected {
+    const char* text;
+    end_point lower;
+    end_point upper;
+    std::size_t roots;
+  };
+  for (const auto& [text, lower, upper, roots] :
+       std::vector<expected>{{"log(x)^2-log(x)-2", 0, infinity, 2},
+                             {"log(x)^3-5*log(x)+1", 0, infinity, 3},
+                             {"log(x)^2-60*log(x)+1", rational(1, 2), infinity, 2},
+                             {"log(x)^2-700*log(x)+log(3)", 2, infinity, 1},
+                             {"log(-x)^2-60*log(-x)+1", -infinity, -1, 2},
+                             {"sqrt(log(x))-log(x)/7", 2, infinity, 1},
+                             {"log(x)^2-2*log(x)+2", 0, infinity, 0}}) {
+    const root_set s = isolate_roots(real_function(parse(text)), lower, upper);
+    EXPECT_TRUE(s.is_resolved()) << text;
+    EXPECT_EQ(s.regions.size(), roots) << text;
+  }
+}
+
 TEST(IsolateRoots, TellsWhereAFunctionEndsFarOut) {
   const root_set s =
       isolate_roots(real_function(parse("sqrt(1000-x)-1")), 0, end_point::infinity());

@@ -143,6 +143,7 @@ end_series operator+(const end_series& x, const end_series& y) {
   if (x.blocked_) return x;
   if (y.blocked_) return y;
   const rational difference = x.m_ - y.m_;
+  if (denominator(difference) != 1 && (x.is_zero() || y.is_zero())) return x.is_zero() ? y : x;
   if (denominator(difference) != 1)
     return end_series::blocked("+ (of different roots)", remedy::other_root);
   if (difference > 0) return y + x;
@@ -533,6 +534,13 @@ bool end_series::is_zero() const {
     }
     return false;
   });
+}
+
+std::optional<rational> end_series::rational_constant() const {
+  if (blocked_ || m_ != 0 || log_degree() != 0) return std::nullopt;
+  const std::optional<rational> value = terms_.front().at_0[0].exact();
+  const bool is_constant = value && (*this - constant_like(*value)).is_zero();
+  return is_constant ? value : std::nullopt;
 }
 
 end_series abs(const end_series& x) {

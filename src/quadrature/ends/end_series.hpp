@@ -126,6 +126,8 @@ class end_series {
   [[nodiscard]] double_interval real_range() const;
   /// Proved to be 0 everywhere.
   [[nodiscard]] bool is_zero() const;
+  /// The rational number that it is proved to be everywhere.
+  [[nodiscard]] std::optional<rational> rational_constant() const;
 
   /// A constant function beside this one.
   template <exact_number N>

@@ -213,10 +213,11 @@ tail_series pow(const tail_series& x, const rational& e) {
 
 tail_series pow(const tail_series& x, long n) { return pow(x, rational(n)); }
 
-/// Where x >= 1 and y <= e: x^y = x^e U with U = x^(y - e) in (0, 1]; where 0 < x <= 1, so for y >=
-/// e. Else e^(y log x).
+/// A power with a rational exponent is known. Where x >= 1 and y <= e: x^y = x^e U with
+/// U = x^(y - e) in (0, 1]; where 0 < x <= 1, so for y >= e. Else e^(y log x).
 tail_series pow(const tail_series& x, const tail_series& y) {
   if (x.is_blocked() || y.is_blocked()) return exp(y * log(x));
+  if (const auto e = y.is_plain() ? y.h_.rational_constant() : std::nullopt) return pow(x, *e);
   const double_interval exponents = y.is_plain() ? y.h_.real_range() : double_interval::undefined();
   if (exponents.is_undefined() || !x.is_plain() || x.h_.sign() <= 0) return exp(y * log(x));
   constexpr double places = 1024;  // of e: it stays short

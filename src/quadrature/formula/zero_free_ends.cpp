@@ -57,6 +57,17 @@ std::optional<expression> in_exponential(const expression& f, const pi_combinati
   }
 }
 
+/// f(side exp(s)) as a formula in s; nothing where that is not available.
+std::optional<expression> in_logarithm(const expression& f, int side) {
+  const symbol x = symbol::variable(0);
+  try {
+    // With the factor |dx/ds| of the substitution it is f again.
+    return expression(f(x) / (symbol(side) * x), f.names()).in_exponential(nullptr, side);
+  } catch (const input_error&) {
+    return std::nullopt;  // it has no value anywhere
+  }
+}
+
 }  // namespace
 }  // namespace zero_free_ends_impl
 
@@ -89,8 +100,15 @@ bool zero_free_ends::beside(const pi_combination& at, const rational& width) con
 
 bool zero_free_ends::beyond(const rational& from) const {
   // x = (from/4)/t takes all values beyond `from`, too.
-  return has_no_zero(growth(formula_->f, argument({}, from / 4, -1))) ||
-         has_no_zero(growth(formula_->f, far(from)));
+  const expression& f = formula_->f;
+  if (has_no_zero(growth(f, argument({}, from / 4, -1))) || has_no_zero(growth(f, far(from)))) {
+    return true;
+  }
+  // |x| >= |from| is s >= log |from|, where powers of log |x| are powers of s.
+  if (f.variables().size() != 1) return false;
+  const rational from_s = lower_rational(log(ball(rational(abs(from)), 64)));
+  const auto in_s = from_s > 0 ? in_logarithm(f, from > 0 ? 1 : -1) : std::nullopt;
+  return in_s && has_no_zero(growth(*in_s, argument({}, from_s / 4, -1)));
 }
 
 }  // namespace polhode

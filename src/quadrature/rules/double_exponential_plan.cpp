@@ -42,7 +42,7 @@ ball upper_ball(const magnitude& m) { return ball(0, bits).enlarged(m); }
 /// v), |sinh t| <= cosh(Re t): |log s| <= |log L| + pi cosh(to)
 /// - log(1 - W). f and the factor |s| make |s|^(exponent + 1), which grows with |s|.
 magnitude bound_towards_end(const end_growth& growth, const ball& length, double from, double to,
-                         double height) {
+                            double height) {
   const ball angle = ball::exactly(height, bits);
   const ball decay = pi(bits) * sinh(ball::exactly(from, bits)) * cos(angle);
   if (!certainly_less(angle, pi(bits) / 2) || !certainly_positive(decay)) {
