@@ -89,7 +89,6 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
       if (auto sum = sum_to_goal(parts, options)) return *std::move(sum);
     }
   }
-  if (auto sum = integrate_by_reciprocal(f, a, b, options)) return *std::move(sum);
   for (const quadrature_rule& rule : quadrature_rule::all()) {
     if (!rule.strategy()->is_automatic()) continue;
     std::optional<integral> found = rule.strategy()->attempt(f, a, b, options);

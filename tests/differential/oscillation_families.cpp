@@ -244,6 +244,40 @@ integral_case divergent_steps_of_reciprocals(maker& m) {
   return c;
 }
 
+/// cos(c tan(x)) from 0 over n quarters of its turns, which is n (pi/2) e^-c; or a wave of c tan(x)
+/// times a bounded function, over a range with poles of the tangent.
+integral_case waves_of_tangents(maker& m) {
+  const term c = m.rational_near(m.scattered(0.1, 4));
+  const term tangent = c * call("tan", x);
+  const long n = m.any_of({1L, 2L, 3L, 4L, 5L});
+  const auto quarters = [](long k) { return term("pi") * k / 2; };
+  if (m.one_in(2)) {
+    integral_case result{call("cos", tangent), 0, quarters(n), few_digits(m)};
+    result.value = quarters(n) * call("exp", -c);
+    return result;
+  }
+  const term other = m.any_of<term>(
+      {call("exp", -x), x, call("sin", x), power(call("cos", x), 2), 1 / (power(x, 2) + 1)});
+  const term f = wave(m, tangent) * other;
+  const term from = m.one_in(2) ? quarters(-1) : m.rational_near(m.within(-1.5, 1.5));
+  const term to =
+      m.one_in(2) ? quarters(n) + quarters(m.between(0, 1)) : m.rational_near(m.within(1.6, 6));
+  integral_case result{f, from, to, few_digits(m)};
+  const term cut = m.rational_near(m.within(1.51, 1.56));
+  result.parts = {{f, from, cut, result.digits}, {f, cut, to, result.digits}};
+  return result;
+}
+
+/// The same with a factor that makes it an integral of cos(c u) du or worse.
+integral_case divergent_waves_of_tangents(maker& m) {
+  const term f = wave(m, m.rational_near(m.scattered(0.1, 4)) * call("tan", x)) *
+                 power(call("cos", x), -m.between(2, 4));
+  integral_case result{f, m.rational_near(m.within(-1.5, 1.5)), term("pi") / 2, few_digits(m)};
+  result.diverges = true;
+  result.is_cheap = true;
+  return result;
+}
+
 /// x^m cos(phi) with m >= n - 1: the integral over each half turn does not tend to 0.
 integral_case divergent(maker& m) {
   const long n = m.between(1, 4);
@@ -424,6 +458,8 @@ std::vector<integral_family> oscillation_families() {
       {"sawtooths of another mean", 6, sawtooths_of_another_mean},
       {"steps of reciprocals", 6, steps_of_reciprocals},
       {"steps of reciprocals that do not converge", 6, divergent_steps_of_reciprocals},
+      {"waves of tangents", 6, waves_of_tangents},
+      {"waves of tangents that do not converge", 6, divergent_waves_of_tangents},
       {"oscillations that do not converge", 10, divergent},
       {"many turns", 8, many_turns},
       {"oscillations of exponentials", 6, in_exponentials},

@@ -184,6 +184,30 @@ TEST(Reciprocals, OfStepsAndKinksHaveIntegralsUpToZero) {
                            of("x*abs(sin(1/x))/(1 + x)^3", rational(1, 4), end_point::infinity())));
 }
 
+// In u = tan(x): the integral of cos(u)/(1 + u^2) over (0, inf) is pi/(2 e).
+TEST(Tangents, OfWavesHaveIntegralsAcrossTheirPoles) {
+  constexpr precision p = 200;
+  const auto half_turns = [](long n) { return end_point::pi(rational(n, 2)); };
+  const ball half = pi(p) / 2 * exp(ball(-1, p));
+  EXPECT_TRUE(overlaps(of("cos(tan(x))", 0, half_turns(1)), half));
+  EXPECT_TRUE(overlaps(of("cos(tan(x))", half_turns(1), 0), -half));
+  EXPECT_TRUE(overlaps(of("cos(tan(x))", half_turns(-1), half_turns(1)), 2 * half));
+  EXPECT_TRUE(overlaps(of("cos(tan(x))", half_turns(1), half_turns(5)), 4 * half));
+  EXPECT_TRUE(overlaps(of("cos(tan(x))", half_turns(-4), half_turns(6)), 10 * half));
+  EXPECT_TRUE(overlaps(of("sin(tan(x))*tan(x)", 0, half_turns(1)), half));
+  // By symmetry about pi/2, and to ends that are no multiples of pi.
+  EXPECT_TRUE(overlaps(of("x*cos(tan(x))", 0, half_turns(2)), pi(p) * half));
+  EXPECT_TRUE(overlaps(of("cos(tan(x))", 1, 3),
+                       of("cos(tan(x))", 1, half_turns(1)) + of("cos(tan(x))", half_turns(1), 3)));
+  EXPECT_TRUE(overlaps(
+      of("cos(tan(x))*exp(x)", half_turns(1), 4),
+      exp(pi(p)) * of("cos(tan(x))*exp(x)", half_turns(-1), end_point(pi_combination{4, -1}))));
+  for (const char* f : {"sin(tan(x))*tan(x)^2", "cos(tan(x))/cos(x)^3", "cos(tan(x))*tan(x)^2"}) {
+    EXPECT_NE(integrate(parse(f), 0, half_turns(1), {.digits = 10}).verdict, status::certified)
+        << f;
+  }
+}
+
 TEST(Reciprocals, ThatMayNotConvergeAreRefused) {
   for (const char* f : {"floor(1/x)", "abs(sin(1/x))/x", "x^2*floor(1/x^3)", "1/floor(1/x^2)^-1"}) {
     EXPECT_NE(integrate(parse(f), 0, 1, {.digits = 10}).verdict, status::certified) << f;

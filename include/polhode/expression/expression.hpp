@@ -303,6 +303,10 @@ class expression {
   /// number c ("sin(exp(x))" is "sin(u)/u").
   struct of_exponential;
   [[nodiscard]] std::optional<of_exponential> by_exponential() const;
+  /// f(atan(u) + k pi)/(1 + u^2) as a formula in u = tan(x), |x - k pi| < pi/2, for a formula f of
+  /// one variable with sines or cosines over tan(x) ("cos(tan(x))" is "cos(u)/(1 + u^2)"). None for
+  /// others, and long ones.
+  [[nodiscard]] std::optional<expression> by_tangent(const integer& k) const;
   /// f(1/u)/u^2 as a formula in u > 0, for a formula f of one variable with powers of 1/x under
   /// abs, min, max, floor or ceil: "floor(1/x)" is "floor(u)/u^2". None for others, and long ones.
   [[nodiscard]] std::optional<expression> by_reciprocal() const;

@@ -38,7 +38,7 @@ class path_point {
   requires std::convertible_to<const N&, end_point> path_point(
       const N& re)  // NOLINT(google-explicit-constructor): exact, or the same set
       : path_point(end_point(re), end_point(0)) {}
-  path_point(end_point re, end_point im);
+  path_point(const end_point& re, const end_point& im);
   /// The set z, whose width the result cannot fall below.
   path_point(const complex_ball& z)  // NOLINT(google-explicit-constructor): the same set
       : path_point(end_point(z.re), end_point(z.im)) {}
@@ -81,13 +81,13 @@ class path {
  public:
   /// No piece: every integral is 0.
   path() = default;
-  [[nodiscard]] static path line(path_point from, path_point to);
+  [[nodiscard]] static path line(const path_point& from, const path_point& to);
   /// Straight lines from each point to the next; give the first one again at the end to close it.
   [[nodiscard]] static path polygon(const std::vector<path_point>& points);
-  [[nodiscard]] static path arc(path_point centre, end_point radius, end_point from_angle,
-                                end_point to_angle);
+  [[nodiscard]] static path arc(const path_point& centre, const end_point& radius,
+                                const end_point& from_angle, const end_point& to_angle);
   /// Once around, counterclockwise, from centre + radius.
-  [[nodiscard]] static path circle(path_point centre, end_point radius);
+  [[nodiscard]] static path circle(const path_point& centre, const end_point& radius);
 
   [[nodiscard]] const std::vector<path_piece>& pieces() const { return pieces_; }
   /// The one and then the other.

@@ -1,5 +1,7 @@
 #include "quadrature/formula/formula_graph.hpp"
 
+#include <utility>
+
 #include "polhode/expression/evaluation.hpp"
 
 namespace polhode::detail {
@@ -8,7 +10,7 @@ namespace {
 constexpr precision least_bits = 192;
 }  // namespace
 
-formula_graph::formula_graph(const expression& f) : f_(f) {
+formula_graph::formula_graph(expression f) : f_(std::move(f)) {
   const program& instructions = f_.instructions();
   const tape& body = instructions.body;
   nodes_.emplace_back();  // the argument

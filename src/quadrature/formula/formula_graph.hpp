@@ -62,7 +62,7 @@ class formula_graph {
  public:
   using constants = std::vector<possibly_exact_constant>;
 
-  explicit formula_graph(const expression& f);
+  explicit formula_graph(expression f);
 
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   /// The node of the formula's value.

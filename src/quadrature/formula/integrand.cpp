@@ -21,6 +21,7 @@
 #include "quadrature/formula/exponential_variable.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/formula/logarithmic_ends.hpp"
+#include "quadrature/formula/other_variables.hpp"
 #include "quadrature/formula/periodic_tail.hpp"
 
 namespace polhode {
@@ -173,7 +174,14 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
       return integrand_with_changes(*g, changes - 1);
     };
   }
-  result.pieces = [f](const end_point& a, const end_point& b) { return pieces_between(f, a, b); };
+  result.pieces = [f](const end_point& a, const end_point& b) {
+    for (const auto find :
+         {pieces_between, detail::parts_in_reciprocal, detail::parts_in_tangent}) {
+      std::vector<detail::part> parts = find(f, a, b);
+      if (!parts.empty()) return parts;
+    }
+    return std::vector<detail::part>();
+  };
   result.candidates = [f] {
     std::vector<end_point> points;
     if (f.variables().size() != 1) return points;
@@ -221,11 +229,6 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
   };
   result.by_exponential = [f](const end_point& a, const end_point& b) {
     return detail::in_exponential_variable(f, a, b);
-  };
-  result.in_reciprocal = [f](int side) -> std::optional<detail::integrand> {
-    if (f.variables().size() != 1) return std::nullopt;
-    const auto in_u = (side > 0 ? f : reflected(f)).by_reciprocal();
-    return in_u ? std::optional(integrand_of(*in_u)) : std::nullopt;
   };
   result.folded_at_infinity = [f](const rational& from, int side,
                                   precision p) -> std::optional<detail::folded_tail> {

@@ -81,9 +81,9 @@ struct integrand {
   /// The same of equidistant arguments. May be empty.
   std::function<std::function<ball(const angle& x)>(precision p)> angle_evaluator;
   std::function<end_series(const end_series& x)> near_end;
-  /// Integrals over parts of the range from a to b, whose sum is that over the range, of functions
-  /// without the abs, min, max, floor and ceil of this one. None where it has none of them or the
-  /// parts are not known; may be empty.
+  /// Integrals whose sum is that over the range from a to b: over parts of it, of functions without
+  /// the abs, min, max, floor and ceil of this one; or in other variables, in which it turns or
+  /// steps at one pace. None where there are none of these, or they are not known; may be empty.
   std::function<std::vector<part>(const end_point& a, const end_point& b)> pieces;
   /// Numbers at which it may be of interest to cut a range: candidates. May be empty.
   std::function<std::vector<end_point>()> candidates;
@@ -106,9 +106,6 @@ struct integrand {
   /// The integral over [a, b] as that of another function, which oscillates less fast. Nothing
   /// where none is known; may be empty.
   std::function<std::optional<substituted>(const end_point& a, const end_point& b)> by_exponential;
-  /// f(side/u)/u^2 as a function of u > 0, where f has steps or kinks at ever smaller distances of
-  /// 0, which are at one distance in u. Nothing where f is not known to; may be empty.
-  std::function<std::optional<integrand>(int side)> in_reciprocal;
   /// The integral beyond some |x| >= `from`, to the infinity of sign `side`, as one over a period
   /// but for a rest of about 2^-p of its size. Nothing where that is not available; may be empty.
   std::function<std::optional<folded_tail>(const rational& from, int side, precision p)>

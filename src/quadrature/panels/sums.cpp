@@ -128,7 +128,7 @@ panel_sum summer::part_of_panel(panel& p, const place_in_plan& at, double share,
     const panel_sum sum = sum_of_panel(p, working);
     account_.evaluations += p.nodes;
     account_.precision = std::max(account_.precision, working);
-    const panel_sum part{enlarged(s, sum.value, truncation) * scale_of(s, working), sum.done};
+    panel_sum part{enlarged(s, sum.value, truncation) * scale_of(s, working), sum.done};
     const double radius = estimated_log2(radius_of(part.value));
     if (radius <= share + 1) return part;
     // More bits, until they do not help any more; to tell a short panel's nodes from what is beside

@@ -26,14 +26,14 @@ path_piece reversed(const arc_piece& arc) {
 
 }  // namespace
 
-path_point::path_point(end_point re, end_point im) : re_(std::move(re)), im_(std::move(im)) {
+path_point::path_point(const end_point& re, const end_point& im) : re_(re), im_(im) {
   require_finite(re_, "a point");
   require_finite(im_, "a point");
 }
 
-path path::line(path_point from, path_point to) {
+path path::line(const path_point& from, const path_point& to) {
   path result;
-  result.pieces_.emplace_back(line_piece{std::move(from), std::move(to)});
+  result.pieces_.emplace_back(line_piece{from, to});
   return result;
 }
 
@@ -45,19 +45,18 @@ path path::polygon(const std::vector<path_point>& points) {
   return result;
 }
 
-path path::arc(path_point centre, end_point radius, end_point from_angle, end_point to_angle) {
+path path::arc(const path_point& centre, const end_point& radius, const end_point& from_angle,
+               const end_point& to_angle) {
   require_finite(radius, "a radius");
   require_finite(from_angle, "an angle");
   require_finite(to_angle, "an angle");
   path result;
-  result.pieces_.emplace_back(
-      arc_piece{std::move(centre), std::move(radius), std::move(from_angle), std::move(to_angle)});
+  result.pieces_.emplace_back(arc_piece{centre, radius, from_angle, to_angle});
   return result;
 }
 
-path path::circle(path_point centre, end_point radius) {
-  return arc(std::move(centre), std::move(radius), 0,
-             end_point([](precision p) { return 2 * pi(p); }));
+path path::circle(const path_point& centre, const end_point& radius) {
+  return arc(centre, radius, 0, end_point([](precision p) { return 2 * pi(p); }));
 }
 
 path operator+(path first, const path& second) {

@@ -51,7 +51,6 @@ integrand with_branches(const std::shared_ptr<const formula_graph>& f, const int
   result.antiderivative = nullptr;
   result.on_turned_rays = nullptr;
   result.folded_at_infinity = nullptr;
-  result.in_reciprocal = nullptr;
   result.between_turned_rays = nullptr;
   result.by_exponential = nullptr;
   result.angle_evaluator = nullptr;
