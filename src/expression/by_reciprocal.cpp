@@ -27,6 +27,17 @@ struct monomial {
   long exponent;
 };
 
+bool is_piecewise(operation what) {
+  return what == operation::abs || what == operation::min || what == operation::max ||
+         what == operation::floor || what == operation::ceil;
+}
+bool has_piecewise(const detail::graph& g) {
+  for (node_id i = 0; i <= g.root; ++i) {
+    if (is_piecewise(g[i].what)) return true;
+  }
+  return false;
+}
+
 class substitution {
  public:
   explicit substitution(detail::graph f)
@@ -61,10 +72,6 @@ class substitution {
   [[nodiscard]] const detail::graph& graph() const { return g_; }
 
  private:
-  static bool is_piecewise(operation what) {
-    return what == operation::abs || what == operation::min || what == operation::max ||
-           what == operation::floor || what == operation::ceil;
-  }
   std::optional<monomial> monomial_at(node_id i,
                                       const std::vector<std::optional<monomial>>& known) {
     const node n = g_[i];
@@ -108,7 +115,10 @@ class substitution {
 }  // namespace by_reciprocal_impl
 
 std::optional<expression> expression::by_reciprocal() const {
-  if (variables_.size() != 1 || graph_->root >= by_reciprocal_impl::most_nodes) return std::nullopt;
+  if (variables_.size() != 1 || graph_->root >= by_reciprocal_impl::most_nodes ||
+      !by_reciprocal_impl::has_piecewise(*graph_)) {
+    return std::nullopt;
+  }
   try {
     by_reciprocal_impl::substitution s(*graph_);
     const auto found = s.result();

@@ -65,6 +65,11 @@ std::optional<detail::node_id> in_tangent(detail::graph& g, const integer& k_pi)
 std::optional<expression> expression::by_tangent(const integer& k) const {
   constexpr detail::node_id most_nodes = 500;
   if (variables_.size() != 1 || graph_->root >= most_nodes) return std::nullopt;
+  bool has_tangent = false;
+  for (detail::node_id i = 0; i <= graph_->root; ++i) {
+    has_tangent = has_tangent || (*graph_)[i].what == detail::operation::tan;
+  }
+  if (!has_tangent) return std::nullopt;
   detail::graph g = *graph_;
   try {
     const auto found = in_tangent(g, k);

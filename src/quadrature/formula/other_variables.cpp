@@ -49,7 +49,7 @@ bool add_side(std::vector<part>& parts, const expression& f, const end_point& en
 }  // namespace
 
 std::vector<part> parts_in_reciprocal(const expression& f, const end_point& a, const end_point& b) {
-  if (f.variables().size() != 1) return {};
+  if (!f.by_reciprocal()) return {};
   const bool has_left = !is_zero(a);
   const bool has_right = !is_zero(b);
   if ((has_left && !is_beyond_zero(a, -1)) || (has_right && !is_beyond_zero(b, 1))) return {};
@@ -91,8 +91,7 @@ std::optional<end_point> tangent_of(const end_point& x, int side) {
 }  // namespace
 
 std::vector<part> parts_in_tangent(const expression& f, const end_point& a, const end_point& b) {
-  if (f.variables().size() != 1 || a.is_infinite() || b.is_infinite()) return {};
-  if (!f.by_tangent(0)) return {};
+  if (a.is_infinite() || b.is_infinite() || !f.by_tangent(0)) return {};
   const auto first = branch_of(a, 1);
   const auto last = branch_of(b, -1);
   const auto lower = tangent_of(a, -1);
