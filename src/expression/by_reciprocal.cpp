@@ -27,13 +27,9 @@ struct monomial {
   long exponent;
 };
 
-bool is_piecewise(operation what) {
-  return what == operation::abs || what == operation::min || what == operation::max ||
-         what == operation::floor || what == operation::ceil;
-}
 bool has_piecewise(const detail::graph& g) {
   for (node_id i = 0; i <= g.root; ++i) {
-    if (is_piecewise(g[i].what)) return true;
+    if (detail::is_piecewise(g[i].what)) return true;
   }
   return false;
 }
@@ -52,7 +48,7 @@ class substitution {
       monomials[i] = monomial_at(i, monomials);
       has_reciprocal[i] = monomials[i] && monomials[i]->exponent < 0 ? 1 : 0;
       for (const node_id k : detail::operands_at(g_, i)) has_reciprocal[i] |= has_reciprocal[k];
-      has_steps_of_reciprocal |= is_piecewise(g_[i].what) && has_reciprocal[i] != 0;
+      has_steps_of_reciprocal |= detail::is_piecewise(g_[i].what) && has_reciprocal[i] != 0;
     }
     if (!has_steps_of_reciprocal) return std::nullopt;
     const node_id u = g_.variable(0);

@@ -29,10 +29,12 @@ long length_of(const rational& q) {
 }
 bool is_short(const rational& q) { return length_of(q) <= most_folded_bits; }
 
+/// Where its negative is a machine number, too.
 std::optional<long> as_long(const rational& q) {
   const integer n = numerator(q);
   if (!exact_parts::is_integer(q) || mpz_fits_slong_p(n.backend().data()) == 0) return std::nullopt;
-  return mpz_get_si(n.backend().data());
+  const long value = mpz_get_si(n.backend().data());
+  return value == std::numeric_limits<long>::min() ? std::nullopt : std::optional(value);
 }
 
 /// f(x, y) for two numbers where it is short, else nothing.
@@ -77,7 +79,8 @@ node_id power_to_long(graph& g, node_id x, long n) {
     const node& inner = g[x];
     long product = 0;
     if (inner.what == operation::power_integer && g.value(inner.left) != nullptr && n != 0 &&
-        !__builtin_mul_overflow(inner.number, n, &product)) {
+        !__builtin_mul_overflow(inner.number, n, &product) &&
+        product != std::numeric_limits<long>::min()) {
       return g.make(operation::power_integer, inner.left, 0, product);
     }
     return g.make(operation::power_integer, x, 0, n);
@@ -159,6 +162,11 @@ int operands_of(operation what) {
   }
 }
 // NOLINTEND(bugprone-branch-clone)
+
+bool is_piecewise(operation what) {
+  return what == operation::abs || what == operation::min || what == operation::max ||
+         what == operation::floor || what == operation::ceil;
+}
 
 std::vector<node_id> operands_at(const graph& g, node_id i) {
   const node& n = g[i];

@@ -112,6 +112,8 @@ class graph {
 /// x!! = x (x-2) (x-4) ..., the product down to 1 or 2.
 node_id double_factorial(graph& g, node_id x);
 
+/// Made of several analytic functions: abs, min, max, floor and ceil.
+[[nodiscard]] bool is_piecewise(operation what);
 /// Of a ring of functions: the variable, its negatives, sums, differences and products.
 [[nodiscard]] bool is_of_ring(operation what);
 /// The operands of a node, each once.

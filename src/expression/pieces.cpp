@@ -148,11 +148,6 @@ class rewriting {
   std::vector<node_id> place_;
 };
 
-bool has_breaks(operation what) {
-  return what == operation::abs || what == operation::min || what == operation::max ||
-         what == operation::floor || what == operation::ceil;
-}
-
 /// The pieces of a formula.
 class separation : rewriting {
  public:
@@ -162,7 +157,7 @@ class separation : rewriting {
                                                         std::size_t most) {
     bool any = false;
     for (node_id i = 0; i < end_; ++i) {
-      any = any || (used_[i] != 0 && varies_[i] != 0 && has_breaks(g_[i].what));
+      any = any || (used_[i] != 0 && varies_[i] != 0 && detail::is_piecewise(g_[i].what));
     }
     if (!any) return std::nullopt;
     std::vector<expression::piece> result;
@@ -193,7 +188,7 @@ class separation : rewriting {
   /// Nothing where it is not known, or the range has to be cut at points_.
   std::optional<node_id> made(node_id i, const bound& lower, const bound& upper, std::size_t most) {
     const node n = g_[i];
-    if (!has_breaks(n.what)) return with_places(i);
+    if (!detail::is_piecewise(n.what)) return with_places(i);
     const node_id x = place_[n.left];
     if (n.what == operation::floor || n.what == operation::ceil) {
       return step(x, n.what == operation::ceil, lower, upper, most);
@@ -396,7 +391,7 @@ std::optional<std::vector<expression::piece>> expression::pieces(const std::opti
   if (variables_.size() != 1 || graph_->size() > pieces_impl::most_nodes) return std::nullopt;
   bool any = false;
   for (detail::node_id i = 0; i <= graph_->root; ++i) {
-    any = any || pieces_impl::has_breaks((*graph_)[i].what);
+    any = any || detail::is_piecewise((*graph_)[i].what);
   }
   if (!any) return std::nullopt;
   try {

@@ -552,5 +552,15 @@ TEST(Graph, KnowsItsVariables) {
   EXPECT_TRUE(contains(expression("2/3", {{"x"}, {}}).value(64), rational(2, 3)));
 }
 
+// Its negative is no machine number.
+TEST(Grammar, TheLeastMachineNumberIsAnExponent) {
+  for (const char* text : {"x^(-9223372036854775808)", "x^(-9223372036854775807)",
+                           "x^9223372036854775807", "(x^(-4611686018427387904))^2"}) {
+    const expression f(text, {{"x"}, {}});
+    EXPECT_TRUE(contains(f(ball(1, 64)), rational(1))) << text;
+  }
+  EXPECT_TRUE(certainly_positive(expression("(2^(-4611686018427387904))^2 + 1", {}).value(64)));
+}
+
 }  // namespace grammar_test
 }  // namespace polhode

@@ -103,13 +103,13 @@ def problem_of(source, target):
 
 
 def folder_in_room(path):
-    """The folder of a private source inside its room, as (room, folder); None for a room's own files."""
+    """(room, folder) of a source in a folder of src's rooms; None for other files."""
     parts = path.split("/")
     return (parts[1], parts[2]) if parts[0] == "src" and len(parts) > 3 else None
 
 
 def circles(arrows):
-    """What is wrong with arrows (source, target) -> a line that makes it, as a line for each circle."""
+    """A line for each circle of arrows. arrows: (source, target) -> the line of code that makes it."""
     ahead = {}
     for start, end in arrows:
         ahead.setdefault(start, set()).add(end)

@@ -270,5 +270,13 @@ TEST(TurningPoints, StepsHaveNoKnownValuesAtAnEnd) {
   EXPECT_NE(j.why, reason::not_integrable);
 }
 
+TEST(TurningPoints, OfTheLeastExponentIsRefused) {
+  for (const char* text :
+       {"abs(x)*x^(-9223372036854775808)", "abs(1/x)*x^(-9223372036854775808)"}) {
+    const integral i = integrate(expression(text, {{"x"}, {}}), 0, 1, {.digits = 10});
+    EXPECT_EQ(i.verdict, status::not_certified) << text;
+  }
+}
+
 }  // namespace turning_points_test
 }  // namespace polhode
