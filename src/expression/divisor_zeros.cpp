@@ -1,7 +1,9 @@
-// Where divisors of a formula, and what stands under its roots and logarithms, vanish: found by
-// inverting one operation after the other.
+// Zeros of a formula's divisors and of what stands under its roots and logarithms, and the poles of
+// its tangents: found by inverting one operation after the other.
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -15,14 +17,22 @@ namespace {
 using detail::node_id;
 using detail::operation;
 
-constexpr std::size_t most_found = 32;
+constexpr std::size_t most_found = 64;
 constexpr int most_steps = 64;      // from an operation to the variable
 constexpr long most_exponent = 64;  // of a power that is inverted
+constexpr double most_turns = 24;   // of an angle, each with zeros of its own
+
+/// The values of a node over the range in question.
+using values_of_node = std::function<double_interval(const detail::graph& g, node_id i)>;
 
 class search {
  public:
-  explicit search(const detail::graph& f)
-      : g_(f), used_(detail::reachable(f)), varies_(detail::varying(f)), size_(f.size()) {}
+  search(const detail::graph& f, values_of_node values)
+      : g_(f),
+        used_(detail::reachable(f)),
+        varies_(detail::varying(f)),
+        size_(f.size()),
+        values_(std::move(values)) {}
 
   [[nodiscard]] std::vector<node_id> found() {
     for (node_id i = 0; i < size_; ++i) {
@@ -40,6 +50,9 @@ class search {
         case operation::sqrt:
         case operation::log:
           vanish(n.left);
+          break;
+        case operation::tan:
+          solve_angle(n.left, divide(g_, g_.make(operation::pi), g_.number(2)), 1, most_steps);
           break;
         default:
           break;
@@ -70,6 +83,25 @@ class search {
       invert(g_[i], value, steps - 1);
     } catch (const detail::undefined_operation&) {
       return;  // no number has this value: the logarithm of a negative one, say
+    }
+  }
+  /// Node i may be the angle, or that and a multiple of so many half turns.
+  void solve_angle(node_id i, node_id angle, long half_turns, int steps) {
+    const double_interval first = values_(g_, angle);
+    if (!first.is_bounded()) return;
+    solve(i, angle, steps);
+    const double_interval over = values_(g_, i);
+    if (!over.is_bounded()) return;
+    constexpr double half_turn = 3.14159265358979;
+    const double turn = half_turn * static_cast<double>(half_turns);
+    constexpr double margin = 1e-6;  // in turns
+    const double least = std::ceil((over.lower() - first.upper()) / turn - margin);
+    const double most = std::floor((over.upper() - first.lower()) / turn + margin);
+    if (!(most - least <= most_turns) || !(std::abs(least) < 0x1p40)) return;
+    for (auto k = static_cast<long>(least); k <= static_cast<long>(most); ++k) {
+      if (k == 0) continue;
+      const node_id turns = multiply(g_, g_.number(k * half_turns), g_.make(operation::pi));
+      solve(i, add(g_, angle, turns), steps);
     }
   }
   /// A copy of the node: the graph grows.
@@ -107,6 +139,10 @@ class search {
         return;
       case operation::power_integer:
         return invert_power(n, value, steps);
+      case operation::abs:
+        solve(n.left, value, steps);
+        if (!is_zero(value)) solve(n.left, negate(g_, value), steps);
+        return;
       case operation::root:
         return solve(n.left, power(g_, value, g_.number(n.number)), steps);
       case operation::sqrt:
@@ -121,16 +157,16 @@ class search {
         return solve(n.left, of("expm1", value), steps);
       case operation::sin: {
         const node_id angle = of("asin", value);
-        solve(n.left, angle, steps);
-        return solve(n.left, subtract(g_, g_.make(operation::pi), angle), steps);
+        solve_angle(n.left, angle, 2, steps);
+        return solve_angle(n.left, subtract(g_, g_.make(operation::pi), angle), 2, steps);
       }
       case operation::cos: {
         const node_id angle = of("acos", value);
-        solve(n.left, angle, steps);
-        return solve(n.left, negate(g_, angle), steps);
+        solve_angle(n.left, angle, 2, steps);
+        return solve_angle(n.left, negate(g_, angle), 2, steps);
       }
       case operation::tan:
-        return solve(n.left, of("atan", value), steps);
+        return solve_angle(n.left, of("atan", value), 1, steps);
       case operation::sinh:
         return solve(n.left, of("asinh", value), steps);
       case operation::cosh: {
@@ -160,23 +196,30 @@ class search {
   std::vector<char> used_;
   std::vector<char> varies_;
   node_id size_;
+  values_of_node values_;
   std::vector<node_id> found_;
 };
 
 }  // namespace
 }  // namespace divisor_zeros_impl
 
-std::vector<expression> expression::divisor_zeros() const {
-  divisor_zeros_impl::search all(*graph_);
-  std::vector<expression> result;
-  for (const detail::node_id root : all.found()) {
-    auto g = std::make_shared<detail::graph>(all.graph());
+std::vector<expression> expression::divisor_zeros(const double_interval& range) const {
+  const auto part = [this](const detail::graph& f, detail::node_id root, bool is_number) {
+    auto g = std::make_shared<detail::graph>(f);
     g->root = root;
     expression x(*this);
-    x.variables_.clear();
+    if (is_number) x.variables_.clear();
     x.exact_.reset();
     x.take(std::move(g));
-    result.push_back(std::move(x));
+    return x;
+  };
+  constexpr precision p = 64;
+  divisor_zeros_impl::search all(*graph_, [&](const detail::graph& g, detail::node_id i) {
+    return part(g, i, false).evaluator<double_interval>(p)(range);
+  });
+  std::vector<expression> result;
+  for (const detail::node_id root : all.found()) {
+    result.push_back(part(all.graph(), root, true));
   }
   return result;
 }

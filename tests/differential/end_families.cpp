@@ -123,6 +123,37 @@ std::pair<term, term> polynomial_with_root(maker& m) {
   return m.one_in(2) ? std::pair(base, root) : std::pair(-base, root);
 }
 
+/// An absolute value that vanishes, or has poles, at irrational points: some of them are ends.
+integral_case irrational_breaks(maker& m) {
+  term base = 0;
+  term from = 0;
+  term to = 0;
+  if (m.one_in(3)) {
+    const auto [polynomial, root] = polynomial_with_root(m);
+    const term second = m.one_in(2) ? root / 2 : root + m.near(m.scattered(1e-3, 1));
+    base = polynomial * (x - second);
+    from = m.one_in(2) ? root : term(0);
+    to = root + m.positive_rational();
+    if (m.one_in(2)) {
+      from = second - 1;
+      to = m.one_in(2) ? second : root;
+    }
+    if (approximately(to) <= approximately(from)) std::swap(from, to);
+  } else {
+    const long k = m.between(1, 3);
+    base =
+        call(m.any_of({"sin", "cos", "tan"}), k * x + m.any_of({term(0), term(1), term("pi") / 3}));
+    const long first = m.between(-2, 2);
+    from = first * term("pi") / (2 * k);
+    to = (first + m.between(1, 5)) * term("pi") / (2 * k);
+    if (m.one_in(3)) from = from - m.decimal(m.scattered(1e-3, 1));
+  }
+  const term size = call("abs", base);
+  const term f = m.any_of({call("log", size), call("sqrt", size), power(size, -term(1) / 3),
+                           size / (1 + size), call("log", size) * call("cos", x)});
+  return {m.one_in(2) ? f : f * call("exp", -x / 3), from, to, few_digits(m)};
+}
+
 /// Divergent at the irrational root of a polynomial, at an end or between the limits.
 integral_case divergent_root(maker& m) {
   const auto [base, root] = polynomial_with_root(m);
@@ -924,6 +955,7 @@ std::vector<integral_family> end_families() {
           {"exponential tail", 7, mostly_cheap(exponential_tail)},
           {"special tail", 6, mostly_cheap(special_tail)},
           {"turning point at an end", 12, mostly_cheap(turning_end)},
+          {"irrational breaks", 8, mostly_cheap(irrational_breaks)},
           {"removable", 10, mostly_cheap(removable)},
           {"multiples of pi cancel", 10, mostly_cheap(multiples_of_pi_cancel)},
           {"constants cancel", 10, mostly_cheap(constants_cancel)},

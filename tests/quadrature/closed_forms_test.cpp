@@ -563,7 +563,7 @@ TEST(Integrate, RefusesPolesInsideAndNamesThem) {
       "1/(x^2-2)", [](const auto& x) { return 1 / (x * x - 2); }, 1, 2, diverges,
       "near x = 1.41421356237309504");
   refused(
-      "tan", [](const auto& x) { return tan(x); }, 0, 2, diverges, "near x = 1.57079632679489661");
+      "tan", [](const auto& x) { return tan(x); }, 0, 2, diverges, "at x = 1.57079632679489661");
   refused(
       "a pole of order 4 beside others",
       [](const auto& x) { return 5 + exp(x) * pow(square(x) - 3, -4) + 1 / (x + 7); }, 1, 2,
@@ -574,11 +574,6 @@ TEST(Integrate, RefusesPolesInsideAndNamesThem) {
   refused(
       "1/(1/x-e)", [](const auto& x) { return 1 / (1 / x - exp(x - x + 1)); }, rational(1, 10), 1,
       diverges, "near x = 0.36787944117144232");
-  // Without the proof: the residue may be 0.
-  const reason why = reason::not_analytic;
-  refused(
-      "tan(x) cos(x) log(x)", [](const auto& x) { return tan(x) * cos(x) * log(x); }, 1, 2, why,
-      "near x = ");
 }
 
 // 0/(x^2 - 2), the numerator in a form that no rule sees to be 0.

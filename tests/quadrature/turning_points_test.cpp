@@ -34,7 +34,16 @@ TEST(TurningPoints, HaveTheKnownValues) {
       {"cos(x)/sqrt(sin(2)-sin(x))", "0", "pi-2", "2*sqrt(sin(2))"},
       {"exp(x)*(exp(sqrt(3))-exp(x))^(-3/4)", "0", "sqrt(3)", "4*(exp(sqrt(3))-1)^(1/4)"},
       {"1/(sqrt(1-x^2)*sqrt(acos(x)-acos(1/3)))", "0", "1/3", "2*sqrt(pi/2-acos(1/3))"},
+      // Absolute values that vanish, or have poles, at the limits and between them.
+      {"log(abs(sin(x)))", "0", "2*pi", "-2*pi*log(2)"},
+      {"log(abs(cos(x)))", "0", "pi", "-pi*log(2)"},
+      {"log(abs(sin(x)/cos(x)))", "pi/4", "3*pi/4", "2*catalan"},
+      {"sqrt(abs(tan(x)))", "0", "2*pi", "2*pi*sqrt(2)"},
+      {"log(abs((x-sqrt(2))*(x-2*sqrt(2))))", "0", "2*sqrt(2)",
+       "2*sqrt(2)*log(2*sqrt(2))+2*sqrt(2)*log(sqrt(2))-4*sqrt(2)"},
+      {"abs((x-sqrt(3))*(x-sqrt(2)))^(-1/2)", "sqrt(2)", "sqrt(3)", "pi"},
       // 0/0, at an end and between the limits.
+      {"tan(x)*cos(x)", "1", "2", "cos(1)-cos(2)"},
       {"(x^2-2)/(x-sqrt(2))", "0", "2", "2+2*sqrt(2)"},
       {"(x^3-5)/(x-cbrt(5))", "1", "cbrt(5)",
        "(5-1)/3+cbrt(5)/2*(cbrt(5)^2-1)+cbrt(5)^2*(cbrt(5)-1)"},
@@ -42,6 +51,18 @@ TEST(TurningPoints, HaveTheKnownValues) {
       {"sin(x-pi/3)/(x-pi/3)*(x-pi/3)", "0", "pi", "cos(pi/3)-cos(2*pi/3)"},
   };
   expect_values(all);
+}
+
+// A second zero close to the one at the end.
+TEST(TurningPoints, HaveBreaksBesideThem) {
+  for (const char* from : {"0", "1", "6/5"}) {
+    const auto over = [&](const char* f) { return support::integral_of(f, from, "sqrt(2)"); };
+    const integral both = over("log(abs((x-sqrt(2))*(x*exp(x)-4)))");
+    EXPECT_EQ(both.verdict, status::certified) << from;
+    EXPECT_TRUE(overlaps(both.enclosure,
+                         over("log(sqrt(2)-x)").enclosure + over("log(abs(x*exp(x)-4))").enclosure))
+        << from;
+  }
 }
 
 // sqrt(x) c is c t^(1/2): with x = tau^2 the integrand is 2 c tau^2, and with a cube root 3 c

@@ -222,10 +222,11 @@ class expression {
   /// `most`.
   [[nodiscard]] std::vector<expression> constants(std::size_t most) const;
   /// Numbers, as formulas without variables, at which a divisor of a formula of one variable, or
-  /// what stands under a root or a logarithm, may be 0: candidates, found by inverting one
-  /// operation after the other ("cos(x) - cos(1)": 1 and -1), at most 32. There may be others, and
-  /// a candidate may be undefined.
-  [[nodiscard]] std::vector<expression> divisor_zeros() const;
+  /// what stands under a root or a logarithm, may be 0, or a tangent may have a pole: candidates,
+  /// found by inverting one operation after the other ("1/(cos(x) - cos(1))": 1 and -1), at most
+  /// 64. Those of sines, cosines and tangents are found for all turns of the angle that the range
+  /// allows, if they are few. There may be others; a candidate may be undefined, or outside.
+  [[nodiscard]] std::vector<expression> divisor_zeros(const double_interval& range) const;
   /// f(x) |dx/ds| as a formula in s, for a formula f of one variable: with x = e + side e^-s for a
   /// finite end, a formula e without variables, and with x = side e^s where `end` is nullptr; side
   /// is 1 or -1. Powers, roots and logarithms of what grows or vanishes as an exponential are

@@ -182,10 +182,14 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
     }
     return std::vector<detail::part>();
   };
-  result.candidates = [f] {
+  result.candidates = [f](const end_point& a, const end_point& b) {
     std::vector<end_point> points;
     if (f.variables().size() != 1) return points;
-    for (const expression& x : f.divisor_zeros()) {
+    constexpr precision p = 64;
+    const auto at = [](const end_point& x) {
+      return x.is_infinite() ? double_interval::entire() : double_interval::from_ball(x.at(p));
+    };
+    for (const expression& x : f.divisor_zeros(hull(at(a), at(b)))) {
       if (x.value(series_bits).is_bounded()) points.push_back(end_point_of(x));
     }
     return points;

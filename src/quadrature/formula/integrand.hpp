@@ -85,8 +85,8 @@ struct integrand {
   /// the abs, min, max, floor and ceil of this one; or in other variables, in which it turns or
   /// steps at one pace. None where there are none of these, or they are not known; may be empty.
   std::function<std::vector<part>(const end_point& a, const end_point& b)> pieces;
-  /// Numbers at which it may be of interest to cut a range: candidates. May be empty.
-  std::function<std::vector<end_point>()> candidates;
+  /// Numbers at which it may be of interest to cut the range: candidates. May be empty.
+  std::function<std::vector<end_point>(const end_point& a, const end_point& b)> candidates;
   /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in
   /// which what is a power of the distance or of x is an exponential. Nothing where that is not
   /// available; may be empty.

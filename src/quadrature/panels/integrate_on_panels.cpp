@@ -63,7 +63,7 @@ integral integrate_on_panels(const integrand& f, const end_point& a, const end_p
   bool counts_as_zero = false;
   long spent = 0;  // evaluations, by all attempts
   if (f.candidates) {
-    for (const end_point& x : f.candidates()) {
+    for (const end_point& x : f.candidates(a, b)) {
       if (!is_inside(x, a, b)) continue;
       if (x.exact()) known.points.push_back(*x.exact());
       add_cut(cuts, f, x, a, b);

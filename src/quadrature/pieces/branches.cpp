@@ -123,15 +123,15 @@ bool is_away_from_changes(const formula_graph& f, const ball& m) {
   return true;
 }
 
-std::optional<choices> branches_beside(const formula_graph& f, const pi_combination& m, int side,
+std::optional<choices> branches_beside(const formula_graph& f, const known_number& m, int side,
                                        const rational& reach) {
   constexpr double most = 1e6;
   auto r = static_cast<double>(reach);
   while (rational(r) < reach) r = std::nextafter(r, most);
   if (!(r > 0 && r < most)) return std::nullopt;
   constexpr precision series_bits = 192;
-  evaluation<end_series> values(
-      f, series_bits, end_series::argument(known_number(m), known_number(rational(side)), 1, r));
+  evaluation<end_series> values(f, series_bits,
+                                end_series::argument(m, known_number(rational(side)), 1, r));
   choices chosen(f.size());
   for (std::size_t i = 0; i <= f.result(); ++i) {
     const formula_node& node = f.node(i);

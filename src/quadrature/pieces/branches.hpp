@@ -53,8 +53,7 @@ struct traced {
 /// The branches on (m, m + reach], or for side = -1 on [m - reach, m), each by the sign of its
 /// decider's series at m over all of it, or by its range: so also where a decider is 0 at m, of
 /// whatever order. None where one is not known.
-[[nodiscard]] std::optional<choices> branches_beside(const formula_graph& f,
-                                                     const pi_combination& m, int side,
-                                                     const rational& reach);
+[[nodiscard]] std::optional<choices> branches_beside(const formula_graph& f, const known_number& m,
+                                                     int side, const rational& reach);
 
 }  // namespace polhode::detail::breaks

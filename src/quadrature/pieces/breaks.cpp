@@ -242,7 +242,7 @@ pieces_of_range analytic_pieces(const integrand& g, const end_point& a, const en
   if (b.exact()) whole.high = *b.exact();
   if (g.over(region(ball(whole.middle(), 64))).why() == obstacle::unknown) return as_it_is();
 
-  const covering cover(*f, g, whole, fine);
+  const covering cover(*f, g, a, b, whole, fine);
   if (!cover.has_branches()) return as_it_is();
   assembly parts(f, g, a, b, fine);
   if (!parts.add(cover.stretches()) || !parts.drop_outer_cuts()) return as_it_is();

@@ -6,15 +6,29 @@
 #include "polhode/arithmetic/interval.hpp"
 #include "polhode/arithmetic/multiple_of_pi.hpp"
 #include "quadrature/pieces/breaks.hpp"
+#include "quadrature/pieces/end_plan.hpp"
 
 namespace polhode::detail::breaks {
 
-covering::covering(const formula_graph& f, const integrand& g, const interval& whole, long bits)
+namespace {
+
+/// An end that is no rational number, where it is known exactly.
+std::optional<end_point> irrational_end(const end_point& x) {
+  if (x.exact() || (!x.form() && !formula_of(x))) return std::nullopt;
+  return x;
+}
+
+}  // namespace
+
+covering::covering(const formula_graph& f, const integrand& g, const end_point& a,
+                   const end_point& b, const interval& whole, long bits)
     : f_(f),
       g_(g),
+      whole_(whole),
+      ends_{irrational_end(a), irrational_end(b)},
       least_log2_width_(whole.log2_width() - bits),
       most_effort_(1e6 + static_cast<double>(bits) * static_cast<double>(bits) / 2) {
-  cover(whole);
+  cover();
 }
 
 bool covering::has_branches() const {
@@ -23,9 +37,9 @@ bool covering::has_branches() const {
   });
 }
 
-void covering::cover(const interval& whole) {
+void covering::cover() {
   constexpr long most_breaks = 4000;
-  std::vector<interval> open{whole};
+  std::vector<interval> open{whole_};
   while (!open.empty()) {
     const interval x = open.back();
     open.pop_back();
@@ -41,6 +55,8 @@ void covering::cover(const interval& whole) {
       ++breaks_;
     } else if (std::optional<stretch> around = around_a_multiple_of_pi(x)) {
       stretches_.push_back(*std::move(around));
+    } else if (std::optional<stretch> last = up_to_an_end(x)) {
+      stretches_.push_back(*std::move(last));
     } else {
       split(x, t, open);
     }
@@ -88,7 +104,7 @@ std::vector<stretch> covering::beside_a_rational(const interval& x) {
     const rational reach = side < 0 ? m - x.low : x.high - m;
     if (reach == 0) continue;
     effort_ += effort_of_series * static_cast<double>(f_.size());
-    std::optional<choices> chosen = branches_beside(f_, {m, 0}, side, reach);
+    std::optional<choices> chosen = branches_beside(f_, known_number(m), side, reach);
     if (!chosen) return {};
     const interval part = side < 0 ? interval{x.low, m, x.level} : interval{m, x.high, x.level};
     sides.push_back({part, stretch::form::plain, *std::move(chosen), {}, std::nullopt});
@@ -105,22 +121,45 @@ std::optional<stretch> covering::around_a_multiple_of_pi(const interval& x) {
   const pi_combination m{0, *turns};
   if (is_away_from_changes(m.at(p))) return std::nullopt;
   ++tries_;
+  const known_number exact(m);
   const rational above = upper_rational(ball(x.high, p) - m.at(p));
   const rational below = upper_rational(m.at(p) - ball(x.low, p));
   effort_ += effort_of_series * static_cast<double>(f_.size());
-  std::optional<choices> before = branches_beside(f_, m, -1, below);
+  std::optional<choices> before = branches_beside(f_, exact, -1, below);
   if (!before) return std::nullopt;
   effort_ += effort_of_series * static_cast<double>(f_.size());
-  const std::optional<choices> beyond = branches_beside(f_, m, 1, above);
+  const std::optional<choices> beyond = branches_beside(f_, exact, 1, above);
   if (!beyond || *before != *beyond) return std::nullopt;
   return stretch{x, stretch::form::plain, *std::move(before), {}, std::nullopt};
+}
+
+std::optional<stretch> covering::up_to_an_end(const interval& x) {
+  const precision p = x.bits() + 64;
+  for (const int side : {1, -1}) {
+    const std::optional<end_point>& end = ends_.at(side > 0 ? 0 : 1);
+    const bool touches = side > 0 ? x.low == whole_.low : x.high == whole_.high;
+    if (!touches || !end || tries_ > most_tries) continue;
+    const ball at = end->at(p);
+    if (is_away_from_changes(at)) continue;
+    const ball length = side > 0 ? ball(x.high, p) - at : at - ball(x.low, p);
+    if (!certainly_positive(length)) continue;
+    ++tries_;
+    effort_ += effort_of_series * static_cast<double>(f_.size());
+    std::optional<choices> chosen =
+        branches_beside(f_, ends::exactly(*end), side, upper_rational(length));
+    if (chosen) return stretch{x, stretch::form::plain, *std::move(chosen), {}, std::nullopt};
+  }
+  return std::nullopt;
 }
 
 /// Into halves; or, where the decider can only be n within a short interval, into that and what is
 /// beside it.
 void covering::split(const interval& x, const traced& t, std::vector<interval>& open) const {
   const precision p = x.bits();
-  std::vector<rational> cuts{x.middle()};
+  // The middle between irrational ends, rounded, is very close to a break there.
+  const bool avoids_middle = x.level == 0 && (ends_[0] || ends_[1]);
+  std::vector<rational> cuts{avoids_middle ? rational(x.low + x.width() * rational(7, 16))
+                                           : x.middle()};
   if (t.suspect) {
     // As in break_point::refine.
     const std::size_t d = t.suspect->decider;

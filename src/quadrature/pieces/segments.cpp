@@ -1,5 +1,6 @@
 #include "segments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -376,22 +377,20 @@ void add_between(preparation& result, const end_point& left, const integrand& at
   }
 }
 
-/// The finite range, cut at the breaks of f and at the given points.
+/// The finite range, cut at the given points, and between these at the breaks of f.
 void add_finite_range(preparation& result, const integrand& f, const end_point& left,
                       const end_point& right, const std::vector<end_point>& cuts, long bits) {
-  const pieces_of_range parts = analytic_pieces(f, left, right, bits);
-  result.remainder += parts.remainder;
-  result.has_tail = result.has_tail || parts.has_remainder;
-  for (const piece& p : parts.pieces) {
-    end_point start = p.left;
-    const integrand* at_start = &p.at_left;
-    for (const end_point& cut : cuts) {
-      if (!is_inside(cut, p.left, p.right)) continue;
-      add_between(result, start, *at_start, cut, p.f, bits);
-      start = cut;
-      at_start = &p.f;
+  std::vector<end_point> ends{left};
+  std::copy_if(cuts.begin(), cuts.end(), std::back_inserter(ends),
+               [&](const end_point& cut) { return is_inside(cut, left, right); });
+  ends.push_back(right);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const pieces_of_range parts = analytic_pieces(f, ends[i], ends[i + 1], bits);
+    result.remainder += parts.remainder;
+    result.has_tail = result.has_tail || parts.has_remainder;
+    for (const piece& p : parts.pieces) {
+      add_between(result, p.left, p.at_left, p.right, p.at_right, bits);
     }
-    add_between(result, start, *at_start, p.right, p.at_right, bits);
   }
 }
 
