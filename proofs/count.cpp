@@ -11,18 +11,33 @@
 namespace polhode::proofs {
 namespace {
 
-/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it, by the range
-/// of u (1 - u), whose ends are dyadic as u's are: their decimals are rounded in one way only.
-void add_slopes(certificate& c, int k, const root_bracket& u) {
+/// Dyadic numbers around the square roots of 0 < least <= greatest, as close as these numbers are
+/// long: with s = floor(sqrt(floor(4^m q))), s/2^m <= sqrt(q) < (s + 1)/2^m.
+root_bracket around_roots(const rational& least, const rational& greatest) {
+  const auto length = [](const integer& n) {
+    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 2));
+  };
+  const long m = length(numerator(least)) + length(denominator(least));
+  const integer scale = integer(1) << static_cast<unsigned>(m);
+  const auto root = [&](const rational& q) {
+    return integer(sqrt(integer(numerator(q) * scale * scale / denominator(q))));
+  };
+  return {rational(root(least), scale), rational(root(greatest) + 1, scale)};
+}
+
+/// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it. The ends of
+/// its range are dyadic: their decimals are rounded in one way only.
+void add_slopes(certificate& c, const rational& b, int k, const root_bracket& u) {
   const auto product = [](const rational& at) { return rational(at * (1 - at)); };
   const auto [least, greatest] = std::minmax({product(u.lower), product(u.upper)});
   const rational half(1, 2);
   const bool has_middle = u.lower < half && half < u.upper;
-  c.facts.push_back(
-      {statements::fill(
-           statements::slopes_at_meeting,
-           {std::to_string(k), in_decimals({least, has_middle ? product(half) : greatest})}),
-       least > 0, step_kind::exact});
+  c.facts.push_back({statements::fill(statements::slopes_at_meeting,
+                                      {std::to_string(k),
+                                       in_decimals(around_roots(
+                                           4 * b * b * least,
+                                           4 * b * b * (has_middle ? product(half) : greatest)))}),
+                     least > 0, step_kind::exact});
 }
 
 certificate prove_count(const request& wanted) {
@@ -40,7 +55,7 @@ certificate prove_count(const request& wanted) {
   if (count > 0) {
     add_brackets(
         c, rigid, count, [&](int k) { return q(k); }, "intersections",
-        [&](int k, const root_bracket& u) { add_slopes(c, k, u); });
+        [&](int k, const root_bracket& u) { add_slopes(c, *rigid.b().as_rational(), k, u); });
   } else {
     add_absence(c, rigid, 2);
   }

@@ -9,7 +9,7 @@ inline constexpr const char* number_of_meetings =
     "at the given a, b, in rationals: I < 2/(2k-1) for {}";
 inline constexpr const char* slopes_at_meeting =
     "at the given a, b, in rationals: where they meet for k = {}, C and S have the same slope, "
-    "dc/d(epsilon) = -2 b sqrt(u (1-u)), with u (1-u) between {}";
+    "dc/d(epsilon) = -2 b sqrt(u (1-u)), with 2 b sqrt(u (1-u)) between {}";
 
 [[nodiscard]] inline claim_text count() {
   return {

@@ -11,15 +11,32 @@
 namespace polhode::checker {
 namespace {
 
+/// Dyadic numbers on both sides of the roots of q's ends, about as long as the lower one.
+range roots_around(const range& q) {
+  const long bits = bit_length(q.lower);
+  const rational four_to_bits = power_of_two(2 * bits);
+  const auto root = [&](const rational& x) {
+    const rational scaled(x * four_to_bits);
+    return floor_root(floor_quotient(numerator(scaled), denominator(scaled)));
+  };
+  return {rational(root(q.lower)) * power_of_two(-bits),
+          rational(root(q.upper) + 1) * power_of_two(-bits)};
+}
+
 /// S is c = -b u with u = sin(epsilon)^2, and C is tangent to it: the derivative is -2 b sin cos.
 void check_slopes(examination& e, int k, const range& u) {
   const auto product = [](const rational& x) { return rational(x * (1 - x)); };
   range products{product(u.lower), product(u.upper)};
   if (products.upper < products.lower) std::swap(products.lower, products.upper);
   if (2 * u.lower < 1 && 2 * u.upper > 1) products.upper = rational(1, 4);
+  const bool is_inside = u.lower > 0 && u.upper < 1;
+  const rational four_b_squared(4 * e.b() * e.b());
+  const range slope = is_inside ? roots_around({rational(four_b_squared * products.lower),
+                                                rational(four_b_squared * products.upper)})
+                                : products;
   e.fact(statements::fill(statements::slopes_at_meeting,
-                          {std::to_string(k), in_decimals(products, e.work())}),
-         u.lower > 0 && u.upper < 1);
+                          {std::to_string(k), in_decimals(slope, e.work())}),
+         is_inside);
 }
 
 void check_count(examination& e) {
