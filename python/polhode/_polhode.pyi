@@ -289,6 +289,9 @@ class _OfNumbersOrSymbols:
     @overload
     def __call__(self, *x: ComplexNumber | Symbol | Sequence[Any]) -> Any: ...
 
+Ci: _OfNumbersOrSymbols
+Ei: _OfNumbersOrSymbols
+Si: _OfNumbersOrSymbols
 abs: _OfNumbersOrSymbols
 acos: _OfNumbersOrSymbols
 acosh: _OfNumbersOrSymbols
@@ -297,6 +300,10 @@ acoth: _OfNumbersOrSymbols
 acsc: _OfNumbersOrSymbols
 acsch: _OfNumbersOrSymbols
 agm: _OfNumbersOrSymbols
+airyAi: _OfNumbersOrSymbols
+airyAiPrime: _OfNumbersOrSymbols
+airyBi: _OfNumbersOrSymbols
+airyBiPrime: _OfNumbersOrSymbols
 asec: _OfNumbersOrSymbols
 asech: _OfNumbersOrSymbols
 asin: _OfNumbersOrSymbols
@@ -304,6 +311,10 @@ asinh: _OfNumbersOrSymbols
 atan: _OfNumbersOrSymbols
 atan2: _OfNumbersOrSymbols
 atanh: _OfNumbersOrSymbols
+besselI: _OfNumbersOrSymbols
+besselJ: _OfNumbersOrSymbols
+besselK: _OfNumbersOrSymbols
+besselY: _OfNumbersOrSymbols
 bulirschCel: _OfNumbersOrSymbols
 carlsonRC: _OfNumbersOrSymbols
 carlsonRD: _OfNumbersOrSymbols
@@ -319,6 +330,8 @@ cot: _OfNumbersOrSymbols
 coth: _OfNumbersOrSymbols
 csc: _OfNumbersOrSymbols
 csch: _OfNumbersOrSymbols
+digamma: _OfNumbersOrSymbols
+dilog: _OfNumbersOrSymbols
 ellipticD: _OfNumbersOrSymbols
 ellipticE: _OfNumbersOrSymbols
 ellipticF: _OfNumbersOrSymbols
@@ -328,6 +341,7 @@ ellipticPi: _OfNumbersOrSymbols
 erf: _OfNumbersOrSymbols
 erfc: _OfNumbersOrSymbols
 exp: _OfNumbersOrSymbols
+expint: _OfNumbersOrSymbols
 expm1: _OfNumbersOrSymbols
 floor: _OfNumbersOrSymbols
 gamma: _OfNumbersOrSymbols
@@ -365,6 +379,7 @@ jacobiTheta3: _OfNumbersOrSymbols
 jacobiTheta3Prime: _OfNumbersOrSymbols
 jacobiTheta4: _OfNumbersOrSymbols
 jacobiTheta4Prime: _OfNumbersOrSymbols
+lambertW: _OfNumbersOrSymbols
 lgamma: _OfNumbersOrSymbols
 ln: _OfNumbersOrSymbols
 log: _OfNumbersOrSymbols

@@ -16,9 +16,9 @@
 #include "conversions.hpp"
 #include "formulas.hpp"
 #include "polhode/arithmetic/text.hpp"
-#include "polhode/expression/elliptic_functions.hpp"
 #include "polhode/expression/evaluation.hpp"
 #include "polhode/expression/formula_of.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 #include "polhode/quadrature/integrate.hpp"
 
@@ -72,7 +72,7 @@ const std::map<std::string, named_function>& all_functions() {
       known.of_arity[arity] = value;
     };
     for (const expression_function& f : expression_functions()) add(f, arity_of(f), nullptr);
-    for (const further_function& f : *elliptic_functions()) add(f.what, f.arity, f.value);
+    for (const further_function& f : *library_functions()) add(f.what, f.arity, f.value);
 #define POLHODE_OF_ONE(f, ...) \
   result.at(#f).of_arity.at(1) = &detail::named<detail::operation::f>::value;
 #define POLHODE_OF_TWO(f, ...) \

@@ -14,7 +14,8 @@ library_packages=(
   libgmp-dev libmpfr-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev
   libtomlplusplus-dev libpugixml-dev
 )
-oracle_packages=(libmpfi-dev 'libflint-arb-dev|libflint-dev' libbenchmark-dev gnuplot-nox)
+arb_packages=('libflint-arb-dev|libflint-dev')  # special functions of formulas; an oracle of the tests
+oracle_packages=("${arb_packages[@]}" libmpfi-dev libbenchmark-dev gnuplot-nox)
 # Of modules of the program: MPI and HDF5, for maps.
 module_packages=(libopenmpi-dev openmpi-bin libhdf5-dev)
 peer_packages=(libpari-dev)  # of the benchmarks alone

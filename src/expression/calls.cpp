@@ -15,16 +15,6 @@ std::string in_words(const pi_combination& x) {
   return x.q == 0 ? multiple : brief(x.q) + " + " + multiple;
 }
 
-/// "x", "y" of "x, y".
-std::vector<std::string> names_between_commas(const std::string& list) {
-  std::vector<std::string> names(1);
-  for (const char c : list) {
-    if (c == ',') names.emplace_back();
-    if (c != ',' && c != ' ') names.back() += c;
-  }
-  return names;
-}
-
 bool occurs_in(const std::string& formula, const std::string& name) {
   const auto is_letter = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
@@ -55,7 +45,7 @@ bool keeps(const std::string& formula, const std::vector<std::string>& names,
 }  // namespace
 
 node_id call_further(graph& g, const further_function& f, const std::vector<node_id>& operands) {
-  const std::vector<std::string> names = names_between_commas(f.what.arguments);
+  const std::vector<std::string> names = argument_names(f.what);
   std::vector<std::optional<pi_combination>> known;
   std::string text;
   for (const node_id x : operands) {

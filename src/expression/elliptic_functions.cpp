@@ -1,4 +1,4 @@
-#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 #include <algorithm>
 #include <array>

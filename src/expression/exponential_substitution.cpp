@@ -37,7 +37,7 @@
 #include "exact_value.hpp"
 #include "graph.hpp"
 #include "polhode/arithmetic/polynomial.hpp"
-#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode {
 namespace exponential_substitution_impl {
@@ -582,7 +582,7 @@ class substitution {
   std::optional<value> complete_integral(node_id i) {
     const detail::further_call& f = f_.call_at(i);
     // A function of this name in another list may be anything.
-    const further_functions& own = *elliptic_functions();
+    const further_functions& own = *library_functions();
     const auto is_called = [&](const further_function& one) { return &one == f.function; };
     if (std::ranges::none_of(own, is_called)) return std::nullopt;
     const std::string& name = f.function->what.name;
@@ -619,7 +619,7 @@ class substitution {
     return as_it_is(multiply(g_, multiply(g_, half, g_.make(operation::pi)), inverse));
   }
   node_id further(std::string_view name, std::vector<node_id> x) {
-    const further_functions& own = *elliptic_functions();
+    const further_functions& own = *library_functions();
     const auto f = std::ranges::find_if(own, [&](const further_function& one) {
       return one.what.name == name && one.arity == x.size();
     });

@@ -1,12 +1,12 @@
 #include "polhode/expression/formula_of.hpp"
 
-#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "symbol_graph.hpp"
 
 namespace polhode {
 
 expression formula_of(const symbol& s, const std::vector<std::string>& variables) {
-  return expression(s, {variables, {}, elliptic_functions()});
+  return expression(s, {variables, {}, library_functions()});
 }
 
 expression complex_formula_of(const symbol& s) {

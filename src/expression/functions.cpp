@@ -382,6 +382,15 @@ const constant_row* find_constant(std::string_view name) {
 
 }  // namespace detail
 
+std::vector<std::string> argument_names(const expression_function& f) {
+  std::vector<std::string> names(1);
+  for (const char c : f.arguments) {
+    if (c == ',') names.emplace_back();
+    if (c != ',' && c != ' ') names.back() += c;
+  }
+  return names;
+}
+
 const std::vector<expression_function>& expression_functions() {
   static const auto functions = detail::published<expression_function>(detail::function_rows());
   return functions;

@@ -27,6 +27,11 @@
 //
 // and the sum of the c_j (-s_j)^(n_j-1)/(n_j-1)! has the real part 0, by (1) with m = 1: with it go
 // the poles and Euler's constant.
+//
+// And of a sum of terms c x^mu J_nu(k x): for k > 0 and mu + nu > -1 and mu < 1/2 (H. Weber,
+// 1868; G. N. Watson, A treatise on the theory of Bessel functions, 13.24 (1); DLMF 10.22.43)
+//
+//     the integral of x^mu J_nu(x) is 2^mu Gamma((1 + nu + mu)/2)/Gamma((1 + nu - mu)/2).
 
 #include <algorithm>
 #include <optional>
@@ -35,7 +40,9 @@
 
 #include "exact_value.hpp"
 #include "exponential_sum.hpp"
+#include "graph.hpp"
 #include "polhode/expression/expression.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode {
 namespace half_line_impl {
@@ -44,6 +51,7 @@ namespace {
 using detail::complex_node;
 using detail::complex_nodes;
 using detail::node_id;
+using detail::operation;
 
 constexpr std::size_t most_nodes = 300;   // of the formula
 constexpr std::size_t most_powers = 512;  // in all terms
@@ -174,6 +182,126 @@ class integral_over_half_line {
   std::vector<term> terms_;
 };
 
+class bessel_over_half_line {
+ public:
+  explicit bessel_over_half_line(detail::graph& g) : g_(g), varies_(detail::varying(g)) {}
+
+  std::optional<node_id> root() { return integral(g_.root, product{{}, {}, 0, std::nullopt}); }
+
+ private:
+  /// Some factors of a term: constants that multiply and divide it, a power of x, and the call.
+  struct product {
+    std::vector<node_id> above;
+    std::vector<node_id> below;
+    rational mu;
+    std::optional<node_id> bessel;
+  };
+
+  /// Of the node times the product.
+  std::optional<node_id> integral(node_id i, const product& others) {
+    const detail::node n = g_[i];
+    if (varies(i) && (n.what == operation::add || n.what == operation::subtract)) {
+      const auto left = integral(n.left, others);
+      const auto right = left ? integral(n.right, others) : std::nullopt;
+      if (!right) return std::nullopt;
+      return n.what == operation::add ? add(g_, *left, *right) : subtract(g_, *left, *right);
+    }
+    if (varies(i) && n.what == operation::negate) {
+      const auto positive = integral(n.left, others);
+      return positive ? std::optional(negate(g_, *positive)) : std::nullopt;
+    }
+    if (varies(i) && (n.what == operation::multiply || n.what == operation::divide)) {
+      // The factor that is no monomial goes last.
+      product more = others;
+      const bool divides = n.what == operation::divide;
+      if (multiply_by(n.right, divides ? -1 : 1, more)) return integral(n.left, more);
+      if (!divides && multiply_by(n.left, 1, more = others)) return integral(n.right, more);
+      return std::nullopt;
+    }
+    product all = others;
+    if (!multiply_by(i, 1, all) || !all.bessel) return std::nullopt;
+    return value_of(all);
+  }
+  [[nodiscard]] bool varies(node_id i) const { return i < varies_.size() && varies_[i] != 0; }
+
+  /// Multiplies by node^e, e = 1 or -1, where that is a constant, a power of x, or the one J.
+  bool multiply_by(node_id i, int e, product& p) {
+    if (!varies(i)) {
+      (e > 0 ? p.above : p.below).push_back(i);
+      return true;
+    }
+    const detail::node n = g_[i];
+    const auto is_variable = [&](node_id k) { return g_[k].what == operation::variable; };
+    if (n.what == operation::variable) {
+      p.mu += e;
+    } else if (n.what == operation::power_integer && is_variable(n.left)) {
+      p.mu += rational(e) * n.number;
+    } else if (n.what == operation::sqrt && is_variable(n.left)) {
+      p.mu += rational(e, 2);
+    } else if (const auto exponent = detail::fractional_exponent_at(g_, i);
+               exponent && is_variable(n.left)) {
+      p.mu += e * *exponent;
+    } else if (n.what == operation::negate) {
+      p.above.push_back(g_.number(-1));
+      return multiply_by(n.left, e, p);
+    } else if (n.what == operation::multiply) {
+      return multiply_by(n.left, e, p) && multiply_by(n.right, e, p);
+    } else if (n.what == operation::divide) {
+      return multiply_by(n.left, e, p) && multiply_by(n.right, -e, p);
+    } else if (n.what == operation::further && e > 0 && !p.bessel && is_bessel(i)) {
+      p.bessel = i;
+    } else {
+      return false;
+    }
+    return true;
+  }
+  [[nodiscard]] bool is_bessel(node_id i) const {
+    const further_functions& own = *library_functions();
+    const further_function* f = g_.call_at(i).function;
+    // A function of this name in another list may be anything.
+    return f->what.name == "besselJ" &&
+           std::any_of(own.begin(), own.end(),
+                       [&](const further_function& one) { return &one == f; });
+  }
+
+  std::optional<node_id> value_of(const product& p) {
+    const std::vector<node_id> operands = g_.call_at(*p.bessel).operands;
+    const rational* nu = g_.value(operands[0]);
+    const auto k = factor_of_variable(operands[1]);
+    if (nu == nullptr || !k) return std::nullopt;
+    const ball size = detail::value_at(g_, *k, few);
+    // J_n(-x) = (-1)^n J_n(x) for whole n.
+    const bool is_reflected = certainly_negative(size) && denominator(*nu) == 1;
+    if (!certainly_positive(size) && !is_reflected) return std::nullopt;
+    if (p.mu + *nu <= -1 || p.mu >= rational(1, 2)) return std::nullopt;
+    const node_id frequency = is_reflected ? negate(g_, *k) : *k;
+    const auto gamma = [&](const rational& x) {
+      return detail::find_function("gamma")->build(g_, {g_.number(x / 2)});
+    };
+    const rational above(1 + *nu + p.mu);
+    const rational below(1 + *nu - p.mu);
+    // x = t/k.
+    const node_id scale = power(g_, divide(g_, g_.number(2), frequency), g_.number(p.mu));
+    node_id result =
+        divide(g_, multiply(g_, scale, gamma(above)), multiply(g_, gamma(below), frequency));
+    for (const node_id c : p.above) result = multiply(g_, result, c);
+    for (const node_id c : p.below) result = divide(g_, result, c);
+    return is_reflected && numerator(*nu) % 2 != 0 ? negate(g_, result) : result;
+  }
+  /// k of k x.
+  std::optional<node_id> factor_of_variable(node_id i) {
+    product p{{}, {}, 0, std::nullopt};
+    if (!multiply_by(i, 1, p) || p.mu != 1 || p.bessel) return std::nullopt;
+    node_id k = g_.number(1);
+    for (const node_id c : p.above) k = multiply(g_, k, c);
+    for (const node_id c : p.below) k = divide(g_, k, c);
+    return k;
+  }
+
+  detail::graph& g_;
+  std::vector<char> varies_;
+};
+
 }  // namespace
 }  // namespace half_line_impl
 
@@ -181,7 +309,11 @@ std::optional<expression> expression::integral_over_half_line() const {
   if (variables_.size() != 1 || graph_->size() > half_line_impl::most_nodes) return std::nullopt;
   try {
     detail::graph g = *graph_;
-    const auto root = half_line_impl::integral_over_half_line(g).root();
+    auto root = half_line_impl::integral_over_half_line(g).root();
+    if (!root) {
+      g = *graph_;
+      root = half_line_impl::bessel_over_half_line(g).root();
+    }
     if (!root) return std::nullopt;
     return with_root(std::move(g), *root);
   } catch (const detail::undefined_operation&) {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode {
 namespace {
@@ -58,7 +58,7 @@ std::vector<formula_definition> in_order_of_need(std::vector<formula_definition>
 
 expression parse(std::string_view text, const std::vector<std::string>& variables,
                  const std::vector<formula_definition>& definitions) {
-  return expression(text, {variables, in_order_of_need(definitions), elliptic_functions()});
+  return expression(text, {variables, in_order_of_need(definitions), library_functions()});
 }
 
 expression parse_equation(std::string_view text, const std::vector<std::string>& variables,

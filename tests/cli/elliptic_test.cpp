@@ -191,7 +191,7 @@ TEST(Elliptic, IsListedWithItsDomainsInTheManual) {
   while (std::getline(list, line) && line.rfind("elliptic", 0) != 0) {
   }
   int functions = 0;
-  while (std::getline(list, line) && line != "constants") {
+  while (std::getline(list, line) && line.starts_with("  ")) {
     const std::string call = line.substr(2, line.find(')') - 1);
     EXPECT_NE(page.find('`' + call + '`'), std::string::npos) << call;
     ++functions;

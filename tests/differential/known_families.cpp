@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "integrals.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode::differential {
 namespace {
@@ -311,19 +312,94 @@ integral_case power_of_sine_and_cosine(maker& m) {
   return c;
 }
 
+/// Special functions with antiderivatives among them, over finite and infinite ranges, of t = k x.
+integral_case special_integral(maker& m) {
+  const long k = m.between(1, 3);
+  const term t = k == 1 ? x : k * x;
+  const long n = m.between(1, 4);
+  const auto of = [&](const char* name, const term& order) { return call(name, order, t); };
+  const auto [a, b] = m.range(0.05, 12);
+  integral_case c{x, a, b, few_digits(m)};
+  const bool to_infinity = m.one_in(2);
+  term f = 0;
+  switch (m.between(0, 11)) {
+    case 0:  // DLMF 10.6.6
+      c.integrand = k * of("besselJ", n - 1) * power(t, n);
+      f = power(t, n) * of("besselJ", n);
+      break;
+    case 1:
+      c.integrand = k * of("besselY", n + 1) * power(t, -n);
+      f = -(power(t, -n) * of("besselY", n));
+      break;
+    case 2:  // DLMF 10.29.4
+      c.integrand = k * of("besselK", n - 1) * power(t, n);
+      f = -(power(t, n) * of("besselK", n));
+      if (to_infinity) c.value = -substituted(f, "x", c.from);
+      break;
+    case 3:
+      c.integrand = k * of("besselI", n - 1) * power(t, n);
+      f = power(t, n) * of("besselI", n);
+      break;
+    case 4:
+      c.integrand = k * t * call("airyAi", t);
+      f = call("airyAiPrime", t);
+      if (to_infinity) c.value = -substituted(f, "x", c.from);
+      break;
+    case 5:
+      c.integrand = k * call("airyBiPrime", -t);
+      f = -call("airyBi", -t);
+      break;
+    case 6:  // DLMF 8.19.13
+      c.integrand = k * of("expint", n);
+      f = -of("expint", n + 1);
+      if (to_infinity) c.value = -substituted(f, "x", c.from);
+      break;
+    case 7:
+      c.integrand = k * call("Ei", t) + k * call("exp", t);
+      f = t * call("Ei", t);
+      break;
+    case 8:
+      c.integrand = k * call("Si", t);
+      f = t * call("Si", t) + call("cos", t);
+      break;
+    case 9:
+      c.integrand = k * call("lambertW", t);
+      f = t * (call("lambertW", t) - 1 + 1 / call("lambertW", t));
+      break;
+    case 10:
+      c.integrand = k * (call("log", 1 + t) / t);
+      f = -call("dilog", -t);
+      break;
+    default:
+      c.integrand = k * call("digamma", t);
+      f = call("log_gamma", t);
+  }
+  if (c.value) {
+    c.to = "inf";
+  } else {
+    c.antiderivative = f;
+  }
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> known_families() {
-  return {{"derivative of a formula", 10, mostly_cheap(derivative_of_smooth)},
-          {"derivative of a steep power", 12, mostly_cheap(derivative_of_steep)},
-          {"derivative at its end", 7, mostly_cheap(derivative_at_its_end)},
-          {"gamma and beta", 7, mostly_cheap(gamma_integral)},
-          {"elliptic integrals", 7, mostly_cheap(elliptic_integral)},
-          {"Carlson's integrals", 5, mostly_cheap(carlson_integral)},
-          {"Jacobi's functions", 4, mostly_cheap(jacobi_integral)},
-          {"powers and logarithms", 10, mostly_cheap(power_and_logarithm)},
-          {"powers of sine and cosine", 6, mostly_cheap(power_of_sine_and_cosine)},
-          {"integrals of the books", 7, mostly_cheap(book_integral)}};
+  std::vector<integral_family> all{
+      {"derivative of a formula", 10, mostly_cheap(derivative_of_smooth)},
+      {"derivative of a steep power", 12, mostly_cheap(derivative_of_steep)},
+      {"derivative at its end", 7, mostly_cheap(derivative_at_its_end)},
+      {"gamma and beta", 7, mostly_cheap(gamma_integral)},
+      {"elliptic integrals", 7, mostly_cheap(elliptic_integral)},
+      {"Carlson's integrals", 5, mostly_cheap(carlson_integral)},
+      {"Jacobi's functions", 4, mostly_cheap(jacobi_integral)},
+      {"powers and logarithms", 10, mostly_cheap(power_and_logarithm)},
+      {"powers of sine and cosine", 6, mostly_cheap(power_of_sine_and_cosine)},
+      {"integrals of the books", 7, mostly_cheap(book_integral)}};
+  if (!arb_functions()->empty()) {
+    all.push_back({"Arb's functions", 8, mostly_cheap(special_integral)});
+  }
+  return all;
 }
 
 }  // namespace polhode::differential

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "polhode/expression/elliptic_functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode::differential {
 namespace {
@@ -278,7 +278,7 @@ std::vector<term> smaller(const term& t) {
 expression read(const term& t, const std::vector<std::string>& variables) {
   expression_names names;
   names.variables = variables;
-  names.further = elliptic_functions();
+  names.further = library_functions();
   return expression(t.text(), names);
 }
 

@@ -9,6 +9,7 @@
 
 #include "polhode/expression/expression.hpp"
 #include "polhode/expression/functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode {
 namespace documentation_test {
@@ -49,6 +50,11 @@ TEST(Documentation, HasTheTableOfFunctionsAndConstants) {
   EXPECT_NE(text.find("\n## Other names\n\n" + aliases), std::string::npos)
       << "docs/expressions.md should have\n"
       << aliases;
+  for (const further_function& f : *arb_functions()) {
+    const std::string row = "\n| `" + f.what.name + "(" + f.what.arguments + ")` | " +
+                            cell(f.what.description) + " | " + cell(f.what.domain) + " |\n";
+    EXPECT_NE(text.find(row), std::string::npos) << "docs/expressions.md should have" << row;
+  }
 }
 
 TEST(Documentation, EveryFunctionCanBeCalledAsItsTableSays) {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "polhode/arithmetic/special_functions.hpp"
-#include "polhode/expression/elliptic_functions.hpp"
 #include "polhode/expression/expression.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "support/random.hpp"
 
 namespace polhode {
@@ -137,14 +137,14 @@ TEST(ExponentialSubstitution, WritesDifferencesFromAConstantWithoutThem) {
 // to few bits less.
 TEST(ExponentialSubstitution, WritesCompleteIntegralsByTheComplement) {
   constexpr precision bits = 200;
-  const expression e("0", {.variables = {}, .definitions = {}, .further = elliptic_functions()});
+  const expression e("0", {.variables = {}, .definitions = {}, .further = library_functions()});
   for (const std::string m :
        {"1-x",          "1-3*x^2",      "cos(x)^2",     "cos(x)^3",   "sqrt(1-x)",  "2/(3-cos(x))",
         "1/cosh(x)^2",  "1-sin(x)",     "1/2-x",        "2*cos(x)-1", "cos(x)-1/3", "exp(-x)",
         "(1+x)^(-1/3)", "1-x*exp(-x)",  "1/(1+tan(x))", "log(e-x)",   "2-cosh(x)",  "x",
         "cos(pi+x)^2",  "sin(x-pi/2)^4"}) {
     const expression_names names{
-        .variables = {"x"}, .definitions = {}, .further = elliptic_functions()};
+        .variables = {"x"}, .definitions = {}, .further = library_functions()};
     const expression parameter(m, names);
     const expression f("ellipticK(" + m + ")", names);
     const auto g = f.in_exponential(&e, 1);
@@ -163,8 +163,8 @@ TEST(ExponentialSubstitution, WritesCompleteIntegralsByTheComplement) {
 TEST(ExponentialSubstitution, WritesOtherCompleteIntegrals) {
   constexpr precision bits = 200;
   const expression_names names{
-      .variables = {"x"}, .definitions = {}, .further = elliptic_functions()};
-  const expression e("0", {.variables = {}, .definitions = {}, .further = elliptic_functions()});
+      .variables = {"x"}, .definitions = {}, .further = library_functions()};
+  const expression e("0", {.variables = {}, .definitions = {}, .further = library_functions()});
   for (const char* text :
        {"ellipticE(1-x)", "ellipticE(cos(x)^2)", "ellipticE(2/(3-cos(x)))", "ellipticE(1/2-x)",
         "ellipticE(1-3*x^2)", "carlsonRF(0,x,1)", "carlsonRF(x,2,0)", "carlsonRF(x,0,x^2)",

@@ -4,8 +4,8 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
-#include "polhode/expression/elliptic_functions.hpp"
 #include "polhode/expression/expression.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/quadrature/integrate.hpp"
 #include "quadrature/formula/formula_graph.hpp"
 #include "quadrature/formula/integrand.hpp"
@@ -106,7 +106,7 @@ TEST(FormulaGraph, ExactConstantsAreKnown) {
 
 // A break beside a function of three and of four arguments.
 TEST(FormulaGraph, CallsOfManyOperandsHaveBranchesBesideThem) {
-  expression_names names{{"x"}, {}, elliptic_functions()};
+  expression_names names{{"x"}, {}, library_functions()};
   const auto over = [&](const char* text, const rational& a, const rational& b) {
     const integral found = integrate(expression(text, names), a, b, {.digits = 20});
     EXPECT_EQ(found.verdict, status::certified) << text << found.obstacle;

@@ -28,6 +28,12 @@ TEST(PiecesOfRanges, HaveTheKnownValues) {
       {"exp(-abs(x))*min(1,1/x^2)*x^2", "-inf", "inf", "2*(2-4/e)"},
       {"abs(abs(x)-1)*exp(-abs(x))", "-inf", "inf", "4/e"},
       {"min(x,-x)*exp(x)", "-inf", "0", "-1"},
+      // Steps to infinity.
+      {"floor(x)*exp(-x)", "0", "inf", "1/(e-1)"},
+      {"exp(-floor(x))", "0", "inf", "e/(e-1)"},
+      {"floor(x)^2*exp(-x)", "0", "inf", "(e+1)/(e-1)^2"},
+      {"2^(-ceil(2*x))", "0", "inf", "1/2"},
+      {"floor(x)*exp(x)", "-inf", "0", "-e/(e-1)"},
       // An end beyond all points, and on one of them.
       {"abs(x+5)*exp(-x)", "-1", "inf", "5*e"},
       {"abs(x+5)*exp(x)", "-inf", "-5", "exp(-5)"},

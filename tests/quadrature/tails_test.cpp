@@ -410,6 +410,18 @@ TEST(Tails, OfSteeperDoubleExponentialsAreBounded) {
   EXPECT_FALSE((exp(-cosh(2 * far)) * cosh(9 * far)).integral_beyond(ball(512, 64)).is_infinite());
 }
 
+// Beyond 2, for x >= 2: e^-floor(x) is at most e^(1 - x), and its integral e^-2 e/(e - 1).
+TEST(Tails, OfStepsAreBounded) {
+  const ball e = exp(ball(1, p));
+  const ball steps = exp(ball(-1, p)) / (e - 1);
+  expect_bound(beyond_two([](const auto& x) { return exp(-floor(x)); }), steps, 4, "exp(-floor x)");
+  // The sum over k >= 2 of e^(k + 1) times the integral of e^(-2 x) from k to k + 1.
+  expect_bound(beyond_two([](const auto& x) { return exp(ceil(x)) * exp(-2 * x); }),
+               steps * (e - 1 / e) / 2, 4, "exp(ceil x - 2x)");
+  expect_bound(beyond_two([](const auto& x) { return floor(x) * exp(-x); }),
+               exp(ball(-1, p)) * (2 * e - 1) / (e * (e - 1)), 3, "floor(x) exp(-x)");
+}
+
 TEST(Tails, OfLogarithmsAndPowersAreBounded) {
   const rational little(101, 100);
   check_tail(

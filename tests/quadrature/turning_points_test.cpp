@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/pieces/end_plan.hpp"
@@ -63,6 +64,57 @@ TEST(TurningPoints, HaveBreaksBesideThem) {
                          over("log(sqrt(2)-x)").enclosure + over("log(abs(x*exp(x)-4))").enclosure))
         << from;
   }
+}
+
+// Special functions at points where they are regular, and at the ends that have a majorant alone.
+TEST(TurningPoints, OfSpecialFunctions) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  expect_values({
+      {"(besselJ(0,x)-2*besselJ(1,x)/x)/x", "0", "2", "besselJ(1,2)/2-1/2"},
+      {"(1-besselJ(0,x)-x*besselJ(1,x))/x^2", "0", "2", "(besselJ(0,2)-1)/2"},
+      {"(Si(x)-sin(x))/x^2", "0", "3", "1-Si(3)/3"},
+      {"(lambertW(x)-x/(1+lambertW(x))/exp(lambertW(x)))/x^2", "0", "1", "1-lambertW(1)"},
+      {"(dilog(x)+log(1-x))/x^2", "0", "1/2", "1-2*dilog(1/2)"},
+      {"besselK(0,x)", "0", "inf", "pi/2"},
+      {"besselK(0,x)*cos(x)", "0", "inf", "pi/(2*sqrt(2))"},
+      {"x*besselK(1,x)", "0", "inf", "pi/2"},
+      {"expint(1,x)", "0", "inf", "1"},
+      {"expint(1,x)/sqrt(x)", "0", "inf", "2*sqrt(pi)"},
+      {"Ei(-x)*exp(-x)", "0", "inf", "-log(2)"},
+      {"Ci(x)*exp(-x)", "0", "inf", "-log(2)/2"},
+      {"besselY(0,x)*exp(-x)", "0", "inf", "-2/(pi*sqrt(2))*asinh(1)"},
+      {"besselJ(0,x)*exp(-x/2)", "0", "inf", "2/sqrt(5)"},
+      {"airyAi(x)", "0", "inf", "1/3"},
+      // By Weber's integral.
+      {"besselJ(0,x)", "0", "inf", "1"},
+      {"besselJ(1,3*x)/x", "0", "inf", "1"},
+      {"besselJ(0,2*x)/sqrt(x)", "0", "inf", "gamma(1/4)/(2*gamma(3/4))"},
+      {"3*besselJ(2,x)/x^2-pi*besselJ(0,x)", "0", "inf", "1-pi"},
+      {"x^(1/4)*besselJ(1/2,x/5)", "0", "inf", "10^(1/4)*5*gamma(7/8)/gamma(5/8)"},
+      {"besselJ(0,x)", "-inf", "inf", "2"},
+      {"besselJ(1,x)/x", "-inf", "inf", "2"},
+      {"besselJ(3,x)", "-inf", "0", "-1"},
+  });
+}
+
+TEST(TurningPoints, WebersIntegralConverges) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  for (const char* f : {"sqrt(x)*besselJ(0,x)", "x*besselJ(1,x)", "besselJ(0,x)/x",
+                        "besselJ(2,x)/x^3", "besselJ(0,0*x)", "besselJ(0,x)*x^(-5/4)"}) {
+    EXPECT_EQ(support::integral_of(f, "0", "inf").verdict, status::not_certified) << f;
+  }
+}
+
+/// Coefficients cancel, of a function of x + x^2 as well: with y = x + x^2 the two are the same.
+TEST(TurningPoints, CoefficientsOfSpecialFunctionsAreExact) {
+  if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  const std::string of_x = "(besselJ(0,x)-1+x^2/4)/x^4";
+  const std::string of_y = "(besselJ(0,x+x^2)-1+(x+x^2)^2/4)/(x+x^2)^4*(1+2*x)";
+  const integral one = support::integral_of(of_x, "0", "2");
+  const integral other = support::integral_of(of_y, "0", "1");
+  EXPECT_EQ(one.verdict, status::certified) << one.obstacle;
+  EXPECT_EQ(other.verdict, status::certified) << other.obstacle;
+  EXPECT_TRUE(overlaps(one.enclosure, other.enclosure));
 }
 
 // sqrt(x) c is c t^(1/2): with x = tau^2 the integrand is 2 c tau^2, and with a cube root 3 c

@@ -25,6 +25,9 @@ struct expression_function {
   std::string domain;       // where it is defined
 };
 
+/// "x" and "n" of "x, n".
+[[nodiscard]] std::vector<std::string> argument_names(const expression_function& f);
+
 struct expression_constant {
   std::string name;
   std::string description;
@@ -61,6 +64,18 @@ struct further_function {
   /// complex_ball.hpp have it of other functions; not available where empty.
   std::function<region(std::span<const region>)> over_regions = nullptr;
   std::function<complex_ball(std::span<const complex_ball>)> over_complex = nullptr;
+  /// The derivative in the last argument, a formula in the names of what.arguments; empty where
+  /// there is none. Series are made of it.
+  std::string slope = {};
+
+  /// A bound of |f|, by which the tails of integrals are bounded, for a last argument x with this
+  /// sign (1 or -1); the other arguments are numbers in the balls. May be empty, or know none.
+  struct majorant_formula {
+    std::string text;         // a formula in x
+    bool oscillates = false;  // f does, for x -> inf: no panel holds its tail
+  };
+  std::function<std::optional<majorant_formula>(std::span<const ball>, int sign)> majorant =
+      nullptr;
 };
 using further_functions = std::vector<further_function>;
 

@@ -6,8 +6,8 @@
 
 #include "cli/output/errors.hpp"
 #include "cli/output/layout.hpp"
-#include "polhode/expression/elliptic_functions.hpp"
 #include "polhode/expression/functions.hpp"
+#include "polhode/expression/library_functions.hpp"
 #include "polhode/expression/parse.hpp"
 
 namespace polhode::cli {
@@ -137,11 +137,17 @@ std::string table_of_functions() {
     result += fmt::format("  {:<14}{:<42}{}\n", f.name + '(' + f.arguments + ')', f.description,
                           f.domain);
   }
-  result += "elliptic integrals and functions, of the parameter m = k^2 (docs/elliptic.md)\n";
-  for (const further_function& f : *elliptic_functions()) {
-    result += fmt::format("  {:<25}{:<31} {}\n", f.what.name + '(' + f.what.arguments + ')',
-                          f.what.description, f.what.domain);
-  }
+  const auto add = [&](const std::string& title, const further_functions& functions) {
+    if (functions.empty()) return;
+    result += title + '\n';
+    for (const further_function& f : functions) {
+      result += fmt::format("  {:<25}{:<31} {}\n", f.what.name + '(' + f.what.arguments + ')',
+                            f.what.description, f.what.domain);
+    }
+  };
+  add("elliptic integrals and functions, of the parameter m = k^2 (docs/elliptic.md)",
+      *elliptic_functions());
+  add("special functions, by Arb", *arb_functions());
   result += "constants\n";
   for (const expression_constant& c : expression_constants()) {
     result += fmt::format("  {:<14}{}\n", c.name, c.description);
@@ -157,7 +163,7 @@ std::string names_of_functions() {
   std::string names;
   for (const expression_function& f : expression_functions()) names += f.name + ' ';
   std::string last;
-  for (const further_function& f : *elliptic_functions()) {
+  for (const further_function& f : *library_functions()) {
     if (f.what.name != last) names += f.what.name + ' ';
     last = f.what.name;
   }

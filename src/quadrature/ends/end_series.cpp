@@ -278,13 +278,55 @@ end_series operator/(const end_series& x, const end_series& y) {
   return (x * std::move(inverse).checked("/")).checked("/");
 }
 
+end_series::term end_series::with_orders(const term& g, int n) {
+  term result{centre_jet::constant(g.at_0[0], n), square_jet::constant(g.over[0], n)};
+  for (int k = 1; k <= n; ++k) {
+    result.at_0[k] = g.at_0[k];
+    result.over[k] = g.over[k];
+  }
+  return result;
+}
+
 /// f applied to both jets of a series without power and logarithm.
+
 template <class F>
 end_series end_series::regular(const end_series& x, std::string_view name, F&& f) {
   end_series r = x.plain(name);
   if (r.blocked_) return r;
   term& g = r.terms_.front();
   g = {f(g.at_0), f(g.over)};
+  return std::move(r).checked(name);
+}
+
+end_series end_series::composed(std::string_view name,
+                                const std::function<known_number(const known_number&)>& value,
+                                const std::function<region(const region&)>& over,
+                                const std::function<end_series(const end_series&)>& slope) const {
+  constexpr int most = 5;
+  end_series r = plain(name);
+  if (r.blocked_) return r;
+  const term x = r.terms_.front();
+  int n = std::min(x.at_0.order(), most);
+  term h;
+  if (n > 0) {
+    end_series lower = r;
+    lower.terms_.front() = with_orders(x, n - 1);
+    const end_series derivative = slope(lower).plain(name);
+    if (derivative.blocked_) return blocked(name, derivative.remedy_);
+    h = derivative.terms_.front();
+    n = std::min(n, h.at_0.order() + 1);
+  }
+  const auto jet_of = [n](const auto& inner, const auto& outer, const auto& first) {
+    auto g = std::remove_cvref_t<decltype(inner)>::constant(first, n);
+    for (int k = 1; k <= n; ++k) {
+      auto sum = inner[1] * outer[k - 1];
+      for (int j = 2; j <= k; ++j) sum = sum + inner[j] * outer[k - j] * static_cast<long>(j);
+      g[k] = sum / static_cast<long>(k);
+    }
+    return g;
+  };
+  r.terms_.front() = {jet_of(x.at_0, h.at_0, value(x.at_0[0])),
+                      jet_of(x.over, h.over, over(x.over[0]))};
   return std::move(r).checked(name);
 }
 

@@ -25,8 +25,10 @@
 // at 0 are G's, moved down by one, and over the square they lie in the convex hulls of the sets
 // that hold G's.
 
+#include <functional>
 #include <memory>
 #include <optional>
+
 #include <string_view>
 #include <vector>
 
@@ -118,6 +120,14 @@ class end_series {
   friend end_series floor(const end_series& x);
   friend end_series ceil(const end_series& x);
 
+  /// f of it, for a function f by its value at t = 0, its continuation over the square, and f' over
+  /// series: with g = f(x) and h = f'(x), k g_k = the sum of j x_j h_(k-j) over 1 <= j <= k. To few
+  /// orders, as f' may cost several values of f. Blocked where x has a pole or a logarithm.
+  [[nodiscard]] end_series composed(
+      std::string_view name, const std::function<known_number(const known_number&)>& value,
+      const std::function<region(const region&)>& over,
+      const std::function<end_series(const end_series&)>& slope) const;
+
   /// The sign for 0 < t <= r; 0 where it is not known to be one.
   [[nodiscard]] int sign() const;
   /// A lower bound of |G_0| over the square, for K = 0.
@@ -151,7 +161,10 @@ class end_series {
     square_jet over;
   };
 
+  /// The same to so many orders, of those that it has.
+  [[nodiscard]] static term with_orders(const term& g, int n);
   [[nodiscard]] end_series constant(const known_number& at_0, const region& over) const;
+
   /// Not blocked, or the first that is.
   template <class F>
   static end_series regular(const end_series& x, std::string_view name, F&& f);

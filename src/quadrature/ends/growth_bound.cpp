@@ -429,13 +429,16 @@ growth_bound growth_bound::flattening(std::string_view name, const ball& bound, 
 }
 
 /// sin' falls up to pi.
+growth_bound growth_bound::oscillating_as(const growth_bound& x) const {
+  growth_bound result = *this;
+  result.oscillates_ = oscillates_ || x.oscillates_ || 4 * x.upper_exponent_ < -1;
+  return result;
+}
 growth_bound sin(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();
   const ball m = x.greatest_size();
   const ball value = certainly_less(m, pi(bits)) ? sin(m) : ball::undefined(bits);
-  growth_bound result = x.flattening("sin", ball(1, bits), m, value, sin(x.series_));
-  result.oscillates_ = result.oscillates_ || 4 * x.upper_exponent_ < -1;
-  return result;
+  return x.flattening("sin", ball(1, bits), m, value, sin(x.series_)).oscillating_as(x);
 }
 growth_bound atan(const growth_bound& x) {
   if (x.blocked_) return x.passed_on();

@@ -58,6 +58,8 @@ class growth_bound {
   /// A sine or cosine of what grows as a power is in it: regions will hardly follow its
   /// oscillations to t = 0.
   [[nodiscard]] bool oscillates() const { return oscillates_; }
+  /// The same bound of a function that oscillates as sin(x) does.
+  [[nodiscard]] growth_bound oscillating_as(const growth_bound& x) const;
 
   friend growth_bound operator+(const growth_bound& x) { return x; }
   friend growth_bound operator-(const growth_bound& x);

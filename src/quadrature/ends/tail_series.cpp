@@ -309,9 +309,23 @@ tail_series tail_series::bounded(F&& f, double_interval range) const {
     return x.regular(#f, [](const auto& h) { return f(h); }); \
   }
 POLHODE_REGULAR(acos)
-POLHODE_REGULAR(floor)
-POLHODE_REGULAR(ceil)
 #undef POLHODE_REGULAR
+
+/// Of x that grows x less or more a number from 0 to 1.
+template <class F>
+tail_series tail_series::stepping(std::string_view name, F&& f, const ball& beside) const {
+  tail_series result = regular(name, f);
+  if (!result.is_blocked() || !grows()) return result;
+  return *this + bounded_like(name, beside);
+}
+tail_series floor(const tail_series& x) {
+  return x.stepping(
+      "floor", [](const auto& h) { return floor(h); }, hull(ball(-1, 64), ball(0, 64)));
+}
+tail_series ceil(const tail_series& x) {
+  return x.stepping(
+      "ceil", [](const auto& h) { return ceil(h); }, hull(ball(0, 64), ball(1, 64)));
+}
 
 /// For x, y > 0. With q = y/x, or x/y, that decays: agm(1, q) log(2/q) lies between 5/6 and pi/2
 /// for 0 < q <= 1/2, for (2/pi) log(4/q) <= 1/agm(1, q) <= (6/5) log(2/q). The first is log(4/q) <=

@@ -168,6 +168,8 @@ class tail_series {
   /// f of a real number, of which only |f| <= bound is known.
   template <class F>
   [[nodiscard]] tail_series bounded(F&& f, double_interval range) const;
+  template <class F>
+  [[nodiscard]] tail_series stepping(std::string_view name, F&& f, const ball& beside) const;
 
   std::optional<end_series> phi_;
   end_series h_;

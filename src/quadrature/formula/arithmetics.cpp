@@ -8,6 +8,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/expression/evaluation.hpp"
+#include "polhode/expression/library_functions.hpp"
 
 namespace polhode {
 
@@ -26,6 +27,36 @@ struct series_supplement {
   }
 };
 
+/// f(x) over a kind of series, by its majorant: a function with values in [-1, 1] times that. None
+/// where f has no majorant.
+template <class Series, class F, class Range>
+std::optional<Series> by_majorant(const F& f, const Range& x) {
+  if constexpr (requires { f.majorant; }) {
+    const Series& last = x.back();
+    const int sign = last.sign();
+    if (!f.majorant || last.is_blocked() || sign == 0) return std::nullopt;
+    std::vector<ball> others;
+    others.reserve(x.size());
+    for (const Series& v : x) others.push_back(v.values());
+    others.pop_back();
+    const auto known = f.majorant(others, sign);
+    if (!known) return std::nullopt;
+    const expression formula(known->text, {.variables = {"x"}, .definitions = {}});
+    constexpr precision p = 192;
+    const Series bound = formula.evaluator<Series>(p)(last);
+    if (bound.is_blocked()) return std::nullopt;
+    const ball one(1, p);
+    Series result = bound * last.bounded_like(name_of_function(f), hull(-one, one));
+    if constexpr (std::same_as<Series, growth_bound>) {
+      if (known->oscillates) return result.oscillating_as(last);
+    }
+    return result;
+
+  } else {
+    return std::nullopt;
+  }
+}
+
 template <>
 struct supplement<tail_series> : series_supplement<tail_series> {
   template <class F, class Range>
@@ -36,6 +67,7 @@ struct supplement<tail_series> : series_supplement<tail_series> {
       if (v.is_blocked()) return v;
       values.push_back(v.values());
     }
+    if (const auto result = by_majorant<tail_series>(f, x)) return *result;
     const tail_series& any = x.front();
     return any.bounded_like(name_of_function(f), f.value(values));
   }
@@ -44,6 +76,66 @@ template <>
 struct supplement<end_series> : series_supplement<end_series> {
   static end_series expm1(const end_series& x) { return exp(x) - 1; }
   static end_series log1p(const end_series& x) { return log(x + 1); }
+  /// Of a function that has a formula for its derivative, with rational constants for its first
+  /// arguments.
+  template <class F, class Range>
+  static end_series further(const F& f, const Range& x) {
+    const std::string_view name = name_of_function(f);
+    if constexpr (requires { f.slope; }) {
+      std::vector<rational> first;
+      for (const end_series& v : x) {
+        if (v.is_blocked()) return v;
+        if (first.size() + 1 == x.size()) break;
+        const std::optional<rational> q = v.rational_constant();
+        if (!q) break;
+        first.push_back(*q);
+      }
+      if (!f.slope.empty() && first.size() + 1 == x.size())
+        return of_derivative(f, first, x.back());
+    }
+    return end_series::blocked(name);
+  }
+
+ private:
+  static end_series of_derivative(const further_function& f, const std::vector<rational>& first,
+                                  const end_series& x) {
+    const expression slope(f.slope, {argument_names(f.what), {}, library_functions()});
+    const auto with_first = [&](const auto& last) {
+      std::vector<std::remove_cvref_t<decltype(last)>> all;
+      all.reserve(first.size() + 1);
+      for (const rational& q : first) all.push_back(last.constant_like(q));
+      all.push_back(last);
+      return all;
+    };
+    constexpr precision p = 192;
+    const auto value = [&](const known_number& at) {
+      std::string call = f.what.name + "(";
+      std::vector<ball> balls;
+      for (const rational& q : first) {
+        call += q.str() + ", ";
+        balls.emplace_back(q, p);
+      }
+      balls.push_back(at.enclosure());
+      if (!at.exact()) return known_number(f.value(balls));
+      // As formulas have it: exactly, where that is known.
+      call += at.exact()->str() + ")";
+      try {
+        return expression(call, {{}, {}, library_functions()}).known_value(p);
+      } catch (const expression_error&) {
+        return known_number(ball::undefined(p));
+      }
+    };
+    const auto over = [&](const region& z) {
+      std::vector<region> arguments;
+      arguments.reserve(first.size() + 1);
+      for (const rational& q : first) arguments.push_back(constant_region(q, z));
+      arguments.push_back(z);
+      return f.over_regions(arguments);
+    };
+    return x.composed(f.what.name, value, over, [&](const end_series& y) {
+      return slope.evaluator<end_series>(p)(with_first(y));
+    });
+  }
 };
 
 template <>
@@ -179,6 +271,7 @@ struct supplement<growth_bound> {
         return v.is_nowhere_defined() ? v : growth_bound::blocked(name_of_function(f));
       values.push_back(v.values());
     }
+    if (const auto result = by_majorant<growth_bound>(f, x)) return *result;
     const growth_bound& any = x.front();
     return any.bounded_like(name_of_function(f), f.value(values));
   }

@@ -1,0 +1,259 @@
+// The special functions of Arb: values beside Boost.Math's, identities between them, containment
+// over sets, derivatives, majorants, and refusals.
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <boost/math/special_functions/airy.hpp>
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/digamma.hpp>
+#include <boost/math/special_functions/expint.hpp>
+#include <boost/math/special_functions/lambert_w.hpp>
+
+#include "polhode/arithmetic/elementary.hpp"
+#include "polhode/arithmetic/interval.hpp"
+#include "polhode/expression/library_functions.hpp"
+#include "polhode/expression/parse.hpp"
+#include "support/random.hpp"
+
+namespace polhode {
+namespace arb_functions_test {
+
+class ArbFunctions : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (arb_functions()->empty()) GTEST_SKIP() << "the library was built without Arb";
+  }
+  support::random_source random{20261129};
+
+  rational between(long low, long high) {
+    return low + rational(random.between(0, (high - low) * 1000), 1000);
+  }
+  /// Of any order of magnitude from 2^-10 to 2^most.
+  rational scattered(long most) {
+    const long e = random.between(-10, most);
+    const rational power = e < 0 ? rational(1, 1L << -e) : rational(1L << e);
+    return between(1, 2) * power;
+  }
+  rational order() {
+    switch (random.between(0, 3)) {
+      case 0:
+        return random.between(0, 3);
+      case 1:
+        return random.between(-12, 40);
+      case 2:
+        return rational(random.between(-9, 9), 2);
+      default:
+        return between(-6, 12);
+    }
+  }
+};
+
+const further_function& named(const std::string& name) {
+  return *std::find_if(arb_functions()->begin(), arb_functions()->end(),
+                       [&](const further_function& f) { return f.what.name == name; });
+}
+ball value(const std::string& text, precision p = 200) { return parse(text, {}).value(p); }
+
+TEST_F(ArbFunctions, HaveTheValuesOfBoost) {
+  using std::abs;
+  const auto expect = [](const ball& ours, double theirs, const std::string& what) {
+    const double value = midpoint(ours).convert_to<double>();
+    EXPECT_LE(abs(value - theirs), 1e-11 * std::max(abs(theirs), 1e-3)) << what;
+  };
+  for (support::repeat trial(60); trial.again();) {
+    const rational nu(random.between(0, 40), 4);
+    const rational x = between(0, 20) + rational(1, 64);
+    const auto n = nu.convert_to<double>();
+    const auto t = x.convert_to<double>();
+    const ball a(nu, 128);
+    const ball b(x, 128);
+    const std::string at = nu.str() + ", " + x.str();
+    const auto of_two = [&](const char* name) { return named(name).value(std::array{a, b}); };
+    const auto of_one = [&](const char* name) { return named(name).value(std::array{b}); };
+    expect(of_two("besselJ"), boost::math::cyl_bessel_j(n, t), "J " + at);
+    expect(of_two("besselY"), boost::math::cyl_neumann(n, t), "Y " + at);
+    expect(of_two("besselI"), boost::math::cyl_bessel_i(n, t), "I " + at);
+    expect(of_two("besselK"), boost::math::cyl_bessel_k(n, t), "K " + at);
+    expect(of_one("airyAi"), boost::math::airy_ai(t), "Ai " + at);
+    expect(of_one("airyBi"), boost::math::airy_bi(t), "Bi " + at);
+    expect(of_one("airyAiPrime"), boost::math::airy_ai_prime(t), "Ai' " + at);
+    expect(of_one("airyBiPrime"), boost::math::airy_bi_prime(t), "Bi' " + at);
+    expect(named("airyAi").value(std::array{-b}), boost::math::airy_ai(-t), "Ai -" + at);
+    expect(of_one("Ei"), boost::math::expint(t), "Ei " + at);
+    expect(named("Ei").value(std::array{-b}), boost::math::expint(-t), "Ei -" + at);
+    expect(named("expint").value(std::array{ball(3, 128), b}), boost::math::expint(3U, t),
+           "E_3 " + at);
+    expect(of_one("lambertW"), boost::math::lambert_w0(t), "W " + at);
+    expect(of_one("digamma"), boost::math::digamma(t), "digamma " + at);
+  }
+}
+
+TEST_F(ArbFunctions, AreTiedByIdentities) {
+  for (support::repeat trial(40); trial.again();) {
+    const ball n(order(), 200);
+    const ball x(scattered(5), 200);
+    const auto f = [](const char* name, const ball& a, const ball& b) {
+      return named(name).value(std::array{a, b});
+    };
+    const auto g = [](const char* name, const ball& a) { return named(name).value(std::array{a}); };
+    // DLMF 10.5.2, 10.28.2, 9.2.7, 8.19.12, 25.12.6.
+    EXPECT_TRUE(contains_zero(f("besselJ", n + 1, x) * f("besselY", n, x) -
+                              f("besselJ", n, x) * f("besselY", n + 1, x) - 2 / (pi(200) * x)));
+    EXPECT_TRUE(contains_zero(f("besselI", n, x) * f("besselK", n + 1, x) +
+                              f("besselI", n + 1, x) * f("besselK", n, x) - 1 / x));
+    EXPECT_TRUE(contains_zero(g("airyAi", x) * g("airyBiPrime", x) -
+                              g("airyAiPrime", x) * g("airyBi", x) - 1 / pi(200)));
+    EXPECT_TRUE(contains_zero(n * f("expint", n + 1, x) + x * f("expint", n, x) - exp(-x)));
+    EXPECT_TRUE(contains_zero(g("lambertW", x * exp(x)) - x));
+    EXPECT_TRUE(contains_zero(g("Ei", -x) + f("expint", ball(1, 200), x)));
+    const ball u = x / (1 + x);
+    EXPECT_TRUE(contains_zero(g("dilog", u) + g("dilog", 1 - u) + log(u) * log(1 - u) -
+                              square(pi(200)) / 6));
+    EXPECT_TRUE(contains_zero(g("digamma", x + 1) - g("digamma", x) - 1 / x));
+  }
+  // With all digits.
+  EXPECT_LE(value("besselJ(2, 3/7)", 1000).radius(), magnitude::power_of_two(-990));
+  EXPECT_LE(value("besselK(30, 50)", 300).radius(), magnitude::power_of_two(-330));
+  EXPECT_LE(value("airyAi(40)", 300).radius(), magnitude::power_of_two(-500));
+}
+
+/// Holds z: what is known at points inside a set is not outside the value over the set.
+TEST_F(ArbFunctions, OverSetsHoldTheirValuesAtPoints) {
+  const precision p = 128;
+  for (const further_function& f : *arb_functions()) {
+    SCOPED_TRACE(f.what.name);
+    long defined = 0;
+    for (support::repeat trial(100); trial.again();) {
+      const rational re = random.one_in(2) ? scattered(6) : rational(-scattered(6));
+      const rational im = random.one_in(3) ? rational(0) : between(-8, 8);
+      const rational half = scattered(random.between(-8, 3)) / 4;
+      const rational height = im == 0 ? rational(0) : half * between(0, 2);
+      const auto set = [](const rational& x, const rational& r) {
+        return from_end_points(rational(x - r), rational(x + r), p);
+      };
+      const rational nu = order();
+      const auto arguments = [&](const complex_ball& z) {
+        return f.arity == 2 ? std::vector{complex_ball(nu, p), z} : std::vector{z};
+      };
+      const complex_ball over(set(re, half), set(im, height));
+      const std::vector<complex_ball> sets = arguments(over);
+      std::vector<region> regions;
+      for (const complex_ball& z : sets) regions.emplace_back(z);
+      const region by_region = f.over_regions(regions);
+      const complex_ball by_set =
+          f.over_complex ? f.over_complex(sets) : complex_ball::undefined(p);
+      const ball by_ball = [&] {
+        if (im != 0) return ball::undefined(p);
+        std::vector<ball> reals;
+        for (const complex_ball& z : sets) reals.push_back(z.re);
+        return f.value(reals);
+      }();
+      for (int k = 0; k < 6; ++k) {
+        const auto part = [&] { return rational(random.between(-8, 8), 8); };
+        const complex_ball at{ball(rational(re + half * part()), p),
+                              ball(rational(im + height * part()), p)};
+        std::vector<complex_ball> point = arguments(at);
+        if (by_region.is_analytic() && f.over_complex) {
+          const complex_ball exact = f.over_complex(point);
+          ASSERT_TRUE(exact.is_bounded()) << re << " " << im << " " << half << " " << nu;
+          const complex_ball around = by_region.to_complex_ball();
+          EXPECT_TRUE(overlaps(around.re, exact.re) && overlaps(around.im, exact.im))
+              << re << " " << im << " " << half << " " << nu;
+          EXPECT_TRUE(overlaps(by_set.re, exact.re) && overlaps(by_set.im, exact.im));
+          ++defined;
+        }
+        if (by_ball.is_bounded()) {
+          std::vector<ball> reals;
+          for (const complex_ball& z : point) reals.push_back(z.re);
+          EXPECT_TRUE(overlaps(by_ball, f.value(reals))) << re << " " << half << " " << nu;
+          ++defined;
+        }
+      }
+    }
+    EXPECT_GT(defined, 0);
+  }
+}
+
+/// f(b) - f(a) is b - a times a value of the derivative between them.
+TEST_F(ArbFunctions, HaveDerivatives) {
+  const precision p = 128;
+  for (const further_function& f : *arb_functions()) {
+    SCOPED_TRACE(f.what.name);
+    long found = 0;
+    for (support::repeat trial(60); trial.again();) {
+      const rational nu = order();
+      const rational a = random.one_in(3) ? rational(-scattered(4)) : scattered(4);
+      const rational b = a + scattered(-1) / 8;
+      const auto arguments = [&](const ball& x) {
+        return f.arity == 2 ? std::vector{ball(nu, p), x} : std::vector{x};
+      };
+      const ball slope = f.gradient(arguments(from_end_points(a, b, p))).back();
+      const ball rise = f.value(arguments(ball(b, p))) - f.value(arguments(ball(a, p)));
+      if (!slope.is_bounded() || !rise.is_bounded()) continue;
+      EXPECT_TRUE(overlaps(rise, slope * ball(rational(b - a), p))) << nu << " " << a << " " << b;
+      ++found;
+    }
+    EXPECT_GT(found, 0);
+  }
+}
+
+TEST_F(ArbFunctions, LieBelowTheirMajorants) {
+  const precision p = 200;
+  for (const further_function& f : *arb_functions()) {
+    if (!f.majorant) continue;
+    SCOPED_TRACE(f.what.name);
+    for (support::repeat trial(60); trial.again();) {
+      const int sign = random.one_in(3) ? -1 : 1;
+      const rational nu = order();
+      const ball x(sign * scattered(7), p);
+      std::vector<ball> arguments;
+      if (f.arity == 2) arguments.emplace_back(nu, p);
+      const auto bound = f.majorant(arguments, sign);
+      arguments.push_back(x);
+      if (!bound) continue;
+      const ball most =
+          expression(bound->text, {.variables = {"x"}, .definitions = {}}).evaluator<ball>(p)(x);
+      EXPECT_TRUE(most.is_bounded());
+      EXPECT_FALSE(certainly_less(most, abs(f.value(arguments)))) << nu << " " << x;
+    }
+  }
+  // Attained: K of order n + 1/2 is its majorant; |J_0| at 0, Si at pi nearly.
+  const std::array half{ball(rational(5, 2), p)};
+  const auto k = named("besselK").majorant(half, 1);
+  ASSERT_TRUE(k);
+  const ball at = parse(k->text, {"x"}).evaluator<ball>(p)(ball(3, p));
+  EXPECT_TRUE(overlaps(at, value("besselK(5/2, 3)")));
+  EXPECT_LE(at.radius(), magnitude::power_of_two(-180));
+}
+
+TEST_F(ArbFunctions, AreRefusedWhereTheyAreNotDefined) {
+  for (const char* text :
+       {"besselY(0, 0)", "besselK(1, -1)", "besselJ(1/2, -3)", "besselJ(-1/2, 0)", "Ei(0)",
+        "Ci(-1)", "expint(1, 0)", "dilog(2)", "digamma(-3)"}) {
+    EXPECT_THROW((void)parse(text, {}), expression_error) << text;
+  }
+  EXPECT_EQ(parse("besselJ(0, 0) + besselI(3, 0) + Si(0) + lambertW(0)", {}).exact_value(),
+            rational(1));
+  EXPECT_TRUE(value("lambertW(-1)").is_undefined());
+  EXPECT_TRUE(value("besselY(0, sin(1) - 1)").is_undefined());
+  EXPECT_TRUE(named("besselJ").value(std::array{ball::undefined(64), ball(1, 64)}).is_undefined());
+  EXPECT_TRUE(named("airyAi").value(std::array{ball::entire(64)}).is_undefined());
+  // Off the real line: across a cut, on its far side, and where the order is no single number.
+  const auto over = [](const char* name, const rational& n, const complex_ball& z) {
+    return named(name).over_regions(std::array{region(complex_ball(n, 64)), region(z)}).why();
+  };
+  const complex_ball across{from_end_points(rational(-1), rational(1), 64), ball(0, 64)};
+  const complex_ball left(-2, 1, 64);
+  EXPECT_EQ(over("besselJ", 3, across), obstacle::none);
+  EXPECT_EQ(over("besselJ", rational(1, 2), across), obstacle::branch_cut);
+  EXPECT_EQ(over("besselY", 3, across), obstacle::branch_cut);
+  EXPECT_EQ(over("besselK", 3, left), obstacle::unknown);
+  EXPECT_EQ(over("expint", 1, across), obstacle::branch_cut);
+}
+
+}  // namespace arb_functions_test
+}  // namespace polhode
