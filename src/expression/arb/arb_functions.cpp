@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -156,11 +158,13 @@ rational most_of(const ball& order) {
 /// `growth` = |Im z|, `size` = |z|. Of I_n(z) = i^-n J_n(i z) the same with |Re z|.
 ball bound_of_whole(const integer& n, const ball& size, const ball& growth) {
   ball bound = exp(growth);
-  constexpr long most = 10'000;
+  constexpr long most = 1000;
   const integer order = abs(n);
   if (order > 0 && order < most) {
     const auto k = static_cast<long>(order);
-    const ball other = exp(growth) * pow(size / 2, k) / gamma(ball(k + 1, few_bits));
+    integer factorial;
+    mpz_fac_ui(factorial.backend().data(), static_cast<unsigned long>(k));
+    const ball other = exp(growth) * pow(size / 2, k) / ball(factorial, few_bits);
     if (certainly_less(other, bound)) bound = other;
   }
   return bound;
@@ -660,16 +664,32 @@ region over_region(const definition& f, std::span<const region> x) {
   return z.is_in_hardware() ? region(value) : region::in_balls(value);
 }
 
-/// By the formula of the derivative; there is none in the order.
-std::vector<ball> gradient_of(const definition& f, std::span<const ball> x) {
-  precision p = few_bits;
-  for (const ball& t : x) p = std::max(p, t.precision());
-  if (f.slope_over != nullptr) return {f.slope_over(x[0])};
-  const expression slope(f.slope, {argument_names(f.what), {}, library_functions()});
-  std::vector<ball> gradient(x.size(), ball::undefined(p));
-  gradient.back() = slope.evaluator<ball>(p)(std::vector<ball>(x.begin(), x.end()));
-  return gradient;
-}
+/// The gradient by the formula of the derivative, which is read once; there is none in the order.
+class gradient_by_formula {
+ public:
+  explicit gradient_by_formula(const definition& f) : f_(f), slope_(std::make_shared<once>()) {}
+
+  std::vector<ball> operator()(std::span<const ball> x) const {
+    if (f_.slope_over != nullptr) return {f_.slope_over(x[0])};
+    std::call_once(slope_->flag, [this] {
+      slope_->formula.emplace(f_.slope,
+                              expression_names{argument_names(f_.what), {}, library_functions()});
+    });
+    precision p = few_bits;
+    for (const ball& t : x) p = std::max(p, t.precision());
+    std::vector<ball> gradient(x.size(), ball::undefined(p));
+    gradient.back() = slope_->formula->evaluator<ball>(p)(std::vector<ball>(x.begin(), x.end()));
+    return gradient;
+  }
+
+ private:
+  struct once {
+    std::once_flag flag;
+    std::optional<expression> formula;
+  };
+  const definition& f_;
+  std::shared_ptr<once> slope_;
+};
 
 further_function function_of(const definition& f) {
   further_function result;
@@ -690,7 +710,7 @@ further_function function_of(const definition& f) {
     return at_sets(x, [&](const call& at, precision p) { return value_or_undefined(f, at, p); });
   };
   result.slope = f.slope;
-  result.gradient = [&f](std::span<const ball> x) { return gradient_of(f, x); };
+  result.gradient = gradient_by_formula(f);
   result.over_regions = [&f](std::span<const region> x) { return over_region(f, x); };
   result.may_be_defined = f.may_be_defined;
   result.simpler = f.simpler;
@@ -701,7 +721,6 @@ further_function function_of(const definition& f) {
       return f.bound(&orders[0], sign);
     };
   }
-
   return result;
 }
 
