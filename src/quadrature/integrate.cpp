@@ -96,6 +96,10 @@ integral integrate_function(const integrand& f, const end_point& a, const end_po
     if (infinite && found->why == reason::not_analytic) {
       if (auto turned = integrate_over_turned_rays(f, a, b, options)) return *turned;
       if (auto folded = integrate_over_periods(f, a, b, options)) return *folded;
+      const std::vector<part> parts = f.with_limits ? f.with_limits(a, b) : std::vector<part>();
+      if (!parts.empty()) {
+        if (auto sum = sum_to_goal(parts, options)) return *std::move(sum);
+      }
     }
     return *found;
   }

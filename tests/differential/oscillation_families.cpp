@@ -428,6 +428,41 @@ term over_power(maker& m, bool diverges) {
   }
 }
 
+/// A factor that tends to 1 or -1, beside a sine or cosine; the same as that limit and the rest.
+integral_case factor_with_limit(maker& m, bool converges) {
+  const auto positive = [&] { return m.rational_near(m.scattered(0.3, 3)); };
+  const term u = positive() * x + (m.one_in(2) ? term(0) : m.rational_near(m.within(-1, 1)));
+  const term turning = call(m.one_in(2) ? "sin" : "cos", positive() * x);
+  term slow = power(x, -m.quotient(m.within(0.2, 1.5)));
+  if (!converges) slow = m.one_in(2) ? term(1) : power(x, m.quotient(m.within(0.2, 2)));
+  const term from = m.near(m.scattered(2, 6));
+  const term a = turning * slow;
+  const auto [factor, rest] = [&]() -> std::pair<term, term> {
+    switch (m.between(0, 3)) {
+      case 0:
+        return {call("tanh", u), -(2 / (call("exp", 2 * u) + 1))};
+      case 1:
+        return {1 / call("tanh", u), 2 / (call("exp", 2 * u) - 1)};
+      case 2:
+        return {call("erf", u), -call("erfc", u)};
+      default:
+        return {1 / (1 + call("exp", -u)), -(1 / (1 + call("exp", u)))};
+    }
+  }();
+  const bool falls = m.one_in(3);
+  integral_case c{(falls ? -factor : factor) * a, from, "inf", few_digits(m)};
+  if (!converges) {
+    c.diverges = true;
+    c.is_cheap = true;
+    return c;
+  }
+  const term sign = falls ? -term(1) : term(1);
+  c.parts = {{sign * a, from, "inf", c.digits}, {sign * rest * a, from, "inf", c.digits}};
+  return c;
+}
+integral_case factors_with_limits(maker& m) { return factor_with_limit(m, true); }
+integral_case divergent_factors_with_limits(maker& m) { return factor_with_limit(m, false); }
+
 integral_case over_half_line(maker& m) {
   const term f = over_power(m, false);
   integral_case c{f, 0, "inf", few_digits(m)};
@@ -460,6 +495,8 @@ std::vector<integral_family> oscillation_families() {
       {"steps of reciprocals that do not converge", 6, divergent_steps_of_reciprocals},
       {"waves of tangents", 6, waves_of_tangents},
       {"waves of tangents that do not converge", 6, divergent_waves_of_tangents},
+      {"factors with limits", 6, factors_with_limits},
+      {"factors with limits that do not converge", 6, divergent_factors_with_limits},
       {"oscillations that do not converge", 10, divergent},
       {"many turns", 8, many_turns},
       {"oscillations of exponentials", 6, in_exponentials},

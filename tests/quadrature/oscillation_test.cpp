@@ -8,6 +8,7 @@
 #include "polhode/arithmetic/exact.hpp"
 #include "quadrature/known_integrals.hpp"
 #include "support/exact_set.hpp"
+#include "support/integrals_as_text.hpp"
 
 namespace polhode {
 namespace oscillation_test {
@@ -217,6 +218,31 @@ TEST(Oscillation, IsTheSameOnThreads) {
   const integral one = integrate(f, 0, infinity, {.digits = 100});
   const integral two = integrate(f, 0, infinity, {.digits = 100, .threads = 2});
   EXPECT_TRUE(support::identical(one.enclosure, two.enclosure));
+}
+
+// A factor that tends to 1 or -1 beside what oscillates: the limit and the rest, of one formula.
+TEST(Oscillation, FactorsWithLimits) {
+  struct split {
+    const char* f;
+    const char* limit;
+    const char* rest;
+  };
+  for (const auto& [f, limit, rest] :
+       {split{"tanh(x)*sin(x)/x", "sin(x)/x", "-2/(exp(2*x)+1)*sin(x)/x"},
+        split{"cos(3*x)/(tanh(-x/2)*sqrt(x))", "-cos(3*x)/sqrt(x)",
+              "-2/(exp(x)-1)*cos(3*x)/sqrt(x)"},
+        split{"-erf(x-1)*sin(x)/x", "-sin(x)/x", "erfc(x-1)*sin(x)/x"},
+        split{"sin(x)/(x*(1+exp(-x)))", "sin(x)/x", "-sin(x)/(x*(1+exp(x)))"},
+        split{"cos(x)/((exp(-2*x)+1)*x)", "cos(x)/x", "-cos(x)/(x*(1+exp(2*x)))"}}) {
+    const auto over = [](const char* g) { return support::integral_of(g, "1", "inf"); };
+    const integral whole = over(f);
+    EXPECT_EQ(whole.verdict, status::certified) << f << ": " << whole.obstacle;
+    EXPECT_TRUE(overlaps(whole.enclosure, over(limit).enclosure + over(rest).enclosure)) << f;
+  }
+  for (const char* f : {"tanh(x)*sin(x)", "sin(x)^2*tanh(x)/x", "cos(x)/(1+exp(-x))"}) {
+    EXPECT_EQ(support::integral_of(f, "1", "inf").verdict, status::not_certified) << f;
+  }
+  EXPECT_EQ(support::integral_of("tanh(x)*cos(x)/x", "-inf", "inf").verdict, status::certified);
 }
 
 }  // namespace oscillation_test

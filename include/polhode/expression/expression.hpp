@@ -311,6 +311,12 @@ class expression {
   /// f(1/u)/u^2 as a formula in u > 0, for a formula f of one variable with powers of 1/x under
   /// abs, min, max, floor or ceil: "floor(1/x)" is "floor(u)/u^2". None for others, and long ones.
   [[nodiscard]] std::optional<expression> by_reciprocal() const;
+  /// f as s A and (T - s) A for a factor T that seems to tend to s = 1 or -1 exponentially for x ->
+  /// inf, and a formula with sines or cosines: T is tanh, 1/tanh, erf or 1/(1 + e^-u)
+  /// ("tanh(x)*sin(x)/x" is "sin(x)/x" and "-2/(exp(2*x) + 1)*sin(x)/x"). Their sum is f wherever
+  /// it is defined. None for others, and long ones.
+  struct steady_factor;
+  [[nodiscard]] std::optional<steady_factor> by_steady_factor() const;
   /// The polynomial with rational coefficients that a formula of at most one variable is, by sums,
   /// products, whole powers and quotients by numbers. None where it is not, or its expansion is
   /// long: a degree above 10,000, a million products of coefficients.
@@ -370,6 +376,10 @@ struct expression::logarithmic_antiderivative {
 struct expression::fraction {
   expression numerator;
   std::vector<expression> divisors;
+};
+struct expression::steady_factor {
+  expression limit;
+  expression rest;
 };
 struct expression::rays {
   rational start;

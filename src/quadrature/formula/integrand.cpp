@@ -182,6 +182,9 @@ detail::integrand integrand_with_changes(const expression& f, int changes) {
     }
     return std::vector<detail::part>();
   };
+  result.with_limits = [f](const end_point& a, const end_point& b) {
+    return detail::parts_with_limits(f, a, b);
+  };
   result.candidates = [f](const end_point& a, const end_point& b) {
     std::vector<end_point> points;
     if (f.variables().size() != 1) return points;

@@ -85,6 +85,9 @@ struct integrand {
   /// the abs, min, max, floor and ceil of this one; or in other variables, in which it turns or
   /// steps at one pace. None where there are none of these, or they are not known; may be empty.
   std::function<std::vector<part>(const end_point& a, const end_point& b)> pieces;
+  /// The same over an infinite range: beyond some point of limits and of what decays beside them,
+  /// for an integrand with a tail that is not understood as it stands. May be empty.
+  std::function<std::vector<part>(const end_point& a, const end_point& b)> with_limits;
   /// Numbers at which it may be of interest to cut the range: candidates. May be empty.
   std::function<std::vector<end_point>(const end_point& a, const end_point& b)> candidates;
   /// f(x) |dx/ds| with x = end + side e^-s at a finite end, x = side e^s at an infinite one, in

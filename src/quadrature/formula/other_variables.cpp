@@ -1,5 +1,6 @@
 #include "other_variables.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -108,6 +109,35 @@ std::vector<part> parts_in_tangent(const expression& f, const end_point& a, cons
                      k == *last ? *upper : end_point::infinity()});
   }
   return parts;
+}
+
+namespace {
+
+/// From a point to infinity on this side; false where f has no such factor there.
+bool add_beyond(std::vector<part>& parts, const expression& f, const end_point& from, int side) {
+  const symbol x = symbol::variable(0);
+  const auto apart = (side > 0 ? f : expression(f(-x), f.names())).by_steady_factor();
+  const ball distance = side > 0 ? from.at(64) : -from.at(64);
+  if (!apart || !distance.is_bounded()) return false;
+  const rational c = floor_of(std::max<rational>(upper_rational(distance), 0)) + 1;
+  const end_point cut(rational(side * c));
+  parts.push_back(side > 0 ? part{integrand_of(f), from, cut} : part{integrand_of(f), cut, from});
+  for (const expression& one : {apart->limit, apart->rest}) {
+    parts.push_back({integrand_of(one), end_point(c), end_point::infinity()});
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<part> parts_with_limits(const expression& f, const end_point& a, const end_point& b) {
+  std::vector<part> parts;
+  if (f.variables().size() != 1) return parts;
+  const bool both = a.infinite_sign() < 0 && b.infinite_sign() > 0;
+  const bool is_found =
+      (a.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : b, -1)) &&
+      (b.infinite_sign() == 0 || add_beyond(parts, f, both ? end_point(0) : a, 1));
+  return is_found ? parts : std::vector<part>();
 }
 
 }  // namespace polhode::detail

@@ -1,6 +1,7 @@
 #pragma once
 
-// Integrals in other variables, in which a function turns or steps at one pace.
+// Integrals in other variables, in which a function turns or steps at one pace, and of a function's
+// limits apart.
 
 #include <vector>
 
@@ -20,5 +21,11 @@ namespace polhode::detail {
 /// formulas, for ranges that reach no such point or many, and for ends that are no formulas.
 [[nodiscard]] std::vector<part> parts_in_tangent(const expression& f, const end_point& a,
                                                  const end_point& b);
+
+/// The integral of f over an infinite [a, b] as that over a finite part, and beyond it those of a
+/// steady part and of what decays beside it (expression::by_steady_factor). None for other
+/// formulas.
+[[nodiscard]] std::vector<part> parts_with_limits(const expression& f, const end_point& a,
+                                                  const end_point& b);
 
 }  // namespace polhode::detail
