@@ -46,7 +46,7 @@ integrand with_branches(const std::shared_ptr<const formula_graph>& f, const int
   if (chosen->empty()) return result;
   // f's symmetries are not those of one of its pieces, continued: |sin| is even about 0.
   result.under = nullptr;
-    result.pieces = nullptr;
+  result.pieces = nullptr;
   result.with_limits = nullptr;
 
   result.in_exponential = nullptr;
