@@ -230,6 +230,17 @@ TEST_F(ArbFunctions, LieBelowTheirMajorants) {
   EXPECT_LE(at.radius(), magnitude::power_of_two(-180));
 }
 
+TEST_F(ArbFunctions, TheDilogarithmIsKnownUpToItsBranchPoint) {
+  const ball up_to_one = from_end_points(rational(-3), rational(1), 128);
+  const ball values = named("dilog").value(std::array{up_to_one});
+  EXPECT_TRUE(contains(values, value("dilog(-3)").middle()));
+  EXPECT_TRUE(overlaps(values, square(pi(128)) / 6));
+  EXPECT_TRUE(certainly_less(values, ball(rational(165, 100), 64)));
+  EXPECT_TRUE(certainly_less(ball(rational(-194, 100), 64), values));
+  const ball beyond = from_end_points(rational(0), rational(3, 2), 128);
+  EXPECT_TRUE(named("dilog").value(std::array{beyond}).is_undefined());
+}
+
 TEST_F(ArbFunctions, AreRefusedWhereTheyAreNotDefined) {
   for (const char* text :
        {"besselY(0, 0)", "besselK(1, -1)", "besselJ(1/2, -3)", "besselJ(-1/2, 0)", "Ei(0)",

@@ -85,6 +85,8 @@ TEST(TurningPoints, OfSpecialFunctions) {
       {"besselY(0,x)*exp(-x)", "0", "inf", "-2/(pi*sqrt(2))*asinh(1)"},
       {"besselJ(0,x)*exp(-x/2)", "0", "inf", "2/sqrt(5)"},
       {"airyAi(x)", "0", "inf", "1/3"},
+      {"dilog(x)", "0", "1", "pi^2/6-1"},
+      {"dilog(1-x)", "0", "2", "pi^2/6-1+dilog(-1)+2*log(2)-1"},
       // By Weber's integral.
       {"besselJ(0,x)", "0", "inf", "1"},
       {"besselJ(1,3*x)/x", "0", "inf", "1"},

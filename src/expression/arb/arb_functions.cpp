@@ -69,6 +69,8 @@ struct definition {
   majorant (*bound)(const ball* order, int sign) = nullptr;
   /// f' over real sets, where the formula does not have it; nullptr: it has.
   ball (*slope_over)(const ball& x) = nullptr;
+  /// f over real sets, where more is known of them; nullptr: as over rectangles.
+  ball (*over_reals)(const ball& x, precision p) = nullptr;
 };
 
 // ---------------------------------------------------------------------------------------------
@@ -583,6 +585,20 @@ obstacle cut_of_dilog(const call& x) {
   return is_off ? obstacle::none : obstacle::branch_cut;
 }
 
+/// It increases up to x = 1, where it is continuous: its slope is -log(1 - x)/x > 0.
+ball dilog_over(const ball& x, precision p) {
+  detail::mpfr_cell end(p + 64);
+  const definition& f = named("dilog");
+  ball result = ball::undefined(p);
+  x.upper(end.get());
+  const ball upper(end.get());
+  if (!certainly_less_equal(upper, ball(1, 2)) || !x.is_bounded()) return result;
+  x.lower(end.get());
+  result = hull(value_of(f, {nullptr, complex_ball(ball(end.get()))}, p).re,
+                value_of(f, {nullptr, complex_ball(upper)}, p).re);
+  return result;
+}
+
 std::vector<definition> other_functions() {
   return {{{"lambertW", "x", "w with w e^w = x, w >= -1", "x >= -1/e"},
            false,
@@ -606,7 +622,10 @@ std::vector<definition> other_functions() {
              if (is_exactly(x[0], 1)) return "pi^2/6";
              if (is_exactly(x[0], -1)) return "-pi^2/12";
              return std::nullopt;
-           }}};
+           },
+           nullptr,
+           nullptr,
+           dilog_over}};
 }
 
 const std::vector<definition>& all() {
@@ -704,6 +723,7 @@ further_function function_of(const definition& f) {
     return then(at, p);
   };
   result.value = [&f, at_sets](std::span<const ball> x) {
+    if (f.over_reals != nullptr) return f.over_reals(x[0], x[0].precision());
     return at_sets(x, [&](const call& at, precision p) { return value_or_undefined(f, at, p); }).re;
   };
   result.over_complex = [&f, at_sets](std::span<const complex_ball> x) {
