@@ -311,8 +311,8 @@ tail_series tail_series::bounded(F&& f, double_interval range) const {
 POLHODE_REGULAR(acos)
 #undef POLHODE_REGULAR
 
-/// Of x that grows, but not exponentially, x less or more a number from 0 to 1. Of e^x there are more
-/// steps than could be followed.
+/// Of x that grows, but not exponentially, x less or more a number from 0 to 1. Of e^x there are
+/// more steps than could be followed.
 template <class F>
 tail_series tail_series::stepping(std::string_view name, F&& f, const ball& beside) const {
   tail_series result = regular(name, f);
