@@ -185,7 +185,7 @@ bounds bounds_of_whole(const call& x, const ball& growth) {
 std::optional<ball> integral_of_tail(const ball& order, const ball& x) {
   constexpr long most = 200;
   const rational m = most_of(order);
-  if (m > most) return std::nullopt;
+  if (m > most || !certainly_positive(x)) return std::nullopt;
   ball result = 1 / x;
   for (long k = 1; k < m + 1; ++k) result = (1 + 2 * k * result) / x;
   return result;
@@ -231,6 +231,7 @@ const definition& named(std::string_view name);
 /// its derivative are largest at the least Re z = x, where they are K and -K'.
 bounds bounds_of_k(const call& x) {
   const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return {};
   const definition& k = named("besselK");
   const ball less = *x.order - 1;
   const ball more = *x.order + 1;
@@ -428,6 +429,7 @@ void value_of_expint(acb_ptr r, acb_srcptr order, acb_srcptr z, slong p) {
 }
 bounds bounds_of_expint(const call& x) {
   const complex_ball z(least_of(x.z.re));
+  if (!certainly_positive(z.re)) return {};
   const definition& e = named("expint");
   const ball less = *x.order - 1;
   return {value_of(e, {x.order, z}, few_bits).magnitude_upper(),
