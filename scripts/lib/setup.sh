@@ -14,7 +14,8 @@ library_packages=(
   libgmp-dev libmpfr-dev libgtest-dev libcli11-dev nlohmann-json3-dev libfmt-dev libtbb-dev
   libtomlplusplus-dev libpugixml-dev
 )
-arb_packages=('libflint-arb-dev|libflint-dev')  # special functions of formulas; an oracle of the tests
+# Special functions of formulas, and an oracle of the tests.
+arb_packages=('libflint-arb-dev|libflint-dev')
 oracle_packages=("${arb_packages[@]}" libmpfi-dev libbenchmark-dev gnuplot-nox)
 # Of modules of the program: MPI and HDF5, for maps.
 module_packages=(libopenmpi-dev openmpi-bin libhdf5-dev)

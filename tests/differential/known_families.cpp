@@ -322,7 +322,14 @@ integral_case special_integral(maker& m) {
   integral_case c{x, a, b, few_digits(m)};
   const bool to_infinity = m.one_in(2);
   term f = 0;
-  switch (m.between(0, 11)) {
+  switch (m.between(0, 12)) {
+    case 12: {  // -(x^(1 - nu) J_(nu - 1)(x))' is x^(1 - nu) J_nu(x), and vanishes at infinity
+      const term nu = m.between(2, 12) / term(3);
+      c.integrand = power(x, 1 - nu) * of("besselJ", nu);
+      c.from = 0;
+      c.value = power(k, nu - 2) * power(2, 1 - nu) / call("gamma", nu);
+      break;
+    }
     case 0:  // DLMF 10.6.6
       c.integrand = k * of("besselJ", n - 1) * power(t, n);
       f = power(t, n) * of("besselJ", n);

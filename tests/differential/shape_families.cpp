@@ -36,6 +36,38 @@ integral_case oscillating_tail(maker& m) {
   return {f, m.near(m.within(0.5, 4)), "inf", m.between(5, 16)};
 }
 
+/// Steps of k x times what decays exponentially, over x > 0, and some that do not converge.
+integral_case steps_to_infinity(maker& m) {
+  const term k = m.rational_near(m.scattered(0.5, 3));
+  const term a = m.rational_near(m.scattered(0.8, 4));
+  const term t = k * x;
+  integral_case r{0, 0, "inf", few_digits(m)};
+  switch (m.between(0, 4)) {
+    case 0:
+      r.integrand = call("floor", t) * call("exp", -(a * x));
+      r.value = 1 / (a * call("expm1", a / k));
+      break;
+    case 1:
+      r.integrand = call("ceil", t) * call("exp", -(a * x));
+      r.value = -(1 / (a * call("expm1", -(a / k))));
+      break;
+    case 2:
+      r.integrand = call("exp", -(a * call("floor", t)));
+      r.value = -(1 / (k * call("expm1", -a)));
+      break;
+    case 3:
+      r.integrand = call("exp", -(a * call("ceil", t)));
+      r.value = 1 / (k * call("expm1", a));
+      break;
+    default:
+      r.integrand = m.any_of({call("floor", t) / (1 + x), call("exp", a * call("floor", t)),
+                              call("exp", -(a * x)) * call("exp", a * call("ceil", x)),
+                              call("exp", a * (call("floor", x) - x)) * call("ceil", t)});
+      r.diverges = true;
+  }
+  return r;
+}
+
 /// abs, min and max of rational functions over infinite ranges, which are cut at rational points. A
 /// divergent twin in one case of five.
 integral_case pieces_to_infinity(maker& m) {
@@ -403,6 +435,7 @@ std::vector<integral_family> shape_families() {
           {"removable singularity", 10, mostly_cheap(removable)},
           {"kinks and steps", 7, mostly_cheap(kinks)},
           {"pieces to infinity", 10, mostly_cheap(pieces_to_infinity)},
+          {"steps to infinity", 6, steps_to_infinity},
           {"kinks of a high order", 10, mostly_cheap(high_kink)},
           {"touching 0 at multiples of pi", 6, mostly_cheap(touching)},
           {"divergent at a kink of a high order", 5, mostly_cheap(high_kink_that_diverges)},

@@ -391,7 +391,6 @@ std::vector<definition> airy_functions() {
              if (sign < 0) return std::nullopt;
              return steady("exp(-2/3*x^(3/2))/(2*sqrt(pi)*x^(1/4))");
            }},
-
           {{"airyAiPrime", "x", "derivative of airyAi", "all x"},
            false,
            value_of_ai_prime,
@@ -404,7 +403,6 @@ std::vector<definition> airy_functions() {
              if (sign < 0) return std::nullopt;
              return steady("x^(1/4)*exp(-2/3*x^(3/2))/(2*sqrt(pi))*(1+x^(-3/2)/4)");
            }},
-
           {{"airyBi", "x", "Airy, the one that grows", "all x"},
            false,
            value_of_bi,
@@ -611,7 +609,6 @@ std::vector<definition> other_functions() {
            nullptr,
            [](known_arguments x) { return is_exactly(x[0], 0) ? formula("0") : std::nullopt; },
            [](const ball*, int sign) { return sign > 0 ? steady("log(1+x)") : std::nullopt; }},
-
           {{"dilog", "x", "dilogarithm, sum of x^k/k^2", "x <= 1"},
            false,
            value_of_dilog,

@@ -10,7 +10,11 @@ namespace polhode::detail {
 /// A complex number of Arb: a rectangle, of which each side is a midpoint and a radius.
 class arb_number {
  public:
-  arb_number() { acb_init(z_); }
+  /// Throws std::runtime_error where Arb cannot be loaded: before there is anything to clear.
+  arb_number() {
+    (void)arb();
+    acb_init(z_);
+  }
   /// A set that holds z; everything where z is not bounded.
   explicit arb_number(const complex_ball& z);
   arb_number(const arb_number&) = delete;

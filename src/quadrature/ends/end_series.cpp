@@ -288,7 +288,6 @@ end_series::term end_series::with_orders(const term& g, int n) {
 }
 
 /// f applied to both jets of a series without power and logarithm.
-
 template <class F>
 end_series end_series::regular(const end_series& x, std::string_view name, F&& f) {
   end_series r = x.plain(name);

@@ -28,16 +28,13 @@ struct series_supplement {
 };
 
 /// f(x) over a kind of series, by its majorant: a function with values in [-1, 1] times that. None
-/// where f has no majorant.
+/// where f has no majorant. `others` are the values of the arguments.
 template <class Series, class F, class Range>
-std::optional<Series> by_majorant(const F& f, const Range& x) {
+std::optional<Series> by_majorant(const F& f, const Range& x, std::vector<ball> others) {
   if constexpr (requires { f.majorant; }) {
     const Series& last = x.back();
     const int sign = last.sign();
     if (!f.majorant || last.is_blocked() || sign == 0) return std::nullopt;
-    std::vector<ball> others;
-    others.reserve(x.size());
-    for (const Series& v : x) others.push_back(v.values());
     others.pop_back();
     const auto known = f.majorant(others, sign);
     if (!known) return std::nullopt;
@@ -51,10 +48,20 @@ std::optional<Series> by_majorant(const F& f, const Range& x) {
       if (known->oscillates) return result.oscillating_as(last);
     }
     return result;
-
   } else {
     return std::nullopt;
   }
+}
+
+/// f(x) by its values over those of x, where they are bounded; else by its majorant.
+template <class Series, class F, class Range>
+Series of_values(const F& f, const Range& x, const std::vector<ball>& values) {
+  const Series& any = x.front();
+  const ball value = f.value(values);
+  if (!value.is_bounded()) {
+    if (auto result = by_majorant<Series>(f, x, values)) return *std::move(result);
+  }
+  return any.bounded_like(name_of_function(f), value);
 }
 
 template <>
@@ -67,9 +74,7 @@ struct supplement<tail_series> : series_supplement<tail_series> {
       if (v.is_blocked()) return v;
       values.push_back(v.values());
     }
-    if (const auto result = by_majorant<tail_series>(f, x)) return *result;
-    const tail_series& any = x.front();
-    return any.bounded_like(name_of_function(f), f.value(values));
+    return of_values<tail_series>(f, x, values);
   }
 };
 template <>
@@ -271,9 +276,7 @@ struct supplement<growth_bound> {
         return v.is_nowhere_defined() ? v : growth_bound::blocked(name_of_function(f));
       values.push_back(v.values());
     }
-    if (const auto result = by_majorant<growth_bound>(f, x)) return *result;
-    const growth_bound& any = x.front();
-    return any.bounded_like(name_of_function(f), f.value(values));
+    return of_values<growth_bound>(f, x, values);
   }
 
  private:
