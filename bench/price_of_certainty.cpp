@@ -28,8 +28,8 @@ class sum_by_hand {
     for (cell* c : {&x_, &bx_, &root_, &node_, &sum_, &step_, &a_, &b_, &mean_, &half_, &root_b_}) {
       c->reset(p);
     }
-    set(a_, motion.a);
-    set(b_, motion.b);
+    set(a_, motion.a.exact());
+    set(b_, motion.b.exact());
     set(mean_, rational((1 + motion.u) / 2));
     set(half_, rational((1 - motion.u) / 2));
   }

@@ -5,6 +5,7 @@
 
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
+#include "polhode/rigid_body/inertia_tensor.hpp"
 #include "polhode/rigid_body/montgomery_phase.hpp"
 #include "statements/shared.hpp"
 
@@ -37,8 +38,8 @@ long halvings(const rational& q) {
 }
 
 ball enclosed(const enclosing_function& f, long digits, const body& rigid) {
-  const precision guard = 15 * bits_for_digits(digits) + 1024 +
-                          8 * (size_in_bits(rigid.a().exact()) + size_in_bits(rigid.b().exact()));
+  const precision guard =
+      15 * bits_for_digits(digits) + 1024 + 8 * (size_in_bits(rigid.a()) + size_in_bits(rigid.b()));
   return enclose_to_digits(f, digits, guard);
 }
 
@@ -55,10 +56,16 @@ void add_constant(certificate& c, const std::string& name, const std::optional<r
 }  // namespace
 
 body requested_body(certificate& c, const request& wanted) {
-  body rigid(wanted.motion.a, wanted.motion.b);
-  c.inputs.emplace_back("a", rigid.a().exact());
-  c.inputs.emplace_back("b", rigid.b().exact());
-  return rigid;
+  if (!wanted.tensor) {
+    c.inputs.emplace_back("a", wanted.motion.a.exact());
+    c.inputs.emplace_back("b", wanted.motion.b.exact());
+    return {wanted.motion.a, wanted.motion.b};
+  }
+  const auto& entries = wanted.tensor->entries();
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    c.inputs.emplace_back(statements::entries_of_tensor[i], entries[i]);
+  }
+  return body::from_inertia_tensor(wanted.tensor);
 }
 
 void add_number(certificate& c, const std::string& name, const enclosing_function& f, long digits,
@@ -96,21 +103,19 @@ void part_last_numbers(certificate& c, const std::string& f_name, const enclosin
 }
 
 void add_geometric_constant(certificate& c, const body& rigid, long digits) {
-  const rational& a = rigid.a().exact();
-  const rational& b = rigid.b().exact();
   const auto exact = rigid.exact_geometric_constant();
   add_constant(
-      c, "I", exact, exact && *exact > 0 && *exact * *exact * b * (a + b) == (1 - b) * (1 - b),
+      c, "I", exact,
+      exact && *exact > 0 && *exact * *exact == rigid.square_of_geometric_constant().exact(),
       [&](precision p) { return rigid.geometric_constant(p); }, digits, rigid);
 }
 
 void add_second_geometric_constant(certificate& c, const body& rigid, long digits) {
-  const rational& a = rigid.a().exact();
   const auto exact = rigid.exact_second_geometric_constant();
   add_constant(
       c, "J", exact,
       exact && *exact > 0 &&
-          (*exact + 1) * (*exact + 1) * a * (a + rigid.b().exact()) == (a + 1) * (a + 1),
+          (*exact + 1) * (*exact + 1) == rigid.square_of_second_constant().exact(),
       [&](precision p) { return rigid.second_geometric_constant(p); }, digits, rigid);
 }
 
@@ -122,7 +127,7 @@ bool is_decided(const std::function<bool(precision p)>& condition) {
 }
 
 ball half_phase(const body& rigid, const rational& u, precision p) {
-  return scale(montgomery_phase(rigid, rational(-rigid.b().exact() * u), p), -1);
+  return scale(montgomery_phase(rigid, -rigid.b() * u, p), -1);
 }
 
 rational between(const rational& lower, const rational& upper) {

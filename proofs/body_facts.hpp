@@ -13,7 +13,8 @@
 
 namespace polhode::proofs {
 
-/// The body that is asked for; its a and b go to the certificate's inputs.
+/// The body that is asked for; its a and b go to the certificate's inputs, or where these are
+/// irrational its tensor.
 [[nodiscard]] body requested_body(certificate& c, const request& wanted);
 
 /// Adds a number to the digits asked for. Where none of the precisions tried has them it is

@@ -21,7 +21,7 @@ certificate prove_c0(const request& wanted) {
     c.facts.push_back({statements::fill(statements::smaller_c0_for_double_a, {in_decimals(*first)}),
                        passes_rotating_phase(rigid, 2, *first) &&
                            passes_rotating_phase(other, 2, *second) &&
-                           other.a().exact() * second->upper < rigid.a().exact() * first->lower,
+                           other.a() * second->upper < rigid.a() * first->lower,
                        step_kind::enclosed});
     c.witness["c0_over_a"] = as_json(*first);
     c.witness["c0_over_a_for_2a"] = as_json(*second);

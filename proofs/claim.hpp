@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "polhode/certificate/certificate.hpp"
+#include "polhode/rigid_body/body.hpp"
 #include "polhode/rigid_body/phase_integrands.hpp"
 #include "statements/claim_text.hpp"
 
@@ -15,6 +17,8 @@ namespace polhode::proofs {
 struct request {
   long digits = 50;  // significant digits of every number in the claim
   oscillating_motion motion{rational(1265, 100), rational(629, 10000), rational(1, 4)};
+  /// The tensor of which a and b of the motion are, where these are irrational.
+  std::shared_ptr<const inertia_tensor> tensor{};
 };
 
 /// What of the request the proof's numbers depend on: nothing, the body (a and b), or the body and

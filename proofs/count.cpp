@@ -25,19 +25,32 @@ root_bracket around_roots(const rational& least, const rational& greatest) {
   return {rational(root(least), scale), rational(root(greatest) + 1, scale)};
 }
 
+/// The number, or where it is irrational the whole n with 64 bits and n/2^k < x < (n + 1)/2^k.
+rational_range around(const exact_real& x) {
+  if (x.is_rational()) return {x.exact(), x.exact()};
+  constexpr unsigned bits = 64;
+  const integer least = integer(1) << (bits - 1);
+  rational unit = 1;
+  while (x < rational(least * unit)) unit /= 2;
+  integer n = floor_of(rational(lower_rational(x.at(2 * bits)) / unit));
+  while (rational((n + 1) * unit) < x) ++n;
+  return {rational(n * unit), rational((n + 1) * unit)};
+}
+
 /// The slope of S, c = -b u with u = sin(epsilon)^2, and of C, which is tangent to it. The ends of
 /// its range are dyadic: their decimals are rounded in one way only.
-void add_slopes(certificate& c, const rational& b, int k, const root_bracket& u) {
+void add_slopes(certificate& c, const rational_range& b, int k, const root_bracket& u) {
   const auto product = [](const rational& at) { return rational(at * (1 - at)); };
   const auto [least, greatest] = std::minmax({product(u.lower), product(u.upper)});
   const rational half(1, 2);
   const bool has_middle = u.lower < half && half < u.upper;
-  c.facts.push_back({statements::fill(statements::slopes_at_meeting,
-                                      {std::to_string(k),
-                                       in_decimals(around_roots(
-                                           4 * b * b * least,
-                                           4 * b * b * (has_middle ? product(half) : greatest)))}),
-                     least > 0, step_kind::exact});
+  c.facts.push_back(
+      {statements::fill(statements::slopes_at_meeting,
+                        {std::to_string(k),
+                         in_decimals(around_roots(
+                             4 * b.low * b.low * least,
+                             4 * b.high * b.high * (has_middle ? product(half) : greatest)))}),
+       least > 0, step_kind::exact});
 }
 
 certificate prove_count(const request& wanted) {
@@ -55,7 +68,7 @@ certificate prove_count(const request& wanted) {
   if (count > 0) {
     add_brackets(
         c, rigid, count, [&](int k) { return q(k); }, "intersections",
-        [&](int k, const root_bracket& u) { add_slopes(c, *rigid.b().as_rational(), k, u); });
+        [&](int k, const root_bracket& u) { add_slopes(c, around(rigid.b()), k, u); });
   } else {
     add_absence(c, rigid, 2);
   }

@@ -18,8 +18,8 @@ namespace {
 
 bool phase_increases_in_c(const body& rigid) {
   return is_decided([&](precision p) {
-    return certainly_less(montgomery_phase(rigid, rational(-rigid.b().exact() * 3 / 4), p),
-                          montgomery_phase(rigid, rational(-rigid.b().exact() / 4), p));
+    return certainly_less(montgomery_phase(rigid, -rigid.b() * rational(3, 4), p),
+                          montgomery_phase(rigid, -rigid.b() / 4, p));
   });
 }
 
@@ -73,9 +73,8 @@ void add_curve(certificate& c) {
                      }),
                      step_kind::enclosed});
   c.facts.push_back({statements::period_is_said_to_decrease, is_decided([&](precision p) {
-                       return certainly_less(
-                           montgomery_phase(rigid, rational(-rigid.b().exact() / 2), p),
-                           montgomery_phase(rigid, rational(-rigid.b().exact() / 8), p));
+                       return certainly_less(montgomery_phase(rigid, -rigid.b() / 2, p),
+                                             montgomery_phase(rigid, -rigid.b() / 8, p));
                      }),
                      step_kind::enclosed});
   const body first = with_ab("2", "1/4");

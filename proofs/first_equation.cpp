@@ -11,13 +11,13 @@ namespace polhode::proofs {
 namespace {
 
 void add_decrease_in_both(certificate& c, const body& rigid) {
-  const rational& a = rigid.a().exact();
-  const rational least(-rigid.b().exact() / 8);
+  const exact_real& a = rigid.a();
+  const exact_real least = -rigid.b() / 8;
   const rational half(1, 2);
-  const rational half_a(a / 2);
+  const exact_real half_a = a / 2;
   add_comparisons(c, statements::decrease_at_given_body, statements::order_of_values,
                   [&](precision p) {
-                    const auto f = [&](const rational& at, const rational& u) {
+                    const auto f = [&](const exact_real& at, const rational& u) {
                       return phase_integral(rigid, at, u, p);
                     };
                     const ball middle = f(half_a, half);

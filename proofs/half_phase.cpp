@@ -6,26 +6,29 @@ namespace polhode::proofs {
 namespace {
 
 /// 1/I^2.
-rational inverse_square(const body& rigid) {
-  const rational& a = rigid.a().exact();
-  const rational& b = rigid.b().exact();
-  return rational(b * (a + b) / ((1 - b) * (1 - b)));
-}
+exact_real inverse_square(const body& rigid) { return 1 / rigid.square_of_geometric_constant(); }
 
-/// The greatest whole n >= 0 with n^2 < q, for q > 0: n^2 <= ceil(q) - 1.
-integer greatest_with_square_below(const rational& q) {
-  const integer n = numerator(q);
-  const integer d = denominator(q);
-  const integer ceiling((n + d - 1) / d);
-  return integer(sqrt(integer(ceiling - 1)));
+/// The greatest whole n >= 0 with n^2 < q, for q > 0: n^2 <= ceil(q) - 1. Of an irrational q, with
+/// n = floor(sqrt(least)) where q is enclosed from `least`, it is n or a little more.
+integer greatest_with_square_below(const exact_real& q) {
+  if (q.is_rational()) {
+    const integer n = numerator(q.exact());
+    const integer d = denominator(q.exact());
+    const integer ceiling((n + d - 1) / d);
+    return integer(sqrt(integer(ceiling - 1)));
+  }
+  constexpr precision enough = 256;
+  integer n = sqrt(floor_of(lower_rational(q.at(enough))));
+  while (rational((n + 1) * (n + 1)) < q) ++n;
+  return n;
 }
 
 /// sqrt(b) g(x)/(1-b) relative to its value at 1: g(x)/g(1).
 ball ratio_to_end(const body& rigid, const rational& x, precision p) {
-  const rational& a = rigid.a().exact();
-  const rational& b = rigid.b().exact();
-  const rational linear((1 - b * x) / (1 - b));
-  return ball(linear, p) * sqrt(ball(rational((a + b) / (x * (a + b * x))), p));
+  const exact_real& a = rigid.a();
+  const exact_real& b = rigid.b();
+  const exact_real linear = (1 - b * x) / (1 - b);
+  return linear.at(p) * sqrt(((a + b) / (x * (a + b * x))).at(p));
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ bool passes_half_phase(const body& rigid, const rational& q, const root_bracket&
 }
 
 bool exceeds_geometric_constant(const rational& q, const body& rigid) {
-  return q > 0 && q * q * inverse_square(rigid) > 1;
+  return q > 0 && q * q > rigid.square_of_geometric_constant();
 }
 
 integer count_crossings(const body& rigid) {
@@ -72,7 +75,7 @@ integer count_crossings(const body& rigid) {
 }
 
 integer count_intersections(const body& rigid) {
-  const integer last = greatest_with_square_below(rational(4 * inverse_square(rigid)));
+  const integer last = greatest_with_square_below(4 * inverse_square(rigid));
   return integer((last + 1) / 2);
 }
 

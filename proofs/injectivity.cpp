@@ -17,7 +17,7 @@ namespace polhode::proofs {
 namespace {
 
 /// Of epsilon(c) - level, from precisions that grow until it is decided.
-certain_sign side_of(const body& rigid, const rational& c, const ball& level) {
+certain_sign side_of(const body& rigid, const exact_real& c, const ball& level) {
   certain_sign result = certain_sign::unknown;
   (void)is_decided([&](precision p) {
     result = sign_of(twist_defect(rigid, c, p) - level);
@@ -26,7 +26,7 @@ certain_sign side_of(const body& rigid, const rational& c, const ball& level) {
   return result;
 }
 
-std::string decimals(const rational& q) { return to_decimal(ball(q, size_in_bits(q) + 64), 12); }
+std::string decimals(const exact_real& x) { return to_decimal(x.at(size_in_bits(x) + 64), 12); }
 
 // ---------------------------------------------------------------------------------------------
 // Physical: a decreasing chain
@@ -36,15 +36,18 @@ struct curve_point {
   ball epsilon;
 };
 
-/// From c = a down to near -b.
+/// From c = a down to near -b; a and b to 32 bits where they are irrational.
 std::vector<rational> places_on(const body& rigid) {
+  constexpr unsigned bits = 32;
+  const rational a = rational_below(rigid.a(), bits);
+  const rational b = rational_below(rigid.b(), bits);
   std::vector<rational> places;
-  for (int k = 12; k >= 1; --k) places.emplace_back(rigid.a().exact() * k / 12);
-  for (const int n : {50, 250}) places.emplace_back(rigid.a().exact() / n);
+  for (int k = 12; k >= 1; --k) places.emplace_back(a * k / 12);
+  for (const int n : {50, 250}) places.emplace_back(a / n);
   places.emplace_back(0);
-  for (const int n : {250, 50}) places.emplace_back(-rigid.b().exact() / n);
-  for (int k = 1; k < 12; ++k) places.emplace_back(-rigid.b().exact() * k / 12);
-  for (const int n : {50, 250}) places.emplace_back(-rigid.b().exact() * (n - 1) / n);
+  for (const int n : {250, 50}) places.emplace_back(-b / n);
+  for (int k = 1; k < 12; ++k) places.emplace_back(-b * k / 12);
+  for (const int n : {50, 250}) places.emplace_back(-b * (n - 1) / n);
   return places;
 }
 
@@ -129,7 +132,7 @@ root_bracket refined(const body& rigid, root_bracket bracket, const ball& level,
   constexpr int steps = 24;
   for (int i = 0; i < steps; ++i) {
     const rational middle((bracket.lower + bracket.upper) / 2);
-    const rational c(-rigid.b().exact() * middle);
+    const exact_real c = -rigid.b() * middle;
     const certain_sign side = side_of(rigid, c, level);
     if (side != certain_sign::negative && side != certain_sign::positive) break;
     ((side == certain_sign::negative) == below_at_lower ? bracket.lower : bracket.upper) = middle;
@@ -167,13 +170,13 @@ std::optional<witnesses> find_witnesses(const body& rigid) {
   if (!crossing || !place || crossing->lower >= place->lower) return std::nullopt;
   const rational left = crossing->lower;
   const rational top = place->lower;
-  const ball at_top = twist_defect(rigid, rational(-rigid.b().exact() * top), p);
+  const ball at_top = twist_defect(rigid, -rigid.b() * top, p);
   if (!at_top.is_bounded()) return std::nullopt;
   const ball half_pi = scale(pi(p), -1);
   const ball level = scale(half_pi + at_top, -1).middle();
   const auto right = place_near_end(level);
   if (!right || *right <= top || !certainly_less(half_pi, level) ||
-      side_of(rigid, rational(-rigid.b().exact() * left), level) != certain_sign::negative) {
+      side_of(rigid, -rigid.b() * left, level) != certain_sign::negative) {
     return std::nullopt;
   }
   return witnesses{level, refined(rigid, {left, top}, level, true),
@@ -187,8 +190,8 @@ void add_witnesses(certificate& c, const body& rigid) {
     note_missing_witness(c, statements::pair_of_c);
     return;
   }
-  const auto place = [&](const rational& u) { return decimals(rational(-rigid.b().exact() * u)); };
-  const auto c_of = [&](const rational& u) { return rational(-rigid.b().exact() * u); };
+  const auto place = [&](const rational& u) { return decimals(exact_real(-rigid.b() * u)); };
+  const auto c_of = [&](const rational& u) { return exact_real(-rigid.b() * u); };
   const rational& end = found->second.upper;
   const precision p = found->level.precision();
   const ball most_at_end = scale(pi(p), -1) + asin(sqrt(ball(rational(1 - end), p)));

@@ -7,6 +7,16 @@
 namespace polhode::proofs {
 namespace {
 
+/// Whether 4ab + 3b^2 + 2b - 1 > 0. Where I^2 is rational without a and b, it is not asked of
+/// these: it is b (a + b)(4 - I^2).
+bool has_positive_excess(const body& rigid) {
+  const exact_real& a = rigid.a();
+  const exact_real& b = rigid.b();
+  const exact_real square = rigid.square_of_geometric_constant();
+  if (square.is_rational()) return square < 4;
+  return 4 * a * b + 3 * b * b + 2 * b > 1;
+}
+
 certificate prove_intersection(const request& wanted) {
   certificate c;
   add_steps(c, statements::intersection().steps);
@@ -16,10 +26,7 @@ certificate prove_intersection(const request& wanted) {
   c.facts.push_back(
       {statements::fill(statements::meets_or_not,
                         {(meets ? "<" : ">="), (meets ? "positive" : "not positive")}),
-       meets == (4 * rigid.a().exact() * rigid.b().exact() +
-                     3 * rigid.b().exact() * rigid.b().exact() + 2 * rigid.b().exact() >
-                 1),
-       step_kind::exact});
+       meets == has_positive_excess(rigid), step_kind::exact});
   if (meets) {
     add_brackets(
         c, rigid, 1, [](int) { return rational(2); }, "intersection");

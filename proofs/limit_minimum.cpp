@@ -32,9 +32,7 @@ void add_physical_body(certificate& c, const body& rigid, const ball& beta) {
     note_missing_witness(c, statements::bracket_of_c0);
     return;
   }
-  const auto over_b = [&](const rational& s) {
-    return ball(rational(rigid.a().exact() * s / rigid.b().exact()), p);
-  };
+  const auto over_b = [&](const rational& s) { return (rigid.a() * s / rigid.b()).at(p); };
   const bool above = certainly_less(beta, over_b(bracket->lower));
   if (!above && !certainly_less(over_b(bracket->upper), beta)) {
     note_missing_witness(c, statements::bracket_of_c0_on_one_side);

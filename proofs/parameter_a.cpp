@@ -2,8 +2,6 @@
 
 namespace polhode::proofs {
 
-body with_double_a(const body& rigid) {
-  return {rational(2 * rigid.a().exact()), rigid.b().exact()};
-}
+body with_double_a(const body& rigid) { return {2 * rigid.a(), rigid.b()}; }
 
 }  // namespace polhode::proofs

@@ -9,24 +9,20 @@
 namespace polhode::proofs {
 namespace {
 
-int sign_of_rational(const rational& q) { return q > 0 ? 1 : q < 0 ? -1 : 0; }
-
 void add_physical_body(certificate& c, const request& wanted) {
   const body rigid = requested_body(c, wanted);
   add_geometric_constant(c, rigid, wanted.digits);
-  const rational& a = rigid.a().exact();
-  const rational& b = rigid.b().exact();
-  const rational x(1 / (1 - b));
-  const rational z(1 / (1 + a));
-  const rational excess(1 + z - x);
-  const rational square((1 - b) * (1 - b) / (b * (a + b)));
-  c.facts.push_back(
-      {statements::fill(statements::kind_of_body,
-                        {to_text(excess), to_text(rational(square - 1)), to_text(rigid.kind())}),
-       sign_of_rational(excess) == sign_of_rational(square - 1) &&
-           (rigid.kind() == body_kind::planar) == (excess == 0) &&
-           (rigid.kind() == body_kind::physical) == (excess > 0),
-       step_kind::exact});
+  const exact_real x = 1 / (1 - rigid.b());
+  const exact_real z = 1 / (1 + rigid.a());
+  const exact_real above = rigid.square_of_geometric_constant() - 1;
+  // Of a planar body with irrational a and b it is 0 as well: the tensor says so, and I^2.
+  const bool is_planar = rigid.kind() == body_kind::planar;
+  const exact_real excess = is_planar && !rigid.a().is_rational() ? 0 : 1 + z - x;
+  c.facts.push_back({statements::fill(statements::kind_of_body,
+                                      {to_text(excess), to_text(above), to_text(rigid.kind())}),
+                     excess.sign() == above.sign() && is_planar == (excess.sign() == 0) &&
+                         (rigid.kind() == body_kind::physical) == (excess.sign() > 0),
+                     step_kind::exact});
 }
 
 certificate prove_physical(const request& wanted) {

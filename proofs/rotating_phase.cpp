@@ -10,10 +10,10 @@ bool rotating_phase_obeys_its_bounds(const body& rigid) {
     const ball limit = 2 * pi(p) * rigid.second_geometric_constant(p);
     ball before = ball::undefined(p);
     for (const int quarter : {1, 2, 3}) {
-      const rational c(rigid.a().exact() * quarter / 4);
+      const exact_real c = rigid.a() * quarter / 4;
       const ball value = montgomery_phase(rigid, c, p);
-      const ball least = 4 * rigid.geometric_constant(p) *
-                         asinh(pi(p) * sqrt(ball(rational(rigid.b().exact() / (4 * c)), p)));
+      const ball least =
+          4 * rigid.geometric_constant(p) * asinh(pi(p) * sqrt((rigid.b() / (4 * c)).at(p)));
       const ball most = limit * sqrt(ball(rational(4, quarter), p));
       if (!certainly_less(limit, value) || !certainly_less(least, value) ||
           !certainly_less(value, most) || (quarter > 1 && !certainly_less(value, before))) {
@@ -26,8 +26,7 @@ bool rotating_phase_obeys_its_bounds(const body& rigid) {
 }
 
 bool exceeds_second_geometric_constant(const rational& q, const body& rigid) {
-  const rational& a = rigid.a().exact();
-  return q > -1 && (q + 1) * (q + 1) * a * (a + rigid.b().exact()) > (a + 1) * (a + 1);
+  return q > -1 && rational((q + 1) * (q + 1)) > rigid.square_of_second_constant();
 }
 
 std::optional<root_bracket> bracket_rotating_phase_root(const body& rigid, const rational& q,
@@ -35,14 +34,14 @@ std::optional<root_bracket> bracket_rotating_phase_root(const body& rigid, const
   if (!exceeds_second_geometric_constant(q, rigid)) return std::nullopt;
   return bracket_root(
       [&](const rational& s, precision p) {
-        return scale(montgomery_phase(rigid, rational(rigid.a().exact() * s), p), -1);
+        return scale(montgomery_phase(rigid, rigid.a() * s, p), -1);
       },
       [&](precision p) { return pi(p) * q; }, bits);
 }
 
 bool passes_rotating_phase(const body& rigid, const rational& q, const root_bracket& bracket) {
   const auto at = [&](const rational& s, precision p) {
-    return montgomery_phase(rigid, rational(rigid.a().exact() * s), p);
+    return montgomery_phase(rigid, rigid.a() * s, p);
   };
   return is_decided([&](precision p) {
     const ball value = 2 * q * pi(p);

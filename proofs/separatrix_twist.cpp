@@ -27,24 +27,23 @@ certificate prove_separatrix(const request& wanted) {
 }  // namespace
 
 ball separatrix_defect(const body& rigid, precision p) {
-  const rational product(rigid.a().exact() * rigid.b().exact());
-  const rational ratio(rigid.b().exact() / rigid.a().exact());
-  const rational share(rigid.a().exact() / (rigid.a().exact() + rigid.b().exact()));
+  const exact_real product = rigid.a() * rigid.b();
+  const exact_real ratio = rigid.b() / rigid.a();
+  const exact_real share = rigid.a() / (rigid.a() + rigid.b());
   const auto f = [&](const ball& y) {
     const precision q = y.precision();
-    return y / sqrt(ball(product, q)) - atan(sqrt(ball(ratio, q)) * tanh(y)) - pi(q);
+    return y / sqrt(product.at(q)) - atan(sqrt(ratio.at(q)) * tanh(y)) - pi(q);
   };
   const auto derivative = [&](const ball& y) {
     const precision q = y.precision();
     const ball s = 1 / square(cosh(y));
-    return (1 - ball(rigid.b().exact(), q) * s / (1 + ball(ratio, q) * square(tanh(y)))) /
-           sqrt(ball(product, q));
+    return (1 - rigid.b().at(q) * s / (1 + ratio.at(q) * square(tanh(y)))) / sqrt(product.at(q));
   };
-  const ball scale = sqrt(ball(product, p));
-  const ball box = hull(scale * pi(p), scale * (pi(p) + atan(sqrt(ball(ratio, p)))));
+  const ball scale = sqrt(product.at(p));
+  const ball box = hull(scale * pi(p), scale * (pi(p) + atan(sqrt(ratio.at(p)))));
   const root_enclosure y = refine_root(f, derivative, box, p);
   if (y.verdict != root_verdict::unique) return ball::undefined(p);
-  return atan(sqrt(ball(share, p)) / sinh(y.root));
+  return atan(sqrt(share.at(p)) / sinh(y.root));
 }
 
 claim separatrix_twist_claim() { return {statements::separatrix_twist(), prove_separatrix}; }

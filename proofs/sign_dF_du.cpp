@@ -4,6 +4,7 @@
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/text.hpp"
 #include "polhode/quadrature/periodic_trapezoid.hpp"
+#include "proofs/body_facts.hpp"
 #include "proofs/claims.hpp"
 #include "proofs/derivative_identity.hpp"
 #include "proofs/periodic_witness.hpp"
@@ -27,7 +28,8 @@ void add_value(certificate& c, const request& wanted) {
   constexpr long most_quadrature_digits = 1000;
   constexpr long most_nodes = 200'000;
   const oscillating_motion& motion = wanted.motion;
-  c.inputs = {{"a", motion.a}, {"b", motion.b}, {"u", motion.u}};
+  (void)requested_body(c, wanted);
+  c.inputs.emplace_back("u", motion.u);
   const ball value = slope_to_digits(motion, wanted.digits);
   c.numbers.push_back({"dF_du", value, wanted.digits});
   c.facts.push_back(
@@ -76,8 +78,7 @@ void add_sign_for_all(certificate& c, const oscillating_motion& motion) {
        sweep.holds, step_kind::enclosed});
   const precision p = 64;
   const ball integral = slope_enclosure(point_of(motion, p));
-  const ball factor =
-      -ball(motion.u, p) * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p));
+  const ball factor = -ball(motion.u, p) * sqrt((motion.b * (motion.a + motion.b)).at(p));
   c.facts.push_back({statements::sweep_holds_value,
                      integral.is_bounded() && overlaps(integral, factor * c.numbers[0].enclosure),
                      step_kind::enclosed});

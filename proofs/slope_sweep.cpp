@@ -79,9 +79,8 @@ ball slope_enclosure(const sweep_point& box) {
 }
 
 sweep_point point_of(const oscillating_motion& motion, precision p) {
-  const rational total = motion.a + motion.b;
-  return {ball(rational(motion.a / total), p), ball(rational(motion.b * (1 + motion.a) / total), p),
-          ball(motion.u, p)};
+  const exact_real total = motion.a + motion.b;
+  return {(motion.a / total).at(p), (motion.b * (1 + motion.a) / total).at(p), ball(motion.u, p)};
 }
 
 sweep_result sweep_slope(long most_evaluations, const rational& wanted) {

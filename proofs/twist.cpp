@@ -16,45 +16,46 @@ std::optional<integer> common_floor(const ball& x) {
 
 /// An enclosure of arcsin(sqrt(w)) for the w in [0, most] with F(c, 1 - w) = value, where F
 /// increases in w from 0. Hypotheses: 0 < most <= 1, and value holds a number from 0 to the
-/// supremum of F on [0, most).
-ball amplitude(const body& rigid, const rational& c, const ball& value, const rational& most,
+/// supremum of F on [0, most). w/most is enclosed, by rational numbers.
+ball amplitude(const body& rigid, const exact_real& c, const ball& value, const exact_real& most,
                precision p) {
   constexpr unsigned most_halvings = 8192;
   constexpr unsigned wanted_bits = 40;
   rational lower = 0;
-  rational upper = most;
-  // Whether w is an end now: F(c, 1 - w) is on one side of value.
-  const auto becomes_end = [&](const rational& w) {
-    const ball at_w = phase_integral(rigid, c, rational(1 - w), p);
+  rational upper = 1;
+  // Whether part is an end now: F(c, 1 - w) at w = part most is on one side of value.
+  const auto becomes_end = [&](const rational& part) {
+    const ball at_w = phase_integral(rigid, c, 1 - part * most, p);
     if (certainly_less_equal(at_w, value)) {
-      lower = w;
+      lower = part;
     } else if (certainly_less_equal(value, at_w)) {
-      upper = w;
+      upper = part;
     } else {
       return false;
     }
     return true;
   };
   for (unsigned k = 1; k <= most_halvings && lower == 0; k *= 2) {
-    if (!becomes_end(rational(most / (integer(1) << k)))) break;
+    if (!becomes_end(rational(integer(1), integer(1) << k))) break;
   }
   const rational tolerance(integer(1), integer(1) << wanted_bits);
   while (lower > 0 && upper - lower > tolerance * lower) {
     if (!becomes_end(upper < 1 ? between(lower, upper) : rational((lower + upper) / 2))) break;
   }
-  return asin(sqrt(hull(ball(lower, p), ball(upper, p))));
+  return asin(sqrt(most * hull(ball(lower, p), ball(upper, p))));
 }
 
 }  // namespace
 
-ball twist_defect(const body& rigid, const rational& c, precision p) {
+ball twist_defect(const body& rigid, const exact_real& c, precision p) {
   const regime r = regime_of(rigid, c);
   const bool oscillating = r == regime::oscillating;
-  const rational most_w(oscillating ? rational(1 + c / rigid.b().exact()) : rational(1));
+  const exact_real most_w = oscillating ? 1 + c / rigid.b() : exact_real(1);
   integer n = 0;
   ball rest = pi(p);
   if (r != regime::separatrix) {
-    const ball half_turn = phase_integral(rigid, c, rational(1 - most_w), p);
+    const ball half_turn =
+        oscillating ? scale(montgomery_phase(rigid, c, p), -1) : phase_integral(rigid, c, 0, p);
     const auto whole = common_floor(pi(p) / half_turn + rational(1, 2));
     if (!whole) return ball::undefined(p);
     n = *whole;

@@ -16,6 +16,6 @@ namespace polhode::proofs {
 ///   psi_c(pi) = (-1)^n sign(r) s (oscillating),  n pi + sign(r) s (rotating, separatrix).
 /// This is the paper's set of implicit equations, 2 n H +- F(c,u) = 2 pi.
 /// Undefined where p bits don't decide n (near a point where C meets S).
-[[nodiscard]] ball twist_defect(const body& rigid, const rational& c, precision p);
+[[nodiscard]] ball twist_defect(const body& rigid, const exact_real& c, precision p);
 
 }  // namespace polhode::proofs

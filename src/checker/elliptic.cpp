@@ -35,7 +35,7 @@ mean_and_sum bartky_sums(interval A, interval g) {
 
 namespace {
 
-interval number(const rational& q, precision bits) { return {q, bits}; }
+interval number(const real& x, precision bits) { return x.at(bits); }
 
 }  // namespace
 
@@ -69,19 +69,19 @@ mean_and_sum agm_with_sum(const interval& A_0, const interval& g_0) {
 // t/Delta^3 is D(m), for d/dt (sin t cos t/Delta) = cos^2 t/Delta^3 - sin^2 t/Delta). K = pi/(2M),
 // E = K (1 - sum over n >= 0 of 2^(n-1) c_n^2), with (A, g) = (1, sqrt(1-m)), c_0^2 = m (DLMF
 // 19.8.5, 19.8.6): D = K (1/2 + sum/m).
-interval half_phase_slope(const rational& a, const rational& b, const rational& u, precision bits) {
+interval half_phase_slope(const real& a, const real& b, const real& u, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(u));
   const precision w = bits + 32 + 6 * (bit_length(a) + bit_length(b) + bit_length(u));
-  const rational v((a + b * u) / (a + b));
-  const rational m(a * (1 - u) / (a + b * u));
-  const rational r(b * (1 + a) / (a + b));
-  const mean_and_sum s = agm_with_sum(number(1, w), sqrt(number(rational(u / v), w)));
+  const real v((a + b * u) / (a + b));
+  const real m(a * (1 - u) / (a + b * u));
+  const real r(b * (1 + a) / (a + b));
+  const mean_and_sum s = agm_with_sum(number(1, w), sqrt(number(u / v, w)));
   const interval K = pi(w) / s.mean.scaled(1);
   const interval half = number(rational(1, 2), w);
   // m = 0: K = pi/2, D = pi/4.
   const interval D = m == 0 ? K * half : K * (half + s.sum / number(m, w));
-  const interval total = (K - D) + number(rational(r * u / v), w) * D;
-  const interval root = sqrt(number(rational(b * (a + b) * v), w));
+  const interval total = (K - D) + number(r * u / v, w) * D;
+  const interval root = sqrt(number(b * (a + b) * v, w));
   return (-total / (number(u, w) * root)).with_bits(bits);
 }
 
@@ -89,42 +89,37 @@ interval half_phase_slope(const rational& a, const rational& b, const rational& 
 // R_J(0, A^2, g^2, 1) = 3 pi/(4M) sum of Q) and x = 1 - (1-u) s, s in (0, 1), in the integral give
 //   G(u) = pi/(sqrt(b (a+b)) M) (1 - b + (b/2)(1 - u) sum),  M and sum of (sqrt(v), sqrt(u)).
 // For u = 1: M = 1, G = pi (1-b)/sqrt(b (a+b)) = pi I.
-interval half_phase(const rational& a, const rational& b, const rational& u, precision bits) {
+interval half_phase(const real& a, const real& b, const real& u, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(u));
   const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(u));
-  const mean_and_sum s =
-      bartky_sums(sqrt(number(rational((a + b * u) / (a + b)), w)), sqrt(number(u, w)));
-  const interval bracket =
-      number(rational(1 - b), w) + number(rational(b * (1 - u) / 2), w) * s.sum;
-  return (pi(w) * bracket / (sqrt(number(rational(b * (a + b)), w)) * s.mean)).with_bits(bits);
+  const mean_and_sum s = bartky_sums(sqrt(number((a + b * u) / (a + b), w)), sqrt(number(u, w)));
+  const interval bracket = number(1 - b, w) + number(b * (1 - u) / 2, w) * s.sum;
+  return (pi(w) * bracket / (sqrt(number(b * (a + b), w)) * s.mean)).with_bits(bits);
 }
 
 // In the same way, with (sqrt(a/(a+b)), sqrt(c/(b+c))):  F(c,0) = pi/(sqrt((a+b)(b+c)) M) (1 - b +
 // (b/2) sum).
-interval rotating_phase(const rational& a, const rational& b, const rational& c, precision bits) {
+interval rotating_phase(const real& a, const real& b, const real& c, precision bits) {
   bits.work().rationals(20, bit_length(a) + bit_length(b) + bit_length(c));
   const precision w = bits + 16 + 2 * (bit_length(a) + bit_length(b) + bit_length(c));
-  const mean_and_sum s =
-      bartky_sums(sqrt(number(rational(a / (a + b)), w)), sqrt(number(rational(c / (b + c)), w)));
-  const interval bracket = number(rational(1 - b), w) + number(rational(b / 2), w) * s.sum;
-  return (pi(w) * bracket / (sqrt(number(rational((a + b) * (b + c)), w)) * s.mean))
-      .with_bits(bits);
+  const mean_and_sum s = bartky_sums(sqrt(number(a / (a + b), w)), sqrt(number(c / (b + c), w)));
+  const interval bracket = number(1 - b, w) + number(b / 2, w) * s.sum;
+  return (pi(w) * bracket / (sqrt(number((a + b) * (b + c), w)) * s.mean)).with_bits(bits);
 }
 
 // 2 artanh(sqrt(a) w)/sqrt(ab) - 2 arctan(sqrt(b) w) with w^2 = (1-u)/(a + b u): its derivative is
 // the integrand with the sign minus (steps of the claim separatrix_twist), and it is 0 at u = 1. 2
 // artanh(z) = log((1+z)^2/(1 - z^2)), 1 - a w^2 = (a+b) u/(a + b u).
-interval separatrix_phase(const rational& a, const rational& b, const interval& sine_squared,
+interval separatrix_phase(const real& a, const real& b, const interval& sine_squared,
                           const interval& cosine_squared) {
   const precision w = sine_squared.bits();
   w.work().rationals(4, bit_length(a) + bit_length(b));
   const interval denominator = number(a, w) + number(b, w) * sine_squared;
   const interval square_of_w = cosine_squared / denominator;
   const interval z = sqrt(number(a, w) * square_of_w);
-  const interval rest = number(rational(a + b), w) * sine_squared / denominator;
+  const interval rest = number(a + b, w) * sine_squared / denominator;
   const interval logarithm = log(square(number(1, w) + z) / rest);
-  return logarithm / sqrt(number(rational(a * b), w)) -
-         atan(sqrt(number(b, w) * square_of_w)).scaled(1);
+  return logarithm / sqrt(number(a * b, w)) - atan(sqrt(number(b, w) * square_of_w)).scaled(1);
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -233,8 +228,7 @@ interval integral_on(const integrand& f, const interval& from, const interval& t
 
 }  // namespace
 
-interval partial_phase(const rational& a, const rational& b, const rational& c,
-                       const interval& psi) {
+interval partial_phase(const real& a, const real& b, const real& c, const interval& psi) {
   const precision bits = psi.bits();
   const interval one = number(1, bits);
   const auto one_minus_bx = [&](const series& x) { return linear(one, number(-b, bits), x); };
@@ -253,7 +247,7 @@ interval partial_phase(const rational& a, const rational& b, const rational& c,
   // With sin t = sqrt(w) sin s, w = 1 + c/b, x = 1 - w sin^2 s: c + b x = b w cos^2 s and dt =
   // sqrt(w) cos s/sqrt(x) ds, so that F = (2/sqrt(b)) integral from 0 to sigma of (1 - b x)/sqrt(x
   // (a + b x)) ds, sin psi = sqrt(w) sin sigma.
-  const interval w = number(rational(1 + c / b), bits);
+  const interval w = number(1 + c / b, bits);
   const interval sine_squared = square(sin_cos(psi).sine) / w;
   const interval sigma = atan(sqrt(sine_squared / (one - sine_squared)));
   const integrand f = [&](const interval& m, const interval& r) {

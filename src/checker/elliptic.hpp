@@ -8,7 +8,7 @@
 
 #include <functional>
 
-#include "interval.hpp"
+#include "real.hpp"
 
 namespace polhode::checker {
 
@@ -26,22 +26,19 @@ struct mean_and_sum {
 [[nodiscard]] mean_and_sum bartky_sums(interval A, interval g);
 
 /// dG/du at 0 < u <= 1.
-[[nodiscard]] interval half_phase_slope(const rational& a, const rational& b, const rational& u,
+[[nodiscard]] interval half_phase_slope(const real& a, const real& b, const real& u,
                                         precision bits);
 
 /// G(u), 0 < u <= 1.
-[[nodiscard]] interval half_phase(const rational& a, const rational& b, const rational& u,
-                                  precision bits);
+[[nodiscard]] interval half_phase(const real& a, const real& b, const real& u, precision bits);
 /// F(c,0), 0 < c <= a.
-[[nodiscard]] interval rotating_phase(const rational& a, const rational& b, const rational& c,
-                                      precision bits);
+[[nodiscard]] interval rotating_phase(const real& a, const real& b, const real& c, precision bits);
 /// F(0,u), 0 < u < 1, with u given by sin^2 and cos^2 of one angle: u = sine_squared.
-[[nodiscard]] interval separatrix_phase(const rational& a, const rational& b,
-                                        const interval& sine_squared,
+[[nodiscard]] interval separatrix_phase(const real& a, const real& b, const interval& sine_squared,
                                         const interval& cosine_squared);
 /// F(c, cos^2 psi) for -b < c <= a, c != 0 and 0 < psi < pi/2, to about 50 bits. For c < 0 sin^2
 /// psi must be below 1 + c/b, the turning point; throws undecided where that is not clear.
-[[nodiscard]] interval partial_phase(const rational& a, const rational& b, const rational& c,
+[[nodiscard]] interval partial_phase(const real& a, const real& b, const real& c,
                                      const interval& psi);
 
 /// The integral from 0 to pi of g(cos t) dt by the trapezoidal rule with n nodes on the half

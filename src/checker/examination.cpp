@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "body.hpp"
@@ -89,13 +90,13 @@ void expect_outward(const place& where, const rational& end, long digits, roundi
   }
 }
 
-void expect_inside(const place& where, const range& r, long bits,
-                   const std::function<interval(precision bits)>& f) {
+range expect_inside(const place& where, const range& r, long bits,
+                    const std::function<interval(precision bits)>& f) {
   const budget::at here = where.working();
   for (int attempt = 0; attempt < 5; ++attempt, bits += bits / 2 + 64) {
     try {
       const interval x = f(precision(bits, where.work()));
-      if (is_inside(x, r.lower, r.upper)) return;
+      if (is_inside(x, r.lower, r.upper)) return {x.lower(), x.upper()};
       if (!overlaps(x, r.lower, r.upper)) {
         where.refute("the true value is between " +
                      decimal(x.lower(), 25, rounding::down, where.work()) + " and " +
@@ -222,33 +223,70 @@ void examination::expect_words() {
 void examination::read_no_inputs() { root_["inputs"].expect_keys({}); }
 
 void examination::read_body() {
-  root_["inputs"].expect_keys({"a", "b"});
-  read_a_and_b();
+  const place inputs = root_["inputs"];
+  if (inputs.has("xx")) {
+    inputs.expect_keys({"xx", "yy", "zz", "xy", "xz", "yz"});
+    read_tensor();
+  } else {
+    inputs.expect_keys({"a", "b"});
+    read_a_and_b();
+  }
 }
 
 void examination::read_a_and_b() {
   const place inputs = root_["inputs"];
-  a_ = inputs["a"].fraction();
-  b_ = inputs["b"].fraction();
-  expect_range(inputs["a"], a_, a_ > 0, "positive");
-  expect_range(inputs["b"], b_, b_ > 0 && b_ < 1, "between 0 and 1, ends excluded");
-  work().rationals(8, bit_length(a_) + bit_length(b_));
-  report_.subject += " for the " + body{a_, b_}.kind_in_words() +
-                     " body a = " + in_short(inputs["a"], a_) +
-                     ", b = " + in_short(inputs["b"], b_);
+  const rational a = inputs["a"].fraction();
+  const rational b = inputs["b"].fraction();
+  expect_range(inputs["a"], a, a > 0, "positive");
+  expect_range(inputs["b"], b, b > 0 && b < 1, "between 0 and 1, ends excluded");
+  work().rationals(8, bit_length(a) + bit_length(b));
+  body_ = {a, b};
+  report_.subject += " for the " + body_.kind_in_words() + " body a = " + in_short(inputs["a"], a) +
+                     ", b = " + in_short(inputs["b"], b);
+}
+
+void examination::read_tensor() {
+  constexpr long digits = 12;
+  const place inputs = root_["inputs"];
+  const budget::at here = inputs.working();
+  std::array<rational, 6> entries;
+  std::string given;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const char* name = statements::entries_of_tensor[i];
+    entries[i] = inputs[name].fraction();
+    expect_range(inputs[name], entries[i], true, "a number");
+    given += std::string(i == 0 ? "" : ", ") + name + " = " + in_short(inputs[name], entries[i]);
+  }
+  std::shared_ptr<const tensor> whole;
+  try {
+    whole = std::make_shared<const tensor>(entries, work());
+  } catch (const std::invalid_argument& problem) {
+    inputs.malformed(std::string("it must be a body with three different moments: ") +
+                     problem.what());
+  }
+  body_ = {whole->a(), whole->b(), whole};
+  report_.subject += " for the " + body_.kind_in_words() +
+                     " body a = " + decimal_for_reading(body_.a, digits, work()) +
+                     ", b = " + decimal_for_reading(body_.b, digits, work()) +
+                     " with the inertia tensor " + given;
 }
 
 void examination::read_motion() {
   const place inputs = root_["inputs"];
-  inputs.expect_keys({"a", "b", "u"});
-  read_a_and_b();
+  if (inputs.has("xx")) {
+    inputs.expect_keys({"xx", "yy", "zz", "xy", "xz", "yz", "u"});
+    read_tensor();
+  } else {
+    inputs.expect_keys({"a", "b", "u"});
+    read_a_and_b();
+  }
   u_ = inputs["u"].fraction();
   expect_range(inputs["u"], u_, u_ > 0 && u_ <= 1, "above 0 and at most 1");
   report_.subject += ", u = " + in_short(inputs["u"], u_);
 }
 
 long examination::input_bits() const {
-  return 2 * (bit_length(a_) + bit_length(b_) + bit_length(u_));
+  return 2 * (bit_length(body_.a) + bit_length(body_.b) + bit_length(u_));
 }
 
 // ---------------------------------------------------------------------------------------------
@@ -454,12 +492,9 @@ range examination::decimals(const place& where, const std::function<interval(pre
   range r{where["lower"].decimal_value(), where["upper"].decimal_value()};
   if (r.lower >= r.upper) where.refute("its lower end is not below its upper end");
   expect_radius(where);
-  if (rounded) {
-    expect_rounded_digits(where, digits);
-  } else {
-    expect_shared(where["value"], r, digits);
-  }
-  expect_inside(where, r, bits_for_digits(digits) + 64, f);
+  if (rounded) expect_rounded_digits(where, digits);
+  const range own = expect_inside(where, r, bits_for_digits(digits) + 64, f);
+  if (!rounded) expect_shared(where["value"], own, digits);
   return r;
 }
 

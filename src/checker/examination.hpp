@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "body.hpp"
 #include "claim.hpp"
 #include "document.hpp"
 #include "interval.hpp"
@@ -36,9 +37,9 @@ void expect_near(const place& number, const range& exact, long digits);
 void expect_radius(const place& where);
 /// Of a value that is rounded: that its radius is at most one unit of the last of its `digits`.
 void expect_rounded_digits(const place& where, long digits);
-/// That f(bits) lies in the range for some bits from `bits` on.
-void expect_inside(const place& where, const range& r, long bits,
-                   const std::function<interval(precision bits)>& f);
+/// That f(bits) lies in the range for some bits from `bits` on. Returns its ends.
+range expect_inside(const place& where, const range& r, long bits,
+                    const std::function<interval(precision bits)>& f);
 /// "it is between 3.1415 and 3.1416": the ends rounded outward, to few more digits than they share.
 [[nodiscard]] std::string in_between(const std::string& it, const range& r, long digits,
                                      budget& work);
@@ -67,12 +68,12 @@ class examination {
   void expect_words();
 
   // Inputs ------------------------------------------------------------------------------------
-  /// a > 0 and 0 < b < 1, and u in (0, 1] where it is asked for; no other inputs.
+  /// a > 0 and 0 < b < 1, or an inertia tensor, and u in (0, 1] where it is asked for; no other
+  /// inputs.
   void read_body();
   void read_motion();
   void read_no_inputs();
-  [[nodiscard]] const rational& a() const { return a_; }
-  [[nodiscard]] const rational& b() const { return b_; }
+  [[nodiscard]] const body& rigid() const { return body_; }
   [[nodiscard]] const rational& u() const { return u_; }
   /// What the inputs cost in bits beside those of the result.
   [[nodiscard]] long input_bits() const;
@@ -124,13 +125,13 @@ class examination {
     long bits;  // that tell the ends apart
   };
   void read_a_and_b();
+  void read_tensor();
   ends next_number(const std::string& name);
 
   place root_;
   const claim& text_;
   report& report_;
-  rational a_;
-  rational b_;
+  body body_{1, 1};
   rational u_;
   std::size_t facts_ = 0;
   std::size_t numbers_ = 0;

@@ -144,7 +144,7 @@ class map_check {
         const std::string right = value_at(chosen_[k]->name, rigid).str();
         if (right == given[k]) continue;
         part.refute(std::string(chosen_[k]->name) + " is " + right + " for the body a = " +
-                    rigid.a.str() + ", b = " + rigid.b.str() + " of the cell");
+                    rigid.a.exact().str() + ", b = " + rigid.b.exact().str() + " of the cell");
       }
     }
   }

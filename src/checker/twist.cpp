@@ -12,8 +12,7 @@ int known_sign(const interval& x) {
 }
 
 /// The sign of s - t, where s in [0, most] has F(c, cos^2 s) = value > 0 and F increases in s.
-int side_of_amplitude(const body& rigid, const rational& c, const interval& value,
-                      const interval& t) {
+int side_of_amplitude(const body& rigid, const real& c, const interval& value, const interval& t) {
   const precision bits = t.bits();
   if (t.is_negative()) return 1;
   const interval half_pi = pi(bits) / 2;
@@ -26,7 +25,7 @@ int side_of_amplitude(const body& rigid, const rational& c, const interval& valu
                       separatrix_phase(rigid.a, rigid.b, square(at.cosine), square(at.sine)));
   }
   if (c < 0) {  // beyond the turning point, sin^2 t >= 1 + c/b
-    const interval turning(rational(1 + c / rigid.b), bits);
+    const interval turning = (1 + c / rigid.b).at(bits);
     if (is_below(turning, square(at.sine))) return -1;
   }
   return known_sign(value - partial_phase(rigid.a, rigid.b, c, t));
@@ -34,13 +33,13 @@ int side_of_amplitude(const body& rigid, const rational& c, const interval& valu
 
 }  // namespace
 
-int side_of_defect(const body& rigid, const rational& c, const rational& level, precision bits) {
+int side_of_defect(const body& rigid, const real& c, const rational& level, precision bits) {
   const interval whole = pi(bits);
   // psi against this: epsilon is above the level where psi is below.
   const interval psi = whole / 2 - interval(level, bits);
   if (c == 0) return -side_of_amplitude(rigid, c, whole.scaled(1), psi);
   const bool oscillates = c < 0;
-  const interval half_turn = oscillates ? half_phase(rigid.a, rigid.b, rational(-c / rigid.b), bits)
+  const interval half_turn = oscillates ? half_phase(rigid.a, rigid.b, -c / rigid.b, bits)
                                         : rotating_phase(rigid.a, rigid.b, c, bits);
   const interval turns = whole / half_turn + interval(rational(1, 2), bits);
   const integer n = floor_shift(turns.low(), bits);

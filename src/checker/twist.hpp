@@ -12,7 +12,7 @@ namespace polhode::checker {
 /// H/2, and s with F(c, cos^2 s) = 2 |r|:  psi = (-1)^n sign(r) s where it oscillates, n pi +
 /// sign(r) s where it rotates; on the separatrix F(0, cos^2 psi) = 2 pi. (By the symmetries of the
 /// reduced system; the paper's implicit equations.)
-[[nodiscard]] int side_of_defect(const body& rigid, const rational& c, const rational& level,
+[[nodiscard]] int side_of_defect(const body& rigid, const real& c, const rational& level,
                                  precision bits);
 
 }  // namespace polhode::checker

@@ -53,8 +53,8 @@ std::string to_text(body_kind kind) {
 // ---------------------------------------------------------------------------------------------
 // Exact moments
 
-body::body(rational a, rational b) : a_(a), b_(b) {
-  if (a == 0 || b == 0) {
+body::body(const exact_real& a, const exact_real& b) : a_(a), b_(b) {
+  if (a.sign() == 0 || b.sign() == 0) {
     throw input_error("a = " + to_text(a) + ", b = " + to_text(b) +
                       ": two moments are equal, a symmetric top, which has no intermediate axis; a "
                       "must be positive, b between 0 and 1");

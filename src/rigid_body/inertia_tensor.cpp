@@ -81,7 +81,7 @@ struct inertia_tensor::known_moments {
 };
 
 inertia_tensor::inertia_tensor(const std::array<rational, 6>& given)
-    : common_(1), known_(std::make_shared<known_moments>()) {
+    : entries_(given), common_(1), known_(std::make_shared<known_moments>()) {
   for (const rational& entry : given) common_ = lcm(common_, denominator(entry));
   constexpr std::size_t most_bits = 4096;
   for (const rational& one : given) {

@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-void check_range(const body& rigid, const rational& c, const rational& u) {
+void check_range(const body& rigid, const exact_real& c, const exact_real& u) {
   const regime r = regime_of(rigid, c);  // refuses c outside [-b, a]
   if (r == regime::equilibrium_x) {
     throw input_error("c = " + to_text(c) + ": it must be above -b for F(c,u)");
@@ -34,7 +34,7 @@ ball geometric_phase_of(const motion& of, precision p) {
 
 }  // namespace
 
-ball phase_integral(const body& rigid, const rational& c, const rational& u, precision p) {
+ball phase_integral(const body& rigid, const exact_real& c, const exact_real& u, precision p) {
   check_range(rigid, c, u);
   return detail::phase_integral_of(rigid.a(), rigid.b(), c, u, c + rigid.b() * u, p);
 }
@@ -52,7 +52,7 @@ ball phase_integral_slope(const body& rigid, const rational& c, const rational& 
   return (b * u - 1).at(p) / sqrt(radicand.at(p));
 }
 
-ball montgomery_phase(const body& rigid, const rational& c, precision p) {
+ball montgomery_phase(const body& rigid, const exact_real& c, precision p) {
   return motion(rigid, c).phase(p);
 }
 

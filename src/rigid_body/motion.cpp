@@ -31,7 +31,7 @@ regime regime_by(const exact_real& a, const exact_real& b, const exact_real& c) 
 // ---------------------------------------------------------------------------------------------
 // Regimes
 
-regime regime_of(const body& rigid, const rational& c) {
+regime regime_of(const body& rigid, const exact_real& c) {
   return regime_by(rigid.a(), rigid.b(), c);
 }
 
@@ -56,7 +56,7 @@ std::string to_text(regime r) {
 // ---------------------------------------------------------------------------------------------
 // Motions
 
-motion::motion(const body& rigid, const rational& c) : motion(rigid.a(), rigid.b(), c) {}
+motion::motion(const body& rigid, const exact_real& c) : motion(rigid.a(), rigid.b(), c) {}
 
 motion::motion(exact_real a, exact_real b, exact_real c, polhode::regime known)
     : a_(std::move(a)),

@@ -6,7 +6,7 @@
 namespace polhode {
 
 void check(const oscillating_motion& motion) {
-  const auto out_of_range = [](const char* name, const rational& given, const char* range) {
+  const auto out_of_range = [](const char* name, const exact_real& given, const char* range) {
     throw input_error(std::string(name) + " = " + to_text(given) + ": it must be " + range);
   };
   if (motion.a <= 0) out_of_range("a", motion.a, "positive");
@@ -45,24 +45,24 @@ std::optional<strip_bound> half_phase_slope_integrand::bound_on_strip(
     const ball& half_width) const {
   const auto product = product_on_strip(motion_, half_width);
   if (!product) return std::nullopt;
-  const rational slope((motion_.a + 2) * motion_.b);
+  const exact_real slope = (motion_.a + 2) * motion_.b;
   const ball numerator = (1 + cosh(half_width)) * (motion_.a + slope * product->above);
-  const ball root_b = sqrt(ball(motion_.b, half_width.precision()));
+  const ball root_b = sqrt(motion_.b.at(half_width.precision()));
   return strip_bound{half_width, numerator / (4 * root_b * product->least * sqrt(product->least))};
 }
 
 ball half_phase_slope(const oscillating_motion& motion, precision p) {
   check(motion);
-  const rational& a = motion.a;
-  const rational& b = motion.b;
-  const rational& u = motion.u;
-  const rational v((a + b * u) / (a + b));
-  const rational ratio(u / v);
-  const rational r(b * (1 + a) / (a + b));
-  const rational m(a * (1 - u) / (a + b * u));
-  const complete_integrals integrals = complete_legendre(ball(m, p), ball(ratio, p));
-  const ball sum = integrals.b + rational(r * ratio) * integrals.d;
-  return -sum / (u * sqrt(ball(rational(b * (a + b) * v), p)));
+  const exact_real& a = motion.a;
+  const exact_real& b = motion.b;
+  const exact_real u(motion.u);
+  const exact_real v = (a + b * u) / (a + b);
+  const exact_real ratio = u / v;
+  const exact_real r = b * (1 + a) / (a + b);
+  const exact_real m = a * (1 - u) / (a + b * u);
+  const complete_integrals integrals = complete_legendre(m.at(p), ratio.at(p));
+  const ball sum = integrals.b + r * ratio * integrals.d;
+  return -sum / (motion.u * sqrt((b * (a + b) * v).at(p)));
 }
 
 }  // namespace polhode

@@ -5,10 +5,9 @@
 namespace polhode::statements {
 
 // Its facts.
-inline constexpr const char* number_of_meetings =
-    "at the given a, b, in rationals: I < 2/(2k-1) for {}";
+inline constexpr const char* number_of_meetings = "at the given a, b, exactly: I < 2/(2k-1) for {}";
 inline constexpr const char* slopes_at_meeting =
-    "at the given a, b, in rationals: where they meet for k = {}, C and S have the same slope, "
+    "at the given a, b, exactly: where they meet for k = {}, C and S have the same slope, "
     "dc/d(epsilon) = -2 b sqrt(u (1-u)), with 2 b sqrt(u (1-u)) between {}";
 
 [[nodiscard]] inline claim_text count() {
@@ -18,8 +17,7 @@ inline constexpr const char* slopes_at_meeting =
       .statement =
           "C and S meet exactly N = ceil(1/I + 1/2) - 1 times: n + 1 times for 2/(2n+3) <= I < "
           "2/(2n+1), where the paper says at least. At each of these points C is tangent to S.",
-      .technique =
-          "symmetries of the motion; one-to-one map, by exact signs; the count in rationals",
+      .technique = "symmetries of the motion; one-to-one map, by exact signs; the exact count",
       .formula =
           "C meets S in exactly N = ceil(1/I + 1/2) - 1 points with -b < c < 0, G(u_k) = 2 "
           "pi/(2k-1)",
@@ -30,7 +28,7 @@ inline constexpr const char* slopes_at_meeting =
           "every k < 1/I + 1/2. I < 2/(2n+1) is n + 1 < 1/I + 1/2: N >= n + 1, the paper's "
           "theorem. By eq. (20) c + b sin^2 epsilon = (a+bX) cos^2 theta at phi = pi, which is of "
           "the order of (c - c_k)^2 near a turning point. Computed: the polynomial steps for G, "
-          "the count in rationals, brackets of the first u_k, and the slopes there.",
+          "the exact count, brackets of the first u_k, and the slopes there.",
       .steps = with_more(
           half_phase_steps,
           {identity(

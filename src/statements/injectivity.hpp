@@ -13,7 +13,7 @@ inline constexpr const char* two_c_with_one_epsilon =
     "at the given a, b: epsilon = {} (one exact number) is passed between c = {} and {}, and again "
     "between {} and {}: two c with the same epsilon";
 inline constexpr const char* injective_or_not =
-    "at the given a, b, in rationals: I {} 1, {}: epsilon(c) is {}";
+    "at the given a, b, exactly: I {} 1, {}: epsilon(c) is {}";
 inline constexpr const char* chain_of_points = "a chain of points with certainly different epsilon";
 inline constexpr const char* pair_of_c = "a pair of c with one epsilon";
 
@@ -35,7 +35,7 @@ inline constexpr const char* pair_of_c = "a pair of c with one epsilon";
           "for every psi, so psi_c(pi) decreases: epsilon decreases strictly throughout. I < 1: "
           "epsilon is pi/2 at c* by the claim crossing and tends to pi/2 as c -> -b; a continuous "
           "injective function would have different limits. Computed: the polynomial steps, I "
-          "against 1 in rationals, and enclosures for the given body.",
+          "against 1 exactly, and enclosures for the given body.",
       .steps = with_more(half_phase_steps,
                          {slope("(1-b*x)^2", "(a+b*x)*(c+b*x)", "c", "-(1-b*x)^2*(a+b*x)",
                                 "the derivative in c of the square of T's integrand, negative")}),

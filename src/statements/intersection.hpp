@@ -6,7 +6,7 @@ namespace polhode::statements {
 
 // Its facts.
 inline constexpr const char* meets_or_not =
-    "at the given a, b, in rationals: I {} 2, and 4ab + 3b^2 + 2b - 1 is {}";
+    "at the given a, b, exactly: I {} 2, and 4ab + 3b^2 + 2b - 1 is {}";
 
 [[nodiscard]] inline claim_text intersection() {
   return {
@@ -15,7 +15,7 @@ inline constexpr const char* meets_or_not =
       .statement =
           "The part of C given by the first implicit equation meets S in exactly one point with u "
           "in (0, 1) if I < 2 and in none otherwise; at I = 2 the point is the limit u = 1.",
-      .technique = "one-to-one map onto (pi I, infinity), by exact signs; I < 2 in rationals",
+      .technique = "one-to-one map onto (pi I, infinity), by exact signs; I < 2 decided exactly",
       .formula =
           "F(-bu,u) = 2 pi for some u in (0, 1)  <=>  I < 2; then u is the only one (u = 1 <=> I = "
           "2)",
@@ -24,7 +24,7 @@ inline constexpr const char* meets_or_not =
           "pi I, decreasing, and tends to pi I at u = 1 (the steps are those of "
           "montgomery_oscillating). With u = 1 allowed, where F(-b,1) means this limit, the "
           "condition is the paper's I <= 2; u = 1 is the equilibrium c = -b, no motion. For a "
-          "given body I < 2 is decided in rationals.",
+          "given body I < 2 is decided exactly.",
       .steps =
           with_more(half_phase_steps, {identity("4*b*(a+b) - (1-b)^2", "4*a*b + 3*b^2 + 2*b - 1",
                                                 "I < 2 exactly where this is positive")}),

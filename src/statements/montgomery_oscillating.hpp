@@ -9,7 +9,7 @@ inline constexpr const char* phase_keeps_its_bounds =
     "at the given a, b the phase by the AGM at u = 1/4, 1/2, 3/4 decreases, is above 2 pi I and 4 "
     "I arsinh(pi/(2 sqrt(u))), and below 2 pi I g(u)/g(1)";
 inline constexpr const char* bound_of_body =
-    "at the given a, b, in rationals: the body is {}, and the greatest lower bound is {}";
+    "at the given a, b, exactly: the body is {}, and the greatest lower bound is {}";
 
 [[nodiscard]] inline claim_text montgomery_oscillating() {
   return {

@@ -6,7 +6,7 @@ namespace polhode::statements {
 
 // Its facts.
 inline constexpr const char* kind_of_body =
-    "at the given a, b, in rationals: I_y + I_z - I_x = {} for I_y = 1, and I^2 - 1 = {}, of the "
+    "at the given a, b, exactly: I_y + I_z - I_x = {} for I_y = 1, and I^2 - 1 = {}, of the "
     "same sign: {}";
 
 [[nodiscard]] inline claim_text physical() {
@@ -16,13 +16,13 @@ inline constexpr const char* kind_of_body =
       .statement =
           "A rigid body with moments of inertia I_z < I_y < I_x is physical, I_y + I_z >= I_x, if "
           "and only if its geometric constant is I >= 1; it is planar if and only if I = 1.",
-      .technique = "identities of polynomials over all moments; signs of rationals for a body",
+      .technique = "identities of polynomials over all moments; exact signs for a body",
       .formula = "I_y + I_z >= I_x  <=>  I = (1-b)/sqrt(b(a+b)) >= 1  <=>  ab + 2b <= 1",
       .method =
           "For all bodies: with x = I_x, y = I_y, z = I_z the square of I is yz/((x-y)(x-z)), and "
           "yz - (x-y)(x-z) = x(y+z-x); every a > 0, 0 < b < 1 is that of some moments. All steps "
-          "are identities of polynomials, decided by expansion. For the given body: signs of "
-          "rational numbers.",
+          "are identities of polynomials, decided by expansion. For the given body: exact "
+          "signs.",
       .steps =
           {identity(
                "(y-z)*x + (x-y)*z", "y*(x-z)",

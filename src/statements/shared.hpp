@@ -77,13 +77,16 @@ inline constexpr stated_text gudermannian =
     cited("am(x | 1) is the Gudermannian, 2 arctan(e^x) - pi/2 (DLMF 22.16(i)).");
 
 // Of the given body ---------------------------------------------------------------------------
+/// The inputs of a body with irrational a and b: the entries of its inertia tensor.
+inline constexpr std::array<const char*, 6> entries_of_tensor{"xx", "yy", "zz", "xy", "xz", "yz"};
+
 // Sentences of facts, with {} for what is computed: `fill`. Those of one claim are in its header.
 
 inline constexpr const char* exact_constant = "at the given a, b: {} = {} exactly";
 inline constexpr const char* half_phase_passes =
     "at the given a, b, by the AGM: G(u) passes {} between u = {}";
 inline constexpr const char* half_phase_stays_above =
-    "at the given a, b, in rationals: I >= {}; by the AGM G(1/2) > {}";
+    "at the given a, b, exactly: I >= {}; by the AGM G(1/2) > {}";
 inline constexpr const char* printed_and_right =
     "{} prints {} for {}, which is {}: right to the last digit printed";
 inline constexpr const char* printed_and_wrong = "{} prints {} for {}, which is {}: wrong";

@@ -125,6 +125,26 @@ TEST(Certify, AnOldFileIsReplacedOnlyByAWholeOne) {
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{"beta.json"});
 }
 
+TEST(Certify, ABodyWithIrrationalMomentsHasEveryCertificate) {
+  const scratch_directory scratch;
+  const std::string directory = scratch.path("tensor");
+  const outcome all = run({"certify", "--all", "--tensor", "2,3,2.5,0.1,0.2,0.1", "--digits", "20",
+                           "--out", directory});
+  EXPECT_EQ(all.status, 0) << all.err;
+  EXPECT_NE(all.out.find("xy = 1/10"), std::string::npos);
+  EXPECT_NE(all.out.find("24 claims: 24 certified"), std::string::npos);
+  const outcome checked = run({"check", directory});
+  EXPECT_EQ(checked.status, 0) << checked.out;
+  EXPECT_NE(checked.out.find("a = 0.316345689959..., b = 0.165391237819..."), std::string::npos);
+  // Principal axes that are not the tensor's, and rational moments: a and b, as ever.
+  const outcome turned = run({"certify", "physical", "--tensor", "2.5,2.5,2,0.5,0,0"});
+  EXPECT_EQ(turned.status, 2);
+  EXPECT_NE(turned.err.find("two"), std::string::npos) << turned.err;
+  const outcome rational = run({"certify", "physical", "--tensor", "2.5,2.5,2.5,0.5,0,0"});
+  EXPECT_EQ(rational.status, 0) << rational.err;
+  EXPECT_NE(rational.out.find("a = 1/4"), std::string::npos) << rational.out;
+}
+
 TEST(Certify, ATheoryForCoqSaysWhatIsKnownOfTheBody) {
   const scratch_directory scratch;
   const std::string path = scratch.path("body.v");
@@ -219,7 +239,7 @@ TEST(Certify, ProvesTheClaimsOfManyBodies) {
   const outcome all = run(bodies);
   EXPECT_EQ(all.status, 0) << all.err;
   EXPECT_NE(all.out.find("a = 5, b = 1/10\n"), std::string::npos);
-  EXPECT_NE(all.out.find("at the given a, b, in rationals: I < 2/(2k-1) for k = 1 ... 2"),
+  EXPECT_NE(all.out.find("at the given a, b, exactly: I < 2/(2k-1) for k = 1 ... 2"),
             std::string::npos);
   EXPECT_EQ(all.out.find("epsilon0_min: "), std::string::npos);  // is of no body
   std::size_t dependent = 0;

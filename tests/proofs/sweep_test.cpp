@@ -16,7 +16,7 @@ using support::meet;
 
 /// W = -u sqrt(b (a + b)) dG/du.
 ball slope_of(const oscillating_motion& motion, precision p) {
-  return -motion.u * sqrt(ball(rational(motion.b * (motion.a + motion.b)), p)) *
+  return -motion.u * sqrt((motion.b * (motion.a + motion.b)).at(p)) *
          half_phase_slope(motion, p);
 }
 

@@ -35,8 +35,8 @@ const oscillating_motion typical{rational(1265, 100), rational(629, 10000), rati
 ///   G = pi/(sqrt(b (a+b)) M(sqrt v, sqrt u)) [1 - b + (b/2)(1 - u) sum of Q_n];
 /// |Q_(n+1)| <= |Q_n|/2, so what is left after Q_n is at most |Q_n|.
 ball half_phase_by_agm(const oscillating_motion& motion, precision bits) {
-  const rational& a = motion.a;
-  const rational& b = motion.b;
+  const rational& a = motion.a.exact();
+  const rational& b = motion.b.exact();
   const rational& u = motion.u;
   ball x = sqrt(ball(rational((a + b * u) / (a + b)), bits));
   ball g = sqrt(ball(u, bits));

@@ -258,13 +258,11 @@ TEST(BoundOnStrip, IsAboveTheIntegrandOnTheStripsEdge) {
       const complex_ball numerator{1 - motion.b * x.re, motion.b * x.im};
       const ball xy = size(product(x, y));
       EXPECT_FALSE(certainly_less(value->supremum, size(numerator) / sqrt(motion.b * xy)));
-      const complex_ball slope_numerator =
-          product({1 - cosine.re, cosine.im},  // of x(pi - t)
-                  {motion.a + rational((motion.a + 2) * motion.b) * x.re,
-                   rational((motion.a + 2) * motion.b) * x.im});
-      EXPECT_FALSE(
-          certainly_less(slope->supremum, size({slope_numerator.re, slope_numerator.im}) /
-                                              (4 * sqrt(ball(motion.b, p)) * xy * sqrt(xy))));
+      const complex_ball slope_numerator = product(
+          {1 - cosine.re, cosine.im},  // of x(pi - t)
+          {motion.a + ((motion.a + 2) * motion.b) * x.re, ((motion.a + 2) * motion.b) * x.im});
+      EXPECT_FALSE(certainly_less(slope->supremum, size({slope_numerator.re, slope_numerator.im}) /
+                                                       (4 * sqrt(motion.b.at(p)) * xy * sqrt(xy))));
     }
   }
   EXPECT_GT(proved, 50 * support::effort() / 2);

@@ -44,7 +44,8 @@ class exact_real {
   [[nodiscard]] const rational& exact() const;
 
   /// The number to p bits: with a relative radius below 2^-p but for the last rounding. Undefined
-  /// where that takes more than most_bits, as of an irrational number less itself.
+  /// where that takes more than most_bits, as of an irrational number less an equal one that was
+  /// computed otherwise.
   [[nodiscard]] ball at(precision p) const;
   /// The sign: of an irrational number never 0. Throws std::domain_error where most_bits do not
   /// decide.

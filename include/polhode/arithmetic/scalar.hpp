@@ -10,6 +10,7 @@
 #include "polhode/arithmetic/boost_bridge.hpp"
 #include "polhode/arithmetic/elementary.hpp"
 #include "polhode/arithmetic/exact.hpp"
+#include "polhode/arithmetic/exact_real.hpp"
 
 namespace polhode {
 
@@ -35,6 +36,15 @@ template <scalar T>
     T r = zero_of_precision(p);
     mpfr_set_si(r.backend().data(), n, MPFR_RNDN);
     return r;
+  }
+}
+/// A number of which every digit can be had: rounded where T encloses nothing.
+template <scalar T>
+[[nodiscard]] T scalar_from(const exact_real& x, precision p) {
+  if constexpr (std::same_as<T, ball>) {
+    return x.at(p);
+  } else {
+    return scalar_from<T>(x.is_rational() ? x.exact() : lower_rational(x.at(p).middle()), p);
   }
 }
 

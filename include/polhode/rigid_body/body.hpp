@@ -30,7 +30,7 @@ class body {
  public:
   /// Throws input_error, which says what was given and what would be right, where a <= 0, b <= 0 or
   /// b >= 1.
-  body(rational a, rational b);
+  body(const exact_real& a, const exact_real& b);
 
   /// The principal moments in any order and any one unit. Throws input_error where one is not
   /// positive, or where two are equal: such a symmetric top has no intermediate axis.

@@ -20,6 +20,9 @@ class inertia_tensor {
   /// denominator an entry has more than 4096 bits.
   explicit inertia_tensor(const std::array<rational, 6>& given);
 
+  /// xx, yy, zz, xy, xz, yz, as given.
+  [[nodiscard]] const std::array<rational, 6>& entries() const { return entries_; }
+
   /// Of the principal moments I_x, I_y, I_z, exactly. With the roots x > y > z > 0 of the
   /// characteristic polynomial chi and their sum T, the numbers T/2 - z = (x + y - z)/2 and T/2 - y
   /// = (x + z - y)/2 are positive, so that chi(T/2) = (T/2 - x)(T/2 - y)(T/2 - z) has the sign of y
@@ -77,6 +80,7 @@ class inertia_tensor {
   [[nodiscard]] std::optional<conjugate_pair> beside(std::size_t i) const;
   [[nodiscard]] std::optional<rational> square_with_rational_y() const;
 
+  std::array<rational, 6> entries_;
   integer common_;                  // L
   rational trace_;                  // of L times the tensor
   rational_polynomial polynomial_;  // the characteristic one of that, with integer coefficients

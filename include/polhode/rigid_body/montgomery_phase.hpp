@@ -32,7 +32,7 @@ class motion;
 
 /// F(c,u), to about p bits. Throws input_error unless -b < c <= a, 0 <= u < 1 and b u + c >= 0, and
 /// for c = u = 0, where it is infinite.
-[[nodiscard]] ball phase_integral(const body& rigid, const rational& c, const rational& u,
+[[nodiscard]] ball phase_integral(const body& rigid, const exact_real& c, const exact_real& u,
                                   precision p);
 
 /// dF/du = -(1 - b u)/sqrt(u (1-u) (a + b u) (c + b u)): minus the integrand at the lower limit.
@@ -44,7 +44,7 @@ class motion;
 /// The Montgomery phase, to about p bits, where the body oscillates or rotates. In the other
 /// regimes input_error: on the separatrix it is infinite, and in an equilibrium the angular
 /// momentum does not move.
-[[nodiscard]] ball montgomery_phase(const body& rigid, const rational& c, precision p);
+[[nodiscard]] ball montgomery_phase(const body& rigid, const exact_real& c, precision p);
 
 /// Its greatest lower bound over the regime, the limit for c -> -b, 2 pi (geometric constant), or
 /// for c -> a, 2 pi (second geometric constant): the paper's theorems on the Montgomery phase. In

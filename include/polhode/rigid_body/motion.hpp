@@ -36,7 +36,7 @@ namespace polhode {
 class motion {
  public:
   /// Throws input_error for c outside [-b, a].
-  motion(const body& rigid, const rational& c);
+  motion(const body& rigid, const exact_real& c);
   /// Moments may be equal: a = 0 where I_y = I_z, b = 0 where I_x = I_y. Throws input_error for a <
   /// 0, for b outside [0, 1), and for c outside [-b, a].
   motion(exact_real a, exact_real b, exact_real c);

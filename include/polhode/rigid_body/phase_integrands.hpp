@@ -14,6 +14,7 @@
 
 #include <optional>
 
+#include "polhode/arithmetic/exact_real.hpp"
 #include "polhode/arithmetic/scalar.hpp"
 #include "polhode/quadrature/error_bounds.hpp"
 
@@ -29,9 +30,9 @@ namespace polhode {
 /// refused in terms of u, which the person typed, when it is used: a claim about the body alone
 /// takes any u.
 struct oscillating_motion {
-  rational a;  // I_y/I_z - 1 > 0
-  rational b;  // 1 - I_y/I_x, in (0, 1)
-  rational u;  // -c/b, in (0, 1]
+  exact_real a;  // I_y/I_z - 1 > 0
+  exact_real b;  // 1 - I_y/I_x, in (0, 1)
+  rational u;    // -c/b, in (0, 1]
 };
 
 /// Throws input_error, which names the parameter, where one is out of its range.
@@ -93,7 +94,7 @@ class half_phase_slope_integrand {
     const T b = scalar_from<T>(motion_.b, p);
     const T mean = scalar_from<T>(rational((1 + motion_.u) / 2), p);
     const T half = scalar_from<T>(rational((1 - motion_.u) / 2), p);
-    const T slope = scalar_from<T>(rational((motion_.a + 2) * motion_.b), p);
+    const T slope = scalar_from<T>((motion_.a + 2) * motion_.b, p);
     const T minus_four_root_b = -4 * sqrt(b);
     return [=](const T& cosine) -> T {
       const T x = mean - half * cosine;

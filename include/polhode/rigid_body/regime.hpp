@@ -20,9 +20,9 @@ enum class regime {
   equilibrium_y   // c = 0 and J exactly along the intermediate axis: only the state tells
 };
 
-/// Decided in rationals. For c = 0 the separatrix, never equilibrium_y. Throws input_error for c
-/// outside [-b, a].
-[[nodiscard]] regime regime_of(const body& rigid, const rational& c);
+/// Decided exactly: in rationals, where these are. For c = 0 the separatrix, never equilibrium_y.
+/// Throws input_error for c outside [-b, a].
+[[nodiscard]] regime regime_of(const body& rigid, const exact_real& c);
 
 /// Whether J goes around in the body, in a finite time: oscillating or rotating.
 [[nodiscard]] constexpr bool is_periodic(regime r) {

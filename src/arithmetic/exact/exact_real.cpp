@@ -85,6 +85,7 @@ exact_real operator+(const exact_real& x, const exact_real& y) {
 }
 
 exact_real operator-(const exact_real& x, const exact_real& y) {
+  if (x.irrational_ && x.irrational_ == y.irrational_) return 0;
   return exact_real::combined(x, y, [](const auto& v, const auto& w) { return v - w; });
 }
 
@@ -127,7 +128,12 @@ rational rational_below(const exact_real& x, unsigned bits) {
 std::string to_text(const exact_real& x) {
   constexpr long digits = 12;
   if (x.is_rational()) return to_text(x.exact());
-  return to_decimal(x.at(bits_for_digits(digits) + 8), digits);
+  ball value;
+  for (precision p = bits_for_digits(digits) + 8; p <= exact_real::most_bits; p *= 2) {
+    value = x.at(p);
+    if (!value.is_bounded() || to_decimal_enclosure(value, digits).has_cut(digits)) break;
+  }
+  return to_decimal(value, digits);
 }
 
 std::ostream& operator<<(std::ostream& out, const exact_real& x) { return out << to_text(x); }

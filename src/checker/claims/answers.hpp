@@ -5,13 +5,13 @@
 #include <initializer_list>
 #include <optional>
 
-#include "checker/interval.hpp"
+#include "checker/real.hpp"
 
 namespace polhode::checker {
 
 using tri = std::optional<bool>;
 
-inline interval exactly(const rational& q, precision bits) { return {q, bits}; }
+inline interval exactly(const real& x, precision bits) { return x.at(bits); }
 
 /// x < y: true, false, or not known.
 [[nodiscard]] inline tri below(const interval& x, const interval& y) {

@@ -16,9 +16,8 @@ tri passes_half_phase(const body& rigid, const rational& q, const range& u, prec
 tri passes_rotating_phase(const body& rigid, const rational& q, const range& s, precision bits) {
   if (s.lower <= 0 || s.upper >= 1) return false;
   const interval target = pi(bits) * exactly(q, bits);
-  return all_of(
-      {below(target, rotating_phase(rigid.a, rigid.b, rational(rigid.a * s.lower), bits)),
-       below(rotating_phase(rigid.a, rigid.b, rational(rigid.a * s.upper), bits), target)});
+  return all_of({below(target, rotating_phase(rigid.a, rigid.b, rigid.a * s.lower, bits)),
+                 below(rotating_phase(rigid.a, rigid.b, rigid.a * s.upper, bits), target)});
 }
 
 long size_of(const range& r) { return bit_length(r.lower) + bit_length(r.upper); }

@@ -10,7 +10,7 @@ namespace {
 
 void check_c0_decreases(examination& e) {
   const body rigid = check_body_and_steps(e);
-  const body other{2 * e.a(), e.b()};
+  const body other{2 * rigid.a, rigid.b};
   if (!rigid.is_above_J(2)) {
     e.add_to_method(statements::there_is_no_c0);
     return;

@@ -30,9 +30,9 @@ void check_slopes(examination& e, int k, const range& u) {
   if (products.upper < products.lower) std::swap(products.lower, products.upper);
   if (2 * u.lower < 1 && 2 * u.upper > 1) products.upper = rational(1, 4);
   const bool is_inside = u.lower > 0 && u.upper < 1;
-  const rational four_b_squared(4 * e.b() * e.b());
-  const range slope = is_inside ? roots_around({rational(four_b_squared * products.lower),
-                                                rational(four_b_squared * products.upper)})
+  const rational_neighbours b = neighbours_of(body_of(e).b);
+  const range slope = is_inside ? roots_around({rational(4 * b.lower * b.lower * products.lower),
+                                                rational(4 * b.upper * b.upper * products.upper)})
                                 : products;
   e.fact(statements::fill(statements::slopes_at_meeting,
                           {std::to_string(k), in_decimals(slope, e.work())}),

@@ -12,7 +12,7 @@ namespace {
 
 void check_epsilon0_decreases(examination& e) {
   const body rigid = check_body_and_steps(e);
-  const body other{2 * e.a(), e.b()};
+  const body other{2 * rigid.a, rigid.b};
   std::optional<range> first;
   std::optional<range> second;
   if (!e.is_missing(statements::fill(statements::enclosure_of, {"epsilon0"}))) {

@@ -16,7 +16,7 @@ void check_first_equation(examination& e) {
   if (e.is_missing(statements::order_of_values)) return;
   e.fact(statements::decrease_at_given_body,
          // They are defined: c + b u >= 0 for c = -b/8, u = 1/2.
-         -e.b() / 8 + e.b() / 2 > 0 && e.a() / 2 > 0, enclosed);
+         -e.rigid().b / 8 + e.rigid().b / 2 > 0 && e.rigid().a / 2 > 0, enclosed);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ constexpr long most_twist_bits = 4000;
 constexpr long most_level_bits = 4000;
 constexpr std::size_t most_points = 100;
 
-void expect_side(const place& where, const body& rigid, const rational& c, const rational& level,
+void expect_side(const place& where, const body& rigid, const real& c, const rational& level,
                  int side, const std::string& wrong) {
   const budget::at here = where.working();
   const long size = bit_length(rigid.a) + bit_length(rigid.b) + bit_length(c);
@@ -91,7 +91,7 @@ void check_two_c(examination& e) {
   if (first.lower <= 0) two["u_first"]["lower"].refute("it is not above 0");
   if (first.upper > second.lower) two["u_second"]["lower"].refute("it is below u_first");
   if (second.upper >= 1) two["u_second"]["upper"].refute("it is not below 1");
-  const auto c_of = [&](const rational& u) { return rational(-rigid.b * u); };
+  const auto c_of = [&](const rational& u) { return real(-rigid.b * u); };
   const auto text = [&](const rational& u) { return decimal_for_reading(c_of(u), 12, e.work()); };
   const std::string above = "epsilon is above the level there";
   const std::string under = "epsilon is below the level there";

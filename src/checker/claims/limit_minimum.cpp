@@ -39,7 +39,7 @@ void check_limit_minimum(examination& e) {
   const range c0 = examination::bracket(e.witness("c0_over_a"));
   e.fact(statements::fill(statements::c0_is_above, {in_decimals(c0, e.work())}),
          [&](precision bits) {
-           return all_of({tri(beta.upper < rigid.a * c0.lower / rigid.b),
+           return all_of({tri(rigid.a * c0.lower / rigid.b > beta.upper),
                           passes_rotating_phase(rigid, 2, c0, bits + size_of(c0))});
          });
 }

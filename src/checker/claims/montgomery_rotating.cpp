@@ -14,10 +14,9 @@ namespace {
 tri rotating_phase_obeys_its_bounds(const body& rigid, precision bits) {
   const interval limit = pi(bits) * rigid.J(bits);
   return phase_obeys_its_bounds(limit, [&](int quarter) -> bounded_phase {
-    const rational c(rigid.a * quarter / 4);
+    const real c = rigid.a * rational(quarter, 4);
     return {rotating_phase(rigid.a, rigid.b, c, bits),
-            (rigid.I(bits) * asinh(pi(bits) * sqrt(exactly(rational(rigid.b / (4 * c)), bits))))
-                .scaled(1),
+            (rigid.I(bits) * asinh(pi(bits) * sqrt(exactly(rigid.b / (4 * c), bits)))).scaled(1),
             limit * sqrt(exactly(rational(4, quarter), bits))};
   });
 }

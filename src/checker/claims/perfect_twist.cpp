@@ -10,21 +10,28 @@
 namespace polhode::checker {
 namespace {
 
-void check_rotating_root(examination& e, const rational& q, const rational& polynomial,
+/// Whether (q+1)^2 a (a+b) - (a+1)^2 > 0: it is a (a + b)((q+1)^2 - (J+1)^2), which decides where
+/// (J+1)^2 is known without a and b.
+bool has_positive_excess(const body& rigid, const real& polynomial, const rational& q) {
+  const auto known = rigid.of ? rigid.of->squared_J_plus_1() : std::nullopt;
+  return known ? *known < (q + 1) * (q + 1) : polynomial.sign() > 0;
+}
+
+void check_rotating_root(examination& e, const rational& q, const real& polynomial,
                          const std::string& what, const std::string& key) {
   const body rigid = body_of(e);
-  const rational& a = e.a();
+  const real& a = rigid.a;
   const bool exists = rigid.is_above_J(q);
   const std::string target = q == 1 ? "pi" : q.str() + " pi";
   e.fact(statements::fill(statements::root_exists_or_not, {std::string(exists ? "< " : ">= "),
                                                            q.str(), (exists ? "a " : "no "), what}),
-         exists == (polynomial > 0));
+         exists == has_positive_excess(rigid, polynomial, q));
   if (!exists) {
     e.fact(statements::fill(statements::rotating_phase_stays_above, {q.str()}),
            [&](precision bits) {
              const interval value = pi(bits) * exactly(q, bits);
-             return all_of({below(value, rotating_phase(a, e.b(), rational(a / 2), bits)),
-                            below(value, rotating_phase(a, e.b(), rational(3 * a / 4), bits))});
+             return all_of({below(value, rotating_phase(a, rigid.b, a / 2, bits)),
+                            below(value, rotating_phase(a, rigid.b, 3 * a / 4, bits))});
            });
     return;
   }
@@ -40,14 +47,12 @@ void check_rotating_root(examination& e, const rational& q, const rational& poly
 }
 
 void check_perfect_twist(examination& e) {
-  e.read_body();
-  e.steps();
+  const body rigid = check_body_and_steps(e);
   check_J(e);
-  const rational& a = e.a();
-  const rational ab(a * e.b());
-  check_rotating_root(e, 2, rational(8 * a * a + 9 * ab - 2 * a - 1), "perfect twist", "c0_over_a");
-  check_rotating_root(e, 1, rational(3 * a * a + 4 * ab - 2 * a - 1), "full turn",
-                      "full_turn_c_over_a");
+  const real& a = rigid.a;
+  const real ab = a * rigid.b;
+  check_rotating_root(e, 2, 8 * a * a + 9 * ab - 2 * a - 1, "perfect twist", "c0_over_a");
+  check_rotating_root(e, 1, 3 * a * a + 4 * ab - 2 * a - 1, "full turn", "full_turn_c_over_a");
 }
 
 }  // namespace

@@ -8,10 +8,12 @@
 namespace polhode::checker {
 namespace {
 
-void check_constant(examination& e, const std::string& name, bool exists, const rational& exact,
+/// The root of `square` less `less`: as a fact where it is rational, else as a number.
+void check_constant(examination& e, const std::string& name, const real& square, long less,
                     const std::function<interval(precision bits)>& f) {
-  if (exists) {
-    e.fact(statements::fill(statements::exact_constant, {name, exact.str()}), true);
+  rational root;
+  if (square.is_rational() && exact_root(square.exact(), root)) {
+    e.fact(statements::fill(statements::exact_constant, {name, rational(root - less).str()}), true);
   } else {
     e.number(name, f);
   }
@@ -32,17 +34,13 @@ void check_steps_only(examination& e) {
 
 void check_I(examination& e) {
   const body rigid = body_of(e);
-  rational exact;
-  const bool exists = exact_root(rigid.squared_I(), exact);
-  check_constant(e, "I", exists, exact, [&](precision bits) { return rigid.I(bits); });
+  check_constant(e, "I", rigid.squared_I(), 0, [&](precision bits) { return rigid.I(bits); });
 }
 
 void check_J(examination& e) {
   const body rigid = body_of(e);
-  rational exact;
-  const bool exists = exact_root(rigid.squared_J_plus_1(), exact);
-  exact -= 1;
-  check_constant(e, "J", exists, exact, [&](precision bits) { return rigid.J(bits); });
+  check_constant(e, "J", rigid.squared_J_plus_1(), 1,
+                 [&](precision bits) { return rigid.J(bits); });
 }
 
 tri phase_obeys_its_bounds(const interval& limit,
@@ -59,13 +57,13 @@ tri phase_obeys_its_bounds(const interval& limit,
 }
 
 tri half_phase_obeys_its_bounds(const body& rigid, precision bits) {
-  const rational& a = rigid.a;
-  const rational& b = rigid.b;
+  const real& a = rigid.a;
+  const real& b = rigid.b;
   const interval limit = pi(bits) * rigid.I(bits);
   return phase_obeys_its_bounds(limit, [&](int quarter) -> bounded_phase {
     const rational u(quarter, 4);
-    const interval ratio = exactly(rational((1 - b * u) / (1 - b)), bits) *
-                           sqrt(exactly(rational((a + b) / (u * (a + b * u))), bits));
+    const interval ratio =
+        exactly((1 - b * u) / (1 - b), bits) * sqrt(exactly((a + b) / (u * (a + b * u)), bits));
     return {half_phase(a, b, u, bits),
             (rigid.I(bits) * asinh(pi(bits) / sqrt(exactly(rational(4 * u), bits)))).scaled(1),
             limit * ratio};

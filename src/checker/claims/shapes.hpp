@@ -11,7 +11,7 @@
 
 namespace polhode::checker {
 
-[[nodiscard]] inline body body_of(const examination& e) { return {e.a(), e.b()}; }
+[[nodiscard]] inline const body& body_of(const examination& e) { return e.rigid(); }
 
 /// The beginning of a claim about a body: its inputs, and the steps, which are for all bodies.
 [[nodiscard]] body check_body_and_steps(examination& e);

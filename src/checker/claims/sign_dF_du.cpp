@@ -19,8 +19,8 @@ namespace {
 /// -(1/4) b^(-1/2) (1 + cos t)(a + (a+2) b X)/(X (a + b X))^(3/2), X = ((1+u) - (1-u) cos t)/2:
 /// dG/du is its integral. On the strip |X| <= above, Re X >= below, |1 + cos t| <= 1 + cosh H, and
 /// |X (a + b X)| >= below (a + b below).
-periodic_integrand slope_integrand(const rational& a, const rational& b, const rational& u) {
-  const rational slope((a + 2) * b);
+periodic_integrand slope_integrand(const real& a, const real& b, const rational& u) {
+  const real slope = (a + 2) * b;
   return {[=](const interval& cosine) {
             const precision bits = cosine.bits();
             const interval x = exactly(rational((1 + u) / 2), bits) -
@@ -53,8 +53,8 @@ bool identity_holds() {
 
 /// The second route: the integral of eq. (44), or the note that u is too near 0 for it.
 void check_integral_route(examination& e, const range& value) {
-  const rational& a = e.a();
-  const rational& b = e.b();
+  const real& a = e.rigid().a;
+  const real& b = e.rigid().b;
   const rational& u = e.u();
   const place quadrature = e.witness("quadrature");
   if (quadrature.has("note")) {
@@ -94,16 +94,16 @@ void check_identity(examination& e) {
 }
 
 void check_boxes(examination& e, const range& value) {
-  const rational& a = e.a();
-  const rational& b = e.b();
+  const real& a = e.rigid().a;
+  const real& b = e.rigid().b;
   const rational& u = e.u();
   const std::size_t boxes = check_sweep(e.witness("sweep"));
   e.fact(statements::fill(statements::sweep_of_all_parameters, {std::to_string(boxes)}), true,
          enclosed);
-  const interval integral = enclosure_at(rational(a / (a + b)), rational(b * (1 + a) / (a + b)), u,
+  const interval integral = enclosure_at(a / (a + b), b * (1 + a) / (a + b), u,
                                          precision(sweep_bits + e.input_bits(), e.work()));
   e.fact(statements::sweep_holds_value, [&](precision bits) -> tri {
-    const interval factor = -exactly(u, bits) * sqrt(exactly(rational(b * (a + b)), bits));
+    const interval factor = -exactly(u, bits) * sqrt(exactly(b * (a + b), bits));
     const interval W = factor * interval::between(value.lower, value.upper, bits);
     if (is_inside(W, integral.lower(), integral.upper())) return true;
     if (!overlaps(W, integral.lower(), integral.upper())) return false;
@@ -113,8 +113,8 @@ void check_boxes(examination& e, const range& value) {
 
 void check_sign_dF_du(examination& e) {
   e.read_motion();
-  const rational& a = e.a();
-  const rational& b = e.b();
+  const real& a = e.rigid().a;
+  const real& b = e.rigid().b;
   const rational& u = e.u();
   const range value =
       e.number("dF_du", [&](precision bits) { return half_phase_slope(a, b, u, bits); });

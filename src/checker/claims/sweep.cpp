@@ -75,13 +75,13 @@ box read_box(const place& where) {
 }  // namespace
 
 /// On every cell cos^2 and sigma lie between their values at its ends.
-interval enclosure_at(const rational& p, const rational& r, const rational& u, precision bits) {
+interval enclosure_at(const real& p, const real& r, const rational& u, precision bits) {
   const std::vector<interval> cosines = squared_cosines(bits);
   interval sum = exactly(0, bits);
   for (std::size_t k = 0; k < cells; ++k) {
     const interval c = hull(cosines[k], cosines[k + 1]);
-    const interval sigma = exactly(u, bits) + exactly(rational(p * (1 - u)), bits) * c;
-    sum = sum + sweep_integrand(c, sigma, exactly(rational(r * u), bits));
+    const interval sigma = exactly(u, bits) + exactly(p * (1 - u), bits) * c;
+    sum = sum + sweep_integrand(c, sigma, exactly(r * u, bits));
   }
   return sum * pi(bits) / (2 * cells);
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "checker/examination.hpp"
+#include "checker/real.hpp"
 
 namespace polhode::checker {
 
@@ -16,7 +17,7 @@ inline constexpr long sweep_bits = 96;
 /// common, and their volumes add up to 1. Returns how many they are.
 [[nodiscard]] std::size_t check_sweep(const place& sweep);
 /// An enclosure of W at a point with u > 0.
-[[nodiscard]] interval enclosure_at(const rational& p, const rational& r, const rational& u,
+[[nodiscard]] interval enclosure_at(const real& p, const real& r, const rational& u,
                                     precision bits);
 
 }  // namespace polhode::checker

@@ -93,16 +93,6 @@ void for_option(std::string_view option, const F& read) {
 
 constexpr std::size_t most_bodies = 100'000;
 
-/// The one body that is given otherwise than by --ab; its a and b have to be rational.
-body selected_body(const body_option& given) {
-  body result = given.value();
-  if (result.a().as_rational() && result.b().as_rational()) return result;
-  throw usage_error(
-      fmt::format("{}: the body's a and b are irrational; certificates and theories are of "
-                  "rational ones: give numbers near them by --ab (polhode body prints them)",
-                  given.name()));
-}
-
 /// All bodies of --ab A,B, where A and B are numbers or LO..HI/N.
 std::vector<oscillating_motion> motions_of_ranges(const std::string& text, const rational& u) {
   const auto comma = text.find(',');
@@ -136,31 +126,36 @@ std::vector<oscillating_motion> motions_of_ranges(const std::string& text, const
   return motions;
 }
 
-/// All bodies that are given, and the motion u of each.
-std::vector<oscillating_motion> selected_motions(const certify_options& options) {
-  const oscillating_motion usual = request{}.motion;
-  std::vector<oscillating_motion> motions{usual};
+/// What is asked of all bodies that are given, and of the motion u of each.
+std::vector<request> selected_requests(const certify_options& options) {
+  const request usual{options.digits.value(), request{}.motion};
+  std::vector<request> requests{usual};
   const std::optional<std::string>& ab = options.body.ab;
   if (ab && ab->find("..") != std::string::npos) {
     body_option others = options.body;
     others.ab.reset();
     if (others.is_given()) (void)options.body.value();  // more than one: throws
-    motions = motions_of_ranges(*ab, usual.u);
+    requests.clear();
+    for (oscillating_motion& motion : motions_of_ranges(*ab, usual.motion.u)) {
+      requests.push_back({usual.digits, std::move(motion)});
+    }
   } else if (options.body.is_given()) {
-    const body given = selected_body(options.body);
-    motions = {{*given.a().as_rational(), *given.b().as_rational(), usual.u}};
+    const body given = options.body.value();
+    requests = {{usual.digits, {given.a(), given.b(), usual.motion.u}, given.irrational_tensor()}};
   }
-  for_option("--ab", [&] { std::ranges::for_each(motions, check); });
+  for_option("--ab", [&] {
+    for (const request& one : requests) check(one.motion);
+  });
   if (options.u) {
     for_option("--u", [&] {
       const rational u = parse_rational(*options.u);
-      for (oscillating_motion& motion : motions) {
-        motion.u = u;
-        check(motion);
+      for (request& one : requests) {
+        one.motion.u = u;
+        check(one.motion);
       }
     });
   }
-  return motions;
+  return requests;
 }
 
 /// Throws usage_error where a body or a motion is given and no chosen claim depends on it.
@@ -219,6 +214,11 @@ memory_estimate estimate(const std::vector<const claim*>& claims, std::size_t bo
 
 // ---------------------------------------------------------------------------------------------
 // The work
+
+request with_digits(request wanted, long digits) {
+  wanted.digits = digits;
+  return wanted;
+}
 
 certificate prove(const claim& c, const request& wanted) {
   try {
@@ -386,10 +386,17 @@ exit_status write_theory(certify_options& options) {
   options.memory_limit.check(
       estimate({proofs::find_claim("separatrix_twist")}, 1, options.digits.value()));
   options.coq.prepare();
-  const std::vector<oscillating_motion> motions = selected_motions(options);
-  if (motions.size() > 1) throw usage_error("--coq: a theory is of one body");
-  const body rigid = options.body.is_given() ? selected_body(options.body)
-                                             : body(motions.front().a, motions.front().b);
+  const std::vector<request> requests = selected_requests(options);
+  if (requests.size() > 1) throw usage_error("--coq: a theory is of one body");
+  if (requests.front().tensor) {
+    throw usage_error(
+        fmt::format("{}: the body's a and b are irrational; theories are of rational ones: give "
+                    "numbers near them by --ab (polhode body prints them)",
+                    options.body.name()));
+  }
+  const body rigid = options.body.is_given()
+                         ? options.body.value()
+                         : body(requests.front().motion.a, requests.front().motion.b);
   const time_watch watch(options.time_limit.limit());
   const coq_theory theory = coq_theory_of(rigid, options.digits.value());
   options.coq.write(theory.text);
@@ -435,8 +442,7 @@ std::string as_lines(const json& c) {
 }
 
 /// Every body's claims, a part of the work each.
-exit_status run_over_bodies(const certify_options& options,
-                            const std::vector<oscillating_motion>& motions,
+exit_status run_over_bodies(const certify_options& options, const std::vector<request>& requests,
                             const std::vector<const claim*>& claims, const std::string& what) {
   if (options.format.value() == "markdown") {
     throw usage_error("--format markdown: of several bodies there are text and json");
@@ -445,9 +451,9 @@ exit_status run_over_bodies(const certify_options& options,
   std::optional<output_directory> directory;
   if (options.directory && !ranks::is_worker()) {
     std::vector<std::string> names;
-    for (std::size_t k = 0; k < motions.size(); ++k) {
+    for (std::size_t k = 0; k < requests.size(); ++k) {
       for (const claim* c : claims) {
-        names.push_back(file_name(std::string(c->name), k, motions.size()));
+        names.push_back(file_name(std::string(c->name), k, requests.size()));
       }
     }
     directory.emplace(*options.directory, names);
@@ -459,27 +465,28 @@ exit_status run_over_bodies(const certify_options& options,
     std::vector<time_limit_option::work> works;
     works.reserve(claims.size());
     for (const claim* c : claims) {
-      works.emplace_back([&, c](long fewer) { (void)prove(*c, {fewer, motions.front()}); });
+      works.emplace_back(
+          [&, c](long fewer) { (void)prove(*c, with_digits(requests.front(), fewer)); });
     }
     line.expect(options.time_limit.check(
         what, digits, works,
-        static_cast<double>(motions.size()) / threads.count() / ranks::count()));
+        static_cast<double>(requests.size()) / threads.count() / ranks::count()));
   }
   const time_watch watch(
-      options.time_limit.limit(static_cast<double>(claims.size() * motions.size())));
+      options.time_limit.limit(static_cast<double>(claims.size() * requests.size())));
   // A block of bodies is a part: on one rank they are shared out to the threads.
   constexpr std::size_t bodies_of_block = 16;
-  const auto certificates_of = [&](const oscillating_motion& motion) {
+  const auto certificates_of = [&](const request& wanted) {
     json result = json::array();
     for (const claim* c : claims) {
-      const certificate proved = prove(*c, {digits, motion});
+      const certificate proved = prove(*c, wanted);
       result.push_back(to_json(proved));
       if (options.directory) expect_checkable(proved, as_json_text(result.back()));
     }
     return result;
   };
   const auto part = [&](std::size_t block) {
-    const auto from = std::span(motions).subspan(block * bodies_of_block);
+    const auto from = std::span(requests).subspan(block * bodies_of_block);
     const auto own = from.first(std::min(bodies_of_block, from.size()));
     std::vector<json> results(own.size());
     threads.for_each(static_cast<long>(own.size()), [&](long i) {
@@ -488,7 +495,7 @@ exit_status run_over_bodies(const certify_options& options,
     });
     return json(results).dump();
   };
-  std::vector<std::size_t> blocks((motions.size() + bodies_of_block - 1) / bodies_of_block);
+  std::vector<std::size_t> blocks((requests.size() + bodies_of_block - 1) / bodies_of_block);
   std::iota(blocks.begin(), blocks.end(), std::size_t{0});
   std::vector<json> found(blocks.size());
   std::size_t done = 0;
@@ -500,15 +507,16 @@ exit_status run_over_bodies(const certify_options& options,
   tally verdicts;
   json all = json::array();
   std::string text;
-  for (std::size_t k = 0; k < motions.size(); ++k) {
+  for (std::size_t k = 0; k < requests.size(); ++k) {
     json& of_body = found[k / bodies_of_block][k % bodies_of_block];
-    text += fmt::format("a = {}, b = {}\n", to_text(motions[k].a), to_text(motions[k].b));
+    text += fmt::format("a = {}, b = {}\n", to_text(requests[k].motion.a),
+                        to_text(requests[k].motion.b));
     for (json& c : of_body) {
       const auto verdict = c.at("verdict").get<std::string>();
       verdicts.add(verdict, c.value("reason", ""));
       text += as_lines(c);
       if (directory) {
-        directory->write(file_name(c.at("claim").get<std::string>(), k, motions.size()),
+        directory->write(file_name(c.at("claim").get<std::string>(), k, requests.size()),
                          as_json_text(c));
       }
       if (options.format.value() == "json") all.push_back(std::move(c));
@@ -517,7 +525,7 @@ exit_status run_over_bodies(const certify_options& options,
   if (directory) directory->publish();
   print(options.format.value() == "json"
             ? as_json_text(all)
-            : text + fmt::format("\n{} bodies, {}", motions.size(), verdicts.summary()));
+            : text + fmt::format("\n{} bodies, {}", requests.size(), verdicts.summary()));
   return verdicts.all_certified() ? exit_status::all_certified : exit_status::not_certified;
 }
 
@@ -526,22 +534,22 @@ exit_status run(certify_options& options) {
     ranks::distribute({}, {}, {});  // rank 0 alone writes
     return write_theory(options);
   }
-  const std::vector<oscillating_motion> motions = selected_motions(options);
+  const std::vector<request> requests = selected_requests(options);
   const std::vector<const claim*> claims =
-      motions.size() == 1 ? selected_claims(options)
-                          : claims_about_bodies(options, selected_claims(options));
-  const request wanted{options.digits.value(), motions.front()};
+      requests.size() == 1 ? selected_claims(options)
+                           : claims_about_bodies(options, selected_claims(options));
+  const request& wanted = requests.front();
   const bool as_json = options.format.value() == "json";
   const bool as_table = options.format.value() == "markdown";
   refuse_idle_motion(options, claims);
-  const memory_estimate memory = estimate(claims, motions.size(), wanted.digits);
+  const memory_estimate memory = estimate(claims, requests.size(), wanted.digits);
   options.memory_limit.check(memory);
   if (options.list) {
     if (as_table) throw usage_error("--format markdown: a list is text or json");
     print(as_json ? list_as_json(claims) : list_as_text(claims));
     return exit_status::all_certified;
   }
-  if (motions.size() > 1) return run_over_bodies(options, motions, claims, memory.what);
+  if (requests.size() > 1) return run_over_bodies(options, requests, claims, memory.what);
   ranks::distribute({}, {}, {});  // one body is rank 0's alone
 
   std::optional<output_directory> directory;
@@ -557,7 +565,7 @@ exit_status run(certify_options& options) {
     std::vector<time_limit_option::work> works;
     works.reserve(claims.size());
     for (const claim* c : claims) {
-      works.emplace_back([&, c](long fewer) { (void)prove(*c, {fewer, wanted.motion}); });
+      works.emplace_back([&, c](long fewer) { (void)prove(*c, with_digits(wanted, fewer)); });
     }
     line.expect(options.time_limit.check(memory.what, wanted.digits, works));
     const time_watch watch(options.time_limit.limit(static_cast<double>(claims.size())));
@@ -611,6 +619,7 @@ command certify_command() {
       "  mpirun -n 4 polhode certify count --ab 1..9/9,0.1..0.9/9 --out counts\n"
       "  polhode certify --coq body.v --ab 12.65,0.0629 --digits 50\n"
       "  polhode certify physical --moments 3,2,1\n"
+      "  polhode certify count --tensor 2,3,2.5,0.1,0.2,0.1\n"
       "  polhode certify sign_dF_du --ab 12.65,0.0629 --u 1/4 --format json\n\n"
       "Each step says how it is decided: [exact] in rationals or by polynomials, [enclosed] in\n"
       "verified arithmetic, [Coq] by a theorem of proofs/coq, [in words], or [cited].\n"
