@@ -16,8 +16,7 @@ using support::meet;
 
 /// W = -u sqrt(b (a + b)) dG/du.
 ball slope_of(const oscillating_motion& motion, precision p) {
-  return -motion.u * sqrt((motion.b * (motion.a + motion.b)).at(p)) *
-         half_phase_slope(motion, p);
+  return -motion.u * sqrt((motion.b * (motion.a + motion.b)).at(p)) * half_phase_slope(motion, p);
 }
 
 oscillating_motion any_motion(support::random_source& random) {
