@@ -62,6 +62,11 @@ end_series end_series::constant(const known_number& at_0, const region& over) co
   return r;
 }
 
+end_series end_series::bounded_like(const magnitude& most) const {
+  const ball real = ball(0, bits).enlarged(most);
+  return constant(known_number(real), region(complex_ball(real, real)));
+}
+
 end_series end_series::argument(const known_number& a, const known_number& s, long q, double r,
                                 int orders) {
   end_series t;

@@ -150,6 +150,9 @@ class end_series {
   [[nodiscard]] end_series constant_like(const known_number& x) const {
     return constant(x, region(x.enclosure()));
   }
+  /// A constant c of which |c| <= most is known, real or not: what is made of it by sums and
+  /// products is right in its exponent and over the square, for each such c.
+  [[nodiscard]] end_series bounded_like(const magnitude& most) const;
 
  private:
   static constexpr precision bits = known_number::usual_precision;

@@ -1,5 +1,7 @@
 #include "decomposition.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,6 +38,7 @@ symbol symbol_of(const frequency& w, const std::map<std::string, symbol>& consta
   return sum;
 }
 
+/// Of a constant.
 ball value_of(const expression& w, const std::vector<possibly_exact_constant>& numbers,
               precision p) {
   std::vector<ball> values(first_number, ball(1, p));  // it depends on none of these
@@ -47,13 +50,83 @@ ball value_of(const expression& w, const std::vector<possibly_exact_constant>& n
 
 }  // namespace
 
-oscillation::oscillation(const amplitude_formulas& w, ball frequency,
-                         std::vector<possibly_exact_constant> numbers, precision p)
-    : formulas_(w), frequency_(std::move(frequency)), numbers_(std::move(numbers)), precision_(p) {
+namespace {
+
+/// slope y + shift over a type T.
+template <class T>
+T argument_of(const known_amplitudes& a, const T& y) {
+  return y * value_as<T>(a.slope, y) + value_as<T>(a.shift, y);
+}
+
+/// y^(-1/2) times a number, for real y > 0.
+template <class Series>
+hankel_amplitudes<Series> bounds_for_reals(const known_amplitudes& a, const Series& y) {
+  const Series inverse = y.constant_like(rational(1)) / y;
+  const ball values = inverse.values();  // of 1/y
+  ball size = ball::undefined(least_bits);
+  if (values.is_bounded()) {
+    const ball greatest(upper_rational(values), least_bits);
+    size = ball(0, least_bits).enlarged(bound_of_hankel_amplitudes(a.order, a.slope / greatest)) /
+           sqrt(a.slope);
+  }
+  const Series known = sqrt(inverse) * inverse.bounded_like("a Bessel function", size);
+  return {known, known};
+}
+
+}  // namespace
+
+hankel_amplitudes<region> amplitudes_at(const known_amplitudes& a, const region& y) {
+  return hankel_amplitudes_at(a.order, argument_of(a, y));
+}
+
+hankel_amplitudes<analytic_ball> amplitudes_at(const known_amplitudes& a, const analytic_ball& y) {
+  const auto [p, q] = hankel_amplitudes_at(a.order, argument_of(a, y).value());
+  return {analytic_ball(p), analytic_ball(q)};
+}
+
+hankel_amplitudes<ball> amplitudes_at(const known_amplitudes& a, const ball& y) {
+  const auto [p, q] = hankel_amplitudes_at(a.order, complex_ball(argument_of(a, y)));
+  return {p.re, q.re};
+}
+
+// With z = slope y + shift, |z| >= slope |y| where Re y >= 0: |P| and |Q| are at most C |z|^(-1/2)
+// <= C slope^(-1/2) |y|^(-1/2), for the C of the least |z|. A bound of a function of t at some t is
+// a bound of that function with the constant P sqrt(y) of this t.
+hankel_amplitudes<end_series> amplitudes_at(const known_amplitudes& a, const end_series& y) {
+  const end_series inverse = 1 / y;
+  const double greatest = inverse.real_range().upper();  // of 1/y = |t|/c
+  if (inverse.is_blocked() || !(greatest > 0)) {
+    const end_series none = end_series::blocked("a Bessel function");
+    return {none, none};
+  }
+  const magnitude most = bound_of_hankel_amplitudes(a.order, a.slope / ball::exactly(greatest, 64));
+  const ball size = ball(0, least_bits).enlarged(most) / sqrt(a.slope);
+  const end_series known = sqrt(inverse) * inverse.bounded_like(size.magnitude_upper());
+  return {known, known};
+}
+
+hankel_amplitudes<tail_series> amplitudes_at(const known_amplitudes& a, const tail_series& y) {
+  return bounds_for_reals(a, y);
+}
+hankel_amplitudes<growth_bound> amplitudes_at(const known_amplitudes& a, const growth_bound& y) {
+  return bounds_for_reals(a, y);
+}
+
+oscillation::oscillation(const amplitude_formulas& w, ball frequency, variable_values values,
+                         precision p)
+    : formulas_(w), frequency_(std::move(frequency)), values_(std::move(values)), precision_(p) {
   if (w.re) real_over_balls_ = w.re->evaluator<ball>(p);
   if (!w.whole) return;
   over_regions_ = w.whole->evaluator<region>(p);
   over_analytic_balls_ = w.whole->evaluator<analytic_ball>(p);
+}
+
+double oscillation::least_slope_of_bessel() const {
+  double least = HUGE_VAL;
+  for (const known_amplitudes& a : values_.amplitudes) {
+    least = std::min(least, double_interval::from_ball(a.slope).lower());
+  }
+  return least;
 }
 
 region oscillation::operator()(const region& z, int sign) const {
@@ -96,7 +169,17 @@ std::shared_ptr<const oscillation> decomposition::at(std::size_t k, precision p)
 void decomposition::choose(const separated& parts) try {
   numbers_ = parts.numbers;
   const std::size_t count = numbers_.size();
-  const std::vector<possibly_exact_constant> numbers = numbers_at(least_bits);
+  for (const auto& a : parts.amplitudes) {
+    amplitudes_.push_back(
+        {a.variable, a.order, formula_in(a.slope, count), formula_in(a.shift, count)});
+  }
+  const variable_values values = values_at(least_bits);
+  for (const known_amplitudes& a : values.amplitudes) {
+    const bool is_usable =
+        certainly_positive(a.slope) && certainly_less_equal(ball(0, least_bits), a.shift);
+    if (!is_usable) return;
+  }
+  const std::vector<possibly_exact_constant>& numbers = values.numbers;
   for (const auto& [w, a] : *parts.terms) {
     if (w.empty()) {
       steady_ = formulas_of({a.re, std::nullopt}, count);  // real for real y
@@ -115,23 +198,29 @@ void decomposition::choose(const separated& parts) try {
   // A part of it is undefined everywhere: it is not found.
 }
 
-std::vector<possibly_exact_constant> decomposition::numbers_at(precision p) const {
-  std::vector<possibly_exact_constant> result;
-  result.reserve(numbers_.size());
-  for (const auto& number : numbers_) result.push_back(number(p));
+variable_values decomposition::values_at(precision p) const {
+  variable_values result;
+  result.numbers.reserve(numbers_.size());
+  for (const auto& number : numbers_) {
+    result.numbers.push_back(number ? number(p) : possibly_exact_constant(rational(0)));
+  }
+  for (const amplitudes_of_constants& a : amplitudes_) {
+    result.amplitudes.push_back({a.variable, a.order, value_of(a.slope, result.numbers, p),
+                                 value_of(a.shift, result.numbers, p)});
+  }
   return result;
 }
 
 std::vector<std::shared_ptr<const oscillation>> decomposition::make(precision p) const {
-  const std::vector<possibly_exact_constant> numbers = numbers_at(p);
+  const variable_values values = values_at(p);
   std::vector<std::shared_ptr<const oscillation>> result;
   result.reserve(waves_.size() + 1);
   for (const wave_of_frequency& w : waves_) {
     result.push_back(std::make_shared<const oscillation>(
-        w.amplitude, value_of(w.frequency, numbers, p), numbers, p));
+        w.amplitude, value_of(w.frequency, values.numbers, p), values, p));
   }
   if (steady_)
-    result.push_back(std::make_shared<const oscillation>(*steady_, ball(0, p), numbers, p));
+    result.push_back(std::make_shared<const oscillation>(*steady_, ball(0, p), values, p));
   return result;
 }
 

@@ -9,11 +9,26 @@
 #include <optional>
 #include <vector>
 
+#include "expression/arb/hankel_amplitudes.hpp"
 #include "quadrature/formula/arithmetics.hpp"
 #include "quadrature/formula/integrand.hpp"
 #include "quadrature/pieces/waves.hpp"
 
 namespace polhode::detail::oscillations {
+
+/// P and Q at slope y + shift.
+struct known_amplitudes;
+[[nodiscard]] hankel_amplitudes<region> amplitudes_at(const known_amplitudes& a, const region& y);
+[[nodiscard]] hankel_amplitudes<analytic_ball> amplitudes_at(const known_amplitudes& a,
+                                                             const analytic_ball& y);
+[[nodiscard]] hankel_amplitudes<ball> amplitudes_at(const known_amplitudes& a, const ball& y);
+/// For y = c t^-1 with c > 0, Re t >= 0: bounds only, y^(-1/2) times a number.
+[[nodiscard]] hankel_amplitudes<end_series> amplitudes_at(const known_amplitudes& a,
+                                                          const end_series& y);
+[[nodiscard]] hankel_amplitudes<tail_series> amplitudes_at(const known_amplitudes& a,
+                                                           const tail_series& y);
+[[nodiscard]] hankel_amplitudes<growth_bound> amplitudes_at(const known_amplitudes& a,
+                                                            const growth_bound& y);
 
 /// u and v of an amplitude W = u + i v, and W, as formulas in the variables of waves.hpp.
 struct amplitude_formulas {
@@ -22,13 +37,30 @@ struct amplitude_formulas {
   std::optional<expression> whole;  // where one of them is not 0
 };
 
+/// Those of Bessel functions, with the constants to some precision: slope > 0, shift >= 0.
+struct known_amplitudes {
+  std::size_t variable;
+  rational order;
+  ball slope;
+  ball shift;
+};
+
+/// The values of the variables of waves.hpp but y and i.
+struct variable_values {
+  std::vector<possibly_exact_constant> numbers;  // 0 in the place of amplitudes
+  std::vector<known_amplitudes> amplitudes;
+};
+
 /// One frequency, or none, with the constants to some precision.
 class oscillation {
  public:
-  oscillation(const amplitude_formulas& w, ball frequency,
-              std::vector<possibly_exact_constant> numbers, precision p);
+  oscillation(const amplitude_formulas& w, ball frequency, variable_values values, precision p);
 
   [[nodiscard]] const ball& frequency() const { return frequency_; }
+  /// The series of parts() are bounds, not what W is.
+  [[nodiscard]] bool has_bounds_only() const { return !values_.amplitudes.empty(); }
+  /// Infinite where there are no Bessel functions.
+  [[nodiscard]] double least_slope_of_bessel() const;
   /// u and v, where they are not 0, over a series.
   template <class Series>
   [[nodiscard]] std::vector<std::optional<Series>> parts(const Series& y) const {
@@ -54,7 +86,14 @@ class oscillation {
   template <class T>
   [[nodiscard]] std::vector<T> arguments(const T& y, const T& unit) const {
     std::vector<T> result{y, unit};
-    for (const possibly_exact_constant& c : numbers_) result.push_back(constant_beside(y, c));
+    for (const possibly_exact_constant& c : values_.numbers) {
+      result.push_back(constant_beside(y, c));
+    }
+    for (const known_amplitudes& a : values_.amplitudes) {
+      const hankel_amplitudes<T> at = amplitudes_at(a, y);
+      result[a.variable] = at.p;
+      result[a.variable + 1] = at.q;
+    }
     return result;
   }
   template <class T>
@@ -67,7 +106,7 @@ class oscillation {
 
   amplitude_formulas formulas_;
   ball frequency_;
-  std::vector<possibly_exact_constant> numbers_;
+  variable_values values_;
   precision precision_;
   std::optional<compiled_expression<ball>> real_over_balls_;
   std::optional<compiled_expression<region>> over_regions_;
@@ -96,12 +135,19 @@ class decomposition {
     amplitude_formulas amplitude;
   };
   void choose(const separated& parts);
-  [[nodiscard]] std::vector<possibly_exact_constant> numbers_at(precision p) const;
+  [[nodiscard]] variable_values values_at(precision p) const;
   [[nodiscard]] std::vector<std::shared_ptr<const oscillation>> make(precision p) const;
 
   rational theta_;
   bool found_ = false;
   std::vector<std::function<possibly_exact_constant(precision)>> numbers_;
+  struct amplitudes_of_constants {
+    std::size_t variable;
+    rational order;
+    expression slope;
+    expression shift;
+  };
+  std::vector<amplitudes_of_constants> amplitudes_;
   std::vector<wave_of_frequency> waves_;
   std::optional<amplitude_formulas> steady_;
   mutable std::mutex mutex_;

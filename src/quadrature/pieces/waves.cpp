@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "polhode/expression/library_functions.hpp"
 #include "quadrature/formula/arithmetics.hpp"
 
 namespace polhode::detail::oscillations {
@@ -113,6 +114,7 @@ class separation {
     result.growth = growth_;
     result.constants = std::move(constants_);
     result.numbers = std::move(numbers_);
+    result.amplitudes = std::move(amplitudes_);
     return result;
   }
 
@@ -348,9 +350,55 @@ class separation {
                               const std::vector<std::optional<wave>>& waves) {
     if (node.is_argument()) return x_;
     if (node.is_constant()) return of_constant(node);
-    if (node.is_piecewise() || node.is_call()) return std::nullopt;
+    if (node.is_call()) return of_call(f_->call_at(node), waves);
+    if (node.is_piecewise()) return std::nullopt;
     return of_function(node, *waves[node.left], *waves[node.right]);
   }
+  /// Bessel's J and Y of a rational order and w y + c; not where w < 0 or c < 0 is known.
+  [[nodiscard]] std::optional<wave> of_call(const formula_graph::call& call,
+                                            const std::vector<std::optional<wave>>& waves) {
+    // A function of this name in another list may be anything.
+    const auto is_own = [&](const char* name) {
+      const further_functions& own = *library_functions();
+      return call.function->what.name == name &&
+             std::ranges::any_of(own, [&](const auto& f) { return &f == call.function; });
+    };
+    const bool first_kind = is_own("besselJ");
+    if (!first_kind && !is_own("besselY")) return std::nullopt;
+    const std::optional<rational>& order = f_->node(call.operands[0]).exact;
+    wave x = *waves[call.operands[1]];
+    if (!order || !x.is_steady() || !x.powers || x.powers->empty()) return std::nullopt;
+    // J(-x) = (-1)^order J(x) for a whole order.
+    const coefficient& greatest = x.powers->rbegin()->second;
+    const bool is_mirrored =
+        first_kind && !greatest.factor && greatest.q < 0 && denominator(*order) == 1;
+    if (is_mirrored) x = negated(x);
+    const bool changes_sign = is_mirrored && numerator(*order) % 2 != 0;
+    const auto& [e, slope] = *x.powers->rbegin();
+    if (e > 0 && e != 1) growth_ = e;
+    if (e != 1 || !may_be_positive(slope)) return std::nullopt;
+    power_sum shift = *x.powers;
+    shift.erase(std::prev(shift.end()));
+    const bool is_shifted = !shift.empty();
+    if (is_shifted && (shift.size() != 1 || shift.begin()->first != 0 ||
+                       !may_be_positive(shift.begin()->second))) {
+      return std::nullopt;
+    }
+    const std::size_t variable = first_number + numbers_.size();
+    numbers_.insert(numbers_.end(), 2, nullptr);
+    amplitudes_.push_back({variable, *order, value(slope), value(shift)});
+    const wave p = steady(symbol::variable(variable));
+    const wave q = steady(symbol::variable(variable + 1));
+    const std::optional<wave> sine = circular(x, true);
+    const std::optional<wave> cosine = circular(x, false);
+    if (!sine || !cosine) return std::nullopt;
+    const std::optional<wave> with_p = times(p, first_kind ? *cosine : *sine);
+    const std::optional<wave> with_q = times(q, first_kind ? *sine : negated(*cosine));
+    std::optional<wave> result = with_p && with_q ? sum(*with_p, *with_q) : std::nullopt;
+    return result && changes_sign ? negated(*result) : result;
+  }
+  /// Of other numbers the decomposition asks.
+  [[nodiscard]] static bool may_be_positive(const coefficient& c) { return c.factor || c.q > 0; }
   [[nodiscard]] wave of_constant(const formula_node& node) {
     const coefficient c = node.exact ? coefficient{*node.exact} : number(node);
     power_sum powers;
@@ -431,6 +479,7 @@ class separation {
   std::optional<rational> growth_;
   std::map<std::string, symbol> constants_;
   std::vector<std::function<possibly_exact_constant(precision)>> numbers_;
+  std::vector<bessel_amplitudes> amplitudes_;
 };
 
 }  // namespace

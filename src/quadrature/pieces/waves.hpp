@@ -34,6 +34,15 @@ constexpr std::size_t variable_y = 0;
 constexpr std::size_t variable_unit = 1;  // i
 constexpr std::size_t first_number = 2;
 
+/// Two variables are the amplitudes P and Q of hankel_amplitudes.hpp, of this order and at slope y +
+/// shift, which are constants.
+struct bessel_amplitudes {
+  std::size_t variable;  // P; the next one is Q
+  rational order;
+  symbol slope;
+  symbol shift;
+};
+
 /// f(x) |dx/dy| taken apart.
 struct separated {
   /// The amplitudes of e^(i w y), those of w and -w conjugate; nothing where f is not found to be
@@ -43,8 +52,10 @@ struct separated {
   std::optional<rational> growth;
   /// The constants of frequencies, by their names.
   std::map<std::string, symbol> constants;
-  /// The values of the variables from first_number on, by the precision.
+  /// The values of the variables from first_number on, by the precision; empty functions for those
+  /// of `amplitudes`.
   std::vector<std::function<possibly_exact_constant(precision)>> numbers;
+  std::vector<bessel_amplitudes> amplitudes;
 };
 
 /// f between x = at + s and `at`, or an infinity, as a function of y with x = at + s y^theta. The
