@@ -102,7 +102,7 @@ integer greatest_with_square_below(const real& x) {
   for (long bits = 2 * first_guard; bits <= most_guard; bits *= 2) {
     // The floor of the root is that of the root of the floor.
     const interval at = x.at({bits, x.work()});
-    const integer n = floor_root(floor_shift(at.low(), bits));
+    integer n = floor_root(floor_shift(at.low(), bits));
     if (n == floor_root(floor_shift(at.high(), bits))) return n;
   }
   throw undecided("the whole part of an irrational number takes too many bits");

@@ -389,6 +389,65 @@ integral_case special_integral(maker& m) {
   return c;
 }
 
+/// Bessel functions to infinity, where they converge by oscillation: Hankel transforms, Weber and
+/// Schafheitlin's integrals (G. N. Watson, Theory of Bessel Functions, 13.3 to 13.6; DLMF
+/// 10.22(v)).
+integral_case bessel_to_infinity(maker& m) {
+  const term k = m.rational_near(m.within(0.3, 3));
+  const term z = m.rational_near(m.within(0.3, 3));
+  const term q = m.rational_near(m.within(0.1, 0.9));  // of a second frequency, q k or k/q
+  const long n = m.between(1, 4);
+  const term square = x * x + z * z;
+  const auto of = [&](const char* name, const term& order, const term& at) {
+    return call(name, order, at);
+  };
+  integral_case c{0, 0, "inf", few_digits(m)};
+  switch (m.between(0, 9)) {
+    case 0:  // 13.51
+      c.integrand = of("besselJ", 0, k * x) * x / square;
+      c.value = of("besselK", 0, k * z);
+      break;
+    case 1:
+      c.integrand = of("besselJ", 0, k * x) / call("sqrt", square);
+      c.value = of("besselI", 0, k * z / 2) * of("besselK", 0, k * z / 2);
+      break;
+    case 2:
+      c.integrand = of("besselJ", 0, k * x) * call("cos", q * k * x);
+      c.value = 1 / (k * call("sqrt", 1 - q * q));
+      break;
+    case 3:
+      c.integrand = of("besselJ", 0, k * x) * call("sin", k / q * x);
+      c.value = q / (k * call("sqrt", 1 - q * q));
+      break;
+    case 4:  // 13.42: of order n, at two frequencies
+      c.integrand = of("besselJ", n, k * x) * of("besselJ", n, q * k * x) / x;
+      c.value = power(q, n) / (2 * n);
+      break;
+    case 5:
+      c.integrand = power(of("besselJ", n, k * x), 2) / x;
+      c.value = 1 / term(2 * n);
+      break;
+    case 6:
+      c.integrand = of("besselJ", 0, k * x) * x / power(square, term(3) / 2);
+      c.value = call("exp", -(k * z)) / z;
+      break;
+    case 7:
+      c.integrand = of("besselY", 0, k * x) / square;
+      c.value = -(of("besselK", 0, k * z) / z);
+      break;
+    case 8:  // towards 0: 13.51 in 1/x
+      c.integrand = of("besselJ", 0, k / x) / (x * (1 + z * z * x * x));
+      c.value = of("besselK", 0, k * z);
+      break;
+    default: {  // 13.6: any order
+      const term nu = term(m.between(0, 12)) / 6;
+      c.integrand = of("besselJ", nu, k * x) * power(x, nu + 1) / power(square, 2);
+      c.value = k * power(z, nu - 1) * of("besselK", nu - 1, k * z) / 2;
+    }
+  }
+  return c;
+}
+
 }  // namespace
 
 std::vector<integral_family> known_families() {
@@ -405,6 +464,7 @@ std::vector<integral_family> known_families() {
       {"integrals of the books", 7, mostly_cheap(book_integral)}};
   if (!arb_functions()->empty()) {
     all.push_back({"Arb's functions", 8, mostly_cheap(special_integral)});
+    all.push_back({"Bessel functions to infinity", 6, bessel_to_infinity});
   }
   return all;
 }

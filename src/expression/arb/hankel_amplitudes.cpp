@@ -98,29 +98,27 @@ magnitude bound_of_hankel_amplitudes(const rational& order, const ball& least) {
   return (bound * sum).magnitude_upper();
 }
 
-// With H' = H_(nu-1) - nu/z H_nu (DLMF 10.6.2) P' = P_(nu-1) - nu/z P - Q and Q' = Q_(nu-1) - nu/z
-// Q + P. Over a set the mean value theorem of arb_functions.cpp.
+// Over a set Z the mean value theorem of arb_functions.cpp, with Cauchy's estimate of the slope: P
+// and Q are analytic on the disc of radius rho < Re z about each z of Z, and bounded there, where
+// numbers are at least |z| - rho.
 hankel_amplitudes<complex_ball> hankel_amplitudes_at(const rational& order, const complex_ball& z) {
   const precision p = z.precision();
-  const hankel_amplitudes<complex_ball> undefined{complex_ball::undefined(p),
-                                                  complex_ball::undefined(p)};
+  hankel_amplitudes<complex_ball> undefined{complex_ball::undefined(p), complex_ball::undefined(p)};
 #ifdef POLHODE_WITH_ARB
   if (!z.is_bounded() || !certainly_positive(z.re)) return undefined;
   if (z.is_exact()) return at_point(order, z, p);
+  const ball rho = number_of(z.re.magnitude_lower()) / 2;
   const ball least = number_of(z.magnitude_lower());
-  const ball root = sqrt(least);
-  const auto size = [&](const rational& nu) {
-    return ball(0, few_bits).enlarged(bound_of_hankel_amplitudes(nu, least)) / root;
+  const auto bound_beyond = [&](const ball& distance) {
+    return ball(0, few_bits).enlarged(bound_of_hankel_amplitudes(order, distance)) / sqrt(distance);
   };
-  const ball own = size(order);
-  const ball slope = size(rational(order - 1)) + (ball(abs(order), few_bits) / least + 1) * own;
-  const magnitude error =
-      multiply_up(add_up(z.re.radius(), z.im.radius()), slope.magnitude_upper());
+  const magnitude size = bound_beyond(least).magnitude_upper();
+  const magnitude slope = (bound_beyond(least - rho) / rho).magnitude_upper();
+  const magnitude error = multiply_up(add_up(z.re.radius(), z.im.radius()), slope);
   hankel_amplitudes<complex_ball> result = at_point(order, z.middle(), p);
   for (complex_ball* one : {&result.p, &result.q}) {
-    *one = own.magnitude_upper() <= error || !one->is_bounded()
-               ? complex_ball(0, p).enlarged(own.magnitude_upper())
-               : one->enlarged(error);
+    const bool is_far = size <= error || !one->is_bounded();
+    *one = is_far ? complex_ball(0, p).enlarged(size) : one->enlarged(error);
     if (sign_of(z.im) == certain_sign::zero) one->im = ball(0, p);
   }
   return result;

@@ -129,8 +129,8 @@ std::vector<start_of_lines> possible_starts(const rational& theta) {
 }
 
 /// Amplitudes of Bessel functions have cheap values where their asymptotic series are good enough,
-/// from about 0.35 |log2 goal| on: the least exponent of Y0 by which they are. Smaller where f turns
-/// too often up to there.
+/// from about 0.35 |log2 goal| on: the least exponent of Y0 by which they are. Smaller where f
+/// turns too often up to there.
 long least_exponent_for_bessel(const decomposition& parts, double log2_goal) {
   constexpr double most_turned = 1024;  // in radians
   double turned = 0;                    // up to y = 1

@@ -34,8 +34,8 @@ constexpr std::size_t variable_y = 0;
 constexpr std::size_t variable_unit = 1;  // i
 constexpr std::size_t first_number = 2;
 
-/// Two variables are the amplitudes P and Q of hankel_amplitudes.hpp, of this order and at slope y +
-/// shift, which are constants.
+/// Two variables are the amplitudes P and Q of hankel_amplitudes.hpp, of this order and at slope y
+/// + shift, which are constants.
 struct bessel_amplitudes {
   std::size_t variable;  // P; the next one is Q
   rational order;
